@@ -1,0 +1,29 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file jalon.h
+ * All of Jalon: laser-scan surveying for CAD and GIS tools.
+ *
+ * Data nouns (cloud, model), workers (segmenter, modeller, scanner) that hold parameters, and what workers produce
+ * (segmentation, model, cloud): learn one, know all. Handles are reference counted: jalon_X_create makes one owner, jalon_X_retain
+ * adds one, jalon_X_release takes one away, in any order. Outputs are written only on success.
+ */
+#ifndef JALON_JALON_H
+#define JALON_JALON_H
+
+#include <jalon/version.h>
+#include <jalon/status.h>
+#include <jalon/types.h>
+#include <jalon/task.h>
+#include <jalon/params.h>
+#include <jalon/fields.h>
+#include <jalon/cloud.h>
+#include <jalon/search.h>
+#include <jalon/model.h>
+#include <jalon/segmenter.h>
+#include <jalon/modeller.h>
+#include <jalon/scanner.h>
+#include <jalon/io.h>
+#include <jalon/report.h>
+
+#endif

@@ -1,0 +1,63 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file segmenter.h
+ * Segmentation: a cloud in; a label per point and the segments (planes ...) with parameters, covariance and residuals out.
+ *
+ * A segmenter holds parameters and no data; one thread at a time sets them, several may run it once set. A segmentation is immutable,
+ * retains its cloud, and may be read by many threads.
+ */
+#ifndef JALON_SEGMENTER_H
+#define JALON_SEGMENTER_H
+
+#include <jalon/cloud.h>
+
+JALON_BEGIN_C
+
+typedef struct jalon_segmenter jalon_segmenter;
+typedef struct jalon_segmentation jalon_segmentation;
+
+/** Orientation classes of planes relative to the main facade (Boulaassal 2010, 3.4.5.2). */
+enum {
+  JALON_ORIENTATION_NONE = 0,       /**< noise, no plane */
+  JALON_ORIENTATION_PARALLEL = 1,   /**< parallel to the main facade: walls, windows */
+  JALON_ORIENTATION_VERTICAL = 2,   /**< vertical, perpendicular to it: reveals, posts */
+  JALON_ORIENTATION_HORIZONTAL = 3, /**< horizontal: sills, soffits, ground */
+  JALON_ORIENTATION_INCLINED = 4    /**< everything else */
+};
+
+/** method: "ransac" (Fischler & Bolles 1981; Schnabel et al. 2007; Boulaassal 2010). NULL = "ransac". */
+JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out);
+JALON_API jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter);
+JALON_API void jalon_segmenter_release(jalon_segmenter* segmenter);
+/** The segmenter's own parameter set: setting it changes the segmenter. The caller releases it. */
+JALON_API JALON_CHECK jalon_status jalon_segmenter_params(jalon_segmenter* segmenter, jalon_params** out);
+/**
+ * Segments the cloud. JALON_ERROR_INSUFFICIENT_DATA below 3 points, JALON_ERROR_DEGENERATE when all points are equal or collinear;
+ * a cloud without planes gives a segmentation without segments.
+ */
+JALON_API JALON_CHECK jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_cloud* cloud,
+                                           jalon_task* task, jalon_segmentation** out);
+
+JALON_API jalon_segmentation* jalon_segmentation_retain(jalon_segmentation* segmentation);
+JALON_API void jalon_segmentation_release(jalon_segmentation* segmentation);
+/** One row a point: "label" (uint32; 0 = noise, s = segment row s - 1), "residual" (float32, m, signed), "orientation" (uint8). */
+JALON_API JALON_CHECK jalon_status jalon_segmentation_points(const jalon_segmentation* segmentation,
+                                                 jalon_fields** out);
+/**
+ * One row a segment, largest first: "label" (uint32), "orientation" (uint8), "inliers" (uint64), "normal" (float64 x 3, toward the
+ * station where known), "offset" (float64, m; normal . p = offset), "centroid", "axis_u", "axis_v" (float64 x 3), "sigma" (float64, m),
+ * "area" (float64, m2), "length_u", "length_v" (float64, m), "covariance" (float64 x 16: of nx, ny, nz, offset).
+ */
+JALON_API JALON_CHECK jalon_status jalon_segmentation_segments(const jalon_segmentation* segmentation,
+                                                   jalon_fields** out);
+/** A new cloud handle with the points' fields attached, ready to be written; shares the coordinates. */
+JALON_API JALON_CHECK jalon_status jalon_segmentation_cloud(const jalon_segmentation* segmentation,
+                                                jalon_cloud** out);
+/** Rotation about Z and shift that put the main facade parallel to the plane OXZ, the station side at -Y. Identity when off. */
+JALON_API JALON_CHECK jalon_status jalon_segmentation_facade_frame(const jalon_segmentation* segmentation,
+                                                       jalon_transform* T_facade_world);
+
+JALON_END_C
+
+#endif

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "jalon/params.h"
+
+#include <cstring>
+
+#include "capi/guard.h"
+#include "capi/operations.h"
+#include "cloud/operations.h"
+#include "formats/formats.h"
+#include "report/report.h"
+#include "scan/scanner.h"
+
+namespace jalon::capi {
+
+std::span<const Operation> operations() {
+  static constexpr Operation kOperations[] = {
+      {"normals", normals_rows},     {"features", features_rows},   {"components", components_rows},
+      {"outliers", outliers_rows},   {"subsample", subsample_rows}, {"interest", interest_rows},
+      {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
+      {"elevation", elevation_rows}, {"report", report_rows},
+  };
+  return kOperations;
+}
+
+namespace {
+
+const Operation& find_operation(const std::string& name) {
+  std::string names;
+  for (const auto& operation : operations()) {
+    if (name == operation.name) return operation;
+    names += (names.empty() ? "" : ", ") + std::string(operation.name);
+  }
+  fail(Status::kNotFound, "no operation \"%.100s\"; there are: %s", name.c_str(), names.c_str());
+}
+
+}  // namespace
+
+ParamSet options_or_default(const jalon_params* options, const char* operation) {
+  if (options == nullptr) return {find_operation(operation).name, find_operation(operation).rows()};
+  if (options->operation != operation)
+    fail(Status::kInvalidArgument, "the options are of \"%s\", not of \"%s\"", options->operation.c_str(), operation);
+  return *options->values;
+}
+
+}  // namespace jalon::capi
+
+using namespace jalon;
+using namespace jalon::capi;
+
+jalon_status jalon_params_create(const char* operation, jalon_params** out) {
+  return guard([&] {
+    require(out, "out");
+    const Operation& found = find_operation(require_text(operation, "operation"));
+    auto handle = std::make_unique<jalon_params>();
+    handle->operation = found.name;
+    handle->values = std::make_shared<ParamSet>(found.name, found.rows());
+    *out = handle.release();
+  });
+}
+
+jalon_status jalon_params_operation_count(uint64_t* out) {
+  return guard([&] {
+    require(out, "out");
+    *out = operations().size();
+  });
+}
+
+jalon_status jalon_params_operation_name(uint64_t i, const char** out) {
+  return guard([&] {
+    require(out, "out");
+    if (i >= operations().size()) fail(Status::kInvalidArgument, "there are %zu operations", operations().size());
+    *out = operations()[i].name;
+  });
+}
+
+jalon_params* jalon_params_retain(jalon_params* params) { return retain(params); }
+void jalon_params_release(jalon_params* params) { release(params); }
+
+jalon_status jalon_params_count(const jalon_params* params, uint64_t* out) {
+  return guard([&] {
+    require(params, "params");
+    require(out, "out");
+    *out = params->values->rows().size();
+  });
+}
+
+jalon_status jalon_params_info(const jalon_params* params, uint64_t i, jalon_param_info* out) {
+  return guard([&] {
+    require(params, "params");
+    require(out, "out");
+    const auto rows = params->values->rows();
+    if (i >= rows.size()) fail(Status::kInvalidArgument, "there are %zu parameters", rows.size());
+    if (out->struct_size < sizeof(uint32_t) || out->struct_size > 4096)
+      fail(Status::kInvalidArgument, "struct_size of jalon_param_info is not set");
+    // Texts are made once, at the first look: handles are for one thread at a time.
+    auto& texts = const_cast<jalon_params*>(params)->default_texts;
+    if (texts.empty()) {
+      std::vector<std::string> made;
+      for (size_t k = 0; k < rows.size(); ++k) made.push_back(params->values->default_text(k));
+      texts.swap(made);
+    }
+    const ParamRow& row = rows[i];
+    const jalon_param_info info{out->struct_size, static_cast<int32_t>(row.type), row.name,    row.unit,
+                                row.methods,      row.help,                       row.choices, texts[i].c_str(),
+                                row.minimum,      row.maximum};
+    std::memcpy(out, &info, std::min<size_t>(out->struct_size, sizeof info));
+  });
+}
+
+jalon_status jalon_params_set_double(jalon_params* params, const char* name, double value) {
+  return guard([&] {
+    require(params, "params");
+    params->values->set_number(require_text(name, "name"), value);
+  });
+}
+
+jalon_status jalon_params_set_int64(jalon_params* params, const char* name, int64_t value) {
+  return guard([&] {
+    require(params, "params");
+    params->values->set_integer(require_text(name, "name"), value);
+  });
+}
+
+jalon_status jalon_params_set_bool(jalon_params* params, const char* name, int32_t value) {
+  return guard([&] {
+    require(params, "params");
+    params->values->set_bool(require_text(name, "name"), value != 0);
+  });
+}
+
+jalon_status jalon_params_set_string(jalon_params* params, const char* name, const char* value) {
+  return guard([&] {
+    require(params, "params");
+    params->values->set_text(require_text(name, "name"), require_text(value, "value"));
+  });
+}
+
+jalon_status jalon_params_set_doubles(jalon_params* params, const char* name, const double* values, uint64_t count) {
+  return guard([&] {
+    require(params, "params");
+    require_array(values, JALON_FLOAT64, count, 1, 0, "values");
+    params->values->set_numbers(require_text(name, "name"), {values, count});
+  });
+}
+
+jalon_status jalon_params_get_double(const jalon_params* params, const char* name, double* out) {
+  return guard([&] {
+    require(params, "params");
+    require(out, "out");
+    *out = params->values->number(require_text(name, "name"));
+  });
+}
+
+jalon_status jalon_params_get_int64(const jalon_params* params, const char* name, int64_t* out) {
+  return guard([&] {
+    require(params, "params");
+    require(out, "out");
+    *out = params->values->integer(require_text(name, "name"));
+  });
+}
+
+jalon_status jalon_params_get_bool(const jalon_params* params, const char* name, int32_t* out) {
+  return guard([&] {
+    require(params, "params");
+    require(out, "out");
+    *out = params->values->flag(require_text(name, "name")) ? 1 : 0;
+  });
+}
+
+jalon_status jalon_params_get_string(const jalon_params* params, const char* name, const char** out) {
+  return guard([&] {
+    require(params, "params");
+    require(out, "out");
+    *out = params->values->text(require_text(name, "name")).c_str();
+  });
+}
+
+jalon_status jalon_params_get_doubles(const jalon_params* params, const char* name, const double** values,
+                                      uint64_t* count) {
+  return guard([&] {
+    require(params, "params");
+    require(values, "values");
+    require(count, "count");
+    const auto& numbers = params->values->numbers(require_text(name, "name"));
+    *values = numbers.data();
+    *count = numbers.size();
+  });
+}
+
+jalon_status jalon_params_reset(jalon_params* params) {
+  return guard([&] {
+    require(params, "params");
+    params->values->reset();
+  });
+}
+
+jalon_status jalon_params_to_json(jalon_params* params, const char** out) {
+  return guard([&] {
+    require(params, "params");
+    require(out, "out");
+    params->json = params->values->to_json();
+    *out = params->json.c_str();
+  });
+}
+
+jalon_status jalon_params_from_json(jalon_params* params, const char* json) {
+  return guard([&] {
+    require(params, "params");
+    params->values->from_json(require_text(json, "json", size_t{1} << 20));
+  });
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "model/model.h"
+
+#include <limits>
+
+#include "base/error.h"
+
+namespace jalon {
+
+size_t Model::add_face(Face face, const std::vector<std::vector<Vec3>>& face_rings) {
+  face.first_ring = rings.size();
+  face.ring_count = face_rings.size();
+  for (const auto& ring : face_rings) {
+    if (vertices.size() + ring.size() > std::numeric_limits<uint32_t>::max())
+      fail(Status::kLimit, "a model holds at most 2^32 vertices");
+    rings.push_back({corners.size(), ring.size()});
+    for (const Vec3& p : ring) {
+      corners.push_back(static_cast<uint32_t>(vertices.size()));
+      vertices.push_back(p);
+    }
+  }
+  faces.push_back(face);
+  return faces.size() - 1;
+}
+
+void validate(const Model& model) {
+  const auto number = [](size_t i) { return static_cast<unsigned long long>(i); };
+  for (size_t i = 0; i < model.vertices.size(); ++i)
+    if (!is_finite(model.vertices[i])) fail(Status::kInvalidArgument, "vertex %llu is not finite", number(i));
+  for (size_t i = 0; i < model.corners.size(); ++i)
+    if (model.corners[i] >= model.vertices.size())
+      fail(Status::kInvalidArgument, "corner %llu names vertex %u of %llu", number(i), model.corners[i],
+           number(model.vertices.size()));
+  for (size_t i = 0; i < model.triangles.size(); ++i)
+    for (const uint32_t v : model.triangles[i])
+      if (v >= model.vertices.size())
+        fail(Status::kInvalidArgument, "triangle %llu names vertex %u of %llu", number(i), v,
+             number(model.vertices.size()));
+  for (size_t i = 0; i < model.rings.size(); ++i)
+    if (model.rings[i].first > model.corners.size() || model.rings[i].count > model.corners.size() - model.rings[i].first)
+      fail(Status::kInvalidArgument, "ring %llu reaches beyond the corners", number(i));
+  for (size_t i = 0; i < model.faces.size(); ++i)
+    if (model.faces[i].first_ring > model.rings.size() ||
+        model.faces[i].ring_count > model.rings.size() - model.faces[i].first_ring)
+      fail(Status::kInvalidArgument, "face %llu reaches beyond the rings", number(i));
+  if (model.triangle_faces.size() != model.triangles.size())
+    fail(Status::kInvalidArgument, "%llu face ids for %llu triangles", number(model.triangle_faces.size()),
+         number(model.triangles.size()));
+}
+
+}  // namespace jalon

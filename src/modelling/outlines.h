@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "base/params.h"
+#include "base/task.h"
+#include "model/model.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+/// Parameter table of method "outlines".
+std::span<const ParamRow> outlines_rows();
+/// One face with openings per planar segment, straight edges (contour by the in-plane Delaunay triangulation without long triangles).
+Model model_outlines(const Segmentation& segmentation, const ParamSet& params, Task& task);
+
+}  // namespace jalon
