@@ -71,6 +71,7 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_builder_seal(jalon_cloud_builder*
 
 /* ---- looking ---- */
 
+/** Number of points. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_count(const jalon_cloud* cloud, uint64_t* out);
 /** Coordinates, (n, 3) float64, no copy; lives as long as any cloud that shares them. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_points(const jalon_cloud* cloud, jalon_array_view* out);

@@ -57,9 +57,11 @@ JALON_API JALON_CHECK jalon_status jalon_params_operation_name(uint64_t i, const
 JALON_API jalon_params* jalon_params_retain(jalon_params* params);
 JALON_API void jalon_params_release(jalon_params* params);
 
+/** Number of rows. */
 JALON_API JALON_CHECK jalon_status jalon_params_count(const jalon_params* params, uint64_t* out);
 JALON_API JALON_CHECK jalon_status jalon_params_info(const jalon_params* params, uint64_t i, jalon_param_info* out);
 
+/** Set one value. JALON_ERROR_NOT_FOUND for an unknown name, JALON_ERROR_INVALID_ARGUMENT for a wrong type or range. */
 JALON_API JALON_CHECK jalon_status jalon_params_set_double(jalon_params* params, const char* name, double value);
 JALON_API JALON_CHECK jalon_status jalon_params_set_int64(jalon_params* params, const char* name, int64_t value);
 /** Any value other than 0 is true. */
@@ -69,6 +71,7 @@ JALON_API JALON_CHECK jalon_status jalon_params_set_string(jalon_params* params,
 JALON_API JALON_CHECK jalon_status jalon_params_set_doubles(jalon_params* params, const char* name,
                                                 const double* values, uint64_t count);
 
+/** Read one value; the type must be the row's. */
 JALON_API JALON_CHECK jalon_status jalon_params_get_double(const jalon_params* params, const char* name, double* out);
 JALON_API JALON_CHECK jalon_status jalon_params_get_int64(const jalon_params* params, const char* name, int64_t* out);
 JALON_API JALON_CHECK jalon_status jalon_params_get_bool(const jalon_params* params, const char* name, int32_t* out);

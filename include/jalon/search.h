@@ -28,7 +28,8 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_knn(const jalon_cloud* cloud, con
                                        uint64_t count, uint64_t stride_bytes, uint32_t k,
                                        int32_t level, jalon_task* task, uint64_t* indices,
                                        double* squared_distances);
-/** The k nearest points of every point of the cloud, itself included, in the cloud's order: the fast batch form. indices are 32 bits. */
+/** The k nearest points of every point of the cloud, itself included, in the cloud's order: the fast batch form, k <= 256. indices: 32 bits,
+ * UINT32_MAX where there are fewer; after a failure the arrays may be partly written. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_knn_all(const jalon_cloud* cloud, uint32_t k, jalon_task* task,
                                            uint32_t* indices, float* squared_distances);
 /**

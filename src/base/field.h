@@ -63,8 +63,8 @@ struct FieldInfo {
   std::string name;
   ElementType type = ElementType::kFloat64;
   uint32_t components = 1;
-  std::string unit;
-  std::string meaning;
+  std::string unit = {};
+  std::string meaning = {};
 };
 
 /// One named column: count items of components elements, packed, written once and then shared read-only

@@ -12,6 +12,7 @@
 
 #include "base/buffer.h"
 #include "base/field.h"
+#include "base/shared_text.h"
 #include "base/task.h"
 #include "geometry/vec.h"
 #include "spatial/octree.h"
@@ -20,7 +21,7 @@ namespace jalon {
 
 /// Where a scan was taken from, and which points it saw.
 struct Station {
-  std::string name;
+  SharedText name;
   bool has_pose = false;
   Transform pose;  ///< T_world_scanner
   uint64_t first = 0, count = 0;
@@ -35,7 +36,8 @@ struct Attachment {
 /// The octree of one set of points, built at most once and shared by all clouds that share the points.
 class IndexSlot {
  public:
-  /// The tree, built now if need be; threads that come meanwhile wait, and one of them takes over when the builder fails.
+  /// The tree, built now if need be; threads that come meanwhile wait, and one of them takes over when the
+  /// builder fails.
   std::shared_ptr<const Octree> get(std::span<const double> xyz, Task& task);
   /// Replaces it by a tree on this cube unless it has it already.
   std::shared_ptr<const Octree> get_on(std::span<const double> xyz, const Cube& cube, Task& task);
@@ -48,13 +50,13 @@ class IndexSlot {
   std::shared_ptr<const Octree> tree_;
 };
 
-/// Points + fields + stations + CRS. A value: copies share the storage; the points are never changed. Functions that "change" a cloud
-/// copy it, change the copy's table, and give it back.
+/// Points + fields + stations + CRS. A value: copies share the storage; the points are never changed. Functions that
+/// "change" a cloud copy it, change the copy's table, and give it back.
 struct Cloud {
   std::shared_ptr<const Buffer<double>> xyz_buffer = std::make_shared<Buffer<double>>();  ///< 3n, caller's doubles
   FieldTable fields;
-  std::vector<Station> stations;
-  std::string crs;
+  std::vector<Station> stations;  ///< in the order of their points, which do not overlap
+  SharedText crs;
   std::shared_ptr<const std::vector<Attachment>> attachments;  ///< may be null
   std::shared_ptr<IndexSlot> index = std::make_shared<IndexSlot>();
 

@@ -67,6 +67,12 @@ bool fit_plane(std::span<const Vec3> points, PlaneFit& out) {
   return fit_plane(moments, out);
 }
 
+void shift_origin(PlaneFit& fit, const Vec3& shift) {
+  fit.centroid += shift;
+  fit.plane.offset += dot(fit.plane.normal, shift);
+  fit.covariance = parameter_covariance(fit);
+}
+
 bool plane_through(const Vec3& a, const Vec3& b, const Vec3& c, Plane& out) {
   constexpr double kMinSine = 1e-3;
   const Vec3 u = b - a, v = c - a, n = cross(u, v);

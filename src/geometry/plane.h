@@ -62,6 +62,9 @@ struct PlaneFit {
 /// False when fewer than 3 points, or collinear (second eigenvalue <= 1e-12 of the largest).
 bool fit_plane(const Moments& moments, PlaneFit& out);
 bool fit_plane(std::span<const Vec3> points, PlaneFit& out);
+/// The same fit in coordinates q = p + shift: moves centroid and offset and propagates the covariance of the offset, which grows with
+/// the distance of the origin from the centroid.
+void shift_origin(PlaneFit& fit, const Vec3& shift);
 /// Plane through three points; false when they are (nearly) collinear: |cross| <= 1e-3 |a| |b|.
 bool plane_through(const Vec3& a, const Vec3& b, const Vec3& c, Plane& out);
 

@@ -91,7 +91,7 @@ class Octree {
     ball_batches(radius, task, [](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
                  &visit);
   }
-  /// Coordinates of a sorted position relative to the cube's origin, in metres, from the 31-bit grid (error <= edge / 2^32): enough for
+  /// Coordinates of a sorted position relative to the cube's origin, in metres, from the 31-bit grid (rounded down, error < edge / 2^31): enough for
   /// normals and features, and the same bits wherever the cloud lies.
   Vec3 local(size_t sorted_position) const;
   /// Raw fixed-point coordinates and their step (m).
@@ -100,16 +100,19 @@ class Octree {
   const int32_t* grid_z() const;
   double grid_step() const;
 
+  struct Impl;
+  const Impl& impl() const { return *impl_; }  ///< for the files of this room (octree_impl.h)
+
  private:
   Octree();
   void knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batch&), void* context) const;
   void ball_batches(double radius, Task& task, void (*visit)(void*, const BallBatch&), void* context) const;
-  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// Constant-level k nearest neighbours (2.3, formula 4.1), cell-batched: for queries sorted into the cells of the same cube. Same answers
-/// as Octree::knn. out: queries * k, kNoPoint-filled. max_distance: 2.3 step 5; infinity = none.
+/// Constant-level k nearest neighbours (2.3, formula 4.1), cell-batched: queries are grouped by their cell, and each group shares the
+/// points gathered around it. Queries may lie anywhere, in any order; the level (1 ... 21) changes the time, never the answer, which is
+/// that of Octree::knn. out: queries * k, filled up with kNoPoint at infinity.
 void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32_t k, int level, Task& task,
                   std::span<Neighbour> out);
 /// Formula 4.2: the level expected to be fastest for k neighbours in reference of all points of compared. Both on one cube.

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "jalon/report.h"
+
+#include "capi/guard.h"
+#include "capi/model_handles.h"
+#include "capi/worker_handles.h"
+#include "formats/atomic_file.h"
+#include "report/report.h"
+
+using namespace jalon;
+using namespace jalon::capi;
+
+namespace {
+
+constexpr size_t kMaxNotesBytes = size_t{1} << 20;
+
+void require_inputs(const jalon_segmentation* segmentation, const jalon_model* model) {
+  require(segmentation, "segmentation");
+  require(model, "model");
+}
+
+std::string notes_text(const char* notes_json) {
+  return notes_json != nullptr ? require_text(notes_json, "notes_json", kMaxNotesBytes) : std::string();
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace
+
+jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation, const jalon_model* model,
+                                          const char* path, const jalon_params* options, jalon_task* task) {
+  return guard([&] {
+    require_inputs(segmentation, model);
+    const std::string target = require_text(path, "path");
+    const ParamSet set = options_or_default(options, "elevation");
+    with_task(task, [&](Task& t) {
+      write_whole(target, elevation_svg(*segmentation->segmentation, *model->model, set, t));
+    });
+  });
+}
+
+jalon_status jalon_report_write_html(const jalon_segmentation* segmentation, const jalon_model* model,
+                                     const char* notes_json, const char* path, const jalon_params* options,
+                                     jalon_task* task) {
+  return guard([&] {
+    require_inputs(segmentation, model);
+    const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
+    const ParamSet set = options_or_default(options, "report");
+    with_task(task, [&](Task& t) {
+      write_whole(target, report_html(*segmentation->segmentation, *model->model, notes, set, t));
+    });
+  });
+}
+
+jalon_status jalon_report_write_json(const jalon_segmentation* segmentation, const jalon_model* model,
+                                     const char* notes_json, const char* path, const jalon_params* options,
+                                     jalon_task* task) {
+  return guard([&] {
+    require_inputs(segmentation, model);
+    const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
+    options_or_default(options, "report");  // refuses a foreign set
+    with_task(task, [&](Task& t) {
+      write_whole(target, report_json(*segmentation->segmentation, *model->model, notes, t));
+    });
+  });
+}

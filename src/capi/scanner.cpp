@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "jalon/scanner.h"
+
+#include <optional>
+
+#include "capi/guard.h"
+#include "capi/model_handles.h"
+#include "capi/scan_handles.h"
+#include "scan/scanner.h"
+
+using namespace jalon;
+using namespace jalon::capi;
+
+namespace {
+
+constexpr const char* kOwner = "scanner static";
+
+}  // namespace
+
+jalon_status jalon_scanner_create(const char* method, jalon_scanner** out) {
+  return guard([&] {
+    require(out, "out");
+    const std::string name = method == nullptr ? "static" : require_text(method, "method");
+    if (name != "static") fail(Status::kNotFound, "no scanner \"%.100s\"; there is: static", name.c_str());
+    auto handle = std::make_unique<jalon_scanner>();
+    handle->values = std::make_shared<ParamSet>(kOwner, static_scanner_rows());
+    *out = handle.release();
+  });
+}
+
+jalon_scanner* jalon_scanner_retain(jalon_scanner* scanner) { return retain(scanner); }
+void jalon_scanner_release(jalon_scanner* scanner) { release(scanner); }
+
+jalon_status jalon_scanner_params(jalon_scanner* scanner, jalon_params** out) {
+  return guard([&] {
+    require(scanner, "scanner");
+    require(out, "out");
+    auto handle = std::make_unique<jalon_params>();
+    handle->operation = kOwner;
+    handle->values = scanner->values;
+    *out = handle.release();
+  });
+}
+
+jalon_status jalon_scanner_add_station(jalon_scanner* scanner, const char* name, const jalon_transform* pose) {
+  return guard([&] {
+    require(scanner, "scanner");
+    require(pose, "pose");
+    ScanStation station;
+    if (name != nullptr) station.name = require_text(name, "name");
+    station.pose = from_c(*pose);
+    require_rigid(station.pose);
+    scanner->stations.push_back(std::move(station));
+  });
+}
+
+jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* model, jalon_task* task,
+                               jalon_cloud** out) {
+  return guard([&] {
+    require(scanner, "scanner");
+    require(model, "model");
+    require(out, "out");
+    std::optional<Cloud> cloud;
+    with_task(task, [&](Task& t) { cloud = scan_static(*model->model, scanner->stations, *scanner->values, t); });
+    *out = new_cloud(std::move(*cloud));
+  });
+}
+
+jalon_status jalon_scene_create(const jalon_params* options, jalon_task* task, jalon_model** out) {
+  return guard([&] {
+    require(out, "out");
+    const ParamSet values = options_or_default(options, "scene");
+    Model model;
+    with_task(task, [&](Task& t) { model = build_scene(values, t); });
+    *out = new_model(std::move(model));
+  });
+}

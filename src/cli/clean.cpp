@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "cli/options.h"
+
+namespace jalon::cli {
+
+namespace {
+
+struct Clean {
+  Common common;
+  Input input;
+  Settings outliers;
+  std::string output;
+  double duplicate_tolerance_m = 1e-4;  // Boulaassal 2010, 3.3: equal to the tenth of a millimetre
+  bool keep_duplicates = false;
+  bool remove_outliers = false;
+  double voxel_m = 0;
+  bool facade_only = false;
+
+  void report(const Console& console, nlohmann::ordered_json& steps, const char* name, const jalon_reduction& r) const {
+    console.say(std::string(name) + ": " + grouped(r.count_in) + " -> " + grouped(r.count_out) + " points, " +
+                grouped(r.removed) + " removed (" + fixed(r.removed_percent, 2) + " %)");
+    steps.push_back({{"step", name}, {"count_in", r.count_in}, {"count_out", r.count_out}, {"removed", r.removed},
+                     {"removed_percent", r.removed_percent}});
+  }
+
+  void run() const {
+    Console console(common);
+    console.step("reading");
+    Cloud cloud = input.read(console);
+    auto steps = nlohmann::ordered_json::array();
+    jalon_reduction reduction;
+    if (!keep_duplicates) {
+      console.step("duplicates");
+      must(jalon_cloud_remove_duplicates(cloud.get(), duplicate_tolerance_m, console.task(), Out(cloud), &reduction));
+      report(console, steps, "duplicates", reduction);
+    }
+    if (facade_only) {
+      console.step("facade");
+      const uint64_t before = count_of(cloud);
+      must(jalon_cloud_split_interest(cloud.get(), nullptr, console.task(), Out(cloud), nullptr));
+      const uint64_t after = count_of(cloud);
+      report(console, steps, "unwanted points",
+             {before, after, before - after, before > 0 ? 100.0 * static_cast<double>(before - after) / static_cast<double>(before) : 0});
+    }
+    if (remove_outliers) {
+      console.step("outliers");
+      const Params options = make_params("outliers");
+      outliers.apply(options.get());
+      must(jalon_cloud_remove_outliers(cloud.get(), options.get(), console.task(), Out(cloud), &reduction));
+      report(console, steps, "outliers", reduction);
+    }
+    if (voxel_m > 0) {
+      console.step("sampling");
+      const Params options = make_params("subsample");
+      must(jalon_params_set_string(options.get(), "method", "voxel"));
+      must(jalon_params_set_double(options.get(), "cell_m", voxel_m));
+      must(jalon_cloud_subsample(cloud.get(), options.get(), console.task(), Out(cloud), &reduction));
+      report(console, steps, "voxels", reduction);
+    }
+    console.step("writing");
+    must(jalon_cloud_write(cloud.get(), output.c_str(), nullptr, console.task()));
+    console.say("wrote " + output);
+    console.result({{"input", input.path}, {"output", output}, {"points", count_of(cloud)}, {"steps", steps}});
+  }
+};
+
+}  // namespace
+
+void add_clean(CLI::App& app) {
+  auto* command = app.add_subcommand("clean", "Removes duplicates, outliers and unwanted points; thins");
+  auto state = std::make_shared<Clean>();
+  state->input.add_to(*command);
+  command->add_option("-o,--output", state->output, "File to write")->required()->type_name("FILE");
+  command->add_option("--duplicate-tolerance", state->duplicate_tolerance_m, "Points that agree after rounding to this length are one (m)")
+      ->capture_default_str();
+  command->add_flag("--keep-duplicates", state->keep_duplicates, "Do not look for duplicates");
+  command->add_flag("--facade", state->facade_only, "Keep the largest vertical entity: drops obstacles in front and ghosts behind");
+  command->add_flag("--outliers", state->remove_outliers, "Remove isolated points");
+  command->add_option("--voxel", state->voxel_m, "Thin to one point a cell of this edge length (m)")->check(CLI::PositiveNumber);
+  state->outliers.add_to(*command);
+  add_common(*command, state->common);
+  command->footer([] {
+    return "Parameters of --set (for --outliers):\n" + describe(make_params("outliers").get()) +
+           "\nExample: jalon clean scan.las -o clean.las --outliers --voxel 0.02";
+  });
+  command->callback([state] { state->run(); });
+}
+
+}  // namespace jalon::cli

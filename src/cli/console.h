@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "cli/handles.h"
+
+namespace jalon::cli {
+
+/// Options that every command has.
+struct Common {
+  bool quiet = false;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+/// What a person sees while a command runs: a progress bar on a terminal, warnings, the result; nothing but errors when quiet, one JSON
+/// object on standard output with --json. It owns the task; Ctrl-C cancels it.
+class Console {
+ public:
+  explicit Console(const Common& common);
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  jalon_task* task() const { return task_.get(); }
+  /// Names the step for the bar and starts its clock.
+  void step(const char* name);
+  /// Seconds since step() was called.
+  double seconds() const;
+  /// Result for people: a line on standard output unless quiet or --json.
+  void say(const std::string& line) const;
+  /// Result for scripts: printed with --json.
+  void result(const nlohmann::ordered_json& object) const;
+
+ private:
+  static int32_t on_progress(double fraction, const char* stage, void* user);
+  static void on_log(int32_t level, const char* text, void* user);
+  void clear_bar();
+
+  Common common_;
+  Task task_;
+  bool terminal_, bar_shown_ = false;
+  std::string step_;
+  std::chrono::steady_clock::time_point started_;
+};
+
+/// 12345678 as "12 345 678".
+std::string grouped(uint64_t number);
+/// Fixed decimals, no locale.
+std::string fixed(double value, int decimals);
+
+}  // namespace jalon::cli

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "cli/options.h"
+#include "cli/output_folder.h"
+
+namespace jalon::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* orientation_name(uint8_t orientation) {
+  static constexpr const char* kNames[] = {"none", "parallel", "vertical", "horizontal", "inclined"};
+  return orientation < 5 ? kNames[orientation] : "?";
+}
+
+struct Facade {
+  Common common;
+  Input input;
+  Settings settings, model_settings;
+  std::string output;
+  double tolerance_m = 0;  ///< 0 = the segmenter's default
+
+  Segmentation segment(const Console& console, const Cloud& cloud) const {
+    Segmenter segmenter;
+    must(jalon_segmenter_create("ransac", Out(segmenter)));
+    Params params;
+    must(jalon_segmenter_params(segmenter.get(), Out(params)));
+    if (tolerance_m > 0) must(jalon_params_set_double(params.get(), "distance_tolerance", tolerance_m));
+    settings.apply(params.get());
+    Segmentation segmentation;
+    must(jalon_segmenter_run(segmenter.get(), cloud.get(), console.task(), Out(segmentation)));
+    return segmentation;
+  }
+
+  Model outline(const Console& console, const Cloud& cloud, const Segmentation& segmentation) const {
+    Modeller modeller;
+    must(jalon_modeller_create("outlines", Out(modeller)));
+    Params params;
+    must(jalon_modeller_params(modeller.get(), Out(params)));
+    model_settings.apply(params.get());
+    Model model;
+    must(jalon_modeller_run(modeller.get(), cloud.get(), segmentation.get(), console.task(), Out(model)));
+    return model;
+  }
+
+  void write(const Console& console, const Segmentation& segmentation, const Model& model, Json notes) const {
+    OutputFolder folder(output);
+    Cloud labelled;
+    must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
+    must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr, console.task()));
+    must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr, console.task()));
+    must(jalon_model_write(model.get(), folder.path("model.obj").c_str(), nullptr, console.task()));
+    must(jalon_report_write_elevation(segmentation.get(), model.get(), folder.path("elevation.svg").c_str(), nullptr, console.task()));
+    notes["times"]["write"] = console.seconds();
+    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
+    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(), folder.path("report.html").c_str(), nullptr, console.task()));
+    folder.commit();
+  }
+
+  Json planes(const Console& console, const Segmentation& segmentation) const {
+    Fields fields;
+    must(jalon_segmentation_segments(segmentation.get(), Out(fields)));
+    uint64_t count = 0;
+    const auto* label = values<uint32_t>(fields, "label", &count);
+    const auto* orientation = values<uint8_t>(fields, "orientation");
+    const auto* inliers = values<uint64_t>(fields, "inliers");
+    const auto* normal = values<double>(fields, "normal");
+    const auto* offset = values<double>(fields, "offset");
+    const auto* sigma = values<double>(fields, "sigma");
+    const auto* area = values<double>(fields, "area");
+    Json list = Json::array();
+    console.say("plane  orientation     points    area m2   sigma mm   normal");
+    for (uint64_t i = 0; i < count; ++i) {
+      list.push_back({{"label", label[i]}, {"orientation", orientation_name(orientation[i])}, {"inliers", inliers[i]},
+                      {"area_m2", area[i]}, {"sigma_m", sigma[i]}, {"offset_m", offset[i]},
+                      {"normal", {normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]}}});
+      char line[200];
+      std::snprintf(line, sizeof line, "%5u  %-11s %10s %10s %10s   %s %s %s", label[i], orientation_name(orientation[i]),
+                    grouped(inliers[i]).c_str(), fixed(area[i], 2).c_str(), fixed(1000 * sigma[i], 1).c_str(),
+                    fixed(normal[3 * i], 4).c_str(), fixed(normal[3 * i + 1], 4).c_str(), fixed(normal[3 * i + 2], 4).c_str());
+      console.say(line);
+    }
+    return list;
+  }
+
+  void run() const {
+    Console console(common);
+    Json notes{{"title", "Facade"}, {"input", {{"file", input.path}}}, {"times", Json::object()}};
+    console.step("reading");
+    const Cloud cloud = input.read(console);
+    notes["times"]["read"] = console.seconds();
+    notes["input"]["points"] = grouped(count_of(cloud));
+    console.step("planes");
+    const Segmentation segmentation = segment(console, cloud);
+    notes["times"]["segment"] = console.seconds();
+    console.step("outlines");
+    const Model model = outline(console, cloud, segmentation);
+    notes["times"]["model"] = console.seconds();
+    console.step("writing");
+    write(console, segmentation, model, notes);
+    const Json list = planes(console, segmentation);
+    console.say("wrote " + output + ": report.html, elevation.svg, model.obj, segments.las, segments.ply");
+    console.result({{"input", input.path}, {"points", count_of(cloud)}, {"output", output}, {"times", notes["times"]},
+                    {"planes", list}});
+  }
+};
+
+std::string tables() {
+  Segmenter segmenter;
+  must(jalon_segmenter_create("ransac", Out(segmenter)));
+  Modeller modeller;
+  must(jalon_modeller_create("outlines", Out(modeller)));
+  Params planes, outlines;
+  must(jalon_segmenter_params(segmenter.get(), Out(planes)));
+  must(jalon_modeller_params(modeller.get(), Out(outlines)));
+  return "Parameters of --set (planes):\n" + describe(planes.get()) + "\nParameters of --outline-set (outlines):\n" +
+         describe(outlines.get());
+}
+
+}  // namespace
+
+void add_facade(CLI::App& app) {
+  auto* command = app.add_subcommand("facade", "From a scan to planes, outlines with openings, a drawing and a report");
+  auto state = std::make_shared<Facade>();
+  state->input.add_to(*command);
+  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
+  command->add_option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
+      ->check(CLI::PositiveNumber);
+  state->settings.add_to(*command);
+  state->model_settings.add_to(*command, "outline-");
+  add_common(*command, state->common);
+  command->footer([] {
+    return tables() +
+           "\nExamples:\n  jalon facade scan.las -o result\n  jalon facade scan.txt -o result --columns \"x y z intensity\" --set seed=7";
+  });
+  command->callback([state] { state->run(); });
+}
+
+}  // namespace jalon::cli

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "jalon/jalon.h"
+
+namespace jalon::cli {
+
+/// A failed call: its status and line, carried to main, which turns it into an exit code.
+struct Failure {
+  jalon_status status;
+  std::string text;
+};
+
+/// Every call of the C API goes through here.
+inline void must(jalon_status status) {
+  if (status != JALON_OK) throw Failure{status, jalon_last_error_message()};
+}
+
+/// Owner of a handle: unique_ptr with the noun's release.
+template <auto release>
+struct Release {
+  template <class T>
+  void operator()(T* handle) const {
+    release(handle);
+  }
+};
+using Cloud = std::unique_ptr<jalon_cloud, Release<jalon_cloud_release>>;
+using Fields = std::unique_ptr<jalon_fields, Release<jalon_fields_release>>;
+using Model = std::unique_ptr<jalon_model, Release<jalon_model_release>>;
+using Modeller = std::unique_ptr<jalon_modeller, Release<jalon_modeller_release>>;
+using Params = std::unique_ptr<jalon_params, Release<jalon_params_release>>;
+using Scanner = std::unique_ptr<jalon_scanner, Release<jalon_scanner_release>>;
+using Segmentation = std::unique_ptr<jalon_segmentation, Release<jalon_segmentation_release>>;
+using Segmenter = std::unique_ptr<jalon_segmenter, Release<jalon_segmenter_release>>;
+using Task = std::unique_ptr<jalon_task, Release<jalon_task_release>>;
+
+/// Output argument of a call: must(jalon_cloud_read(path, nullptr, task, Out(cloud))).
+template <class Owner>
+class Out {
+ public:
+  explicit Out(Owner& owner) : owner_(owner) {}
+  ~Out() { if (raw_ != nullptr) owner_.reset(raw_); }
+  operator typename Owner::pointer*() { return &raw_; }
+
+ private:
+  Owner& owner_;
+  typename Owner::pointer raw_ = nullptr;
+};
+
+/// Typed elements of a column.
+template <class T>
+const T* values(const Fields& fields, const char* name, uint64_t* count = nullptr) {
+  jalon_array_view view;
+  must(jalon_fields_view(fields.get(), name, &view));
+  if (count != nullptr) *count = view.count;
+  return static_cast<const T*>(view.data);
+}
+
+}  // namespace jalon::cli

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// jalon: the command line tool. It sees the public headers only.
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "cli/options.h"
+
+namespace jalon::cli {
+
+namespace {
+
+constexpr const char* kFooter = R"(
+Exit codes: 0 done; 1 internal error; 2 wrong options or parameters; 3 input missing, unreadable or malformed;
+4 output cannot be written; 5 too few points, or no solution for these; 6 not supported; 7 out of memory; 130 cancelled.
+Existing output is replaced only by complete output.
+
+Examples:
+  jalon info scan.las
+  jalon facade scan.las -o result
+  jalon scan --scene facade -o sample.las
+Help on a command: jalon facade --help)";
+
+int exit_code(jalon_status status) {
+  switch (status) {
+    case JALON_ERROR_INVALID_ARGUMENT: return 2;
+    case JALON_ERROR_NOT_FOUND:
+    case JALON_ERROR_FORMAT: return 3;
+    case JALON_ERROR_IO: return 4;
+    case JALON_ERROR_INSUFFICIENT_DATA:
+    case JALON_ERROR_DEGENERATE: return 5;
+    case JALON_ERROR_UNSUPPORTED:
+    case JALON_ERROR_LIMIT: return 6;
+    case JALON_ERROR_OUT_OF_MEMORY: return 7;
+    case JALON_ERROR_CANCELLED: return 130;
+    default: return 1;
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Jalon: laser scans in, planes, outlines and drawings out."};
+  app.footer(kFooter);
+  app.set_version_flag("--version", std::string("jalon ") + jalon_version());
+  app.require_subcommand(1);
+  add_info(app);
+  add_convert(app);
+  add_clean(app);
+  add_normals(app);
+  add_facade(app);
+  add_scan(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const Failure& failure) {
+    std::fprintf(stderr, "jalon: %s\n", failure.text.c_str());
+    return exit_code(failure.status);
+  } catch (const std::bad_alloc&) {
+    std::fputs("jalon: out of memory\n", stderr);
+    return 7;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "jalon: internal error: %s\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace
+
+}  // namespace jalon::cli
+
+int main(int argc, char** argv) { return jalon::cli::run(argc, argv); }

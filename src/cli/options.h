@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/console.h"
+#include "cli/handles.h"
+
+namespace jalon::cli {
+
+/// "--set name=value" and "--params FILE" of a command, applied to a parameter set.
+struct Settings {
+  std::vector<std::string> assignments;
+  std::string json_file;
+
+  /// prefix: "" or e.g. "outline-" for a command with two sets.
+  void add_to(CLI::App& command, const std::string& prefix = "");
+  void apply(jalon_params* params) const;
+};
+
+void add_common(CLI::App& command, Common& common);
+
+/// The parameter set of an operation.
+Params make_params(const char* operation);
+
+/// The table as text for --help: name, default, unit, range, help.
+std::string describe(jalon_params* params);
+
+/// Reads a cloud with the options of operation "read".
+struct Input {
+  std::string path;
+  std::string columns;
+  bool drop_invalid = false;
+
+  void add_to(CLI::App& command, bool required = true);
+  Cloud read(Console& console) const;
+};
+
+uint64_t count_of(const Cloud& cloud);
+
+// One function a command: declares it and what runs it.
+void add_info(CLI::App& app);
+void add_convert(CLI::App& app);
+void add_clean(CLI::App& app);
+void add_normals(CLI::App& app);
+void add_facade(CLI::App& app);
+void add_scan(CLI::App& app);
+
+}  // namespace jalon::cli

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace jalon::cli {
+
+/// Results appear in a folder together: they are written into a private folder inside it and renamed by commit(). When anything fails
+/// before, the private folder goes and what was in the folder stays as it was.
+class OutputFolder {
+ public:
+  explicit OutputFolder(const std::string& folder);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// Where to write the file of this name for now.
+  std::string path(const std::string& name);
+  void commit();
+
+ private:
+  std::filesystem::path folder_, private_;
+  std::vector<std::string> names_;
+  bool created_ = false;
+};
+
+}  // namespace jalon::cli

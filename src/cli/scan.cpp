@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "cli/options.h"
+
+namespace jalon::cli {
+
+namespace {
+
+struct Scan {
+  Common common;
+  Settings settings;
+  std::string scene = "facade";
+  std::string output, model_output;
+  std::vector<std::string> stations;
+
+  void add_stations(jalon_scanner* scanner) const {
+    for (const std::string& text : stations) {
+      jalon_transform pose{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+      const char* rest = text.data();
+      for (const int k : {3, 7, 11}) {
+        const auto [end, error] = std::from_chars(rest, text.data() + text.size(), pose.m[k]);
+        if (error != std::errc() || (k != 11 && *end != ','))
+          throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--station needs X,Y,Z in metres, not \"" + text + "\""};
+        rest = end + 1;
+      }
+      must(jalon_scanner_add_station(scanner, nullptr, &pose));
+    }
+  }
+
+  void run() const {
+    Console console(common);
+    console.step("scene");
+    const Params options = make_params("scene");
+    must(jalon_params_set_string(options.get(), "name", scene.c_str()));
+    Model model;
+    must(jalon_scene_create(options.get(), console.task(), Out(model)));
+    console.step("scanning");
+    Scanner scanner;
+    must(jalon_scanner_create(nullptr, Out(scanner)));
+    Params params;
+    must(jalon_scanner_params(scanner.get(), Out(params)));
+    settings.apply(params.get());
+    add_stations(scanner.get());
+    Cloud cloud;
+    must(jalon_scanner_run(scanner.get(), model.get(), console.task(), Out(cloud)));
+    const double seconds = console.seconds();
+    console.step("writing");
+    must(jalon_cloud_write(cloud.get(), output.c_str(), nullptr, console.task()));
+    if (!model_output.empty()) must(jalon_model_write(model.get(), model_output.c_str(), nullptr, console.task()));
+    console.say(grouped(count_of(cloud)) + " points of scene \"" + scene + "\" in " + fixed(seconds, 2) + " s -> " + output);
+    console.result({{"scene", scene}, {"output", output}, {"points", count_of(cloud)}, {"seconds", seconds}});
+  }
+};
+
+std::string scanner_table() {
+  Scanner scanner;
+  must(jalon_scanner_create(nullptr, Out(scanner)));
+  Params params;
+  must(jalon_scanner_params(scanner.get(), Out(params)));
+  return describe(params.get());
+}
+
+}  // namespace
+
+void add_scan(CLI::App& app) {
+  auto* command = app.add_subcommand("scan", "Scans a ready-made scene with a virtual scanner; the truth comes along as fields");
+  auto state = std::make_shared<Scan>();
+  command->add_option("--scene", state->scene, "Scene to scan")->capture_default_str()->type_name("NAME");
+  command->add_option("-o,--output", state->output, "Scan to write")->required()->type_name("FILE");
+  command->add_option("--model", state->model_output, "Also write the scene as a model (.obj)")->type_name("FILE");
+  command->add_option("--station", state->stations, "Scanner position; without one, two are placed in front (repeatable)")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+  state->settings.add_to(*command);
+  add_common(*command, state->common);
+  command->footer([] {
+    return "Scenes:\n" + describe(make_params("scene").get()) + "\nParameters of --set:\n" + scanner_table() +
+           "\nExample: jalon scan --scene facade -o sample.las";
+  });
+  command->callback([state] { state->run(); });
+}
+
+}  // namespace jalon::cli

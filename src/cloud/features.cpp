@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+#include "base/error.h"
+#include "cloud/neighbourhoods.h"
+#include "cloud/operations.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr ParamRow kRows[] = {
+    string_row("which", "density roughness surface_variation linearity planarity sphericity verticality", "",
+               "Fields to compute, separated by spaces or commas: density roughness mean_curvature gaussian_curvature "
+               "surface_variation linearity planarity sphericity verticality, or all"),
+    integer_row("k", 16, 3, 256, "points", "",
+                "Number of nearest neighbours, the point itself included; not read when radius_m is above 0"),
+    number_row("radius_m", 0, 0, 1e6, "m", "", "Radius of the ball of neighbours; 0 = take the k nearest instead"),
+};
+
+enum Feature : size_t {
+  kDensity,
+  kRoughness,
+  kMeanCurvature,
+  kGaussianCurvature,
+  kSurfaceVariation,
+  kLinearity,
+  kPlanarity,
+  kSphericity,
+  kVerticality,
+  kFeatures
+};
+
+struct FeatureInfo {
+  const char *name, *unit, *meaning;
+};
+constexpr FeatureInfo kInfos[kFeatures] = {
+    {"density", "1/m^2", "points per square metre of surface"},
+    {"roughness", "m", "distance to the least-squares plane of the neighbours"},
+    {"mean_curvature", "1/m", "absolute mean curvature of the local quadric"},
+    {"gaussian_curvature", "1/m^2", "Gaussian curvature of the local quadric"},
+    {"surface_variation", "1", "least eigenvalue of the covariance over their sum"},
+    {"linearity", "1", "(s1 - s2) / s1, s = square roots of the eigenvalues, s1 largest"},
+    {"planarity", "1", "(s2 - s3) / s1"},
+    {"sphericity", "1", "s3 / s1"},
+    {"verticality", "1", "1 - |z component of the normal|"},
+};
+
+using Choice = std::array<bool, kFeatures>;
+
+Choice parse_which(std::string_view text) {
+  Choice chosen{};
+  bool any = false;
+  while (!text.empty()) {
+    const size_t end = std::min(text.find_first_of(" ,;\t\n"), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (word.empty()) continue;
+    any = true;
+    if (word == "all") {
+      chosen.fill(true);
+      continue;
+    }
+    size_t i = 0;
+    while (i < kFeatures && word != kInfos[i].name) ++i;
+    if (i == kFeatures)
+      fail(Status::kInvalidArgument, "no feature \"%.*s\"; %s", static_cast<int>(std::min<size_t>(word.size(), 100)),
+           word.data(), kRows[0].help);
+    chosen[i] = true;
+  }
+  if (!any) fail(Status::kInvalidArgument, "which names no feature; %s", kRows[0].help);
+  return chosen;
+}
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using Values = std::array<double, kFeatures>;
+
+struct Scratch {
+  std::vector<Vec3> points, work;
+};
+
+/// k / (pi d_k^2) with the k others, or n / (pi r^2): Girardeau-Montaut 2006, C.2. Duplicates only: NaN.
+double density(const Neighbourhood& around, double radius_m) {
+  const auto n = static_cast<double>(around.neighbours.size());
+  if (radius_m > 0) return n / (std::numbers::pi * radius_m * radius_m);
+  double farthest = 0;
+  for (const float d : around.squared) farthest = std::max(farthest, double{d});
+  return farthest > 0 ? (n - 1) / (std::numbers::pi * farthest) : kNaN;
+}
+
+/// Distance of the point to the plane of its neighbours, which do not include it.
+double roughness(const Octree& tree, const Neighbourhood& around) {
+  const Vec3 p = tree.local(around.point);
+  Moments moments;
+  moments.reference = p;
+  for (const uint32_t j : around.neighbours)
+    if (j != around.point) moments.add(tree.local(j));
+  PrincipalFrame frame;
+  return principal_frame(moments, frame) ? std::fabs(dot(frame.n, p - frame.centre)) : kNaN;
+}
+
+/// Demantke et al. 2011: dimensionality from the square roots of the eigenvalues, s1 >= s2 >= s3.
+void shape(const PrincipalFrame& frame, Values& values) {
+  const auto& e = frame.eigenvalues;
+  const double s1 = std::sqrt(e[2]), s2 = std::sqrt(e[1]), s3 = std::sqrt(e[0]);
+  values[kSurfaceVariation] = e[0] / (e[0] + e[1] + e[2]);
+  values[kLinearity] = (s1 - s2) / s1;
+  values[kPlanarity] = (s2 - s3) / s1;
+  values[kSphericity] = s3 / s1;
+  values[kVerticality] = 1 - std::fabs(frame.n.z);
+}
+
+Values features_at(const Octree& tree, const Neighbourhood& around, double radius_m, const Choice& chosen, Scratch& s) {
+  Values values;
+  values.fill(kNaN);
+  if (chosen[kDensity]) values[kDensity] = density(around, radius_m);
+  if (chosen[kRoughness]) values[kRoughness] = roughness(tree, around);
+  const Vec3 p = tree.local(around.point);
+  Moments moments;
+  moments.reference = p;
+  s.points.clear();
+  for (const uint32_t j : around.neighbours) {
+    s.points.push_back(tree.local(j));
+    moments.add(s.points.back());
+  }
+  PrincipalFrame frame;
+  if (!principal_frame(moments, frame)) return values;
+  shape(frame, values);
+  LocalQuadric fit;
+  if ((chosen[kMeanCurvature] || chosen[kGaussianCurvature]) && local_quadric(frame, s.points, p, s.work, fit)) {
+    // The side of the normal is not known, so the sign of the mean curvature says nothing.
+    values[kMeanCurvature] = std::fabs(fit.quadric.mean_curvature(fit.x, fit.y));
+    values[kGaussianCurvature] = fit.quadric.gaussian_curvature(fit.x, fit.y);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::span<const ParamRow> features_rows() { return kRows; }
+
+Cloud with_features(const Cloud& cloud, const ParamSet& options, Task& task) {
+  const Choice chosen = parse_which(options.text("which"));
+  const auto k = static_cast<uint32_t>(options.integer("k"));
+  const double radius_m = options.number("radius_m");
+  std::array<std::shared_ptr<Column>, kFeatures> columns;
+  std::array<float*, kFeatures> out{};
+  for (size_t f = 0; f < kFeatures; ++f) {
+    if (!chosen[f]) continue;
+    columns[f] = std::make_shared<Column>(
+        FieldInfo{kInfos[f].name, ElementType::kFloat32, 1, kInfos[f].unit, kInfos[f].meaning}, cloud.size());
+    out[f] = columns[f]->values<float>().data();
+  }
+  std::shared_ptr<const Octree> tree;
+  {
+    Span span(task, 0, 0.2, "index");
+    tree = cloud.octree(task);
+  }
+  Span span(task, 0.2, 1, "features");
+  const auto order = tree->order();
+  for_each_neighbourhood<Scratch>(*tree, k, radius_m, task, [&](const Neighbourhood& around, Scratch& scratch) {
+    const Values values = features_at(*tree, around, radius_m, chosen, scratch);
+    const size_t i = order[around.point];
+    for (size_t f = 0; f < kFeatures; ++f)
+      if (out[f] != nullptr) out[f][i] = static_cast<float>(values[f]);
+  });
+  Cloud result = cloud;
+  for (auto& column : columns)
+    if (column) result.fields.set(std::move(column));
+  return result;
+}
+
+}  // namespace jalon

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/plane.h"
+#include "geometry/quadric.h"
+#include "spatial/octree.h"
+
+namespace jalon {
+
+/// The neighbours of one point of the tree, itself included: sorted positions and squared distances (m^2).
+struct Neighbourhood {
+  size_t point;  ///< sorted position
+  std::span<const uint32_t> neighbours;
+  std::span<const float> squared;
+};
+
+/// Calls visit(Neighbourhood, Scratch&) for
+/// every point, in parallel; one Scratch a batch. By radius_m when it is above 0, else the k
+/// nearest.
+template <class Scratch, class F>
+void for_each_neighbourhood(const Octree& tree, uint32_t k, double radius_m, Task& task, F&& visit) {
+  if (radius_m > 0) {
+    tree.for_each_ball(radius_m, task, [&](const Octree::BallBatch& batch) {
+      Scratch scratch;
+      for (size_t i = 0; i < batch.count; ++i) {
+        const size_t begin = batch.offsets[i], n = batch.offsets[i + 1] - begin;
+        visit(Neighbourhood{batch.first + i, {batch.neighbours + begin, n}, {batch.squared + begin, n}}, scratch);
+      }
+    });
+    return;
+  }
+  tree.for_each_knn(k, task, [&](const Octree::Batch& batch) {
+    Scratch scratch;
+    for (size_t i = 0; i < batch.count; ++i) {
+      const uint32_t* neighbours = batch.neighbours + i * batch.k;
+      size_t n = batch.k;
+      while (n > 0 && neighbours[n - 1] == kNoPoint) --n;  // a small cloud fills up the end
+      visit(Neighbourhood{batch.first + i, {neighbours, n}, {batch.squared + i * batch.k, n}}, scratch);
+    }
+  });
+}
+
+/// Principal axes of some points: n is the direction of least extent, u of the largest, u x v = n.
+struct PrincipalFrame {
+  Vec3 centre, u, v, n;
+  std::array<double, 3> eigenvalues{};  ///< of the covariance, ascending
+};
+
+/// False when fewer than 3 points or when they lie on a line (fit_plane's rule).
+bool principal_frame(const Moments& moments, PrincipalFrame& out);
+
+/// The quadric over the frame's plane, with the coordinates of one point in it.
+struct LocalQuadric {
+  Quadric quadric;
+  double x = 0, y = 0;  ///< of the point asked for
+};
+/// work is memory that the caller keeps between calls.
+bool local_quadric(const PrincipalFrame& frame, std::span<const Vec3> points, const Vec3& at, std::vector<Vec3>& work,
+                   LocalQuadric& out);
+
+}  // namespace jalon

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cloud/normals_parts.h"
+#include "cloud/normals_pca.h"
+#include "cloud/operations.h"
+#include "cloud/statistics.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kGrain = 1 << 15;
+
+constexpr ParamRow kRows[] = {
+    choice_row("method", "pca", "pca|quadric|triangulation", "",
+               "pca: plane through the neighbours; quadric: curved surface through them; "
+               "triangulation: quick preview"),
+    integer_row("k", 16, 3, 256, "points", "pca,quadric",
+                "Number of nearest neighbours, the point itself included; not read when radius_m is above 0"),
+    number_row("radius_m", 0, 0, 1e6, "m", "pca,quadric",
+               "Radius of the ball of neighbours; 0 = take the k nearest instead"),
+    choice_row("orientation", "none", "none|station|point|centroid", "",
+               "Turn normals toward each point's scan station, toward viewpoint, or away from the centroid"),
+    doubles_row("viewpoint", "0 0 0", -1e9, 1e9, "m", "",
+                "The point (x, y, z) that orientation = point turns normals to"),
+    bool_row("outward", true, "",
+             "For orientation = centroid: true turns normals away from the centroid, false toward it"),
+};
+
+const Column& require_normals(const Cloud& cloud) {
+  const Column& normal = cloud.fields.require("normal");
+  if (normal.info().components != 3 || !is_floating(normal.info().type))
+    fail(Status::kInvalidArgument, "field \"normal\" does not hold three floating-point numbers a point");
+  return normal;
+}
+
+/// Turns n to the side of d (side +1) or away from it (-1).
+void face(const Vec3& d, double side, float* n) {
+  if (side * (d.x * double{n[0]} + d.y * double{n[1]} + d.z * double{n[2]}) < 0)
+    for (int c = 0; c < 3; ++c) n[c] = -n[c];
+}
+
+void require_station_poses(const Cloud& cloud) {
+  uint64_t covered = 0;
+  for (const Station& station : cloud.stations) {
+    if (station.count == 0) continue;
+    if (station.first > covered || !station.has_pose) break;
+    covered = station.first + station.count;
+  }
+  if (covered < cloud.size())
+    fail(Status::kInvalidArgument,
+         "orientation = station: point %llu has no station with a known pose; set one, or orient to a point",
+         static_cast<unsigned long long>(covered));
+}
+
+}  // namespace
+
+std::span<const ParamRow> normals_rows() { return kRows; }
+
+Orientation orientation_of(const Cloud& cloud, const ParamSet& options) {
+  Orientation orientation;
+  const std::string& kind = options.text("orientation");
+  if (kind == "station") {
+    orientation.kind = Orientation::Kind::kStation;
+    require_station_poses(cloud);
+  } else if (kind == "point") {
+    orientation.kind = Orientation::Kind::kPoint;
+    const auto& p = options.numbers("viewpoint");
+    if (p.size() != 3) fail(Status::kInvalidArgument, "viewpoint has %zu numbers; it needs x, y, z", p.size());
+    orientation.viewpoint = {p[0], p[1], p[2]};
+  } else if (kind == "centroid") {
+    orientation.kind = Orientation::Kind::kCentroid;
+    orientation.outward = options.flag("outward");
+  }
+  return orientation;
+}
+
+void orient(const Cloud& cloud, const Orientation& orientation, Column& normal, Task& task) {
+  if (orientation.kind == Orientation::Kind::kNone || cloud.size() == 0) return;
+  Vec3 origin, target = orientation.viewpoint;
+  double side = 1;
+  if (orientation.kind == Orientation::Kind::kCentroid) {
+    const CloudCovariance whole = covariance_of(cloud, task);
+    origin = whole.origin;
+    target = whole.local_centroid;
+    side = orientation.outward ? -1 : 1;
+  }
+  const bool by_station = orientation.kind == Orientation::Kind::kStation;
+  const auto normals = normal.values<float>();
+  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+    const Station* station = nullptr;
+    for (size_t i = begin; i < end; ++i) {
+      if (by_station && (station == nullptr || i - station->first >= station->count)) station = station_of(cloud, i);
+      const Vec3 seen_from = by_station ? station->pose.translation() : target;
+      face(seen_from - (cloud.point(i) - origin), side, normals.data() + 3 * i);
+    }
+  });
+}
+
+Cloud with_normals(const Cloud& cloud, const ParamSet& options, Task& task) {
+  const Orientation orientation = orientation_of(cloud, options);
+  const auto k = static_cast<uint32_t>(options.integer("k"));
+  const double radius_m = options.number("radius_m");
+  const std::string& method = options.text("method");
+  Cloud out = cloud;
+  std::shared_ptr<const Octree> tree;
+  {
+    Span span(task, 0, 0.2, "index");
+    tree = cloud.octree(task);
+  }
+  PcaNormals normals;
+  {
+    Span span(task, 0.2, 0.95, "normals");
+    if (method == "quadric")
+      normals.normal = quadric_normals(*tree, k, radius_m, task);
+    else if (method == "triangulation")
+      normals.normal = triangulation_normals(*tree, task);
+    else
+      normals = radius_m > 0 ? pca_normals_radius(*tree, radius_m, task) : pca_normals(*tree, k, task);
+  }
+  Span span(task, 0.95, 1, "orientation");
+  orient(cloud, orientation, *normals.normal, task);
+  out.fields.set(std::move(normals.normal));
+  if (normals.curvature) out.fields.set(std::move(normals.curvature));
+  return out;
+}
+
+Cloud with_inverted_normals(const Cloud& cloud, Task& task) {
+  const Column& normal = require_normals(cloud);
+  auto inverted = std::make_shared<Column>(normal.info(), normal.count());
+  visit(normal.info().type, [&](auto zero) {
+    using T = decltype(zero);
+    if constexpr (std::is_floating_point_v<T>) {
+      const auto from = normal.values<T>();
+      const auto to = inverted->template values<T>();
+      parallel_for(task, from.size(), 3 * kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) to[i] = -from[i];
+      });
+    }
+  });
+  Cloud out = cloud;
+  out.fields.set(std::move(inverted));
+  return out;
+}
+
+}  // namespace jalon

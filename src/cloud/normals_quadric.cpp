@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include "cloud/neighbourhoods.h"
+#include "cloud/normals_parts.h"
+
+namespace jalon {
+
+namespace {
+
+struct Scratch {
+  std::vector<Vec3> points, work;
+};
+
+Vec3 quadric_normal(const Octree& tree, const Neighbourhood& around, Scratch& scratch) {
+  Moments moments;
+  moments.reference = tree.local(around.point);
+  scratch.points.clear();
+  for (const uint32_t j : around.neighbours) {
+    scratch.points.push_back(tree.local(j));
+    moments.add(scratch.points.back());
+  }
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  PrincipalFrame frame;
+  if (!principal_frame(moments, frame)) return {kNaN, kNaN, kNaN};
+  LocalQuadric fit;
+  if (!local_quadric(frame, scratch.points, moments.reference, scratch.work, fit)) return frame.n;
+  const Vec3 n = fit.quadric.normal(fit.x, fit.y);
+  return normalized(frame.u * n.x + frame.v * n.y + frame.n * n.z);
+}
+
+}  // namespace
+
+std::shared_ptr<Column> new_normal_column(size_t count) {
+  FieldInfo info{"normal", ElementType::kFloat32, 3, "", "unit normal of the surface"};
+  return std::make_shared<Column>(std::move(info), count);
+}
+
+std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double radius_m, Task& task) {
+  auto column = new_normal_column(tree.size());
+  const auto out = column->values<float>();
+  const auto order = tree.order();
+  for_each_neighbourhood<Scratch>(tree, k, radius_m, task, [&](const Neighbourhood& around, Scratch& scratch) {
+    const Vec3 n = quadric_normal(tree, around, scratch);
+    float* to = out.data() + 3 * size_t{order[around.point]};
+    to[0] = static_cast<float>(n.x);
+    to[1] = static_cast<float>(n.y);
+    to[2] = static_cast<float>(n.z);
+  });
+  return column;
+}
+
+}  // namespace jalon

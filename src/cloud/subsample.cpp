@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/random.h"
+#include "cloud/operations.h"
+#include "cloud/select.h"
+#include "cloud/subsample_cells.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kGrain = 1 << 15;
+
+constexpr ParamRow kRows[] = {
+    choice_row("method", "voxel", "voxel|minimum_distance|random|octree", "",
+               "voxel: one point a grid cell; minimum_distance: no two closer; random: a share "
+               "or number; octree: one a cell"),
+    number_row("cell_m", 0.05, 1e-6, 1e6, "m", "voxel", "Edge length of the grid cells"),
+    choice_row("keep", "centroid", "centroid|nearest", "voxel,octree",
+               "centroid: a new point amid the cell's points, with the fields of the one "
+               "nearest to it; nearest: the original "
+               "point nearest to the cell's centre"),
+    number_row("distance_m", 0.05, 1e-9, 1e6, "m", "minimum_distance",
+               "Kept points lie farther apart than this; every removed one lies within it of a "
+               "kept one (a radius)"),
+    number_row("fraction", 0.1, 0, 1, "1", "random", "Share of the points to keep; not read when count is above 0"),
+    integer_row("count", 0, 0, 1e15, "points", "random", "Number of points to keep; 0 = use fraction"),
+    integer_row("seed", 1, 0, 0x1p53, "", "random", "Another seed gives another choice; the same one the same choice"),
+    integer_row("level", -1, -1, kMaxLevel, "", "octree",
+                "Octree level whose cells give one point each: 0 = the whole cube ... 21 = "
+                "smallest cells; -1 = use max_points"),
+    integer_row("max_points", 1000000, 1, 1e15, "points", "octree",
+                "For level = -1: the deepest level with at most this many occupied cells"),
+};
+
+/// Greedy in order of the points: whoever is still there stays, and sends all within the distance away.
+Cloud at_minimum_distance(const Cloud& cloud, double distance_m, Task& task) {
+  std::shared_ptr<const Octree> tree;
+  {
+    Span span(task, 0, 0.2, "index");
+    tree = cloud.octree(task);
+  }
+  std::vector<uint8_t> removed(cloud.size(), 0);
+  {
+    Span span(task, 0.2, 0.9, "sampling");
+    std::vector<Neighbour> close;
+    constexpr size_t kCheckEvery = 256;  // kept points: a few milliseconds unless the balls are huge
+    size_t kept = 0;
+    for (size_t i = 0; i < cloud.size(); ++i) {
+      if (removed[i]) continue;
+      if (kept++ % kCheckEvery == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(cloud.size()));
+      tree->radius(cloud.point(i), distance_m, close);
+      for (const Neighbour& neighbour : close)
+        if (neighbour.index > i) removed[neighbour.index] = 1;
+    }
+  }
+  Span span(task, 0.9, 1, "copying");
+  return select_mask(cloud, removed, 0, task);
+}
+
+/// Each point draws a number; the points of the smallest ones stay, in their order.
+Cloud at_random(const Cloud& cloud, uint64_t wanted, uint64_t seed, Task& task) {
+  const size_t n = cloud.size();
+  if (wanted >= n) return cloud;
+  const auto draw = [&](size_t i) { return RandomStream(seed, i).bits(); };
+  // The limit lies in one of 2^16 classes of draws; only that class has to be sorted.
+  constexpr size_t kClasses = 1 << 16;
+  struct Histogram {
+    std::vector<uint32_t> counts;
+    Histogram& operator+=(const Histogram& b) {
+      if (counts.empty()) counts.assign(kClasses, 0);
+      for (size_t c = 0; c < b.counts.size(); ++c) counts[c] += b.counts[c];
+      return *this;
+    }
+  };
+  const size_t grain = std::max<size_t>(n / 16 + 1, kClasses);
+  Histogram histogram;
+  {
+    Span span(task, 0, 0.3, "sampling");
+    histogram += parallel_reduce(task, n, grain, Histogram{}, [&](size_t begin, size_t end) {
+      Histogram part{std::vector<uint32_t>(kClasses, 0)};
+      for (size_t i = begin; i < end; ++i) ++part.counts[draw(i) >> 48];
+      return part;
+    });
+  }
+  size_t border = 0;
+  uint64_t below = 0;
+  while (below + histogram.counts[border] < wanted) below += histogram.counts[border++];
+  std::vector<uint8_t> keep(n);
+  std::vector<std::pair<uint64_t, size_t>> ties;  // the border class
+  Span span(task, 0.3, 1, "sampling");
+  parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const uint64_t drawn = draw(i) >> 48;
+      keep[i] = drawn < border ? 1 : drawn == border ? 2 : 0;
+    }
+  });
+  for (size_t i = 0; i < n; ++i)
+    if (keep[i] == 2) {
+      ties.emplace_back(draw(i), i);
+      keep[i] = 0;
+    }
+  std::sort(ties.begin(), ties.end());
+  for (size_t t = 0; t < wanted - below; ++t) keep[ties[t].second] = 1;
+  return select_mask(cloud, keep, 1, task);
+}
+
+uint64_t wanted_count(const Cloud& cloud, const ParamSet& options) {
+  if (const int64_t count = options.integer("count"); count > 0) return static_cast<uint64_t>(count);
+  return static_cast<uint64_t>(std::llround(options.number("fraction") * static_cast<double>(cloud.size())));
+}
+
+}  // namespace
+
+std::span<const ParamRow> subsample_rows() { return kRows; }
+
+Cloud subsampled(const Cloud& cloud, const ParamSet& options, Task& task) {
+  const std::string& method = options.text("method");
+  if (cloud.size() == 0) return cloud;
+  if (method == "minimum_distance") return at_minimum_distance(cloud, options.number("distance_m"), task);
+  if (method == "random")
+    return at_random(cloud, wanted_count(cloud, options), static_cast<uint64_t>(options.integer("seed")), task);
+  const Keep keep = options.text("keep") == "nearest" ? Keep::kNearest : Keep::kCentroid;
+  if (method == "octree")
+    return one_per_octree_cell(cloud, static_cast<int>(options.integer("level")),
+                               static_cast<uint64_t>(options.integer("max_points")), keep, task);
+  return one_per_voxel(cloud, options.number("cell_m"), keep, task);
+}
+
+}  // namespace jalon

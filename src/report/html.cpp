@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "base/text_number.h"
+#include "formats/svg_writer.h"
+#include "report/notes.h"
+#include "report/orientation_name.h"
+#include "report/report.h"
+#include "report/residuals.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr ParamRow kReportRows[] = {
+    integer_row("bins", 60, 5, 400, "1", "", "Bins of the residual histogram"),
+    bool_row("drawing", true, "", "With the elevation drawing"),
+};
+
+// Dark on white, one column, prints without surprises. No scripts, no fonts or pictures from elsewhere.
+constexpr const char* kStyle =
+    "body{font-family:Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:64rem;margin:2rem auto;padding:0 1rem;"
+    "line-height:1.4}"
+    "h1{font-size:1.7rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2rem 0 .5rem;border-bottom:1px solid #bbb;padding-bottom:.2rem}"
+    ".lead{font-size:1.05rem;color:#333}"
+    ".scroll{overflow-x:auto}"
+    "table{border-collapse:collapse;font-size:.88rem}th,td{padding:.22rem .6rem;text-align:left;vertical-align:top;"
+    "border-bottom:1px solid #e2e2e2}"
+    "thead th{border-bottom:2px solid #777;white-space:nowrap}.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}"
+    "td bdi{overflow-wrap:anywhere}"
+    "svg{width:100%;height:auto;max-height:60rem}"
+    ".note{color:#555;font-size:.85rem}"
+    "@media print{body{margin:0;max-width:none}h2{break-after:avoid}tr,svg{break-inside:avoid}}";
+
+class Page {
+ public:
+  void heading(std::string_view text) { svg_.element("h2", {}, text); }
+  void note(std::string_view text) { svg_.element("p", {{"class", "note"}}, text); }
+  // Text from outside stands in <bdi>, so that marks for writing direction stay inside.
+  void foreign(const char* tag, std::string_view text) { svg_.open(tag).element("bdi", {}, text).close(); }
+  void number(std::string_view text) { svg_.element("td", {{"class", "n"}}, text); }
+  SvgWriter& html() { return svg_; }
+
+ private:
+  SvgWriter svg_;
+};
+
+void add_pairs(Page& page, const std::vector<std::pair<std::string, std::string>>& pairs) {
+  auto& html = page.html();
+  html.open("table").open("tbody");
+  for (const auto& [name, value] : pairs) {
+    html.open("tr");
+    page.foreign("th", name);
+    page.foreign("td", value);
+    html.close();
+  }
+  html.close().close();
+}
+
+uint64_t labelled(const Segmentation& segmentation) {
+  uint64_t n = 0;
+  for (const auto& segment : segmentation.segments) n += segment.fit.n;
+  return n;
+}
+
+void add_summary(Page& page, const Segmentation& segmentation, const Notes& notes, const Residuals& residuals) {
+  auto& html = page.html();
+  html.open("h1").element("bdi", {}, notes.title).close();
+  const uint64_t points = segmentation.cloud->size(), used = residuals.count != 0 ? residuals.count : labelled(segmentation);
+  const double share = points != 0 ? 100 * static_cast<double>(used) / static_cast<double>(points) : 0;
+  html.element("p", {{"class", "lead"}},
+               std::to_string(segmentation.segments.size()) + " planes from " + std::to_string(points) + " points; " +
+                   text_of(share, 1) + " % of the points lie on them, with a standard deviation of " +
+                   text_of(1000 * residuals.sigma_m, 2) + " mm.");
+}
+
+void add_input(Page& page, const Segmentation& segmentation, const Notes& notes) {
+  page.heading("Input");
+  auto pairs = notes.input;
+  pairs.emplace_back("points", std::to_string(segmentation.cloud->size()));
+  if (!segmentation.cloud->crs.empty()) pairs.emplace_back("coordinate system", segmentation.cloud->crs);
+  add_pairs(page, pairs);
+}
+
+void add_times(Page& page, const Notes& notes) {
+  if (notes.times_s.empty()) return;
+  page.heading("Times");
+  auto& html = page.html();
+  html.open("table").open("tbody");
+  double sum = 0;
+  const auto row = [&](const std::string& name, double seconds) {
+    html.open("tr");
+    page.foreign("th", name);
+    page.number(text_of(seconds, 3) + " s");
+    html.close();
+  };
+  for (const auto& [name, seconds] : notes.times_s) {
+    row(name, seconds);
+    sum += seconds;
+  }
+  row("together", sum);
+  html.close().close();
+}
+
+void add_parameters(Page& page, const Segmentation& segmentation) {
+  const auto parameters = nlohmann::ordered_json::parse(segmentation.parameters_json, nullptr, false);
+  if (!parameters.is_object() || parameters.empty()) return;
+  page.heading("Parameters");
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const auto& [name, value] : parameters.items())
+    pairs.emplace_back(name, value.is_string() ? value.get<std::string>()
+                                               : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  add_pairs(page, pairs);
+}
+
+void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
+  page.heading("Planes");
+  auto& html = page.html();
+  if (segmentation.segments.empty()) return page.note("No plane was found.");
+  html.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
+  for (const char* name : {"No", "orientation", "size (m)", "area (m\xC2\xB2)", "normal", "offset (m)", "\xCF\x83 (mm)", "points"})
+    html.element("th", {}, name);
+  html.close().close().open("tbody");
+  for (size_t i = 0; i < segmentation.segments.size(); ++i) {
+    if (i % 256 == 0) task.checkpoint(0);
+    const PlaneSegment& s = segmentation.segments[i];
+    const Vec3& n = s.fit.plane.normal;
+    html.open("tr");
+    page.number(std::to_string(s.label));
+    html.element("td", {}, orientation_name(s.orientation));
+    page.number(text_of(s.length_u_m, 2) + " x " + text_of(s.length_v_m, 2));
+    page.number(text_of(s.area_m2, 2));
+    page.number(text_of(n.x, 5) + ", " + text_of(n.y, 5) + ", " + text_of(n.z, 5));
+    page.number(text_of(s.fit.plane.offset, 4));
+    page.number(text_of(1000 * s.fit.sigma, 2));
+    page.number(std::to_string(s.fit.n));
+    html.close();
+  }
+  html.close().close().close();
+  page.note("normal . p = offset for a point p of the plane. Orientation is relative to the main facade. \xCF\x83 is the standard "
+            "deviation of the points from their plane.");
+}
+
+void add_drawing(Page& page, const Segmentation& segmentation, const Model& model, const Notes& notes, Task& task) {
+  page.heading("Elevation");
+  ParamSet options("elevation", elevation_rows());
+  options.set_text("title", notes.title);
+  options.set_bool("outlines_only", true);
+  page.html().raw(elevation_svg(segmentation, model, options, task));
+  page.note("The numbers are those of the table of planes. A drawing to scale for printing is written as elevation.svg.");
+}
+
+void add_residuals(Page& page, const Residuals& r) {
+  page.heading("Residuals");
+  if (r.count == 0) return page.note("No point lies on a plane.");
+  page.html().raw(residual_chart(r));
+  page.note(std::to_string(r.count) + " points, mean " + text_of(1000 * r.mean_m, 3) + " mm, standard deviation " +
+            text_of(1000 * r.sigma_m, 3) + " mm; " + std::to_string(r.below + r.above) + " points lie outside the range shown.");
+}
+
+}  // namespace
+
+std::span<const ParamRow> report_rows() { return kReportRows; }
+
+std::string report_html(const Segmentation& segmentation, const Model& model, std::string_view notes_json,
+                        const ParamSet& options, Task& task) {
+  const Span span(task, 0, 1, "writing the report");
+  const Notes notes = read_notes(notes_json);
+  const Residuals residuals = bin_residuals(segmentation, static_cast<size_t>(options.integer("bins")), task);
+  Page page;
+  auto& html = page.html();
+  html.raw("<!DOCTYPE html>\n");
+  html.open("html", {{"lang", "en"}}).open("head");
+  html.leaf("meta", {{"charset", "utf-8"}});
+  html.leaf("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
+  html.element("title", {}, notes.title);
+  html.open("style").raw(kStyle).close();
+  html.close().open("body");
+  add_summary(page, segmentation, notes, residuals);
+  if (options.flag("drawing")) add_drawing(page, segmentation, model, notes, task);
+  add_planes(page, segmentation, task);
+  add_residuals(page, residuals);
+  add_input(page, segmentation, notes);
+  add_parameters(page, segmentation);
+  add_times(page, notes);
+  page.note("Written by Jalon.");
+  return html.take();
+}
+
+}  // namespace jalon

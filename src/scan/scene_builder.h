@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+
+namespace jalon {
+
+/// Plane frame of a face: points origin + u * s + v * t; u, v orthonormal; the face looks along u x v.
+struct Frame {
+  Vec3 origin, u, v;
+  Vec3 normal() const { return cross(u, v); }
+  Vec3 point(double s, double t, double height = 0) const { return origin + u * s + v * t + normal() * height; }
+  /// The parallel frame this far along the normal.
+  Frame raised(double height) const { return {origin + normal() * height, u, v}; }
+};
+
+/// Closed range of a face's own coordinates.
+struct Rect {
+  double u0, u1, v0, v1;
+  double width() const { return u1 - u0; }
+  double height() const { return v1 - v0; }
+};
+
+/// Makes scenes: every planar face gets its true plane, its rings and its triangles; ids count from 1.
+class SceneBuilder {
+ public:
+  /// T_world_scene places the scene.
+  explicit SceneBuilder(const Transform& T_world_scene) : T_world_scene_(T_world_scene) {}
+
+  uint32_t part(std::string name, std::string part_class, uint64_t parent = kNoParent);
+  uint32_t new_id() { return next_id_++; }
+
+  /// The rectangle without the openings, which may touch its border but must leave one connected piece. id 0 = a new
+  /// one. Gives the id back. Neighbouring triangles share whole edges.
+  uint32_t face(uint32_t part, const Frame& frame, const Rect& outline, std::span<const Rect> openings = {},
+                uint32_t id = 0);
+
+  /// What lies behind an opening of the frame's plane: a pane at this depth, and the four reveals (three without a
+  /// sill).
+  void recess(uint32_t part, const Frame& frame, const Rect& opening, double depth_m, bool has_sill, double frame_m,
+              uint32_t pane_id = 0);
+
+  /// Upright or lying box seen from outside; without its bottom where it stands on something.
+  void box(uint32_t part, const Vec3& corner, const Vec3& size, bool has_bottom);
+
+  /// Curved surfaces: triangles of one id, without a face.
+  void cylinder(const Vec3& foot, double radius_m, double height_m, int facets);
+  void sphere(const Vec3& centre, double radius_m, int facets);
+
+  Model take() { return std::move(model_); }
+
+ private:
+  uint32_t vertex(const Vec3& p);
+  void quad(uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_t id);
+  void grid(int nu, int nv, uint32_t id, auto&& point);
+
+  Transform T_world_scene_;
+  Model model_;
+  uint32_t next_id_ = 1;
+};
+
+}  // namespace jalon

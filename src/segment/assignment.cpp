@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/assignment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kPointsPerChunk = 1 << 14;
+constexpr size_t kPointsPerBlock = 64;
+constexpr double kLeastSigma = 0.04;      // of the tolerance: noise-free planes do not pull points from noisy ones
+constexpr double kLeastArea_m2 = 1e-6;
+constexpr double kDisagreement = 9;       // a normal that disagrees costs as much as 3 sigma
+constexpr double kCoreSigmas = 4;         // rejection of outliers in the last fit: biases sigma by 0.05 %
+
+struct Patch {
+  Plane plane;
+  double core_m = 0;
+  double weight = 0;    ///< 1 / sigma^2
+  double evidence = 0;  ///< 2 ln(sigma / density)
+  PlaneFrame frame;
+  Raster mask;  ///< the surface's pixels and their neighbours; empty without connectivity
+  Box3 box;
+
+  bool reaches(const Vec3& p) const {
+    if (mask.size() == 0) return true;
+    const Vec2 q = frame(p);
+    const double column = std::floor((q.u - mask.origin.u) / mask.pixel_m);
+    const double row = std::floor((q.v - mask.origin.v) / mask.pixel_m);
+    return column >= 0 && row >= 0 && column < mask.columns && row < mask.rows &&
+           mask.pixels[static_cast<size_t>(row) * mask.columns + static_cast<size_t>(column)] != 0;
+  }
+};
+
+Patch patch_of(const SegmentScene& scene, const Surface& surface) {
+  const double tolerance = scene.settings.distance_tolerance_m;
+  Patch patch;
+  patch.plane = surface.plane;
+  patch.core_m = core_reach(scene.settings, surface.sigma_m);
+  const double sigma = std::max(surface.sigma_m, kLeastSigma * tolerance);
+  patch.weight = 1 / (sigma * sigma);
+  const double density = static_cast<double>(surface.positions.size()) / std::max(surface.area_m2, kLeastArea_m2);
+  patch.evidence = 2 * std::log(sigma / density);
+  patch.frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+  std::vector<Vec2> uv(surface.positions.size());
+  for (size_t i = 0; i < uv.size(); ++i) {
+    const Vec3 p = scene.local(surface.positions[i]);
+    uv[i] = patch.frame(p);
+    patch.box.add(p);
+  }
+  const double margin = 2 * surface.pixel_m + tolerance;
+  for (int k = 0; k < 3; ++k) {
+    patch.box.min[k] -= margin;
+    patch.box.max[k] += margin;
+  }
+  if (scene.settings.connectivity)
+    patch.mask = dilated(bounded_raster(uv, surface.pixel_m, 1), 1);
+  else
+    patch.box = Box3{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+  return patch;
+}
+
+bool overlap(const Box3& a, const Box3& b) {
+  for (int k = 0; k < 3; ++k)
+    if (a.min[k] > b.max[k] || b.min[k] > a.max[k]) return false;
+  return true;
+}
+
+// Owner of one point among the patches near its block; 0 = none. The cost is -2 ln of the likelihood of the mixture
+// of surfaces, density / sigma exp(-d^2 / (2 sigma^2)): where a thin cloud of clutter cuts a wall, the points there
+// are the wall's.
+uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches, std::span<const uint32_t> near,
+                size_t position, double min_cosine) {
+  const Vec3 p = scene.local(position);
+  uint32_t best = 0;
+  double best_cost = INFINITY;
+  for (const uint32_t k : near) {
+    const Patch& patch = patches[k];
+    const double distance = std::fabs(patch.plane.distance(p));
+    if (distance > scene.settings.distance_tolerance_m) continue;
+    const bool disagrees = scene.inconsistent(position, patch.plane.normal, min_cosine);
+    if (disagrees && distance > patch.core_m) continue;
+    const double cost = distance * distance * patch.weight + patch.evidence + (disagrees ? kDisagreement : 0);
+    if (cost < best_cost && patch.reaches(p)) {
+      best = k + 1;
+      best_cost = cost;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  std::vector<Patch> patches(surfaces.size());
+  parallel_for(task, surfaces.size(), 1, [&](size_t i, size_t) { patches[i] = patch_of(scene, surfaces[i]); });
+  const double min_cosine = scene.min_cosine();
+  const size_t blocks = (scene.size() + kPointsPerBlock - 1) / kPointsPerBlock;
+  parallel_for(task, blocks, kPointsPerChunk / kPointsPerBlock, [&](size_t begin, size_t end) {
+    std::vector<uint32_t> near;
+    for (size_t block = begin; block < end; ++block) {
+      const size_t first = block * kPointsPerBlock, last = std::min(scene.size(), first + kPointsPerBlock);
+      Box3 box;
+      for (size_t i = first; i < last; ++i) box.add(scene.local(i));
+      near.clear();
+      for (uint32_t k = 0; k < patches.size(); ++k)
+        if (overlap(box, patches[k].box)) near.push_back(k);
+      for (size_t i = first; i < last; ++i) scene.owner[i] = choose(scene, patches, near, i, min_cosine);
+    }
+  });
+  for (Surface& surface : surfaces) surface.positions.clear();
+  for (size_t i = 0; i < scene.size(); ++i)
+    if (scene.owner[i] != 0) surfaces[scene.owner[i] - 1].positions.push_back(static_cast<uint32_t>(i));
+}
+
+bool fit_core(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
+  const auto& positions = surface.positions;
+  if (positions.size() < 3) return false;
+  const double reach = scene.settings.uses_normals() && surface.sigma_m > 0
+                           ? std::min(scene.settings.distance_tolerance_m,
+                                      std::max(kCoreSigmas * surface.sigma_m,
+                                               core_reach(scene.settings, surface.sigma_m)))
+                           : INFINITY;
+  const double min_cosine = scene.min_cosine();
+  Moments zero;
+  zero.reference = scene.local(positions[0]);
+  const Moments moments = parallel_reduce(task, positions.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+    Moments part = zero;
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 p = scene.exact(positions[i]);
+      if (std::fabs(surface.plane.distance(p)) > reach) continue;
+      if (scene.inconsistent(positions[i], surface.plane.normal, min_cosine)) continue;
+      part.add(p);
+    }
+    return part;
+  });
+  return fit_plane(moments, fit);
+}
+
+bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  const RansacSettings& settings = scene.settings;
+  bool dropped = false;
+  for (Surface& surface : surfaces) {
+    PlaneFit fit;
+    bool keep = surface.positions.size() >= std::max<size_t>(3, settings.min_points) &&
+                fit_core(scene, surface, task, fit);
+    if (keep) {
+      surface.plane = fit.plane;
+      surface.sigma_m = fit.sigma;
+      const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+      std::vector<Vec2> uv(surface.positions.size());
+      for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
+      const Raster raster = bounded_raster(uv, surface.pixel_m, 0);
+      const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
+      surface.area_m2 = static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
+      keep = surface.area_m2 >= settings.min_area_m2;
+    }
+    if (keep) continue;
+    for (const uint32_t position : surface.positions) scene.owner[position] = 0;
+    surface.positions.clear();
+    dropped = true;
+  }
+  std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
+  return dropped;
+}
+
+}  // namespace jalon

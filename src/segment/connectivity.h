@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "segment/scene.h"
+#include "spatial/raster.h"
+
+namespace jalon {
+
+/// Projection of local coordinates on a plane.
+struct PlaneFrame {
+  Vec3 centre, u, v;
+  Vec2 operator()(const Vec3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
+};
+PlaneFrame plane_frame(const Plane& plane, const Vec3& near);
+
+/// One connected surface among points on a plane.
+struct Region {
+  std::vector<uint32_t> members;  ///< indices into the points given, ascending
+  double area_m2 = 0;             ///< occupied pixels
+};
+
+/// Pixel of the connectivity raster: the user's, or twice the spacing (its 80th percentile among the points, since
+/// holes of the raster matter where points are sparse), never below the tolerance, which is as fine as the plane
+/// itself is known.
+double connectivity_pixel(const RansacSettings& settings, std::vector<float> spacings);
+
+/// The largest region by area (Boulaassal 2010, 3.4.6): occupied pixels, 8-neighbourhood; pieces of at least
+/// min_piece_m2 that come within gap_m of each other count as one region, smaller ones belong to it only when they
+/// touch.
+Region largest_region(std::span<const Vec2> points, double pixel_m, double gap_m, double min_piece_m2);
+
+/// The raster of points with a pixel that keeps it within a bound on memory.
+Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin);
+
+}  // namespace jalon

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/extraction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr int kMaxRounds = 12;          // a plane from a 0.2 m cell reaches a 20 m wall in 3-5
+constexpr double kStable = 0.001;       // change of the number of points that ends the rounds
+constexpr double kSigmas = 3;
+constexpr double kLeastReach = 0.1;     // of the tolerance: keeps noise-free planes from reaching nothing
+// Points evenly spread over the tolerance, as where a plane cuts through volume, a column or a step, have an rms of
+// 0.58 tolerances; noise with the tolerance at 2 sigma has 0.44.
+constexpr double kMaxRoughness = 0.5;
+constexpr size_t kPointsPerChunk = 1 << 14;
+// The surface is followed from the candidate's cell outward: looking at a whole infinite plane for each small surface
+// would cost far more than the surface.
+constexpr double kFirstWindow = 4;      // half side, in edges of the cell
+constexpr double kWindowGrowth = 3;
+
+struct Members {
+  std::vector<Inlier> inliers;
+  double area_m2 = 0, pixel_m = 0;
+};
+
+Vec3 point_of(const Inlier& i) { return {i.x, i.y, i.z}; }
+
+void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane, Members& members) {
+  std::vector<float> spacings(members.inliers.size());
+  std::vector<Vec2> uv(members.inliers.size());
+  const PlaneFrame frame = plane_frame(plane, point_of(members.inliers[0]));
+  for (size_t i = 0; i < uv.size(); ++i) {
+    spacings[i] = scene.spacing[pool.position(members.inliers[i].slot)];
+    uv[i] = frame(point_of(members.inliers[i]));
+  }
+  members.pixel_m = connectivity_pixel(scene.settings, std::move(spacings));
+  if (!scene.settings.connectivity) {
+    const Raster raster = bounded_raster(uv, members.pixel_m, 0);
+    const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
+    members.area_m2 = static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
+    return;
+  }
+  const Region region =
+      largest_region(uv, members.pixel_m, scene.settings.gap_m, scene.settings.min_area_m2);
+  members.area_m2 = region.area_m2;
+  for (size_t i = 0; i < region.members.size(); ++i) members.inliers[i] = members.inliers[region.members[i]];
+  members.inliers.resize(region.members.size());
+}
+
+bool fit_members(const Members& members, Task& task, PlaneFit& fit) {
+  Moments zero;
+  zero.reference = point_of(members.inliers[0]);
+  const Moments moments =
+      parallel_reduce(task, members.inliers.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+        Moments part = zero;
+        for (size_t i = begin; i < end; ++i) part.add(point_of(members.inliers[i]));
+        return part;
+      });
+  return fit_plane(moments, fit);
+}
+
+bool large_enough(const RansacSettings& settings, const Members& members) {
+  return members.inliers.size() >= std::max<size_t>(3, settings.min_points) &&
+         members.area_m2 >= settings.min_area_m2;
+}
+
+// The cube around the candidate in which its surface is looked for.
+struct Window {
+  Vec3 centre;
+  double half_m = 0, all_m = 0;  ///< all_m: the half side that holds every point
+
+  Box3 box() const {
+    const Vec3 h{half_m, half_m, half_m};
+    Box3 out;
+    out.min = centre - h;
+    out.max = centre + h;
+    return out;
+  }
+  bool whole() const { return half_m >= all_m; }
+  // True when the region might go on outside; then the window has grown.
+  bool grow_if_touched(const Members& members, double margin_m) {
+    if (whole()) return false;
+    bool touched = false;
+    for (const Inlier& i : members.inliers) {
+      const Vec3 d = point_of(i) - centre;
+      const double reach = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+      touched |= reach > half_m - margin_m;
+    }
+    if (touched) half_m *= kWindowGrowth;
+    return touched;
+  }
+};
+
+Window first_window(const SegmentScene& scene, const Candidate& candidate) {
+  const double edge = scene.tree->cube().edge;
+  Window window{scene.local(candidate.seed), std::ldexp(kFirstWindow * edge, -scene.level[candidate.seed]), edge};
+  if (!scene.settings.connectivity) window.half_m = edge;
+  return window;
+}
+
+// Rounds of collect - region - least squares.
+bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, Surface& surface, Window& window) {
+  const RansacSettings& settings = scene.settings;
+  double reach = settings.distance_tolerance_m;
+  size_t previous = 0;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    Members members;
+    members.inliers = pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
+    if (members.inliers.empty()) return false;
+    keep_largest_region(scene, pool, surface.plane, members);
+    PlaneFit fit;
+    if (members.inliers.size() < 3 || !fit_members(members, task, fit)) return false;
+    surface.plane = fit.plane;
+    surface.sigma_m = fit.sigma;
+    reach = core_reach(settings, fit.sigma);
+    const bool grown = window.grow_if_touched(members, settings.gap_m + 2 * members.pixel_m);
+    if (!grown && !large_enough(settings, members)) return false;
+    if (settings.uses_normals() && fit.sigma > kMaxRoughness * settings.distance_tolerance_m) return false;
+    const double change = std::fabs(static_cast<double>(members.inliers.size()) - static_cast<double>(previous));
+    if (!grown && round > 1 && change <= kStable * static_cast<double>(previous)) break;
+    previous = members.inliers.size();
+  }
+  return true;
+}
+
+// The points of the settled plane: all within its core, and out to the tolerance those whose normals agree.
+Members members_of(const SegmentScene& scene, const PointPool& pool, const Surface& surface, const Window& window,
+                   Task& task) {
+  Members members;
+  const PlaneTest test = scene.test(surface.plane, scene.settings.distance_tolerance_m, 0);
+  members.inliers = pool.collect(test, window.box(), task);
+  const double cosine = scene.min_cosine(), core = core_reach(scene.settings, surface.sigma_m);
+  std::erase_if(members.inliers, [&](const Inlier& i) {
+    return std::fabs(surface.plane.distance(point_of(i))) > core &&
+           scene.inconsistent(pool.position(i.slot), surface.plane.normal, cosine);
+  });
+  if (!members.inliers.empty()) keep_largest_region(scene, pool, surface.plane, members);
+  return members;
+}
+
+}  // namespace
+
+double core_reach(const RansacSettings& settings, double sigma_m) {
+  const double tolerance = settings.distance_tolerance_m;
+  if (!settings.uses_normals()) return tolerance;  // the plain method of Boulaassal 2010: the buffer zone alone decides
+  return std::clamp(kSigmas * sigma_m, kLeastReach * tolerance, tolerance);
+}
+
+bool extract_surface(SegmentScene& scene, PointPool& pool, const Candidate& candidate, uint32_t owner_id, Task& task,
+                     Surface& out) {
+  Surface surface;
+  surface.plane = candidate.plane;
+  Window window = first_window(scene, candidate);
+  if (!settle_plane(scene, pool, task, surface, window)) return false;
+  const Members members = members_of(scene, pool, surface, window, task);
+  if (!large_enough(scene.settings, members)) return false;
+  surface.area_m2 = members.area_m2;
+  surface.pixel_m = members.pixel_m;
+  surface.positions.reserve(members.inliers.size());
+  for (const Inlier& i : members.inliers) {
+    surface.positions.push_back(pool.position(i.slot));
+    scene.owner[pool.position(i.slot)] = owner_id;
+    pool.remove(i.slot);
+  }
+  std::sort(surface.positions.begin(), surface.positions.end());
+  out = std::move(surface);
+  return true;
+}
+
+}  // namespace jalon

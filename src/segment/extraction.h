@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segment/connectivity.h"
+#include "segment/hypotheses.h"
+
+namespace jalon {
+
+/// A segment in the making, in the local frame.
+struct Surface {
+  Plane plane;
+  double sigma_m = 0;
+  double area_m2 = 0;
+  double pixel_m = 0;
+  std::vector<uint32_t> positions;  ///< in the octree's order
+};
+
+/// From a candidate to a surface: collect, keep the largest connected region, refit by least squares, until stable;
+/// then the points of the surface are taken out of the pool and belong to owner_id. False when no region is large,
+/// flat and dense enough.
+bool extract_surface(SegmentScene& scene, PointPool& pool, const Candidate& candidate, uint32_t owner_id, Task& task,
+                     Surface& out);
+
+/// Reach of a plane of this sigma: 3 sigma, between a tenth of the tolerance and the tolerance.
+double core_reach(const RansacSettings& settings, double sigma_m);
+
+}  // namespace jalon

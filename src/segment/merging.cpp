@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/merging.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kMaxCosine = 0.985;      // 10 degrees: beyond, no joint fit is tried
+constexpr double kRoughnessGrowth = 1.5;  // rms about the joint plane against the own sigma
+constexpr double kFreeRoughness = 0.3;    // of the tolerance: rms that needs no comparison
+constexpr size_t kPointsPerChunk = 1 << 14;
+
+struct Part {
+  Moments moments;
+  PlaneFit fit;
+  Box3 box;
+  bool alive = true;
+};
+
+Part part_of(const SegmentScene& scene, const Surface& surface, Task& task) {
+  struct Sums {
+    Moments moments;
+    Box3 box;
+    Sums& operator+=(const Sums& b) {
+      moments += b.moments;
+      box += b.box;
+      return *this;
+    }
+  } zero;
+  const double half = scene.tree->cube().edge / 2;
+  zero.moments.reference = {half, half, half};
+  const auto& positions = surface.positions;
+  const Sums sums = parallel_reduce(task, positions.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+    Sums part = zero;
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 p = scene.local(positions[i]);
+      part.moments.add(p);
+      part.box.add(p);
+    }
+    return part;
+  });
+  Part part;
+  part.moments = sums.moments;
+  part.box = sums.box;
+  part.alive = fit_plane(sums.moments, part.fit);
+  return part;
+}
+
+double rms_about(const Part& part, const Plane& plane) {
+  const Symmetric3 c = part.moments.covariance();
+  const Vec3& n = plane.normal;
+  const double spread = c[0] * n.x * n.x + c[3] * n.y * n.y + c[5] * n.z * n.z +
+                        2 * (c[1] * n.x * n.y + c[2] * n.x * n.z + c[4] * n.y * n.z);
+  const double shift = plane.distance(part.fit.centroid);
+  return std::sqrt(std::max(0.0, spread) + shift * shift);
+}
+
+bool one_plane_fits(const SegmentScene& scene, const Part& a, const Part& b) {
+  const double tolerance = scene.settings.distance_tolerance_m;
+  const Part& large = a.moments.n >= b.moments.n ? a : b;
+  const Part& small = a.moments.n >= b.moments.n ? b : a;
+  if (std::fabs(large.fit.plane.distance(small.fit.centroid)) > tolerance) return false;
+  if (std::fabs(dot(a.fit.plane.normal, b.fit.plane.normal)) < kMaxCosine) return false;
+  Moments joint = a.moments;
+  joint += b.moments;
+  PlaneFit fit;
+  if (!fit_plane(joint, fit)) return false;
+  const auto agrees = [&](const Part& part) {
+    return rms_about(part, fit.plane) <= std::max(kRoughnessGrowth * part.fit.sigma, kFreeRoughness * tolerance);
+  };
+  return agrees(a) && agrees(b);
+}
+
+bool boxes_near(const Box3& a, const Box3& b, double gap) {
+  for (int k = 0; k < 3; ++k)
+    if (a.min[k] > b.max[k] + gap || b.min[k] > a.max[k] + gap) return false;
+  return true;
+}
+
+// True when the surfaces' pixels come within merge_gap_m of each other.
+bool pixels_near(const SegmentScene& scene, const Surface& a, const Surface& b) {
+  const double gap = scene.settings.merge_gap_m;
+  const double pixel = std::max({a.pixel_m, b.pixel_m, gap / 64});
+  const auto reach = static_cast<uint32_t>(std::max(1.0, std::floor(gap / pixel)));
+  const PlaneFrame frame = plane_frame(a.plane, scene.local(a.positions[0]));
+  std::vector<Vec2> uv(a.positions.size());
+  for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(a.positions[i]));
+  const Raster near = dilated(bounded_raster(uv, pixel, reach), reach);
+  for (const uint32_t position : b.positions) {
+    const Vec2 p = frame(scene.local(position));
+    const double column = std::floor((p.u - near.origin.u) / near.pixel_m);
+    const double row = std::floor((p.v - near.origin.v) / near.pixel_m);
+    if (column < 0 || row < 0 || column >= near.columns || row >= near.rows) continue;
+    if (near.pixels[static_cast<size_t>(row) * near.columns + static_cast<size_t>(column)] != 0) return true;
+  }
+  return false;
+}
+
+void absorb(Surface& into, Part& into_part, Surface& from, Part& from_part) {
+  into_part.moments += from_part.moments;
+  into_part.box += from_part.box;
+  fit_plane(into_part.moments, into_part.fit);
+  into.plane = into_part.fit.plane;
+  into.sigma_m = into_part.fit.sigma;
+  into.area_m2 += from.area_m2;
+  into.pixel_m = std::max(into.pixel_m, from.pixel_m);
+  const auto middle = static_cast<ptrdiff_t>(into.positions.size());
+  into.positions.insert(into.positions.end(), from.positions.begin(), from.positions.end());
+  std::inplace_merge(into.positions.begin(), into.positions.begin() + middle, into.positions.end());
+  from.positions.clear();
+  from_part.alive = false;
+}
+
+}  // namespace
+
+void merge_coplanar(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  std::vector<Part> parts;
+  for (const Surface& surface : surfaces) parts.push_back(part_of(scene, surface, task));
+  for (bool merged = true; merged;) {
+    merged = false;
+    for (size_t i = 0; i < surfaces.size(); ++i) {
+      task.checkpoint(static_cast<double>(i) / static_cast<double>(surfaces.size()));
+      for (size_t j = i + 1; j < surfaces.size() && parts[i].alive; ++j) {
+        if (!parts[j].alive || !boxes_near(parts[i].box, parts[j].box, scene.settings.merge_gap_m)) continue;
+        if (!one_plane_fits(scene, parts[i], parts[j]) || !pixels_near(scene, surfaces[i], surfaces[j])) continue;
+        absorb(surfaces[i], parts[i], surfaces[j], parts[j]);
+        merged = true;
+      }
+    }
+  }
+  std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
+}
+
+}  // namespace jalon

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/ransac_settings.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+std::span<const ParamRow> ransac_rows() {
+  // Origins: Boulaassal 2010, figs 3.10-3.11 (0.025 m), 3.4.3.2 (0.99), 3.4.5.2 (1 degree); Schnabel et al. 2007 (25
+  // degrees between the normals of point and plane).
+  static constexpr ParamRow kRows[] = {
+      number_row("distance_tolerance_m", 0.025, 1e-5, 10, "m", "ransac",
+                 "Largest distance of a point from its plane: a half-thickness, about 3 sigma of the scan."),
+      number_row("min_area_m2", 0.05, 0, 1e9, "m2", "ransac",
+                 "Smallest area of a segment, counted in occupied raster pixels."),
+      integer_row("min_points", 50, 3, 4e9, "points", "ransac", "Fewest points of a segment."),
+      number_row("probability", 0.99, 0.5, 0.999999, "1", "ransac",
+                 "Probability that no plane of min_points or more is missed; more takes longer."),
+      integer_row("max_planes", 0, 0, 1e6, "1", "ransac", "Ends after this many planes were drawn; 0 = no limit."),
+      integer_row("seed", 1, 0, 9e15, "1", "ransac", "Seed of the random draws: the same seed gives the same result."),
+      bool_row("connectivity", true, "ransac",
+               "A segment is one connected surface; off: all points near the plane, wherever they lie."),
+      number_row("pixel_m", 0, 0, 100, "m", "ransac",
+                 "Edge of a raster pixel for connectivity and area; 0 = twice the point spacing of the segment."),
+      number_row("gap_m", 0.5, 0, 100, "m", "ransac",
+                 "Widest gap (a pipe, a pillar) inside one connected surface."),
+      number_row("merge_gap_m", 0.5, 0, 1e4, "m", "ransac",
+                 "Widest gap between coplanar segments joined at the end; more joins repeated panels and panes."),
+      choice_row("normals", "cells", "cells|field|none", "ransac",
+                 "Normals for the consistency test: local planes of octree cells, the field \"normal\", or no test."),
+      number_row("normal_tolerance_rad", 0.436332, 0.01, 1.570796, "rad", "ransac",
+                 "Largest angle between the normal of a point and that of its plane; 0.436 = 25 degrees."),
+      number_row("orientation_tolerance_rad", 0.0174533, 1e-4, 0.785398, "rad", "ransac",
+                 "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."),
+      bool_row("facade_frame", true, "ransac",
+               "Turns the main facade parallel to OXZ in the facade frame; off: the frame is the identity."),
+  };
+  return kRows;
+}
+
+RansacSettings ransac_settings(const ParamSet& params) {
+  RansacSettings s;
+  s.distance_tolerance_m = params.number("distance_tolerance_m");
+  s.min_area_m2 = params.number("min_area_m2");
+  s.min_points = static_cast<uint32_t>(params.integer("min_points"));
+  s.probability = params.number("probability");
+  s.max_planes = static_cast<uint32_t>(params.integer("max_planes"));
+  s.seed = static_cast<uint64_t>(params.integer("seed"));
+  s.connectivity = params.flag("connectivity");
+  s.pixel_m = params.number("pixel_m");
+  s.gap_m = params.number("gap_m");
+  s.merge_gap_m = params.number("merge_gap_m");
+  const std::string& normals = params.text("normals");
+  s.normals = normals == "field" ? NormalSource::kField
+              : normals == "none" ? NormalSource::kNone
+                                  : NormalSource::kCells;
+  s.normal_tolerance_rad = params.number("normal_tolerance_rad");
+  s.orientation_tolerance_rad = params.number("orientation_tolerance_rad");
+  s.facade_frame = params.flag("facade_frame");
+  return s;
+}
+
+}  // namespace jalon

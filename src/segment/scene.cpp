@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/scene.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace jalon {
+
+namespace {
+
+// Smallest cells for normals and draws: sides of a few tolerances, so that the spread of three points is well above
+// the noise; the largest ones are 2^kLevels times as wide.
+constexpr double kFineCellTolerances = 4;
+constexpr int kLevels = 6;
+
+// A cube that starts at the smallest coordinates, so that any shift of the cloud, not only one by whole metres,
+// leaves the cells and with them all draws as they are; the cloud's own octree keeps to whole metres and would cut
+// the surfaces elsewhere.
+Cube anchored_cube(const Box3& box) {
+  const Vec3 sides = box.max - box.min;
+  const double extent = std::max({sides.x, sides.y, sides.z});
+  Cube cube;
+  cube.origin = box.min;
+  cube.edge = std::ldexp(1.0, std::ilogb(extent) + 1);
+  return cube;
+}
+
+}  // namespace
+
+SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
+  const Cube anchored = anchored_cube(bounds(cloud, task));
+  SegmentScene scene{.cloud = cloud, .settings = settings, .tree = Octree::build(cloud.xyz(), anchored, task)};
+  scene.order = scene.tree->order();
+  const Cube& cube = scene.tree->cube();
+  scene.origin = cube.origin;
+  const double finest = std::log2(cube.edge / (kFineCellTolerances * settings.distance_tolerance_m));
+  scene.fine_level = std::clamp(static_cast<int>(std::floor(finest)), 0, kMaxLevel);
+  scene.coarse_level = std::max(0, scene.fine_level - kLevels);
+  for (int level = scene.coarse_level; level <= scene.fine_level; ++level)
+    scene.cells.push_back(scene.tree->cells(level, task));
+  const size_t n = scene.size();
+  scene.owner.assign(n, 0);
+  scene.normals = Buffer<float>(3 * n);
+  scene.spacing = Buffer<float>(n);
+  scene.level = Buffer<uint8_t>(n);
+  estimate_local_surface(scene, task);
+  return scene;
+}
+
+PlaneAxes plane_axes(const Vec3& normal) {
+  constexpr double kHorizontal = 0.95;  // nz beyond which "up in the plane" is ill defined
+  const Vec3 reference = std::fabs(normal.z) < kHorizontal ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  const Vec3 u = normalized(cross(reference, normal));
+  return {u, cross(normal, u)};
+}
+
+}  // namespace jalon

@@ -1,0 +1,226 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/* Valid handles of every kind, rich and poor: what the wild calls vary around. */
+#define _XOPEN_SOURCE 700
+#include "wild_support.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear, *fx_far, *fx_nan_field;
+jalon_cloud* fx_clouds[3];
+jalon_cloud_builder *fx_builder, *fx_builder_ready;
+jalon_fields* fx_fields;
+jalon_model *fx_model, *fx_mesh, *fx_bare;
+jalon_segmenter* fx_segmenter;
+jalon_segmentation *fx_segmentation, *fx_no_segments;
+jalon_modeller* fx_modeller;
+jalon_scanner* fx_scanner;
+jalon_task *fx_task, *fx_task_own;
+jalon_params* fx_typed[7];
+const char* fx_typed_name[7];
+double fx_double_value;
+int64_t fx_int64_value;
+const char* fx_text_value;
+double fx_xyz[3 * kArrayItems];
+uint64_t fx_indices[kArrayItems];
+uint32_t fx_triangles[kArrayItems] = {0, 1, 2, 2, 3, 0};
+const double fx_square[8] = {-50, -50, 50, -50, 50, 50, -50, 50};
+const jalon_transform fx_identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+const jalon_transform fx_zero = {{0}};
+const jalon_transform fx_nan_transform = {{1, 0, 0, NAN, 0, 1, 0, 0, 0, 0, 1, 0}};
+const jalon_transform fx_inf_transform = {{INFINITY, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+const jalon_transform fx_big_transform = {{1e300, 0, 0, 0, 0, 1e300, 0, 0, 0, 0, 1e300, 0}};
+const jalon_box fx_box = {{-50, -50, -50}, {50, 50, 50}}, fx_reversed_box = {{1, 1, 1}, {-1, -1, -1}};
+const jalon_box fx_nan_box = {{NAN, -1, -1}, {1, 1, 1}};
+const jalon_vec3 fx_foot = {0, 0, -5}, fx_top = {0, 0, 5}, fx_nan_vec = {0, NAN, 0}, fx_inf_vec = {0, 0, INFINITY};
+char *fx_long_text, *fx_deep_json;
+
+static char folder[256];
+static int made_options;
+static struct {
+  const char* operation;
+  jalon_params* params;
+} options[32];
+
+static void must(jalon_status status, const char* what) {
+  if (status == JALON_OK) return;
+  printf("not ok - wild: fixture %s: %s\n0 passed, 1 failed, 0 skipped\n", what, jalon_last_error_message());
+  exit(1);
+}
+#define MUST(call) must((call), #call)
+
+const char* fx_path(const char* name) {
+  static char path[600];
+  snprintf(path, sizeof path, "%s/%s", folder, name);
+  return path;
+}
+
+jalon_params* fx_options(const char* operation) {
+  for (int i = 0; i < made_options; ++i)
+    if (strcmp(options[i].operation, operation) == 0) return options[i].params;
+  return NULL;
+}
+
+int32_t fx_progress(double fraction, const char* stage, void* user) {
+  (void)user;
+  return fraction >= 0 && fraction <= 1 && stage != NULL ? 0 : 1;
+}
+
+void fx_log(int32_t level, const char* text, void* user) { (void)level, (void)text, (void)user; }
+
+/* One set of each operation, and for each type of parameter a set and a row that has it. */
+static void make_params(void) {
+  uint64_t count, rows;
+  MUST(jalon_params_operation_count(&count));
+  for (uint64_t i = 0; i < count && made_options < 32; ++i) {
+    jalon_params* params;
+    MUST(jalon_params_operation_name(i, &options[made_options].operation));
+    MUST(jalon_params_create(options[made_options].operation, &params));
+    options[made_options++].params = params;
+    MUST(jalon_params_count(params, &rows));
+    for (uint64_t r = 0; r < rows; ++r) {
+      jalon_param_info info = {sizeof info, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+      MUST(jalon_params_info(params, r, &info));
+      if (fx_typed[info.type] != NULL) continue;
+      fx_typed[info.type] = params;
+      fx_typed_name[info.type] = info.name;
+    }
+  }
+  MUST(jalon_params_get_double(fx_typed[JALON_PARAM_DOUBLE], fx_typed_name[JALON_PARAM_DOUBLE], &fx_double_value));
+  MUST(jalon_params_get_int64(fx_typed[JALON_PARAM_INT64], fx_typed_name[JALON_PARAM_INT64], &fx_int64_value));
+  if (fx_typed[JALON_PARAM_STRING] == NULL) must(-1, "no operation has a string parameter");
+  MUST(jalon_params_get_string(fx_typed[JALON_PARAM_STRING], fx_typed_name[JALON_PARAM_STRING], &fx_text_value));
+  if (fx_typed[JALON_PARAM_DOUBLES] == NULL) must(-1, "no operation has a parameter of doubles");
+}
+
+static jalon_cloud* cloud_of(const double* xyz, uint64_t count) {
+  jalon_cloud* cloud;
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, count, 0, 0, &cloud));
+  return cloud;
+}
+
+static double noise(uint32_t i) {
+  i = (i ^ 61u) * 2654435761u;
+  i = (i ^ (i >> 15)) * 2246822519u;
+  return ((i >> 8) / 16777216.0 - 0.5) * 0.004;
+}
+
+/* A wall of 5 x 3 m with a hole, and the ground before it: 10 cm steps, 4 mm of noise. */
+static void make_clouds(void) {
+  int n = 0;
+  for (int i = 0; i < 50; ++i)
+    for (int j = 0; j < 30; ++j) {
+      if (i > 20 && i < 30 && j > 10 && j < 20) continue;
+      fx_xyz[3 * n] = 0.1 * i, fx_xyz[3 * n + 1] = noise(n), fx_xyz[3 * n + 2] = 0.1 * j, ++n;
+    }
+  for (int i = 0; i < 50; ++i)
+    for (int j = 1; j < 20; ++j)
+      fx_xyz[3 * n] = 0.1 * i, fx_xyz[3 * n + 1] = -0.1 * j, fx_xyz[3 * n + 2] = noise(n), ++n;
+  static float intensity[kArrayItems];
+  for (int i = 0; i < n; ++i) intensity[i] = (float)(i % 2);
+  fx_cloud = cloud_of(fx_xyz, n);
+  const jalon_transform pose = {{1, 0, 0, 2.5, 0, 1, 0, -6, 0, 0, 1, 1.7}};
+  MUST(jalon_cloud_set_station(fx_cloud, "tripod", &pose));
+  MUST(jalon_cloud_set_crs(fx_cloud, "EPSG:2154"));
+  MUST(jalon_cloud_set_field(fx_cloud, "intensity", intensity, JALON_FLOAT32, 1, n, 0, NULL, NULL));
+  MUST(jalon_cloud_compute_normals(fx_cloud, NULL, NULL));
+  MUST(jalon_cloud_fields(fx_cloud, &fx_fields));
+  fx_small = cloud_of(fx_xyz, 12);
+  fx_empty = cloud_of(NULL, 0);
+  fx_one = cloud_of(fx_xyz, 1);
+  fx_two = cloud_of(fx_xyz, 2);
+  static double line[300], same[300], far_away[12] = {-1e150, 0, 0, 1e150, 1e150, 3, 0, 0, -1e150, 5, 5, 5};
+  for (int i = 0; i < 100; ++i) {
+    line[3 * i] = 0.01 * i, line[3 * i + 1] = 0.02 * i, line[3 * i + 2] = 0.03 * i;
+    same[3 * i] = 7, same[3 * i + 1] = 8, same[3 * i + 2] = 9;
+  }
+  fx_collinear = cloud_of(line, 100);
+  fx_equal = cloud_of(same, 100);
+  fx_far = cloud_of(far_away, 4);
+  static float nans[3 * 200];
+  for (int i = 0; i < 600; ++i) nans[i] = NAN;
+  fx_nan_field = cloud_of(fx_xyz, 200);
+  MUST(jalon_cloud_set_field(fx_nan_field, "intensity", nans, JALON_FLOAT32, 1, 200, 0, "", ""));
+  MUST(jalon_cloud_set_field(fx_nan_field, "normal", nans, JALON_FLOAT32, 3, 200, 0, "", ""));
+  fx_clouds[0] = fx_cloud, fx_clouds[1] = fx_small, fx_clouds[2] = fx_two;
+}
+
+static void make_builders(void) {
+  jalon_cloud_builder** both[2] = {&fx_builder, &fx_builder_ready};
+  for (int i = 0; i < 2; ++i) {
+    MUST(jalon_cloud_builder_create(0, both[i]));
+    MUST(jalon_cloud_builder_declare_field(*both[i], "extra", JALON_FLOAT64, 1, "m", ""));
+    MUST(jalon_cloud_builder_append_points(*both[i], fx_xyz, JALON_FLOAT64, 8, 0));
+    if (i == 1) MUST(jalon_cloud_builder_append_field(*both[i], "extra", fx_xyz, JALON_FLOAT64, 8, 0));
+  }
+}
+
+static void make_workers(void) {
+  MUST(jalon_segmenter_create(NULL, &fx_segmenter));
+  MUST(jalon_segmenter_run(fx_segmenter, fx_cloud, NULL, &fx_segmentation));
+  static double sparse[3 * 40]; /* 40 points in a cube of 100 m: no plane */
+  for (uint32_t i = 0; i < 120; ++i) sparse[i] = 25000 * noise(1000 + i);
+  jalon_cloud* nothing = cloud_of(sparse, 40);
+  MUST(jalon_segmenter_run(fx_segmenter, nothing, NULL, &fx_no_segments));
+  jalon_cloud_release(nothing);
+  MUST(jalon_modeller_create(NULL, &fx_modeller));
+  MUST(jalon_modeller_run(fx_modeller, fx_cloud, fx_segmentation, NULL, &fx_model));
+  const double corners[12] = {-2, 3, -2, 2, 3, -2, 2, 3, 2, -2, 3, 2};
+  MUST(jalon_model_create_mesh(corners, JALON_FLOAT64, 4, 0, fx_triangles, 2, NULL, &fx_mesh));
+  MUST(jalon_model_create_mesh(NULL, JALON_FLOAT64, 0, 0, NULL, 0, NULL, &fx_bare));
+  MUST(jalon_scanner_create(NULL, &fx_scanner));
+  MUST(jalon_scanner_add_station(fx_scanner, "tripod", &fx_identity));
+}
+
+static void make_files(void) {
+  snprintf(folder, sizeof folder, "%s/jalon_wild_XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
+  if (mkdtemp(folder) == NULL) must(-1, "no temporary folder");
+  MUST(jalon_cloud_write(fx_cloud, fx_path("scan.las"), NULL, NULL));
+  MUST(jalon_model_write(fx_mesh, fx_path("model.obj"), NULL, NULL));
+}
+
+void fx_begin(void) {
+  for (int i = 0; i < kArrayItems; ++i) fx_indices[i] = (uint64_t)(i % 12);
+  fx_long_text = malloc(70001);
+  fx_deep_json = malloc(20001);
+  memset(fx_long_text, 'a', 70000), fx_long_text[70000] = 0;
+  memset(fx_deep_json, '[', 20000), fx_deep_json[20000] = 0;
+  MUST(jalon_task_create(&fx_task));
+  MUST(jalon_task_create(&fx_task_own));
+  make_params();
+  make_clouds();
+  make_builders();
+  make_workers();
+  make_files();
+}
+
+void fx_end(void) {
+  DIR* d = opendir(folder);
+  if (d != NULL) {
+    for (struct dirent* entry; (entry = readdir(d)) != NULL;)
+      if (entry->d_name[0] != '.') remove(fx_path(entry->d_name));
+    closedir(d);
+    rmdir(folder);
+  }
+  for (int i = 0; i < made_options; ++i) jalon_params_release(options[i].params);
+  jalon_cloud* clouds[] = {fx_cloud, fx_small, fx_empty, fx_one, fx_two, fx_equal, fx_collinear, fx_far, fx_nan_field};
+  for (size_t i = 0; i < sizeof clouds / sizeof *clouds; ++i) jalon_cloud_release(clouds[i]);
+  jalon_cloud_builder_release(fx_builder);
+  jalon_cloud_builder_release(fx_builder_ready);
+  jalon_fields_release(fx_fields);
+  jalon_model_release(fx_model);
+  jalon_model_release(fx_mesh);
+  jalon_model_release(fx_bare);
+  jalon_segmenter_release(fx_segmenter);
+  jalon_segmentation_release(fx_segmentation);
+  jalon_segmentation_release(fx_no_segments);
+  jalon_modeller_release(fx_modeller);
+  jalon_scanner_release(fx_scanner);
+  jalon_task_release(fx_task);
+  jalon_task_release(fx_task_own);
+  free(fx_long_text);
+  free(fx_deep_json);
+}

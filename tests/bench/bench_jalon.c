@@ -1,0 +1,232 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+
+/* bench_jalon PREFIX: Jalon through its public C interface; the protocol is that of driver.h. */
+
+#include <jalon/jalon.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { NEIGHBOURS = 16, SAMPLES = 2000, LINE_BYTES = 4096 };
+static const double kVoxel_m = 0.05;
+
+typedef struct Bench {
+  const char* prefix;
+  double* xyz;
+  uint64_t count;
+  jalon_cloud* indexed; /* the cloud of the last "index": knn16 asks it */
+  uint32_t* neighbours;
+  float* squared;
+} Bench;
+
+typedef struct Result {
+  double seconds;
+  uint64_t count;
+} Result;
+
+static void check(jalon_status status) {
+  if (status == JALON_OK) return;
+  fprintf(stderr, "jalon: %s\n", jalon_last_error_message());
+  exit(1);
+}
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void load(Bench* bench) {
+  char path[LINE_BYTES];
+  FILE* file;
+  long bytes;
+  snprintf(path, sizeof path, "%s.f64", bench->prefix);
+  file = fopen(path, "rb");
+  if (file == NULL || fseek(file, 0, SEEK_END) != 0 || (bytes = ftell(file)) <= 0) {
+    fprintf(stderr, "cannot read %s\n", path);
+    exit(1);
+  }
+  rewind(file);
+  bench->count = (uint64_t)bytes / 24;
+  bench->xyz = malloc((size_t)bytes);
+  if (bench->xyz == NULL || fread(bench->xyz, 24, bench->count, file) != bench->count) exit(1);
+  fclose(file);
+}
+
+static jalon_cloud* fresh_cloud(const Bench* bench) {
+  jalon_cloud* cloud = NULL;
+  check(jalon_cloud_create(bench->xyz, JALON_FLOAT64, bench->count, 0, 0, &cloud));
+  return cloud;
+}
+
+static uint64_t sample_step(uint64_t count) { return count > SAMPLES ? count / SAMPLES : 1; }
+
+/* Every sample_step-th row of a packed float array, as doubles. */
+static void write_sample(FILE* sample, const float* rows, uint64_t count, uint32_t columns) {
+  uint64_t i;
+  uint32_t k;
+  for (i = 0; i < count; i += sample_step(count)) {
+    for (k = 0; k < columns; ++k) {
+      const double value = rows[i * columns + k];
+      fwrite(&value, sizeof value, 1, sample);
+    }
+  }
+}
+
+static Result run_index(Bench* bench, jalon_task* task, FILE* sample) {
+  Result result;
+  double start;
+  (void)sample;
+  jalon_cloud_release(bench->indexed);
+  bench->indexed = fresh_cloud(bench);
+  start = now();
+  check(jalon_cloud_prepare(bench->indexed, task));
+  result.seconds = now() - start;
+  result.count = bench->count;
+  return result;
+}
+
+static Result run_knn16(Bench* bench, jalon_task* task, FILE* sample) {
+  Result result;
+  double start;
+  if (bench->indexed == NULL) run_index(bench, task, NULL);
+  if (bench->neighbours == NULL) {
+    /* Touched once, as the peers' arrays are. */
+    bench->neighbours = malloc(bench->count * NEIGHBOURS * sizeof *bench->neighbours);
+    bench->squared = malloc(bench->count * NEIGHBOURS * sizeof *bench->squared);
+    if (bench->neighbours == NULL || bench->squared == NULL) exit(1);
+    memset(bench->neighbours, 0, bench->count * NEIGHBOURS * sizeof *bench->neighbours);
+    memset(bench->squared, 0, bench->count * NEIGHBOURS * sizeof *bench->squared);
+  }
+  start = now();
+  check(jalon_cloud_knn_all(bench->indexed, NEIGHBOURS, task, bench->neighbours, bench->squared));
+  result.seconds = now() - start;
+  result.count = bench->count;
+  if (sample != NULL) write_sample(sample, bench->squared, bench->count, NEIGHBOURS);
+  return result;
+}
+
+static Result run_normals16(Bench* bench, jalon_task* task, FILE* sample) {
+  Result result;
+  double start;
+  jalon_params* options = NULL;
+  jalon_cloud* cloud = fresh_cloud(bench);
+  check(jalon_params_create("normals", &options));
+  check(jalon_params_set_string(options, "method", "pca"));
+  check(jalon_params_set_int64(options, "k", NEIGHBOURS));
+  check(jalon_params_set_string(options, "orientation", "none"));
+  start = now();
+  check(jalon_cloud_compute_normals(cloud, options, task));
+  result.seconds = now() - start;
+  result.count = bench->count;
+  if (sample != NULL) {
+    jalon_fields* fields = NULL;
+    jalon_array_view view;
+    check(jalon_cloud_fields(cloud, &fields));
+    check(jalon_fields_view(fields, "normal", &view));
+    write_sample(sample, view.data, view.count, view.components);
+    jalon_fields_release(fields);
+  }
+  jalon_params_release(options);
+  jalon_cloud_release(cloud);
+  return result;
+}
+
+static Result run_voxel5cm(Bench* bench, jalon_task* task, FILE* sample) {
+  Result result;
+  double start;
+  jalon_params* options = NULL;
+  jalon_cloud *cloud = fresh_cloud(bench), *thinned = NULL;
+  (void)sample;
+  check(jalon_params_create("subsample", &options));
+  check(jalon_params_set_string(options, "method", "voxel"));
+  check(jalon_params_set_double(options, "cell_m", kVoxel_m));
+  start = now();
+  check(jalon_cloud_subsample(cloud, options, task, &thinned, NULL));
+  result.seconds = now() - start;
+  check(jalon_cloud_count(thinned, &result.count));
+  jalon_cloud_release(thinned);
+  jalon_cloud_release(cloud);
+  jalon_params_release(options);
+  return result;
+}
+
+static Result run_las(Bench* bench, const char* suffix, jalon_task* task, FILE* sample) {
+  Result result;
+  double start;
+  char path[LINE_BYTES];
+  jalon_cloud* cloud = NULL;
+  jalon_array_view view;
+  uint64_t i;
+  snprintf(path, sizeof path, "%s%s", bench->prefix, suffix);
+  start = now();
+  check(jalon_cloud_read(path, NULL, task, &cloud));
+  result.seconds = now() - start;
+  check(jalon_cloud_points(cloud, &view));
+  result.count = view.count;
+  for (i = 0; sample != NULL && i < view.count; i += sample_step(view.count)) {
+    fwrite((const char*)view.data + i * view.stride_bytes, sizeof(double), 3, sample);
+  }
+  jalon_cloud_release(cloud);
+  return result;
+}
+
+static Result run_las0(Bench* bench, jalon_task* task, FILE* sample) {
+  return run_las(bench, "_pf0.las", task, sample);
+}
+static Result run_las3(Bench* bench, jalon_task* task, FILE* sample) {
+  return run_las(bench, "_pf3.las", task, sample);
+}
+
+typedef struct Operation {
+  const char* name;
+  Result (*run)(Bench* bench, jalon_task* task, FILE* sample);
+} Operation;
+
+static const Operation kOperations[] = {{"index", run_index},         {"knn16", run_knn16},
+                                        {"normals16", run_normals16}, {"voxel5cm", run_voxel5cm},
+                                        {"las0", run_las0},           {"las3", run_las3}};
+enum { OPERATIONS = sizeof kOperations / sizeof kOperations[0] };
+
+static int serve(Bench* bench) {
+  char line[LINE_BYTES];
+  while (fgets(line, sizeof line, stdin) != NULL) {
+    char name[64] = "", path[LINE_BYTES] = "";
+    unsigned threads = 1;
+    int i, fields = sscanf(line, "%63s %u %4095s", name, &threads, path);
+    FILE* sample = fields == 3 ? fopen(path, "wb") : NULL;
+    jalon_task* task = NULL;
+    Result result;
+    for (i = 0; i < OPERATIONS && strcmp(name, kOperations[i].name) != 0; ++i) {
+    }
+    if (fields < 2 || i == OPERATIONS || (fields == 3 && sample == NULL)) return 1;
+    check(jalon_task_create(&task));
+    check(jalon_task_set_threads(task, threads));
+    result = kOperations[i].run(bench, task, sample);
+    jalon_task_release(task);
+    if (sample != NULL && fclose(sample) != 0) return 1;
+    printf("Jalon|%s|%llu|%u|%.6f|%llu\n", name, (unsigned long long)bench->count, threads,
+           result.seconds, (unsigned long long)result.count);
+    fflush(stdout);
+  }
+  return 0;
+}
+
+int main(int argc, char** argv) {
+  Bench bench;
+  int code;
+  if (argc < 2) return 2;
+  memset(&bench, 0, sizeof bench);
+  bench.prefix = argv[1];
+  load(&bench);
+  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3\n");
+  fflush(stdout);
+  code = serve(&bench);
+  jalon_cloud_release(bench.indexed);
+  free(bench.neighbours);
+  free(bench.squared);
+  free(bench.xyz);
+  return code;
+}

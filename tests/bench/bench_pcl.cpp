@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// bench_pcl PREFIX: PCL's FLANN kd-tree, NormalEstimationOMP and VoxelGrid. Its tree and its voxel
+// grid are serial.
+
+#include <omp.h>
+#include <pcl/features/normal_3d_omp.h>
+#include <pcl/filters/voxel_grid.h>
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
+
+#include <memory>
+
+#include "driver.h"
+
+int main(int argc, char** argv) {
+  if (argc < 2) return 2;
+  using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+  const Cloud::Ptr cloud(new Cloud);
+  {
+    const std::vector<double> xyz = bench::load_points(argv[1]);
+    cloud->reserve(xyz.size() / 3);
+    for (size_t i = 0; i < xyz.size(); i += 3) {
+      cloud->emplace_back(static_cast<float>(xyz[i]), static_cast<float>(xyz[i + 1]),
+                          static_cast<float>(xyz[i + 2]));
+    }
+  }
+  const size_t n = cloud->size();
+  using Tree = pcl::KdTreeFLANN<pcl::PointXYZ>;
+  std::unique_ptr<Tree> tree;
+  const auto build = [&](int, bool) {
+    tree.reset();
+    const bench::Stopwatch watch;
+    tree = std::make_unique<Tree>();
+    tree->setInputCloud(cloud);
+    return bench::Result{watch.seconds(), n, {}};
+  };
+  std::vector<int> indices;
+  std::vector<float> distances;
+  const auto knn = [&](int threads, bool with_sample) {
+    if (!tree) build(threads, false);
+    indices.resize(n * bench::kNeighbours);
+    distances.resize(n * bench::kNeighbours);
+    const bench::Stopwatch watch;
+#pragma omp parallel num_threads(threads)
+    {
+      std::vector<int> found(bench::kNeighbours);
+      std::vector<float> squared(bench::kNeighbours);
+#pragma omp for schedule(dynamic, 4096)
+      for (size_t i = 0; i < n; ++i) {
+        tree->nearestKSearch((*cloud)[i], bench::kNeighbours, found, squared);
+        std::memcpy(&indices[i * bench::kNeighbours], found.data(),
+                    bench::kNeighbours * sizeof(int));
+        std::memcpy(&distances[i * bench::kNeighbours], squared.data(),
+                    bench::kNeighbours * sizeof(float));
+      }
+    }
+    bench::Result result{watch.seconds(), n, {}};
+    if (with_sample) {
+      bench::for_samples(n, [&](size_t i) {
+        for (size_t k = 0; k < bench::kNeighbours; ++k)
+          result.sample.push_back(distances[i * bench::kNeighbours + k]);
+      });
+    }
+    return result;
+  };
+  const auto normals = [&](int threads, bool with_sample) {
+    pcl::PointCloud<pcl::Normal> field;
+    const bench::Stopwatch watch;
+    pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(static_cast<unsigned>(threads));
+    estimation.setInputCloud(cloud);
+    estimation.setSearchMethod(std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
+    estimation.setKSearch(bench::kNeighbours);
+    estimation.compute(field);
+    bench::Result result{watch.seconds(), n, {}};
+    if (with_sample) {
+      bench::for_samples(n, [&](size_t i) {
+        for (int axis = 0; axis < 3; ++axis) result.sample.push_back(field[i].normal[axis]);
+      });
+    }
+    return result;
+  };
+  const auto voxel = [&](int, bool) {
+    Cloud thinned;
+    const bench::Stopwatch watch;
+    pcl::VoxelGrid<pcl::PointXYZ> grid;
+    grid.setInputCloud(cloud);
+    const auto leaf_m = static_cast<float>(bench::kVoxel_m);
+    grid.setLeafSize(leaf_m, leaf_m, leaf_m);
+    grid.filter(thinned);
+    return bench::Result{watch.seconds(), thinned.size(), {}};
+  };
+  return bench::serve(
+      "PCL", n, {{"index", build}, {"knn16", knn}, {"normals16", normals}, {"voxel5cm", voxel}});
+}

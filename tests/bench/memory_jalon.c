@@ -1,0 +1,126 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+
+/* memory_jalon PREFIX [THREADS]: bytes a point of a cloud with its index and float normals (k =
+ * 16), from the resident set of this process less what it held before; Linux only. The caller's own
+ * array is freed before the first measurement. */
+
+#include <fcntl.h>
+#include <jalon/jalon.h>
+#include <malloc.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { LINE_BYTES = 4096 };
+
+static void check(jalon_status status) {
+  if (status == JALON_OK) return;
+  fprintf(stderr, "jalon: %s\n", jalon_last_error_message());
+  exit(1);
+}
+
+/* A line of /proc/self/status, e.g. "VmRSS:", in bytes. */
+static double process_bytes(const char* key) {
+  char line[256];
+  double kilobytes = 0;
+  FILE* file = fopen("/proc/self/status", "r");
+  if (file == NULL) exit(1);
+  while (fgets(line, sizeof line, file) != NULL) {
+    if (strncmp(line, key, strlen(key)) == 0)
+      kilobytes = (double)strtoul(line + strlen(key), NULL, 10);
+  }
+  fclose(file);
+  return 1024 * kilobytes;
+}
+
+/* VmHWM starts again from the present resident set. */
+static void reset_peak(void) {
+  const int file = open("/proc/self/clear_refs", O_WRONLY);
+  if (file < 0 || write(file, "5", 1) != 1) {
+    fprintf(stderr, "cannot reset the peak of the resident set\n");
+    exit(1);
+  }
+  close(file);
+}
+
+static double* load(const char* prefix, uint64_t* count) {
+  char path[LINE_BYTES];
+  double* xyz;
+  long bytes;
+  FILE* file;
+  snprintf(path, sizeof path, "%s.f64", prefix);
+  file = fopen(path, "rb");
+  if (file == NULL || fseek(file, 0, SEEK_END) != 0 || (bytes = ftell(file)) <= 0) exit(1);
+  rewind(file);
+  *count = (uint64_t)bytes / 24;
+  xyz = malloc((size_t)bytes);
+  if (xyz == NULL || fread(xyz, 24, *count, file) != *count) exit(1);
+  fclose(file);
+  return xyz;
+}
+
+static void report(const char* stage, double before, double count) {
+  const double peak = process_bytes("VmHWM:");
+  malloc_trim(0); /* what the allocator keeps is not the cloud's */
+  printf("memory|%s|%.0f|%.1f|%.1f\n", stage, count, (process_bytes("VmRSS:") - before) / count,
+         (peak - before) / count);
+  fflush(stdout);
+}
+
+/* A small cloud first, so that the library's own pages, which are not a cloud's, are there already.
+ */
+static void warm_up(const jalon_params* options, jalon_task* task) {
+  enum { POINTS = 4096 };
+  static double xyz[3 * POINTS];
+  jalon_cloud* cloud = NULL;
+  int i;
+  for (i = 0; i < POINTS; ++i) {
+    xyz[3 * i] = i % 64;
+    xyz[3 * i + 1] = i / 64;
+  }
+  check(jalon_cloud_create(xyz, JALON_FLOAT64, POINTS, 0, 0, &cloud));
+  check(jalon_cloud_prepare(cloud, task));
+  check(jalon_cloud_compute_normals(cloud, options, task));
+  jalon_cloud_release(cloud);
+}
+
+int main(int argc, char** argv) {
+  uint64_t count = 0;
+  double* xyz;
+  double before, with_input;
+  jalon_task* task = NULL;
+  jalon_params* options = NULL;
+  jalon_cloud* cloud = NULL;
+  if (argc < 2) return 2;
+  check(jalon_task_create(&task));
+  check(jalon_task_set_threads(task, argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 2));
+  check(jalon_params_create("normals", &options));
+  check(jalon_params_set_string(options, "method", "pca"));
+  check(jalon_params_set_int64(options, "k", 16));
+
+  printf("memory|stage|points|bytes a point now|peak bytes a point\n");
+  warm_up(options, task);
+  malloc_trim(0);
+  before = process_bytes("VmRSS:");
+  xyz = load(argv[1], &count);
+  with_input = process_bytes("VmRSS:") - before;
+  reset_peak();
+  check(jalon_cloud_create(xyz, JALON_FLOAT64, count, 0, 0, &cloud));
+  free(xyz);
+  report("create (peak less the caller's array)", before, (double)count);
+  printf("memory|caller's array|%llu|%.1f|\n", (unsigned long long)count,
+         with_input / (double)count);
+  reset_peak();
+  check(jalon_cloud_prepare(cloud, task));
+  report("prepare", before, (double)count);
+  reset_peak();
+  check(jalon_cloud_compute_normals(cloud, options, task));
+  report("normals", before, (double)count);
+  jalon_cloud_release(cloud);
+  report("release", before, (double)count);
+  jalon_params_release(options);
+  jalon_task_release(task);
+  return 0;
+}

@@ -1,0 +1,292 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+"""run.py: Jalon beside its peers, in paired runs; see README.md.
+
+All drivers of one size and thread count stay alive and take turns: in each round each library does
+each operation once, so that whatever the machine does in the meantime meets all of them alike. The
+verdict is the median over the rounds of (time of the fastest peer) / (time of Jalon)."""
+
+import argparse
+import json
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import time
+
+import checks
+
+OPERATIONS = ["index", "knn16", "normals16", "voxel5cm", "las0", "las3"]
+# What Jalon must reach, as fastest peer / Jalon: at least as fast, LAS no slower than 1.5 times
+# LASzip; and the goals: twice as fast, LAS 0.15 s where LASzip takes 0.22 s.
+GATE = {"las0": 1 / 1.5, "las3": 1 / 1.5}
+GOAL = {"las0": 0.22 / 0.15, "las3": 0.22 / 0.15}
+MEMORY_NOW, MEMORY_PEAK = 60.0, 120.0  # bytes a point: coordinates + index + float normals
+
+
+def peer_commands(build, prefix):
+    """Name -> command of every driver that was built or installed."""
+    here = pathlib.Path(__file__).resolve().parent
+    folder = build / "tests" / "bench"
+    python = next((p for p in [build / "peers/venv/bin/python"] if p.exists()), sys.executable)
+    commands = {
+        "Jalon": [folder / "bench_jalon", prefix],
+        "small_gicp": [folder / "bench_small_gicp", prefix],
+        "nanoflann": [folder / "bench_nanoflann", prefix],
+        "nanoflann-f64": [folder / "bench_nanoflann", prefix, "f64"],
+        "PCL": [folder / "bench_pcl", prefix],
+        "CGAL": [folder / "bench_cgal", prefix],
+        "Open3D": [python, here / "bench_open3d.py", prefix],
+        "Open3D-tensor": [python, here / "bench_open3d.py", prefix, "tensor"],
+        "LASzip": [folder / "bench_laszip", prefix],
+        "LASzip-all": [folder / "bench_laszip", prefix, "all"],
+    }
+    return {
+        name: [str(part) for part in command]
+        for name, command in commands.items()
+        if pathlib.Path(command[0]).exists()
+    }
+
+
+class Driver:
+    """A peer's process, pinned to as many processors as it has threads."""
+
+    def __init__(self, name, command, threads, cpus):
+        self.name, self.threads = name, threads
+        environment = dict(os.environ, OMP_NUM_THREADS=str(threads), LC_ALL="C")
+        self.process = subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env=environment,
+            preexec_fn=lambda: os.sched_setaffinity(0, cpus[:threads]),
+        )
+        self.operations = []
+
+    def wait_until_ready(self):
+        self.operations = self._answer("ready|")[2].split(",")
+
+    def run(self, operation, sample_path=""):
+        self.process.stdin.write(f"{operation} {self.threads} {sample_path}\n")
+        self.process.stdin.flush()
+        answer = self._answer(self.name + "|")
+        return float(answer[4]), int(answer[5])
+
+    def close(self):
+        self.process.stdin.close()
+        self.process.wait()
+
+    def _answer(self, start):
+        for line in self.process.stdout:  # libraries may print lines of their own
+            if line.startswith(start):
+                return line.strip().split("|")
+        raise SystemExit(f"{self.name}: its driver ended early")
+
+
+def scene(build, data, size):
+    prefix = data / f"street_{size}"
+    if not (data / f"street_{size}_pf3.las").exists():
+        data.mkdir(parents=True, exist_ok=True)
+        subprocess.run(
+            [str(build / "tests/bench/street_scene"), str(prefix), str(size)],
+            check=True,
+            stdout=sys.stderr,
+        )
+    return prefix
+
+
+def run_rounds(drivers, operations, rounds, pause_s):
+    """times[operation][peer] = one number a round."""
+    times = {operation: {} for operation in operations}
+    for turn in range(rounds):
+        order = drivers[turn % len(drivers) :] + drivers[: turn % len(drivers)]
+        for operation in operations:
+            for driver in order:
+                if operation in driver.operations:
+                    time.sleep(pause_s)  # lets the worker threads of the one before go to sleep
+                    times[operation].setdefault(driver.name, []).append(driver.run(operation)[0])
+    return times
+
+
+def verdict(operation, times):
+    """The row of the table: fastest peer, ratio to it and its range over the rounds."""
+    medians = {peer: statistics.median(values) for peer, values in times.items()}
+    peers = {peer: value for peer, value in medians.items() if peer != "Jalon"}
+    row = {"operation": operation, "medians": medians, "times": times}
+    if "Jalon" in medians and peers:
+        best = min(peers, key=peers.get)
+        ratios = [peer / jalon for peer, jalon in zip(times[best], times["Jalon"])]
+        ratio = statistics.median(ratios)
+        gate, goal = GATE.get(operation, 1.0), GOAL.get(operation, 2.0)
+        mark = "GOAL" if ratio >= goal else "PASS" if ratio >= gate else "FAIL"
+        row.update(best=best, ratio=ratio, lowest=min(ratios), highest=max(ratios), mark=mark)
+    return row
+
+
+def measure(arguments, build, prefix, size, threads, cpus):
+    wanted = arguments.peers.split(",") if arguments.peers else None
+    commands = peer_commands(build, prefix)
+    las_only = all(operation.startswith("las") for operation in arguments.operations)
+    drivers = []
+    for name, command in commands.items():
+        is_las = name.startswith("LASzip")
+        if (wanted and name not in wanted + ["Jalon"]) or (
+            las_only and not is_las and name != "Jalon"
+        ):
+            continue
+        if is_las and not any(operation.startswith("las") for operation in arguments.operations):
+            continue
+        drivers.append(Driver(name, command, threads, cpus))
+    for driver in drivers:
+        driver.wait_until_ready()
+    failures = checks.same_work(drivers, arguments.operations, prefix) if arguments.check else []
+    times = run_rounds(drivers, arguments.operations, arguments.rounds, arguments.pause)
+    for driver in drivers:
+        driver.close()
+    rows = []
+    for operation in arguments.operations:
+        if times[operation]:
+            rows.append(dict(verdict(operation, times[operation]), points=size, threads=threads))
+    return rows, failures
+
+
+def print_table(rows):
+    print(
+        "\n| points | threads | operation | Jalon s | fastest peer | s | peer / Jalon (range) | "
+        "| others s |"
+    )
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    for row in rows:
+        medians = row["medians"]
+        best = row.get("best", "")
+        others = ", ".join(
+            f"{peer} {value:.3f}"
+            for peer, value in sorted(medians.items(), key=lambda item: item[1])
+            if peer not in ("Jalon", best)
+        )
+        jalon = f"{medians['Jalon']:.3f}" if "Jalon" in medians else "-"
+        ratio = (
+            f"{row['ratio']:.2f} ({row['lowest']:.2f}-{row['highest']:.2f})"
+            if "ratio" in row
+            else "-"
+        )
+        peer_s = f"{medians[best]:.3f}" if best else "-"
+        print(
+            f"| {row['points']} | {row['threads']} | {row['operation']} | {jalon} | "
+            f"{best or '-'} | {peer_s} | {ratio} | "
+            f"{row.get('mark', '')} | {others} |"
+        )
+
+
+def memory(build, prefix, threads):
+    """Bytes a point of Jalon's cloud after each stage, and whether the limits hold."""
+    program = build / "tests/bench/memory_jalon"
+    if not program.exists():
+        return None
+    text = subprocess.run(
+        [str(program), str(prefix), str(threads)], check=True, capture_output=True, text=True
+    ).stdout
+    stages = {}
+    for line in text.splitlines()[1:]:
+        _, stage, points, now, peak = line.split("|")
+        stages[stage] = (float(now), float(peak) if peak else None)
+    now = stages["normals"][0]
+    peak = max(stages[stage][1] for stage in ("prepare", "normals"))
+    mark = "PASS" if now <= MEMORY_NOW and peak <= MEMORY_PEAK else "FAIL"
+    print(
+        f"memory, {points} points, {threads} threads: {now:.1f} B a point "
+        f"(limit {MEMORY_NOW:.0f}), "
+        f"peak {peak:.1f} (limit {MEMORY_PEAK:.0f}): {mark}; {stages}"
+    )
+    return {
+        "points": int(points),
+        "threads": threads,
+        "now": now,
+        "peak": peak,
+        "mark": mark,
+        "stages": stages,
+    }
+
+
+def machine():
+    model = "unknown processor"
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            model = line.split(":", 1)[1].strip()
+    return {
+        "processor": model,
+        "processors": os.cpu_count(),
+        "load_at_start": os.getloadavg()[0],
+        "date": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
+    }
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Paired benchmarks of Jalon and its peers.")
+    parser.add_argument(
+        "--build", required=True, help="build folder made with JALON_BUILD_BENCHMARKS=ON"
+    )
+    parser.add_argument("--data", help="folder of the scenes (BUILD/bench-data)")
+    parser.add_argument("--sizes", default="1e6,5e6")
+    parser.add_argument("--threads", default="1,2")
+    parser.add_argument(
+        "--ops", default=",".join(OPERATIONS), help="among " + ", ".join(OPERATIONS)
+    )
+    parser.add_argument("--rounds", type=int, default=7)
+    parser.add_argument("--peers", default="", help="only these (default: all that were built)")
+    parser.add_argument(
+        "--pause", type=float, default=0.05, help="seconds between two measurements"
+    )
+    parser.add_argument(
+        "--no-check", dest="check", action="store_false", help="skip the comparison of the results"
+    )
+    parser.add_argument(
+        "--no-memory", dest="memory", action="store_false", help="skip the memory measurement"
+    )
+    parser.add_argument("--json", help="file for all numbers")
+    arguments = parser.parse_args()
+    arguments.operations = arguments.ops.split(",")
+    build = pathlib.Path(arguments.build).resolve()
+    data = pathlib.Path(arguments.data).resolve() if arguments.data else build / "bench-data"
+    cpus = sorted(os.sched_getaffinity(0))
+    result = {
+        "machine": machine(),
+        "rounds": arguments.rounds,
+        "rows": [],
+        "memory": [],
+        "failures": [],
+    }
+    if result["machine"]["load_at_start"] > 0.5:
+        print(
+            f"note: the machine is busy (load {result['machine']['load_at_start']:.1f}); "
+            "take the numbers as a hint",
+            file=sys.stderr,
+        )
+    for size in [int(float(text)) for text in arguments.sizes.split(",")]:
+        prefix = scene(build, data, size)
+        for threads in [int(text) for text in arguments.threads.split(",")]:
+            rows, failures = measure(arguments, build, prefix, size, threads, cpus)
+            result["rows"] += rows
+            result["failures"] += failures
+            print_table(rows)
+            sys.stdout.flush()
+        if arguments.memory:
+            result["memory"].append(
+                memory(build, prefix, max(int(text) for text in arguments.threads.split(",")))
+            )
+    if arguments.json:
+        pathlib.Path(arguments.json).write_text(json.dumps(result, indent=1) + "\n")
+    marks = [row.get("mark") for row in result["rows"]] + [m["mark"] for m in result["memory"] if m]
+    print(
+        f"\n{result['machine']}\n{marks.count('GOAL')} at the goal, {marks.count('PASS')} passed, "
+        f"{marks.count('FAIL')} failed, "
+        f"{len(result['failures'])} results differ"
+    )
+    sys.exit(1 if "FAIL" in marks or result["failures"] else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# setup.sh FOLDER: gets the peers of the benchmarks on Debian 12. Packages from apt (only the missing
+# ones; by sudo when not root), the rest from PyPI into FOLDER: a Python environment with Open3D, and
+# the sources of small_gicp (C++ headers) and LASzip (inside those of the Python package laszip).
+# Never needed by the library, its tests or CI. Does nothing twice.
+set -euo pipefail
+
+folder=${1:?usage: setup.sh FOLDER, the JALON_BENCH_PEERS of CMake: BUILD/peers by default}
+packages=(g++ cmake ninja-build libeigen3-dev libboost-dev nlohmann-json3-dev
+  libpcl-dev libflann-dev liblz4-dev libnanoflann-dev libcgal-dev libgmp-dev libmpfr-dev libtbb-dev
+  python3 python3-venv libgomp1 libx11-6 libgl1)
+
+missing=()
+for package in "${packages[@]}"; do
+  state=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
+  if [[ $state != "install ok installed" ]]; then missing+=("$package"); fi
+done
+if ((${#missing[@]})); then
+  as_root=()
+  if (($(id -u) != 0)); then as_root=(sudo -n); fi
+  as_root+=(env DEBIAN_FRONTEND=noninteractive)
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" apt-get install -yq --no-install-recommends "${missing[@]}"
+fi
+
+mkdir -p "$folder"
+cd "$folder"
+if [[ ! -x venv/bin/python ]]; then python3 -m venv venv; fi
+# Open3D has wheels for Python up to 3.12; Debian 12 has 3.11.
+if ! venv/bin/python -c 'import numpy, open3d' 2>/dev/null; then
+  venv/bin/python -m pip install --quiet numpy open3d
+fi
+for peer in small_gicp==1.0.1 laszip==0.3.0; do
+  name=${peer%%==*}
+  unpacked=$name-${peer##*==}
+  if [[ -d $unpacked ]]; then continue; fi
+  rm -rf download
+  venv/bin/python -m pip download --quiet --no-deps --no-binary :all: --dest download "$peer"
+  tar -xzf download/"$unpacked".tar.gz
+  rm -rf download
+done
+echo "peers are in $(pwd)"

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+# All C tests of a build as a host whose numbers have a decimal comma: comma_locale.sh BUILD_FOLDER
+# The locale is made inside the build folder; nothing of the system changes.
+set -uo pipefail
+build=$(cd "$1" && pwd)
+export LOCPATH=$build/locales
+if [ ! -d "$LOCPATH/de_DE.UTF-8" ]; then
+  mkdir -p "$LOCPATH"
+  localedef -i de_DE -f UTF-8 "$LOCPATH/de_DE.UTF-8" || { echo "0 passed, 1 failed, 0 skipped"; exit 1; }
+fi
+export LC_ALL=de_DE.UTF-8
+passed=0 failed=0 skipped=0
+if [ "$(locale decimal_point)" != , ]; then
+  echo "not ok - comma locale: the locale has a decimal comma"
+  failed=1
+fi
+for program in "$build"/tests/capi_*_test; do
+  [ -x "$program" ] || continue
+  name=$(basename "$program")
+  # Timing and fault injection do not depend on the locale; they have run already.
+  case $name in capi_allocation_test | capi_threads_test) continue ;; esac
+  output=$("$program" 2>&1 </dev/null)
+  case $? in
+    0) passed=$((passed + 1)); echo "ok - comma locale: $name" ;;
+    77) skipped=$((skipped + 1)); echo "skipped - comma locale: $name" ;;
+    *) failed=$((failed + 1)); echo "not ok - comma locale: $name"; tail -n 15 <<<"$output" ;;
+  esac
+done
+echo "$passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]

@@ -1,0 +1,177 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/* The long operations in one shape, for tests that treat them all alike: each works on a copy of the handle's cloud where it would
+ * change it, writes the handle it makes to *out and gives the hash of what came out. */
+#ifndef JALON_TEST_OPERATIONS_H
+#define JALON_TEST_OPERATIONS_H
+
+#include "support.h"
+
+typedef struct made {
+  jalon_cloud* cloud;
+  jalon_fields* fields;
+  jalon_segmentation* segmentation;
+} made;
+
+static inline void release_made(made* m) {
+  jalon_cloud_release(m->cloud);
+  jalon_fields_release(m->fields);
+  jalon_segmentation_release(m->segmentation);
+  memset(m, 0, sizeof *m);
+}
+
+/* Another handle on the same points, to be changed freely. */
+static inline jalon_status own_handle(const jalon_cloud* cloud, jalon_cloud** out) {
+  const jalon_transform identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+  return jalon_cloud_transform(cloud, &identity, NULL, out);
+}
+
+typedef jalon_status (*operation)(const jalon_cloud* cloud, jalon_task* task, made* out);
+
+static inline jalon_status change(const jalon_cloud* cloud, jalon_task* task, made* out,
+                                  jalon_status (*f)(jalon_cloud*, const jalon_params*, jalon_task*), const char* name,
+                                  const char* json) {
+  jalon_cloud* own = NULL;
+  jalon_params* options = NULL;
+  jalon_status status = own_handle(cloud, &own);
+  if (status == JALON_OK) status = jalon_params_create(name, &options);
+  if (status == JALON_OK) status = jalon_params_from_json(options, json);
+  if (status == JALON_OK) status = f(own, options, task);
+  jalon_params_release(options);
+  if (status == JALON_OK) out->cloud = own;
+  else jalon_cloud_release(own);
+  return status;
+}
+
+static inline jalon_status op_prepare(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  jalon_cloud* own = NULL;
+  jalon_status status = own_handle(cloud, &own);
+  if (status == JALON_OK) status = jalon_cloud_prepare(own, task);
+  if (status == JALON_OK) out->cloud = own;
+  else jalon_cloud_release(own);
+  return status;
+}
+static inline jalon_status op_normals(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return change(cloud, task, out, jalon_cloud_compute_normals, "normals", "{\"k\": 12}");
+}
+static inline jalon_status op_quadric(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return change(cloud, task, out, jalon_cloud_compute_normals, "normals", "{\"method\": \"quadric\"}");
+}
+static inline jalon_status op_features(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return change(cloud, task, out, jalon_cloud_compute_features, "features", "{}");
+}
+static inline jalon_status components(jalon_cloud* cloud, const jalon_params* options, jalon_task* task) {
+  uint64_t count;
+  return jalon_cloud_compute_components(cloud, options, task, &count);
+}
+static inline jalon_status op_components(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return change(cloud, task, out, components, "components", "{}");
+}
+static inline jalon_status op_outliers(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return jalon_cloud_remove_outliers(cloud, NULL, task, &out->cloud, NULL);
+}
+static inline jalon_status subsample(const jalon_cloud* cloud, jalon_task* task, made* out, const char* json) {
+  jalon_params* options = NULL;
+  jalon_status status = jalon_params_create("subsample", &options);
+  if (status == JALON_OK) status = jalon_params_from_json(options, json);
+  if (status == JALON_OK) status = jalon_cloud_subsample(cloud, options, task, &out->cloud, NULL);
+  jalon_params_release(options);
+  return status;
+}
+static inline jalon_status op_voxel(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return subsample(cloud, task, out, "{\"method\": \"voxel\"}");
+}
+static inline jalon_status op_minimum_distance(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return subsample(cloud, task, out, "{\"method\": \"minimum_distance\"}");
+}
+static inline jalon_status op_random(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return subsample(cloud, task, out, "{\"method\": \"random\"}");
+}
+static inline jalon_status op_duplicates(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return jalon_cloud_remove_duplicates(cloud, 1e-4, task, &out->cloud, NULL);
+}
+static inline jalon_status op_interest(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return jalon_cloud_split_interest(cloud, NULL, task, &out->cloud, NULL);
+}
+static inline jalon_status op_radius(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  jalon_array_view xyz;
+  jalon_fields* ranges = NULL;
+  jalon_status status = jalon_cloud_points(cloud, &xyz);
+  const uint64_t count = xyz.count < 20000 ? xyz.count : 20000;
+  if (status == JALON_OK)
+    status = jalon_cloud_radius_search(cloud, xyz.data, JALON_FLOAT64, count, 0, 0.1, task, &ranges, &out->fields);
+  jalon_fields_release(ranges);
+  return status;
+}
+static inline jalon_status op_segment(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  jalon_segmenter* segmenter = NULL;
+  jalon_status status = jalon_segmenter_create(NULL, &segmenter);
+  if (status == JALON_OK) status = jalon_segmenter_run(segmenter, cloud, task, &out->segmentation);
+  jalon_segmenter_release(segmenter);
+  return status;
+}
+static inline jalon_status op_append(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return jalon_cloud_append(cloud, cloud, task, &out->cloud);
+}
+static inline jalon_status op_crop(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  const jalon_box box = {{2, -5, 1}, {15, 5, 8}};
+  return jalon_cloud_crop_box(cloud, &box, NULL, task, &out->cloud, NULL);
+}
+
+static const struct {
+  const char* name;
+  operation run;
+} kOperations[] = {
+    {"prepare", op_prepare},     {"normals", op_normals},         {"normals quadric", op_quadric},
+    {"features", op_features},   {"components", op_components},   {"outliers", op_outliers},
+    {"voxel", op_voxel},         {"minimum distance", op_minimum_distance}, {"random", op_random},
+    {"duplicates", op_duplicates}, {"interest", op_interest},     {"radius search", op_radius},
+    {"segment", op_segment},     {"append", op_append},           {"crop", op_crop},
+};
+enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
+
+static inline uint64_t hash_fields(uint64_t hash, const jalon_fields* fields) {
+  uint64_t columns = 0;
+  MUST(jalon_fields_count(fields, &columns));
+  for (uint64_t c = 0; c < columns; ++c) {
+    jalon_field_info info;
+    jalon_array_view view;
+    info.struct_size = sizeof info;
+    MUST(jalon_fields_info(fields, c, &info));
+    MUST(jalon_fields_view(fields, info.name, &view));
+    static const unsigned char bytes[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+    hash = hash_bytes(hash, info.name, strlen(info.name));
+    for (uint64_t i = 0; i < view.count; ++i)
+      hash = hash_bytes(hash, (const char*)view.data + i * view.stride_bytes, (size_t)bytes[view.type] * view.components);
+  }
+  return hash;
+}
+
+static inline uint64_t hash_cloud(uint64_t hash, const jalon_cloud* cloud) {
+  jalon_array_view xyz;
+  jalon_fields* fields;
+  MUST(jalon_cloud_points(cloud, &xyz));
+  for (uint64_t i = 0; i < xyz.count; ++i) hash = hash_bytes(hash, (const char*)xyz.data + i * xyz.stride_bytes, 24);
+  MUST(jalon_cloud_fields(cloud, &fields));
+  hash = hash_fields(hash, fields);
+  jalon_fields_release(fields);
+  return hash;
+}
+
+static inline uint64_t hash_made(const made* m) {
+  uint64_t hash = 14695981039346656037u;
+  if (m->cloud) hash = hash_cloud(hash, m->cloud);
+  if (m->fields) hash = hash_fields(hash, m->fields);
+  if (m->segmentation) {
+    jalon_fields* fields;
+    MUST(jalon_segmentation_points(m->segmentation, &fields));
+    hash = hash_fields(hash, fields);
+    jalon_fields_release(fields);
+    MUST(jalon_segmentation_segments(m->segmentation, &fields));
+    hash = hash_fields(hash, fields);
+    jalon_fields_release(fields);
+  }
+  return hash;
+}
+
+#endif

@@ -1,0 +1,117 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+#include "wall_scene.h"
+
+/* The whole file as text, freed by the caller; NULL when there is none. */
+static char* text_of_file(const char* path) {
+  FILE* file = fopen(path, "rb");
+  if (file == NULL) return NULL;
+  fseek(file, 0, SEEK_END);
+  const long size = ftell(file);
+  rewind(file);
+  char* text = malloc((size_t)size + 1);
+  assert_non_null(text);
+  assert_int_equal(fread(text, 1, (size_t)size, file), size);
+  text[size] = 0;
+  fclose(file);
+  return text;
+}
+
+static char folder[] = "/tmp/jalon_report_XXXXXX";
+
+static const char* in_folder(const char* name) {
+  static char path[256];
+  snprintf(path, sizeof path, "%s/%s", folder, name);
+  return path;
+}
+
+static int make_folder(void** state) {
+  (void)state;
+  return mkdtemp(folder) == NULL;
+}
+
+static int remove_folder(void** state) {
+  (void)state;
+  remove(in_folder("a.svg"));
+  remove(in_folder("a.html"));
+  remove(in_folder("a.json"));
+  return rmdir(folder);
+}
+
+static void report__writes_drawing_page_and_json(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_model* model = model_of_scene(&scene);
+  const char* notes = "{\"title\": \"<b>Wall</b>\", \"input\": {\"file\": \"a&b.las\"}, \"times\": {\"read\": 0.5}}";
+  MUST(jalon_report_write_elevation(scene.segmentation, model, in_folder("a.svg"), NULL, NULL));
+  MUST(jalon_report_write_html(scene.segmentation, model, notes, in_folder("a.html"), NULL, NULL));
+  MUST(jalon_report_write_json(scene.segmentation, model, notes, in_folder("a.json"), NULL, NULL));
+  char* svg = text_of_file(in_folder("a.svg"));
+  char* html = text_of_file(in_folder("a.html"));
+  char* json = text_of_file(in_folder("a.json"));
+  assert_non_null(strstr(svg, "<svg"));
+  assert_non_null(strstr(svg, "Height Z (m)"));
+  assert_non_null(strstr(html, "&lt;b&gt;Wall"));
+  assert_null(strstr(html, "<b>Wall"));
+  assert_non_null(strstr(html, "a&amp;b.las"));
+  assert_non_null(strstr(json, "\"planes\""));
+  free(svg);
+  free(html);
+  free(json);
+  jalon_model_release(model);
+  release_scene(&scene);
+}
+
+static void report__options_set_title_and_scale(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_model* model = model_of_scene(&scene);
+  jalon_params* options = NULL;
+  MUST(jalon_params_create("elevation", &options));
+  MUST(jalon_params_set_string(options, "title", "North side"));
+  MUST(jalon_params_set_int64(options, "scale", 200));
+  MUST(jalon_report_write_elevation(scene.segmentation, model, in_folder("a.svg"), options, NULL));
+  char* svg = text_of_file(in_folder("a.svg"));
+  assert_non_null(strstr(svg, "North side"));
+  assert_non_null(strstr(svg, "1:200"));
+  free(svg);
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_report_write_html(scene.segmentation, model, NULL, in_folder("a.html"), options, NULL));
+  jalon_params_release(options);
+  jalon_model_release(model);
+  release_scene(&scene);
+}
+
+static void report__failures_leave_the_old_file_alone(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_model* model = model_of_scene(&scene);
+  FILE* old = fopen(in_folder("a.html"), "wb");
+  assert_non_null(old);
+  fputs("old", old);
+  fclose(old);
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_report_write_html(scene.segmentation, model, "{not json", in_folder("a.html"), NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_report_write_html(scene.segmentation, model, "\xff", in_folder("a.html"), NULL, NULL));
+  char* text = text_of_file(in_folder("a.html"));
+  assert_string_equal(text, "old");
+  free(text);
+  REFUSED(JALON_ERROR_IO,
+          jalon_report_write_elevation(scene.segmentation, model, in_folder("none/a.svg"), NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_report_write_elevation(NULL, model, in_folder("a.svg"), NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_report_write_json(scene.segmentation, NULL, NULL, in_folder("a.json"), NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_report_write_json(scene.segmentation, model, NULL, NULL, NULL, NULL));
+  jalon_model_release(model);
+  release_scene(&scene);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(report__writes_drawing_page_and_json),
+      cmocka_unit_test(report__options_set_title_and_scale),
+      cmocka_unit_test(report__failures_leave_the_old_file_alone),
+  };
+  return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

@@ -1,0 +1,167 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+#include "support.h"
+
+#include <math.h>
+
+enum { kSide = 60, kCount = 2 * kSide * kSide };
+
+/* A wall y = 0 and a floor z = 0, 3 x 3 m each, 2 mm noise. */
+static jalon_cloud* corner_cloud(void) {
+  static double xyz[3 * kCount];
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const double a = 3.0 * (i % kSide) / kSide, b = 3.0 * (double)(i / kSide) / kSide + 0.05;
+    const double wall[3] = {a, 0.004 * (uniform(1, (uint64_t)i) - 0.5), b};
+    const double floor_[3] = {a, -b, 0.004 * (uniform(2, (uint64_t)i) - 0.5)};
+    memcpy(xyz + 6 * i, wall, sizeof wall);
+    memcpy(xyz + 6 * i + 3, floor_, sizeof floor_);
+  }
+  jalon_cloud* cloud = NULL;
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, kCount, 0, 0, &cloud));
+  return cloud;
+}
+
+static jalon_segmentation* segment(const jalon_cloud* cloud) {
+  jalon_segmenter* segmenter = NULL;
+  jalon_segmentation* segmentation = NULL;
+  MUST(jalon_segmenter_create(NULL, &segmenter));
+  MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
+  jalon_segmenter_release(segmenter);
+  return segmentation;
+}
+
+static void segmenter__finds_two_planes_with_their_tables(void** state) {
+  (void)state;
+  jalon_cloud* cloud = corner_cloud();
+  jalon_segmentation* segmentation = segment(cloud);
+  jalon_cloud_release(cloud); /* the result keeps it */
+  jalon_fields *points = NULL, *segments = NULL;
+  MUST(jalon_segmentation_points(segmentation, &points));
+  MUST(jalon_segmentation_segments(segmentation, &segments));
+  jalon_array_view label, residual, orientation, normal, offset, inliers, covariance;
+  MUST(jalon_fields_view(points, "label", &label));
+  MUST(jalon_fields_view(points, "residual", &residual));
+  MUST(jalon_fields_view(points, "orientation", &orientation));
+  assert_int_equal(label.count, kCount);
+  assert_int_equal(label.type, JALON_UINT32);
+  assert_int_equal(residual.type, JALON_FLOAT32);
+  assert_int_equal(orientation.type, JALON_UINT8);
+  MUST(jalon_fields_view(segments, "normal", &normal));
+  MUST(jalon_fields_view(segments, "offset", &offset));
+  MUST(jalon_fields_view(segments, "inliers", &inliers));
+  MUST(jalon_fields_view(segments, "covariance", &covariance));
+  assert_int_equal(normal.count, 2);
+  assert_int_equal(normal.components, 3);
+  assert_int_equal(covariance.components, 16);
+  const uint64_t* n = inliers.data;
+  assert_true(n[0] >= n[1]);
+  assert_true(n[0] + n[1] == kCount);
+  const double *m = normal.data, *d = offset.data;
+  for (int s = 0; s < 2; ++s) {
+    assert_true(fabs(d[s]) < 1e-3);
+    assert_true(fabs(m[3 * s + 1]) > 0.9999 || m[3 * s + 2] > 0.9999); /* the floor looks up */
+  }
+  const char* names[] = {"label", "orientation", "centroid", "axis_u", "axis_v",
+                         "sigma", "area", "length_u", "length_v"};
+  for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+    jalon_array_view view;
+    MUST(jalon_fields_view(segments, names[i], &view));
+    assert_int_equal(view.count, 2);
+  }
+  jalon_cloud* labelled = NULL;
+  MUST(jalon_segmentation_cloud(segmentation, &labelled));
+  jalon_fields* fields = NULL;
+  MUST(jalon_cloud_fields(labelled, &fields));
+  jalon_array_view again;
+  MUST(jalon_fields_view(fields, "label", &again));
+  assert_true(memcmp(again.data, label.data, kCount * sizeof(uint32_t)) == 0);
+  jalon_transform frame;
+  MUST(jalon_segmentation_facade_frame(segmentation, &frame));
+  assert_true(fabs(fabs(frame.m[5]) - 1) < 1e-3); /* the wall lies along X already */
+  jalon_fields_release(fields);
+  jalon_cloud_release(labelled);
+  jalon_fields_release(points);
+  jalon_fields_release(segments);
+  jalon_segmentation_release(segmentation);
+}
+
+static void segmenter__shares_its_parameters(void** state) {
+  (void)state;
+  jalon_segmenter* segmenter = NULL;
+  jalon_params *one = NULL, *two = NULL;
+  MUST(jalon_segmenter_create("ransac", &segmenter));
+  MUST(jalon_segmenter_params(segmenter, &one));
+  MUST(jalon_segmenter_params(segmenter, &two));
+  MUST(jalon_params_set_double(one, "min_area_m2", 100));
+  double value = 0;
+  MUST(jalon_params_get_double(two, "min_area_m2", &value));
+  assert_true(value == 100);
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_double(one, "distance_tolerance_m", 0));
+  REFUSED(JALON_ERROR_NOT_FOUND, jalon_params_set_double(one, "tolerance", 1));
+  jalon_cloud* cloud = corner_cloud();
+  jalon_segmentation* segmentation = NULL;
+  /* nothing is 100 m2 large: a success without segments */
+  MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
+  jalon_fields* segments = NULL;
+  MUST(jalon_segmentation_segments(segmentation, &segments));
+  jalon_array_view view;
+  MUST(jalon_fields_view(segments, "label", &view));
+  assert_int_equal(view.count, 0);
+  jalon_fields_release(segments);
+  jalon_segmentation_release(segmentation);
+  jalon_cloud_release(cloud);
+  jalon_params_release(one);
+  jalon_params_release(two);
+  jalon_segmenter_release(segmenter);
+}
+
+static void segmenter__refuses_bad_input(void** state) {
+  (void)state;
+  jalon_segmenter* segmenter = NULL;
+  REFUSED(JALON_ERROR_NOT_FOUND, jalon_segmenter_create("magic", &segmenter));
+  MUST(jalon_segmenter_create(NULL, &segmenter));
+  const double line[9] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
+  jalon_cloud *none = NULL, *two = NULL, *three = NULL;
+  MUST(jalon_cloud_create(NULL, JALON_FLOAT64, 0, 0, 0, &none));
+  MUST(jalon_cloud_create(line, JALON_FLOAT64, 2, 0, 0, &two));
+  MUST(jalon_cloud_create(line, JALON_FLOAT64, 3, 0, 0, &three));
+  jalon_segmentation* segmentation = NULL;
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_segmenter_run(segmenter, none, NULL, &segmentation));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_segmenter_run(segmenter, two, NULL, &segmentation));
+  REFUSED(JALON_ERROR_DEGENERATE, jalon_segmenter_run(segmenter, three, NULL, &segmentation));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_segmenter_run(segmenter, NULL, NULL, &segmentation));
+  assert_true(segmentation == NULL);
+  jalon_cloud_release(none);
+  jalon_cloud_release(two);
+  jalon_cloud_release(three);
+  jalon_segmenter_release(segmenter);
+}
+
+static void segmenter__stops_when_cancelled_and_runs_again(void** state) {
+  (void)state;
+  jalon_task* task = NULL;
+  jalon_segmenter* segmenter = NULL;
+  jalon_segmentation* segmentation = NULL;
+  jalon_cloud* cloud = corner_cloud();
+  MUST(jalon_task_create(&task));
+  MUST(jalon_segmenter_create(NULL, &segmenter));
+  MUST(jalon_task_cancel(task));
+  REFUSED(JALON_ERROR_CANCELLED, jalon_segmenter_run(segmenter, cloud, task, &segmentation));
+  assert_true(segmentation == NULL);
+  MUST(jalon_task_reset(task));
+  MUST(jalon_segmenter_run(segmenter, cloud, task, &segmentation));
+  jalon_segmentation_release(segmentation);
+  jalon_segmenter_release(segmenter);
+  jalon_cloud_release(cloud);
+  jalon_task_release(task);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(segmenter__finds_two_planes_with_their_tables),
+      cmocka_unit_test(segmenter__shares_its_parameters),
+      cmocka_unit_test(segmenter__refuses_bad_input),
+      cmocka_unit_test(segmenter__stops_when_cancelled_and_runs_again),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

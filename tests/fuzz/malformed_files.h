@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace malformed {
+
+struct File {
+  std::string name;  ///< extension included
+  std::string bytes;
+};
+
+/// Files that break rules of their format, always the same ones: cut at every byte of the header, every header field at its limits, counts
+/// that lie, numbers that are none, lists and tokens without end.
+std::vector<File> las_files();
+std::vector<File> ply_files();
+std::vector<File> text_files();
+std::vector<File> obj_files();
+
+}  // namespace malformed

@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+# The command line tool as a user meets it. Usage: cli.sh JALON
+set -uo pipefail
+jalon=$(realpath "$1")
+root=$(cd "$(dirname "$0")/../.." && pwd)
+data=$root/../shared/data
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+passed=0 failed=0 skipped=0
+check() { # check NAME COMMAND ...
+  local name=$1
+  shift
+  if "$@" >log 2>&1; then echo "ok - $name" && passed=$((passed + 1)); else
+    echo "not ok - $name" && failed=$((failed + 1)) && tail -n 5 log
+  fi
+}
+# refuses NAME CODE PATTERN COMMAND ...: ends with this exit code and exactly one line on standard error that matches.
+refuses() {
+  local name=$1 code=$2 pattern=$3 got
+  shift 3
+  "$@" >out 2>err
+  got=$?
+  if [ $got -eq "$code" ] && [ "$(wc -l <err)" -eq 1 ] && grep -qE "$pattern" err && [ ! -s out ]; then
+    echo "ok - $name" && passed=$((passed + 1))
+  else
+    echo "not ok - $name (exit $got, wanted $code): $(head -n 3 err)" && failed=$((failed + 1))
+  fi
+}
+
+check "--help shows examples and exit codes" bash -c "'$jalon' --help | grep -q 'jalon facade scan.las' && '$jalon' --help | grep -q 'Exit codes'"
+for command in info convert clean normals facade scan; do
+  check "$command --help shows an example" bash -c "'$jalon' $command --help | grep -q 'jalon $command'"
+done
+check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
+
+check "scan makes a sample" "$jalon" scan --scene facade -o sample.las --set horizontal_step=0.003 --set vertical_step=0.003
+check "--quiet is silent" bash -c "[ -z \"\$('$jalon' scan --scene facade -o quiet.las --quiet --set horizontal_step=0.005 --set vertical_step=0.005 2>&1)\" ]"
+check "info tells points and box" bash -c "'$jalon' info sample.las | grep -q '^points' && '$jalon' info sample.las | grep -q '^max'"
+check "info --json is JSON" bash -c "'$jalon' info sample.las --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"points\"]>100000, d'"
+check "convert LAS to PLY" "$jalon" convert sample.las sample.ply
+check "convert PLY to XYZ" "$jalon" convert quiet.las quiet.xyz
+check "convert XYZ to LAS keeps the points" bash -c "'$jalon' convert quiet.xyz back.las --quiet && [ \$('$jalon' info back.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') -eq \$('$jalon' info quiet.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') ]"
+check "clean removes and thins" "$jalon" clean sample.las -o clean.ply --outliers --voxel 0.05
+check "normals writes normals" bash -c "'$jalon' normals quiet.las -o normals.ply --set orientation=station && head -c 2000 normals.ply | grep -aq 'property float nx'"
+check "facade writes its five files" "$jalon" facade sample.las -o result
+for file in report.html elevation.svg model.obj segments.las segments.ply; do check "facade made $file" test -s result/$file; done
+check "facade leaves no private folder" bash -c "[ \$(ls -A result | wc -l) -eq 5 ]"
+check "the report is self-contained" bash -c "! grep -qE '(src|href)=\"(https?:|//|/)' result/report.html"
+check "facade --json lists the planes" bash -c "'$jalon' facade sample.las -o result --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"planes\"])>5 and d[\"times\"][\"segment\"]>0, d'"
+check "the same seed gives the same files" bash -c "'$jalon' facade sample.las -o again --quiet --threads 1 && cmp result/model.obj again/model.obj && cmp result/segments.las again/segments.las && cmp result/segments.ply again/segments.ply"
+check "a terminal sees a progress bar" bash -c "script -qec \"'$jalon' facade sample.las -o bar\" /dev/null | grep -q '%'"
+check "--set reaches the segmenter" bash -c "'$jalon' facade sample.las -o few --json --set max_planes=2 | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"planes\"])==2, len(d[\"planes\"])'"
+
+sha256sum result/* >before
+refuses "a missing file" 3 'none.las' "$jalon" facade none.las -o result
+: >empty.las
+refuses "an empty file" 3 'empty.las' "$jalon" facade empty.las -o result
+head -c 1000 sample.las >short.las
+refuses "a truncated file names file and offset" 3 'short.las.*offset' "$jalon" facade short.las -o result
+printf '1 2 3\n4 5 nan\n' >nan.xyz
+refuses "NaN coordinates name the point" 2 '1' "$jalon" facade nan.xyz -o result
+printf '1 2 3\n4 five 6\n' >word.xyz
+refuses "a word among the numbers names file and line" 3 'word.xyz.*line 2' "$jalon" facade word.xyz -o result
+refuses "a wrong column" 2 'colu' "$jalon" facade nan.xyz -o result --columns "x y"
+python3 -c "print('\n'.join('%g 0 0' % (i*0.01) for i in range(500)))" >line.xyz
+refuses "collinear points" 5 'collinear' "$jalon" facade line.xyz -o result
+python3 -c "print('\n'.join(['1 2 3']*500))" >same.xyz
+refuses "equal points" 5 'equal|coincide|collinear' "$jalon" facade same.xyz -o result
+printf '1 2 3\n' >one.xyz
+refuses "one point" 5 'point' "$jalon" facade one.xyz -o result
+refuses "an unknown parameter lists the names" 2 'there are' "$jalon" facade sample.las -o result --set nose=1
+refuses "a parameter out of range" 2 'outside' "$jalon" facade sample.las -o result --set distance_tolerance=-1
+refuses "an unknown extension" 6 'xxx' "$jalon" convert sample.las sample.xxx
+refuses "a folder as output file" 4 'result' "$jalon" convert sample.las result
+refuses "no disk" 4 'full' bash -c "trap '' XFSZ; ulimit -f 40; exec '$jalon' convert sample.las full.ply"
+check "no disk leaves nothing behind" bash -c "! ls | grep -q full"
+cp quiet.ply good.ply 2>/dev/null || "$jalon" convert quiet.las good.ply --quiet
+sha256sum good.ply >good.sum
+refuses "no disk over an existing file" 4 'good' bash -c "trap '' XFSZ; ulimit -f 40; exec '$jalon' convert sample.las good.ply"
+check "a failed write leaves the good file" sha256sum -c good.sum
+refuses "no disk for the results" 4 '.' bash -c "trap '' XFSZ; ulimit -f 40; exec '$jalon' facade sample.las -o result"
+check "failures left the existing results untouched" sha256sum -c before
+check "failures left no private folder" bash -c "[ \$(ls -A result | wc -l) -eq 5 ]"
+
+if [ -d "$data/facades" ]; then
+  for street in street_1 street_3; do
+    check "facade on the real $street" "$jalon" facade "$data/facades/$street.txt" -o $street
+    for file in report.html elevation.svg model.obj segments.las segments.ply; do check "$street: $file" test -s $street/$file; done
+  done
+elif [ -n "${CI:-}" ]; then
+  echo "not ok - the shared data are absent" && failed=$((failed + 1))
+else
+  echo "skipped: real facades (shared data absent)" && skipped=$((skipped + 1))
+fi
+echo "$passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scan/scanner.h"
+
+namespace jalon::test {
+
+struct Options {
+  std::vector<std::pair<const char*, double>> numbers;
+  std::vector<std::pair<const char*, const char*>> texts;
+};
+
+inline ParamSet filled(const char* owner, std::span<const ParamRow> rows, const Options& options) {
+  ParamSet params(owner, rows);
+  for (const auto& [name, value] : options.numbers) params.set_number(name, value);
+  for (const auto& [name, value] : options.texts) params.set_text(name, value);
+  return params;
+}
+
+inline Model scene(const char* name, std::vector<std::pair<const char*, double>> numbers = {}) {
+  Task task;
+  return build_scene(filled("scene", scene_rows(), {std::move(numbers), {{"name", name}}}), task);
+}
+
+inline ParamSet scanner_params(const Options& options = {}) {
+  return filled("scanner", static_scanner_rows(), options);
+}
+
+/// Steps of half a degree unless told otherwise, no noise.
+inline ParamSet quiet_params(double step_rad = 0.01, const Options& more = {}) {
+  ParamSet params = scanner_params(more);
+  for (const char* name : {"horizontal_step_rad", "vertical_step_rad"}) params.set_number(name, step_rad);
+  for (const char* name : {"range_noise_m", "angle_noise_rad"}) params.set_number(name, 0);
+  return params;
+}
+
+inline Cloud scanned(const Model& model, const ParamSet& params, std::span<const ScanStation> stations = {},
+                     unsigned threads = 0) {
+  Task::Hooks hooks;
+  hooks.threads = threads;
+  Task task(hooks);
+  return scan_static(model, stations, params, task);
+}
+
+inline ScanStation station_at(const Vec3& p) {
+  ScanStation station;
+  station.pose.m[3] = p.x;
+  station.pose.m[7] = p.y;
+  station.pose.m[11] = p.z;
+  return station;
+}
+
+template <class T>
+std::span<const T> values(const Cloud& cloud, const char* name) {
+  return cloud.fields.require(name).values<T>();
+}
+
+inline Vec3 true_point(const Cloud& cloud, size_t i) {
+  const auto xyz = values<double>(cloud, "true_xyz");
+  return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+}
+
+/// Faces of each id: several where panes share one.
+inline std::map<uint32_t, std::vector<const Face*>> faces_by_id(const Model& model) {
+  std::map<uint32_t, std::vector<const Face*>> out;
+  for (const Face& face : model.faces) out[face.id].push_back(&face);
+  return out;
+}
+
+/// Corners of a ring in the face's own plane.
+inline std::vector<Vec2> flat_ring(const Model& model, const Face& face, size_t ring) {
+  const Vec3 n = face.plane.normal;
+  const Vec3 u = normalized(std::abs(n.z) < 0.9 ? cross(Vec3{0, 0, 1}, n) : cross(Vec3{0, 1, 0}, n)), v = cross(n, u);
+  const Ring& r = model.rings[face.first_ring + ring];
+  std::vector<Vec2> out;
+  for (uint64_t k = r.first; k < r.first + r.count; ++k) {
+    const Vec3& p = model.vertices[model.corners[k]];
+    out.push_back({dot(p, u), dot(p, v)});
+  }
+  return out;
+}
+
+inline Vec2 flat_point(const Face& face, const Vec3& p) {
+  const Vec3 n = face.plane.normal;
+  const Vec3 u = normalized(std::abs(n.z) < 0.9 ? cross(Vec3{0, 0, 1}, n) : cross(Vec3{0, 1, 0}, n)), v = cross(n, u);
+  return {dot(p, u), dot(p, v)};
+}
+
+inline double signed_area(const std::vector<Vec2>& ring) {
+  double twice = 0;
+  for (size_t i = 0; i < ring.size(); ++i) twice += cross(ring[i], ring[(i + 1) % ring.size()]);
+  return twice / 2;
+}
+
+/// Even-odd over all rings; points within tolerance of an edge count as inside.
+inline bool is_inside(const Model& model, const Face& face, const Vec3& p, double tolerance) {
+  const Vec2 q = flat_point(face, p);
+  bool inside = false;
+  for (size_t r = 0; r < face.ring_count; ++r) {
+    const auto ring = flat_ring(model, face, r);
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()], d = b - a;
+      const double t = std::clamp(dot(q - a, d) / dot(d, d), 0.0, 1.0);
+      if (norm(q - a - d * t) <= tolerance) return true;
+      if ((a.v > q.v) != (b.v > q.v) && q.u < a.u + (q.v - a.v) / (b.v - a.v) * (b.u - a.u)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+}  // namespace jalon::test
