@@ -27,12 +27,14 @@ mkdir -p "$logs"
 passed=0 failed=0 skipped=0 failures=()
 started=$SECONDS
 
-# build PRESET: configures once, then builds; a failure ends the run, because nothing after it would mean anything.
+# build PRESET [TARGET ...]: configures, then builds; a failure ends the run, because nothing after it would mean anything.
 build() {
-  echo "== building $1 ($((SECONDS - started)) s)"
-  if ! { cmake -S "$root" --preset "$1" && ninja -C "$root/build/$1"; } >"$logs/build_$1.log" 2>&1; then
-    grep -E "error|FAILED" "$logs/build_$1.log" | head -n 40
-    tail -n 20 "$logs/build_$1.log"
+  local preset=$1
+  shift
+  echo "== building $preset ($((SECONDS - started)) s)"
+  if ! { cmake -S "$root" --preset "$preset" && ninja -C "$root/build/$preset" "$@"; } >"$logs/build_$preset.log" 2>&1; then
+    grep -E "error|FAILED" "$logs/build_$preset.log" | head -n 40
+    tail -n 20 "$logs/build_$preset.log"
     echo "0 passed, 1 failed, 0 skipped"
     exit 1
   fi
@@ -89,9 +91,10 @@ export JALON_SANITIZED=1
 programs asan
 suite asan/cli bash tests/scenarios/cli.sh "$root/build/asan/src/jalon"
 
-build tsan
+threaded=(unit_base unit_spatial unit_cloud unit_segment capi_threads_test capi_search_test)
+build tsan "${threaded[@]}"
 export TSAN_OPTIONS=halt_on_error=1
-for program in unit_base unit_spatial unit_cloud unit_segment capi_threads_test capi_search_test; do
+for program in "${threaded[@]}"; do
   [ -x "$root/build/tsan/tests/$program" ] && suite "tsan/$program" "$root/build/tsan/tests/$program"
 done
 unset JALON_SANITIZED

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
 # The suites of the release build that are scripts; sourced by run.sh ($root, $release, suite).
-suite style python3 tests/style/check.py
+suite style python3 tests/style/check.py "$release"
 suite abi bash tests/abi/check.sh "$release"
 suite install bash tests/install/check.sh "$release"
+suite comma_locale bash tests/capi/comma_locale.sh "$release"
 suite bits bash tests/scenarios/bits.sh "$release"
 suite cli bash tests/scenarios/cli.sh "$release/src/jalon"
 suite malformed bash tests/fuzz/malformed.sh "$release"

@@ -140,9 +140,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_crop_cylinder(const jalon_cloud* 
 /* ---- per-point properties: they add fields; options may be NULL for the defaults ---- */
 
 /**
- * Field "normal" (float32 x 3, unit length) and, for method pca, "curvature" (surface variation). Operation "normals":
- * method pca | quadric | triangulation, k or radius_m, orientation none | station | point | centroid. Points without a normal
- * get NaN. Sources: Hoppe et al. 1992 (pca); Girardeau-Montaut 2006, annex A.2 (triangulation, quadric).
+ * Field "normal" (float32 x 3, unit length) and, for method pca with curvature = true, "curvature" (float32, surface variation).
+ * Operation "normals": method pca | quadric | triangulation, k or radius_m, orientation none | station | point | centroid.
+ * Points without a normal get NaN. Sources: Hoppe et al. 1992 (pca); Girardeau-Montaut 2006, annex A.2 (triangulation, quadric).
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_normals(jalon_cloud* cloud, const jalon_params* options,
                                                    jalon_task* task);

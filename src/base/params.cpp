@@ -2,36 +2,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/params.h"
 
+#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/json_reader.h"
+#include "base/json_writer.h"
 #include "base/text_number.h"
 
 namespace jalon {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 ParamSet::Value default_of(const ParamRow& row) {
+  ParamSet::Value value;
   switch (row.type) {
-    case ParamType::kDouble: return row.number;
-    case ParamType::kInt64: return static_cast<int64_t>(row.number);
-    case ParamType::kBool: return row.number != 0;
+    case ParamType::kDouble: value.number = row.number; break;
+    case ParamType::kInt64: value.integer = static_cast<int64_t>(row.number); break;
+    case ParamType::kBool: value.flag = row.number != 0; break;
     case ParamType::kString:
-    case ParamType::kChoice: return std::string(row.text);
-    case ParamType::kDoubles: break;
+    case ParamType::kChoice: value.text = row.text; break;
+    case ParamType::kDoubles:
+      for (std::string_view rest = row.text; !rest.empty();) {
+        const size_t end = std::min(rest.find(' '), rest.size());
+        double number = 0;
+        if (end > 0 && parse_number(rest.substr(0, end), number)) value.numbers.push_back(number);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+      }
   }
-  std::vector<double> numbers;
-  std::string_view rest = row.text;
-  while (!rest.empty()) {
-    const size_t end = std::min(rest.find(' '), rest.size());
-    double number = 0;
-    if (end > 0 && parse_number(rest.substr(0, end), number)) numbers.push_back(number);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return numbers;
+  return value;
 }
 
 const char* type_name(ParamType type) {
@@ -62,43 +61,48 @@ bool is_choice(const ParamRow& row, std::string_view value) {
   }
 }
 
-Json json_of(const ParamSet::Value& value) {
-  return std::visit(
-      [](const auto& v) -> Json {
-        using T = std::decay_t<decltype(v)>;
-        if constexpr (std::is_same_v<T, double>)  // JSON has no infinity: it travels as text
-          return std::isfinite(v) ? Json(v) : Json(text_of(v));
-        else
-          return Json(v);
-      },
-      value);
+void write_value(JsonWriter& json, ParamType type, const ParamSet::Value& value) {
+  switch (type) {
+    case ParamType::kDouble:  // JSON has no infinity: it travels as text
+      std::isfinite(value.number) ? json.value(value.number) : json.value(text_of(value.number));
+      break;
+    case ParamType::kInt64: json.value(value.integer); break;
+    case ParamType::kBool: json.value(value.flag); break;
+    case ParamType::kString:
+    case ParamType::kChoice: json.value(value.text); break;
+    case ParamType::kDoubles:
+      json.begin_array();
+      for (const double number : value.numbers) json.value(number);
+      json.end_array();
+  }
 }
 
-void set_from_json(ParamSet& set, const std::string& name, const Json& value) {
-  if (value.is_boolean()) return set.set_bool(name, value.get<bool>());
-  if (value.is_number_integer()) {
-    if (value.is_number_unsigned() && value.get<uint64_t>() > uint64_t{INT64_MAX})
-      return set.set_number(name, value.get<double>());
-    return set.set_integer(name, value.get<int64_t>());
-  }
-  if (value.is_number()) return set.set_number(name, value.get<double>());
-  if (value.is_array()) {
-    std::vector<double> numbers;
-    for (const Json& element : value) {
-      if (!element.is_number())
-        fail(Status::kInvalidArgument, "parameter \"%s\": every array element must be a number", name.c_str());
-      numbers.push_back(element.get<double>());
+void set_from_json(ParamSet& set, const JsonValue& value) {
+  using Kind = JsonValue::Kind;
+  const std::string& name = value.name;
+  switch (value.kind) {
+    case Kind::kBool: return set.set_bool(name, value.flag);
+    case Kind::kInteger: return set.set_integer(name, value.integer);
+    case Kind::kNumber: return set.set_number(name, value.number);
+    case Kind::kArray: {
+      std::vector<double> numbers;
+      for (const JsonValue& element : JsonChildren(value)) {
+        if (!element.is_number())
+          fail(Status::kInvalidArgument, "parameter \"%.100s\": every array element must be a number", name.c_str());
+        numbers.push_back(element.number);
+      }
+      return set.set_numbers(name, numbers);
     }
-    return set.set_numbers(name, numbers);
+    case Kind::kText: {
+      double number = 0;
+      if (set.rows()[set.index_of(name)].type == ParamType::kDouble && parse_number(value.text, number))
+        return set.set_number(name, number);
+      return set.set_text(name, value.text);
+    }
+    case Kind::kNull:
+    case Kind::kObject: break;
   }
-  if (value.is_string()) {
-    const auto& text = value.get_ref<const std::string&>();
-    double number = 0;
-    if (set.rows()[set.index_of(name)].type == ParamType::kDouble && parse_number(text, number))
-      return set.set_number(name, number);
-    return set.set_text(name, text);
-  }
-  fail(Status::kInvalidArgument, "parameter \"%s\": a JSON value of this kind is not accepted", name.c_str());
+  fail(Status::kInvalidArgument, "parameter \"%.100s\": a JSON value of this kind is not accepted", name.c_str());
 }
 
 }  // namespace
@@ -128,7 +132,7 @@ void ParamSet::set_number(std::string_view name, double value) {
     return set_integer(name, static_cast<int64_t>(value));
   if (row.type != ParamType::kDouble) wrong_type(row, "a number");
   check_range(row, value);
-  values_[i] = value;
+  values_[i].number = value;
 }
 
 void ParamSet::set_integer(std::string_view name, int64_t value) {
@@ -137,15 +141,15 @@ void ParamSet::set_integer(std::string_view name, int64_t value) {
   if (row.type != ParamType::kInt64 && row.type != ParamType::kDouble) wrong_type(row, "an integer");
   check_range(row, static_cast<double>(value));
   if (row.type == ParamType::kDouble)
-    values_[i] = static_cast<double>(value);
+    values_[i].number = static_cast<double>(value);
   else
-    values_[i] = value;
+    values_[i].integer = value;
 }
 
 void ParamSet::set_bool(std::string_view name, bool value) {
   const size_t i = index_of(name);
   if (rows_[i].type != ParamType::kBool) wrong_type(rows_[i], "true or false");
-  values_[i] = value;
+  values_[i].flag = value;
 }
 
 void ParamSet::set_text(std::string_view name, std::string_view value) {
@@ -155,7 +159,7 @@ void ParamSet::set_text(std::string_view name, std::string_view value) {
   if (row.type == ParamType::kChoice && !is_choice(row, value))
     fail(Status::kInvalidArgument, "parameter \"%s\" = \"%.*s\" is none of %s", row.name,
          static_cast<int>(std::min<size_t>(value.size(), 100)), value.data(), row.choices);
-  values_[i] = std::string(value);
+  values_[i].text = std::string(value);
 }
 
 void ParamSet::set_numbers(std::string_view name, std::span<const double> values) {
@@ -163,7 +167,7 @@ void ParamSet::set_numbers(std::string_view name, std::span<const double> values
   const ParamRow& row = rows_[i];
   if (row.type != ParamType::kDoubles) wrong_type(row, "an array of numbers");
   for (double value : values) check_range(row, value);
-  values_[i] = std::vector<double>(values.begin(), values.end());
+  values_[i].numbers = std::vector<double>(values.begin(), values.end());
 }
 
 const ParamSet::Value& ParamSet::typed(std::string_view name, ParamType type) const {
@@ -173,30 +177,37 @@ const ParamSet::Value& ParamSet::typed(std::string_view name, ParamType type) co
   return values_[i];
 }
 
-double ParamSet::number(std::string_view name) const { return std::get<double>(typed(name, ParamType::kDouble)); }
-int64_t ParamSet::integer(std::string_view name) const { return std::get<int64_t>(typed(name, ParamType::kInt64)); }
-bool ParamSet::flag(std::string_view name) const { return std::get<bool>(typed(name, ParamType::kBool)); }
-const std::string& ParamSet::text(std::string_view name) const {
-  return std::get<std::string>(typed(name, ParamType::kString));
-}
+double ParamSet::number(std::string_view name) const { return typed(name, ParamType::kDouble).number; }
+int64_t ParamSet::integer(std::string_view name) const { return typed(name, ParamType::kInt64).integer; }
+bool ParamSet::flag(std::string_view name) const { return typed(name, ParamType::kBool).flag; }
+const std::string& ParamSet::text(std::string_view name) const { return typed(name, ParamType::kString).text; }
 const std::vector<double>& ParamSet::numbers(std::string_view name) const {
-  return std::get<std::vector<double>>(typed(name, ParamType::kDoubles));
+  return typed(name, ParamType::kDoubles).numbers;
 }
 
 std::string ParamSet::to_json() const {
-  Json object = Json::object();
-  for (size_t i = 0; i < rows_.size(); ++i) object[rows_[i].name] = json_of(values_[i]);
-  return object.dump(-1, ' ', false, Json::error_handler_t::replace);
+  JsonWriter json;
+  json.begin_object();
+  for (size_t i = 0; i < rows_.size(); ++i) {
+    json.name(rows_[i].name);
+    write_value(json, rows_[i].type, values_[i]);
+  }
+  return json.end_object().take();
 }
 
 void ParamSet::from_json(std::string_view json) {
-  const Json object = Json::parse(json, nullptr, /*allow_exceptions=*/false);
-  if (!object.is_object()) fail(Status::kInvalidArgument, "the parameters are not one JSON object");
+  const std::vector<JsonValue> values = read_json(json);
+  if (values[0].kind != JsonValue::Kind::kObject)
+    fail(Status::kInvalidArgument, "the parameters are not one JSON object");
   ParamSet trial = *this;
-  for (const auto& [name, value] : object.items()) set_from_json(trial, name, value);
+  for (const JsonValue& value : JsonChildren(values[0])) set_from_json(trial, value);
   values_.swap(trial.values_);
 }
 
-std::string ParamSet::default_text(size_t i) const { return json_of(default_of(rows_[i])).dump(); }
+std::string ParamSet::default_text(size_t i) const {
+  JsonWriter json;
+  write_value(json, rows_[i].type, default_of(rows_[i]));
+  return json.take();
+}
 
 }  // namespace jalon

@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace jalon {
@@ -56,7 +55,15 @@ constexpr ParamRow doubles_row(const char* name, const char* values, double mini
 /// Error(kNotFound) listing the names. Getters of code that owns the table never fail but on a wrong name (kInternal).
 class ParamSet {
  public:
-  using Value = std::variant<double, int64_t, bool, std::string, std::vector<double>>;
+  /// The member of the row's type counts. (A std::variant would do, but libstdc++ leaves one without a value when a copy runs out of
+  /// memory.)
+  struct Value {
+    double number = 0;
+    int64_t integer = 0;
+    bool flag = false;
+    std::string text;
+    std::vector<double> numbers;
+  };
 
   /// rows must live as long as the set (static tables do).
   ParamSet(const char* owner, std::span<const ParamRow> rows);

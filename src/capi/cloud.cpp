@@ -156,8 +156,7 @@ jalon_status jalon_cloud_bounds(const jalon_cloud* cloud, jalon_box* out) {
     require(cloud, "cloud");
     require(out, "out");
     if (cloud->cloud->size() == 0) fail(Status::kInsufficientData, "the cloud is empty: it has no bounds");
-    Box3 box;
-    with_task(nullptr, [&](Task& task) { box = bounds(*cloud->cloud, task); });
+    const Box3 box = with_task(nullptr, [&](Task& task) { return bounds(*cloud->cloud, task); });
     *out = {to_c(box.min), to_c(box.max)};
   });
 }

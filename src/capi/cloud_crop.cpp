@@ -26,15 +26,14 @@ namespace {
 /// make(task) gives the mask; then both parts. The shape of all functions below.
 template <class F>
 void split(const jalon_cloud* cloud, jalon_task* task, jalon_cloud** ones, jalon_cloud** zeros, F&& make) {
-  CloudPair pair;
-  with_task(task, [&](Task& t) {
+  CloudPair pair = with_task(task, [&](Task& t) {
     std::vector<uint8_t> mask;
     {
       Span span(t, 0, 0.5);
       mask = make(t);
     }
     Span span(t, 0.5, 1, "copying");
-    pair = split_by_mask(*cloud->cloud, mask, ones != nullptr, zeros != nullptr, t);
+    return split_by_mask(*cloud->cloud, mask, ones != nullptr, zeros != nullptr, t);
   });
   pair.hand_out(ones, zeros);
 }
@@ -92,9 +91,9 @@ jalon_status jalon_cloud_select(const jalon_cloud* cloud, const uint64_t* indice
     require(cloud, "cloud");
     require(out, "out");
     require_array(indices, JALON_UINT64, count, 1, 0, "indices");
-    Cloud selected;
-    with_task(task, [&](Task& t) { selected = select(*cloud->cloud, {indices, count}, t); });
-    *out = new_cloud(std::move(selected));
+    *out = with_task(task, [&](Task& t) {
+             return own(new_cloud(select(*cloud->cloud, {indices, count}, t)));
+           }).release();
   });
 }
 
@@ -116,9 +115,7 @@ jalon_status jalon_cloud_append(const jalon_cloud* a, const jalon_cloud* b, jalo
     require(a, "a");
     require(b, "b");
     require(out, "out");
-    Cloud both;
-    with_task(task, [&](Task& t) { both = append(*a->cloud, *b->cloud, t); });
-    *out = new_cloud(std::move(both));
+    *out = with_task(task, [&](Task& t) { return own(new_cloud(append(*a->cloud, *b->cloud, t))); }).release();
   });
 }
 
@@ -129,9 +126,7 @@ jalon_status jalon_cloud_transform(const jalon_cloud* cloud, const jalon_transfo
     require(transform, "transform");
     require(out, "out");
     const Transform map = from_c(*transform);
-    Cloud moved;
-    with_task(task, [&](Task& t) { moved = transformed(*cloud->cloud, map, t); });
-    *out = new_cloud(std::move(moved));
+    *out = with_task(task, [&](Task& t) { return own(new_cloud(transformed(*cloud->cloud, map, t))); }).release();
   });
 }
 

@@ -12,18 +12,16 @@ namespace {
 /// Runs change(cloud, task) and puts the result in place of the handle's cloud.
 template <class F>
 void change_cloud(jalon_cloud* cloud, jalon_task* task, F&& change) {
-  Cloud changed;
-  with_task(task, [&](Task& t) { changed = change(*cloud->cloud, t); });
-  replace(cloud, std::move(changed));
+  auto changed = with_task(task, [&](Task& t) { return std::make_shared<const Cloud>(change(*cloud->cloud, t)); });
+  cloud->cloud = std::move(changed);
 }
 
 /// Runs reduce(cloud, task) and hands out what is left, with the report.
 template <class F>
 void reduce_cloud(const jalon_cloud* cloud, jalon_task* task, jalon_cloud** out, jalon_reduction* report, F&& reduce) {
-  Cloud reduced;
-  with_task(task, [&](Task& t) { reduced = reduce(*cloud->cloud, t); });
-  const Reduction r = reduction_of(cloud->cloud->size(), reduced.size());
-  *out = new_cloud(std::move(reduced));
+  auto reduced = with_task(task, [&](Task& t) { return own(new_cloud(reduce(*cloud->cloud, t))); });
+  const Reduction r = reduction_of(cloud->cloud->size(), reduced->cloud->size());
+  *out = reduced.release();
   if (report != nullptr) *report = {r.count_in, r.count_out, r.removed, r.removed_percent};
 }
 
@@ -73,8 +71,7 @@ jalon_status jalon_cloud_covariance(const jalon_cloud* cloud, jalon_task* task, 
                                     double covariance[9]) {
   return guard([&] {
     require(cloud, "cloud");
-    CloudCovariance whole;
-    with_task(task, [&](Task& t) { whole = covariance_of(*cloud->cloud, t); });
+    const CloudCovariance whole = with_task(task, [&](Task& t) { return covariance_of(*cloud->cloud, t); });
     if (centroid != nullptr) *centroid = to_c(whole.centroid);
     if (covariance == nullptr) return;
     constexpr size_t kUpper[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
@@ -90,9 +87,7 @@ jalon_status jalon_cloud_moment(const jalon_cloud* cloud, uint32_t a, uint32_t b
     constexpr uint32_t kMaxPower = 8;
     if (std::max({a, b, c}) > kMaxPower)
       fail(Status::kInvalidArgument, "powers %u, %u, %u; at most %u each", a, b, c, kMaxPower);
-    double moment = 0;
-    with_task(task, [&](Task& t) { moment = moment_of(*cloud->cloud, a, b, c, centred != 0, t); });
-    *out = moment;
+    *out = with_task(task, [&](Task& t) { return moment_of(*cloud->cloud, a, b, c, centred != 0, t); });
   });
 }
 

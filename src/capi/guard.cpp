@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/utf8_character.h"
 #include "capi/operations.h"
 
 namespace jalon::capi {
@@ -87,19 +88,11 @@ size_t require_array(const void* data, int32_t type, uint64_t count, uint32_t co
 
 namespace {
 
-bool is_utf8(const char* text, size_t size) {
-  const auto* s = reinterpret_cast<const unsigned char*>(text);
-  for (size_t i = 0; i < size;) {
-    const unsigned lead = s[i++];
-    if (lead < 0x80) continue;
-    const size_t more = lead >= 0xF0 && lead < 0xF5 ? 3 : lead >= 0xE0 && lead < 0xF0 ? 2 : lead >= 0xC2 && lead < 0xE0 ? 1 : 0;
-    if (more == 0 || i + more > size) return false;
-    for (size_t k = 0; k < more; ++k)
-      if ((s[i + k] & 0xC0) != 0x80) return false;
-    if ((lead == 0xE0 && s[i] < 0xA0) || (lead == 0xED && s[i] > 0x9F) || (lead == 0xF0 && s[i] < 0x90) ||
-        (lead == 0xF4 && s[i] > 0x8F))
-      return false;
-    i += more;
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const size_t bytes = utf8_character_bytes(text);
+    if (bytes == 0) return false;
+    text.remove_prefix(bytes);
   }
   return true;
 }
@@ -110,7 +103,7 @@ std::string require_text(const char* text, const char* name, size_t limit) {
   require(text, name);
   const size_t size = ::strnlen(text, limit + 1);
   if (size > limit) fail(Status::kInvalidArgument, "%s is longer than %zu bytes", name, limit);
-  if (!is_utf8(text, size)) fail(Status::kInvalidArgument, "%s is not valid UTF-8", name);
+  if (!is_utf8({text, size})) fail(Status::kInvalidArgument, "%s is not valid UTF-8", name);
   return {text, size};
 }
 

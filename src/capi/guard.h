@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <string>
+#include <type_traits>
 
 #include "base/error.h"
 #include "base/field.h"
@@ -66,13 +68,20 @@ inline jalon_array_view view_of(const Column& column) {
           size_of(column.info().type) * column.info().components};
 }
 
-/// Runs body(Task&) under the caller's task (NULL = defaults): one call a task, cancel, progress, 1.0 at the end.
-/// Outputs must be written after this returns.
+/// Runs body(Task&) under the caller's task (NULL = defaults): one call a task, cancel, progress, 1.0 at the end; gives back what body
+/// gives. 1.0 means success, so whatever can fail belongs into body, making a handle included; outputs are written after this returns:
+///   *out = with_task(task, [&](Task& t) { return own(new_cloud(...)); }).release();
 template <class F>
-void with_task(jalon_task* task, F&& body) {
+auto with_task(jalon_task* task, F&& body) {
   TaskUse use(task);
-  body(use.task());
-  use.task().finish();
+  if constexpr (std::is_void_v<decltype(body(use.task()))>) {
+    body(use.task());
+    use.task().finish();
+  } else {
+    auto made = body(use.task());
+    use.task().finish();
+    return made;
+  }
 }
 
 /// options of an operation: the caller's set, which must be of that operation, or the defaults.
@@ -85,5 +94,9 @@ jalon_cloud* new_cloud(Cloud cloud);
 /// Releases handles made so far unless the whole call succeeds.
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;
+template <class T>
+Owned<T> own(T* handle) noexcept {
+  return {handle, [](T* h) { release(h); }};
+}
 
 }  // namespace jalon::capi

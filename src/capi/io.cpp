@@ -19,18 +19,18 @@ std::string require_path(const char* path) {
 
 }  // namespace
 
-jalon_status jalon_cloud_read(const char* path, const jalon_params* options, jalon_task* task, jalon_cloud** out) {
+jalon_status jalon_cloud_read(const char* path, const jalon_params* options, jalon_task* task,
+                              jalon_cloud** out) {
   return guard([&] {
     require(out, "out");
     const std::string file = require_path(path);
     const ParamSet values = options_or_default(options, "read");
-    Cloud cloud;
-    with_task(task, [&](Task& t) { cloud = read_cloud(file, values, t); });
-    *out = new_cloud(std::move(cloud));
+    *out = with_task(task, [&](Task& t) { return own(new_cloud(read_cloud(file, values, t))); }).release();
   });
 }
 
-jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path, const jalon_params* options, jalon_task* task) {
+jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path,
+                               const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
     const std::string file = require_path(path);
@@ -39,18 +39,22 @@ jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path, const
   });
 }
 
-jalon_status jalon_model_read(const char* path, const jalon_params* options, jalon_task* task, jalon_model** out) {
+jalon_status jalon_model_read(const char* path, const jalon_params* options, jalon_task* task,
+                              jalon_model** out) {
   return guard([&] {
     require(out, "out");
     const std::string file = require_path(path);
     const ParamSet values = options_or_default(options, "read");
     auto handle = std::make_unique<jalon_model>();
-    with_task(task, [&](Task& t) { handle->model = std::make_shared<const Model>(read_model(file, values, t)); });
+    with_task(task, [&](Task& t) {
+      handle->model = std::make_shared<const Model>(read_model(file, values, t));
+    });
     *out = handle.release();
   });
 }
 
-jalon_status jalon_model_write(const jalon_model* model, const char* path, const jalon_params* options, jalon_task* task) {
+jalon_status jalon_model_write(const jalon_model* model, const char* path,
+                               const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(model, "model");
     const std::string file = require_path(path);
@@ -66,9 +70,11 @@ jalon_status jalon_format_count(uint64_t* out) {
   });
 }
 
-jalon_status jalon_format_info(uint64_t i, const char** name, const char** extensions, const char** abilities) {
+jalon_status jalon_format_info(uint64_t i, const char** name, const char** extensions,
+                               const char** abilities) {
   return guard([&] {
-    if (i >= formats().size()) fail(Status::kInvalidArgument, "there are %zu formats", formats().size());
+    if (i >= formats().size())
+      fail(Status::kInvalidArgument, "there are %zu formats", formats().size());
     const FormatInfo& format = formats()[i];
     if (name != nullptr) *name = format.name;
     if (extensions != nullptr) *extensions = format.extensions;

@@ -45,8 +45,9 @@ jalon_status jalon_modeller_run(const jalon_modeller* modeller, const jalon_clou
     // Points are shared, never copied: the same buffer is the same cloud, whatever fields were added since.
     if (cloud->cloud->xyz_buffer != segmentation->segmentation->cloud->xyz_buffer)
       fail(Status::kInvalidArgument, "the segmentation is of another cloud");
-    Model model;
-    with_task(task, [&](Task& t) { model = model_outlines(*segmentation->segmentation, *modeller->values, t); });
-    *out = new_model(std::move(model));
+    const ParamSet values = *modeller->values;  // a progress callback may set the next run's
+    *out = with_task(task, [&](Task& t) {
+             return own(new_model(model_outlines(*segmentation->segmentation, values, t)));
+           }).release();
   });
 }

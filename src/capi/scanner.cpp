@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/scanner.h"
 
-#include <optional>
-
 #include "capi/guard.h"
 #include "capi/model_handles.h"
 #include "capi/scan_handles.h"
@@ -61,9 +59,11 @@ jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* 
     require(scanner, "scanner");
     require(model, "model");
     require(out, "out");
-    std::optional<Cloud> cloud;
-    with_task(task, [&](Task& t) { cloud = scan_static(*model->model, scanner->stations, *scanner->values, t); });
-    *out = new_cloud(std::move(*cloud));
+    const ParamSet values = *scanner->values;  // a progress callback may set the next run's, and add stations
+    const std::vector<ScanStation> stations = scanner->stations;
+    *out = with_task(task, [&](Task& t) {
+             return own(new_cloud(scan_static(*model->model, stations, values, t)));
+           }).release();
   });
 }
 
@@ -71,8 +71,6 @@ jalon_status jalon_scene_create(const jalon_params* options, jalon_task* task, j
   return guard([&] {
     require(out, "out");
     const ParamSet values = options_or_default(options, "scene");
-    Model model;
-    with_task(task, [&](Task& t) { model = build_scene(values, t); });
-    *out = new_model(std::move(model));
+    *out = with_task(task, [&](Task& t) { return own(new_model(build_scene(values, t))); }).release();
   });
 }

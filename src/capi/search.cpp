@@ -126,7 +126,7 @@ jalon_status jalon_cloud_radius_search(const jalon_cloud* cloud, const void* que
     require(neighbours, "neighbours");
     const auto points = read_queries(queries, type, count, stride_bytes);
     if (!(radius_m >= 0) || !std::isfinite(radius_m)) fail(Status::kInvalidArgument, "the radius must be finite and not negative");
-    FieldTable range_table, neighbour_table;
+    Owned<jalon_fields> made_ranges = own<jalon_fields>(nullptr), made_neighbours = own<jalon_fields>(nullptr);
     with_task(task, [&](Task& t) {
       std::shared_ptr<const Octree> tree;
       {
@@ -160,21 +160,22 @@ jalon_status jalon_cloud_radius_search(const jalon_cloud* cloud, const void* que
         }
         part = {};
       }
+      FieldTable range_table, neighbour_table;
       range_table.set(std::move(first));
       neighbour_table.set(std::move(index));
       neighbour_table.set(std::move(distance));
+      made_ranges.reset(new_fields(std::move(range_table)));
+      made_neighbours.reset(new_fields(std::move(neighbour_table)));
     });
-    Owned<jalon_fields> made(new_fields(std::move(range_table)), jalon_fields_release);
-    *neighbours = new_fields(std::move(neighbour_table));
-    *ranges = made.release();
+    *ranges = made_ranges.release();
+    *neighbours = made_neighbours.release();
   });
 }
 
 jalon_status jalon_cloud_octree_cube(const jalon_cloud* cloud, jalon_task* task, jalon_vec3* origin, double* edge_m) {
   return guard([&] {
     require(cloud, "cloud");
-    Cube cube;
-    with_task(task, [&](Task& t) { cube = cloud->cloud->octree(t)->cube(); });
+    const Cube cube = with_task(task, [&](Task& t) { return cloud->cloud->octree(t)->cube(); });
     if (origin != nullptr) *origin = to_c(cube.origin);
     if (edge_m != nullptr) *edge_m = cube.edge;
   });
@@ -185,8 +186,8 @@ jalon_status jalon_cloud_cells(const jalon_cloud* cloud, int32_t level, jalon_ta
     require(cloud, "cloud");
     require(out, "out");
     require_level(level, 0);
-    FieldTable table;
-    with_task(task, [&](Task& t) {
+    *out = with_task(task, [&](Task& t) {
+      FieldTable table;
       const auto tree = cloud->cloud->octree(t);
       const auto cells = tree->cells(level, t);
       const Vec3 origin = tree->cube().origin;
@@ -209,8 +210,8 @@ jalon_status jalon_cloud_cells(const jalon_cloud* cloud, int32_t level, jalon_ta
       table.set(std::move(first));
       table.set(std::move(count));
       table.set(std::move(centre));
-    });
-    *out = new_fields(std::move(table));
+      return own(new_fields(std::move(table)));
+    }).release();
   });
 }
 
@@ -218,16 +219,16 @@ jalon_status jalon_cloud_order(const jalon_cloud* cloud, jalon_task* task, jalon
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    FieldTable table;
-    with_task(task, [&](Task& t) {
+    *out = with_task(task, [&](Task& t) {
+      FieldTable table;
       const auto tree = cloud->cloud->octree(t);
       auto order = new_column<uint64_t>("order", tree->size(), 1, "", "indices of the points in code order");
       const auto from = tree->order();
       const auto to = order->values<uint64_t>();
       for (size_t i = 0; i < from.size(); ++i) to[i] = from[i];
       table.set(std::move(order));
-    });
-    *out = new_fields(std::move(table));
+      return own(new_fields(std::move(table)));
+    }).release();
   });
 }
 
@@ -237,12 +238,12 @@ jalon_status jalon_cloud_cell_neighbours(const jalon_cloud* cloud, int32_t level
     require(cloud, "cloud");
     require(out, "out");
     require_level(level, 0);
-    FieldTable table;
-    with_task(task, [&](Task& t) {
+    *out = with_task(task, [&](Task& t) {
+      FieldTable table;
       const auto codes = cloud->cloud->octree(t)->neighbour_cells(level, code, reach);
       table.set(make_column<uint64_t>({"code", ElementType::kUint64, 1, "", "codes of the occupied cells around"}, codes));
-    });
-    *out = new_fields(std::move(table));
+      return own(new_fields(std::move(table)));
+    }).release();
   });
 }
 
@@ -253,12 +254,10 @@ jalon_status jalon_cloud_best_level(const jalon_cloud* cloud, const jalon_cloud*
     require(compared, "compared");
     require(out, "out");
     if (k == 0) fail(Status::kInvalidArgument, "k is 0");
-    int level = 0;
-    with_task(task, [&](Task& t) {
+    *out = with_task(task, [&](Task& t) {
       const auto reference = cloud->cloud->octree(t), other = compared->cloud->octree(t);
-      level = best_level(*reference, *other, k, t);
+      return best_level(*reference, *other, k, t);
     });
-    *out = level;
   });
 }
 

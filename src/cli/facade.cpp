@@ -28,7 +28,7 @@ struct Facade {
     must(jalon_segmenter_create("ransac", Out(segmenter)));
     Params params;
     must(jalon_segmenter_params(segmenter.get(), Out(params)));
-    if (tolerance_m > 0) must(jalon_params_set_double(params.get(), "distance_tolerance", tolerance_m));
+    if (tolerance_m > 0) must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
     settings.apply(params.get());
     Segmentation segmentation;
     must(jalon_segmenter_run(segmenter.get(), cloud.get(), console.task(), Out(segmentation)));

@@ -41,7 +41,7 @@ void add_normals(CLI::App& app) {
   add_common(*command, state->common);
   command->footer([] {
     return "Parameters of --set:\n" + describe(make_params("normals").get()) +
-           "\nExample: jalon normals scan.las -o normals.ply --set k=24 --set orientation=station";
+           "\nExample: jalon normals scan.las -o normals.ply --set k=24 --set orientation=centroid";
   });
   command->callback([state] { state->run(); });
 }

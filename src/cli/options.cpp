@@ -16,7 +16,7 @@ void add_common(CLI::App& command, Common& common) {
 }
 
 void Settings::add_to(CLI::App& command, const std::string& prefix) {
-  command.add_option("--" + prefix + "set", assignments, "Set a parameter, e.g. --" + prefix + "set min_area=0.2 (repeatable)")
+  command.add_option("--" + prefix + "set", assignments, "Set a parameter, e.g. --" + prefix + "set min_area_m2=0.2 (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command.add_option("--" + prefix + "params", json_file, "Read parameters from a JSON file")->type_name("FILE");
@@ -84,7 +84,7 @@ std::string describe(jalon_params* params) {
     info.struct_size = sizeof info;
     must(jalon_params_info(params, i, &info));
     text += "  " + std::string(info.name) + " = " + info.default_text;
-    if (*info.unit != 0) text += " " + std::string(info.unit);
+    if (*info.unit != 0 && std::string(info.unit) != "1") text += " " + std::string(info.unit);
     if (*info.choices != 0) text += "  (" + std::string(info.choices) + ")";
     text += "\n      " + std::string(info.help) + "\n";
   }

@@ -11,7 +11,7 @@ namespace {
 
 struct Scan {
   Common common;
-  Settings settings;
+  Settings settings, scene_settings;
   std::string scene = "facade";
   std::string output, model_output;
   std::vector<std::string> stations;
@@ -35,6 +35,7 @@ struct Scan {
     console.step("scene");
     const Params options = make_params("scene");
     must(jalon_params_set_string(options.get(), "name", scene.c_str()));
+    scene_settings.apply(options.get());
     Model model;
     must(jalon_scene_create(options.get(), console.task(), Out(model)));
     console.step("scanning");
@@ -75,9 +76,10 @@ void add_scan(CLI::App& app) {
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
   state->settings.add_to(*command);
+  state->scene_settings.add_to(*command, "scene-");
   add_common(*command, state->common);
   command->footer([] {
-    return "Scenes:\n" + describe(make_params("scene").get()) + "\nParameters of --set:\n" + scanner_table() +
+    return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) + "\nParameters of --set (scanner):\n" + scanner_table() +
            "\nExample: jalon scan --scene facade -o sample.las";
   });
   command->callback([state] { state->run(); });

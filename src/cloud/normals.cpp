@@ -21,6 +21,7 @@ constexpr ParamRow kRows[] = {
                 "Number of nearest neighbours, the point itself included; not read when radius_m is above 0"),
     number_row("radius_m", 0, 0, 1e6, "m", "pca,quadric",
                "Radius of the ball of neighbours; 0 = take the k nearest instead"),
+    bool_row("curvature", false, "pca", "Also keep the surface variation of each neighbourhood, as field \"curvature\""),
     choice_row("orientation", "none", "none|station|point|centroid", "",
                "Turn normals toward each point's scan station, toward viewpoint, or away from the centroid"),
     doubles_row("viewpoint", "0 0 0", -1e9, 1e9, "m", "",
@@ -118,7 +119,8 @@ Cloud with_normals(const Cloud& cloud, const ParamSet& options, Task& task) {
     else if (method == "triangulation")
       normals.normal = triangulation_normals(*tree, task);
     else
-      normals = radius_m > 0 ? pca_normals_radius(*tree, radius_m, task) : pca_normals(*tree, k, task);
+      normals = radius_m > 0 ? pca_normals_radius(*tree, radius_m, options.flag("curvature"), task)
+                             : pca_normals(*tree, k, options.flag("curvature"), task);
   }
   Span span(task, 0.95, 1, "orientation");
   orient(cloud, orientation, *normals.normal, task);

@@ -12,11 +12,15 @@ namespace jalon {
 
 namespace {
 
-PcaNormals new_result(size_t count) {
-  return {std::make_shared<Column>(FieldInfo{"normal", ElementType::kFloat32, 3, "", "unit normal of the local plane"}, count),
-          std::make_shared<Column>(
-              FieldInfo{"curvature", ElementType::kFloat32, 1, "", "surface variation lambda_0 / (lambda_0 + lambda_1 + lambda_2)"},
-              count)};
+PcaNormals new_result(size_t count, bool with_curvature) {
+  PcaNormals out;
+  out.normal =
+      std::make_shared<Column>(FieldInfo{"normal", ElementType::kFloat32, 3, "", "unit normal of the local plane"}, count);
+  if (with_curvature)
+    out.curvature = std::make_shared<Column>(
+        FieldInfo{"curvature", ElementType::kFloat32, 1, "", "surface variation lambda_0 / (lambda_0 + lambda_1 + lambda_2)"},
+        count);
+  return out;
 }
 
 /// Takes neighbourhoods one after the other and writes normals and curvatures in the caller's order, four at a time.
@@ -28,7 +32,7 @@ class PlaneWriter {
         y_(tree.grid_y()),
         z_(tree.grid_z()),
         normal_(out.normal->values<float>().data()),
-        curvature_(out.curvature->values<float>().data()) {}
+        curvature_(out.curvature ? out.curvature->values<float>().data() : nullptr) {}
   PlaneWriter(const PlaneWriter&) = delete;
   PlaneWriter& operator=(const PlaneWriter&) = delete;
 
@@ -81,7 +85,7 @@ class PlaneWriter {
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
     float* to = normal_ + 3 * target_[i];
     for (int c = 0; c < 3; ++c) to[c] = normal == nullptr ? kNone : static_cast<float>(normal[c]);
-    curvature_[target_[i]] = normal == nullptr ? kNone : static_cast<float>(variation);
+    if (curvature_ != nullptr) curvature_[target_[i]] = normal == nullptr ? kNone : static_cast<float>(variation);
   }
 
   std::span<const uint32_t> order_;
@@ -95,8 +99,8 @@ class PlaneWriter {
 
 }  // namespace
 
-PcaNormals pca_normals(const Octree& tree, uint32_t k, Task& task) {
-  const PcaNormals out = new_result(tree.size());
+PcaNormals pca_normals(const Octree& tree, uint32_t k, bool with_curvature, Task& task) {
+  const PcaNormals out = new_result(tree.size(), with_curvature);
   const size_t used = std::min<size_t>(k, tree.size());  // the places behind are empty
   tree.for_each_knn(k, task, [&](const Octree::Batch& b) {
     PlaneWriter writer(tree, out);
@@ -106,8 +110,8 @@ PcaNormals pca_normals(const Octree& tree, uint32_t k, Task& task) {
   return out;
 }
 
-PcaNormals pca_normals_radius(const Octree& tree, double radius_m, Task& task) {
-  const PcaNormals out = new_result(tree.size());
+PcaNormals pca_normals_radius(const Octree& tree, double radius_m, bool with_curvature, Task& task) {
+  const PcaNormals out = new_result(tree.size(), with_curvature);
   tree.for_each_ball(radius_m, task, [&](const Octree::BallBatch& b) {
     PlaneWriter writer(tree, out);
     for (size_t i = 0; i < b.count; ++i)

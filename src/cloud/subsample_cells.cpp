@@ -67,10 +67,23 @@ Vec3 centroid_of(const Cloud& cloud, std::span<const uint32_t> members, const Ve
   return origin + sum / static_cast<double>(members.size());
 }
 
+/// Without fields and stations nothing has to be taken from the points.
+Cloud bare_centroids(const Cloud& cloud, const Box3& box, double cell_m, Task& task) {
+  Buffer<double> xyz = voxel_centroids(cloud.xyz(), box, enclosing_cube(box).origin, cell_m, task);
+  if (xyz.size() == cloud.xyz().size()) return cloud;  // every point alone in its cell: share the points and their index
+  Cloud out = make_cloud(std::move(xyz));
+  out.crs = cloud.crs;
+  out.attachments = cloud.attachments;
+  return out;
+}
+
 }  // namespace
 
 Cloud one_per_voxel(const Cloud& cloud, double cell_m, Keep keep, Task& task) {
-  const Vec3 origin = enclosing_cube(bounds(cloud, task)).origin;
+  const Box3 box = bounds(cloud, task);
+  if (keep == Keep::kCentroid && cloud.fields.size() == 0 && cloud.stations.empty())
+    return bare_centroids(cloud, box, cell_m, task);
+  const Vec3 origin = enclosing_cube(box).origin;
   VoxelGrid grid;
   {
     Span span(task, 0, 0.6, "voxel grid");

@@ -38,7 +38,7 @@ std::string folder_of(const std::string& path) {
 
 AtomicFile::AtomicFile(std::string path) : path_(resolved(path)), buffer_(kBufferBytes) {
   if (path_.empty()) fail(Status::kIo, "cannot write: the path is empty");
-  struct stat old{};
+  struct stat old {};
   const bool exists = ::stat(path_.c_str(), &old) == 0;
   if (exists && !S_ISREG(old.st_mode)) {
     errno = S_ISDIR(old.st_mode) ? EISDIR : EINVAL;
@@ -55,7 +55,10 @@ AtomicFile::AtomicFile(std::string path) : path_(resolved(path)), buffer_(kBuffe
     temporary_.clear();
     refuse("create");
   }
-  if (exists) (void)!::fchmod(descriptor_, old.st_mode & 07777);  // a new file that cannot have the old rights is still a good file
+  if (exists)
+    (void)!::fchmod(
+        descriptor_,
+        old.st_mode & 07777);  // a new file that cannot have the old rights is still a good file
 }
 
 AtomicFile::~AtomicFile() {
@@ -112,7 +115,8 @@ void AtomicFile::commit() {
   if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) refuse("write");
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) refuse("replace");
   temporary_.clear();
-  // The name itself reaches the disk with the folder; where a folder cannot be synced the file is whole all the same.
+  // The name itself reaches the disk with the folder; where a folder cannot be synced the file is
+  // whole all the same.
   const int folder = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder >= 0) {
     (void)!::fsync(folder);

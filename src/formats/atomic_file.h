@@ -10,8 +10,9 @@
 
 namespace jalon {
 
-/// A file that appears whole or not at all: written beside the target under a private name, renamed by commit(). Without commit() the
-/// private file is removed and the target stays as it was. Buffered. Errors are Error(kIo) with path and cause.
+/// A file that appears whole or not at all: written beside the target under a private name, renamed
+/// by commit(). Without commit() the private file is removed and the target stays as it was.
+/// Buffered. Errors are Error(kIo) with path and cause.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path);

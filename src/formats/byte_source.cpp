@@ -22,13 +22,14 @@ ByteSource::ByteSource(std::string path) : path_(std::move(path)) {
   if (descriptor_ < 0) {
     const int code = errno;
     const std::string cause = system_error_text(code);
-    fail(code == ENOENT || code == ENOTDIR ? Status::kNotFound : Status::kIo, "%s: cannot open: %s", path_.c_str(),
-         cause.c_str());
+    fail(code == ENOENT || code == ENOTDIR ? Status::kNotFound : Status::kIo, "%s: cannot open: %s",
+         path_.c_str(), cause.c_str());
   }
-  struct stat info{};
+  struct stat info {};
   if (::fstat(descriptor_, &info) != 0 || !S_ISREG(info.st_mode)) {
     ::close(descriptor_);
-    fail(Status::kIo, "%s: cannot read: %s", path_.c_str(), S_ISDIR(info.st_mode) ? "it is a folder" : "it is no regular file");
+    fail(Status::kIo, "%s: cannot read: %s", path_.c_str(),
+         S_ISDIR(info.st_mode) ? "it is a folder" : "it is no regular file");
   }
   size_ = static_cast<uint64_t>(info.st_size);
 }
@@ -38,12 +39,13 @@ ByteSource::~ByteSource() { ::close(descriptor_); }
 size_t ByteSource::read_some(uint64_t offset, void* out, size_t bytes) const {
   size_t done = 0;
   while (done < bytes) {
-    const ssize_t n = ::pread(descriptor_, static_cast<char*>(out) + done, bytes - done, static_cast<off_t>(offset + done));
+    const ssize_t n = ::pread(descriptor_, static_cast<char*>(out) + done, bytes - done,
+                              static_cast<off_t>(offset + done));
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
       const std::string cause = system_error_text(errno);
-      fail(Status::kIo, "%s: offset %llu: cannot read: %s", path_.c_str(), static_cast<unsigned long long>(offset + done),
-           cause.c_str());
+      fail(Status::kIo, "%s: offset %llu: cannot read: %s", path_.c_str(),
+           static_cast<unsigned long long>(offset + done), cause.c_str());
     }
     if (n == 0) break;
     done += static_cast<size_t>(n);
@@ -53,7 +55,8 @@ size_t ByteSource::read_some(uint64_t offset, void* out, size_t bytes) const {
 
 void ByteSource::read(uint64_t offset, void* out, size_t bytes) const {
   if (!has(offset, bytes) || read_some(offset, out, bytes) != bytes)
-    refuse(offset, "the file ends before the %llu bytes that belong here", static_cast<unsigned long long>(bytes));
+    refuse(offset, "the file ends before the %llu bytes that belong here",
+           static_cast<unsigned long long>(bytes));
 }
 
 void ByteSource::refuse(uint64_t offset, const char* format, ...) const {

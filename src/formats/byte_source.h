@@ -8,8 +8,9 @@
 
 namespace jalon {
 
-/// A regular file to be read at any offset, by any number of threads. It knows its true size, so that no reader need believe a count:
-/// reads beyond the end are Error(kFormat), also when the file shrinks meanwhile. Opening: kNotFound, kIo.
+/// A regular file to be read at any offset, by any number of threads. It knows its true size, so
+/// that no reader need believe a count: reads beyond the end are Error(kFormat), also when the file
+/// shrinks meanwhile. Opening: kNotFound, kIo.
 class ByteSource {
  public:
   explicit ByteSource(std::string path);
@@ -24,9 +25,12 @@ class ByteSource {
   /// As many of them as there are.
   size_t read_some(uint64_t offset, void* out, size_t bytes) const;
   /// True when [offset, offset + bytes) lies inside the file.
-  bool has(uint64_t offset, uint64_t bytes) const { return offset <= size_ && bytes <= size_ - offset; }
+  bool has(uint64_t offset, uint64_t bytes) const {
+    return offset <= size_ && bytes <= size_ - offset;
+  }
   /// Error(kFormat) "path: offset N: reason".
-  [[noreturn]] void refuse(uint64_t offset, const char* format, ...) const __attribute__((format(printf, 3, 4)));
+  [[noreturn]] void refuse(uint64_t offset, const char* format, ...) const
+      __attribute__((format(printf, 3, 4)));
 
  private:
   std::string path_;

@@ -28,20 +28,29 @@ constexpr FormatInfo kFormats[] = {
 };
 
 constexpr ParamRow kReadRows[] = {
-    choice_row("format", "auto", "auto|las|ply|text|obj", "", "Format of the file; auto looks at its content, then its extension"),
+    choice_row("format", "auto", "auto|las|ply|text|obj", "",
+               "Format of the file; auto looks at its content, then its extension"),
     string_row("columns", "", "text",
-               "Columns of a text file, e.g. \"x y z intensity\" or \"x y z i r g b nx ny nz\"; - or _ skips one. Empty: from the header, or "
+               "Columns of a text file, e.g. \"x y z intensity\" or \"x y z i r g b nx ny nz\"; - "
+               "or _ skips one. Empty: from the header, or "
                "guessed"),
-    bool_row("drop_invalid", false, "", "Drop points whose coordinates are not finite instead of refusing the file"),
-    choice_row("unit", "auto", "auto|metre|foot|us_survey_foot", "las", "Length unit of the file; auto takes it from the CRS"),
+    bool_row("drop_invalid", false, "",
+             "Drop points whose coordinates are not finite instead of refusing the file"),
+    choice_row("unit", "auto", "auto|metre|foot|us_survey_foot", "las",
+               "Length unit of the file; auto takes it from the CRS"),
 };
 
 constexpr ParamRow kWriteRows[] = {
-    choice_row("format", "auto", "auto|las|ply|text|csv|obj", "", "Format of the file; auto takes it from the extension"),
-    choice_row("las_version", "auto", "auto|1.2|1.4", "las", "auto: that of the file it came from, 1.2 where it holds all fields"),
-    number_row("scale", 0, 0, 1000, "m", "las", "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m"),
-    choice_row("ply_format", "binary", "binary|binary_big_endian|ascii", "ply", "binary is little-endian"),
-    integer_row("decimals", -1, -1, 17, "", "text", "Decimals of the coordinates; -1: as many as give the same number back"),
+    choice_row("format", "auto", "auto|las|ply|text|csv|obj", "",
+               "Format of the file; auto takes it from the extension"),
+    choice_row("las_version", "auto", "auto|1.2|1.4", "las",
+               "auto: that of the file it came from, 1.2 where it holds all fields"),
+    number_row("scale", 0, 0, 1000, "m", "las",
+               "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m"),
+    choice_row("ply_format", "binary", "binary|binary_big_endian|ascii", "ply",
+               "binary is little-endian"),
+    integer_row("decimals", -1, -1, 17, "", "text",
+                "Decimals of the coordinates; -1: as many as give the same number back"),
 };
 
 Format format_named(const std::string& name) {
@@ -69,7 +78,8 @@ Format format_of_extension(const std::string& path) {
 
 bool looks_like_text(std::string_view start) {
   for (const char c : start)
-    if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f') return false;
+    if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f')
+      return false;
   return !start.empty();
 }
 
@@ -79,12 +89,14 @@ Format format_of_content(const ByteSource& source) {
   if (look.empty()) source.refuse(0, "the file is empty");
   if (look.starts_with("LASF")) return Format::kLas;
   if (look.starts_with("ply\n") || look.starts_with("ply\r")) return Format::kPly;
-  if (look.starts_with("ASTM-E57")) fail(Status::kUnsupported, "%s: this build cannot read E57", source.path().c_str());
+  if (look.starts_with("ASTM-E57"))
+    fail(Status::kUnsupported, "%s: this build cannot read E57", source.path().c_str());
   const Format by_name = format_of_extension(source.path());
   if (by_name == Format::kLas) source.refuse(0, "a LAS file starts with LASF, this one does not");
   if (by_name == Format::kPly) source.refuse(0, "a PLY file starts with ply, this one does not");
   if (by_name == Format::kObj) return Format::kObj;
-  if (by_name == Format::kText || by_name == Format::kCsv || looks_like_text(look)) return Format::kText;
+  if (by_name == Format::kText || by_name == Format::kCsv || looks_like_text(look))
+    return Format::kText;
   fail(Status::kUnsupported, "%s: neither LAS, PLY, OBJ nor text", source.path().c_str());
 }
 
@@ -99,7 +111,8 @@ Format format_to_write(const std::string& path, const ParamSet& options) {
 }
 
 [[noreturn]] void refuse_extension(const std::string& path, const char* known) {
-  fail(Status::kUnsupported, "%s: no format of extension \"%s\" can be written; there are: %s", path.c_str(), extension_of(path).c_str(), known);
+  fail(Status::kUnsupported, "%s: no format of extension \"%s\" can be written; there are: %s",
+       path.c_str(), extension_of(path).c_str(), known);
 }
 
 }  // namespace
@@ -111,13 +124,17 @@ std::span<const FormatInfo> formats() { return kFormats; }
 Cloud finish_cloud(Cloud cloud, const ByteSource& source, const ParamSet& options, Task& task) {
   constexpr size_t kFiniteGrain = size_t{1} << 17;
   const std::span<const double> xyz = cloud.xyz();
-  const auto finite = [&](size_t i) { return std::isfinite(xyz[3 * i]) && std::isfinite(xyz[3 * i + 1]) && std::isfinite(xyz[3 * i + 2]); };
+  const auto finite = [&](size_t i) {
+    return std::isfinite(xyz[3 * i]) && std::isfinite(xyz[3 * i + 1]) &&
+           std::isfinite(xyz[3 * i + 2]);
+  };
   Span span(task, 0.95, 1);
-  const uint64_t bad = parallel_reduce<uint64_t>(task, cloud.size(), kFiniteGrain, 0, [&](size_t begin, size_t end) {
-    uint64_t count = 0;
-    for (size_t i = begin; i < end; ++i) count += finite(i) ? 0 : 1;
-    return count;
-  });
+  const uint64_t bad =
+      parallel_reduce<uint64_t>(task, cloud.size(), kFiniteGrain, 0, [&](size_t begin, size_t end) {
+        uint64_t count = 0;
+        for (size_t i = begin; i < end; ++i) count += finite(i) ? 0 : 1;
+        return count;
+      });
   if (bad == 0) return cloud;
   std::vector<uint64_t> kept;
   if (options.flag("drop_invalid")) kept.reserve(cloud.size() - bad);
@@ -125,49 +142,66 @@ Cloud finish_cloud(Cloud cloud, const ByteSource& source, const ParamSet& option
     if (finite(i)) {
       if (options.flag("drop_invalid")) kept.push_back(i);
     } else if (!options.flag("drop_invalid")) {
-      fail(Status::kFormat, "%s: point %zu has a coordinate that is not finite (%llu of %zu have); drop_invalid leaves them out",
+      fail(Status::kFormat,
+           "%s: point %zu has a coordinate that is not finite (%llu of %zu have); drop_invalid "
+           "leaves them out",
            source.path().c_str(), i, static_cast<unsigned long long>(bad), cloud.size());
     }
   }
-  task.log(Task::kWarning, "%s: %llu points with coordinates that are not finite left out", source.path().c_str(),
-           static_cast<unsigned long long>(bad));
+  task.log(Task::kWarning, "%s: %llu points with coordinates that are not finite left out",
+           source.path().c_str(), static_cast<unsigned long long>(bad));
   return select(cloud, kept, task);
 }
 
 Cloud read_cloud(const std::string& path, const ParamSet& options, Task& task) {
   const ByteSource source(path);
   switch (format_to_read(source, options)) {
-    case Format::kLas: return read_las(source, options, task);
-    case Format::kPly: return read_ply(source, options, task);
-    case Format::kObj: fail(Status::kUnsupported, "%s: OBJ holds a model, no cloud", path.c_str());
-    default: return read_text(source, options, task);
+    case Format::kLas:
+      return read_las(source, options, task);
+    case Format::kPly:
+      return read_ply(source, options, task);
+    case Format::kObj:
+      fail(Status::kUnsupported, "%s: OBJ holds a model, no cloud", path.c_str());
+    default:
+      return read_text(source, options, task);
   }
 }
 
 void write_cloud(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task) {
   switch (format_to_write(path, options)) {
-    case Format::kLas: return write_las(cloud, path, options, task);
-    case Format::kPly: return write_ply(cloud, path, options, task);
-    case Format::kText: return write_text(cloud, path, false, options, task);
-    case Format::kCsv: return write_text(cloud, path, true, options, task);
-    default: refuse_extension(path, "las, ply, xyz, txt, csv");
+    case Format::kLas:
+      return write_las(cloud, path, options, task);
+    case Format::kPly:
+      return write_ply(cloud, path, options, task);
+    case Format::kText:
+      return write_text(cloud, path, false, options, task);
+    case Format::kCsv:
+      return write_text(cloud, path, true, options, task);
+    default:
+      refuse_extension(path, "las, ply, xyz, txt, csv");
   }
 }
 
 Model read_model(const std::string& path, const ParamSet& options, Task& task) {
   const ByteSource source(path);
   switch (format_to_read(source, options)) {
-    case Format::kPly: return read_ply_model(source, options, task);
-    case Format::kObj: return read_obj(source, task);
-    default: fail(Status::kUnsupported, "%s: no model; models are OBJ or PLY", path.c_str());
+    case Format::kPly:
+      return read_ply_model(source, options, task);
+    case Format::kObj:
+      return read_obj(source, task);
+    default:
+      fail(Status::kUnsupported, "%s: no model; models are OBJ or PLY", path.c_str());
   }
 }
 
 void write_model(const Model& model, const std::string& path, const ParamSet& options, Task& task) {
   switch (format_to_write(path, options)) {
-    case Format::kPly: return write_ply_model(model, path, options, task);
-    case Format::kObj: return write_obj(model, path, task);
-    default: refuse_extension(path, "obj, ply");
+    case Format::kPly:
+      return write_ply_model(model, path, options, task);
+    case Format::kObj:
+      return write_obj(model, path, task);
+    default:
+      refuse_extension(path, "obj, ply");
   }
 }
 

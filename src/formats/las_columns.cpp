@@ -33,13 +33,16 @@ bool fits(const Column& column, const Place& place, Task& task) {
   if (column.info().components != 1) return false;
   const ElementType type = column.info().type;
   if (is_floating(place.type)) {
-    const bool exact = is_floating(type) ? size_of(type) <= size_of(place.type) : size_of(type) < size_of(place.type);
+    const bool exact = is_floating(type) ? size_of(type) <= size_of(place.type)
+                                         : size_of(type) < size_of(place.type);
     return exact;
   }
   return visit(place.type, [&](auto stored_zero) {
     using Stored = decltype(stored_zero);
-    const double low = place.bits != 0 ? 0 : static_cast<double>(std::numeric_limits<Stored>::lowest());
-    const double high = place.bits != 0 ? std::ldexp(1, place.bits) - 1 : static_cast<double>(std::numeric_limits<Stored>::max());
+    const double low =
+        place.bits != 0 ? 0 : static_cast<double>(std::numeric_limits<Stored>::lowest());
+    const double high = place.bits != 0 ? std::ldexp(1, place.bits) - 1
+                                        : static_cast<double>(std::numeric_limits<Stored>::max());
     return visit(type, [&](auto zero) {
       using T = decltype(zero);
       const auto values = column.values<T>();
@@ -47,9 +50,10 @@ bool fits(const Column& column, const Place& place, Task& task) {
         const double value = static_cast<double>(values[i]);
         const double rounded = std::nearbyint(value / place.factor);
         // Angles come back as float32.
-        const bool same = place.factor == 1 || !std::is_same_v<T, float>
-                              ? rounded * place.factor == value
-                              : static_cast<float>(rounded * place.factor) == static_cast<float>(value);
+        const bool same =
+            place.factor == 1 || !std::is_same_v<T, float>
+                ? rounded * place.factor == value
+                : static_cast<float>(rounded * place.factor) == static_cast<float>(value);
         return same && rounded >= low && rounded <= high && !(std::signbit(value) && value == 0);
       });
     });
@@ -68,9 +72,11 @@ bool fits_scaled(const Column& column, const ExtraDimension& known, Task& task) 
       return all_items(task, values.size(), [&](size_t i) {
         const size_t c = i % components;
         const double raw = std::nearbyint((values[i] - known.shift[c]) / known.scale[c]);
-        if (!(raw >= static_cast<double>(std::numeric_limits<Raw>::lowest()) && raw < std::ldexp(1, std::numeric_limits<Raw>::digits)))
+        if (!(raw >= static_cast<double>(std::numeric_limits<Raw>::lowest()) &&
+              raw < std::ldexp(1, std::numeric_limits<Raw>::digits)))
           return false;
-        return static_cast<double>(static_cast<Raw>(raw)) * known.scale[c] + known.shift[c] == values[i];
+        return static_cast<double>(static_cast<Raw>(raw)) * known.scale[c] + known.shift[c] ==
+               values[i];
       });
     }
   });
@@ -108,7 +114,8 @@ class Layout {
     one.components = 1;
     if (field.name == "normal" && field.components == 3) {
       ExtraColumn extra = plain(column, 0, 3);
-      for (const char* name : kNormalNames) append(extra.descriptor, descriptor_of(one, free_name(name, taken_)));
+      for (const char* name : kNormalNames)
+        append(extra.descriptor, descriptor_of(one, free_name(name, taken_)));
       push(std::move(extra));
     } else if (field.components <= 3) {
       ExtraColumn extra = plain(column, 0, field.components);
@@ -129,7 +136,9 @@ class Layout {
     }
   }
 
-  void add_undescribed(const ColumnPtr& column) { push(plain(column, 0, column->info().components)); }
+  void add_undescribed(const ColumnPtr& column) {
+    push(plain(column, 0, column->info().components));
+  }
 
   std::vector<ExtraColumn> take() { return std::move(columns_); }
 
@@ -142,7 +151,9 @@ class Layout {
     extra.raw_type = column->info().type;
     return extra;
   }
-  static void append(std::vector<std::byte>& to, const std::vector<std::byte>& from) { to.insert(to.end(), from.begin(), from.end()); }
+  static void append(std::vector<std::byte>& to, const std::vector<std::byte>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  }
   void push(ExtraColumn extra) {
     extra.offset = at_;
     at_ += size_of(extra.raw_type) * extra.components;
@@ -158,7 +169,8 @@ class Layout {
 
 }  // namespace
 
-std::vector<StandardColumn> standard_columns(const FieldTable& fields, unsigned format, std::vector<ColumnPtr>& left, Task& task) {
+std::vector<StandardColumn> standard_columns(const FieldTable& fields, unsigned format,
+                                             std::vector<ColumnPtr>& left, Task& task) {
   std::vector<StandardColumn> out;
   const std::vector<Dimension> all = dimensions(format);
   for (const ColumnPtr& column : fields) {
@@ -167,21 +179,22 @@ std::vector<StandardColumn> standard_columns(const FieldTable& fields, unsigned 
       if (dimension.field.name == column->info().name) found = &dimension;
     if (found != nullptr && fits(*column, found->place, task))
       out.push_back({column, found->place});
-    else
-      left.push_back(column);
+    else left.push_back(column);
   }
   return out;
 }
 
-std::vector<ExtraColumn> extra_columns(const std::vector<ColumnPtr>& fields, const std::vector<ExtraDimension>& known, size_t core,
+std::vector<ExtraColumn> extra_columns(const std::vector<ColumnPtr>& fields,
+                                       const std::vector<ExtraDimension>& known, size_t core,
                                        Task& task) {
   Layout layout(core);
   std::set<const Column*> done;
   for (const ExtraDimension& dimension : known)
     for (const ColumnPtr& column : fields) {
       const FieldInfo& field = column->info();
-      if (dimension.descriptor.empty() || field.name != dimension.field.name || field.type != dimension.field.type ||
-          field.components != dimension.field.components || (dimension.scaled && !fits_scaled(*column, dimension, task)))
+      if (dimension.descriptor.empty() || field.name != dimension.field.name ||
+          field.type != dimension.field.type || field.components != dimension.field.components ||
+          (dimension.scaled && !fits_scaled(*column, dimension, task)))
         continue;
       layout.add_known(column, dimension);
       done.insert(column.get());
@@ -191,8 +204,7 @@ std::vector<ExtraColumn> extra_columns(const std::vector<ColumnPtr>& fields, con
     if (done.contains(column.get())) continue;
     if (column->info().name == "extra_bytes" && column->info().type == ElementType::kUint8)
       undescribed = column;
-    else
-      layout.add_new(column);
+    else layout.add_new(column);
   }
   if (undescribed) layout.add_undescribed(undescribed);
   return layout.take();

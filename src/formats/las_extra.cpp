@@ -10,13 +10,15 @@ namespace jalon::las {
 
 namespace {
 
-constexpr ElementType kTypes[] = {ElementType::kUint8,  ElementType::kInt8,  ElementType::kUint16,  ElementType::kInt16,
-                                  ElementType::kUint32, ElementType::kInt32, ElementType::kUint64,  ElementType::kInt64,
-                                  ElementType::kFloat32, ElementType::kFloat64};
+constexpr ElementType kTypes[] = {ElementType::kUint8,  ElementType::kInt8,   ElementType::kUint16,
+                                  ElementType::kInt16,  ElementType::kUint32, ElementType::kInt32,
+                                  ElementType::kUint64, ElementType::kInt64,  ElementType::kFloat32,
+                                  ElementType::kFloat64};
 constexpr size_t kMaxDimensions = 1024;  // real files have a dozen
 constexpr uint8_t kHasScale = 8, kHasOffset = 16;
 
-// One descriptor of the extra bytes VLR (LAS 1.4 R15, table 24): types 1-10 scalars, 11-30 the old pairs and triples, 0 plain bytes.
+// One descriptor of the extra bytes VLR (LAS 1.4 R15, table 24): types 1-10 scalars, 11-30 the old
+// pairs and triples, 0 plain bytes.
 ExtraDimension dimension_of(const std::byte* descriptor, size_t number) {
   const auto data_type = static_cast<unsigned>(descriptor[2]);
   const auto options = static_cast<uint8_t>(descriptor[3]);
@@ -33,7 +35,8 @@ ExtraDimension dimension_of(const std::byte* descriptor, size_t number) {
     for (size_t i = 0; i < out.field.components; ++i) {
       if ((options & kHasScale) != 0) out.scale[i] = load<double>(descriptor + 112 + 8 * i);
       if ((options & kHasOffset) != 0) out.shift[i] = load<double>(descriptor + 136 + 8 * i);
-      if (!std::isfinite(out.scale[i]) || !std::isfinite(out.shift[i]) || out.scale[i] == 0) out.scaled = false;
+      if (!std::isfinite(out.scale[i]) || !std::isfinite(out.shift[i]) || out.scale[i] == 0)
+        out.scaled = false;
     }
   }
   out.field.type = out.scaled ? ElementType::kFloat64 : out.raw_type;
@@ -42,7 +45,8 @@ ExtraDimension dimension_of(const std::byte* descriptor, size_t number) {
 
 void make_names_unique(std::vector<ExtraDimension>& dimensions) {
   UniqueNames unique;
-  for (ExtraDimension& dimension : dimensions) dimension.field.name = unique.add(dimension.field.name);
+  for (ExtraDimension& dimension : dimensions)
+    dimension.field.name = unique.add(dimension.field.name);
 }
 
 // NormalX, NormalY, NormalZ side by side become the field "normal".
@@ -51,21 +55,26 @@ void join_normals(std::vector<ExtraDimension>& dimensions) {
     bool joined = true;
     for (size_t k = 0; k < 3; ++k) {
       const ExtraDimension& d = dimensions[i + k];
-      joined = joined && d.field.name == kNormalNames[k] && d.field.type == ElementType::kFloat32 && d.field.components == 1;
+      joined = joined && d.field.name == kNormalNames[k] && d.field.type == ElementType::kFloat32 &&
+               d.field.components == 1;
     }
     if (!joined) continue;
     ExtraDimension& normal = dimensions[i];
     normal.field = {"normal", ElementType::kFloat32, 3, "", "unit normal"};
-    normal.descriptor.insert(normal.descriptor.end(), dimensions[i + 1].descriptor.begin(), dimensions[i + 1].descriptor.end());
-    normal.descriptor.insert(normal.descriptor.end(), dimensions[i + 2].descriptor.begin(), dimensions[i + 2].descriptor.end());
-    dimensions.erase(dimensions.begin() + static_cast<ptrdiff_t>(i) + 1, dimensions.begin() + static_cast<ptrdiff_t>(i) + 3);
+    normal.descriptor.insert(normal.descriptor.end(), dimensions[i + 1].descriptor.begin(),
+                             dimensions[i + 1].descriptor.end());
+    normal.descriptor.insert(normal.descriptor.end(), dimensions[i + 2].descriptor.begin(),
+                             dimensions[i + 2].descriptor.end());
+    dimensions.erase(dimensions.begin() + static_cast<ptrdiff_t>(i) + 1,
+                     dimensions.begin() + static_cast<ptrdiff_t>(i) + 3);
   }
 }
 
 }  // namespace
 
-std::vector<ExtraDimension> extra_dimensions(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs,
-                                             size_t extra_bytes, Task& task) {
+std::vector<ExtraDimension> extra_dimensions(const std::vector<Record>& vlrs,
+                                             const std::vector<Record>& evlrs, size_t extra_bytes,
+                                             Task& task) {
   std::vector<ExtraDimension> out;
   size_t used = 0;
   bool fits = true;
@@ -74,17 +83,21 @@ std::vector<ExtraDimension> extra_dimensions(const std::vector<Record>& vlrs, co
       if (!record.is(kSpecUser, kExtraBytes)) continue;
       for (size_t at = 0; at + kDescriptorBytes <= record.size() && fits; at += kDescriptorBytes) {
         ExtraDimension dimension = dimension_of(record.data() + at, out.size());
-        fits = out.size() < kMaxDimensions && dimension.bytes() > 0 && dimension.bytes() <= extra_bytes - used;
+        fits = out.size() < kMaxDimensions && dimension.bytes() > 0 &&
+               dimension.bytes() <= extra_bytes - used;
         if (!fits) break;
         dimension.offset = used;
         used += dimension.bytes();
         out.push_back(std::move(dimension));
       }
     }
-  if (!fits) task.log(Task::kWarning, "the extra bytes VLR describes more than the %zu extra bytes of a point", extra_bytes);
+  if (!fits)
+    task.log(Task::kWarning,
+             "the extra bytes VLR describes more than the %zu extra bytes of a point", extra_bytes);
   if (used < extra_bytes) {
     ExtraDimension rest;
-    rest.field = {"extra_bytes", ElementType::kUint8, static_cast<uint32_t>(extra_bytes - used), "", "bytes that the file does not describe"};
+    rest.field = {"extra_bytes", ElementType::kUint8, static_cast<uint32_t>(extra_bytes - used), "",
+                  "bytes that the file does not describe"};
     rest.offset = used;
     out.push_back(std::move(rest));
   }

@@ -10,7 +10,8 @@ using enum ElementType;
 
 constexpr double kAngleStep = 0.006;  // degrees, of formats 6-10
 
-Dimension whole(const char* name, ElementType type, int offset, const char* unit, const char* meaning) {
+Dimension whole(const char* name, ElementType type, int offset, const char* unit,
+                const char* meaning) {
   return {{name, type, 1, unit, meaning}, {type, offset}};
 }
 Dimension bits(const char* name, int offset, int shift, int count, const char* meaning) {
@@ -26,7 +27,8 @@ void add_core(std::vector<Dimension>& out) {
   out.push_back(bits("synthetic", 15, 5, 1, "1: not from a laser pulse"));
   out.push_back(bits("key_point", 15, 6, 1, "1: model key point"));
   out.push_back(bits("withheld", 15, 7, 1, "1: deleted"));
-  out.push_back({{"scan_angle", kFloat32, 1, "deg", "angle of the pulse across track"}, {kInt8, 16}});
+  out.push_back(
+      {{"scan_angle", kFloat32, 1, "deg", "angle of the pulse across track"}, {kInt8, 16}});
   out.push_back(whole("user_data", kUint8, 17, "", ""));
   out.push_back(whole("point_source_id", kUint16, 18, "", "flight line or station"));
 }
@@ -43,7 +45,8 @@ void add_extended_core(std::vector<Dimension>& out) {
   out.push_back(bits("edge_of_flight_line", 15, 7, 1, "1: last point of a scan line"));
   out.push_back(whole("classification", kUint8, 16, "", "ASPRS class"));
   out.push_back(whole("user_data", kUint8, 17, "", ""));
-  out.push_back({{"scan_angle", kFloat32, 1, "deg", "angle of the pulse across track"}, {kInt16, 18, 0, 0, kAngleStep}});
+  out.push_back({{"scan_angle", kFloat32, 1, "deg", "angle of the pulse across track"},
+                 {kInt16, 18, 0, 0, kAngleStep}});
   out.push_back(whole("point_source_id", kUint16, 20, "", "flight line or station"));
 }
 
@@ -64,9 +67,11 @@ std::vector<Dimension> dimensions(unsigned format_id) {
   if (format.wave >= 0) {
     const int at = format.wave;
     out.push_back(whole("wavepacket_index", kUint8, at, "", "descriptor of the wave packet"));
-    out.push_back(whole("wavepacket_offset", kUint64, at + 1, "byte", "where the wave packet lies"));
+    out.push_back(
+        whole("wavepacket_offset", kUint64, at + 1, "byte", "where the wave packet lies"));
     out.push_back(whole("wavepacket_size", kUint32, at + 9, "byte", "length of the wave packet"));
-    out.push_back(whole("return_point_wave_location", kFloat32, at + 13, "ps", "of the return in the wave packet"));
+    out.push_back(whole("return_point_wave_location", kFloat32, at + 13, "ps",
+                        "of the return in the wave packet"));
     out.push_back(whole("x_t", kFloat32, at + 17, "", "direction of the wave packet"));
     out.push_back(whole("y_t", kFloat32, at + 21, "", "direction of the wave packet"));
     out.push_back(whole("z_t", kFloat32, at + 25, "", "direction of the wave packet"));

@@ -8,10 +8,12 @@
 #include "base/field.h"
 #include "formats/las_layout.h"
 
-// The standard dimensions of LAS points as fields of a cloud, and where each lies in the record of each format.
+// The standard dimensions of LAS points as fields of a cloud, and where each lies in the record of
+// each format.
 namespace jalon::las {
 
-/// Where a dimension lies: an integer of 1, 2, 4 or 8 bytes, or a float; of a byte, `bits` bits from `shift` on (0 = all).
+/// Where a dimension lies: an integer of 1, 2, 4 or 8 bytes, or a float; of a byte, `bits` bits
+/// from `shift` on (0 = all).
 struct Place {
   ElementType type;
   int offset = -1;

@@ -24,7 +24,8 @@ struct StandardColumn {
 struct ExtraColumn {
   ColumnPtr column;
   size_t offset = 0;
-  uint32_t component = 0, components = 1;  ///< the components written: [component, component + components)
+  uint32_t component = 0,
+           components = 1;  ///< the components written: [component, component + components)
   bool scaled = false;
   ElementType raw_type = ElementType::kUint8;
   std::array<double, 3> scale{1, 1, 1}, shift{0, 0, 0};
@@ -48,9 +49,12 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const ParamSet& opti
 
 // The parts of it.
 /// Fields that the format's dimensions can hold exactly; the others are named in `left`.
-std::vector<StandardColumn> standard_columns(const FieldTable& fields, unsigned format, std::vector<ColumnPtr>& left, Task& task);
-/// Lays the other fields out behind the core of the record, with the descriptors that their file had where they still fit.
-std::vector<ExtraColumn> extra_columns(const std::vector<ColumnPtr>& fields, const std::vector<ExtraDimension>& known, size_t core,
+std::vector<StandardColumn> standard_columns(const FieldTable& fields, unsigned format,
+                                             std::vector<ColumnPtr>& left, Task& task);
+/// Lays the other fields out behind the core of the record, with the descriptors that their file
+/// had where they still fit.
+std::vector<ExtraColumn> extra_columns(const std::vector<ColumnPtr>& fields,
+                                       const std::vector<ExtraDimension>& known, size_t core,
                                        Task& task);
 
 }  // namespace jalon::las

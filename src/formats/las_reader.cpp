@@ -16,8 +16,9 @@ namespace {
 
 using namespace las;
 
-constexpr size_t kGrain = size_t{1} << 16;       // points a chunk: some milliseconds
-constexpr size_t kBlockBytes = size_t{96} << 10;  // read at once: stays in the cache, and below the allocator's mmap limit
+constexpr size_t kGrain = size_t{1} << 16;  // points a chunk: some milliseconds
+constexpr size_t kBlockBytes =
+    size_t{96} << 10;  // read at once: stays in the cache, and below the allocator's mmap limit
 
 /// Copies one dimension of a block of records into its column.
 struct Extraction {
@@ -28,25 +29,30 @@ struct Extraction {
   double factor = 1;
   const double* scale = nullptr;  ///< of a scaled extra dimension, one a component
   const double* move = nullptr;
-  void (*run)(const Extraction&, const std::byte* records, size_t stride, size_t n, size_t first) = nullptr;
+  void (*run)(const Extraction&, const std::byte* records, size_t stride, size_t n,
+              size_t first) = nullptr;
 };
 
 template <class T>
-void copy_whole(const Extraction& e, const std::byte* records, size_t stride, size_t n, size_t first) {
+void copy_whole(const Extraction& e, const std::byte* records, size_t stride, size_t n,
+                size_t first) {
   T* out = static_cast<T*>(e.column->raw()) + first;
   const std::byte* from = records + e.offset;
   for (size_t i = 0; i < n; ++i) out[i] = load<T>(from + i * stride);
 }
 
-void copy_bits(const Extraction& e, const std::byte* records, size_t stride, size_t n, size_t first) {
+void copy_bits(const Extraction& e, const std::byte* records, size_t stride, size_t n,
+               size_t first) {
   auto* out = static_cast<uint8_t*>(e.column->raw()) + first;
   const std::byte* from = records + e.offset;
   const unsigned mask = (1u << e.bits) - 1;
-  for (size_t i = 0; i < n; ++i) out[i] = static_cast<uint8_t>((static_cast<unsigned>(from[i * stride]) >> e.shift) & mask);
+  for (size_t i = 0; i < n; ++i)
+    out[i] = static_cast<uint8_t>((static_cast<unsigned>(from[i * stride]) >> e.shift) & mask);
 }
 
 template <class T>
-void copy_angle(const Extraction& e, const std::byte* records, size_t stride, size_t n, size_t first) {
+void copy_angle(const Extraction& e, const std::byte* records, size_t stride, size_t n,
+                size_t first) {
   auto* out = static_cast<float*>(e.column->raw()) + first;
   const std::byte* from = records + e.offset;
   for (size_t i = 0; i < n; ++i) out[i] = static_cast<float>(load<T>(from + i * stride) * e.factor);
@@ -54,16 +60,17 @@ void copy_angle(const Extraction& e, const std::byte* records, size_t stride, si
 
 // Several components, or a scaled dimension.
 template <class T>
-void copy_components(const Extraction& e, const std::byte* records, size_t stride, size_t n, size_t first) {
+void copy_components(const Extraction& e, const std::byte* records, size_t stride, size_t n,
+                     size_t first) {
   const size_t components = e.column->info().components;
   for (size_t i = 0; i < n; ++i)
     for (size_t c = 0; c < components; ++c) {
       const T raw = load<T>(records + i * stride + e.offset + c * sizeof(T));
       const size_t at = (first + i) * components + c;
       if (e.scale != nullptr)
-        static_cast<double*>(e.column->raw())[at] = static_cast<double>(raw) * e.scale[c] + e.move[c];
-      else
-        static_cast<T*>(e.column->raw())[at] = raw;
+        static_cast<double*>(e.column->raw())[at] =
+            static_cast<double>(raw) * e.scale[c] + e.move[c];
+      else static_cast<T*>(e.column->raw())[at] = raw;
     }
 }
 
@@ -74,12 +81,10 @@ Extraction extraction_of(const Dimension& dimension, size_t count) {
   e.shift = dimension.place.shift;
   e.bits = dimension.place.bits;
   e.factor = dimension.place.factor;
-  if (e.bits != 0)
-    e.run = copy_bits;
+  if (e.bits != 0) e.run = copy_bits;
   else if (dimension.field.type != dimension.place.type)
     e.run = dimension.place.type == ElementType::kInt8 ? copy_angle<int8_t> : copy_angle<int16_t>;
-  else
-    e.run = visit(dimension.place.type, [](auto zero) { return &copy_whole<decltype(zero)>; });
+  else e.run = visit(dimension.place.type, [](auto zero) { return &copy_whole<decltype(zero)>; });
   return e;
 }
 
@@ -92,13 +97,15 @@ Extraction extraction_of(const ExtraDimension& dimension, size_t extra_offset, s
     e.move = dimension.shift;
   }
   const bool plain = !dimension.scaled && dimension.field.components == 1;
-  e.run = visit(dimension.raw_type, [&](auto zero) { return plain ? &copy_whole<decltype(zero)> : &copy_components<decltype(zero)>; });
+  e.run = visit(dimension.raw_type, [&](auto zero) {
+    return plain ? &copy_whole<decltype(zero)> : &copy_components<decltype(zero)>;
+  });
   return e;
 }
 
 // The unit that the user gave, or that the CRS says.
-LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs, const ByteSource& source,
-                         const ParamSet& options, Task& task) {
+LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs,
+                         const ByteSource& source, const ParamSet& options, Task& task) {
   const std::string& unit = options.text("unit");
   LengthUnits units;
   units.known = true;
@@ -106,14 +113,18 @@ LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Reco
   if (unit == "us_survey_foot") units.horizontal = units.vertical = kUsFoot;
   if (unit == "auto") units = units_of(vlrs, evlrs, source.path());
   if (units.degrees)
-    task.log(Task::kWarning, "%s: the CRS is geographic: x and y are degrees, or the CRS is wrong; project the file before measuring in it",
+    task.log(Task::kWarning,
+             "%s: the CRS is geographic: x and y are degrees, or the CRS is wrong; project the "
+             "file before measuring in it",
              source.path().c_str());
-  if (!units.metres()) task.log(Task::kInfo, "%s: coordinates are in feet or another unit; converted to metres", source.path().c_str());
+  if (!units.metres())
+    task.log(Task::kInfo, "%s: coordinates are in feet or another unit; converted to metres",
+             source.path().c_str());
   return units;
 }
 
-void decode_points(const ByteSource& source, const Header& header, const LengthUnits& units, std::span<double> xyz,
-                   const std::vector<Extraction>& extractions, Task& task) {
+void decode_points(const ByteSource& source, const Header& header, const LengthUnits& units,
+                   std::span<double> xyz, const std::vector<Extraction>& extractions, Task& task) {
   const size_t stride = header.record_bytes;
   const size_t block = std::max<size_t>(1, kBlockBytes / stride);
   const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
@@ -135,7 +146,8 @@ void decode_points(const ByteSource& source, const Header& header, const LengthU
   });
 }
 
-std::shared_ptr<const std::vector<Attachment>> attachments_of(const Header& header, std::vector<Record> vlrs,
+std::shared_ptr<const std::vector<Attachment>> attachments_of(const Header& header,
+                                                              std::vector<Record> vlrs,
                                                               std::vector<Record> evlrs) {
   auto out = std::make_shared<std::vector<Attachment>>();
   out->push_back({"las:header", header.raw});
@@ -154,10 +166,13 @@ Cloud read_las(const ByteSource& source, const ParamSet& options, Task& task) {
 
   const size_t count = header.count;
   const size_t core = point_format(header.format)->bytes;
-  const std::vector<ExtraDimension> extra = extra_dimensions(vlrs, evlrs, header.record_bytes - core, task);
+  const std::vector<ExtraDimension> extra =
+      extra_dimensions(vlrs, evlrs, header.record_bytes - core, task);
   std::vector<Extraction> extractions;
-  for (const Dimension& dimension : dimensions(header.format)) extractions.push_back(extraction_of(dimension, count));
-  for (const ExtraDimension& dimension : extra) extractions.push_back(extraction_of(dimension, core, count));
+  for (const Dimension& dimension : dimensions(header.format))
+    extractions.push_back(extraction_of(dimension, count));
+  for (const ExtraDimension& dimension : extra)
+    extractions.push_back(extraction_of(dimension, core, count));
   Buffer<double> xyz(3 * count);
   prefer_large_pages(xyz.data(), xyz.size() * sizeof(double));
   for (const Extraction& e : extractions) prefer_large_pages(e.column->raw(), e.column->bytes());
@@ -166,7 +181,9 @@ Cloud read_las(const ByteSource& source, const ParamSet& options, Task& task) {
     decode_points(source, header, units, xyz, extractions, task);
   }
   Cloud cloud = make_cloud(std::move(xyz));
-  for (Extraction& e : extractions) cloud.fields.set(std::move(e.column));  // an extra dimension replaces the standard one of its name
+  for (Extraction& e : extractions)
+    cloud.fields.set(
+        std::move(e.column));  // an extra dimension replaces the standard one of its name
   cloud.crs = crs_text(vlrs, evlrs);
   cloud.attachments = attachments_of(header, std::move(vlrs), std::move(evlrs));
   return finish_cloud(std::move(cloud), source, options, task);

@@ -22,10 +22,15 @@ constexpr size_t kGrain = size_t{1} << 14;       // points a chunk
 constexpr size_t kBatchBytes = size_t{8} << 20;  // encoded in parallel, then written in one go
 constexpr uint16_t kWktBit = 16, kTimeTypeBit = 1, kSyntheticReturnsBit = 8;
 
-/// What the header says about the points; sums and extremes, so the order of chunks does not matter.
+/// What the header says about the points; sums and extremes, so the order of chunks does not
+/// matter.
 struct Tally {
-  std::array<int64_t, 3> min{std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max()};
-  std::array<int64_t, 3> max{std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::min()};
+  std::array<int64_t, 3> min{std::numeric_limits<int64_t>::max(),
+                             std::numeric_limits<int64_t>::max(),
+                             std::numeric_limits<int64_t>::max()};
+  std::array<int64_t, 3> max{std::numeric_limits<int64_t>::min(),
+                             std::numeric_limits<int64_t>::min(),
+                             std::numeric_limits<int64_t>::min()};
   std::array<uint64_t, 16> by_return{};
 
   Tally& operator+=(const Tally& b) {
@@ -38,29 +43,33 @@ struct Tally {
   }
 };
 
-void put_standard(const StandardColumn& standard, std::byte* records, size_t stride, size_t first, size_t n) {
+void put_standard(const StandardColumn& standard, std::byte* records, size_t stride, size_t first,
+                  size_t n) {
   const Place& place = standard.place;
   std::byte* to = records + place.offset;
   visit(standard.column->info().type, [&](auto zero) {
     using T = decltype(zero);
     const T* from = static_cast<const T*>(standard.column->raw()) + first;
     if (place.bits != 0) {
-      for (size_t i = 0; i < n; ++i) to[i * stride] |= static_cast<std::byte>(static_cast<unsigned>(from[i]) << place.shift);
+      for (size_t i = 0; i < n; ++i)
+        to[i * stride] |= static_cast<std::byte>(static_cast<unsigned>(from[i]) << place.shift);
       return;
     }
     visit(place.type, [&](auto stored_zero) {
       using Stored = decltype(stored_zero);
       for (size_t i = 0; i < n; ++i) {
         if (place.factor != 1)
-          store<Stored>(to + i * stride, static_cast<Stored>(std::nearbyint(static_cast<double>(from[i]) / place.factor)));
-        else
-          store<Stored>(to + i * stride, static_cast<Stored>(from[i]));
+          store<Stored>(
+              to + i * stride,
+              static_cast<Stored>(std::nearbyint(static_cast<double>(from[i]) / place.factor)));
+        else store<Stored>(to + i * stride, static_cast<Stored>(from[i]));
       }
     });
   });
 }
 
-void put_extra(const ExtraColumn& extra, std::byte* records, size_t stride, size_t first, size_t n) {
+void put_extra(const ExtraColumn& extra, std::byte* records, size_t stride, size_t first,
+               size_t n) {
   const size_t components = extra.column->info().components;
   visit(extra.raw_type, [&](auto raw_zero) {
     using Raw = decltype(raw_zero);
@@ -70,7 +79,8 @@ void put_extra(const ExtraColumn& extra, std::byte* records, size_t stride, size
         std::byte* to = records + i * stride + extra.offset + c * sizeof(Raw);
         if (extra.scaled) {
           const double value = static_cast<const double*>(extra.column->raw())[at];
-          store<Raw>(to, static_cast<Raw>(std::nearbyint((value - extra.shift[c]) / extra.scale[c])));
+          store<Raw>(to,
+                     static_cast<Raw>(std::nearbyint((value - extra.shift[c]) / extra.scale[c])));
         } else {
           store<Raw>(to, static_cast<const Raw*>(extra.column->raw())[at]);
         }
@@ -88,15 +98,18 @@ Tally put_points(const Plan& plan, const Cloud& cloud, std::byte* records, size_
     for (size_t k = 0; k < 3; ++k) {
       const int axis = static_cast<int>(k);
       // The plan made sure that it fits.
-      const auto steps = static_cast<int32_t>(std::nearbyint((xyz[3 * i + k] / unit[axis] - plan.offset[axis]) / plan.scale[axis]));
+      const auto steps = static_cast<int32_t>(
+          std::nearbyint((xyz[3 * i + k] / unit[axis] - plan.offset[axis]) / plan.scale[axis]));
       store<int32_t>(records + i * stride + 4 * k, steps);
       tally.min[k] = std::min<int64_t>(tally.min[k], steps);
       tally.max[k] = std::max<int64_t>(tally.max[k], steps);
     }
-  for (const StandardColumn& standard : plan.standard) put_standard(standard, records, stride, first, n);
+  for (const StandardColumn& standard : plan.standard)
+    put_standard(standard, records, stride, first, n);
   for (const ExtraColumn& extra : plan.extra) put_extra(extra, records, stride, first, n);
   const unsigned mask = point_format(plan.format)->extended ? 15 : 7;
-  for (size_t i = 0; i < n; ++i) ++tally.by_return[static_cast<unsigned>(records[i * stride + 14]) & mask];
+  for (size_t i = 0; i < n; ++i)
+    ++tally.by_return[static_cast<unsigned>(records[i * stride + 14]) & mask];
   return tally;
 }
 
@@ -104,8 +117,8 @@ void put_text(std::byte* to, const char* text) { std::memcpy(to, text, std::strl
 
 void put_identity(std::byte* out, const Plan& plan) {
   if (!plan.old_header.empty()) {
-    std::memcpy(out, plan.old_header.data(), 58);            // source id, encoding, project id, system
-    std::memcpy(out + 90, plan.old_header.data() + 90, 4);  // date
+    std::memcpy(out, plan.old_header.data(), 58);  // source id, encoding, project id, system
+    std::memcpy(out + 90, plan.old_header.data() + 90, 4);                // date
     if (plan.old_header[25] == std::byte{0}) std::memset(out + 4, 0, 4);  // reserved in 1.0
   } else {
     put_text(out + 26, "OTHER");
@@ -124,7 +137,8 @@ void put_tally(std::byte* out, const Plan& plan, const Tally& tally, uint64_t co
   const bool extended = point_format(plan.format)->extended;
   if (!extended) {
     store<uint32_t>(out + 107, static_cast<uint32_t>(count));
-    for (size_t r = 0; r < 5; ++r) store<uint32_t>(out + 111 + 4 * r, static_cast<uint32_t>(tally.by_return[r + 1]));
+    for (size_t r = 0; r < 5; ++r)
+      store<uint32_t>(out + 111 + 4 * r, static_cast<uint32_t>(tally.by_return[r + 1]));
   }
   if (plan.version_minor == 4) {
     store<uint64_t>(out + 247, count);
@@ -132,10 +146,13 @@ void put_tally(std::byte* out, const Plan& plan, const Tally& tally, uint64_t co
   }
   for (size_t k = 0; k < 3; ++k) {
     const int axis = static_cast<int>(k);
-    const auto coordinate = [&](int64_t steps) { return count == 0 ? 0 : static_cast<double>(steps) * plan.scale[axis] + plan.offset[axis]; };
+    const auto coordinate = [&](int64_t steps) {
+      return count == 0 ? 0 : static_cast<double>(steps) * plan.scale[axis] + plan.offset[axis];
+    };
     store<double>(out + 131 + 8 * k, plan.scale[axis]);
     store<double>(out + 155 + 8 * k, plan.offset[axis]);
-    const double a = coordinate(tally.min[k]), b = coordinate(tally.max[k]);  // a negative scale turns them round
+    const double a = coordinate(tally.min[k]),
+                 b = coordinate(tally.max[k]);  // a negative scale turns them round
     store<double>(out + 179 + 16 * k, std::max(a, b));
     store<double>(out + 187 + 16 * k, std::min(a, b));
   }
@@ -146,7 +163,8 @@ std::vector<std::byte> header_bytes(const Plan& plan, const Tally& tally, uint64
   put_identity(out.data(), plan);
   uint64_t point_offset = out.size();
   for (const Record& record : plan.vlrs) point_offset += record.bytes.size();
-  if (point_offset > std::numeric_limits<uint32_t>::max()) fail(Status::kLimit, "the records before the points take more than 4 GiB");
+  if (point_offset > std::numeric_limits<uint32_t>::max())
+    fail(Status::kLimit, "the records before the points take more than 4 GiB");
   out[24] = std::byte{1};
   out[25] = static_cast<std::byte>(plan.version_minor);
   store<uint16_t>(out.data() + 94, static_cast<uint16_t>(out.size()));
@@ -165,14 +183,16 @@ std::vector<std::byte> header_bytes(const Plan& plan, const Tally& tally, uint64
 Tally write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Task& task) {
   const size_t n = cloud.size();
   const size_t batch = std::max<size_t>(kGrain, kBatchBytes / plan.record_bytes / kGrain * kGrain);
-  const auto records = std::make_unique_for_overwrite<std::byte[]>(std::min(batch, n) * plan.record_bytes);
+  const auto records =
+      std::make_unique_for_overwrite<std::byte[]>(std::min(batch, n) * plan.record_bytes);
   Tally total;
   for (size_t first = 0; first < n; first += batch) {
     const size_t count = std::min(batch, n - first);
     const auto fraction = [&](size_t i) { return static_cast<double>(i) / static_cast<double>(n); };
     Span span(task, fraction(first), fraction(first + count));
     total += parallel_reduce<Tally>(task, count, kGrain, Tally{}, [&](size_t begin, size_t end) {
-      return put_points(plan, cloud, records.get() + begin * plan.record_bytes, first + begin, end - begin);
+      return put_points(plan, cloud, records.get() + begin * plan.record_bytes, first + begin,
+                        end - begin);
     });
     file.write(records.get(), count * plan.record_bytes);
   }

@@ -10,7 +10,8 @@
 
 namespace jalon {
 
-/// The lines of a text file one after the other, without their ends; memory for one line of at most 1 MiB.
+/// The lines of a text file one after the other, without their ends; memory for one line of at most
+/// 1 MiB.
 class LineReader {
  public:
   explicit LineReader(const ByteSource& source) : source_(source) {}
@@ -30,14 +31,17 @@ class LineReader {
   }
 
   uint64_t number() const { return number_; }  ///< of the line just read, from 1
-  double fraction() const { return static_cast<double>(offset_) / static_cast<double>(source_.size() + 1); }
+  double fraction() const {
+    return static_cast<double>(offset_) / static_cast<double>(source_.size() + 1);
+  }
 
  private:
   bool more() {
     constexpr size_t kMore = size_t{256} << 10;
     buffer_.erase(0, at_);
     at_ = 0;
-    if (buffer_.size() > kMaxLineBytes) source_.refuse(offset_ - buffer_.size(), "a line is longer than %zu bytes", kMaxLineBytes);
+    if (buffer_.size() > kMaxLineBytes)
+      source_.refuse(offset_ - buffer_.size(), "a line is longer than %zu bytes", kMaxLineBytes);
     const size_t have = buffer_.size();
     buffer_.resize(have + kMore);
     const size_t read = source_.read_some(offset_, buffer_.data() + have, kMore);

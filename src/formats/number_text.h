@@ -20,8 +20,7 @@ void append_number(std::string& out, T value) {
   std::to_chars_result result{};
   if constexpr (sizeof(T) == 1)
     result = std::to_chars(text, text + sizeof text, static_cast<int>(value));
-  else
-    result = std::to_chars(text, text + sizeof text, value);
+  else result = std::to_chars(text, text + sizeof text, value);
   out.append(text, result.ptr);
 }
 
@@ -38,13 +37,16 @@ inline void append_item(std::string& out, const Column& column, size_t item, cha
   });
 }
 
-/// append(begin, end, text) for [0, n), in parallel over chunks of grain items; the texts go to the file in order.
+/// append(begin, end, text) for [0, n), in parallel over chunks of grain items; the texts go to the
+/// file in order.
 template <class F>
-void write_in_batches(size_t n, size_t batch, size_t grain, AtomicFile& file, Task& task, F&& append) {
+void write_in_batches(size_t n, size_t batch, size_t grain, AtomicFile& file, Task& task,
+                      F&& append) {
   std::vector<std::string> texts((std::min(batch, n) + grain - 1) / grain);
   for (size_t first = 0; first < n; first += batch) {
     const size_t count = std::min(batch, n - first);
-    Span span(task, static_cast<double>(first) / static_cast<double>(n), static_cast<double>(first + count) / static_cast<double>(n));
+    Span span(task, static_cast<double>(first) / static_cast<double>(n),
+              static_cast<double>(first + count) / static_cast<double>(n));
     parallel_for(task, count, grain, [&](size_t begin, size_t end) {
       std::string& text = texts[begin / grain];
       text.clear();

@@ -49,7 +49,8 @@ class ObjReader {
 
  private:
   [[noreturn]] void refuse(const char* reason) const {
-    fail(Status::kFormat, "%.400s: line %llu: %s", source_.path().c_str(), static_cast<unsigned long long>(lines_.number()), reason);
+    fail(Status::kFormat, "%.400s: line %llu: %s", source_.path().c_str(),
+         static_cast<unsigned long long>(lines_.number()), reason);
   }
 
   static bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -75,24 +76,29 @@ class ObjReader {
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = next_word(line);
       ParsedNumber number;
-      if (word.empty() || parse_number_at(word.data(), word.data() + word.size(), number) != word.data() + word.size())
+      if (word.empty() || parse_number_at(word.data(), word.data() + word.size(), number) !=
+                              word.data() + word.size())
         refuse("a vertex needs three numbers");
       p[k] = number.value;
     }
     if (!is_finite(p)) refuse("a vertex is not finite");
-    if (model_.vertices.size() == std::numeric_limits<uint32_t>::max()) refuse("more than 2^32 vertices");
+    if (model_.vertices.size() == std::numeric_limits<uint32_t>::max())
+      refuse("more than 2^32 vertices");
     model_.vertices.push_back(p);
   }
 
-  // Corners are v, v/vt, v//vn or v/vt/vn, counted from 1, or back from the last vertex when negative.
+  // Corners are v, v/vt, v//vn or v/vt/vn, counted from 1, or back from the last vertex when
+  // negative.
   void face(std::string_view line) {
     polygon_.clear();
     for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
       int64_t index = 0;
       const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-      if (error != std::errc() || (end != word.data() + word.size() && *end != '/')) refuse("a corner of a face is no vertex number");
+      if (error != std::errc() || (end != word.data() + word.size() && *end != '/'))
+        refuse("a corner of a face is no vertex number");
       const auto count = static_cast<int64_t>(model_.vertices.size());
-      if (index < -count || index > count || index == 0) refuse("a face names a vertex that is not there");
+      if (index < -count || index > count || index == 0)
+        refuse("a face names a vertex that is not there");
       polygon_.push_back(static_cast<uint32_t>(index > 0 ? index - 1 : count + index));
     }
     if (polygon_.size() < 3) refuse("a face needs three corners");
@@ -104,7 +110,8 @@ class ObjReader {
   void group(std::string_view line) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
     const std::string name = name_from_file(line, "default");
-    const auto [entry, added] = groups_.try_emplace(name, static_cast<uint32_t>(model_.parts.size()));
+    const auto [entry, added] =
+        groups_.try_emplace(name, static_cast<uint32_t>(model_.parts.size()));
     if (added) model_.parts.push_back({name, "", kNoParent});
     group_ = entry->second;
   }

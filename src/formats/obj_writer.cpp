@@ -18,7 +18,8 @@ constexpr size_t kBatch = 16 * kGrain;
 // A group's name is one word.
 std::string word_of(const std::string& name, const std::string& fallback) {
   std::string out;
-  for (const char c : name) out += static_cast<unsigned char>(c) <= 0x20 || c == 0x7f || c == '#' || c == '\\' ? '_' : c;
+  for (const char c : name)
+    out += static_cast<unsigned char>(c) <= 0x20 || c == 0x7f || c == '#' || c == '\\' ? '_' : c;
   return out.empty() ? fallback : out;
 }
 
@@ -30,10 +31,13 @@ void append_corner(std::string& out, uint32_t vertex) {
 bool is_convex(const Model& model, const Face& face) {
   const Ring& ring = model.rings[face.first_ring];
   const PlaneAxes axes = axes_of(face.plane.normal);
-  const auto corner = [&](uint64_t i) { return model.vertices[model.corners[ring.first + i % ring.count]]; };
+  const auto corner = [&](uint64_t i) {
+    return model.vertices[model.corners[ring.first + i % ring.count]];
+  };
   const Vec3 origin = corner(0);
   for (uint64_t i = 0; i < ring.count; ++i) {
-    const Vec2 a = axes.project(corner(i), origin), b = axes.project(corner(i + 1), origin), c = axes.project(corner(i + 2), origin);
+    const Vec2 a = axes.project(corner(i), origin), b = axes.project(corner(i + 1), origin),
+               c = axes.project(corner(i + 2), origin);
     if (cross(b - a, c - b) < 0) return false;
   }
   // Turning left everywhere also holds for a star; four corners cannot make one.
@@ -62,9 +66,11 @@ void append_outlines(std::string& out, const Model& model, const Face& face) {
   for (uint64_t r = 0; r < face.ring_count; ++r) {
     const Ring& ring = model.rings[face.first_ring + r];
     if (ring.count < 2) continue;
-    const std::string name = r == 0 ? numbered("outline", face.id) : numbered(numbered("opening", face.id), r);
+    const std::string name =
+        r == 0 ? numbered("outline", face.id) : numbered(numbered("opening", face.id), r);
     out.append("g ").append(name).append("\nl");
-    for (uint64_t c = 0; c <= ring.count; ++c) append_corner(out, model.corners[ring.first + c % ring.count]);
+    for (uint64_t c = 0; c <= ring.count; ++c)
+      append_corner(out, model.corners[ring.first + c % ring.count]);
     out += "\n";
   }
 }
@@ -78,7 +84,9 @@ void write_faces(AtomicFile& file, const Model& model, Task& task) {
     if (face.ring_count == 0 || model.rings[face.first_ring].count < 3) continue;
     if (face.part != part && face.part < model.parts.size()) {
       part = face.part;
-      text.append("o ").append(word_of(model.parts[part].name, numbered("part", part))).append("\n");
+      text.append("o ")
+          .append(word_of(model.parts[part].name, numbered("part", part)))
+          .append("\n");
     }
     append_face(text, model, face);
     file.write(text);
@@ -94,21 +102,26 @@ void write_mesh(AtomicFile& file, const Model& model, Task& task) {
   if (model.triangles.empty()) return;
   file.write("o mesh\n");
   const bool by_part = model.faces.empty() && !model.parts.empty() &&
-                       std::ranges::all_of(model.triangle_faces, [&](uint32_t id) { return id < model.parts.size(); });
+                       std::ranges::all_of(model.triangle_faces,
+                                           [&](uint32_t id) { return id < model.parts.size(); });
   uint32_t last = ~uint32_t{0};
-  write_in_batches(model.triangles.size(), kBatch, kBatch, file, task, [&](size_t begin, size_t end, std::string& out) {
-    for (size_t i = begin; i < end; ++i) {
-      const uint32_t id = model.triangle_faces[i];
-      if (i == 0 || id != last) {
-        const std::string number = std::to_string(id);
-        out += "g " + (by_part ? word_of(model.parts[id].name, "part_" + number) : "face_" + number) + "\n";
-      }
-      last = id;
-      out += "f";
-      for (const uint32_t corner : model.triangles[i]) append_corner(out, corner);
-      out += "\n";
-    }
-  });
+  write_in_batches(
+      model.triangles.size(), kBatch, kBatch, file, task,
+      [&](size_t begin, size_t end, std::string& out) {
+        for (size_t i = begin; i < end; ++i) {
+          const uint32_t id = model.triangle_faces[i];
+          if (i == 0 || id != last) {
+            const std::string number = std::to_string(id);
+            out += "g " +
+                   (by_part ? word_of(model.parts[id].name, "part_" + number) : "face_" + number) +
+                   "\n";
+          }
+          last = id;
+          out += "f";
+          for (const uint32_t corner : model.triangles[i]) append_corner(out, corner);
+          out += "\n";
+        }
+      });
 }
 
 }  // namespace
@@ -120,16 +133,17 @@ void write_obj(const Model& model, const std::string& path, Task& task) {
   file.write("# Jalon, coordinates in metres\n");
   {
     Span span(task, 0, 0.4);
-    write_in_batches(model.vertices.size(), kBatch, kGrain, file, task, [&](size_t begin, size_t end, std::string& out) {
-      for (size_t i = begin; i < end; ++i) {
-        out += "v";
-        for (int k = 0; k < 3; ++k) {
-          out += ' ';
-          append_number(out, model.vertices[i][k]);
-        }
-        out += '\n';
-      }
-    });
+    write_in_batches(model.vertices.size(), kBatch, kGrain, file, task,
+                     [&](size_t begin, size_t end, std::string& out) {
+                       for (size_t i = begin; i < end; ++i) {
+                         out += "v";
+                         for (int k = 0; k < 3; ++k) {
+                           out += ' ';
+                           append_number(out, model.vertices[i][k]);
+                         }
+                         out += '\n';
+                       }
+                     });
   }
   {
     Span span(task, 0.4, 0.7);

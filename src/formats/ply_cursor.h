@@ -15,11 +15,15 @@
 
 namespace jalon::ply {
 
-/// Reads the values behind a PLY header one after the other, in any of the three encodings. Never beyond the end of the file.
+/// Reads the values behind a PLY header one after the other, in any of the three encodings. Never
+/// beyond the end of the file.
 class Cursor {
  public:
   Cursor(const ByteSource& source, Encoding encoding, uint64_t offset)
-      : source_(source), encoding_(encoding), offset_(offset), buffer_(std::make_unique_for_overwrite<char[]>(kBufferBytes)) {}
+      : source_(source),
+        encoding_(encoding),
+        offset_(offset),
+        buffer_(std::make_unique_for_overwrite<char[]>(kBufferBytes)) {}
 
   /// Where the next value lies.
   uint64_t offset() const { return offset_ + at_; }
@@ -32,7 +36,8 @@ class Cursor {
       using Stored = decltype(zero);
       if (encoding_ == Encoding::kAscii) return token<T, Stored>();
       const char* bytes = need(sizeof(Stored));
-      const Stored stored = encoding_ == Encoding::kLittle ? load<Stored>(bytes) : load<Stored, std::endian::big>(bytes);
+      const Stored stored = encoding_ == Encoding::kLittle ? load<Stored>(bytes)
+                                                           : load<Stored, std::endian::big>(bytes);
       at_ += sizeof(Stored);
       return converted<T>(stored);
     });
@@ -44,7 +49,8 @@ class Cursor {
     const auto length = value<int64_t>(property.count_type);
     const uint64_t item = encoding_ == Encoding::kAscii ? 2 : size_of(property.type);
     if (length < 0 || static_cast<uint64_t>(length) > (remaining() + 1) / item)
-      source_.refuse(from, "a list of %lld items does not fit the file", static_cast<long long>(length));
+      source_.refuse(from, "a list of %lld items does not fit the file",
+                     static_cast<long long>(length));
     return static_cast<uint64_t>(length);
   }
 
@@ -82,7 +88,8 @@ class Cursor {
     offset_ += at_;
     filled_ -= at_;
     at_ = 0;
-    filled_ += source_.read_some(offset_ + filled_, buffer_.get() + filled_, kBufferBytes - filled_);
+    filled_ +=
+        source_.read_some(offset_ + filled_, buffer_.get() + filled_, kBufferBytes - filled_);
   }
 
   static bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
@@ -116,7 +123,8 @@ class Cursor {
         if (stop != nullptr && number.value != static_cast<double>(stored)) stop = nullptr;
       }
     }
-    if (stop == nullptr || (stop != end && !is_blank(*stop))) source_.refuse(offset(), "there is no number of the property's type here");
+    if (stop == nullptr || (stop != end && !is_blank(*stop)))
+      source_.refuse(offset(), "there is no number of the property's type here");
     at_ += static_cast<size_t>(stop - begin);
     return converted<T>(stored);
   }

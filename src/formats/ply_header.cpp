@@ -19,12 +19,15 @@ bool parse_type(std::string_view word, ElementType& out) {
   static constexpr struct {
     const char* word;
     ElementType type;
-  } kTypes[] = {{"char", ElementType::kInt8},      {"int8", ElementType::kInt8},       {"uchar", ElementType::kUint8},
-                {"uint8", ElementType::kUint8},    {"short", ElementType::kInt16},     {"int16", ElementType::kInt16},
-                {"ushort", ElementType::kUint16},  {"uint16", ElementType::kUint16},   {"int", ElementType::kInt32},
-                {"int32", ElementType::kInt32},    {"uint", ElementType::kUint32},     {"uint32", ElementType::kUint32},
-                {"int64", ElementType::kInt64},    {"uint64", ElementType::kUint64},   {"float", ElementType::kFloat32},
-                {"float32", ElementType::kFloat32}, {"double", ElementType::kFloat64}, {"float64", ElementType::kFloat64}};
+  } kTypes[] = {{"char", ElementType::kInt8},      {"int8", ElementType::kInt8},
+                {"uchar", ElementType::kUint8},    {"uint8", ElementType::kUint8},
+                {"short", ElementType::kInt16},    {"int16", ElementType::kInt16},
+                {"ushort", ElementType::kUint16},  {"uint16", ElementType::kUint16},
+                {"int", ElementType::kInt32},      {"int32", ElementType::kInt32},
+                {"uint", ElementType::kUint32},    {"uint32", ElementType::kUint32},
+                {"int64", ElementType::kInt64},    {"uint64", ElementType::kUint64},
+                {"float", ElementType::kFloat32},  {"float32", ElementType::kFloat32},
+                {"double", ElementType::kFloat64}, {"float64", ElementType::kFloat64}};
   for (const auto& row : kTypes)
     if (word == row.word) {
       out = row.type;
@@ -35,7 +38,8 @@ bool parse_type(std::string_view word, ElementType& out) {
 
 class Parser {
  public:
-  explicit Parser(const ByteSource& source) : source_(source), bytes_(std::min<uint64_t>(source.size(), kMaxHeaderBytes), '\0') {
+  explicit Parser(const ByteSource& source)
+      : source_(source), bytes_(std::min<uint64_t>(source.size(), kMaxHeaderBytes), '\0') {
     bytes_.resize(source.read_some(0, bytes_.data(), bytes_.size()));
   }
 
@@ -72,14 +76,10 @@ class Parser {
 
   bool parse_format(const std::vector<std::string_view>& words, size_t at) {
     const std::string_view name = words.size() > 1 ? words[1] : "";
-    if (name == "ascii")
-      header_.encoding = Encoding::kAscii;
-    else if (name == "binary_little_endian")
-      header_.encoding = Encoding::kLittle;
-    else if (name == "binary_big_endian")
-      header_.encoding = Encoding::kBig;
-    else
-      source_.refuse(at, "the format is none of ascii, binary_little_endian, binary_big_endian");
+    if (name == "ascii") header_.encoding = Encoding::kAscii;
+    else if (name == "binary_little_endian") header_.encoding = Encoding::kLittle;
+    else if (name == "binary_big_endian") header_.encoding = Encoding::kBig;
+    else source_.refuse(at, "the format is none of ascii, binary_little_endian, binary_big_endian");
     return true;
   }
 
@@ -91,10 +91,13 @@ class Parser {
   void add_element(const std::vector<std::string_view>& words, size_t at) {
     Element element;
     if (words.size() != 3) source_.refuse(at, "an element needs a name and a count");
-    const auto [end, error] = std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
-    if (error != std::errc() || end != words[2].data() + words[2].size()) source_.refuse(at, "the element's count is no number");
+    const auto [end, error] =
+        std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
+    if (error != std::errc() || end != words[2].data() + words[2].size())
+      source_.refuse(at, "the element's count is no number");
     element.name = valid_utf8(words[1]);
-    if (header_.elements.size() == kMaxElements) source_.refuse(at, "more than %zu elements", kMaxElements);
+    if (header_.elements.size() == kMaxElements)
+      source_.refuse(at, "more than %zu elements", kMaxElements);
     header_.elements.push_back(std::move(element));
   }
 
@@ -105,10 +108,13 @@ class Parser {
     property.list = words.size() > 1 && words[1] == "list";
     const size_t type = property.list ? 3 : 1;
     if (words.size() != type + 2) source_.refuse(at, "a property needs a type and a name");
-    const bool known = parse_type(words[type], property.type) && (!property.list || parse_type(words[2], property.count_type));
+    const bool known = parse_type(words[type], property.type) &&
+                       (!property.list || parse_type(words[2], property.count_type));
     if (!known) source_.refuse(at, "the property's type is unknown");
-    if (property.list && is_floating(property.count_type)) source_.refuse(at, "the length of a list must be a whole number");
-    if (properties.size() == kMaxProperties) source_.refuse(at, "more than %zu properties", kMaxProperties);
+    if (property.list && is_floating(property.count_type))
+      source_.refuse(at, "the length of a list must be a whole number");
+    if (properties.size() == kMaxProperties)
+      source_.refuse(at, "more than %zu properties", kMaxProperties);
     property.name = name_from_file(words[type + 1], numbered("property", properties.size() + 1));
     properties.push_back(std::move(property));
   }
@@ -120,8 +126,10 @@ class Parser {
       const uint64_t bytes = element.least_bytes(header_.encoding);
       if (bytes == 0) continue;
       if (element.count > room / bytes)
-        source_.refuse(header_.data_offset, "the header promises %llu of element \"%.60s\", the file has room for %llu",
-                       static_cast<unsigned long long>(element.count), element.name.c_str(), static_cast<unsigned long long>(room / bytes));
+        source_.refuse(header_.data_offset,
+                       "the header promises %llu of element \"%.60s\", the file has room for %llu",
+                       static_cast<unsigned long long>(element.count), element.name.c_str(),
+                       static_cast<unsigned long long>(room / bytes));
       room -= element.count * bytes;
     }
   }
@@ -144,7 +152,9 @@ uint64_t Element::least_bytes(Encoding encoding) const {
   constexpr uint64_t kAsciiBytes = 2;  // a digit and what parts it from the next
   uint64_t bytes = 0;
   for (const Property& property : properties)
-    bytes += encoding == Encoding::kAscii ? kAsciiBytes : size_of(property.list ? property.count_type : property.type);
+    bytes += encoding == Encoding::kAscii
+                 ? kAsciiBytes
+                 : size_of(property.list ? property.count_type : property.type);
   return bytes;
 }
 

@@ -25,7 +25,8 @@ struct Element {
   uint64_t count = 0;
   std::vector<Property> properties;
   bool has_list() const;
-  /// Bytes of one item, a list counting with its length alone: exact without lists, a lower bound with them.
+  /// Bytes of one item, a list counting with its length alone: exact without lists, a lower bound
+  /// with them.
   uint64_t least_bytes(Encoding encoding) const;
 };
 

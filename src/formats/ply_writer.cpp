@@ -27,14 +27,22 @@ Form form_of(const ParamSet& options) {
 
 const char* type_word(ElementType type) {
   switch (type) {
-    case ElementType::kInt8: return "char";
-    case ElementType::kUint8: return "uchar";
-    case ElementType::kInt16: return "short";
-    case ElementType::kUint16: return "ushort";
-    case ElementType::kInt32: return "int";
-    case ElementType::kUint32: return "uint";
-    case ElementType::kFloat32: return "float";
-    default: return "double";
+    case ElementType::kInt8:
+      return "char";
+    case ElementType::kUint8:
+      return "uchar";
+    case ElementType::kInt16:
+      return "short";
+    case ElementType::kUint16:
+      return "ushort";
+    case ElementType::kInt32:
+      return "int";
+    case ElementType::kUint32:
+      return "uint";
+    case ElementType::kFloat32:
+      return "float";
+    default:
+      return "double";
   }
 }
 
@@ -42,8 +50,8 @@ const char* type_word(ElementType type) {
 void require_exact(const Column& column) {
   constexpr int64_t kLimit = int64_t{1} << 53;
   const auto refuse = [&](size_t i) {
-    fail(Status::kUnsupported, "item %zu of field \"%s\" is beyond 2^53, which PLY cannot hold", i / column.info().components,
-         column.info().name.c_str());
+    fail(Status::kUnsupported, "item %zu of field \"%s\" is beyond 2^53, which PLY cannot hold",
+         i / column.info().components, column.info().name.c_str());
   };
   if (column.info().type == ElementType::kInt64) {
     const auto values = column.values<int64_t>();
@@ -67,10 +75,13 @@ std::string property_name(std::string_view wanted, UniqueNames& unique) {
 
 std::string header_text(const Cloud& cloud, Form form) {
   std::string out = "ply\nformat ";
-  out += form == Form::kAscii ? "ascii" : form == Form::kBig ? "binary_big_endian" : "binary_little_endian";
+  out += form == Form::kAscii ? "ascii"
+         : form == Form::kBig ? "binary_big_endian"
+                              : "binary_little_endian";
   out += " 1.0\ncomment Jalon\n";
   const std::string& crs = cloud.crs;
-  if (!crs.empty() && crs.find_first_of("\r\n") == std::string::npos) out.append("comment crs ").append(crs).append("\n");
+  if (!crs.empty() && crs.find_first_of("\r\n") == std::string::npos)
+    out.append("comment crs ").append(crs).append("\n");
   out.append("element vertex ").append(std::to_string(cloud.size()));
   out += "\nproperty double x\nproperty double y\nproperty double z\n";
   UniqueNames unique;
@@ -80,8 +91,14 @@ std::string header_text(const Cloud& cloud, Form form) {
     require_exact(*column);
     for (uint32_t c = 0; c < field.components; ++c) {
       const bool normal = field.name == "normal" && field.components == 3;
-      const std::string name = normal ? std::string{'n', "xyz"[c]} : field.components == 1 ? field.name : numbered(field.name, c);
-      out.append("property ").append(type_word(field.type)).append(" ").append(property_name(name, unique)).append("\n");
+      const std::string name = normal                  ? std::string{'n', "xyz"[c]}
+                               : field.components == 1 ? field.name
+                                                       : numbered(field.name, c);
+      out.append("property ")
+          .append(type_word(field.type))
+          .append(" ")
+          .append(property_name(name, unique))
+          .append("\n");
     }
   }
   return out + "end_header\n";
@@ -104,10 +121,8 @@ void append_vertices(const Cloud& cloud, size_t begin, size_t end, std::string& 
         using T = decltype(zero);
         const T* from = static_cast<const T*>(column->raw()) + i * components;
         for (uint32_t c = 0; c < components; ++c) {
-          if constexpr (sizeof(T) == 8)
-            append_binary<Order>(out, static_cast<double>(from[c]));
-          else
-            append_binary<Order>(out, from[c]);
+          if constexpr (sizeof(T) == 8) append_binary<Order>(out, static_cast<double>(from[c]));
+          else append_binary<Order>(out, from[c]);
         }
       });
     }
@@ -118,10 +133,8 @@ void append_ascii(const Cloud& cloud, size_t begin, size_t end, int decimals, st
   for (size_t i = begin; i < end; ++i) {
     for (size_t k = 0; k < 3; ++k) {
       if (k != 0) out += ' ';
-      if (decimals < 0)
-        append_number(out, cloud.xyz()[3 * i + k]);
-      else
-        out += text_of(cloud.xyz()[3 * i + k], decimals);
+      if (decimals < 0) append_number(out, cloud.xyz()[3 * i + k]);
+      else out += text_of(cloud.xyz()[3 * i + k], decimals);
     }
     for (const ColumnPtr& column : cloud.fields) append_item(out, *column, i, ' ');
     out += '\n';
@@ -137,16 +150,20 @@ void write_ply(const Cloud& cloud, const std::string& path, const ParamSet& opti
   const std::string header = header_text(cloud, form);
   AtomicFile file(path);
   file.write(header);
-  write_in_batches(cloud.size(), kBatch, kGrain, file, task, [&](size_t begin, size_t end, std::string& out) {
-    if (form == Form::kLittle) append_vertices<std::endian::little>(cloud, begin, end, out);
-    if (form == Form::kBig) append_vertices<std::endian::big>(cloud, begin, end, out);
-    if (form == Form::kAscii) append_ascii(cloud, begin, end, decimals, out);
-  });
+  write_in_batches(cloud.size(), kBatch, kGrain, file, task,
+                   [&](size_t begin, size_t end, std::string& out) {
+                     if (form == Form::kLittle)
+                       append_vertices<std::endian::little>(cloud, begin, end, out);
+                     if (form == Form::kBig)
+                       append_vertices<std::endian::big>(cloud, begin, end, out);
+                     if (form == Form::kAscii) append_ascii(cloud, begin, end, decimals, out);
+                   });
   task.checkpoint(1);
   file.commit();
 }
 
-void write_ply_model(const Model& model, const std::string& path, const ParamSet& options, Task& task) {
+void write_ply_model(const Model& model, const std::string& path, const ParamSet& options,
+                     Task& task) {
   Span span(task, 0, 0.99, "writing PLY");
   validate(model);
   auto triangles = model.triangles;
@@ -160,9 +177,12 @@ void write_ply_model(const Model& model, const std::string& path, const ParamSet
   }
   const Form form = form_of(options);
   std::string head = "ply\nformat ";
-  head += form == Form::kAscii ? "ascii" : form == Form::kBig ? "binary_big_endian" : "binary_little_endian";
+  head += form == Form::kAscii ? "ascii"
+          : form == Form::kBig ? "binary_big_endian"
+                               : "binary_little_endian";
   head.append(" 1.0\ncomment Jalon\nelement vertex ").append(std::to_string(model.vertices.size()));
-  head.append("\nproperty double x\nproperty double y\nproperty double z\nelement face ").append(std::to_string(triangles.size()));
+  head.append("\nproperty double x\nproperty double y\nproperty double z\nelement face ")
+      .append(std::to_string(triangles.size()));
   head += "\nproperty list uchar uint vertex_indices\nproperty uint face_id\nend_header\n";
   AtomicFile file(path);
   file.write(head);
@@ -172,17 +192,20 @@ void write_ply_model(const Model& model, const std::string& path, const ParamSet
     append_number(out, value);
     out += after;
   };
-  write_in_batches(model.vertices.size(), kBatch, kGrain, file, task, [&](size_t begin, size_t end, std::string& out) {
-    for (size_t i = begin; i < end; ++i)
-      for (int k = 0; k < 3; ++k) put(out, model.vertices[i][k], k == 2 ? '\n' : ' ');
-  });
-  write_in_batches(triangles.size(), kBatch, kGrain, file, task, [&](size_t begin, size_t end, std::string& out) {
-    for (size_t i = begin; i < end; ++i) {
-      put(out, uint8_t{3}, ' ');
-      for (const uint32_t corner : triangles[i]) put(out, corner, ' ');
-      put(out, ids[i], '\n');
-    }
-  });
+  write_in_batches(model.vertices.size(), kBatch, kGrain, file, task,
+                   [&](size_t begin, size_t end, std::string& out) {
+                     for (size_t i = begin; i < end; ++i)
+                       for (int k = 0; k < 3; ++k)
+                         put(out, model.vertices[i][k], k == 2 ? '\n' : ' ');
+                   });
+  write_in_batches(triangles.size(), kBatch, kGrain, file, task,
+                   [&](size_t begin, size_t end, std::string& out) {
+                     for (size_t i = begin; i < end; ++i) {
+                       put(out, uint8_t{3}, ' ');
+                       for (const uint32_t corner : triangles[i]) put(out, corner, ' ');
+                       put(out, ids[i], '\n');
+                     }
+                   });
   task.checkpoint(1);
   file.commit();
 }

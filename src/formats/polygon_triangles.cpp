@@ -24,7 +24,8 @@ bool in_triangle(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
   return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-/// A closed chain of corners from which ears are cut. Bridges make corners appear twice, so nodes and vertices differ.
+/// A closed chain of corners from which ears are cut. Bridges make corners appear twice, so nodes
+/// and vertices differ.
 class Chain {
  public:
   explicit Chain(const std::vector<std::vector<Vec2>>& rings) {
@@ -34,16 +35,15 @@ class Chain {
       for (const Vec2& p : rings[r]) vertices_.push_back(p);
       if (rings[r].size() >= 3) {
         const uint32_t node = add_ring(rings[r], first, (area2(rings[r]) > 0) == (r == 0));
-        if (r == 0)
-          start_ = node;
-        else
-          starts.push_back(rightmost(node));
+        if (r == 0) start_ = node;
+        else starts.push_back(rightmost(node));
       }
       if (r == 0 && rings[r].size() < 3) return;
       first += static_cast<uint32_t>(rings[r].size());
     }
     // From right to left, so that a bridge may end on an opening already joined.
-    std::stable_sort(starts.begin(), starts.end(), [&](uint32_t a, uint32_t b) { return at(a).u > at(b).u; });
+    std::stable_sort(starts.begin(), starts.end(),
+                     [&](uint32_t a, uint32_t b) { return at(a).u > at(b).u; });
     for (const uint32_t node : starts) join(node);
   }
 
@@ -54,7 +54,8 @@ class Chain {
     uint32_t node = start_;
     bool crossed = false, hopeless = false;
     for (size_t tried = 0; left > 3;) {
-      // A polygon that crosses itself: from then on take what turns the right way, at last anything.
+      // A polygon that crosses itself: from then on take what turns the right way, at last
+      // anything.
       crossed = crossed || tried > left;
       hopeless = hopeless || tried > 2 * left;
       if (is_ear(node, crossed, hopeless)) {
@@ -134,7 +135,8 @@ class Chain {
     return unhidden(m, {nearest, m.v}, best);
   }
 
-  // Corners inside the triangle of m, the hit and the candidate hide the candidate: the one nearest in angle to the ray is seen.
+  // Corners inside the triangle of m, the hit and the candidate hide the candidate: the one nearest
+  // in angle to the ray is seen.
   uint32_t unhidden(const Vec2& m, const Vec2& hit, uint32_t candidate) const {
     const Vec2 p = at(candidate);
     uint32_t best = candidate;
@@ -156,14 +158,17 @@ class Chain {
     return best;
   }
 
-  // True when the direction to p lies inside the corner's angle: of the two nodes at a bridge only one does.
+  // True when the direction to p lies inside the corner's angle: of the two nodes at a bridge only
+  // one does.
   bool opens_towards(uint32_t node, const Vec2& p) const {
     const Vec2 &a = at(previous_[node]), &b = at(node), &c = at(next_[node]);
     if (turn(a, b, c) >= 0) return turn(b, c, p) >= 0 && turn(b, p, a) >= 0;
     return !(turn(b, a, p) > 0 && turn(b, p, c) > 0);
   }
 
-  bool is_reflex(uint32_t node) const { return turn(at(previous_[node]), at(node), at(next_[node])) <= 0; }
+  bool is_reflex(uint32_t node) const {
+    return turn(at(previous_[node]), at(node), at(next_[node])) <= 0;
+  }
 
   size_t mark_reflex() {
     size_t count = 0;
@@ -199,7 +204,9 @@ class Chain {
     return next_[after];  // skipping one keeps the triangles from piling up in one corner
   }
 
-  std::array<uint32_t, 3> corners(uint32_t node) const { return {vertex_[previous_[node]], vertex_[node], vertex_[next_[node]]}; }
+  std::array<uint32_t, 3> corners(uint32_t node) const {
+    return {vertex_[previous_[node]], vertex_[node], vertex_[next_[node]]};
+  }
 
   std::vector<Vec2> vertices_;
   std::vector<uint32_t> vertex_, next_, previous_, reflex_;
@@ -209,18 +216,22 @@ class Chain {
 
 }  // namespace
 
-std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<std::vector<Vec2>>& rings) { return Chain(rings).cut(); }
+std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<std::vector<Vec2>>& rings) {
+  return Chain(rings).cut();
+}
 
 PlaneAxes axes_of(const Vec3& normal) {
   const Vec3 n = normalized(normal);
-  const Vec3 help = std::fabs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};  // any direction well off the normal
+  const Vec3 help =
+      std::fabs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};  // any direction well off the normal
   const Vec3 v = normalized(cross(n, help));
   return {cross(v, n), v};
 }
 
 Vec3 newell_normal(std::span<const Vec3> corners) {
   Vec3 sum;
-  for (size_t i = 2; i < corners.size(); ++i) sum += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+  for (size_t i = 2; i < corners.size(); ++i)
+    sum += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
   return sum;
 }
 
@@ -255,11 +266,13 @@ std::vector<std::array<uint32_t, 3>> triangles_of_face(const Model& model, const
   if (outline.size() < 3) return {};
   // The stated normal, or that of the outline when there is none.
   const double length = norm(face.plane.normal);
-  const PlaneAxes axes = axes_of(length > 0.5 && length < 2 ? face.plane.normal : newell_normal(outline));
+  const PlaneAxes axes =
+      axes_of(length > 0.5 && length < 2 ? face.plane.normal : newell_normal(outline));
   size_t at = 0;
   for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r) {
     rings.emplace_back();
-    for (uint64_t c = 0; c < model.rings[r].count; ++c) rings.back().push_back(axes.project(model.vertices[corners[at++]], outline[0]));
+    for (uint64_t c = 0; c < model.rings[r].count; ++c)
+      rings.back().push_back(axes.project(model.vertices[corners[at++]], outline[0]));
   }
   std::vector<std::array<uint32_t, 3>> out = triangulate(rings);
   for (auto& triangle : out)

@@ -22,11 +22,14 @@ Model read_obj(const ByteSource& source, Task& task);
 void write_las(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task);
 void write_ply(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task);
 /// comma: CSV with a header line; otherwise blanks and "# x y z ...".
-void write_text(const Cloud& cloud, const std::string& path, bool comma, const ParamSet& options, Task& task);
-void write_ply_model(const Model& model, const std::string& path, const ParamSet& options, Task& task);
+void write_text(const Cloud& cloud, const std::string& path, bool comma, const ParamSet& options,
+                Task& task);
+void write_ply_model(const Model& model, const std::string& path, const ParamSet& options,
+                     Task& task);
 void write_obj(const Model& model, const std::string& path, Task& task);
 
-/// What all cloud readers do last: refuses the first point that is not finite, naming it, or drops all of them ("drop_invalid").
+/// What all cloud readers do last: refuses the first point that is not finite, naming it, or drops
+/// all of them ("drop_invalid").
 Cloud finish_cloud(Cloud cloud, const ByteSource& source, const ParamSet& options, Task& task);
 
 }  // namespace jalon

@@ -13,24 +13,35 @@ std::string xml_escaped(std::string_view text) {
   std::string clean = valid_utf8(text);
   // U+FFFE and U+FFFF are valid UTF-8 but no XML characters.
   for (size_t at = 0; (at = clean.find("\xEF\xBF", at)) != std::string::npos; at += 3)
-    if (const auto last = static_cast<unsigned char>(clean[at + 2]); last >= 0xBE) clean.replace(at, 3, kReplacementCharacter);
+    if (const auto last = static_cast<unsigned char>(clean[at + 2]); last >= 0xBE)
+      clean.replace(at, 3, kReplacementCharacter);
   std::string out;
   out.reserve(clean.size() + clean.size() / 8);
   for (const char c : clean) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
       case '\t':
       case '\n':
-      case '\r': out += c; break;
+      case '\r':
+        out += c;
+        break;
       default:
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-          out += kReplacementCharacter;
-        else
-          out += c;
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) out += kReplacementCharacter;
+        else out += c;
     }
   }
   return out;
@@ -71,7 +82,8 @@ SvgWriter& SvgWriter::leaf(std::string_view name, Attributes attributes) {
   return *this;
 }
 
-SvgWriter& SvgWriter::element(std::string_view name, Attributes attributes, std::string_view content) {
+SvgWriter& SvgWriter::element(std::string_view name, Attributes attributes,
+                              std::string_view content) {
   tag(name, attributes);
   out_ += '>';
   out_ += xml_escaped(content);

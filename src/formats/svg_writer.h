@@ -12,14 +12,16 @@
 
 namespace jalon {
 
-/// Text made safe for XML and HTML content and attributes: & < > " ' become references, control characters and broken UTF-8 become
-/// U+FFFD (XML 1.0 allows neither).
+/// Text made safe for XML and HTML content and attributes: & < > " ' become references, control
+/// characters and broken UTF-8 become U+FFFD (XML 1.0 allows neither).
 std::string xml_escaped(std::string_view text);
 
-/// A number for drawings: at most this many decimals, without trailing zeros; "0" when it is not finite.
+/// A number for drawings: at most this many decimals, without trailing zeros; "0" when it is not
+/// finite.
 std::string svg_number(double value, int decimals = 3);
 
-/// Builds XML text element by element; everything that comes from outside is escaped, tags always match.
+/// Builds XML text element by element; everything that comes from outside is escaped, tags always
+/// match.
 ///
 ///   SvgWriter svg;
 ///   svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"}, {"width", 640}});
@@ -47,7 +49,7 @@ class SvgWriter {
   SvgWriter& leaf(std::string_view name, Attributes attributes = {});
   /// <name ...>text</name>
   SvgWriter& element(std::string_view name, Attributes attributes, std::string_view text);
-  SvgWriter& text(std::string_view text);  ///< escaped
+  SvgWriter& text(std::string_view text);   ///< escaped
   SvgWriter& raw(std::string_view markup);  ///< as it is: own markup only
   SvgWriter& close();
 

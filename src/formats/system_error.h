@@ -10,22 +10,36 @@ namespace jalon {
 /// What an errno means, in English whatever the locale, and safe in any thread.
 inline std::string system_error_text(int code) {
   switch (code) {
-    case ENOENT: return "no such file or folder";
-    case ENOTDIR: return "a part of the path is no folder";
-    case EISDIR: return "it is a folder";
+    case ENOENT:
+      return "no such file or folder";
+    case ENOTDIR:
+      return "a part of the path is no folder";
+    case EISDIR:
+      return "it is a folder";
     case EACCES:
-    case EPERM: return "permission denied";
-    case EROFS: return "the file system is read-only";
-    case ENOSPC: return "no space left on the disk";
-    case EDQUOT: return "the disk quota is used up";
-    case EFBIG: return "the file would be too large";
-    case ENAMETOOLONG: return "the name is too long";
+    case EPERM:
+      return "permission denied";
+    case EROFS:
+      return "the file system is read-only";
+    case ENOSPC:
+      return "no space left on the disk";
+    case EDQUOT:
+      return "the disk quota is used up";
+    case EFBIG:
+      return "the file would be too large";
+    case ENAMETOOLONG:
+      return "the name is too long";
     case EMFILE:
-    case ENFILE: return "too many open files";
-    case EIO: return "the device failed";
-    case ELOOP: return "too many symbolic links";
-    case EINVAL: return "it is no regular file";
-    default: return "system error " + std::to_string(code);
+    case ENFILE:
+      return "too many open files";
+    case EIO:
+      return "the device failed";
+    case ELOOP:
+      return "too many symbolic links";
+    case EINVAL:
+      return "it is no regular file";
+    default:
+      return "system error " + std::to_string(code);
   }
 }
 

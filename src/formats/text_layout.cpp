@@ -26,7 +26,8 @@ using Cells = std::vector<std::string_view>;
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
+    text.remove_suffix(1);
   return text;
 }
 
@@ -34,7 +35,9 @@ bool is_number(std::string_view cell, bool decimal_comma) {
   std::string copy(cell);
   if (decimal_comma) std::replace(copy.begin(), copy.end(), ',', '.');
   ParsedNumber number;
-  return parse_number_at(copy.data(), copy.data() + copy.size(), number) == copy.data() + copy.size() && !copy.empty();
+  return parse_number_at(copy.data(), copy.data() + copy.size(), number) ==
+             copy.data() + copy.size() &&
+         !copy.empty();
 }
 
 double number_of(std::string_view cell, bool decimal_comma) {
@@ -47,18 +50,23 @@ double number_of(std::string_view cell, bool decimal_comma) {
 
 char separator_of(std::string_view line) {
   if (line.find(';') != std::string_view::npos) return ';';
-  // "1,5 2,5 3,5" separates by blanks only if each cell still is one number; commas then would be decimal, which blanks do not allow.
-  return line.find(',') != std::string_view::npos && line.find('\t') == std::string_view::npos ? ',' : ' ';
+  // "1,5 2,5 3,5" separates by blanks only if each cell still is one number; commas then would be
+  // decimal, which blanks do not allow.
+  return line.find(',') != std::string_view::npos && line.find('\t') == std::string_view::npos
+             ? ','
+             : ' ';
 }
 
 // The start of the file cut into lines.
 class Head {
  public:
-  explicit Head(const ByteSource& source) : bytes_(std::min<uint64_t>(source.size(), kMaxLineBytes), '\0') {
+  explicit Head(const ByteSource& source)
+      : bytes_(std::min<uint64_t>(source.size(), kMaxLineBytes), '\0') {
     bytes_.resize(source.read_some(0, bytes_.data(), bytes_.size()));
     whole_ = bytes_.size() == source.size();
     const std::string_view text = bytes_;
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) source.refuse(0, "the text is UTF-16; save it as UTF-8");
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+      source.refuse(0, "the text is UTF-16; save it as UTF-8");
     size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     for (uint64_t number = 1; at < text.size(); ++number) {
       const size_t end = text.find('\n', at);
@@ -66,7 +74,8 @@ class Head {
         if (at == 0) source.refuse(0, "the first line is longer than %zu bytes", kMaxLineBytes);
         break;
       }
-      lines_.push_back({trimmed(text.substr(at, end == std::string_view::npos ? end : end - at)), at, number});
+      lines_.push_back(
+          {trimmed(text.substr(at, end == std::string_view::npos ? end : end - at)), at, number});
       if (end == std::string_view::npos || lines_.size() > 4 * kSampleLines) break;
       at = end + 1;
     }
@@ -80,7 +89,8 @@ class Head {
 };
 
 bool has_xyz(const std::vector<std::string>& names) {
-  return std::ranges::count(names, "x") == 1 && std::ranges::count(names, "y") == 1 && std::ranges::count(names, "z") == 1;
+  return std::ranges::count(names, "x") == 1 && std::ranges::count(names, "y") == 1 &&
+         std::ranges::count(names, "z") == 1;
 }
 
 std::vector<std::string> names_of(const Cells& cells) {
@@ -91,7 +101,10 @@ std::vector<std::string> names_of(const Cells& cells) {
   }
   // r, g, b are colours only together.
   static constexpr const char* kColours[][2] = {{"r", "red"}, {"g", "green"}, {"b", "blue"}};
-  const auto has = [&](const char* letter) { return std::ranges::count_if(names, [&](const std::string& n) { return lower(n) == letter; }) == 1; };
+  const auto has = [&](const char* letter) {
+    return std::ranges::count_if(names, [&](const std::string& n) { return lower(n) == letter; }) ==
+           1;
+  };
   if (has("r") && has("g") && has("b"))
     for (std::string& name : names)
       for (const auto& [letter, colour] : kColours)
@@ -101,12 +114,14 @@ std::vector<std::string> names_of(const Cells& cells) {
       const std::string small = lower(name);
       if (small == "e" || small == "easting" || small == "east") name.assign(1, 'x');
       if (small == "n" || small == "northing" || small == "north") name.assign(1, 'y');
-      if (small == "h" || small == "height" || small == "elevation" || small == "alt") name.assign(1, 'z');
+      if (small == "h" || small == "height" || small == "elevation" || small == "alt")
+        name.assign(1, 'z');
     }
   return names;
 }
 
-// ---- the guess, for files that say nothing ---------------------------------------------------------------------------
+// ---- the guess, for files that say nothing
+// ---------------------------------------------------------------------------
 
 struct Sample {
   std::vector<std::vector<double>> rows;
@@ -118,7 +133,8 @@ struct Sample {
   }
   bool unit(size_t first) const {
     for (const auto& row : rows) {
-      const double square = row[first] * row[first] + row[first + 1] * row[first + 1] + row[first + 2] * row[first + 2];
+      const double square = row[first] * row[first] + row[first + 1] * row[first + 1] +
+                            row[first + 2] * row[first + 2];
       const bool none = square == 0 || std::isnan(square);  // points without a normal
       if (!none && std::fabs(std::sqrt(square) - 1) > kUnitTolerance) return false;
     }
@@ -126,7 +142,8 @@ struct Sample {
   }
 };
 
-void put_three(std::vector<std::string>& names, const Sample& sample, size_t first, bool other_is_colour) {
+void put_three(std::vector<std::string>& names, const Sample& sample, size_t first,
+               bool other_is_colour) {
   static constexpr const char* kColour[] = {"red", "green", "blue"};
   static constexpr const char* kNormal[] = {"nx", "ny", "nz"};
   const bool unit = sample.unit(first), colour = sample.whole_0_255(first);
@@ -145,7 +162,8 @@ std::vector<std::string> guessed_names(size_t count, const Sample& sample) {
   const size_t first = has_intensity ? 4 : 3;
   if (count == 6 || count == 7) put_three(names, sample, first, false);
   if (count == 9 || count == 10) {
-    const bool first_colour = sample.whole_0_255(first), second_colour = sample.whole_0_255(first + 3);
+    const bool first_colour = sample.whole_0_255(first),
+               second_colour = sample.whole_0_255(first + 3);
     put_three(names, sample, first, second_colour && !(first_colour && sample.unit(first + 3)));
     put_three(names, sample, first + 3, names[first] == "red");
     if (names[first] == names[first + 3])  // twice the same is no layout that anybody writes
@@ -154,11 +172,13 @@ std::vector<std::string> guessed_names(size_t count, const Sample& sample) {
   return names;
 }
 
-// ---- putting it together ---------------------------------------------------------------------------------------------
+// ---- putting it together
+// ---------------------------------------------------------------------------------------------
 
 class Detector {
  public:
-  Detector(const ByteSource& source, const std::string& option) : source_(source), option_(option), head_(source) {}
+  Detector(const ByteSource& source, const std::string& option)
+      : source_(source), option_(option), head_(source) {}
 
   TextLayout run() {
     find_first_data();
@@ -167,7 +187,8 @@ class Detector {
     layout_.data_line = first.number;
     const size_t count = cells_of(first.text, layout_.separator).size();
     if (count < 3) refuse(first, 1, "a point needs three coordinates");
-    if (count > kMaxTextColumns) refuse(first, kMaxTextColumns, "more columns than the 4096 that are read");
+    if (count > kMaxTextColumns)
+      refuse(first, kMaxTextColumns, "more columns than the 4096 that are read");
     layout_.names = option_.empty() ? names_from_file(count) : names_from_option(first, count);
     if (!has_xyz(layout_.names)) refuse(first, 1, "the columns do not name x, y and z once each");
     make_unique();
@@ -176,8 +197,8 @@ class Detector {
 
  private:
   [[noreturn]] void refuse(const Line& line, size_t column, const char* reason) const {
-    fail(Status::kFormat, "%.400s: line %llu, column %zu: %s", source_.path().c_str(), static_cast<unsigned long long>(line.number), column,
-         reason);
+    fail(Status::kFormat, "%.400s: line %llu, column %zu: %s", source_.path().c_str(),
+         static_cast<unsigned long long>(line.number), column, reason);
   }
 
   // Passes over comments, a header line and the count line of PTS.
@@ -207,7 +228,8 @@ class Detector {
       header_ = line.text;
       header_separator_ = separator;
     }
-    fail(Status::kFormat, "%.400s: line %zu, column 1: there is no line of numbers", source_.path().c_str(), lines.size());
+    fail(Status::kFormat, "%.400s: line %zu, column 1: there is no line of numbers",
+         source_.path().c_str(), lines.size());
   }
 
   static bool decimal_comma(const Cells& cells) {
@@ -232,7 +254,9 @@ class Detector {
     if (!header_.empty()) {
       std::vector<std::string> names = names_of(cells_of(header_, header_separator_));
       if (has_xyz(names)) {
-        if (names.size() != count) refuse(head_.lines()[data_], std::min(names.size(), count), "the header has another number of columns");
+        if (names.size() != count)
+          refuse(head_.lines()[data_], std::min(names.size(), count),
+                 "the header has another number of columns");
         return names;
       }
     }
@@ -242,11 +266,16 @@ class Detector {
 
   std::vector<std::string> names_from_option(const Line& first, size_t count) const {
     std::string option = option_;
-    std::replace_if(option.begin(), option.end(), [](char c) { return c == ',' || c == ';' || c == '\t' || c == '\n'; }, ' ');
+    std::replace_if(
+        option.begin(), option.end(),
+        [](char c) { return c == ',' || c == ';' || c == '\t' || c == '\n'; }, ' ');
     std::vector<std::string> names = names_of(cells_of(trimmed(option), ' '));
-    if (!has_xyz(names)) fail(Status::kInvalidArgument, "columns \"%.200s\" do not name x, y and z once each", option_.c_str());
+    if (!has_xyz(names))
+      fail(Status::kInvalidArgument, "columns \"%.200s\" do not name x, y and z once each",
+           option_.c_str());
     if (names.size() > count) {
-      const std::string reason = "the line has " + std::to_string(count) + " columns, " + std::to_string(names.size()) + " were named";
+      const std::string reason = "the line has " + std::to_string(count) + " columns, " +
+                                 std::to_string(names.size()) + " were named";
       refuse(first, count, reason.c_str());
     }
     names.resize(count);
@@ -260,7 +289,8 @@ class Detector {
       const Cells cells = cells_of(line.text, layout_.separator);
       if (is_comment(line.text) || cells.size() != count) continue;
       std::vector<double> row;
-      for (const std::string_view cell : cells) row.push_back(number_of(cell, layout_.decimal_comma));
+      for (const std::string_view cell : cells)
+        row.push_back(number_of(cell, layout_.decimal_comma));
       out.rows.push_back(std::move(row));
     }
     return out;
@@ -297,7 +327,8 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
     const bool last = end == std::string_view::npos;
     if (last) end = line.size();
     std::string_view cell = trimmed(line.substr(0, end));
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+      cell = cell.substr(1, cell.size() - 2);
     cells.push_back(cell);
     line.remove_prefix(last ? line.size() : end + 1);
     if (separator == ' ') {
@@ -312,11 +343,27 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
 std::string usual_name(std::string_view name) {
   static constexpr struct {
     const char *alias, *name;
-  } kAliases[] = {{"x", "x"},         {"y", "y"},         {"z", "z"},         {"i", "intensity"}, {"intensity", "intensity"},
-                  {"red", "red"},     {"green", "green"},
-                  {"blue", "blue"},   {"nx", "nx"},       {"ny", "ny"},       {"nz", "nz"},       {"normalx", "nx"},
-                  {"normaly", "ny"},  {"normalz", "nz"},  {"normal_x", "nx"}, {"normal_y", "ny"}, {"normal_z", "nz"},
-                  {"x[m]", "x"},      {"y[m]", "y"},      {"z[m]", "z"},      {"gpstime", "gps_time"}};
+  } kAliases[] = {{"x", "x"},
+                  {"y", "y"},
+                  {"z", "z"},
+                  {"i", "intensity"},
+                  {"intensity", "intensity"},
+                  {"red", "red"},
+                  {"green", "green"},
+                  {"blue", "blue"},
+                  {"nx", "nx"},
+                  {"ny", "ny"},
+                  {"nz", "nz"},
+                  {"normalx", "nx"},
+                  {"normaly", "ny"},
+                  {"normalz", "nz"},
+                  {"normal_x", "nx"},
+                  {"normal_y", "ny"},
+                  {"normal_z", "nz"},
+                  {"x[m]", "x"},
+                  {"y[m]", "y"},
+                  {"z[m]", "z"},
+                  {"gpstime", "gps_time"}};
   const std::string small = lower(name);
   for (const auto& row : kAliases)
     if (small == row.alias) return row.name;

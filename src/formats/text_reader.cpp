@@ -21,16 +21,19 @@ namespace jalon {
 namespace {
 
 constexpr size_t kBlockBytes = size_t{1} << 20;
-constexpr size_t kMoreBytes = size_t{64} << 10;  // read at a time to find the end of a block's last line
-constexpr size_t kNumberBytes = 400;             // longest cell taken for a number with decimal comma
+constexpr size_t kMoreBytes = size_t{64}
+                              << 10;  // read at a time to find the end of a block's last line
+constexpr size_t kNumberBytes = 400;  // longest cell taken for a number with decimal comma
 
 /// The lines that start in one block of the file. The cuts depend on the file only.
 class Block {
  public:
   Block(const ByteSource& source, uint64_t data_begin, size_t index) : source_(source) {
     const uint64_t begin = data_begin + uint64_t{index} * kBlockBytes;
-    const uint64_t from = index == 0 ? begin : begin - 1;  // the byte before tells whether a line starts here
-    const auto nominal = static_cast<size_t>(std::min<uint64_t>(kBlockBytes, source.size() - begin) + (begin - from));
+    const uint64_t from =
+        index == 0 ? begin : begin - 1;  // the byte before tells whether a line starts here
+    const auto nominal = static_cast<size_t>(
+        std::min<uint64_t>(kBlockBytes, source.size() - begin) + (begin - from));
     bytes_.reset(static_cast<char*>(std::malloc(nominal)));
     if (!bytes_) throw std::bad_alloc();
     size_ = source.read_some(from, bytes_.get(), nominal);
@@ -38,7 +41,9 @@ class Block {
     limit_ = size_;
     if (index != 0) {
       const void* feed = size_ == 0 ? nullptr : std::memchr(bytes_.get(), '\n', size_);
-      at_ = feed == nullptr ? size_ : static_cast<size_t>(static_cast<const char*>(feed) - bytes_.get()) + 1;
+      at_ = feed == nullptr
+                ? size_
+                : static_cast<size_t>(static_cast<const char*>(feed) - bytes_.get()) + 1;
     }
   }
 
@@ -46,8 +51,11 @@ class Block {
   bool next(std::string_view& line) {
     if (at_ >= limit_) return false;
     const void* feed = std::memchr(bytes_.get() + at_, '\n', size_ - at_);
-    while (feed == nullptr && read_more()) feed = std::memchr(bytes_.get() + at_, '\n', size_ - at_);
-    const size_t end = feed == nullptr ? size_ : static_cast<size_t>(static_cast<const char*>(feed) - bytes_.get());
+    while (feed == nullptr && read_more())
+      feed = std::memchr(bytes_.get() + at_, '\n', size_ - at_);
+    const size_t end = feed == nullptr
+                           ? size_
+                           : static_cast<size_t>(static_cast<const char*>(feed) - bytes_.get());
     line = {bytes_.get() + at_, end - at_};
     at_ = end + 1;
     return true;
@@ -55,7 +63,8 @@ class Block {
 
  private:
   bool read_more() {
-    if (size_ - at_ > kMaxLineBytes) source_.refuse(offset_ + at_, "a line is longer than %zu bytes", kMaxLineBytes);
+    if (size_ - at_ > kMaxLineBytes)
+      source_.refuse(offset_ + at_, "a line is longer than %zu bytes", kMaxLineBytes);
     const uint64_t from = offset_ + size_;
     if (from >= source_.size()) return false;
     const auto more = static_cast<size_t>(std::min<uint64_t>(kMoreBytes, source_.size() - from));
@@ -90,7 +99,8 @@ struct Column64 {
 
 struct Range {
   bool integers = true, wide = false, beyond_signed = false, beyond_unsigned = false;
-  double min = std::numeric_limits<double>::infinity(), max = -std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity(),
+         max = -std::numeric_limits<double>::infinity();
   void add(const ParsedNumber& number) {
     integers = integers && number.integer;
     wide = wide || number.wide;
@@ -162,24 +172,33 @@ class TextReader {
     }
   }
 
-  bool is_data(std::string_view line) const { return !is_comment(line) && !(layout_.count_lines && is_count_line(line)); }
+  bool is_data(std::string_view line) const {
+    return !is_comment(line) && !(layout_.count_lines && is_count_line(line));
+  }
 
-  /// One array a column: coordinates and normals in place, all others as doubles until their kind is known.
+  /// One array a column: coordinates and normals in place, all others as doubles until their kind
+  /// is known.
   void prepare(Buffer<double>& xyz) {
     const auto& names = layout_.names;
     columns_.resize(names.size());
     held_.resize(names.size());
-    const bool normals = std::ranges::count(names, "nx") == 1 && std::ranges::count(names, "ny") == 1 && std::ranges::count(names, "nz") == 1;
-    if (normals) normal_ = std::make_shared<Column>(FieldInfo{"normal", ElementType::kFloat32, 3, "", "unit normal"}, points_);
+    const bool normals = std::ranges::count(names, "nx") == 1 &&
+                         std::ranges::count(names, "ny") == 1 &&
+                         std::ranges::count(names, "nz") == 1;
+    if (normals)
+      normal_ = std::make_shared<Column>(
+          FieldInfo{"normal", ElementType::kFloat32, 3, "", "unit normal"}, points_);
     for (size_t c = 0; c < names.size(); ++c) {
       if (names[c].empty()) continue;
       for (size_t k = 0; k < 3; ++k) {
-        if (names[c] == std::string_view("xyz").substr(k, 1)) columns_[c] = {Column64::kNumbers, xyz.data() + k, 3};
+        if (names[c] == std::string_view("xyz").substr(k, 1))
+          columns_[c] = {Column64::kNumbers, xyz.data() + k, 3};
         if (normals && names[c] == std::string("n") + "xyz"[k])
           columns_[c] = {Column64::kFloats, static_cast<float*>(normal_->raw()) + k, 3};
       }
       if (columns_[c].kind != Column64::kSkip) continue;
-      held_[c] = std::make_shared<Column>(FieldInfo{names[c], ElementType::kFloat64, 1, "", ""}, points_);
+      held_[c] =
+          std::make_shared<Column>(FieldInfo{names[c], ElementType::kFloat64, 1, "", ""}, points_);
       columns_[c] = {Column64::kNumbers, held_[c]->raw(), 1};
     }
   }
@@ -211,19 +230,23 @@ class TextReader {
       while (p < end && is_blank(*p)) ++p;
       if (layout_.separator == ' ' || p == end) continue;
       if (*p != layout_.separator) refuse(number, c, "this is no number");
-      if (++p == end && c + 1 == columns_.size()) refuse(number, c + 1, "the line has more columns than the first one");
+      if (++p == end && c + 1 == columns_.size())
+        refuse(number, c + 1, "the line has more columns than the first one");
     }
     if (p < end) refuse(number, columns_.size(), "the line has more columns than the first one");
   }
 
   static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-  // An empty cell of a table is a value that is not there; of blank-separated text it is a line too short.
-  const char* parse_cell(const char* p, const char* end, size_t c, uint64_t number, size_t point, Range& range) const {
+  // An empty cell of a table is a value that is not there; of blank-separated text it is a line too
+  // short.
+  const char* parse_cell(const char* p, const char* end, size_t c, uint64_t number, size_t point,
+                         Range& range) const {
     ParsedNumber value;
     const bool empty = p == end || (layout_.separator != ' ' && *p == layout_.separator);
     if (empty) {
-      if (layout_.separator == ' ' || (p == end && c != 0 && p[-1] != layout_.separator)) refuse(number, c, "the line has fewer columns than the first one");
+      if (layout_.separator == ' ' || (p == end && c != 0 && p[-1] != layout_.separator))
+        refuse(number, c, "the line has fewer columns than the first one");
       value.value = std::nan("");
     }
     const char* stop = p;
@@ -231,11 +254,14 @@ class TextReader {
     if (quoted) ++p;
     if (!empty && columns_[c].kind != Column64::kSkip) {
       stop = layout_.decimal_comma ? parse_comma(p, end, value) : parse_number_at(p, end, value);
-      if (stop == nullptr || !(stop == end || is_blank(*stop) || *stop == layout_.separator || (quoted && *stop == '"')))
+      if (stop == nullptr || !(stop == end || is_blank(*stop) || *stop == layout_.separator ||
+                               (quoted && *stop == '"')))
         refuse(number, c, "this is no number");
       if (quoted && *stop == '"') ++stop;
     } else if (!empty) {
-      while (stop < end && (layout_.separator == ' ' ? !is_blank(*stop) : *stop != layout_.separator)) ++stop;
+      while (stop < end &&
+             (layout_.separator == ' ' ? !is_blank(*stop) : *stop != layout_.separator))
+        ++stop;
       return stop;
     }
     put(columns_[c], point, value, p, end);
@@ -254,17 +280,22 @@ class TextReader {
     return stop == nullptr ? nullptr : p + (stop - copy);
   }
 
-  static void put(const Column64& column, size_t point, const ParsedNumber& value, const char* text, const char* end) {
+  static void put(const Column64& column, size_t point, const ParsedNumber& value, const char* text,
+                  const char* end) {
     const size_t at = point * column.stride;
     if (column.kind == Column64::kNumbers) static_cast<double*>(column.out)[at] = value.value;
-    if (column.kind == Column64::kFloats) static_cast<float*>(column.out)[at] = static_cast<float>(value.value);
+    if (column.kind == Column64::kFloats)
+      static_cast<float*>(column.out)[at] = static_cast<float>(value.value);
     if (*text == '+' && text < end) ++text;
-    if (column.kind == Column64::kSigned) std::from_chars(text, end, static_cast<int64_t*>(column.out)[at]);
-    if (column.kind == Column64::kUnsigned) std::from_chars(text, end, static_cast<uint64_t*>(column.out)[at]);
+    if (column.kind == Column64::kSigned)
+      std::from_chars(text, end, static_cast<int64_t*>(column.out)[at]);
+    if (column.kind == Column64::kUnsigned)
+      std::from_chars(text, end, static_cast<uint64_t*>(column.out)[at]);
   }
 
   [[noreturn]] void refuse(uint64_t line, size_t column, const char* reason) const {
-    fail(Status::kFormat, "%.400s: line %llu, column %zu: %s", source_.path().c_str(), static_cast<unsigned long long>(line), column + 1, reason);
+    fail(Status::kFormat, "%.400s: line %llu, column %zu: %s", source_.path().c_str(),
+         static_cast<unsigned long long>(line), column + 1, reason);
   }
 
   /// Whole numbers beyond 2^53 are read once more, as 64-bit integers.
@@ -291,10 +322,14 @@ class TextReader {
   /// The smallest usual type of a column of whole numbers.
   static ElementType type_of(const std::string& name, const Range& range) {
     using enum ElementType;
-    const auto within = [&](double low, double high) { return range.min >= low && range.max <= high; };
+    const auto within = [&](double low, double high) {
+      return range.min >= low && range.max <= high;
+    };
     if (!range.integers || range.wide || !(range.min <= range.max)) return kFloat64;
-    for (const char* byte : {"classification", "return_number", "number_of_returns", "scan_direction", "edge_of_flight_line", "synthetic",
-                             "key_point", "withheld", "overlap", "scanner_channel", "user_data", "red", "green", "blue"})
+    for (const char* byte :
+         {"classification", "return_number", "number_of_returns", "scan_direction",
+          "edge_of_flight_line", "synthetic", "key_point", "withheld", "overlap", "scanner_channel",
+          "user_data", "red", "green", "blue"})
       if (name == byte && within(0, 255)) return kUint8;
     for (const char* pair : {"intensity", "red", "green", "blue", "nir", "point_source_id"})
       if (name == pair && within(0, 65535)) return kUint16;
@@ -313,7 +348,8 @@ class TextReader {
         FieldInfo field = held_[c]->info();
         field.type = type;
         auto narrow = std::make_shared<Column>(field, points_);
-        store_converted(*narrow, 0, held_[c]->raw(), ElementType::kFloat64, points_, sizeof(double));
+        store_converted(*narrow, 0, held_[c]->raw(), ElementType::kFloat64, points_,
+                        sizeof(double));
         held_[c] = std::move(narrow);
       }
       cloud.fields.set(std::move(held_[c]));

@@ -14,11 +14,14 @@ constexpr std::string_view kReplacementCharacter = "\xEF\xBF\xBD";  // U+FFFD
 size_t utf8_length(std::string_view text);
 /// The text with every byte that is no valid UTF-8, and every NUL, replaced by U+FFFD.
 std::string valid_utf8(std::string_view text);
-/// The longest start of a valid text that has at most this many bytes and ends with a whole character.
+/// The longest start of a valid text that has at most this many bytes and ends with a whole
+/// character.
 std::string_view utf8_prefix(std::string_view text, size_t bytes);
-/// A text field of fixed width in a binary file: ends at the first NUL, trailing blanks off, made valid, control characters to blanks.
+/// A text field of fixed width in a binary file: ends at the first NUL, trailing blanks off, made
+/// valid, control characters to blanks.
 std::string text_field(const void* data, size_t bytes);
-/// A field's name from a file: valid, no control characters, at most 256 bytes, not empty (fallback then).
+/// A field's name from a file: valid, no control characters, at most 256 bytes, not empty (fallback
+/// then).
 std::string name_from_file(std::string_view text, std::string_view fallback);
 /// "name_2": a name told apart from others by a number.
 std::string numbered(std::string_view name, size_t number);

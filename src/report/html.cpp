@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
-
+#include "base/json_reader.h"
+#include "base/json_writer.h"
 #include "base/text_number.h"
 #include "formats/svg_writer.h"
 #include "report/notes.h"
@@ -104,13 +104,13 @@ void add_times(Page& page, const Notes& notes) {
 }
 
 void add_parameters(Page& page, const Segmentation& segmentation) {
-  const auto parameters = nlohmann::ordered_json::parse(segmentation.parameters_json, nullptr, false);
-  if (!parameters.is_object() || parameters.empty()) return;
-  page.heading("Parameters");
+  if (segmentation.parameters_json.empty()) return;
   std::vector<std::pair<std::string, std::string>> pairs;
-  for (const auto& [name, value] : parameters.items())
-    pairs.emplace_back(name, value.is_string() ? value.get<std::string>()
-                                               : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  const std::vector<JsonValue> parameters = read_json(segmentation.parameters_json);
+  for (const JsonValue& value : JsonChildren(parameters[0]))
+    pairs.emplace_back(value.name, value.kind == JsonValue::Kind::kText ? value.text : JsonWriter().value(value).take());
+  if (pairs.empty()) return;
+  page.heading("Parameters");
   add_pairs(page, pairs);
 }
 

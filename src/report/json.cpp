@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
+#include <array>
 
+#include "base/json_reader.h"
+#include "base/json_writer.h"
 #include "report/notes.h"
 #include "report/orientation_name.h"
 #include "report/report.h"
@@ -11,46 +13,58 @@ namespace jalon {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr size_t kBins = 60;  // as the page shows by default
 
-Json array_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-Json plane_json(const PlaneSegment& s) {
-  Json plane = Json::object();
-  plane["label"] = s.label;
-  plane["orientation"] = orientation_name(s.orientation);
-  plane["inliers"] = s.fit.n;
-  plane["length_u_m"] = s.length_u_m;
-  plane["length_v_m"] = s.length_v_m;
-  plane["area_m2"] = s.area_m2;
-  plane["normal"] = array_of(s.fit.plane.normal);
-  plane["offset_m"] = s.fit.plane.offset;
-  plane["centroid"] = array_of(s.fit.centroid);
-  plane["sigma_m"] = s.fit.sigma;
-  return plane;
+template <class Range>
+void write_array(JsonWriter& json, const char* name, const Range& values) {
+  json.name(name).begin_array();
+  for (const auto& value : values) json.value(value);
+  json.end_array();
 }
 
-Json face_json(const Face& face) {
-  Json out = Json::object();
-  out["plane"] = face.id;
-  out["area_m2"] = face.area_m2;
-  out["openings"] = face.ring_count > 0 ? face.ring_count - 1 : 0;
-  return out;
+void write_vector(JsonWriter& json, const char* name, const Vec3& v) { write_array(json, name, std::array{v.x, v.y, v.z}); }
+
+template <class Pairs>
+void write_pairs(JsonWriter& json, const char* name, const Pairs& pairs) {
+  json.name(name).begin_object();
+  for (const auto& [key, value] : pairs) json.name(key).value(value);
+  json.end_object();
 }
 
-Json residual_json(const Residuals& r) {
-  Json out = Json::object();
-  out["count"] = r.count;
-  out["mean_m"] = r.mean_m;
-  out["sigma_m"] = r.sigma_m;
-  out["from_m"] = -r.half_range_m;
-  out["to_m"] = r.half_range_m;
-  out["below"] = r.below;
-  out["above"] = r.above;
-  out["bins"] = r.bins;
-  return out;
+void write_plane(JsonWriter& json, const PlaneSegment& s) {
+  json.begin_object();
+  json.name("label").value(s.label);
+  json.name("orientation").value(orientation_name(s.orientation));
+  json.name("inliers").value(s.fit.n);
+  json.name("length_u_m").value(s.length_u_m);
+  json.name("length_v_m").value(s.length_v_m);
+  json.name("area_m2").value(s.area_m2);
+  write_vector(json, "normal", s.fit.plane.normal);
+  json.name("offset_m").value(s.fit.plane.offset);
+  write_vector(json, "centroid", s.fit.centroid);
+  json.name("sigma_m").value(s.fit.sigma);
+  json.end_object();
+}
+
+void write_face(JsonWriter& json, const Face& face) {
+  json.begin_object();
+  json.name("plane").value(face.id);
+  json.name("area_m2").value(face.area_m2);
+  json.name("openings").value(face.ring_count > 0 ? face.ring_count - 1 : 0);
+  json.end_object();
+}
+
+void write_residuals(JsonWriter& json, const Residuals& r) {
+  json.begin_object();
+  json.name("count").value(r.count);
+  json.name("mean_m").value(r.mean_m);
+  json.name("sigma_m").value(r.sigma_m);
+  json.name("from_m").value(-r.half_range_m);
+  json.name("to_m").value(r.half_range_m);
+  json.name("below").value(r.below);
+  json.name("above").value(r.above);
+  write_array(json, "bins", r.bins);
+  json.end_object();
 }
 
 }  // namespace
@@ -58,23 +72,25 @@ Json residual_json(const Residuals& r) {
 std::string report_json(const Segmentation& segmentation, const Model& model, std::string_view notes_json, Task& task) {
   const Span span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
-  Json out = Json::object();
-  out["title"] = notes.title;
-  out["points"] = segmentation.cloud->size();
-  out["crs"] = segmentation.cloud->crs;
-  out["input"] = Json::object();
-  for (const auto& [name, value] : notes.input) out["input"][name] = value;
-  out["times_s"] = Json::object();
-  for (const auto& [name, seconds] : notes.times_s) out["times_s"][name] = seconds;
-  out["parameters"] = Json::parse(segmentation.parameters_json, nullptr, false);
-  if (out["parameters"].is_discarded()) out["parameters"] = Json::object();
-  out["T_facade_world"] = segmentation.T_facade_world.m;
-  out["planes"] = Json::array();
-  for (const PlaneSegment& segment : segmentation.segments) out["planes"].push_back(plane_json(segment));
-  out["faces"] = Json::array();
-  for (const Face& face : model.faces) out["faces"].push_back(face_json(face));
-  out["residuals"] = residual_json(bin_residuals(segmentation, kBins, task));
-  return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string& parameters = segmentation.parameters_json;
+  JsonWriter json(1);
+  json.begin_object();
+  json.name("title").value(notes.title);
+  json.name("points").value(segmentation.cloud->size());
+  json.name("crs").value(segmentation.cloud->crs.str());
+  write_pairs(json, "input", notes.input);
+  write_pairs(json, "times_s", notes.times_s);
+  json.name("parameters").value(read_json(parameters.empty() ? "{}" : std::string_view(parameters))[0]);
+  write_array(json, "T_facade_world", segmentation.T_facade_world.m);
+  json.name("planes").begin_array();
+  for (const PlaneSegment& segment : segmentation.segments) write_plane(json, segment);
+  json.end_array();
+  json.name("faces").begin_array();
+  for (const Face& face : model.faces) write_face(json, face);
+  json.end_array();
+  json.name("residuals");
+  write_residuals(json, bin_residuals(segmentation, kBins, task));
+  return json.end_object().take() + "\n";
 }
 
 }  // namespace jalon

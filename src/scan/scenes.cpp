@@ -26,7 +26,7 @@ std::span<const ParamRow> scene_rows() {
                  "depth of window reveals; 1.25, 1 and 0.75 times this from storey to storey, 1.5 times at doors"),
       number_row("frame_m", 0, 0, 0.5, "m", "facade",
                  "distance of the glass behind an 8 cm wide window frame; 0: one closed pane without a frame"),
-      number_row("cornice_m", 0.35, 0, 3, "m", "facade", "how far the cornice projects; 0: none"),
+      number_row("cornice_m", 0.35, 0, 3, "m", "facade", "depth of the cornice before the wall; 0: none"),
       number_row("ground_m", 6, 0, 200, "m", "facade", "depth of the ground in front of the wall; 0: none"),
       integer_row(
           "epoch", 1, 1, 2, "1", "street",

@@ -16,6 +16,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "spatial/octree_impl.h"
+#include "spatial/partition.h"
 
 namespace jalon {
 
@@ -240,12 +241,18 @@ void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32
     uint64_t code;
     size_t index;
   };
-  std::vector<Query> sorted(queries.size());
-  parallel_for(task, queries.size(), size_t{1} << 14, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) sorted[i] = {query_code(tree, queries[i], level), i};
+  if (queries.size() >= kNoPoint) fail(Status::kLimit, "at most 2^32 - 2 queries are possible; there are %zu", queries.size());
+  Buffer<Query> sorted(queries.size());
+  constexpr int kDigitBits = 12;
+  const int shift = std::max(0, 3 * level - kDigitBits);
+  const auto begins = partition(
+      queries.size(), size_t{1} << std::min(3 * level, kDigitBits), [shift](const Query& q) { return q.code >> shift; }, task,
+      sorted.data(), [&](size_t i) { return Query{query_code(tree, queries[i], level), i}; });
+  const auto groups = groups_of(begins.size() - 1, size_t{1} << 14, [&](size_t b) { return begins[b + 1] - begins[b]; });
+  parallel_chunks(task, groups.size() - 1, [&](size_t g) {
+    std::sort(sorted.data() + begins[groups[g]], sorted.data() + begins[groups[g + 1]],
+              [](const Query& a, const Query& b) { return a.code < b.code || (a.code == b.code && a.index < b.index); });
   });
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Query& a, const Query& b) { return a.code < b.code || (a.code == b.code && a.index < b.index); });
   constexpr size_t kGrain = 256;
   parallel_for(task, sorted.size(), kGrain, [&](size_t begin, size_t end) {
     CellSearch search(tree, cells, level, k);

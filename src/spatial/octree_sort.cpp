@@ -162,9 +162,10 @@ void Octree::Impl::sort_points(Task& task) {
   on_grid = all_on_grid;
   Span rest(task, 0.5, 1);
   constexpr size_t kTaskPoints = size_t{1} << 15;
+  constexpr size_t kMostSerial = size_t{1} << 19;  // points of a bucket: a cancel has to wait for its sort
   {
     Span span(task, 0, 0.3);
-    buckets = split_large(std::move(buckets), std::max<size_t>(4 * kTaskPoints, count / 16), arrays, task);
+    buckets = split_large(std::move(buckets), std::clamp(count / 16, 4 * kTaskPoints, kMostSerial), arrays, task);
   }
 
   // Step 3, in groups of buckets worth a hand-over.

@@ -11,7 +11,8 @@ namespace {
 
 template <class T>
 void put(std::string& bytes, size_t at, T value) {
-  if (at + sizeof value <= bytes.size()) std::memcpy(bytes.data() + at, &value, sizeof value);  // little-endian machines only
+  if (at + sizeof value <= bytes.size())
+    std::memcpy(bytes.data() + at, &value, sizeof value);  // little-endian machines only
 }
 
 std::string repeated(const std::string& text, size_t times) {
@@ -25,10 +26,13 @@ struct Field {
 };
 
 // Header fields of LAS 1.4 (LAS 1.4 R15, table 3); earlier versions have the first ones.
-constexpr Field kLasFields[] = {{4, 2},   {6, 2},   {24, 1},  {25, 1},  {94, 2},  {96, 4},  {100, 4}, {104, 1}, {105, 2}, {107, 4},
-                                {131, 8}, {139, 8}, {147, 8}, {155, 8}, {163, 8}, {171, 8}, {227, 8}, {235, 8}, {243, 4}, {247, 8}};
+constexpr Field kLasFields[] = {{4, 2},   {6, 2},   {24, 1},  {25, 1},  {94, 2},
+                                {96, 4},  {100, 4}, {104, 1}, {105, 2}, {107, 4},
+                                {131, 8}, {139, 8}, {147, 8}, {155, 8}, {163, 8},
+                                {171, 8}, {227, 8}, {235, 8}, {243, 4}, {247, 8}};
 
-// A small valid file: three points, a described extra dimension, a WKT record, an extended record in 1.4.
+// A small valid file: three points, a described extra dimension, a WKT record, an extended record
+// in 1.4.
 std::string las_seed(unsigned minor, unsigned format, size_t record) {
   const size_t header = minor == 4 ? 375 : minor == 3 ? 235 : 227;
   constexpr size_t kExtra = 4, kPoints = 3;
@@ -67,7 +71,8 @@ std::string las_seed(unsigned minor, unsigned format, size_t record) {
   return out;
 }
 
-void add_field_limits(std::vector<File>& out, const std::string& seed, Field field, const std::string& name) {
+void add_field_limits(std::vector<File>& out, const std::string& seed, Field field,
+                      const std::string& name) {
   const uint64_t all = field.bytes == 8 ? ~uint64_t{0} : (uint64_t{1} << (8 * field.bytes)) - 1;
   const uint64_t sign = uint64_t{1} << (8 * field.bytes - 1);
   for (const uint64_t value : {uint64_t{0}, uint64_t{1}, all, all - 1, sign, sign - 1}) {
@@ -76,7 +81,8 @@ void add_field_limits(std::vector<File>& out, const std::string& seed, Field fie
     out.push_back({name, bytes});
   }
   if (field.bytes != 8) return;
-  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308, -1e-320}) {
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity(), 1e308, -1e-320}) {
     std::string bytes = seed;
     put<double>(bytes, field.at, value);
     out.push_back({name, bytes});
@@ -89,14 +95,17 @@ std::vector<File> las_files() {
   std::vector<File> out;
   const std::string v14 = las_seed(4, 7, 36), v12 = las_seed(2, 3, 34), v13 = las_seed(3, 5, 63);
   for (size_t end = 0; end < 375; ++end) out.push_back({"cut14.las", v14.substr(0, end)});
-  for (size_t end = 375; end < v14.size(); end += 3) out.push_back({"cut14.las", v14.substr(0, end)});
+  for (size_t end = 375; end < v14.size(); end += 3)
+    out.push_back({"cut14.las", v14.substr(0, end)});
   for (size_t end = 0; end < v12.size(); end += 7) out.push_back({"cut12.las", v12.substr(0, end)});
   for (const std::string& seed : {v14, v12, v13})
     for (const Field& field : kLasFields)
-      if (field.at + field.bytes <= (seed[25] == 4 ? 375u : 227u)) add_field_limits(out, seed, field, "field.las");
+      if (field.at + field.bytes <= (seed[25] == 4 ? 375u : 227u))
+        add_field_limits(out, seed, field, "field.las");
   // Record headers: lengths, ids; the descriptor of the extra dimension.
-  for (const Field field : {Field{375 + 18, 2}, Field{375 + 20, 2}, Field{375 + 54 + 2, 1}, Field{375 + 54 + 3, 1}, Field{375 + 54 + 192 + 20, 2},
-                            Field{v14.size() - 10 - 40, 8}})
+  for (const Field field :
+       {Field{375 + 18, 2}, Field{375 + 20, 2}, Field{375 + 54 + 2, 1}, Field{375 + 54 + 3, 1},
+        Field{375 + 54 + 192 + 20, 2}, Field{v14.size() - 10 - 40, 8}})
     add_field_limits(out, v14, field, "record.las");
   for (unsigned type = 0; type < 256; ++type) {
     std::string bytes = v14;
@@ -137,8 +146,10 @@ std::vector<File> ply_files() {
     return bytes;
   };
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  const std::string ascii = "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\n" + properties + faces + "end_header\n" + body;
-  std::string little = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + properties + faces + "end_header\n" + std::string(36, '\0');
+  const std::string ascii = "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\n" + properties +
+                            faces + "end_header\n" + body;
+  std::string little = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + properties +
+                       faces + "end_header\n" + std::string(36, '\0');
   little += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
   for (const std::string& seed : {ascii, little}) {
     for (size_t end = 0; end < seed.size(); ++end) out.push_back({"cut.ply", seed.substr(0, end)});
@@ -148,34 +159,53 @@ std::vector<File> ply_files() {
       out.push_back({"flip.ply", bytes});
     }
   }
-  for (const char* count : {"0", "1", "4", "4294967295", "4294967296", "9223372036854775807", "9223372036854775808", "18446744073709551615",
-                            "18446744073709551616", "-1", "1e3", "x", ""})
+  for (const char* count :
+       {"0", "1", "4", "4294967295", "4294967296", "9223372036854775807", "9223372036854775808",
+        "18446744073709551615", "18446744073709551616", "-1", "1e3", "x", ""})
     for (const char* form : {"ascii", "binary_little_endian", "binary_big_endian"}) {
       const std::string head = std::string("ply\nformat ") + form + " 1.0\n";
       const std::string n = count;
-      out.push_back({"count.ply", head + "element vertex " + n + "\n" + properties + "end_header\n" + body});
-      out.push_back({"empty.ply", head + "element nothing " + n + "\nelement vertex 1\n" + properties + "end_header\n" + body});
-      out.push_back({"before.ply", head + "element other " + n + "\nproperty uchar a\nelement vertex 1\n" + properties + "end_header\n" + body});
+      out.push_back(
+          {"count.ply", head + "element vertex " + n + "\n" + properties + "end_header\n" + body});
+      out.push_back({"empty.ply", head + "element nothing " + n + "\nelement vertex 1\n" +
+                                      properties + "end_header\n" + body});
+      out.push_back({"before.ply", head + "element other " + n +
+                                       "\nproperty uchar a\nelement vertex 1\n" + properties +
+                                       "end_header\n" + body});
       out.push_back({"faces.ply", head + "element vertex 3\n" + properties + "element face " + n +
-                                      "\nproperty list uint int vertex_indices\nend_header\n" + (form[0] == 'a' ? body : binary(200))});
-      out.push_back({"vlist.ply", head + "element vertex " + n + "\nproperty list uint double bomb\n" + properties + "end_header\n" + binary(300)});
+                                      "\nproperty list uint int vertex_indices\nend_header\n" +
+                                      (form[0] == 'a' ? body : binary(200))});
+      out.push_back({"vlist.ply", head + "element vertex " + n +
+                                      "\nproperty list uint double bomb\n" + properties +
+                                      "end_header\n" + binary(300)});
     }
-  for (const char* type : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double", "int64", "uint64", "list", "what"}) {
+  for (const char* type : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double",
+                           "int64", "uint64", "list", "what"}) {
     const std::string t = type;
     for (const char* form : {"ascii", "binary_little_endian", "binary_big_endian"}) {
       const std::string head = std::string("ply\nformat ") + form + " 1.0\nelement vertex 2\n";
-      out.push_back({"type.ply", head + "property " + t + " x\nproperty " + t + " y\nproperty " + t + " z\nend_header\n255 -1 1e400\n1 2 3\n" + binary(64)});
-      out.push_back({"list.ply", head + properties + "property list " + t + " " + t + " l\nend_header\n" + std::string(200, '\xff')});
+      out.push_back({"type.ply", head + "property " + t + " x\nproperty " + t + " y\nproperty " +
+                                     t + " z\nend_header\n255 -1 1e400\n1 2 3\n" + binary(64)});
+      out.push_back({"list.ply", head + properties + "property list " + t + " " + t +
+                                     " l\nend_header\n" + std::string(200, '\xff')});
     }
   }
   out.push_back({"many.ply", "ply\nformat ascii 1.0\n" + repeated("element e 1\n", 100000)});
-  out.push_back({"wide.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + repeated("property float x\n", 60000) + "end_header\n"});
-  out.push_back({"same.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + repeated("property uchar a\n", 4000) + properties + "end_header\n" + repeated("1 ", 4003)});
-  out.push_back({"token.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + properties + "end_header\n" + std::string(3000000, '1') + " 0 0\n"});
-  out.push_back({"blank.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + properties + "end_header\n" + std::string(3000000, ' ')});
+  out.push_back({"wide.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" +
+                                 repeated("property float x\n", 60000) + "end_header\n"});
+  out.push_back({"same.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" +
+                                 repeated("property uchar a\n", 4000) + properties +
+                                 "end_header\n" + repeated("1 ", 4003)});
+  out.push_back({"token.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + properties +
+                                  "end_header\n" + std::string(3000000, '1') + " 0 0\n"});
+  out.push_back({"blank.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + properties +
+                                  "end_header\n" + std::string(3000000, ' ')});
   out.push_back({"line.ply", "ply\n" + std::string(3000000, 'c')});
-  out.push_back({"polygon.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + properties + "element face 1\nproperty list int int vertex_index\nend_header\n0 0 0\n500000 " +
-                                    repeated("0 ", 500000)});
+  out.push_back(
+      {"polygon.ply",
+       "ply\nformat ascii 1.0\nelement vertex 1\n" + properties +
+           "element face 1\nproperty list int int vertex_index\nend_header\n0 0 0\n500000 " +
+           repeated("0 ", 500000)});
   return out;
 }
 
@@ -189,11 +219,31 @@ std::vector<File> text_files() {
       bytes[at] = bad;
       out.push_back({"flip.xyz", bytes});
     }
-  for (const char* bad : {"nan", "inf", "-inf", "1e999", "-1e-999", "1e99999999999999999999", "0x10", "1.2.3", "--1", "+-1", ".", "-", "e5", "1e", "1e+",
-                          "99999999999999999999999999999999", "1,5", "\"1\"", "\"1", "1;", "\xF0\x9F\x98\x80"})
+  for (const char* bad : {"nan",
+                          "inf",
+                          "-inf",
+                          "1e999",
+                          "-1e-999",
+                          "1e99999999999999999999",
+                          "0x10",
+                          "1.2.3",
+                          "--1",
+                          "+-1",
+                          ".",
+                          "-",
+                          "e5",
+                          "1e",
+                          "1e+",
+                          "99999999999999999999999999999999",
+                          "1,5",
+                          "\"1\"",
+                          "\"1",
+                          "1;",
+                          "\xF0\x9F\x98\x80"})
     for (size_t column = 0; column < 4; ++column) {
       std::string line;
-      for (size_t c = 0; c < 4; ++c) line += (c == column ? std::string(bad) : std::string("1")) + " ";
+      for (size_t c = 0; c < 4; ++c)
+        line += (c == column ? std::string(bad) : std::string("1")) + " ";
       out.push_back({"token.txt", "1 2 3 4\n" + line + "\n"});
       out.push_back({"token.csv", "x,y,z,i\n" + line + "\n"});
     }
@@ -206,7 +256,9 @@ std::vector<File> text_files() {
   out.push_back({"blank.xyz", std::string(2000000, '\n')});
   out.push_back({"header.txt", repeated("a ", 300000) + "\n1 2 3\n"});
   out.push_back({"counts.pts", repeated("5\n", 300000)});
-  out.push_back({"utf16.txt", std::string("\xFF\xFE" "1\0 \0", 6)});
+  out.push_back({"utf16.txt", std::string("\xFF\xFE"
+                                          "1\0 \0",
+                                          6)});
   out.push_back({"names.csv", repeated("a,", 3000) + "x,y,z\n" + repeated("1,", 3000) + "1,2,3\n"});
   return out;
 }
@@ -222,13 +274,17 @@ std::vector<File> obj_files() {
       out.push_back({"flip.obj", bytes});
     }
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (const char* face : {"0 1 2", "1 2 4", "-4 1 2", "1 2", "1", "", "18446744073709551615 1 2", "9223372036854775807 1 2", "-9223372036854775808 1 2",
-                           "4294967297 1 2", "1.5 2 3", "a b c", "1/ 2/ 3/", "/1 /2 /3", "1 1 1", "1e1 2 3"})
+  for (const char* face : {"0 1 2", "1 2 4", "-4 1 2", "1 2", "1", "", "18446744073709551615 1 2",
+                           "9223372036854775807 1 2", "-9223372036854775808 1 2", "4294967297 1 2",
+                           "1.5 2 3", "a b c", "1/ 2/ 3/", "/1 /2 /3", "1 1 1", "1e1 2 3"})
     out.push_back({"face.obj", vertices + "f " + face + "\n"});
-  for (const char* number : {"nan", "inf", "1e999", "", "x", "--1", "1e"}) out.push_back({"vertex.obj", vertices + "v 0 0 " + number + "\nf 1 2 3\n"});
+  for (const char* number : {"nan", "inf", "1e999", "", "x", "--1", "1e"})
+    out.push_back({"vertex.obj", vertices + "v 0 0 " + number + "\nf 1 2 3\n"});
   out.push_back({"polygon.obj", vertices + "f " + repeated("1 2 3 ", 80000) + "\n"});
   std::string tangle;
-  for (int i = 0; i < 500; ++i) tangle += "v " + std::to_string(i * 7919 % 503) + " " + std::to_string(i * 104729 % 509) + " 0\n";
+  for (int i = 0; i < 500; ++i)
+    tangle +=
+        "v " + std::to_string(i * 7919 % 503) + " " + std::to_string(i * 104729 % 509) + " 0\n";
   for (int f = 0; f < 100; ++f) {
     tangle += "f";
     for (int i = 0; i < 500; ++i) tangle += " " + std::to_string((i * 211 + f) % 500 + 1);

@@ -13,8 +13,9 @@ struct File {
   std::string bytes;
 };
 
-/// Files that break rules of their format, always the same ones: cut at every byte of the header, every header field at its limits, counts
-/// that lie, numbers that are none, lists and tokens without end.
+/// Files that break rules of their format, always the same ones: cut at every byte of the header,
+/// every header field at its limits, counts that lie, numbers that are none, lists and tokens
+/// without end.
 std::vector<File> las_files();
 std::vector<File> ply_files();
 std::vector<File> text_files();

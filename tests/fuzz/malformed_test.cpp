@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-// Reads every malformed file through the C API, in forked children: no crash, at most 2 s, at most 4 x file size + 64 MiB of address space
-// beyond what the child had before, and every failure is one line that names the file.
+// Reads every malformed file through the C API, in forked children: no crash, at most 2 s, at most
+// 4 x file size + 64 MiB of address space beyond what the child had before, and every failure is
+// one line that names the file.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -52,37 +53,46 @@ void limit_memory(size_t file_bytes) {
 
 bool good_message(const std::string& path) {
   const char* text = jalon_last_error_message();
-  return *text != 0 && std::strchr(text, '\n') == nullptr && std::strstr(text, path.c_str()) != nullptr;
+  return *text != 0 && std::strchr(text, '\n') == nullptr &&
+         std::strstr(text, path.c_str()) != nullptr;
 }
 
 Verdict judge(const malformed::File& file, const std::string& folder, jalon_task* task) {
   const std::string path = folder + "/" + file.name;
   FILE* out = std::fopen(path.c_str(), "wb");
-  if (out == nullptr || std::fwrite(file.bytes.data(), 1, file.bytes.size(), out) != file.bytes.size()) std::_Exit(90);
+  if (out == nullptr ||
+      std::fwrite(file.bytes.data(), 1, file.bytes.size(), out) != file.bytes.size())
+    std::_Exit(90);
   std::fclose(out);
   Verdict verdict;
   limit_memory(file.bytes.size());
-  const std::clock_t start = std::clock();  // processor time: other work on the machine is not the reader's fault
+  const std::clock_t start =
+      std::clock();  // processor time: other work on the machine is not the reader's fault
   jalon_cloud* cloud = nullptr;
   verdict.status = jalon_cloud_read(path.c_str(), nullptr, task, &cloud);
-  verdict.bad_message = (verdict.status != JALON_OK && !good_message(path)) || (verdict.status == JALON_OK) != (cloud != nullptr);
+  verdict.bad_message = (verdict.status != JALON_OK && !good_message(path)) ||
+                        (verdict.status == JALON_OK) != (cloud != nullptr);
   jalon_cloud_release(cloud);
   const char kind = file.name[file.name.size() - 2];
   if (kind == 'l' || kind == 'b') {  // ply, obj
     jalon_model* model = nullptr;
     verdict.model_status = jalon_model_read(path.c_str(), nullptr, task, &model);
-    verdict.bad_message = verdict.bad_message || (verdict.model_status != JALON_OK && !good_message(path));
+    verdict.bad_message =
+        verdict.bad_message || (verdict.model_status != JALON_OK && !good_message(path));
     jalon_model_release(model);
   }
-  verdict.slow = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC > kSeconds * (kSanitized ? 10 : 1);
+  verdict.slow =
+      static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC > kSeconds * (kSanitized ? 10 : 1);
   return verdict;
 }
 
 // The child writes one verdict a file into the pipe; a file without one took the child down.
-void child_main(const std::vector<malformed::File>& files, size_t begin, size_t end, const std::string& folder, int pipe) {
+void child_main(const std::vector<malformed::File>& files, size_t begin, size_t end,
+                const std::string& folder, int pipe) {
   ::alarm(kHang_s * (kSanitized ? 10 : 1));
   jalon_task* task = nullptr;
-  if (jalon_task_create(&task) != JALON_OK || jalon_task_set_threads(task, 1) != JALON_OK) std::_Exit(91);
+  if (jalon_task_create(&task) != JALON_OK || jalon_task_set_threads(task, 1) != JALON_OK)
+    std::_Exit(91);
   for (size_t i = begin; i < end; ++i) {
     const Verdict verdict = judge(files[i], folder, task);
     if (::write(pipe, &verdict, sizeof verdict) != sizeof verdict) std::_Exit(92);
@@ -114,25 +124,31 @@ class Run {
     if (child == 0) child_main(files, begin, end, folder_, ends[1]);
     ::close(ends[1]);
     size_t at = begin;
-    for (Verdict verdict; ::read(ends[0], &verdict, sizeof verdict) == sizeof verdict; ++at) note(files[at], at, verdict);
+    for (Verdict verdict; ::read(ends[0], &verdict, sizeof verdict) == sizeof verdict; ++at)
+      note(files[at], at, verdict);
     ::close(ends[0]);
     int state = 0;
     ::waitpid(child, &state, 0);
     if (at == end && state == 0) return end;
     ++bad_;
-    std::printf("file %zu (%s): the reader died, state %d\n", at, at < files.size() ? files[at].name.c_str() : "", state);
+    std::printf("file %zu (%s): the reader died, state %d\n", at,
+                at < files.size() ? files[at].name.c_str() : "", state);
     return at + 1;
   }
 
   void note(const malformed::File& file, size_t index, const Verdict& verdict) {
     ++statuses_[verdict.status];
     const auto allowed = [](int status) {
-      return status == JALON_OK || status == JALON_ERROR_FORMAT || status == JALON_ERROR_UNSUPPORTED || status == JALON_ERROR_LIMIT;
+      return status == JALON_OK || status == JALON_ERROR_FORMAT ||
+             status == JALON_ERROR_UNSUPPORTED || status == JALON_ERROR_LIMIT;
     };
-    if (allowed(verdict.status) && allowed(verdict.model_status) && !verdict.slow && !verdict.bad_message) return;
+    if (allowed(verdict.status) && allowed(verdict.model_status) && !verdict.slow &&
+        !verdict.bad_message)
+      return;
     ++bad_;
-    std::printf("file %zu (%s): status %d, model %d%s%s\n", index, file.name.c_str(), verdict.status, verdict.model_status,
-                verdict.slow ? ", slow" : "", verdict.bad_message ? ", bad message" : "");
+    std::printf("file %zu (%s): status %d, model %d%s%s\n", index, file.name.c_str(),
+                verdict.status, verdict.model_status, verdict.slow ? ", slow" : "",
+                verdict.bad_message ? ", bad message" : "");
   }
 
   std::string folder_;
@@ -144,11 +160,14 @@ class Run {
 
 int main() {
   std::string folder = "/tmp/jalon-malformed-XXXXXX";
-  if (const char* temporary = std::getenv("TMPDIR")) folder = std::string(temporary) + "/jalon-malformed-XXXXXX";
+  if (const char* temporary = std::getenv("TMPDIR"))
+    folder = std::string(temporary) + "/jalon-malformed-XXXXXX";
   if (::mkdtemp(folder.data()) == nullptr) return 1;
   Run run(folder);
-  const bool good[] = {run.read_all("LAS", malformed::las_files(), 400), run.read_all("PLY", malformed::ply_files(), 400),
-                       run.read_all("text", malformed::text_files(), 100), run.read_all("OBJ", malformed::obj_files(), 100)};
+  const bool good[] = {run.read_all("LAS", malformed::las_files(), 400),
+                       run.read_all("PLY", malformed::ply_files(), 400),
+                       run.read_all("text", malformed::text_files(), 100),
+                       run.read_all("OBJ", malformed::obj_files(), 100)};
   const std::string clean = "rm -rf '" + folder + "'";
   if (std::system(clean.c_str()) != 0) std::printf("%s stays behind\n", folder.c_str());
   size_t passed = 0;

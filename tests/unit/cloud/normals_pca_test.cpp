@@ -92,8 +92,8 @@ TEST_CASE("pca_normals__equal_the_jacobi_solution") {
     const auto xyz = sheet(9000, noise, {652000, 6861000, 30});
     const auto tree = build(xyz);
     Task task;
-    check_against_reference(xyz, pca_normals(*tree, 16, task), *tree, 16, 0);
-    check_against_reference(xyz, pca_normals_radius(*tree, 0.2, task), *tree, 0, 0.2);
+    check_against_reference(xyz, pca_normals(*tree, 16, true, task), *tree, 16, 0);
+    check_against_reference(xyz, pca_normals_radius(*tree, 0.2, true, task), *tree, 0, 0.2);
   }
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("pca_normals__are_the_same_for_any_number_of_threads_and_after_a_shift
   Task one(hooks);
   hooks.threads = 7;
   Task seven(hooks);
-  const auto a = pca_normals(*build(xyz), 16, one), b = pca_normals(*build(shifted, 7), 16, seven);
+  const auto a = pca_normals(*build(xyz), 16, true, one), b = pca_normals(*build(shifted, 7), 16, true, seven);
   CHECK(std::memcmp(a.normal->raw(), b.normal->raw(), a.normal->bytes()) == 0);
   CHECK(std::memcmp(a.curvature->raw(), b.curvature->raw(), a.curvature->bytes()) == 0);
 }
@@ -121,9 +121,9 @@ TEST_CASE("pca_normals__are_nan_where_the_points_span_no_plane") {
   }
   for (const auto& xyz : {line, equal, std::vector<double>{0, 0, 0, 1, 1, 1}, std::vector<double>{4, 5, 6}}) {
     const auto tree = build(xyz);
-    for (const auto& normals : {pca_normals(*tree, 8, task), pca_normals_radius(*tree, 1, task)})
+    for (const auto& normals : {pca_normals(*tree, 8, false, task), pca_normals_radius(*tree, 1, false, task)})
       for (const float v : normals.normal->values<float>()) REQUIRE(std::isnan(v));
   }
   const auto plane = build({0, 0, 0, 1, 0, 0, 0, 1, 0});
-  CHECK(std::fabs(pca_normals(*plane, 8, task).normal->values<float>()[2]) == doctest::Approx(1));
+  CHECK(std::fabs(pca_normals(*plane, 8, false, task).normal->values<float>()[2]) == doctest::Approx(1));
 }

@@ -24,6 +24,21 @@ ParamSet normal_options(const char* method, const char* orientation = "none") {
   return set;
 }
 
+TEST_CASE("normals__curvature_is_kept_only_when_asked_for") {
+  const Cloud cloud = cloud_of(sphere(500));
+  ParamSet set = normal_options("pca");
+  Task task;
+  const Cloud plain = with_normals(cloud, set, task);
+  CHECK(plain.fields.size() == 1);
+  set.set_bool("curvature", true);
+  for (const double radius_m : {0.0, 0.3}) {
+    set.set_number("radius_m", radius_m);
+    const Cloud both = with_normals(cloud, set, task);
+    CHECK(both.fields.size() == 2);
+    for (const float v : both.fields.require("curvature").values<float>()) REQUIRE((v > 0 && v < 0.1f));  // of a ball
+  }
+}
+
 /// Points of a sphere of radius 1 with noise of this share of the spacing, along the normal.
 std::vector<Vec3> noisy_sphere(size_t n, double share) {
   auto points = sphere(n);

@@ -56,6 +56,24 @@ TEST_CASE("subsample__voxel__one_centroid_a_cell_with_the_fields_of_a_point_of_t
   }
 }
 
+TEST_CASE("subsample__voxel__a_cloud_without_fields_gives_the_same_centroids") {
+  const auto points = random_points(20000, 8, 61);
+  ParamSet set = sampling("voxel");
+  set.set_number("cell_m", 0.7);
+  Task task;
+  const auto sorted = [](const Cloud& cloud) {
+    std::set<std::array<double, 3>> out;
+    for (size_t i = 0; i < cloud.size(); ++i) out.insert({cloud.point(i).x, cloud.point(i).y, cloud.point(i).z});
+    return out;
+  };
+  const Cloud bare = subsampled(cloud_of(points), set, task);
+  CHECK(bare.fields.size() == 0);
+  CHECK(sorted(bare) == sorted(subsampled(numbered(points), set, task)));
+  set.set_number("cell_m", 1e-5);  // every point alone: the same points, not copies of them
+  const Cloud all = cloud_of(points);
+  CHECK(subsampled(all, set, task).xyz_buffer == all.xyz_buffer);
+}
+
 TEST_CASE("subsample__nearest__gives_original_points_nearest_to_the_cell_centres") {
   const auto points = random_points(5000, 8, 62);
   Task task;

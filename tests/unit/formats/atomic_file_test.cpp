@@ -39,14 +39,15 @@ TEST_CASE("atomic_file__keeps_links_and_rights") {
   file.commit();
   CHECK(slurp(folder.file("a")) == "new");
   CHECK(std::filesystem::is_symlink(folder.file("link")));
-  struct stat info{};
+  struct stat info {};
   ::stat(folder.file("a").c_str(), &info);
   CHECK((info.st_mode & 0777) == 0600);
 }
 
 TEST_CASE("atomic_file__refuses_folders_devices_and_missing_places") {
   const Folder folder;
-  for (const std::string& path : {folder.file(""), folder.file("no/such/a"), std::string("/dev/null"), std::string()}) {
+  for (const std::string& path :
+       {folder.file(""), folder.file("no/such/a"), std::string("/dev/null"), std::string()}) {
     const Failure failure = failure_of([&] { AtomicFile file(path); });
     CHECK(failure.status == Status::kIo);
     CHECK(failure.text.find('\n') == std::string::npos);
@@ -68,7 +69,9 @@ TEST_CASE("writers__a_full_disk_leaves_the_old_file_and_one_line") {
       ::setrlimit(RLIMIT_FSIZE, &limit);
       ParamSet options = write_options();
       const Failure failure = failure_of([&] { write(cloud, folder.file(name), options); });
-      ::_exit(failure.status == Status::kIo && failure.text.find("too large") != std::string::npos ? 0 : 1);
+      ::_exit(failure.status == Status::kIo && failure.text.find("too large") != std::string::npos
+                  ? 0
+                  : 1);
     }
     int state = 0;
     ::waitpid(child, &state, 0);
@@ -87,7 +90,9 @@ TEST_CASE("writers__a_cancelled_write_leaves_the_old_file") {
     Task::Hooks hooks;
     hooks.cancel = &cancel;
     Task task(hooks);
-    CHECK(failure_of([&] { write_cloud(cloud, folder.file(name), write_options(), task); }).status == Status::kCancelled);
+    CHECK(failure_of([&] {
+            write_cloud(cloud, folder.file(name), write_options(), task);
+          }).status == Status::kCancelled);
     CHECK(slurp(folder.file(name)) == "good");
   }
   CHECK(folder.entries() == 3);

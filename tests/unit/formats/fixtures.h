@@ -30,7 +30,9 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   std::string file(const std::string& name) const { return path_ + "/" + name; }
-  size_t entries() const { return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(path_), {})); }
+  size_t entries() const {
+    return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
 
  private:
   std::string path_;
@@ -40,7 +42,9 @@ inline std::string slurp(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
-inline void spill(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+inline void spill(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
 
 struct Failure {
   Status status = Status::kOk;
@@ -63,7 +67,8 @@ inline Cloud read(const std::string& path, const ParamSet& options = read_option
   Task task;
   return read_cloud(path, options, task);
 }
-inline void write(const Cloud& cloud, const std::string& path, const ParamSet& options = write_options()) {
+inline void write(const Cloud& cloud, const std::string& path,
+                  const ParamSet& options = write_options()) {
   Task task;
   write_cloud(cloud, path, options, task);
 }
@@ -75,7 +80,8 @@ inline Cloud read_as_text(const std::string& text, const std::string& columns = 
   return read(folder.file("a.txt"), options);
 }
 
-/// Path of a shared file, or "" after saying that the test is skipped. Where CI is set the data must be there.
+/// Path of a shared file, or "" after saying that the test is skipped. Where CI is set the data
+/// must be there.
 inline std::string shared(const std::string& name) {
   const std::string path = std::string(JALON_SHARED_DATA) + "/" + name;
   if (std::filesystem::exists(path)) return path;
@@ -87,20 +93,22 @@ inline std::string shared(const std::string& name) {
 inline Cloud random_points(size_t n, uint64_t seed, const Vec3& centre = {652000, 6861000, 100}) {
   RandomStream random(seed, 1);
   Buffer<double> xyz(3 * n);
-  for (size_t i = 0; i < 3 * n; ++i) xyz[i] = centre[static_cast<int>(i % 3)] + 50 * (random.uniform() - 0.5);
+  for (size_t i = 0; i < 3 * n; ++i)
+    xyz[i] = centre[static_cast<int>(i % 3)] + 50 * (random.uniform() - 0.5);
   return make_cloud(std::move(xyz));
 }
 
 /// A column of random bits; floats are finite.
-inline ColumnPtr random_column(const std::string& name, ElementType type, uint32_t components, size_t n, RandomStream& random) {
+inline ColumnPtr random_column(const std::string& name, ElementType type, uint32_t components,
+                               size_t n, RandomStream& random) {
   auto column = std::make_shared<Column>(FieldInfo{name, type, components, "", ""}, n);
   visit(type, [&](auto zero) {
     using T = decltype(zero);
     for (T& value : column->values<T>()) {
       if constexpr (std::is_floating_point_v<T>)
-        value = static_cast<T>(random.normal() * std::pow(10.0, static_cast<double>(random.below(9)) - 4));
-      else
-        value = static_cast<T>(random.bits());
+        value = static_cast<T>(random.normal() *
+                               std::pow(10.0, static_cast<double>(random.below(9)) - 4));
+      else value = static_cast<T>(random.bits());
     }
   });
   return column;
@@ -112,7 +120,9 @@ inline bool same_values(const Column& a, const Column& b) {
     for (uint32_t c = 0; c < a.info().components; ++c) {
       const double va = a.number(i, c), vb = b.number(i, c);
       // Texts of float32 read back as doubles that round to the same float32.
-      if (va != vb && !(std::isnan(va) && std::isnan(vb)) && static_cast<float>(va) != static_cast<float>(vb)) return false;
+      if (va != vb && !(std::isnan(va) && std::isnan(vb)) &&
+          static_cast<float>(va) != static_cast<float>(vb))
+        return false;
       if (va != vb && !is_floating(a.info().type)) return false;
       if (va != vb && a.info().type == ElementType::kFloat64) return false;
     }

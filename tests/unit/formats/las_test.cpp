@@ -11,12 +11,15 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr ElementType kAllTypes[] = {ElementType::kInt8,   ElementType::kUint8, ElementType::kInt16,  ElementType::kUint16,  ElementType::kInt32,
-                                     ElementType::kUint32, ElementType::kInt64, ElementType::kUint64, ElementType::kFloat32, ElementType::kFloat64};
+constexpr ElementType kAllTypes[] = {
+    ElementType::kInt8,    ElementType::kUint8,  ElementType::kInt16, ElementType::kUint16,
+    ElementType::kInt32,   ElementType::kUint32, ElementType::kInt64, ElementType::kUint64,
+    ElementType::kFloat32, ElementType::kFloat64};
 
 double largest_difference(const Cloud& a, const Cloud& b) {
   double largest = 0;
-  for (size_t i = 0; i < 3 * a.size(); ++i) largest = std::max(largest, std::fabs(a.xyz()[i] - b.xyz()[i]));
+  for (size_t i = 0; i < 3 * a.size(); ++i)
+    largest = std::max(largest, std::fabs(a.xyz()[i] - b.xyz()[i]));
   return largest;
 }
 
@@ -51,16 +54,22 @@ TEST_CASE("las__round_trip_keeps_random_fields_of_every_type_and_coordinates_wit
     Cloud cloud = random_points(n, seed);
     const size_t fields = random.below(6);
     for (size_t f = 0; f < fields; ++f)
-      cloud.fields.set(random_column("field " + std::to_string(f), kAllTypes[random.below(10)], 1 + static_cast<uint32_t>(random.below(3)), n, random));
+      cloud.fields.set(random_column("field " + std::to_string(f), kAllTypes[random.below(10)],
+                                     1 + static_cast<uint32_t>(random.below(3)), n, random));
     cloud.fields.set(random_column("normal", ElementType::kFloat32, 3, n, random));
-    cloud.fields.set(random_column("intensity", seed % 2 == 0 ? ElementType::kUint16 : ElementType::kFloat32, 1, n, random));
+    cloud.fields.set(random_column(
+        "intensity", seed % 2 == 0 ? ElementType::kUint16 : ElementType::kFloat32, 1, n, random));
     cloud.fields.set(random_column("classification", ElementType::kUint8, 1, n, random));
-    cloud.crs = seed % 4 == 0 ? "" : seed % 4 == 1 ? "EPSG:2154" : seed % 4 == 2 ? "urn:ogc:def:crs:EPSG::2154"
-                : "PROJCS[\"RGF93\",GEOGCS[\"g\",UNIT[\"degree\",0.01745]],UNIT[\"metre\",1]]";
+    cloud.crs = seed % 4 == 0   ? ""
+                : seed % 4 == 1 ? "EPSG:2154"
+                : seed % 4 == 2
+                    ? "urn:ogc:def:crs:EPSG::2154"
+                    : "PROJCS[\"RGF93\",GEOGCS[\"g\",UNIT[\"degree\",0.01745]],UNIT[\"metre\",1]]";
     ParamSet options = write_options();
     if (seed % 3 == 1) options.set_text("las_version", "1.2");
     if (seed % 3 == 2) options.set_text("las_version", "1.4");
-    if (seed % 3 == 1 && seed % 4 == 3) continue;  // WKT in 1.2 is allowed too, but not what this test is about
+    if (seed % 3 == 1 && seed % 4 == 3)
+      continue;  // WKT in 1.2 is allowed too, but not what this test is about
     write(cloud, folder.file("a.las"), options);
     const Cloud back = read(folder.file("a.las"));
     REQUIRE(back.size() == n);
@@ -69,7 +78,8 @@ TEST_CASE("las__round_trip_keeps_random_fields_of_every_type_and_coordinates_wit
     for (const ColumnPtr& column : cloud.fields) {
       const Column* other = back.fields.find(column->info().name);
       REQUIRE_MESSAGE(other != nullptr, column->info().name);
-      CHECK_MESSAGE(same_values(*column, *other), "seed ", seed, " field ", column->info().name, " ", name_of(column->info().type));
+      CHECK_MESSAGE(same_values(*column, *other), "seed ", seed, " field ", column->info().name,
+                    " ", name_of(column->info().type));
       ++columns;
     }
   }
@@ -77,7 +87,8 @@ TEST_CASE("las__round_trip_keeps_random_fields_of_every_type_and_coordinates_wit
 }
 
 TEST_CASE("las__keeps_vlrs_crs_and_coordinates_of_a_file_byte_for_byte") {
-  for (const char* name : {"las/autzen_trim.las", "las/extrabytes.las", "las/test1_4.las", "las/interesting.las", "las/1.2-with-color.las"}) {
+  for (const char* name : {"las/autzen_trim.las", "las/extrabytes.las", "las/test1_4.las",
+                           "las/interesting.las", "las/1.2-with-color.las"}) {
     const std::string path = shared(name);
     if (path.empty()) return;
     const Folder folder;
@@ -89,7 +100,8 @@ TEST_CASE("las__keeps_vlrs_crs_and_coordinates_of_a_file_byte_for_byte") {
     REQUIRE(back.size() == cloud.size());
     CHECK(largest_difference(cloud, back) <= 1e-9);
     REQUIRE(back.fields.size() >= cloud.fields.size());
-    for (const ColumnPtr& column : cloud.fields) CHECK(same_values(*column, back.fields.require(column->info().name)));
+    for (const ColumnPtr& column : cloud.fields)
+      CHECK(same_values(*column, back.fields.require(column->info().name)));
     REQUIRE(back.attachments->size() == cloud.attachments->size());
     size_t vlr_count = 0;
     for (size_t i = 0; i < cloud.attachments->size(); ++i) {
@@ -98,14 +110,18 @@ TEST_CASE("las__keeps_vlrs_crs_and_coordinates_of_a_file_byte_for_byte") {
       ++vlr_count;
     }
     CHECK(load<double>(before.data() + 131) == load<double>(after.data() + 131));
-    MESSAGE(std::string(name), ": ", cloud.size(), " points, ", cloud.fields.size(), " fields, ", vlr_count, " records, LAS 1.", int{after[25]}, " format ",
-            int{after[104]}, " written, VLRs equal: ", vlr_bytes(before).starts_with(vlr_bytes(after)) || vlr_count == 0);
+    MESSAGE(std::string(name), ": ", cloud.size(), " points, ", cloud.fields.size(), " fields, ",
+            vlr_count, " records, LAS 1.", int{after[25]}, " format ", int{after[104]},
+            " written, VLRs equal: ",
+            vlr_bytes(before).starts_with(vlr_bytes(after)) || vlr_count == 0);
   }
 }
 
 TEST_CASE("las__every_shared_file_behaves_as_its_description_says") {
   if (shared("las").empty()) return;
-  const auto points = [](const char* name) { return read(shared(std::string("las/") + name)).size(); };
+  const auto points = [](const char* name) {
+    return read(shared(std::string("las/") + name)).size();
+  };
   for (const char* name : {"1.0_0", "1.0_1", "1.1_0", "1.1_1", "1.2_0", "1.2_1", "1.2_2", "1.2_3"})
     CHECK(points((std::string("permutation_") + name + ".las").c_str()) == 1);
   CHECK(points("1.2-with-color.las") == 1065);
@@ -202,7 +218,8 @@ TEST_CASE("las__header_says_the_exact_bounds_and_counts_by_return") {
   for (int k = 0; k < 3; ++k) {
     CHECK(load<double>(bytes.data() + 179 + 16 * k) == box.max[k]);
     CHECK(load<double>(bytes.data() + 187 + 16 * k) == box.min[k]);
-    CHECK(load<double>(bytes.data() + 155 + 8 * k) == std::floor(load<double>(bytes.data() + 155 + 8 * k)));
+    CHECK(load<double>(bytes.data() + 155 + 8 * k) ==
+          std::floor(load<double>(bytes.data() + 155 + 8 * k)));
   }
   CHECK(load<uint32_t>(bytes.data() + 111) == 334);
   CHECK(load<uint32_t>(bytes.data() + 115) == 333);
@@ -247,7 +264,9 @@ TEST_CASE("las__a_lying_count_is_refused_before_anything_is_allocated") {
   spill(folder.file("a.las"), bytes);
   const Failure failure = failure_of([&] { read(folder.file("a.las")); });
   CHECK(failure.status == Status::kFormat);
-  CHECK(failure.text == folder.file("a.las") + ": offset 227: the header promises 4294967295 points of 20 bytes, the file ends after 2 whole ones");
+  CHECK(failure.text == folder.file("a.las") +
+                            ": offset 227: the header promises 4294967295 points of 20 bytes, the "
+                            "file ends after 2 whole ones");
 }
 
 TEST_CASE("las__coordinates_that_overflow_are_refused_or_dropped") {

@@ -18,7 +18,8 @@ Model read_obj_text(const std::string& text) {
   return read_model(folder.file("a.obj"), read_options(), task);
 }
 
-double area(const std::vector<std::vector<Vec2>>& rings, const std::vector<std::array<uint32_t, 3>>& triangles) {
+double area(const std::vector<std::vector<Vec2>>& rings,
+            const std::vector<std::array<uint32_t, 3>>& triangles) {
   std::vector<Vec2> all;
   for (const auto& ring : rings) all.insert(all.end(), ring.begin(), ring.end());
   double sum = 0;
@@ -48,7 +49,8 @@ Model facade(bool with_openings) {
   face.plane.normal = {0, -1, 0};
   std::vector<std::vector<Vec3>> rings{ring(0, 0, 10, 8, false)};
   if (with_openings)
-    for (int i = 0; i < 6; ++i) rings.push_back(ring(1 + 3 * (i % 3), 1 + 4 * (i / 3), 1.2, 1.5, true));
+    for (int i = 0; i < 6; ++i)
+      rings.push_back(ring(1 + 3 * (i % 3), 1 + 4 * (i / 3), 1.2, 1.5, true));
   model.add_face(face, rings);
   return model;
 }
@@ -56,7 +58,9 @@ Model facade(bool with_openings) {
 double mesh_area(const Model& model) {
   double sum = 0;
   for (const auto& t : model.triangles)
-    sum += norm(cross(model.vertices[t[1]] - model.vertices[t[0]], model.vertices[t[2]] - model.vertices[t[0]])) / 2;
+    sum += norm(cross(model.vertices[t[1]] - model.vertices[t[0]],
+                      model.vertices[t[2]] - model.vertices[t[0]])) /
+           2;
   return sum;
 }
 
@@ -76,7 +80,8 @@ TEST_CASE("triangulate__keeps_openings_open_and_covers_the_rest") {
   const auto triangles = triangulate(rings);
   CHECK(area(rings, triangles) == doctest::Approx(6000 - holes).epsilon(1e-9));
   CHECK(triangles.size() == 4 + 45 * 4 + 2 * 45 - 2);
-  const std::vector<std::vector<Vec2>> aligned{box(0, 0, 10, 10), box(1, 1, 1, 1), box(3, 1, 1, 1), box(5, 1, 1, 1), box(1, 3, 1, 1)};
+  const std::vector<std::vector<Vec2>> aligned{box(0, 0, 10, 10), box(1, 1, 1, 1), box(3, 1, 1, 1),
+                                               box(5, 1, 1, 1), box(1, 3, 1, 1)};
   CHECK(area(aligned, triangulate(aligned)) == doctest::Approx(96));
 }
 
@@ -90,13 +95,15 @@ TEST_CASE("triangulate__stars_and_combs_have_their_area_and_crossed_polygons_end
   comb[0].push_back({200, 1});
   comb[0].push_back({0, 1});
   double twice = 0;
-  for (size_t i = 0; i < comb[0].size(); ++i) twice += cross(comb[0][i], comb[0][(i + 1) % comb[0].size()]);
+  for (size_t i = 0; i < comb[0].size(); ++i)
+    twice += cross(comb[0][i], comb[0][(i + 1) % comb[0].size()]);
   CHECK(area(comb, triangulate(comb)) == doctest::Approx(twice / 2).epsilon(1e-9));
   RandomStream random(2, 2);
   for (int round = 0; round < 50; ++round) {
     std::vector<std::vector<Vec2>> tangle(1 + random.below(4));
     for (auto& ring : tangle)
-      for (uint64_t i = random.below(40); i > 0; --i) ring.push_back({std::floor(random.uniform() * 8), std::floor(random.uniform() * 8)});
+      for (uint64_t i = random.below(40); i > 0; --i)
+        ring.push_back({std::floor(random.uniform() * 8), std::floor(random.uniform() * 8)});
     (void)triangulate(tangle);
   }
   CHECK(triangulate({}).empty());
@@ -105,7 +112,8 @@ TEST_CASE("triangulate__stars_and_combs_have_their_area_and_crossed_polygons_end
 
 TEST_CASE("obj__reads_polygons_negative_indices_groups_and_continued_lines") {
   const Model model = read_obj_text(
-      "# c\nmtllib x\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0 1.0\nvt 0 0\nvn 0 0 1\no house\ng wall\nf 1/1/1 2//1 3/1 4\ng roof\nf -4 \\\n -3 -2\nl 1 2 3\n");
+      "# c\nmtllib x\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0 1.0\nvt 0 0\nvn 0 0 1\no house\ng wall\nf "
+      "1/1/1 2//1 3/1 4\ng roof\nf -4 \\\n -3 -2\nl 1 2 3\n");
   CHECK(model.vertices.size() == 4);
   REQUIRE(model.triangles.size() == 3);
   CHECK(model.triangles[2] == std::array<uint32_t, 3>{0, 1, 2});
@@ -116,10 +124,15 @@ TEST_CASE("obj__reads_polygons_negative_indices_groups_and_continued_lines") {
 }
 
 TEST_CASE("obj__errors_name_the_line") {
-  const auto text_of_failure = [](const char* text) { return failure_of([&] { read_obj_text(text); }).text; };
-  CHECK(text_of_failure("v 0 0\n").find("line 1: a vertex needs three numbers") != std::string::npos);
-  CHECK(text_of_failure("v 0 0 0\nf 1 1 2\n").find("line 2: a face names a vertex that is not there") != std::string::npos);
-  CHECK(text_of_failure("v 0 0 0\nf 1 1 -9223372036854775808\n").find("line 2") != std::string::npos);
+  const auto text_of_failure = [](const char* text) {
+    return failure_of([&] { read_obj_text(text); }).text;
+  };
+  CHECK(text_of_failure("v 0 0\n").find("line 1: a vertex needs three numbers") !=
+        std::string::npos);
+  CHECK(text_of_failure("v 0 0 0\nf 1 1 2\n")
+            .find("line 2: a face names a vertex that is not there") != std::string::npos);
+  CHECK(text_of_failure("v 0 0 0\nf 1 1 -9223372036854775808\n").find("line 2") !=
+        std::string::npos);
   CHECK(text_of_failure("v 0 0 nan\n").find("line 1: a vertex is not finite") != std::string::npos);
   CHECK(text_of_failure("hello\n").find("no vertices") != std::string::npos);
 }
@@ -135,11 +148,13 @@ TEST_CASE("obj__a_face_with_openings_comes_back_with_its_area") {
     const Model back = read_model(folder.file("a.obj"), read_options(), task);
     CHECK(mesh_area(back) == doctest::Approx(80 - (openings ? 6 * 1.2 * 1.5 : 0)));
     for (const auto& t : back.triangles) {  // towards the normal
-      const Vec3 n = cross(back.vertices[t[1]] - back.vertices[t[0]], back.vertices[t[2]] - back.vertices[t[0]]);
+      const Vec3 n = cross(back.vertices[t[1]] - back.vertices[t[0]],
+                           back.vertices[t[2]] - back.vertices[t[0]]);
       CHECK(n.y < 0);
     }
     write_model(facade(openings), folder.file("a.ply"), write_options(), task);
-    CHECK(mesh_area(read_model(folder.file("a.ply"), read_options(), task)) == doctest::Approx(80 - (openings ? 6 * 1.2 * 1.5 : 0)));
+    CHECK(mesh_area(read_model(folder.file("a.ply"), read_options(), task)) ==
+          doctest::Approx(80 - (openings ? 6 * 1.2 * 1.5 : 0)));
   }
 }
 
@@ -147,7 +162,9 @@ TEST_CASE("obj__coordinates_round_trip_exactly") {
   const Folder folder;
   RandomStream random(4, 4);
   Model model;
-  for (int i = 0; i < 300; ++i) model.vertices.push_back({652000 + random.uniform(), 6861000 + random.uniform(), random.normal()});
+  for (int i = 0; i < 300; ++i)
+    model.vertices.push_back(
+        {652000 + random.uniform(), 6861000 + random.uniform(), random.normal()});
   for (uint32_t i = 0; i + 2 < 300; ++i) model.triangles.push_back({i, i + 1, i + 2});
   model.triangle_faces.assign(model.triangles.size(), 3);
   Task task;

@@ -13,7 +13,8 @@ namespace {
 
 std::string names_of(const Cloud& cloud) {
   std::string names;
-  for (const ColumnPtr& column : cloud.fields) names += (names.empty() ? "" : " ") + column->info().name;
+  for (const ColumnPtr& column : cloud.fields)
+    names += (names.empty() ? "" : " ") + column->info().name;
   return names;
 }
 
@@ -24,7 +25,9 @@ TEST_CASE("text__numbers_are_correctly_rounded") {
   for (int i = 0; i < 200000; ++i) {
     char text[64];
     const double value = std::bit_cast<double>(random.bits());
-    const double shorter = static_cast<double>(static_cast<int64_t>(random.bits() >> (11 + random.below(50)))) / std::pow(10, static_cast<double>(random.below(12)));
+    const double shorter =
+        static_cast<double>(static_cast<int64_t>(random.bits() >> (11 + random.below(50)))) /
+        std::pow(10, static_cast<double>(random.below(12)));
     for (const double wanted : {value, shorter}) {
       if (!std::isfinite(wanted)) continue;
       const auto end = std::to_chars(text, text + sizeof text, wanted).ptr;
@@ -43,9 +46,12 @@ TEST_CASE("text__columns_without_names_are_guessed_in_both_orders") {
   CHECK(names_of(read_as_text("1 2 3 0.6 0 8\n")) == "column_4 column_5 column_6");
   CHECK(names_of(read_as_text("1 2 3 900 10 20 30\n")) == "intensity red green blue");
   // x y z i nx ny nz r g b, and the order of the printed example: x y z i r g b nx ny nz.
-  CHECK(names_of(read_as_text("1 2 3 900 0.6 0 0.8 10 20 30\n")) == "intensity red green blue normal");
-  CHECK(names_of(read_as_text("1 2 3 900 10 20 30 0.6 0 0.8\n")) == "intensity red green blue normal");
-  const Cloud axis = read_as_text("1 2 3 900 10 20 30 0 0 1\n");  // both readings are possible for the last three
+  CHECK(names_of(read_as_text("1 2 3 900 0.6 0 0.8 10 20 30\n")) ==
+        "intensity red green blue normal");
+  CHECK(names_of(read_as_text("1 2 3 900 10 20 30 0.6 0 0.8\n")) ==
+        "intensity red green blue normal");
+  const Cloud axis =
+      read_as_text("1 2 3 900 10 20 30 0 0 1\n");  // both readings are possible for the last three
   CHECK(axis.fields.require("normal").number(0, 2) == 1);
   CHECK(axis.fields.require("red").number(0) == 10);
   const Cloud other = read_as_text("1 2 3 900 0 0 1 10 20 30\n");
@@ -64,7 +70,8 @@ TEST_CASE("text__the_columns_option_names_and_skips") {
 }
 
 TEST_CASE("text__headers_comments_separators_and_decimal_commas") {
-  CHECK(names_of(read_as_text("# x y z intensity class instance\n1 2 3 4 5 6\n")) == "intensity class instance");
+  CHECK(names_of(read_as_text("# x y z intensity class instance\n1 2 3 4 5 6\n")) ==
+        "intensity class instance");
   CHECK(names_of(read_as_text("//X Y Z R G B\n1 2 3 4 5 6\n")) == "red green blue");
   CHECK(names_of(read_as_text("X;Y;Z;\"Label a\"\r\n1;2;3;4\r\n")) == "Label a");
   CHECK(names_of(read_as_text("\xEF\xBB\xBFx,y,z,t\n1,2,3,4\n\n# end\n")) == "t");
@@ -72,17 +79,23 @@ TEST_CASE("text__headers_comments_separators_and_decimal_commas") {
   CHECK(comma.point(0) == Vec3{652000.25, 6861000.5, -0.125});
   const Cloud swapped = read_as_text("northing,easting,height\n6861000,652000,100\n");
   CHECK(swapped.point(0) == Vec3{652000, 6861000, 100});
-  CHECK(read_as_text("2\n1 2 3 4\n5 6 7 8\n").size() == 2);                        // PTS
-  CHECK(read_as_text("2\n1 2 3 4\n5 6 7 8\n1\n9 9 9 9\n").size() == 3);             // two scans
+  CHECK(read_as_text("2\n1 2 3 4\n5 6 7 8\n").size() == 2);              // PTS
+  CHECK(read_as_text("2\n1 2 3 4\n5 6 7 8\n1\n9 9 9 9\n").size() == 3);  // two scans
   const Cloud empty_cell = read_as_text("x,y,z,t\n1,2,3,\n4,5,6,7\n");
   CHECK(std::isnan(empty_cell.fields.require("t").number(0)));
 }
 
 TEST_CASE("text__errors_name_line_and_column") {
-  const auto text_of_failure = [](const std::string& text) { return failure_of([&] { read_as_text(text); }).text; };
-  CHECK(text_of_failure("1 2 3\n4 x 6\n").find("line 2, column 2: this is no number") != std::string::npos);
-  CHECK(text_of_failure("# c\n1 2 3\n\n4 5\n").find("line 4, column 3: the line has fewer columns") != std::string::npos);
-  CHECK(text_of_failure("1 2 3\n4 5 6 7\n").find("line 2, column 4: the line has more columns") != std::string::npos);
+  const auto text_of_failure = [](const std::string& text) {
+    return failure_of([&] { read_as_text(text); }).text;
+  };
+  CHECK(text_of_failure("1 2 3\n4 x 6\n").find("line 2, column 2: this is no number") !=
+        std::string::npos);
+  CHECK(
+      text_of_failure("# c\n1 2 3\n\n4 5\n").find("line 4, column 3: the line has fewer columns") !=
+      std::string::npos);
+  CHECK(text_of_failure("1 2 3\n4 5 6 7\n").find("line 2, column 4: the line has more columns") !=
+        std::string::npos);
   CHECK(text_of_failure("1;2;3\n4;5;6;\n").find("line 2, column 4") != std::string::npos);
   CHECK(text_of_failure("hello world\nfoo\n").find("line 2, column 1") != std::string::npos);
   CHECK(text_of_failure("\n\n").find("no line of numbers") != std::string::npos);
@@ -91,7 +104,9 @@ TEST_CASE("text__errors_name_line_and_column") {
 }
 
 TEST_CASE("text__integers_of_64_bits_survive") {
-  const Cloud cloud = read_as_text("x y z a b c\n0 0 0 9223372036854775807 18446744073709551615 -9007199254740993\n1 1 1 1 2 3\n");
+  const Cloud cloud = read_as_text(
+      "x y z a b c\n0 0 0 9223372036854775807 18446744073709551615 -9007199254740993\n1 1 1 1 2 "
+      "3\n");
   CHECK(cloud.fields.require("a").values<int64_t>()[0] == 9223372036854775807);
   CHECK(cloud.fields.require("b").values<uint64_t>()[0] == 18446744073709551615ull);
   CHECK(cloud.fields.require("c").values<int64_t>()[0] == -9007199254740993);
@@ -106,7 +121,8 @@ TEST_CASE("text__round_trip_keeps_random_fields_of_every_type_and_coordinates_ex
     Cloud cloud = random_points(n, seed);
     cloud.crs = seed % 2 == 0 ? "EPSG:2154" : "";
     for (int32_t type = 1; type <= 10; ++type)
-      cloud.fields.set(random_column(std::to_string(type).insert(0, 1, 'f'), static_cast<ElementType>(type), 1, n, random));
+      cloud.fields.set(random_column(std::to_string(type).insert(0, 1, 'f'),
+                                     static_cast<ElementType>(type), 1, n, random));
     cloud.fields.set(random_column("normal", ElementType::kFloat32, 3, n, random));
     const std::string path = folder.file(seed % 3 == 0 ? "a.csv" : "a.xyz");
     write(cloud, path);
@@ -114,7 +130,8 @@ TEST_CASE("text__round_trip_keeps_random_fields_of_every_type_and_coordinates_ex
     REQUIRE(back.size() == n);
     for (size_t i = 0; i < 3 * n; ++i) REQUIRE(back.xyz()[i] == cloud.xyz()[i]);
     for (const ColumnPtr& column : cloud.fields) {
-      CHECK_MESSAGE(same_values(*column, back.fields.require(column->info().name)), "seed ", seed, " ", column->info().name);
+      CHECK_MESSAGE(same_values(*column, back.fields.require(column->info().name)), "seed ", seed,
+                    " ", column->info().name);
       ++columns;
     }
     if (seed % 3 != 0) CHECK(back.crs.str() == cloud.crs.str());
@@ -132,7 +149,8 @@ TEST_CASE("text__blocks_cut_anywhere_give_the_same_points_for_any_number_of_thre
     for (int k = 0; k < 3; ++k) {
       const double value = std::round(random.normal() * 1e6) / 1000;
       char number[32];
-      text.append(number, std::to_chars(number, number + sizeof number, value).ptr) += k == 2 ? '\n' : ' ';
+      text.append(number, std::to_chars(number, number + sizeof number, value).ptr) +=
+          k == 2 ? '\n' : ' ';
       wanted.push_back(value);
     }
   }
@@ -147,11 +165,14 @@ TEST_CASE("text__blocks_cut_anywhere_give_the_same_points_for_any_number_of_thre
   }
   spill(folder.file("b.xyz"), text + "1 2 x\n");
   size_t lines = static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
-  CHECK(failure_of([&] { read(folder.file("b.xyz")); }).text.find(std::to_string(lines + 1).append(", column 3")) != std::string::npos);
+  CHECK(failure_of([&] {
+          read(folder.file("b.xyz"));
+        }).text.find(std::to_string(lines + 1).append(", column 3")) != std::string::npos);
 }
 
 TEST_CASE("text__street_files_have_their_labels") {
-  for (const auto& [name, points] : {std::pair{"facades/street_1.txt", 54864}, std::pair{"facades/street_3.txt", 39960}}) {
+  for (const auto& [name, points] :
+       {std::pair{"facades/street_1.txt", 54864}, std::pair{"facades/street_3.txt", 39960}}) {
     const std::string path = shared(name);
     if (path.empty()) return;
     const Cloud cloud = read(path);
@@ -159,7 +180,8 @@ TEST_CASE("text__street_files_have_their_labels") {
     CHECK(names_of(cloud) == "intensity class instance");
     CHECK(cloud.fields.require("intensity").info().type == ElementType::kUint16);
     size_t wall = 0;
-    for (size_t i = 0; i < cloud.size(); ++i) wall += cloud.fields.require("class").number(i) == 1 ? 1 : 0;
+    for (size_t i = 0; i < cloud.size(); ++i)
+      wall += cloud.fields.require("class").number(i) == 1 ? 1 : 0;
     MESSAGE(std::string(name), ": ", cloud.size(), " points, ", wall, " of class wall");
   }
 }
@@ -168,7 +190,8 @@ TEST_CASE("text__hostile_field_names_stay_in_their_cell") {
   const Folder folder;
   Cloud cloud = random_points(2, 1);
   const double values[] = {1, 2};
-  const char* hostile[] = {"=1+1", "@x", "a,b", "a;b", "a b", "a\nb", "\"q\"", "#c", "//c", "-", "3", "x\ty", "\x01", "é"};
+  const char* hostile[] = {"=1+1", "@x",  "a,b", "a;b", "a b",  "a\nb", "\"q\"",
+                           "#c",   "//c", "-",   "3",   "x\ty", "\x01", "é"};
   for (const char* name : hostile) cloud.fields.set(make_column<double>({name}, values));
   for (const char* file : {"a.csv", "a.txt"}) {
     write(cloud, folder.file(file));

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <ctime>
+#include <functional>
 #include <set>
 
 #include "base/error.h"
@@ -178,4 +180,43 @@ TEST_CASE("octree__stops_on_cancel_and_builds_afterwards") {
   cancel = false;
   Task task(hooks);
   CHECK(Octree::build(xyz, cube, task)->size() == 100000);
+}
+
+TEST_CASE("octree__building_skewed_clouds_costs_at_most_20_times_a_random_one") {
+  constexpr size_t kPoints = 100000;
+  const auto make = [](const std::function<Vec3(size_t)>& at) {
+    std::vector<double> xyz;
+    for (size_t i = 0; i < kPoints; ++i) {
+      const Vec3 p = at(i);
+      xyz.insert(xyz.end(), {p.x, p.y, p.z});
+    }
+    return xyz;
+  };
+  // Processor seconds of this process, so that what else runs on the machine counts little; the best of three.
+  const auto seconds = [](const std::vector<double>& xyz) {
+    double best = 1e9;
+    for (int round = 0; round < 3; ++round) {
+      const std::clock_t start = std::clock();
+      const auto tree = build(xyz);
+      best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+      REQUIRE(tree->size() == kPoints);
+    }
+    return best;
+  };
+  RandomStream random(5, 0);
+  const auto random_xyz = make([&](size_t) { return Vec3{random.uniform(), random.uniform(), random.uniform()} * 100.0; });
+  auto outlier = random_xyz;
+  outlier[0] = 1e7;
+  const double fair = seconds(random_xyz);
+  const std::pair<const char*, std::vector<double>> skewed[] = {
+      {"all equal", make([](size_t) { return Vec3{1, 2, 3}; })},
+      {"one far outlier", outlier},
+      {"exponential spacing", make([](size_t i) { return Vec3{1000, 700, 300} * std::exp(-4e-4 * static_cast<double>(i)); })},
+      {"collinear grid", make([](size_t i) { return Vec3{0.01 * static_cast<double>(i), 0, 0}; })},
+  };
+  for (const auto& [name, xyz] : skewed) {
+    const double t = seconds(xyz);
+    MESSAGE(name << ": " << 1e3 * t << " ms, " << t / fair << " times random points (" << 1e3 * fair << " ms)");
+    CHECK(t <= 20 * fair);
+  }
 }

@@ -63,6 +63,29 @@ TEST_CASE("voxel_grid__is_the_same_for_any_number_of_threads_and_after_whole_met
   CHECK(std::equal(a.order.begin(), a.order.end(), b.order.begin()));
 }
 
+TEST_CASE("voxel_centroids__are_those_of_the_grid_bit_for_bit") {
+  auto xyz = street(300000);
+  const Vec3 origin{-3, -2, -1};
+  const auto check = [&](double cell) {
+    Task one(threads(1)), seven(threads(7));
+    const VoxelGrid grid = voxel_grid(xyz, origin, cell, seven);
+    for (Task* task : {&one, &seven}) {
+      const auto centroids = voxel_centroids(xyz, box_of(xyz), origin, cell, *task);
+      REQUIRE(centroids.size() == grid.centroids.size());
+      CHECK(std::equal(centroids.begin(), centroids.end(), grid.centroids.begin()));
+    }
+  };
+  for (const double cell : {100.0, 1.0, 0.05, 1e-8}) check(cell);
+  xyz.insert(xyz.end(), {1e4, 2e4, 3e5});  // now the highest bits of the keys part nothing but the outlier
+  for (const double cell : {5.0, 0.05}) check(cell);
+  Task task;
+  CHECK(voxel_centroids({}, Box3{}, {}, 1, task).empty());
+  const std::vector<double> equal{1, 2, 3, 1, 2, 3, 1, 2, 3};
+  CHECK(voxel_centroids(equal, box_of(equal), {}, 1e-3, task).size() == 3);
+  CHECK_THROWS_AS(voxel_centroids(equal, box_of(equal), {}, 0, task), Error);
+  CHECK_THROWS_AS(voxel_centroids(equal, box_of(equal), {}, 1e-13, task), Error);
+}
+
 TEST_CASE("voxel_grid__takes_degenerate_input") {
   Task task;
   CHECK(voxel_grid({}, {}, 1, task).size() == 0);
