@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/error.h"
 #include "base/task.h"
 
 namespace jalon {
@@ -127,7 +128,8 @@ void Pool::run(Task& task, size_t chunks, Work work, void* context) {
   lock.unlock();
   if (error) std::rethrow_exception(error);
   if (host) std::rethrow_exception(host);
-  if (abandoned_) task.checkpoint(1.0);
+  // Chunks were left out for a cancel, even if the task has been reset since.
+  if (abandoned_) throw Error(Status::kCancelled, "cancelled");
 }
 
 }  // namespace jalon

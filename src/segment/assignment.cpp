@@ -15,7 +15,6 @@ constexpr size_t kPointsPerChunk = 1 << 14;
 constexpr size_t kPointsPerBlock = 64;
 constexpr double kLeastSigma = 0.04;      // of the tolerance: noise-free planes do not pull points from noisy ones
 constexpr double kLeastArea_m2 = 1e-6;
-constexpr double kDisagreement = 9;       // a normal that disagrees costs as much as 3 sigma
 constexpr double kCoreSigmas = 4;         // rejection of outliers in the last fit: biases sigma by 0.05 %
 
 struct Patch {
@@ -73,7 +72,8 @@ bool overlap(const Box3& a, const Box3& b) {
 
 // Owner of one point among the patches near its block; 0 = none. The cost is -2 ln of the likelihood of the mixture
 // of surfaces, density / sigma exp(-d^2 / (2 sigma^2)): where a thin cloud of clutter cuts a wall, the points there
-// are the wall's.
+// are the wall's. Within the core of a plane the normal has no say: it is that of a cell, and at an edge of two
+// surfaces the cell holds both, so that a column of the wall beside a reveal would become the reveal's.
 uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches, std::span<const uint32_t> near,
                 size_t position, double min_cosine) {
   const Vec3 p = scene.local(position);
@@ -83,9 +83,8 @@ uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches, st
     const Patch& patch = patches[k];
     const double distance = std::fabs(patch.plane.distance(p));
     if (distance > scene.settings.distance_tolerance_m) continue;
-    const bool disagrees = scene.inconsistent(position, patch.plane.normal, min_cosine);
-    if (disagrees && distance > patch.core_m) continue;
-    const double cost = distance * distance * patch.weight + patch.evidence + (disagrees ? kDisagreement : 0);
+    if (distance > patch.core_m && scene.inconsistent(position, patch.plane.normal, min_cosine)) continue;
+    const double cost = distance * distance * patch.weight + patch.evidence;
     if (cost < best_cost && patch.reaches(p)) {
       best = k + 1;
       best_cost = cost;
@@ -148,7 +147,7 @@ bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& t
   for (Surface& surface : surfaces) {
     PlaneFit fit;
     bool keep = surface.positions.size() >= std::max<size_t>(3, settings.min_points) &&
-                fit_core(scene, surface, task, fit);
+                fit_core(scene, surface, task, fit) && wide_enough(settings, fit);
     if (keep) {
       surface.plane = fit.plane;
       surface.sigma_m = fit.sigma;

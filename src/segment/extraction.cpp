@@ -18,6 +18,12 @@ constexpr double kLeastReach = 0.1;     // of the tolerance: keeps noise-free pl
 // Points evenly spread over the tolerance, as where a plane cuts through volume, a column or a step, have an rms of
 // 0.58 tolerances; noise with the tolerance at 2 sigma has 0.44.
 constexpr double kMaxRoughness = 0.5;
+// A strip of n points with rms width s fixes the plane's turn about its long side to sigma / (s sqrt(n)) (fit_plane's
+// covariance). Sigma is that of a scan for which the tolerance was chosen, 3 sigma, not the fit's own: least squares
+// through a single column finds hardly any residual. Twice the usual tolerance of 1 degree for orientations.
+constexpr double kLargestTurn_rad = 0.035;
+// A strip whose width is that of the noise has no direction however many its points.
+constexpr double kLeastWidthInSigmas = 1.5;
 constexpr size_t kPointsPerChunk = 1 << 14;
 // The surface is followed from the candidate's cell outward: looking at a whole infinite plane for each small surface
 // would cost far more than the surface.
@@ -120,7 +126,7 @@ bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, 
     surface.sigma_m = fit.sigma;
     reach = core_reach(settings, fit.sigma);
     const bool grown = window.grow_if_touched(members, settings.gap_m + 2 * members.pixel_m);
-    if (!grown && !large_enough(settings, members)) return false;
+    if (!grown && (!large_enough(settings, members) || !wide_enough(settings, fit))) return false;
     if (settings.uses_normals() && fit.sigma > kMaxRoughness * settings.distance_tolerance_m) return false;
     const double change = std::fabs(static_cast<double>(members.inliers.size()) - static_cast<double>(previous));
     if (!grown && round > 1 && change <= kStable * static_cast<double>(previous)) break;
@@ -145,6 +151,14 @@ Members members_of(const SegmentScene& scene, const PointPool& pool, const Surfa
 }
 
 }  // namespace
+
+bool wide_enough(const RansacSettings& settings, const PlaneFit& fit) {
+  if (!settings.uses_normals()) return true;  // the plain method: any three points are a plane
+  const double sigma = settings.distance_tolerance_m / kSigmas;
+  const double width = std::sqrt(fit.eigenvalues[1]);
+  return width >= kLeastWidthInSigmas * sigma &&
+         width * std::sqrt(static_cast<double>(fit.n)) * kLargestTurn_rad >= sigma;
+}
 
 double core_reach(const RansacSettings& settings, double sigma_m) {
   const double tolerance = settings.distance_tolerance_m;

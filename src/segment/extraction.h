@@ -25,6 +25,10 @@ struct Surface {
 bool extract_surface(SegmentScene& scene, PointPool& pool, const Candidate& candidate, uint32_t owner_id, Task& task,
                      Surface& out);
 
+/// False when the points are so narrow a strip that noise, not the surface, turns the plane about its long side: a
+/// single column of a scan is spread along the ray by the noise alone, and least squares follows that spread.
+bool wide_enough(const RansacSettings& settings, const PlaneFit& fit);
+
 /// Reach of a plane of this sigma: 3 sigma, between a tenth of the tolerance and the tolerance.
 double core_reach(const RansacSettings& settings, double sigma_m);
 

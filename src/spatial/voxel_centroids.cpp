@@ -3,8 +3,8 @@
 
 // Centroids of cells without lists of their points:
 //   1. a key for each point (voxel_numbers.h);
-//   2. keys and coordinates go to buckets of their highest bits, in parallel; a bucket that holds too much of the cloud is
-//      split again by its next differing bits (far outliers make most of the highest bits useless);
+//   2. keys and coordinates go to buckets of their highest bits, in parallel; a bucket that holds too much of the cloud
+//      is split again by its next differing bits (far outliers make most of the highest bits useless);
 //   3. each bucket, now in the cache, is sorted by key; its centroids replace its records;
 //   4. the centroids move together.
 // All moves are stable, so the sums are those of voxel_grid(), bit for bit.
@@ -25,7 +25,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGrain = size_t{1} << 15;
-constexpr int kDigitBits = 12;                     // open write streams of one pass
+constexpr int kDigitBits = 10;                     // 1024 open write streams
 constexpr size_t kMostSerial = size_t{1} << 19;  // points of a bucket: a cancel has to wait for its sort
 
 /// A point with its cell; coordinates relative to the origin.
@@ -86,7 +86,7 @@ class Centroids {
     }
     Span span(task, 0.4, 1);
     const int key_bits = numbers.key_bits();
-    const int digit_bits = std::min({kDigitBits, key_bits, static_cast<int>(std::bit_width(count_ >> 8))});
+    const int digit_bits = std::min({kDigitBits, key_bits, static_cast<int>(std::bit_width(count_ >> 10))});
     const int shift = digit_bits == 0 ? 0 : key_bits - digit_bits;
     const uint64_t mask = (uint64_t{1} << digit_bits) - 1;
     records_[0] = Buffer<Record>(count_);
@@ -119,8 +119,8 @@ class Centroids {
         const int digit_bits = std::min(kDigitBits, bits), shift = bits - digit_bits;
         const uint64_t mask = (uint64_t{1} << digit_bits) - 1;
         append_buckets(partition(
-                           bucket.count, size_t{1} << digit_bits, [=](const Record& r) { return r.key >> shift & mask; },
-                           task, to.data() + bucket.first, [from](size_t i) { return from[i]; }),
+                           bucket.count, size_t{1} << digit_bits,
+                           [=](const Record& r) { return r.key >> shift & mask; }, task, to.data() + bucket.first, [from](size_t i) { return from[i]; }),
                        bucket.first, !bucket.in_second, split);
         again = true;
       }
@@ -201,7 +201,8 @@ class Centroids {
 
 }  // namespace
 
-Buffer<double> voxel_centroids(std::span<const double> xyz, const Box3& box, const Vec3& origin, double cell_m, Task& task) {
+Buffer<double> voxel_centroids(std::span<const double> xyz, const Box3& box, const Vec3& origin, double cell_m,
+                               Task& task) {
   require_voxels(xyz.size() / 3, cell_m);
   if (xyz.empty()) return {};
   const VoxelNumbers numbers(xyz, box, origin, cell_m, task);

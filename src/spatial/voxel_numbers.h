@@ -17,9 +17,9 @@ namespace jalon {
 /// Checks what every grid asks for: a positive cell size (kInvalidArgument), fewer than 2^32 - 1 points (kLimit).
 void require_voxels(size_t points, double cell_m);
 
-/// The three cell numbers of a point, floor((p - origin) / cell) counted from the lowest in use, packed into one 64-bit key: z counts
-/// most, x least. Numbers too large for 64 bits together are first replaced by their ranks, axis by axis: n points occupy at most n
-/// different planes of cells.
+/// The three cell numbers of a point, floor((p - origin) / cell) counted from the lowest in use, packed into one
+/// 64-bit key: z counts most, x least. Numbers too large for 64 bits together are first replaced by their ranks, axis by
+/// axis: n points occupy at most n different planes of cells.
 class VoxelNumbers {
  public:
   /// box: of all points. kLimit when a number or a key has too many bits. xyz must outlive this.
@@ -32,7 +32,7 @@ class VoxelNumbers {
   double scaled(double v, size_t axis) const { return (v - origin_[axis]) / cell_m_; }
   uint64_t number(size_t i, size_t axis) const {
     const double from_lowest = std::floor(scaled(xyz_[3 * i + axis], axis)) - lowest_[axis];
-    const auto v = static_cast<uint64_t>(static_cast<int64_t>(from_lowest));  // below 2^42; the signed conversion is one instruction
+    const auto v = static_cast<uint64_t>(static_cast<int64_t>(from_lowest));  // below 2^42: signed is one instruction
     const auto& used = used_[axis];
     return used.empty() ? v : static_cast<uint64_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
   }

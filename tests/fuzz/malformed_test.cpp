@@ -137,7 +137,8 @@ class Run {
   }
 
   void note(const malformed::File& file, size_t index, const Verdict& verdict) {
-    ++statuses_[verdict.status];
+    // An OBJ file holds a model; read as a cloud it is always unsupported.
+    ++statuses_[file.name.ends_with(".obj") ? verdict.model_status : verdict.status];
     const auto allowed = [](int status) {
       return status == JALON_OK || status == JALON_ERROR_FORMAT ||
              status == JALON_ERROR_UNSUPPORTED || status == JALON_ERROR_LIMIT;

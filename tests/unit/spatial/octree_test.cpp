@@ -7,6 +7,7 @@
 #include <ctime>
 #include <functional>
 #include <set>
+#include <string>
 
 #include "base/error.h"
 #include "octree_fixture.h"
@@ -193,7 +194,7 @@ TEST_CASE("octree__building_skewed_clouds_costs_at_most_20_times_a_random_one") 
     return xyz;
   };
   // Processor seconds of this process, so that what else runs on the machine counts little; the best of three.
-  const auto seconds = [](const std::vector<double>& xyz) {
+  const auto seconds = [&](const std::vector<double>& xyz) {
     double best = 1e9;
     for (int round = 0; round < 3; ++round) {
       const std::clock_t start = std::clock();
@@ -204,14 +205,16 @@ TEST_CASE("octree__building_skewed_clouds_costs_at_most_20_times_a_random_one") 
     return best;
   };
   RandomStream random(5, 0);
-  const auto random_xyz = make([&](size_t) { return Vec3{random.uniform(), random.uniform(), random.uniform()} * 100.0; });
+  const auto random_xyz =
+      make([&](size_t) { return Vec3{random.uniform(), random.uniform(), random.uniform()} * 100.0; });
   auto outlier = random_xyz;
   outlier[0] = 1e7;
   const double fair = seconds(random_xyz);
-  const std::pair<const char*, std::vector<double>> skewed[] = {
+  const std::pair<std::string, std::vector<double>> skewed[] = {
       {"all equal", make([](size_t) { return Vec3{1, 2, 3}; })},
       {"one far outlier", outlier},
-      {"exponential spacing", make([](size_t i) { return Vec3{1000, 700, 300} * std::exp(-4e-4 * static_cast<double>(i)); })},
+      {"exponential spacing",
+       make([](size_t i) { return Vec3{1000, 700, 300} * std::exp(-4e-4 * static_cast<double>(i)); })},
       {"collinear grid", make([](size_t i) { return Vec3{0.01 * static_cast<double>(i), 0, 0}; })},
   };
   for (const auto& [name, xyz] : skewed) {
