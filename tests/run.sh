@@ -46,6 +46,7 @@ suite() {
   local name=$1 log="$logs/$1.log" begin=$SECONDS p=0 f=0 s=0 code
   shift
   [[ $name =~ $only ]] || return 0
+  mkdir -p "$(dirname "$log")"
   (cd "$root" && "$@") >"$log" 2>&1 </dev/null
   code=$?
   read -r p f s < <(awk '
