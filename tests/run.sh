@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Sets up, builds and passes the tests. The last line is "N passed, N failed, N skipped".
 #   bash tests/run.sh           what every change must pass
-#   bash tests/run.sh --full    also what is too long for each commit: peers' benchmarks, full-size fuzzing and fault injection,
-#                               the fresh-root check
+#   bash tests/run.sh --full    also what is too long for each commit: unit tests under the sanitizers, fault injection at every
+#                               allocation, large tables, the fresh-root check, the peers' benchmarks
 #   bash tests/run.sh --only PATTERN   suites whose name matches the (extended) regular expression
 set -uo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -86,17 +86,20 @@ release=$root/build/release
 programs release
 . "$root/tests/suites.sh"
 
-build asan
+# Under the sanitizers every commit runs what sees the whole library through its C surface; --full adds the unit tests.
+build asan jalon_cli c_tests malformed_files
 export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
 export JALON_SANITIZED=1
 programs asan
 suite asan/cli bash tests/scenarios/cli.sh "$root/build/asan/src/jalon"
+suite asan/malformed bash tests/fuzz/malformed.sh "$root/build/asan"
 
-threaded=(unit_base unit_spatial unit_cloud unit_segment capi_threads_test capi_search_test)
+threaded=(unit_base capi_threads_test capi_search_test)
+[ $full -eq 0 ] || threaded+=(unit_spatial unit_cloud unit_segment unit_scan unit_modelling)
 build tsan "${threaded[@]}"
 export TSAN_OPTIONS=halt_on_error=1
 for program in "${threaded[@]}"; do
-  [ -x "$root/build/tsan/tests/$program" ] && suite "tsan/$program" "$root/build/tsan/tests/$program"
+  suite "tsan/$program" "$root/build/tsan/tests/$program"
 done
 unset JALON_SANITIZED
 
