@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <span>
@@ -13,7 +14,7 @@
 namespace jalon {
 
 /// Fixed-length array of plain values, left uninitialised: for large buffers that are written whole before
-/// they are read. 64-byte aligned, with 64 readable bytes behind the end so that vector loops may over-read.
+/// they are read. 64-byte aligned, with at least 64 zero bytes behind the end so that vector loops may over-read.
 template <class T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -26,6 +27,7 @@ class Buffer {
     const size_t bytes = (size * sizeof(T) + 64 + 63) / 64 * 64;
     data_ = static_cast<T*>(std::aligned_alloc(64, bytes));
     if (data_ == nullptr) throw std::bad_alloc();
+    std::memset(reinterpret_cast<char*>(data_) + size * sizeof(T), 0, bytes - size * sizeof(T));
   }
   Buffer(Buffer&& other) noexcept
       : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
