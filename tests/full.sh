@@ -4,7 +4,7 @@
 build asan
 export JALON_SANITIZED=1
 for program in "$root"/build/asan/tests/unit_*; do
-  [ -f "$program" ] && [ -x "$program" ] && suite "asan/$(basename "$program")" "$program"
+  [ -f "$program" ] && [ -x "$program" ] && suite "asan/$(basename "$program")" env -C "$work" "$program"
 done
 unset JALON_SANITIZED
 suite fresh_root bash tests/install/fresh_root.sh

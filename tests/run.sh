@@ -22,8 +22,8 @@ done
 need_packages "${build_packages[@]}" doctest-dev libcmocka-dev abigail-tools binutils pkg-config python3 python3-venv locales \
   file librsvg2-bin || exit 1
 
-logs=$root/build/logs
-mkdir -p "$logs"
+logs=$root/build/logs work=$root/build/work # programs run in work: some write files of odd names
+mkdir -p "$logs" "$work"
 passed=0 failed=0 skipped=0 failures=()
 started=$SECONDS
 
@@ -77,7 +77,7 @@ suite() {
 programs() {
   local preset=$1 program
   for program in "$root/build/$preset"/tests/unit_* "$root/build/$preset"/tests/capi_*; do
-    [ -f "$program" ] && [ -x "$program" ] && suite "$preset/$(basename "$program")" "$program"
+    [ -f "$program" ] && [ -x "$program" ] && suite "$preset/$(basename "$program")" env -C "$work" "$program"
   done
 }
 
@@ -99,7 +99,7 @@ threaded=(unit_base capi_threads_test capi_search_test)
 build tsan "${threaded[@]}"
 export TSAN_OPTIONS=halt_on_error=1
 for program in "${threaded[@]}"; do
-  suite "tsan/$program" "$root/build/tsan/tests/$program"
+  suite "tsan/$program" env -C "$work" "$root/build/tsan/tests/$program"
 done
 unset JALON_SANITIZED
 
