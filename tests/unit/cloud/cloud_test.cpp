@@ -189,7 +189,7 @@ TEST_CASE("index__get_on_another_cube__replaces_the_tree") {
 TEST_CASE("empty_cloud__every_operation_gives_its_documented_answer") {
   Task task;
   const Cloud empty;
-  CHECK(with_normals(empty, options("normals", normals_rows()), task).fields.size() == 2);
+  CHECK(with_normals(empty, options("normals", normals_rows()), task).fields.size() == 1);
   CHECK(with_features(empty, options("features", features_rows()), task).fields.require("density").count() == 0);
   uint64_t count = 9;
   with_components(empty, options("components", components_rows()), task, count);
