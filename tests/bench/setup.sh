@@ -9,22 +9,9 @@
 set -euo pipefail
 
 folder=${1:?usage: setup.sh FOLDER, the JALON_BENCH_PEERS of CMake: BUILD/peers by default}
-packages=(g++ cmake ninja-build libeigen3-dev libboost-dev nlohmann-json3-dev
-  libpcl-dev libflann-dev liblz4-dev libnanoflann-dev libcgal-dev libgmp-dev libmpfr-dev libtbb-dev
-  python3 python3-venv libgomp1 libx11-6 libgl1)
-
-missing=()
-for package in "${packages[@]}"; do
-  state=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
-  if [[ $state != "install ok installed" ]]; then missing+=("$package"); fi
-done
-if ((${#missing[@]})); then
-  as_root=()
-  if (($(id -u) != 0)); then as_root=(sudo -n); fi
-  as_root+=(env DEBIAN_FRONTEND=noninteractive)
-  "${as_root[@]}" apt-get update -q
-  "${as_root[@]}" apt-get install -yq --no-install-recommends "${missing[@]}"
-fi
+. "$(dirname "$0")/../../examples/packages.sh"
+need_packages "${build_packages[@]}" libpcl-dev libflann-dev liblz4-dev libnanoflann-dev libcgal-dev libgmp-dev libmpfr-dev libtbb-dev \
+  python3 python3-venv libgomp1 libx11-6 libgl1
 
 mkdir -p "$folder"
 cd "$folder"
