@@ -154,9 +154,7 @@ bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& t
       const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
       std::vector<Vec2> uv(surface.positions.size());
       for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
-      const Raster raster = bounded_raster(uv, surface.pixel_m, 0);
-      const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
-      surface.area_m2 = static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
+      surface.area_m2 = occupied_area_m2(bounded_raster(uv, surface.pixel_m, 0));
       keep = surface.area_m2 >= settings.min_area_m2;
     }
     if (keep) continue;

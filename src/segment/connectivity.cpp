@@ -53,6 +53,11 @@ double connectivity_pixel(const RansacSettings& settings, std::vector<float> spa
   return std::max(settings.distance_tolerance_m, kSpacingsPerPixel * spacing);
 }
 
+double occupied_area_m2(const Raster& raster) {
+  const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
+  return static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
+}
+
 Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin) {
   double u0 = points[0].u, u1 = u0, v0 = points[0].v, v1 = v0;
   for (const Vec2& p : points) {

@@ -34,6 +34,9 @@ double connectivity_pixel(const RansacSettings& settings, std::vector<float> spa
 /// touch.
 Region largest_region(std::span<const Vec2> points, double pixel_m, double gap_m, double min_piece_m2);
 
+/// Area of the occupied pixels.
+double occupied_area_m2(const Raster& raster);
+
 /// The raster of points with a pixel that keeps it within a bound on memory.
 Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin);
 

@@ -47,9 +47,7 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
   }
   members.pixel_m = connectivity_pixel(scene.settings, std::move(spacings));
   if (!scene.settings.connectivity) {
-    const Raster raster = bounded_raster(uv, members.pixel_m, 0);
-    const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
-    members.area_m2 = static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
+    members.area_m2 = occupied_area_m2(bounded_raster(uv, members.pixel_m, 0));
     return;
   }
   const Region region =

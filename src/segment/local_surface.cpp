@@ -69,7 +69,8 @@ void decide_cell(SegmentScene& scene, const Octree::Cell& cell, int level, bool 
   }
 }
 
-// Normals of the caller, turned into the octree's order; those that are not finite or zero count as unknown.
+}  // namespace
+
 void take_field_normals(SegmentScene& scene, Task& task) {
   const Column& column = scene.cloud.fields.require("normal");
   if (column.info().components != 3 || !is_floating(column.info().type))
@@ -84,8 +85,6 @@ void take_field_normals(SegmentScene& scene, Task& task) {
     }
   });
 }
-
-}  // namespace
 
 void estimate_local_surface(SegmentScene& scene, Task& task) {
   const bool keep_normals = scene.settings.normals == NormalSource::kField;

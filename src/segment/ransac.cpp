@@ -1,99 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
-#include "base/error.h"
-#include "base/parallel.h"
-#include "segment/assignment.h"
-#include "segment/facade.h"
-#include "segment/merging.h"
+#include "segment/ending.h"
 #include "segment/segmentation.h"
 #include "segment/sequence.h"
 
 namespace jalon {
-
-namespace {
-
-constexpr size_t kPointsPerChunk = 1 << 15;
-constexpr int kAssignmentRounds = 3;
-constexpr int kFitRounds = 3;
-
-// Fewer than 3 points, all equal or on one line: nothing that a plane could be fitted to.
-void require_area(const Cloud& cloud, Task& task) {
-  if (cloud.size() < 3)
-    fail(Status::kInsufficientData, "the cloud has %zu points; a plane needs 3", cloud.size());
-  Moments zero;
-  zero.reference = cloud.point(0);
-  const Moments moments = parallel_reduce(task, cloud.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
-    Moments part = zero;
-    for (size_t i = begin; i < end; ++i) part.add(cloud.point(i));
-    return part;
-  });
-  PlaneFit fit;
-  if (!fit_plane(moments, fit))
-    fail(Status::kDegenerate, "all %zu points are equal or on one line", cloud.size());
-}
-
-// Rows of the surfaces, largest first, fits in the local frame.
-std::vector<PlaneSegment> make_segments(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  std::stable_sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) {
-    return a.positions.size() > b.positions.size();
-  });
-  std::vector<PlaneSegment> segments(surfaces.size());
-  for (size_t s = 0; s < surfaces.size(); ++s) {
-    PlaneSegment& segment = segments[s];
-    segment.label = static_cast<uint32_t>(s + 1);
-    segment.area_m2 = surfaces[s].area_m2;
-    for (int round = 0; round < kFitRounds; ++round) {  // the core depends on the plane: to a fixed point
-      if (!fit_core(scene, surfaces[s], task, segment.fit)) fail(Status::kInternal, "a segment lost its plane");
-      surfaces[s].plane = segment.fit.plane;
-      surfaces[s].sigma_m = segment.fit.sigma;
-    }
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    const Vec3 axes[2] = {segment.fit.axis_u, segment.fit.axis_v};
-    for (const uint32_t position : surfaces[s].positions) {
-      const Vec3 d = scene.exact(position) - segment.fit.centroid;
-      for (size_t k = 0; k < 2; ++k) {
-        low[k] = std::min(low[k], dot(d, axes[k]));
-        high[k] = std::max(high[k], dot(d, axes[k]));
-      }
-    }
-    segment.length_u_m = high[0] - low[0];
-    segment.length_v_m = high[1] - low[1];
-  }
-  return segments;
-}
-
-std::shared_ptr<Column> point_column(const char* name, ElementType type, const char* unit, const char* meaning,
-                                     size_t count) {
-  return std::make_shared<Column>(FieldInfo{name, type, 1, unit, meaning}, count);
-}
-
-void fill_points(const SegmentScene& scene, const std::vector<PlaneSegment>& segments, std::span<const uint32_t> labels,
-                 Task& task, Segmentation& out) {
-  const size_t n = scene.size();
-  auto residuals = point_column("residual", ElementType::kFloat32, "m", "signed distance to the own plane", n);
-  auto orientations = point_column("orientation", ElementType::kUint8, "",
-                                   "0 noise, 1 parallel to the facade, 2 vertical, 3 horizontal, 4 inclined", n);
-  const auto residual = residuals->values<float>();
-  const auto orientation = orientations->values<uint8_t>();
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      residual[i] = kNotANumber;
-      orientation[i] = 0;
-      if (labels[i] == 0) continue;
-      const PlaneSegment& segment = segments[labels[i] - 1];
-      residual[i] = static_cast<float>(segment.fit.plane.distance(scene.cloud.point(i) - scene.origin));
-      orientation[i] = static_cast<uint8_t>(segment.orientation);
-    }
-  });
-  out.residuals = residuals;
-  out.orientations = orientations;
-}
-
-}  // namespace
 
 // 1. sequence of planes; 2. coplanar neighbours joined; 3. points shared out anew among all planes; 4. last fit; 5.
 // normals, orientation classes and facade frame.
@@ -111,35 +22,10 @@ Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task&
   }
   {
     Span span(task, 0.85, 0.95, "sharing out points");
-    if (settings.connectivity) merge_coplanar(scene, surfaces, task);
-    for (int round = 0; round < kAssignmentRounds; ++round) {
-      assign_points(scene, surfaces, task);
-      if (!refit_surfaces(scene, surfaces, task) && round > 0) break;
-    }
+    share_out_points(scene, surfaces, task);
   }
   Span span(task, 0.95, 1, "last fit");
-  Segmentation out;
-  out.cloud = cloud;
-  out.parameters_json = params.to_json();
-  out.segments = make_segments(scene, surfaces, task);
-  auto label_column =
-      point_column("label", ElementType::kUint32, "", "0 noise, else row of the segment + 1", scene.size());
-  const auto labels = label_column->values<uint32_t>();
-  std::fill(labels.begin(), labels.end(), 0u);
-  for (size_t s = 0; s < surfaces.size(); ++s)
-    for (const uint32_t position : surfaces[s].positions) labels[scene.order[position]] = static_cast<uint32_t>(s + 1);
-  out.labels = label_column;
-  const FacadeContext context{*cloud, scene.origin, settings.orientation_tolerance_rad, settings.distance_tolerance_m,
-                              settings.facade_frame};
-  turn_normals(context, labels, out.segments, task);
-  classify(context, out.segments);
-  out.T_facade_world = facade_transform(context, out.segments);
-  fill_points(scene, out.segments, labels, task, out);
-  for (size_t s = 0; s < surfaces.size(); ++s) {
-    shift_origin(out.segments[s].fit, scene.origin);
-    out.segments[s].fit.n = surfaces[s].positions.size();
-  }
-  return out;
+  return finish_segmentation(cloud, scene, surfaces, params, task);
 }
 
 }  // namespace jalon

@@ -29,22 +29,26 @@ Cube anchored_cube(const Box3& box) {
 
 }  // namespace
 
-SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
+SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
   const Cube anchored = anchored_cube(bounds(cloud, task));
   SegmentScene scene{.cloud = cloud, .settings = settings, .tree = Octree::build(cloud.xyz(), anchored, task)};
   scene.order = scene.tree->order();
+  scene.origin = scene.tree->cube().origin;
+  scene.owner.assign(scene.size(), 0);
+  scene.normals = Buffer<float>(3 * scene.size());
+  scene.spacing = Buffer<float>(scene.size());
+  return scene;
+}
+
+SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
+  SegmentScene scene = indexed_scene(cloud, settings, task);
   const Cube& cube = scene.tree->cube();
-  scene.origin = cube.origin;
   const double finest = std::log2(cube.edge / (kFineCellTolerances * settings.distance_tolerance_m));
   scene.fine_level = std::clamp(static_cast<int>(std::floor(finest)), 0, kMaxLevel);
   scene.coarse_level = std::max(0, scene.fine_level - kLevels);
   for (int level = scene.coarse_level; level <= scene.fine_level; ++level)
     scene.cells.push_back(scene.tree->cells(level, task));
-  const size_t n = scene.size();
-  scene.owner.assign(n, 0);
-  scene.normals = Buffer<float>(3 * n);
-  scene.spacing = Buffer<float>(n);
-  scene.level = Buffer<uint8_t>(n);
+  scene.level = Buffer<uint8_t>(scene.size());
   estimate_local_surface(scene, task);
   return scene;
 }

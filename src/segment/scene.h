@@ -56,10 +56,16 @@ struct SegmentScene {
   }
 };
 
+/// Index and room for the columns of the points, all of them free; normals and spacing are still to be written.
+SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, Task& task);
+/// The same with the octree's cells, and normals and spacing from them.
 SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task);
 
 /// Normal, spacing and level of every free point: the finest cell with enough points decides (local_surface.cpp).
 void estimate_local_surface(SegmentScene& scene, Task& task);
+
+/// Normals of the points from the cloud's field "normal"; those that are not finite or zero count as unknown.
+void take_field_normals(SegmentScene& scene, Task& task);
 
 /// Axes of a plane that depend on its normal alone: u horizontal, v upward (for horizontal planes u = X).
 struct PlaneAxes {
