@@ -26,6 +26,9 @@ enum {
   JALON_ORIENTATION_INCLINED = 4    /**< everything else */
 };
 
+/** What a segment is (the type codes of Boulaassal 2010, 5.5.2). */
+enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CYLINDER = 3 };
+
 /** method: "ransac" (Fischler & Bolles 1981; Schnabel et al. 2007; Boulaassal 2010). NULL = "ransac". */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out);
 JALON_API jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter);
@@ -45,9 +48,13 @@ JALON_API void jalon_segmentation_release(jalon_segmentation* segmentation);
 JALON_API JALON_CHECK jalon_status jalon_segmentation_points(const jalon_segmentation* segmentation,
                                                  jalon_fields** out);
 /**
- * One row a segment, largest first: "label" (uint32), "orientation" (uint8), "inliers" (uint64), "normal" (float64 x 3, toward the
- * station where known), "offset" (float64, m; normal . p = offset), "centroid", "axis_u", "axis_v" (float64 x 3), "sigma" (float64, m),
- * "area" (float64, m2), "length_u", "length_v" (float64, m), "covariance" (float64 x 16: of nx, ny, nz, offset).
+ * One row a segment, largest first: "label" (uint32), "type" (uint8, JALON_PRIMITIVE_...), "orientation" (uint8), "inliers" (uint64),
+ * "normal" (float64 x 3, toward the station where known), "offset" (float64, m; normal . p = offset), "centroid" (float64 x 3, m),
+ * "radius" (float64, m), "axis_u", "axis_v" (float64 x 3), "sigma" (float64, m), "area" (float64, m2), "length_u", "length_v" (float64, m),
+ * "covariance" (float64 x 16: of nx, ny, nz, offset), "cylinder_covariance" (float64 x 49).
+ * What a type lacks is NaN. A sphere has its centre in "centroid" and "covariance" of centre and radius. A cylinder has its axis direction
+ * in "normal" and "axis_u", the point of its axis at mid height in "centroid", its length in "length_u", the arc that its points cover in
+ * "length_v", and "cylinder_covariance" of point, direction and radius (7 x 7, rank 5).
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_segments(const jalon_segmentation* segmentation,
                                                    jalon_fields** out);

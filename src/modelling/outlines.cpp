@@ -125,7 +125,7 @@ struct Outlined {
   std::vector<Polygons> faces;
 };
 
-Outlined outline_segment(const Cloud& cloud, const PlaneSegment& segment, std::span<const uint32_t> indices,
+Outlined outline_segment(const Cloud& cloud, const Segment& segment, std::span<const uint32_t> indices,
                          const Vec3& facade_x, const Setting& setting, Task& task) {
   Outlined out;
   if (indices.size() < 3) return out;
@@ -151,7 +151,7 @@ const char* part_class_of(Orientation orientation) {
   return "plane";
 }
 
-void add_faces(Model& model, const PlaneSegment& segment, const Outlined& outlined) {
+void add_faces(Model& model, const Segment& segment, const Outlined& outlined) {
   const auto part = static_cast<uint32_t>(model.parts.size());
   model.parts.push_back({"plane " + std::to_string(segment.label), part_class_of(segment.orientation), 0});
   for (const Polygons& polygons : outlined.faces) {
@@ -179,7 +179,7 @@ std::span<const ParamRow> outlines_rows() { return kRows; }
 Model model_outlines(const Segmentation& segmentation, const ParamSet& params, Task& task) {
   const Setting setting = read_setting(params);
   Model model;
-  if (segmentation.segments.empty()) return model;
+  if (plane_count(segmentation.segments) == 0) return model;
   const Cloud& cloud = *segmentation.cloud;
   const auto& m = segmentation.T_facade_world.m;
   const Vec3 facade_x{m[0], m[1], m[2]};
@@ -193,6 +193,7 @@ Model model_outlines(const Segmentation& segmentation, const ParamSet& params, T
     const Span span(task, 0.05, 1, "drawing outlines");
     parallel_for(task, outlined.size(), 1, [&](size_t begin, size_t end) {
       for (size_t s = begin; s < end; ++s) {
+        if (!segmentation.segments[s].is_plane()) continue;
         const std::span<const uint32_t> indices(by_label.order.data() + by_label.first[s],
                                                 by_label.first[s + 1] - by_label.first[s]);
         outlined[s] = outline_segment(cloud, segmentation.segments[s], indices, facade_x, setting, task);
@@ -200,7 +201,8 @@ Model model_outlines(const Segmentation& segmentation, const ParamSet& params, T
     });
   }
   model.parts.push_back({"facade", "facade", kNoParent});
-  for (size_t s = 0; s < outlined.size(); ++s) add_faces(model, segmentation.segments[s], outlined[s]);
+  for (size_t s = 0; s < outlined.size(); ++s)
+    if (segmentation.segments[s].is_plane()) add_faces(model, segmentation.segments[s], outlined[s]);
   return model;
 }
 

@@ -35,7 +35,7 @@ std::string elevation_svg(const Segmentation& segmentation, const Model& model, 
   setting.labels = options.flag("labels");
   setting.dimensions = options.flag("dimensions");
   setting.points = segmentation.cloud->size();
-  setting.planes = segmentation.segments.size();
+  setting.planes = plane_count(segmentation.segments);
   const auto& m = segmentation.T_facade_world.m;
   setting.view_azimuth_rad = std::atan2(m[4], m[5]);  // the facade's +Y in the world: away from the eye
   const Window window = window_of(faces);

@@ -60,7 +60,7 @@ void add_pairs(Page& page, const std::vector<std::pair<std::string, std::string>
 
 uint64_t labelled(const Segmentation& segmentation) {
   uint64_t n = 0;
-  for (const auto& segment : segmentation.segments) n += segment.fit.n;
+  for (const auto& segment : segmentation.segments) n += segment.point_count();
   return n;
 }
 
@@ -70,7 +70,7 @@ void add_summary(Page& page, const Segmentation& segmentation, const Notes& note
   const uint64_t points = segmentation.cloud->size(), used = residuals.count != 0 ? residuals.count : labelled(segmentation);
   const double share = points != 0 ? 100 * static_cast<double>(used) / static_cast<double>(points) : 0;
   html.element("p", {{"class", "lead"}},
-               std::to_string(segmentation.segments.size()) + " planes from " + std::to_string(points) + " points; " +
+               std::to_string(plane_count(segmentation.segments)) + " planes from " + std::to_string(points) + " points; " +
                    text_of(share, 1) + " % of the points lie on them, with a standard deviation of " +
                    text_of(1000 * residuals.sigma_m, 2) + " mm.");
 }
@@ -117,14 +117,15 @@ void add_parameters(Page& page, const Segmentation& segmentation) {
 void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
   page.heading("Planes");
   auto& html = page.html();
-  if (segmentation.segments.empty()) return page.note("No plane was found.");
+  if (plane_count(segmentation.segments) == 0) return page.note("No plane was found.");
   html.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
   for (const char* name : {"No", "orientation", "size (m)", "area (m\xC2\xB2)", "normal", "offset (m)", "\xCF\x83 (mm)", "points"})
     html.element("th", {}, name);
   html.close().close().open("tbody");
   for (size_t i = 0; i < segmentation.segments.size(); ++i) {
     if (i % 256 == 0) task.checkpoint(0);
-    const PlaneSegment& s = segmentation.segments[i];
+    const Segment& s = segmentation.segments[i];
+    if (!s.is_plane()) continue;
     const Vec3& n = s.fit.plane.normal;
     html.open("tr");
     page.number(std::to_string(s.label));

@@ -31,7 +31,7 @@ void write_pairs(JsonWriter& json, const char* name, const Pairs& pairs) {
   json.end_object();
 }
 
-void write_plane(JsonWriter& json, const PlaneSegment& s) {
+void write_plane(JsonWriter& json, const Segment& s) {
   json.begin_object();
   json.name("label").value(s.label);
   json.name("orientation").value(orientation_name(s.orientation));
@@ -83,7 +83,8 @@ std::string report_json(const Segmentation& segmentation, const Model& model, st
   json.name("parameters").value(read_json(parameters.empty() ? "{}" : std::string_view(parameters))[0]);
   write_array(json, "T_facade_world", segmentation.T_facade_world.m);
   json.name("planes").begin_array();
-  for (const PlaneSegment& segment : segmentation.segments) write_plane(json, segment);
+  for (const Segment& segment : segmentation.segments)
+    if (segment.is_plane()) write_plane(json, segment);
   json.end_array();
   json.name("faces").begin_array();
   for (const Face& face : model.faces) write_face(json, face);

@@ -20,13 +20,13 @@ constexpr int kAssignmentRounds = 3;
 constexpr int kFitRounds = 3;
 
 // Rows of the surfaces, largest first, fits in the local frame.
-std::vector<PlaneSegment> make_segments(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) {
     return a.positions.size() > b.positions.size();
   });
-  std::vector<PlaneSegment> segments(surfaces.size());
+  std::vector<Segment> segments(surfaces.size());
   for (size_t s = 0; s < surfaces.size(); ++s) {
-    PlaneSegment& segment = segments[s];
+    Segment& segment = segments[s];
     segment.label = static_cast<uint32_t>(s + 1);
     segment.area_m2 = surfaces[s].area_m2;
     for (int round = 0; round < kFitRounds; ++round) {  // the core depends on the plane: to a fixed point
@@ -54,10 +54,10 @@ std::shared_ptr<Column> point_column(const char* name, ElementType type, const c
   return std::make_shared<Column>(FieldInfo{name, type, 1, unit, meaning}, count);
 }
 
-void fill_points(const SegmentScene& scene, const std::vector<PlaneSegment>& segments, std::span<const uint32_t> labels,
+void fill_points(const SegmentScene& scene, const std::vector<Segment>& segments, std::span<const uint32_t> labels,
                  Task& task, Segmentation& out) {
   const size_t n = scene.size();
-  auto residuals = point_column("residual", ElementType::kFloat32, "m", "signed distance to the own plane", n);
+  auto residuals = point_column("residual", ElementType::kFloat32, "m", "signed distance to the own surface", n);
   auto orientations = point_column("orientation", ElementType::kUint8, "",
                                    "0 noise, 1 parallel to the facade, 2 vertical, 3 horizontal, 4 inclined", n);
   const auto residual = residuals->values<float>();
@@ -67,8 +67,8 @@ void fill_points(const SegmentScene& scene, const std::vector<PlaneSegment>& seg
       residual[i] = kNotANumber;
       orientation[i] = 0;
       if (labels[i] == 0) continue;
-      const PlaneSegment& segment = segments[labels[i] - 1];
-      residual[i] = static_cast<float>(segment.fit.plane.distance(scene.cloud.point(i) - scene.origin));
+      const Segment& segment = segments[labels[i] - 1];
+      residual[i] = static_cast<float>(segment.distance(scene.cloud.point(i) - scene.origin));
       orientation[i] = static_cast<uint8_t>(segment.orientation);
     }
   });

@@ -17,7 +17,7 @@ constexpr double kFoot = 0.1;             // part of the height left out of that
 constexpr double kSameDirection = 0.985;  // 10 degrees
 constexpr size_t kPointsPerChunk = 1 << 15;
 
-void turn(PlaneSegment& segment) {
+void turn(Segment& segment) {
   PlaneFit& fit = segment.fit;
   fit.plane.normal = -fit.plane.normal;
   fit.plane.offset = -fit.plane.offset;
@@ -34,7 +34,7 @@ struct Sides {
 };
 
 // Points in front of and behind a facade, within its outline's box and beyond the tolerance.
-Sides count_sides(const FacadeContext& c, const PlaneSegment& facade, std::span<const uint32_t> labels, Task& task) {
+Sides count_sides(const FacadeContext& c, const Segment& facade, std::span<const uint32_t> labels, Task& task) {
   struct Extent {
     double low = INFINITY, high = -INFINITY, left = INFINITY, right = -INFINITY;
     Extent& operator+=(const Extent& b) {
@@ -77,7 +77,7 @@ bool has_poses(const Cloud& cloud) {
 
 // For each segment: points seen from its front minus those seen from behind.
 std::vector<int64_t> station_votes(const FacadeContext& c, std::span<const uint32_t> labels,
-                                   const std::vector<PlaneSegment>& segments) {
+                                   const std::vector<Segment>& segments) {
   std::vector<int64_t> votes(segments.size(), 0);
   for (const Station& station : c.cloud.stations) {
     if (!station.has_pose) continue;
@@ -87,7 +87,7 @@ std::vector<int64_t> station_votes(const FacadeContext& c, std::span<const uint3
       if (labels[i] != 0) ++seen[labels[i] - 1];
     const Vec3 eye = station.pose.translation() - c.origin;
     for (size_t s = 0; s < segments.size(); ++s)
-      votes[s] += segments[s].fit.plane.distance(eye) >= 0 ? seen[s] : -seen[s];
+      if (segments[s].is_plane()) votes[s] += segments[s].fit.plane.distance(eye) >= 0 ? seen[s] : -seen[s];
   }
   return votes;
 }
@@ -102,20 +102,22 @@ Vec3 middle_of(const FacadeContext& c, Task& task) {
 }
 
 void turn_without_stations(const FacadeContext& c, std::span<const uint32_t> labels,
-                           std::vector<PlaneSegment>& segments, Task& task) {
+                           std::vector<Segment>& segments, Task& task) {
   const int facade = main_facade(segments);
   const Vec3 middle = middle_of(c, task);
   Vec3 front;
-  for (PlaneSegment& segment : segments) {
+  for (Segment& segment : segments) {
+    if (!segment.is_plane()) continue;
     const Vec3& n = segment.fit.plane.normal;
     if (std::fabs(n.z) > kSameDirection ? n.z < 0 : segment.fit.plane.distance(middle) < 0) turn(segment);
   }
   if (facade < 0) return;
-  PlaneSegment& main = segments[static_cast<size_t>(facade)];
+  Segment& main = segments[static_cast<size_t>(facade)];
   const Sides sides = count_sides(c, main, labels, task);
   if (sides.front > sides.behind) turn(main);
   front = main.fit.plane.normal;
-  for (PlaneSegment& segment : segments) {
+  for (Segment& segment : segments) {
+    if (!segment.is_plane()) continue;
     const double cosine = dot(segment.fit.plane.normal, front);
     if (cosine < -kSameDirection && std::fabs(main.fit.plane.distance(segment.fit.centroid)) < kNearFacade_m)
       turn(segment);
@@ -124,18 +126,19 @@ void turn_without_stations(const FacadeContext& c, std::span<const uint32_t> lab
 
 }  // namespace
 
-int main_facade(const std::vector<PlaneSegment>& segments) {
+int main_facade(const std::vector<Segment>& segments) {
   int best = -1;
   double area = 0;
   for (size_t s = 0; s < segments.size(); ++s)
-    if (std::fabs(segments[s].fit.plane.normal.z) <= kVerticalSine && segments[s].area_m2 > area) {
+    if (segments[s].is_plane() && std::fabs(segments[s].fit.plane.normal.z) <= kVerticalSine &&
+        segments[s].area_m2 > area) {
       best = static_cast<int>(s);
       area = segments[s].area_m2;
     }
   return best;
 }
 
-void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels, std::vector<PlaneSegment>& segments,
+void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels, std::vector<Segment>& segments,
                   Task& task) {
   if (!has_poses(c.cloud)) {
     turn_without_stations(c, labels, segments, task);
@@ -146,7 +149,7 @@ void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels, std:
     if (votes[s] < 0) turn(segments[s]);
 }
 
-void classify(const FacadeContext& c, std::vector<PlaneSegment>& segments) {
+void classify(const FacadeContext& c, std::vector<Segment>& segments) {
   const int facade = main_facade(segments);
   Vec3 across{0, 1, 0};  // horizontal direction of the facade's normal; no facade: no vertical planes to class
   if (facade >= 0) {
@@ -155,7 +158,8 @@ void classify(const FacadeContext& c, std::vector<PlaneSegment>& segments) {
   }
   const Vec3 along = cross({0, 0, 1}, across);
   const double cosine = std::cos(c.orientation_tolerance_rad);
-  for (PlaneSegment& segment : segments) {
+  for (Segment& segment : segments) {
+    if (!segment.is_plane()) continue;
     const Vec3& n = segment.fit.plane.normal;
     segment.orientation = std::fabs(dot(n, across)) >= cosine  ? Orientation::kParallel
                           : std::fabs(dot(n, along)) >= cosine ? Orientation::kVertical
@@ -164,7 +168,7 @@ void classify(const FacadeContext& c, std::vector<PlaneSegment>& segments) {
   }
 }
 
-Transform facade_transform(const FacadeContext& c, const std::vector<PlaneSegment>& segments) {
+Transform facade_transform(const FacadeContext& c, const std::vector<Segment>& segments) {
   const int facade = main_facade(segments);
   Transform out;
   if (!c.facade_frame || facade < 0) return out;

@@ -18,19 +18,19 @@ struct FacadeContext {
 };
 
 /// Index of the main facade: the vertical plane of the largest area; -1 when there is none.
-int main_facade(const std::vector<PlaneSegment>& segments);
+int main_facade(const std::vector<Segment>& segments);
 
 /// Turns normals toward the station that saw most of the segment's points. Without stations: horizontal planes
 /// upward; the main facade and planes parallel to it away from what lies behind it (panes, recesses, rooms: ghosts
 /// lie behind a facade, not in front); others toward the middle of the cloud.
-void turn_normals(const FacadeContext& context, std::span<const uint32_t> labels, std::vector<PlaneSegment>& segments,
+void turn_normals(const FacadeContext& context, std::span<const uint32_t> labels, std::vector<Segment>& segments,
                   Task& task);
 
 /// Orientation class of each segment relative to the main facade, within the tolerance (Boulaassal 2010, 3.22-3.25).
-void classify(const FacadeContext& context, std::vector<PlaneSegment>& segments);
+void classify(const FacadeContext& context, std::vector<Segment>& segments);
 
 /// Rotation about Z that takes the main facade's normal to -Y, about a whole-metre point of the facade that becomes
 /// the origin.
-Transform facade_transform(const FacadeContext& context, const std::vector<PlaneSegment>& segments);
+Transform facade_transform(const FacadeContext& context, const std::vector<Segment>& segments);
 
 }  // namespace jalon

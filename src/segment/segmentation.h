@@ -11,21 +11,49 @@
 #include "base/field.h"
 #include "base/params.h"
 #include "cloud/cloud.h"
+#include "geometry/cylinder.h"
 #include "geometry/plane.h"
+#include "geometry/sphere.h"
 
 namespace jalon {
 
 /// Orientation classes relative to the main facade (Boulaassal 2010, 3.4.5.2); the numbers of jalon/segmenter.h.
 enum class Orientation : uint8_t { kNone = 0, kParallel = 1, kVertical = 2, kHorizontal = 3, kInclined = 4 };
 
-/// A planar segment: one architectural surface.
-struct PlaneSegment {
+/// What a segment is; the numbers of jalon/segmenter.h (type codes of Boulaassal 2010, 5.5.2).
+enum class PrimitiveType : uint8_t { kPlane = 1, kSphere = 2, kCylinder = 3 };
+
+/// One architectural surface. Of the three fits the one of its type counts.
+struct Segment {
   uint32_t label = 0;  ///< 1-based; points carry it
-  Orientation orientation = Orientation::kNone;
-  PlaneFit fit;        ///< normal toward the station where known
+  PrimitiveType type = PrimitiveType::kPlane;
+  Orientation orientation = Orientation::kNone;  ///< kNone for spheres and cylinders
+  PlaneFit fit;                                  ///< normal toward the station where known
+  SphereFit sphere;
+  CylinderFit cylinder;
   double area_m2 = 0;  ///< occupied raster cells
-  double length_u_m = 0, length_v_m = 0;  ///< extents along axis_u, axis_v
+  /// Planes: extents along axis_u and axis_v; cylinders: along and around the axis.
+  double length_u_m = 0, length_v_m = 0;
+
+  bool is_plane() const { return type == PrimitiveType::kPlane; }
+  uint64_t point_count() const { return own(fit.n, sphere.n, cylinder.n); }
+  double sigma_m() const { return own(fit.sigma, sphere.sigma, cylinder.sigma); }
+  /// Signed distance of a point from the surface: in front of a plane, outside a sphere or cylinder.
+  double distance(const Vec3& p) const {
+    if (type == PrimitiveType::kSphere) return sphere.sphere.distance(p);
+    return type == PrimitiveType::kCylinder ? cylinder.cylinder.distance(p) : fit.plane.distance(p);
+  }
+
+ private:
+  template <class T>
+  T own(T of_plane, T of_sphere, T of_cylinder) const {
+    if (type == PrimitiveType::kSphere) return of_sphere;
+    return type == PrimitiveType::kCylinder ? of_cylinder : of_plane;
+  }
 };
+
+/// Number of the segments that are planes.
+size_t plane_count(const std::vector<Segment>& segments);
 
 /// Result of a segmenter: immutable, keeps its cloud.
 struct Segmentation {
@@ -33,7 +61,7 @@ struct Segmentation {
   ColumnPtr labels;        ///< "label" uint32: 0 = noise set, s = segments[s - 1]
   ColumnPtr residuals;     ///< "residual" float32, m, signed distance to the own plane; NaN for noise
   ColumnPtr orientations;  ///< "orientation" uint8
-  std::vector<PlaneSegment> segments;  ///< largest first
+  std::vector<Segment> segments;  ///< largest first
   Transform T_facade_world;
   std::string parameters_json;  ///< what it was made with
 };

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/tables.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 namespace jalon {
 
 namespace {
@@ -20,7 +24,7 @@ ColumnPtr segment_column(const Segmentation& s, const char* name, uint32_t compo
 
 template <class F>
 ColumnPtr vector_column(const Segmentation& s, const char* name, const char* unit, const char* meaning, F&& vector) {
-  return segment_column<double>(s, name, 3, unit, meaning, [&](const PlaneSegment& segment, uint32_t k) {
+  return segment_column<double>(s, name, 3, unit, meaning, [&](const Segment& segment, uint32_t k) {
     return vector(segment)[static_cast<int>(k)];
   });
 }
@@ -28,7 +32,44 @@ ColumnPtr vector_column(const Segmentation& s, const char* name, const char* uni
 template <class F>
 ColumnPtr length_column(const Segmentation& s, const char* name, const char* unit, const char* meaning, F&& length) {
   return segment_column<double>(s, name, 1, unit, meaning,
-                                [&](const PlaneSegment& segment, uint32_t) { return length(segment); });
+                                [&](const Segment& segment, uint32_t) { return length(segment); });
+}
+
+// What a segment's type lacks is NaN.
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr Vec3 kUnknownVector{kUnknown, kUnknown, kUnknown};
+
+template <size_t kCount>
+std::array<double, kCount> unknown_matrix() {
+  std::array<double, kCount> out;
+  out.fill(kUnknown);
+  return out;
+}
+
+Vec3 normal_of(const Segment& s) {
+  if (s.type == PrimitiveType::kSphere) return kUnknownVector;
+  return s.is_plane() ? s.fit.plane.normal : s.cylinder.cylinder.direction;
+}
+
+Vec3 axis_u_of(const Segment& s) { return s.is_plane() ? s.fit.axis_u : normal_of(s); }
+
+Vec3 centroid_of(const Segment& s) {
+  if (s.type == PrimitiveType::kSphere) return s.sphere.sphere.centre;
+  return s.is_plane() ? s.fit.centroid : s.cylinder.cylinder.point;
+}
+
+double radius_of(const Segment& s) {
+  if (s.type == PrimitiveType::kSphere) return s.sphere.sphere.radius;
+  return s.is_plane() ? kUnknown : s.cylinder.cylinder.radius;
+}
+
+std::array<double, 16> covariance_of(const Segment& s) {
+  if (s.type == PrimitiveType::kSphere) return s.sphere.covariance;
+  return s.is_plane() ? s.fit.covariance : unknown_matrix<16>();
+}
+
+std::array<double, 49> cylinder_covariance_of(const Segment& s) {
+  return s.type == PrimitiveType::kCylinder ? s.cylinder.covariance : unknown_matrix<49>();
 }
 
 }  // namespace
@@ -41,29 +82,47 @@ FieldTable point_table(const Segmentation& segmentation) {
   return table;
 }
 
+size_t plane_count(const std::vector<Segment>& segments) {
+  return static_cast<size_t>(
+      std::count_if(segments.begin(), segments.end(), [](const Segment& s) { return s.is_plane(); }));
+}
+
 FieldTable segment_table(const Segmentation& s) {
-  using P = PlaneSegment;
+  using P = Segment;
   FieldTable table;
   table.set(segment_column<uint32_t>(s, "label", 1, "", "label of its points",
                                      [](const P& p, uint32_t) { return p.label; }));
+  table.set(segment_column<uint8_t>(s, "type", 1, "", "1 plane, 2 sphere, 3 cylinder",
+                                    [](const P& p, uint32_t) { return p.type; }));
   table.set(segment_column<uint8_t>(s, "orientation", 1, "",
-                                    "1 parallel to the facade, 2 vertical, 3 horizontal, 4 inclined",
+                                    "1 parallel to the facade, 2 vertical, 3 horizontal, 4 inclined, 0 no plane",
                                     [](const P& p, uint32_t) { return p.orientation; }));
   table.set(segment_column<uint64_t>(s, "inliers", 1, "points", "number of its points",
-                                     [](const P& p, uint32_t) { return p.fit.n; }));
-  table.set(vector_column(s, "normal", "", "unit normal, toward the station where known",
-                          [](const P& p) { return p.fit.plane.normal; }));
-  table.set(length_column(s, "offset", "m", "normal . p = offset", [](const P& p) { return p.fit.plane.offset; }));
-  table.set(vector_column(s, "centroid", "m", "mean of its core points", [](const P& p) { return p.fit.centroid; }));
-  table.set(vector_column(s, "axis_u", "", "direction of largest extent", [](const P& p) { return p.fit.axis_u; }));
-  table.set(vector_column(s, "axis_v", "", "normal x axis_u", [](const P& p) { return p.fit.axis_v; }));
+                                     [](const P& p, uint32_t) { return p.point_count(); }));
+  table.set(vector_column(s, "normal", "",
+                          "plane: unit normal, toward the station where known; cylinder: axis direction",
+                          normal_of));
+  table.set(length_column(s, "offset", "m", "normal . p = offset (planes)",
+                          [](const P& p) { return p.is_plane() ? p.fit.plane.offset : kUnknown; }));
+  table.set(vector_column(s, "centroid", "m",
+                          "plane: mean of its core points; sphere: centre; cylinder: point of the axis at mid height",
+                          centroid_of));
+  table.set(length_column(s, "radius", "m", "of a sphere or cylinder", radius_of));
+  table.set(vector_column(s, "axis_u", "", "plane: direction of largest extent; cylinder: axis direction", axis_u_of));
+  table.set(vector_column(s, "axis_v", "", "normal x axis_u (planes)",
+                          [](const P& p) { return p.is_plane() ? p.fit.axis_v : kUnknownVector; }));
   table.set(length_column(s, "sigma", "m", "standard deviation of the distances of its core points",
-                          [](const P& p) { return p.fit.sigma; }));
+                          [](const P& p) { return p.sigma_m(); }));
   table.set(length_column(s, "area", "m2", "occupied raster pixels", [](const P& p) { return p.area_m2; }));
   table.set(length_column(s, "length_u", "m", "extent along axis_u", [](const P& p) { return p.length_u_m; }));
-  table.set(length_column(s, "length_v", "m", "extent along axis_v", [](const P& p) { return p.length_v_m; }));
-  table.set(segment_column<double>(s, "covariance", 16, "", "of nx, ny, nz, offset; row by row, rank 3",
-                                   [](const P& p, uint32_t k) { return p.fit.covariance[k]; }));
+  table.set(length_column(s, "length_v", "m", "plane: extent along axis_v; cylinder: arc around the axis",
+                          [](const P& p) { return p.length_v_m; }));
+  table.set(segment_column<double>(s, "covariance", 16, "",
+                                   "plane: of nx, ny, nz, offset, rank 3; sphere: of centre and radius; row by row",
+                                   [](const P& p, uint32_t k) { return covariance_of(p)[k]; }));
+  table.set(segment_column<double>(s, "cylinder_covariance", 49, "",
+                                   "of axis point, direction and radius; row by row, rank 5",
+                                   [](const P& p, uint32_t k) { return cylinder_covariance_of(p)[k]; }));
   return table;
 }
 

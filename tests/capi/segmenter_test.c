@@ -61,13 +61,18 @@ static void segmenter__finds_two_planes_with_their_tables(void** state) {
     assert_true(fabs(d[s]) < 1e-3);
     assert_true(fabs(m[3 * s + 1]) > 0.9999 || m[3 * s + 2] > 0.9999); /* the floor looks up */
   }
-  const char* names[] = {"label", "orientation", "centroid", "axis_u", "axis_v",
-                         "sigma", "area", "length_u", "length_v"};
+  const char* names[] = {"label", "type", "orientation", "centroid", "radius", "axis_u", "axis_v",
+                         "sigma", "area", "length_u", "length_v", "cylinder_covariance"};
   for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
     jalon_array_view view;
     MUST(jalon_fields_view(segments, names[i], &view));
     assert_int_equal(view.count, 2);
   }
+  jalon_array_view type, radius;
+  MUST(jalon_fields_view(segments, "type", &type));
+  MUST(jalon_fields_view(segments, "radius", &radius));
+  assert_int_equal(((const uint8_t*)type.data)[1], JALON_PRIMITIVE_PLANE);
+  assert_true(isnan(((const double*)radius.data)[1]));
   jalon_cloud* labelled = NULL;
   MUST(jalon_segmentation_cloud(segmentation, &labelled));
   jalon_fields* fields = NULL;

@@ -58,7 +58,7 @@ inline Segmentation segmentation_of(const std::vector<std::vector<Vec3>>& parts,
   Segmentation out;
   size_t at = 0;
   for (const auto& part : parts) {
-    PlaneSegment segment;
+    Segment segment;
     segment.label = static_cast<uint32_t>(out.segments.size() + 1);
     segment.orientation = orientation;
     if (part.size() >= 3) {

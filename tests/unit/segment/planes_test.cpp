@@ -69,7 +69,7 @@ TEST_CASE("S2 surrounds: connectivity gives one wall, 12 surrounds and 12 joiner
   const Scene scene = surrounds(5);
   const Segmentation s = run(cloud_of(scene.points), ransac_params("{\"gap_m\": 0.2, \"merge_gap_m\": 0.2}"));
   size_t counts[4] = {};
-  for (const PlaneSegment& segment : s.segments)
+  for (const Segment& segment : s.segments)
     for (int face = 1; face <= 3; ++face)
       counts[face] += 2 * overlap(scene, s, face, segment.label) > segment.fit.n;
   MESSAGE("wall " << counts[1] << ", surrounds " << counts[2] << ", joinery " << counts[3]);
@@ -118,7 +118,7 @@ TEST_CASE("S7 oblique trap: staggered strips come out one by one, none slanted")
       for (uint32_t label = 1; label <= 6; ++label) best = std::max(best, overlap(scene, s, k, label));
       CHECK(best >= 2940);
     }
-    for (const PlaneSegment& segment : s.segments)
+    for (const Segment& segment : s.segments)
       CHECK(std::fabs(segment.fit.plane.normal.y) > std::cos(0.5 * kDegree));
   }
 }
@@ -145,7 +145,7 @@ TEST_CASE("the facade's planes are right to a tenth of a millimetre, in every se
     for (int face = 1; face <= 18; ++face) {
       size_t best = 0, total = 0;
       uint32_t label = 0;
-      for (const PlaneSegment& segment : s.segments)
+      for (const Segment& segment : s.segments)
         if (overlap(scene, s, face, segment.label) > best) {
           best = overlap(scene, s, face, segment.label);
           label = segment.label;

@@ -36,7 +36,7 @@ void check_same(const Segmentation& a, const Segmentation& b, bool shifted) {
   CHECK(same_bytes(a.orientations, b.orientations));
   REQUIRE(a.segments.size() == b.segments.size());
   for (size_t i = 0; i < a.segments.size(); ++i) {
-    const PlaneSegment &s = a.segments[i], &t = b.segments[i];
+    const Segment &s = a.segments[i], &t = b.segments[i];
     CHECK(s.fit.plane.normal == t.fit.plane.normal);
     CHECK(s.fit.axis_u == t.fit.axis_u);
     CHECK(s.fit.sigma == t.fit.sigma);
@@ -173,7 +173,7 @@ TEST_CASE("the facade frame puts the main facade parallel to OXZ, the station si
   CHECK(s.T_facade_world.determinant() == doctest::Approx(1));
   CHECK(s.segments[wall].orientation == Orientation::kParallel);
   size_t classes[5] = {};
-  for (const PlaneSegment& segment : s.segments) ++classes[static_cast<size_t>(segment.orientation)];
+  for (const Segment& segment : s.segments) ++classes[static_cast<size_t>(segment.orientation)];
   MESSAGE("parallel " << classes[1] << ", vertical " << classes[2] << ", horizontal " << classes[3] << ", inclined "
                       << classes[4]);
   CHECK(classes[1] >= 5);  // wall, two panes, cornice, box
@@ -189,6 +189,6 @@ TEST_CASE("the facade frame puts the main facade parallel to OXZ, the station si
   station.count = posed->size();
   posed->stations = {station};
   const Segmentation seen = run(posed, ransac_params());
-  for (const PlaneSegment& segment : seen.segments)
+  for (const Segment& segment : seen.segments)
     CHECK(segment.fit.plane.distance(station.pose.translation()) > 0);
 }

@@ -22,7 +22,7 @@ bool have(const Scene& scene) {
 }
 
 // Wall-labelled points within 3 cm of a segment's plane.
-size_t wall_points_near(const Scene& scene, const PlaneSegment& segment, double reach_m) {
+size_t wall_points_near(const Scene& scene, const Segment& segment, double reach_m) {
   size_t count = 0;
   for (size_t i = 0; i < scene.points.size(); ++i)
     count += scene.faces[i] == kWall && std::fabs(segment.fit.plane.distance(scene.points[i])) <= reach_m;
@@ -32,15 +32,15 @@ size_t wall_points_near(const Scene& scene, const PlaneSegment& segment, double 
 struct Found {
   size_t near = 0, labelled = 0;
 };
-Found found(const Scene& scene, const Segmentation& s, const PlaneSegment& segment) {
+Found found(const Scene& scene, const Segmentation& s, const Segment& segment) {
   return {wall_points_near(scene, segment, 0.03), overlap(scene, s, kWall, segment.label)};
 }
 
 // The largest segments of the wall that lie this far behind the main plane.
-std::vector<const PlaneSegment*> recesses(const Scene& scene, const Segmentation& s, double depth_m) {
-  std::vector<const PlaneSegment*> out;
-  const PlaneSegment& wall = s.segments[0];
-  for (const PlaneSegment& segment : s.segments) {
+std::vector<const Segment*> recesses(const Scene& scene, const Segmentation& s, double depth_m) {
+  std::vector<const Segment*> out;
+  const Segment& wall = s.segments[0];
+  for (const Segment& segment : s.segments) {
     const double depth = -wall.fit.plane.distance(segment.fit.centroid);
     if (segment.label == 1 || std::fabs(dot(wall.fit.plane.normal, segment.fit.plane.normal)) < 0.998) continue;
     if (std::fabs(depth - depth_m) < 0.05 && 2 * overlap(scene, s, kWall, segment.label) > segment.fit.n)
@@ -59,7 +59,7 @@ TEST_CASE("ransac finds the wall of street 1 once and the recess behind it, what
     CAPTURE(seed);
     const Segmentation s = run(cloud, ransac_params("{}", seed));
     REQUIRE(s.segments.size() > 2);
-    const PlaneSegment& wall = s.segments[0];
+    const Segment& wall = s.segments[0];
     const Found f = found(scene, s, wall);
     MESSAGE("seed " << seed << ": wall " << f.labelled << " labelled, " << f.near << " within 3 cm, sigma "
                     << wall.fit.sigma * 1e3 << " mm, " << s.segments.size() << " planes");
@@ -68,7 +68,7 @@ TEST_CASE("ransac finds the wall of street 1 once and the recess behind it, what
     CHECK(std::fabs(wall.fit.sigma - 0.005) <= 0.001);
     CHECK(wall.orientation == Orientation::kParallel);
     // No second segment lies in the wall's plane.
-    for (const PlaneSegment& other : s.segments)
+    for (const Segment& other : s.segments)
       if (other.label != 1 && std::fabs(dot(other.fit.plane.normal, wall.fit.plane.normal)) > 0.998 &&
           std::fabs(wall.fit.plane.distance(other.fit.centroid)) < 0.02)
         CHECK(overlap(scene, s, kWall, other.label) < 220);  // 1 % of the wall
@@ -94,7 +94,7 @@ TEST_CASE("ransac finds the wall of street 3 and the panels behind it, whatever 
     const Found f = found(scene, s, s.segments[0]);
     const auto behind = recesses(scene, s, 0.14);
     size_t panels = 0;
-    for (const PlaneSegment* panel : behind) panels += overlap(scene, s, kWall, panel->label);
+    for (const Segment* panel : behind) panels += overlap(scene, s, kWall, panel->label);
     MESSAGE("seed " << seed << ": wall " << f.labelled << " labelled, " << f.near << " within 3 cm, sigma "
                     << s.segments[0].fit.sigma * 1e3 << " mm; " << behind.size() << " panels behind with " << panels);
     CHECK(std::fabs(static_cast<double>(f.near) - 19200) <= 0.02 * 19200);
