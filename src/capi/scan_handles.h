@@ -10,6 +10,7 @@
 #include "scan/scanner.h"
 
 struct jalon_scanner : jalon::capi::Counted {
+  const jalon::ScannerMethod* method = nullptr;
   std::shared_ptr<jalon::ParamSet> values;
   std::vector<jalon::ScanStation> stations;
 };

@@ -12,17 +12,23 @@ using namespace jalon::capi;
 
 namespace {
 
-constexpr const char* kOwner = "scanner static";
+const ScannerMethod& find_method(const std::string& name) {
+  std::string names;
+  for (const ScannerMethod& method : scanner_methods()) {
+    if (name == method.name) return method;
+    names += (names.empty() ? "" : ", ") + std::string(method.name);
+  }
+  fail(Status::kNotFound, "no scanner \"%.100s\"; there are: %s", name.c_str(), names.c_str());
+}
 
 }  // namespace
 
 jalon_status jalon_scanner_create(const char* method, jalon_scanner** out) {
   return guard([&] {
     require(out, "out");
-    const std::string name = method == nullptr ? "static" : require_text(method, "method");
-    if (name != "static") fail(Status::kNotFound, "no scanner \"%.100s\"; there is: static", name.c_str());
     auto handle = std::make_unique<jalon_scanner>();
-    handle->values = std::make_shared<ParamSet>(kOwner, static_scanner_rows());
+    handle->method = &find_method(method == nullptr ? "static" : require_text(method, "method"));
+    handle->values = std::make_shared<ParamSet>(handle->method->owner, handle->method->rows());
     *out = handle.release();
   });
 }
@@ -35,7 +41,7 @@ jalon_status jalon_scanner_params(jalon_scanner* scanner, jalon_params** out) {
     require(scanner, "scanner");
     require(out, "out");
     auto handle = std::make_unique<jalon_params>();
-    handle->operation = kOwner;
+    handle->operation = scanner->method->owner;
     handle->values = scanner->values;
     *out = handle.release();
   });
@@ -62,7 +68,21 @@ jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* 
     const ParamSet values = *scanner->values;  // a progress callback may set the next run's, and add stations
     const std::vector<ScanStation> stations = scanner->stations;
     *out = with_task(task, [&](Task& t) {
-             return own(new_cloud(scan_static(*model->model, stations, values, t)));
+             return own(new_cloud(scanner->method->scan(*model->model, stations, values, t)));
+           }).release();
+  });
+}
+
+jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model* model, const jalon_cloud* cloud,
+                                 jalon_task* task, jalon_fields** out) {
+  return guard([&] {
+    require(scanner, "scanner");
+    require(model, "model");
+    require(out, "out");
+    const ParamSet values = *scanner->values;
+    const std::shared_ptr<const Cloud> points = cloud == nullptr ? nullptr : cloud->cloud;
+    *out = with_task(task, [&](Task& t) {
+             return own(new_fields(true_planes(*model->model, points.get(), values, t)));
            }).release();
   });
 }

@@ -12,7 +12,7 @@ namespace {
 struct Scan {
   Common common;
   Settings settings, scene_settings;
-  std::string scene = "facade";
+  std::string scene = "facade", method = "static";
   std::string output, model_output;
   std::vector<std::string> stations;
 
@@ -40,25 +40,29 @@ struct Scan {
     must(jalon_scene_create(options.get(), console.task(), Out(model)));
     console.step("scanning");
     Scanner scanner;
-    must(jalon_scanner_create(nullptr, Out(scanner)));
+    must(jalon_scanner_create(method.c_str(), Out(scanner)));
     Params params;
     must(jalon_scanner_params(scanner.get(), Out(params)));
     settings.apply(params.get());
     add_stations(scanner.get());
     Cloud cloud;
     must(jalon_scanner_run(scanner.get(), model.get(), console.task(), Out(cloud)));
+    Fields truth;
+    must(jalon_scanner_truth(scanner.get(), model.get(), cloud.get(), nullptr, Out(truth)));
+    uint64_t true_planes = 0;
+    values<uint32_t>(truth, "segment", &true_planes);
     const double seconds = console.seconds();
     console.step("writing");
     must(jalon_cloud_write(cloud.get(), output.c_str(), nullptr, console.task()));
     if (!model_output.empty()) must(jalon_model_write(model.get(), model_output.c_str(), nullptr, console.task()));
     console.say(grouped(count_of(cloud)) + " points of scene \"" + scene + "\" in " + fixed(seconds, 2) + " s -> " + output);
-    console.result({{"scene", scene}, {"output", output}, {"points", count_of(cloud)}, {"seconds", seconds}});
+    console.result({{"scene", scene}, {"output", output}, {"points", count_of(cloud)}, {"true_planes", true_planes}, {"seconds", seconds}});
   }
 };
 
-std::string scanner_table() {
+std::string scanner_table(const char* method) {
   Scanner scanner;
-  must(jalon_scanner_create(nullptr, Out(scanner)));
+  must(jalon_scanner_create(method, Out(scanner)));
   Params params;
   must(jalon_scanner_params(scanner.get(), Out(params)));
   return describe(params.get());
@@ -69,7 +73,10 @@ std::string scanner_table() {
 void add_scan(CLI::App& app) {
   auto* command = app.add_subcommand("scan", "Scans a ready-made scene with a virtual scanner; the truth comes along as fields");
   auto state = std::make_shared<Scan>();
-  command->add_option("--scene", state->scene, "Scene to scan")->capture_default_str()->type_name("NAME");
+  command->add_option("--scene", state->scene, "Scene to scan; names below")->capture_default_str()->type_name("NAME");
+  command->add_option("--method", state->method, "static: a tripod scanner; sample: random points on all faces")
+      ->capture_default_str()
+      ->type_name("NAME");
   command->add_option("-o,--output", state->output, "Scan to write")->required()->type_name("FILE");
   command->add_option("--model", state->model_output, "Also write the scene as a model (.obj)")->type_name("FILE");
   command->add_option("--station", state->stations, "Scanner position; without one, two are placed in front (repeatable)")
@@ -79,8 +86,13 @@ void add_scan(CLI::App& app) {
   state->scene_settings.add_to(*command, "scene-");
   add_common(*command, state->common);
   command->footer([] {
-    return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) + "\nParameters of --set (scanner):\n" + scanner_table() +
-           "\nExample: jalon scan --scene facade -o sample.las";
+    return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) +
+           "\nParameters of --set with --method static:\n" + scanner_table("static") +
+           "\nParameters of --set with --method sample:\n" + scanner_table("sample") +
+           "\nExamples: jalon scan --scene facade -o sample.las\n"
+           "          jalon scan --scene insa --set instrument=gx --set max_points=200000 --set glass_return_min=0.05 "
+           "--set glass_return_max=0.3 -o insa.las\n"
+           "          jalon scan --scene patches --method sample --set points=60000 -o patches.las";
   });
   command->callback([state] { state->run(); });
 }

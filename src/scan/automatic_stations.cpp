@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/error.h"
 #include "base/text_number.h"
@@ -76,6 +77,15 @@ Extent extent_along(const Model& model, const Vec3& reference, const Vec3& axis)
   return extent;
 }
 
+/// Two places either side of the middle, or so many in the middles of equal parts.
+std::vector<double> spread(const Extent& length, uint64_t count) {
+  if (count == 0) return {length.middle() - kBeside * length.length(), length.middle() + kBeside * length.length()};
+  std::vector<double> out;
+  for (uint64_t i = 0; i < count; ++i)
+    out.push_back(length.min + length.length() * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+  return out;
+}
+
 }  // namespace
 
 void require_rigid(const Transform& pose) {
@@ -92,7 +102,7 @@ void require_rigid(const Transform& pose) {
          text_of(pose.determinant()).c_str());
 }
 
-std::vector<ScanStation> automatic_stations(const Model& model) {
+std::vector<ScanStation> automatic_stations(const Model& model, uint64_t count, double distance_m) {
   if (model.triangles.empty()) return {};
   // Whole metres, so that a model shifted by them gets its stations shifted exactly.
   Box3 box;
@@ -115,16 +125,24 @@ std::vector<ScanStation> automatic_stations(const Model& model) {
 
   // 2. Places (along, across) by the way the walls look.
   std::vector<Vec2> places;
+  const auto away = [&](double width) {
+    return distance_m > 0 ? distance_m : std::max(kLeastDistance_m, kFrontDistance * width);
+  };
   if (has_front) {
-    const double front = depth.max + std::max(kLeastDistance_m, kFrontDistance * length.length());
-    for (const double side : {-kBeside, kBeside}) places.push_back({length.middle() + side * length.length(), front});
+    for (const double u : spread(length, count)) places.push_back({u, depth.max + away(length.length())});
   } else if (upright.inward > 0) {
-    for (const double side : {-kBeside, kBeside})
-      places.push_back({length.middle() + side * length.length(), depth.middle()});
+    for (const double u : spread(length, count)) places.push_back({u, depth.middle()});
+  } else if (count > 0) {
+    const double radius = std::hypot(length.length(), depth.length()) / 2 +
+                          away(std::max(length.length(), depth.length()));
+    for (uint64_t i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+      places.push_back({length.middle() + radius * std::cos(angle), depth.middle() + radius * std::sin(angle)});
+    }
   } else {
-    const double away = std::max(kLeastDistance_m, kFrontDistance * std::max(length.length(), depth.length()));
-    for (const double u : {length.min - away, length.max + away})
-      for (const double v : {depth.min - away, depth.max + away}) places.push_back({u, v});
+    const double beside = away(std::max(length.length(), depth.length()));
+    for (const double u : {length.min - beside, length.max + beside})
+      for (const double v : {depth.min - beside, depth.max + beside}) places.push_back({u, v});
   }
 
   // 3. Upright tripods, the scanner's axes parallel to those of the model.

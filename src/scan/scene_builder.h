@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "model/model.h"
 
 namespace jalon {
@@ -26,6 +27,14 @@ struct Rect {
   double height() const { return v1 - v0; }
 };
 
+/// A closed chain of corners in the face's own coordinates.
+using Outline = std::vector<Vec2>;
+
+Outline outline_of(const Rect& rect);
+/// The rectangle under a round head that rises this much above its springing line, at most half the width: a
+/// segmental arch, or a semicircle. Chords stay within 0.1 mm of the arc.
+Outline arched_outline(const Rect& rect, double rise_m);
+
 /// Makes scenes: every planar face gets its true plane, its rings and its triangles; ids count from 1.
 class SceneBuilder {
  public:
@@ -40,10 +49,19 @@ class SceneBuilder {
   uint32_t face(uint32_t part, const Frame& frame, const Rect& outline, std::span<const Rect> openings = {},
                 uint32_t id = 0);
 
+  /// Any outline, counter-clockwise, without the openings, which lie inside it and apart from each other.
+  uint32_t polygon_face(uint32_t part, const Frame& frame, const Outline& outline,
+                        const std::vector<Outline>& openings = {});
+
   /// What lies behind an opening of the frame's plane: a pane at this depth, and the four reveals (three without a
   /// sill).
   void recess(uint32_t part, const Frame& frame, const Rect& opening, double depth_m, bool has_sill, double frame_m,
               uint32_t pane_id = 0);
+
+  /// The same with a round head: at the depth a joinery frame of 8 cm with glass 2 cm behind it, or one closed pane;
+  /// sill, jambs, and the curved reveal of the head, which is no plane.
+  void arched_recess(uint32_t part, const Frame& frame, const Rect& opening, double rise_m, double depth_m,
+                     bool has_joinery);
 
   /// Upright or lying box seen from outside; without its bottom where it stands on something.
   void box(uint32_t part, const Vec3& corner, const Vec3& size, bool has_bottom);
@@ -51,11 +69,16 @@ class SceneBuilder {
   /// Curved surfaces: triangles of one id, without a face.
   void cylinder(const Vec3& foot, double radius_m, double height_m, int facets);
   void sphere(const Vec3& centre, double radius_m, int facets);
+  /// A ball of loose triangular leaves: light gets through, in part.
+  void crown(const Vec3& centre, double radius_m, int leaves, double leaf_m, RandomStream random);
 
   Model take() { return std::move(model_); }
 
  private:
   uint32_t vertex(const Vec3& p);
+  void triangle(const Vec3& a, const Vec3& b, const Vec3& c, uint32_t id);
+  uint32_t record(uint32_t part, const Frame& frame, const std::vector<Outline>& rings, double area_m2, uint32_t id);
+  void arched_joinery(uint32_t part, const Frame& back, const Rect& opening, double rise_m);
   void quad(uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_t id);
   void grid(int nu, int nv, uint32_t id, auto&& point);
 

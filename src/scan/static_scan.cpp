@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "scan/misfit.h"
+#include "scan/pulse.h"
+#include "scan/scan_output.h"
 #include "scan/scanner.h"
 #include "scan/static_settings.h"
 #include "spatial/triangle_tree.h"
@@ -24,20 +28,30 @@ static_assert(kMaxRays < double{size_t{1} << kRayBits});
 struct Return {
   double range;
   uint32_t triangle;
-  uint32_t ray;  ///< in its chunk; the top bit marks an outlier
+  uint32_t ray;  ///< in its chunk; the top bits mark what is no point of one plane
 };
-constexpr uint32_t kOutlierBit = 1u << 31;
+constexpr uint32_t kOutlierBit = 1u << 31, kMixedBit = 1u << 30, kRayMask = kMixedBit - 1;
 
-/// Columns of the cloud to be.
-struct Output {
-  Buffer<double> xyz;
-  std::shared_ptr<Column> face, true_xyz, range, incidence;
+/// The columns that only this scanner has.
+struct Output : ScanOutput {
+  Output(size_t n, bool with_incidence) : ScanOutput(n) {
+    const auto column = [&](const char* name, const char* unit, const char* meaning) {
+      return std::make_shared<Column>(FieldInfo{name, ElementType::kFloat32, 1, unit, meaning}, n);
+    };
+    range = column("range", "m", "distance from the scanner, without noise");
+    if (with_incidence) incidence = column("incidence_angle", "rad", "between the ray and the face's normal");
+  }
+  std::shared_ptr<Column> range, incidence;
 };
 
 class Scan {
  public:
-  Scan(const Model& model, const StaticSettings& settings, const TriangleTree& tree, Task& task)
-      : model_(model), settings_(settings), tree_(tree), directions_(settings, task) {}
+  Scan(const Surfaces& surfaces, const StaticSettings& settings, const TriangleTree& tree, Task& task)
+      : surfaces_(surfaces),
+        settings_(settings),
+        tree_(tree),
+        directions_(settings, task),
+        pulses_(settings, tree, surfaces) {}
 
   /// Returns of a station, chunk by chunk of its rays.
   using Returns = std::vector<std::vector<Return>>;
@@ -52,8 +66,37 @@ class Scan {
     return returns;
   }
 
+  /// Drops returns at random until as many are left as asked for. Of equal draws the earlier rays stay.
+  void thin(std::vector<Returns>& stations, Task& task) const {
+    Buffer<uint64_t> draws(count(stations));
+    if (settings_.max_points == 0 || draws.size() <= settings_.max_points) return;
+    size_t n = 0;
+    for_each_chunk(stations, task, [&](size_t station, size_t first_ray, const std::vector<Return>& chunk) {
+      for (const Return& r : chunk) draws[n++] = lot(station, first_ray + (r.ray & kRayMask));
+    });
+    std::nth_element(draws.begin(), draws.begin() + (settings_.max_points - 1), draws.end());
+    const uint64_t limit = draws[settings_.max_points - 1];
+    size_t left = settings_.max_points - static_cast<size_t>(std::count_if(
+                                             draws.begin(), draws.begin() + (settings_.max_points - 1),
+                                             [&](uint64_t draw) { return draw < limit; }));
+    for_each_chunk(stations, task, [&](size_t station, size_t first_ray, std::vector<Return>& chunk) {
+      std::erase_if(chunk, [&](const Return& r) {
+        const uint64_t draw = lot(station, first_ray + (r.ray & kRayMask));
+        return draw > limit || (draw == limit && left-- == 0);
+      });
+    });
+  }
+
+  static size_t count(const std::vector<Returns>& stations) {
+    size_t n = 0;
+    for (const Returns& station : stations)
+      for (const auto& chunk : station) n += chunk.size();
+    return n;
+  }
+
   void record(const Transform& pose, size_t station, const Returns& returns, size_t first, Output& out,
               Task& task) const {
+    const Misfit misfit(settings_, station);
     std::vector<size_t> start(returns.size());
     for (size_t c = 0; c < returns.size(); ++c) {
       start[c] = first;
@@ -61,18 +104,33 @@ class Scan {
     }
     parallel_chunks(task, returns.size(), [&](size_t c) {
       for (size_t k = 0; k < returns[c].size(); ++k)
-        record_one(pose, station, c * kRayGrain, returns[c][k], start[c] + k, out);
+        record_one(pose, misfit, station, c * kRayGrain, returns[c][k], start[c] + k, out);
     });
   }
 
  private:
-  /// A pure function of (seed, station, ray): threads may take rays in any order. One stream decides what comes back,
-  /// the other is the noise, so that changing the noise changes no other decision.
-  RandomStream decisions(size_t station, uint64_t ray) const {
-    return {settings_.seed, (station << kRayBits | ray) * 2};
+  template <class F>
+  static void for_each_chunk(std::vector<Returns>& stations, Task& task, F&& f) {
+    for (size_t s = 0; s < stations.size(); ++s)
+      for (size_t c = 0; c < stations[s].size(); ++c) {
+        if (c % 64 == 0) task.checkpoint(static_cast<double>(s) / static_cast<double>(stations.size()));
+        f(s, c * kRayGrain, stations[s][c]);
+      }
   }
-  RandomStream noise(size_t station, uint64_t ray) const {
-    return {settings_.seed, (station << kRayBits | ray) * 2 + 1};
+
+  /// A pure function of (seed, station, ray): threads may take rays in any order. One stream decides what comes back,
+  /// one is the noise, one decides at panes of glass, one thins: changing one changes nothing of the others.
+  RandomStream stream(size_t station, uint64_t ray, uint64_t which) const {
+    return {settings_.seed, (station << kRayBits | ray | (which & 2) << (kRayBits - 2)) * 2 + (which & 1)};
+  }
+  RandomStream decisions(size_t station, uint64_t ray) const { return stream(station, ray, 0); }
+  RandomStream noise(size_t station, uint64_t ray) const { return stream(station, ray, 1); }
+  RandomStream panes(size_t station, uint64_t ray) const { return stream(station, ray, 2); }
+  RandomStream thinning(size_t station, uint64_t ray) const { return stream(station, ray, 3); }
+  uint64_t lot(size_t station, uint64_t ray) const {
+    RandomStream random = thinning(station, ray);
+    random.bits();  // the spacing has had it
+    return random.bits();
   }
 
   /// A unit vector whatever the last digits of the pose, so that t along it is the range.
@@ -82,38 +140,50 @@ class Scan {
 
   void cast_one(const Transform& pose, size_t station, uint64_t ray, uint64_t first,
                 std::vector<Return>& found) const {
-    RayHit hit;
+    const Vec3 direction = direction_of(pose, ray);
+    Echo echo;
     // Range limits apply to what is first met: a surface too near shadows those behind it.
-    if (!tree_.nearest({pose.translation(), direction_of(pose, ray)}, hit)) return;
-    if (!(hit.t >= settings_.min_range && hit.t <= settings_.max_range)) return;
+    if (!pulses_.send(pose.translation(), direction, panes(station, ray), echo)) return;
+    if (!(echo.range >= settings_.min_range && echo.range <= settings_.max_range)) return;
     RandomStream random = decisions(station, ray);
     if (random.uniform() < settings_.dropout) return;
-    const uint32_t mark = random.uniform() < settings_.outliers ? kOutlierBit : 0;
-    found.push_back({hit.t, hit.triangle, static_cast<uint32_t>(ray - first) | mark});
+    uint32_t mark = random.uniform() < settings_.outliers ? kOutlierBit : 0;
+    if (echo.is_mixed) mark |= kMixedBit;
+    if (settings_.spacing_m > 0 && thinning(station, ray).uniform() >= kept_share(echo, direction, ray)) return;
+    found.push_back({echo.range, echo.triangle, static_cast<uint32_t>(ray - first) | mark});
   }
 
-  void record_one(const Transform& pose, size_t station, uint64_t first_ray, const Return& r, size_t i,
-                  Output& out) const {
-    const uint64_t ray = first_ray + (r.ray & ~kOutlierBit);
-    const bool is_outlier = (r.ray & kOutlierBit) != 0;
+  /// Area on the surface that the ray stands for, in squares of the spacing.
+  double kept_share(const Echo& echo, const Vec3& direction, uint64_t ray) const {
+    const double across = directions_.of_horizon(ray) * settings_.horizontal_step * settings_.vertical_step;
+    return echo.range * echo.range * across /
+           (settings_.spacing_m * settings_.spacing_m * surfaces_.cosine(echo.triangle, direction));
+  }
+
+  void record_one(const Transform& pose, const Misfit& misfit, size_t station, uint64_t first_ray, const Return& r,
+                  size_t i, Output& out) const {
+    const uint64_t ray = first_ray + (r.ray & kRayMask);
+    const bool is_outlier = (r.ray & kOutlierBit) != 0, is_mixed = (r.ray & kMixedBit) != 0;
     const Vec3 origin = tree_.origin(), from = pose.translation() - origin;
     const Vec3 direction = direction_of(pose, ray);
     RandomStream random = noise(station, ray);
     Vec3 exact, measured;  // relative to the tree's origin
     if (is_outlier) {
-      exact = measured = outlier(random, from, direction, r.range);
+      exact = outlier(random, from, direction, r.range);
+      measured = misfit.is_none() ? exact : misfit.recorded(from, exact - from);
     } else {
       exact = from + direction * r.range;
-      measured = from + disturbed(random, pose, ray, direction, r.range);
+      measured = misfit.recorded(from, disturbed(random, pose, ray, direction, r.range));
     }
     const double range = is_outlier ? norm(exact - from) : r.range;
-    store(out.xyz.data() + 3 * i, stepped(measured) + origin + settings_.offset);
-    store(out.true_xyz->values<double>().data() + 3 * i, exact + origin + settings_.offset);
-    out.face->values<uint32_t>()[i] = is_outlier ? kNoFace : model_.triangle_faces[r.triangle];
+    out.set_point(i, stepped(measured, settings_.step_m) + origin + settings_.offset,
+                  exact + origin + settings_.offset, is_outlier ? kNoFace : surfaces_.face(r.triangle),
+                  is_outlier || is_mixed ? kNoSegment : surfaces_.segment(r.triangle));
     out.range->values<float>()[i] = static_cast<float>(range);
     if (out.incidence)
       out.incidence->values<float>()[i] =
-          is_outlier ? std::numeric_limits<float>::quiet_NaN() : incidence(direction, r.triangle);
+          is_outlier ? std::numeric_limits<float>::quiet_NaN()
+                     : static_cast<float>(std::acos(surfaces_.cosine(r.triangle, direction)));
   }
 
   /// Measured point as seen from the scanner: errors of the range, then of the two angles, then of the point itself.
@@ -121,10 +191,11 @@ class Scan {
   Vec3 disturbed(RandomStream& random, const Transform& pose, uint64_t ray, const Vec3& direction,
                  double true_range) const {
     const StaticSettings& s = settings_;
-    const double range = s.range_noise > 0 ? true_range + s.range_noise * random.normal() : true_range;
+    const double range_noise = s.range_noise + s.range_noise_ppm * 1e-6 * true_range;
+    const double range = range_noise > 0 ? true_range + range_noise * random.normal() : true_range;
     Vec3 seen = direction;
-    if (s.angle_noise > 0) {
-      const double error_h = s.angle_noise * random.normal(), error_v = s.angle_noise * random.normal();
+    if (s.horizontal_noise > 0 || s.vertical_noise > 0) {
+      const double error_h = s.horizontal_noise * random.normal(), error_v = s.vertical_noise * random.normal();
       seen = normalized(pose.direction(directions_.of(ray, error_h, error_v)));
     }
     Vec3 p = seen * range;
@@ -143,46 +214,12 @@ class Scan {
     return p;
   }
 
-  float incidence(const Vec3& direction, uint32_t triangle) const {
-    const auto& [a, b, c] = model_.triangles[triangle];
-    const Vec3 normal =
-        normalized(cross(model_.vertices[b] - model_.vertices[a], model_.vertices[c] - model_.vertices[a]));
-    return static_cast<float>(std::acos(std::min(1.0, std::abs(dot(normal, direction)) / norm(direction))));
-  }
-
-  /// Relative to the tree's origin, a whole metre.
-  Vec3 stepped(Vec3 p) const {
-    if (settings_.step_m > 0)
-      for (int a = 0; a < 3; ++a) p[a] = std::nearbyint(p[a] / settings_.step_m) * settings_.step_m;
-    return p;
-  }
-  static void store(double* out, const Vec3& p) {
-    out[0] = p.x;
-    out[1] = p.y;
-    out[2] = p.z;
-  }
-
-  const Model& model_;
+  const Surfaces& surfaces_;
   const StaticSettings& settings_;
   const TriangleTree& tree_;
   Directions directions_;
+  PulseCaster pulses_;
 };
-
-Output make_output(size_t n, bool with_incidence) {
-  const auto column = [&](const char* name, ElementType type, uint32_t components, const char* unit,
-                          const char* meaning) {
-    return std::make_shared<Column>(FieldInfo{name, type, components, unit, meaning}, n);
-  };
-  Output out;
-  out.xyz = Buffer<double>(3 * n);
-  out.face = column("face", ElementType::kUint32, 1, "", "id of the face hit; 4294967295 for an outlier");
-  out.true_xyz = column("true_xyz", ElementType::kFloat64, 3, "m", "the point without noise");
-  out.range = column("range", ElementType::kFloat32, 1, "m", "distance from the scanner, without noise");
-  if (with_incidence)
-    out.incidence =
-        column("incidence_angle", ElementType::kFloat32, 1, "rad", "between the ray and the face's normal");
-  return out;
-}
 
 }  // namespace
 
@@ -192,49 +229,56 @@ Cloud scan_static(const Model& model, std::span<const ScanStation> stations, con
   validate(model);
   std::vector<ScanStation> automatic;
   if (stations.empty()) {
-    automatic = automatic_stations(model);
+    automatic = automatic_stations(model, settings.stations, settings.station_distance_m);
     stations = automatic;
   }
   if (stations.size() > kMaxStations) fail(Status::kLimit, "more than 2^26 stations");
   for (const ScanStation& station : stations) require_rigid(station.pose);
 
-  // 2. The tree of the triangles.
+  // 2. The surfaces, and the tree of their triangles.
   std::shared_ptr<const TriangleTree> tree;
+  std::optional<Surfaces> surfaces;
   {
     const Span span(task, 0, 0.1, "indexing the model");
+    surfaces.emplace(model, params, task);
     tree = TriangleTree::build(model.vertices, model.triangles, task);
   }
-  const Scan scan(model, settings, *tree, task);
+  const Scan scan(*surfaces, settings, *tree, task);
 
   // 3. All rays: what they meet, without noise.
+  const double n = static_cast<double>(stations.size());
   std::vector<Scan::Returns> returns(stations.size());
-  std::vector<size_t> first(stations.size() + 1, 0);
   for (size_t s = 0; s < stations.size(); ++s) {
-    const double n = static_cast<double>(stations.size()), part = static_cast<double>(s);
+    const double part = static_cast<double>(s);
     const Span span(task, 0.1 + 0.7 * part / n, 0.1 + 0.7 * (part + 1) / n, "scanning");
     if (tree->size() > 0) returns[s] = scan.cast(stations[s].pose, s, task);
-    first[s + 1] = first[s];
-    for (const auto& chunk : returns[s]) first[s + 1] += chunk.size();
+  }
+  {
+    const Span span(task, 0.8, 0.82, "thinning");
+    scan.thin(returns, task);
   }
 
   // 4. Points with noise and truth.
-  Output out = make_output(first.back(), settings.with_incidence);
+  std::vector<size_t> first(stations.size() + 1, 0);
   for (size_t s = 0; s < stations.size(); ++s) {
-    const double n = static_cast<double>(stations.size()), part = static_cast<double>(s);
-    const Span span(task, 0.8 + 0.2 * part / n, 0.8 + 0.2 * (part + 1) / n, "recording points");
+    first[s + 1] = first[s];
+    for (const auto& chunk : returns[s]) first[s + 1] += chunk.size();
+  }
+  Output out(first.back(), settings.with_incidence);
+  for (size_t s = 0; s < stations.size(); ++s) {
+    const double part = static_cast<double>(s);
+    const Span span(task, 0.82 + 0.18 * part / n, 0.82 + 0.18 * (part + 1) / n, "recording points");
     scan.record(stations[s].pose, s, returns[s], first[s], out, task);
     returns[s] = {};
   }
 
   // 5. The cloud.
-  Cloud cloud;
-  cloud.xyz_buffer = std::make_shared<const Buffer<double>>(std::move(out.xyz));
-  cloud.fields.set(out.face);
-  cloud.fields.set(out.true_xyz);
+  Cloud cloud = out.take();
   cloud.fields.set(out.range);
   if (out.incidence) cloud.fields.set(out.incidence);
   for (size_t s = 0; s < stations.size(); ++s) {
-    Station station{stations[s].name, true, stations[s].pose, first[s], first[s + 1] - first[s]};
+    Station station{stations[s].name, true, Misfit(settings, s).recorded(stations[s].pose), first[s],
+                    first[s + 1] - first[s]};
     if (station.name.empty()) station.name = "station " + std::to_string(s + 1);
     for (int a = 0; a < 3; ++a) station.pose.m[static_cast<size_t>(4 * a + 3)] += settings.offset[a];
     cloud.stations.push_back(station);

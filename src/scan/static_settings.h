@@ -14,20 +14,35 @@ namespace jalon {
 
 constexpr double kMaxRays = 0x1.0p36;  ///< a station
 
+constexpr int kMostBeamRings = 5;
+
+/// Which of the returns of one pulse is recorded.
+enum class EchoChoice { kFirst, kLast, kStrongest };
+
 /// The parameters of the static scanner, read once.
 struct StaticSettings {
   double horizontal_from, vertical_from, horizontal_step, vertical_step;
   uint64_t columns, rows;
   bool by_columns;
   double min_range, max_range;
-  double range_noise, angle_noise, point_noise;
+  double range_noise, range_noise_ppm, horizontal_noise, vertical_noise, point_noise;
+  double misfit_shift, misfit_rotation;
+  double beam_diameter, beam_divergence;  ///< full widths, at the exit and as an angle
+  int beam_rings;
+  double range_resolution;
+  EchoChoice echo;
   double dropout, outliers;
   bool outliers_in_box;
   double step_m;  ///< of the recorded coordinates
   Vec3 offset;
   uint64_t seed;
   bool with_incidence;
+  uint64_t max_points;   ///< 0: all
+  double spacing_m;      ///< 0: all
+  uint64_t stations;     ///< automatic ones; 0: as the model asks for
+  double station_distance_m;
 
+  bool has_beam() const { return beam_rings > 0 && (beam_diameter > 0 || beam_divergence > 0); }
   uint64_t rays() const { return columns * rows; }
 };
 
@@ -40,6 +55,8 @@ class Directions {
  public:
   Directions(const StaticSettings& settings, Task& task);
   Vec3 of(uint64_t ray) const { return polar(horizontal_[column(ray)], vertical_[row(ray)]); }
+  /// Cosine of the ray's vertical angle.
+  double of_horizon(uint64_t ray) const { return vertical_[row(ray)].cosine; }
   /// With these errors of the two angles.
   Vec3 of(uint64_t ray, double error_h_rad, double error_v_rad) const;
 

@@ -46,7 +46,7 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_cloud_station.count", "jalon_format_info.name", "jalon_format_info.extensions",
             "jalon_format_info.abilities", "jalon_model_part.name", "jalon_model_part.part_class",
             "jalon_model_part.parent", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
-            "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name"}
+            "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
         "jalon_cloud_radius_search.neighbours", "jalon_cloud_builder_begin_station.name",
@@ -63,7 +63,8 @@ BASE = {
     "jalon_cloud_builder_append_field.name": '"extra"', "jalon_cloud_builder_declare_field.name": '"another"',
     "jalon_cloud_cells.level": "3", "jalon_cloud_cell_neighbours.level": "3",
     "jalon_cloud_crop_polygon.count": "4", "jalon_model_create_mesh.count_triangles": "2",
-    "jalon_scanner_run.model": "fx_mesh", "jalon_cloud_share_octree.count": "3",
+    "jalon_scanner_run.model": "fx_mesh", "jalon_scanner_truth.cloud": "NULL",
+    "jalon_cloud_share_octree.count": "3",
     "jalon_params_set_bool.value": "1", "jalon_cloud_split.value": "1.0",
     "jalon_params_set_doubles.count": "0", "jalon_cloud_crop_polygon.w_min": "-100.0",
     "jalon_cloud_read.path": 'fx_path("scan.las")', "jalon_cloud_write.path": 'fx_path("out.las")',
