@@ -29,7 +29,16 @@ enum {
 /** What a segment is (the type codes of Boulaassal 2010, 5.5.2). */
 enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CYLINDER = 3 };
 
-/** method: "ransac" (Fischler & Bolles 1981; Schnabel et al. 2007; Boulaassal 2010). NULL = "ransac". */
+/**
+ * method, NULL = "ransac":
+ * - "ransac": planes one after the other, the best first, from seeded random draws (Fischler & Bolles 1981; Schnabel et al. 2007;
+ *   Boulaassal 2010).
+ * - "region_growing": regions grown from the flattest places (Vosselman et al. 2004) over points with normals: a point joins when its
+ *   normal is within an angle of the running plane's and it lies within a distance of that plane (Stamos & Allen 2002), which is refitted
+ *   as the region grows; coplanar neighbours are joined, the points left over grow among themselves once more, and all points are shared
+ *   out anew among all planes. No random draws: the same cloud gives the same result. O(n log n); normals included, about as fast as
+ *   "ransac" and with fewer chance planes, but it needs surfaces a few points wide and stops at their gaps (then joined up to merge_gap_m).
+ */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out);
 JALON_API jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter);
 JALON_API void jalon_segmenter_release(jalon_segmenter* segmenter);

@@ -9,14 +9,34 @@
 using namespace jalon;
 using namespace jalon::capi;
 
+namespace {
+
+struct Method {
+  const char* name;
+  const char* owner;  ///< of its parameters
+  std::span<const ParamRow> (*rows)();
+  Segmentation (*run)(const CloudPtr&, const ParamSet&, Task&);
+};
+constexpr Method kMethods[] = {{"ransac", "segmenter ransac", ransac_rows, segment_ransac},
+                               {"region_growing", "segmenter region_growing", region_growing_rows,
+                                segment_region_growing}};
+
+const Method& method_of(const std::string& name) {
+  for (const Method& method : kMethods)
+    if (name == method.name) return method;
+  fail(Status::kNotFound, "no segmentation method \"%.100s\"; there are: ransac, region_growing", name.c_str());
+}
+
+}  // namespace
+
 jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out) {
   return guard([&] {
     require(out, "out");
     const std::string name = method != nullptr ? require_text(method, "method") : "ransac";
-    if (name != "ransac") fail(Status::kNotFound, "no segmentation method \"%.100s\"; there is: ransac", name.c_str());
+    const Method& found = method_of(name);
     auto handle = std::make_unique<jalon_segmenter>();
     handle->method = name;
-    handle->values = std::make_shared<ParamSet>("segmenter ransac", ransac_rows());
+    handle->values = std::make_shared<ParamSet>(found.owner, found.rows());
     *out = handle.release();
   });
 }
@@ -44,7 +64,8 @@ jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_c
     const ParamSet values = *segmenter->values;  // a progress callback may set the next run's
     auto handle = std::make_unique<jalon_segmentation>();
     with_task(task, [&](Task& t) {
-      handle->segmentation = std::make_shared<const Segmentation>(segment_ransac(cloud->cloud, values, t));
+      handle->segmentation =
+          std::make_shared<const Segmentation>(method_of(segmenter->method).run(cloud->cloud, values, t));
     });
     *out = handle.release();
   });

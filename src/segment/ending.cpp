@@ -9,7 +9,6 @@
 #include "base/parallel.h"
 #include "segment/assignment.h"
 #include "segment/facade.h"
-#include "segment/merging.h"
 
 namespace jalon {
 
@@ -104,7 +103,6 @@ void require_area(const Cloud& cloud, Task& task) {
 }
 
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  if (scene.settings.connectivity) merge_coplanar(scene, surfaces, task);
   for (int round = 0; round < kAssignmentRounds; ++round) {
     assign_points(scene, surfaces, task);
     if (!refit_surfaces(scene, surfaces, task) && round > 0) break;

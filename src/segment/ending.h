@@ -15,7 +15,7 @@ namespace jalon {
 /// fitted to.
 void require_area(const Cloud& cloud, Task& task);
 
-/// Coplanar neighbours joined, then all points shared out anew among all planes, refitted after each round.
+/// All points shared out anew among all planes, which are refitted after each round.
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 
 /// Last fit, normals turned, orientation classes, facade frame, tables of points and segments. Sorts the surfaces,

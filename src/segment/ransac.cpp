@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/ending.h"
+#include "segment/merging.h"
 #include "segment/segmentation.h"
 #include "segment/sequence.h"
 
@@ -22,6 +23,7 @@ Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task&
   }
   {
     Span span(task, 0.85, 0.95, "sharing out points");
+    if (settings.connectivity) merge_coplanar(scene, surfaces, task);
     share_out_points(scene, surfaces, task);
   }
   Span span(task, 0.95, 1, "last fit");

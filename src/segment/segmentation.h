@@ -70,7 +70,12 @@ using SegmentationPtr = std::shared_ptr<const Segmentation>;
 
 /// Parameter table of method "ransac".
 std::span<const ParamRow> ransac_rows();
-/// Sequential planes by seeded adaptive RANSAC (see segment/ransac.h for the steps).
+/// Sequential planes by seeded adaptive RANSAC (see ransac.cpp for the steps).
 Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task& task);
+
+/// Parameter table of method "region_growing".
+std::span<const ParamRow> region_growing_rows();
+/// Planes grown from the flattest places (see region_growing.cpp for the steps).
+Segmentation segment_region_growing(const CloudPtr& cloud, const ParamSet& params, Task& task);
 
 }  // namespace jalon

@@ -103,12 +103,18 @@ static inline jalon_status op_radius(const jalon_cloud* cloud, jalon_task* task,
   jalon_fields_release(ranges);
   return status;
 }
-static inline jalon_status op_segment(const jalon_cloud* cloud, jalon_task* task, made* out) {
+static inline jalon_status segment_by(const char* method, const jalon_cloud* cloud, jalon_task* task, made* out) {
   jalon_segmenter* segmenter = NULL;
-  jalon_status status = jalon_segmenter_create(NULL, &segmenter);
+  jalon_status status = jalon_segmenter_create(method, &segmenter);
   if (status == JALON_OK) status = jalon_segmenter_run(segmenter, cloud, task, &out->segmentation);
   jalon_segmenter_release(segmenter);
   return status;
+}
+static inline jalon_status op_segment(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return segment_by(NULL, cloud, task, out);
+}
+static inline jalon_status op_grow(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return segment_by("region_growing", cloud, task, out);
 }
 static inline jalon_status op_append(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return jalon_cloud_append(cloud, cloud, task, &out->cloud);
@@ -126,7 +132,8 @@ static const struct {
     {"features", op_features},   {"components", op_components},   {"outliers", op_outliers},
     {"voxel", op_voxel},         {"minimum distance", op_minimum_distance}, {"random", op_random},
     {"duplicates", op_duplicates}, {"interest", op_interest},     {"radius search", op_radius},
-    {"segment", op_segment},     {"append", op_append},           {"crop", op_crop},
+    {"segment", op_segment},     {"region growing", op_grow},     {"append", op_append},
+    {"crop", op_crop},
 };
 enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
 

@@ -21,14 +21,16 @@ static jalon_cloud* corner_cloud(void) {
   return cloud;
 }
 
-static jalon_segmentation* segment(const jalon_cloud* cloud) {
+static jalon_segmentation* segment_by(const char* method, const jalon_cloud* cloud) {
   jalon_segmenter* segmenter = NULL;
   jalon_segmentation* segmentation = NULL;
-  MUST(jalon_segmenter_create(NULL, &segmenter));
+  MUST(jalon_segmenter_create(method, &segmenter));
   MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
   jalon_segmenter_release(segmenter);
   return segmentation;
 }
+
+static jalon_segmentation* segment(const jalon_cloud* cloud) { return segment_by(NULL, cloud); }
 
 static void segmenter__finds_two_planes_with_their_tables(void** state) {
   (void)state;
@@ -120,11 +122,55 @@ static void segmenter__shares_its_parameters(void** state) {
   jalon_segmenter_release(segmenter);
 }
 
-static void segmenter__refuses_bad_input(void** state) {
+static const char* const kMethods[] = {"ransac", "region_growing"};
+enum { kMethodCount = sizeof kMethods / sizeof *kMethods };
+
+static void segmenter__grows_the_same_two_planes(void** state) {
+  (void)state;
+  jalon_cloud* cloud = corner_cloud();
+  jalon_segmentation* segmentation = segment_by("region_growing", cloud);
+  jalon_fields* segments = NULL;
+  jalon_array_view normal, inliers;
+  MUST(jalon_segmentation_segments(segmentation, &segments));
+  MUST(jalon_fields_view(segments, "normal", &normal));
+  MUST(jalon_fields_view(segments, "inliers", &inliers));
+  assert_int_equal(normal.count, 2);
+  const double* m = normal.data;
+  for (int s = 0; s < 2; ++s) assert_true(fabs(m[3 * s + 1]) > 0.9999 || m[3 * s + 2] > 0.9999);
+  const uint64_t* n = inliers.data;
+  assert_true(n[0] + n[1] == kCount);
+  jalon_fields_release(segments);
+  jalon_segmentation_release(segmentation);
+  jalon_cloud_release(cloud);
+}
+
+static void segmenter__each_method_has_its_own_parameters(void** state) {
   (void)state;
   jalon_segmenter* segmenter = NULL;
+  jalon_params* params = NULL;
+  double tolerance = 0;
+  int64_t k = 0;
+  MUST(jalon_segmenter_create("region_growing", &segmenter));
+  MUST(jalon_segmenter_params(segmenter, &params));
+  MUST(jalon_params_get_double(params, "distance_tolerance_m", &tolerance));
+  MUST(jalon_params_get_int64(params, "k", &k));
+  assert_true(tolerance == 0.025 && k == 16);
+  REFUSED(JALON_ERROR_NOT_FOUND, jalon_params_set_double(params, "probability", 0.9));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_int64(params, "k", 3));
+  /* the field "normal" is asked for and not there */
+  jalon_cloud* cloud = corner_cloud();
+  jalon_segmentation* segmentation = NULL;
+  MUST(jalon_params_set_string(params, "normals", "field"));
+  REFUSED(JALON_ERROR_NOT_FOUND, jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
+  jalon_cloud_release(cloud);
+  jalon_params_release(params);
+  jalon_segmenter_release(segmenter);
+}
+
+static void refuses_bad_input(const char* method) {
+  jalon_segmenter* segmenter = NULL;
   REFUSED(JALON_ERROR_NOT_FOUND, jalon_segmenter_create("magic", &segmenter));
-  MUST(jalon_segmenter_create(NULL, &segmenter));
+  MUST(jalon_segmenter_create(method, &segmenter));
   const double line[9] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
   jalon_cloud *none = NULL, *two = NULL, *three = NULL;
   MUST(jalon_cloud_create(NULL, JALON_FLOAT64, 0, 0, 0, &none));
@@ -142,14 +188,18 @@ static void segmenter__refuses_bad_input(void** state) {
   jalon_segmenter_release(segmenter);
 }
 
-static void segmenter__stops_when_cancelled_and_runs_again(void** state) {
+static void segmenter__refuses_bad_input(void** state) {
   (void)state;
+  for (int i = 0; i < kMethodCount; ++i) refuses_bad_input(kMethods[i]);
+}
+
+static void stops_when_cancelled_and_runs_again(const char* method) {
   jalon_task* task = NULL;
   jalon_segmenter* segmenter = NULL;
   jalon_segmentation* segmentation = NULL;
   jalon_cloud* cloud = corner_cloud();
   MUST(jalon_task_create(&task));
-  MUST(jalon_segmenter_create(NULL, &segmenter));
+  MUST(jalon_segmenter_create(method, &segmenter));
   MUST(jalon_task_cancel(task));
   REFUSED(JALON_ERROR_CANCELLED, jalon_segmenter_run(segmenter, cloud, task, &segmentation));
   assert_true(segmentation == NULL);
@@ -161,10 +211,17 @@ static void segmenter__stops_when_cancelled_and_runs_again(void** state) {
   jalon_task_release(task);
 }
 
+static void segmenter__stops_when_cancelled_and_runs_again(void** state) {
+  (void)state;
+  for (int i = 0; i < kMethodCount; ++i) stops_when_cancelled_and_runs_again(kMethods[i]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(segmenter__finds_two_planes_with_their_tables),
+      cmocka_unit_test(segmenter__grows_the_same_two_planes),
       cmocka_unit_test(segmenter__shares_its_parameters),
+      cmocka_unit_test(segmenter__each_method_has_its_own_parameters),
       cmocka_unit_test(segmenter__refuses_bad_input),
       cmocka_unit_test(segmenter__stops_when_cancelled_and_runs_again),
   };

@@ -58,6 +58,15 @@ inline Segmentation run(const CloudPtr& cloud, const ParamSet& params, unsigned 
   return segment_ransac(cloud, params, task);
 }
 
+inline Segmentation grow(const CloudPtr& cloud, const char* json = "{}", unsigned threads = 2) {
+  ParamSet params("segmenter region_growing", region_growing_rows());
+  params.from_json(json);
+  Task::Hooks hooks;
+  hooks.threads = threads;
+  Task task(hooks);
+  return segment_region_growing(cloud, params, task);
+}
+
 /// Points of the face that carry the label.
 inline size_t overlap(const Scene& scene, const Segmentation& s, int face, uint32_t label) {
   const auto labels = s.labels->values<uint32_t>();
