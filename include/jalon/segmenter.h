@@ -57,7 +57,8 @@ JALON_API void jalon_segmentation_release(jalon_segmentation* segmentation);
 JALON_API JALON_CHECK jalon_status jalon_segmentation_points(const jalon_segmentation* segmentation,
                                                  jalon_fields** out);
 /**
- * One row a segment, largest first: "label" (uint32), "type" (uint8, JALON_PRIMITIVE_...), "orientation" (uint8), "inliers" (uint64),
+ * One row a segment, largest first: "label" (uint32), "source_label" (int64; the label, or for
+ * jalon_segmentation_from_labels the field's value), "type" (uint8, JALON_PRIMITIVE_...), "orientation" (uint8), "inliers" (uint64),
  * "normal" (float64 x 3, toward the station where known), "offset" (float64, m; normal . p = offset), "centroid" (float64 x 3, m),
  * "radius" (float64, m), "axis_u", "axis_v" (float64 x 3), "sigma" (float64, m), "area" (float64, m2), "length_u", "length_v" (float64, m),
  * "covariance" (float64 x 16: of nx, ny, nz, offset), "cylinder_covariance" (float64 x 49).

@@ -8,8 +8,12 @@
 #include "capi/operations.h"
 #include "cloud/operations.h"
 #include "formats/formats.h"
+#include "report/picture.h"
 #include "report/report.h"
 #include "scan/scanner.h"
+#include "segment/confusion.h"
+#include "segment/evaluation.h"
+#include "segment/from_labels.h"
 
 namespace jalon::capi {
 
@@ -18,7 +22,8 @@ std::span<const Operation> operations() {
       {"normals", normals_rows},     {"features", features_rows},   {"components", components_rows},
       {"outliers", outliers_rows},   {"subsample", subsample_rows}, {"interest", interest_rows},
       {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
-      {"elevation", elevation_rows}, {"report", report_rows},
+      {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},
+      {"labels", labels_rows},       {"evaluation", evaluation_rows}, {"confusion", confusion_rows},
   };
   return kOperations;
 }

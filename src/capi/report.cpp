@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/report.h"
 
+#include <algorithm>
+
 #include "capi/guard.h"
 #include "capi/model_handles.h"
 #include "capi/worker_handles.h"
 #include "formats/atomic_file.h"
+#include "report/picture.h"
 #include "report/report.h"
 
 using namespace jalon;
@@ -15,9 +18,16 @@ namespace {
 
 constexpr size_t kMaxNotesBytes = size_t{1} << 20;
 
-void require_inputs(const jalon_segmentation* segmentation, const jalon_model* model) {
+// A segmentation alone, without outlines, is reported too.
+ModelPtr model_or_none(const jalon_segmentation* segmentation, const jalon_model* model) {
   require(segmentation, "segmentation");
-  require(model, "model");
+  return model != nullptr ? model->model : std::make_shared<const Model>();
+}
+
+bool is_png(const std::string& path) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  const std::string end = path.size() >= 4 ? path.substr(path.size() - 4) : "";
+  return end.size() == 4 && std::equal(end.begin(), end.end(), ".png", [&](char a, char b) { return lower(a) == b; });
 }
 
 std::string notes_text(const char* notes_json) {
@@ -35,7 +45,8 @@ void write_whole(const std::string& path, const std::string& text) {
 jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation, const jalon_model* model,
                                           const char* path, const jalon_params* options, jalon_task* task) {
   return guard([&] {
-    require_inputs(segmentation, model);
+    require(segmentation, "segmentation");
+    require(model, "model");
     const std::string target = require_text(path, "path");
     const ParamSet set = options_or_default(options, "elevation");
     with_task(task, [&](Task& t) {
@@ -44,15 +55,28 @@ jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation
   });
 }
 
+jalon_status jalon_report_write_picture(const jalon_segmentation* segmentation, const char* path, const jalon_params* options,
+                                        jalon_task* task) {
+  return guard([&] {
+    require(segmentation, "segmentation");
+    const std::string target = require_text(path, "path");
+    const ParamSet set = options_or_default(options, "picture");
+    with_task(task, [&](Task& t) {
+      const Segmentation& s = *segmentation->segmentation;
+      write_whole(target, is_png(target) ? picture_png(s, set, t) : picture_svg(s, set, t));
+    });
+  });
+}
+
 jalon_status jalon_report_write_html(const jalon_segmentation* segmentation, const jalon_model* model,
                                      const char* notes_json, const char* path, const jalon_params* options,
                                      jalon_task* task) {
   return guard([&] {
-    require_inputs(segmentation, model);
+    const ModelPtr outlines = model_or_none(segmentation, model);
     const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
     const ParamSet set = options_or_default(options, "report");
     with_task(task, [&](Task& t) {
-      write_whole(target, report_html(*segmentation->segmentation, *model->model, notes, set, t));
+      write_whole(target, report_html(*segmentation->segmentation, *outlines, notes, set, t));
     });
   });
 }
@@ -61,11 +85,11 @@ jalon_status jalon_report_write_json(const jalon_segmentation* segmentation, con
                                      const char* notes_json, const char* path, const jalon_params* options,
                                      jalon_task* task) {
   return guard([&] {
-    require_inputs(segmentation, model);
+    const ModelPtr outlines = model_or_none(segmentation, model);
     const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
     options_or_default(options, "report");  // refuses a foreign set
     with_task(task, [&](Task& t) {
-      write_whole(target, report_json(*segmentation->segmentation, *model->model, notes, t));
+      write_whole(target, report_json(*segmentation->segmentation, *outlines, notes, t));
     });
   });
 }

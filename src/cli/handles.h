@@ -29,6 +29,7 @@ struct Release {
   }
 };
 using Cloud = std::unique_ptr<jalon_cloud, Release<jalon_cloud_release>>;
+using Evaluation = std::unique_ptr<jalon_evaluation, Release<jalon_evaluation_release>>;
 using Fields = std::unique_ptr<jalon_fields, Release<jalon_fields_release>>;
 using Model = std::unique_ptr<jalon_model, Release<jalon_model_release>>;
 using Modeller = std::unique_ptr<jalon_modeller, Release<jalon_modeller_release>>;

@@ -50,6 +50,8 @@ int run(int argc, char** argv) {
   add_clean(app);
   add_normals(app);
   add_facade(app);
+  add_segment(app);
+  add_evaluate(app);
   add_scan(app);
   try {
     app.parse(argc, argv);

@@ -48,6 +48,8 @@ void add_convert(CLI::App& app);
 void add_clean(CLI::App& app);
 void add_normals(CLI::App& app);
 void add_facade(CLI::App& app);
+void add_segment(CLI::App& app);
+void add_evaluate(CLI::App& app);
 void add_scan(CLI::App& app);
 
 }  // namespace jalon::cli

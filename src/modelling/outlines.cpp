@@ -193,7 +193,7 @@ Model model_outlines(const Segmentation& segmentation, const ParamSet& params, T
     const Span span(task, 0.05, 1, "drawing outlines");
     parallel_for(task, outlined.size(), 1, [&](size_t begin, size_t end) {
       for (size_t s = begin; s < end; ++s) {
-        if (!segmentation.segments[s].is_plane()) continue;
+        if (!segmentation.segments[s].has_plane()) continue;
         const std::span<const uint32_t> indices(by_label.order.data() + by_label.first[s],
                                                 by_label.first[s + 1] - by_label.first[s]);
         outlined[s] = outline_segment(cloud, segmentation.segments[s], indices, facade_x, setting, task);
@@ -202,7 +202,7 @@ Model model_outlines(const Segmentation& segmentation, const ParamSet& params, T
   }
   model.parts.push_back({"facade", "facade", kNoParent});
   for (size_t s = 0; s < outlined.size(); ++s)
-    if (segmentation.segments[s].is_plane()) add_faces(model, segmentation.segments[s], outlined[s]);
+    if (segmentation.segments[s].has_plane()) add_faces(model, segmentation.segments[s], outlined[s]);
   return model;
 }
 

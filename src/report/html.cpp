@@ -6,6 +6,7 @@
 #include "formats/svg_writer.h"
 #include "report/notes.h"
 #include "report/orientation_name.h"
+#include "report/picture.h"
 #include "report/report.h"
 #include "report/residuals.h"
 
@@ -15,7 +16,8 @@ namespace {
 
 constexpr ParamRow kReportRows[] = {
     integer_row("bins", 60, 5, 400, "1", "", "Bins of the residual histogram"),
-    bool_row("drawing", true, "", "With the elevation drawing"),
+    bool_row("drawing", true, "", "With the elevation drawing, when there is a model"),
+    bool_row("picture", true, "", "With a front view of the points in the colours of their segments"),
 };
 
 // Dark on white, one column, prints without surprises. No scripts, no fonts or pictures from elsewhere.
@@ -152,6 +154,13 @@ void add_drawing(Page& page, const Segmentation& segmentation, const Model& mode
   page.note("The numbers are those of the table of planes. A drawing to scale for printing is written as elevation.svg.");
 }
 
+void add_picture(Page& page, const Segmentation& segmentation, Task& task) {
+  page.heading("Labelled points");
+  page.html().raw(picture_svg(segmentation, ParamSet("picture", picture_rows()), task));
+  page.note("Front view, from the station side. Segments that meet have different colours; the numbers are those of the table of "
+            "planes. Noise, in grey, is shown only where no segment lies.");
+}
+
 void add_residuals(Page& page, const Residuals& r) {
   page.heading("Residuals");
   if (r.count == 0) return page.note("No point lies on a plane.");
@@ -179,7 +188,8 @@ std::string report_html(const Segmentation& segmentation, const Model& model, st
   html.open("style").raw(kStyle).close();
   html.close().open("body");
   add_summary(page, segmentation, notes, residuals);
-  if (options.flag("drawing")) add_drawing(page, segmentation, model, notes, task);
+  if (options.flag("drawing") && !model.faces.empty()) add_drawing(page, segmentation, model, notes, task);
+  if (options.flag("picture")) add_picture(page, segmentation, task);
   add_planes(page, segmentation, task);
   add_residuals(page, residuals);
   add_input(page, segmentation, notes);

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "segment/assignment.h"
 #include "segment/facade.h"
+#include "segment/point_columns.h"
 
 namespace jalon {
 
@@ -48,35 +49,8 @@ std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surfac
   return segments;
 }
 
-std::shared_ptr<Column> point_column(const char* name, ElementType type, const char* unit, const char* meaning,
-                                     size_t count) {
-  return std::make_shared<Column>(FieldInfo{name, type, 1, unit, meaning}, count);
-}
-
-void fill_points(const SegmentScene& scene, const std::vector<Segment>& segments, std::span<const uint32_t> labels,
-                 Task& task, Segmentation& out) {
-  const size_t n = scene.size();
-  auto residuals = point_column("residual", ElementType::kFloat32, "m", "signed distance to the own surface", n);
-  auto orientations = point_column("orientation", ElementType::kUint8, "",
-                                   "0 noise, 1 parallel to the facade, 2 vertical, 3 horizontal, 4 inclined", n);
-  const auto residual = residuals->values<float>();
-  const auto orientation = orientations->values<uint8_t>();
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      residual[i] = kNotANumber;
-      orientation[i] = 0;
-      if (labels[i] == 0) continue;
-      const Segment& segment = segments[labels[i] - 1];
-      residual[i] = static_cast<float>(segment.distance(scene.cloud.point(i) - scene.origin));
-      orientation[i] = static_cast<uint8_t>(segment.orientation);
-    }
-  });
-  out.residuals = residuals;
-  out.orientations = orientations;
-}
-
 std::shared_ptr<Column> label_points(const SegmentScene& scene, const std::vector<Surface>& surfaces) {
-  auto column = point_column("label", ElementType::kUint32, "", "0 noise, else row of the segment + 1", scene.size());
+  auto column = make_label_column(scene.size());
   const auto labels = column->values<uint32_t>();
   std::fill(labels.begin(), labels.end(), 0u);
   for (size_t s = 0; s < surfaces.size(); ++s)
@@ -124,7 +98,7 @@ Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scen
   turn_normals(context, labels, out.segments, task);
   classify(context, out.segments);
   out.T_facade_world = facade_transform(context, out.segments);
-  fill_points(scene, out.segments, labels, task, out);
+  add_point_columns(out, scene.origin, task);
   for (size_t s = 0; s < surfaces.size(); ++s) {
     shift_origin(out.segments[s].fit, scene.origin);
     out.segments[s].fit.n = surfaces[s].positions.size();

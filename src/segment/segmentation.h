@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -26,6 +27,7 @@ enum class PrimitiveType : uint8_t { kPlane = 1, kSphere = 2, kCylinder = 3 };
 /// One architectural surface. Of the three fits the one of its type counts.
 struct Segment {
   uint32_t label = 0;  ///< 1-based; points carry it
+  int64_t source_label = 0;  ///< value in the field it was made from; 0: found by a method
   PrimitiveType type = PrimitiveType::kPlane;
   Orientation orientation = Orientation::kNone;  ///< kNone for spheres and cylinders
   PlaneFit fit;                                  ///< normal toward the station where known
@@ -36,6 +38,8 @@ struct Segment {
   double length_u_m = 0, length_v_m = 0;
 
   bool is_plane() const { return type == PrimitiveType::kPlane; }
+  /// A plane whose points define it: given labels may hold too few or collinear ones, and then the fit is NaN.
+  bool has_plane() const { return is_plane() && std::isfinite(fit.plane.offset); }
   uint64_t point_count() const { return own(fit.n, sphere.n, cylinder.n); }
   double sigma_m() const { return own(fit.sigma, sphere.sigma, cylinder.sigma); }
   /// Signed distance of a point from the surface: in front of a plane, outside a sphere or cylinder.

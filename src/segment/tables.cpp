@@ -92,6 +92,8 @@ FieldTable segment_table(const Segmentation& s) {
   FieldTable table;
   table.set(segment_column<uint32_t>(s, "label", 1, "", "label of its points",
                                      [](const P& p, uint32_t) { return p.label; }));
+  table.set(segment_column<int64_t>(s, "source_label", 1, "", "its value in the field it was made from, else its label",
+                                    [](const P& p, uint32_t) { return p.source_label != 0 ? p.source_label : p.label; }));
   table.set(segment_column<uint8_t>(s, "type", 1, "", "1 plane, 2 sphere, 3 cylinder",
                                     [](const P& p, uint32_t) { return p.type; }));
   table.set(segment_column<uint8_t>(s, "orientation", 1, "",

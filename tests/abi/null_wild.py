@@ -23,6 +23,7 @@ HANDLES = {
     "jalon_model": ("fx_model", ["fx_mesh", "fx_bare"]),
     "jalon_segmenter": ("fx_segmenter", []),
     "jalon_segmentation": ("fx_segmentation", ["fx_no_segments"]),
+    "jalon_evaluation": ("fx_evaluation", []),
     "jalon_modeller": ("fx_modeller", []),
     "jalon_scanner": ("fx_scanner", []),
     "jalon_task": ("fx_task", []),
@@ -37,6 +38,8 @@ OPERATION = {
     "jalon_cloud_subsample": "subsample", "jalon_cloud_split_interest": "interest", "jalon_cloud_read": "read",
     "jalon_model_read": "read", "jalon_cloud_write": "write", "jalon_model_write": "write",
     "jalon_scene_create": "scene", "jalon_report_write_elevation": "elevation",
+    "jalon_segmentation_from_labels": "labels", "jalon_segmentation_evaluate": "evaluation",
+    "jalon_cloud_confusion": "confusion", "jalon_report_write_picture": "picture",
     "jalon_report_write_html": "report", "jalon_report_write_json": "report",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
@@ -46,12 +49,12 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_cloud_station.count", "jalon_format_info.name", "jalon_format_info.extensions",
             "jalon_format_info.abilities", "jalon_model_part.name", "jalon_model_part.part_class",
             "jalon_model_part.parent", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
+            "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
         "jalon_cloud_radius_search.neighbours", "jalon_cloud_builder_begin_station.name",
-        "jalon_cloud_set_station.name", "jalon_report_write_elevation.model", "jalon_report_write_html.model",
-        "jalon_report_write_json.model", "jalon_report_write_elevation.options"}
+        "jalon_cloud_set_station.name", "jalon_report_write_elevation.model", "jalon_report_write_elevation.options"}
 # Arrays and the parameter that counts them.
 ARRAYS = {"xyz": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
           "polygon_uv": "count", "values": "count", "queries": "count", "clouds": "count",
@@ -70,7 +73,7 @@ BASE = {
     "jalon_cloud_read.path": 'fx_path("scan.las")', "jalon_cloud_write.path": 'fx_path("out.las")',
     "jalon_model_read.path": 'fx_path("model.obj")', "jalon_model_write.path": 'fx_path("out.obj")',
     "jalon_report_write_elevation.path": 'fx_path("out.svg")', "jalon_report_write_html.path": 'fx_path("out.html")',
-    "jalon_report_write_json.path": 'fx_path("out.json")', "jalon_params_set_string.value": "fx_text_value",
+    "jalon_report_write_picture.path": 'fx_path("picture.svg")', "jalon_report_write_json.path": 'fx_path("out.json")', "jalon_params_set_string.value": "fx_text_value",
     "jalon_cloud_remove_field.name": '"intensity"', "jalon_fields_view.name": '"intensity"',
     "jalon_fields_copy.name": '"intensity"', "jalon_cloud_invert_normals.cloud": "fx_cloud",
 }
@@ -164,6 +167,7 @@ def scalar(function, p):
 def text(function, p):
     null = null_expectation(function, p.name)
     base = {"crs": '"EPSG:2154"', "name": '"intensity"', "unit": '"m"', "meaning": '"a meaning"', "field": '"intensity"',
+            "label_field": '"intensity"', "class_field": '"intensity"', "reference_field": '"intensity"',
             "method": "NULL", "operation": '"normals"', "json": '"{}"', "notes_json": r'"{\"title\":\"t\"}"',
             "value": "fx_text_value", "path": 'fx_path("out.xyz")'}.get(p.name)
     if base is None:

@@ -16,6 +16,7 @@ jalon_fields* fx_fields;
 jalon_model *fx_model, *fx_mesh, *fx_bare;
 jalon_segmenter* fx_segmenter;
 jalon_segmentation *fx_segmentation, *fx_no_segments;
+jalon_evaluation* fx_evaluation;
 jalon_modeller* fx_modeller;
 jalon_scanner* fx_scanner;
 jalon_task *fx_task, *fx_task_own;
@@ -166,6 +167,7 @@ static void make_workers(void) {
   jalon_cloud* nothing = cloud_of(sparse, 40);
   MUST(jalon_segmenter_run(fx_segmenter, nothing, NULL, &fx_no_segments));
   jalon_cloud_release(nothing);
+  MUST(jalon_segmentation_evaluate(fx_segmentation, fx_segmentation, NULL, NULL, &fx_evaluation));
   MUST(jalon_modeller_create(NULL, &fx_modeller));
   MUST(jalon_modeller_run(fx_modeller, fx_cloud, fx_segmentation, NULL, &fx_model));
   const double corners[12] = {-2, 3, -2, 2, 3, -2, 2, 3, 2, -2, 3, 2};
@@ -217,6 +219,7 @@ void fx_end(void) {
   jalon_segmenter_release(fx_segmenter);
   jalon_segmentation_release(fx_segmentation);
   jalon_segmentation_release(fx_no_segments);
+  jalon_evaluation_release(fx_evaluation);
   jalon_modeller_release(fx_modeller);
   jalon_scanner_release(fx_scanner);
   jalon_task_release(fx_task);

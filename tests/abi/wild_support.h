@@ -22,6 +22,7 @@ extern jalon_fields* fx_fields;
 extern jalon_model *fx_model, *fx_mesh, *fx_bare;
 extern jalon_segmenter* fx_segmenter;
 extern jalon_segmentation *fx_segmentation, *fx_no_segments;
+extern jalon_evaluation* fx_evaluation;
 extern jalon_modeller* fx_modeller;
 extern jalon_scanner* fx_scanner;
 extern jalon_task *fx_task, *fx_task_own;

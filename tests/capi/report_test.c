@@ -32,9 +32,8 @@ static int make_folder(void** state) {
 
 static int remove_folder(void** state) {
   (void)state;
-  remove(in_folder("a.svg"));
-  remove(in_folder("a.html"));
-  remove(in_folder("a.json"));
+  const char* names[] = {"a.svg", "a.html", "a.json", "b.svg", "b.html", "b.json", "b.PNG"};
+  for (size_t i = 0; i < sizeof names / sizeof *names; ++i) remove(in_folder(names[i]));
   return rmdir(folder);
 }
 
@@ -101,14 +100,43 @@ static void report__failures_leave_the_old_file_alone(void** state) {
           jalon_report_write_elevation(scene.segmentation, model, in_folder("none/a.svg"), NULL, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_report_write_elevation(NULL, model, in_folder("a.svg"), NULL, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT,
-          jalon_report_write_json(scene.segmentation, NULL, NULL, in_folder("a.json"), NULL, NULL));
+          jalon_report_write_elevation(scene.segmentation, NULL, in_folder("a.svg"), NULL, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_report_write_json(scene.segmentation, model, NULL, NULL, NULL, NULL));
   jalon_model_release(model);
   release_scene(&scene);
 }
 
+static void report__needs_no_model_and_draws_the_labelled_points(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  MUST(jalon_report_write_html(scene.segmentation, NULL, NULL, in_folder("b.html"), NULL, NULL));
+  MUST(jalon_report_write_json(scene.segmentation, NULL, NULL, in_folder("b.json"), NULL, NULL));
+  MUST(jalon_report_write_picture(scene.segmentation, in_folder("b.svg"), NULL, NULL));
+  MUST(jalon_report_write_picture(scene.segmentation, in_folder("b.PNG"), NULL, NULL));
+  char *page = text_of_file(in_folder("b.html")), *drawing = text_of_file(in_folder("b.svg"));
+  char* png = text_of_file(in_folder("b.PNG"));
+  assert_non_null(strstr(page, "Labelled points"));
+  assert_null(strstr(page, "Elevation"));
+  assert_non_null(strstr(page, "data:image/png;base64,"));
+  assert_non_null(strstr(drawing, "data:image/png;base64,"));
+  assert_non_null(strstr(drawing, "Distance along the facade (m)"));
+  assert_true(memcmp(png, "\x89PNG\r\n\x1a\n", 8) == 0);
+  free(page), free(drawing), free(png);
+  jalon_params* options = NULL;
+  MUST(jalon_params_create("picture", &options));
+  MUST(jalon_params_set_string(options, "view", "plan"));
+  MUST(jalon_params_set_string(options, "title", "<A & B>"));
+  MUST(jalon_report_write_picture(scene.segmentation, in_folder("b.svg"), options, NULL));
+  drawing = text_of_file(in_folder("b.svg"));
+  assert_non_null(strstr(drawing, "&lt;A &amp; B&gt;: plan view, 1 segments of"));
+  free(drawing);
+  jalon_params_release(options);
+  release_scene(&scene);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(report__needs_no_model_and_draws_the_labelled_points),
       cmocka_unit_test(report__writes_drawing_page_and_json),
       cmocka_unit_test(report__options_set_title_and_scale),
       cmocka_unit_test(report__failures_leave_the_old_file_alone),

@@ -127,10 +127,13 @@ TEST_CASE("report_html: self-contained, with all its chapters") {
   const Segmentation s = small_facade();
   const std::string html = html_of(s, outlines_of(s), R"({"title": "North wall", "input": {"file": "a.las"}, "times": {"read": 0.25}})");
   CHECK(markup::well_formed(html));
-  for (const char* text : {"North wall", "a.las", "0.250 s", "Planes", "Residuals", "Parameters", "distance_tolerance", "Elevation"})
+  for (const char* text : {"North wall", "a.las", "0.250 s", "Planes", "Residuals", "Parameters", "distance_tolerance", "Elevation",
+                           "Labelled points"})
     CHECK_MESSAGE(html.find(text) != std::string::npos, text);
-  for (const char* text : {"<script", "<link", "src=", "href=", "@import", "url(http"})
+  for (const char* text : {"<script", "<link", "src=", "@import", "url(http"})
     CHECK_MESSAGE(html.find(text) == std::string::npos, text);
+  for (size_t at = html.find("href="); at != std::string::npos; at = html.find("href=", at + 1))
+    CHECK(html.compare(at, 11, "href=\"data:") == 0);  // pictures are in the page itself
 }
 
 TEST_CASE("report_html: the same bits for any number of threads") {

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/options.h"
+#include "cli/output_folder.h"
+#include "cli/table.h"
+
+namespace jalon::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kMethods[] = {"ransac", "region_growing"};
+
+struct Segment {
+  Common common;
+  Input input;
+  Settings settings;
+  std::string method = "ransac", output, view = "front";
+  double tolerance_m = 0;  ///< 0 = the method's default
+
+  Segmenter segmenter(Params& params) const {
+    Segmenter made;
+    must(jalon_segmenter_create(method.c_str(), Out(made)));
+    must(jalon_segmenter_params(made.get(), Out(params)));
+    if (tolerance_m > 0) must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
+    settings.apply(params.get());
+    return made;
+  }
+
+  void draw(const Console& console, const Segmentation& segmentation, const std::string& path) const {
+    const Params options = make_params("picture");
+    must(jalon_params_set_string(options.get(), "title", std::filesystem::path(input.path).filename().string().c_str()));
+    must(jalon_params_set_string(options.get(), "view", view.c_str()));
+    must(jalon_report_write_picture(segmentation.get(), path.c_str(), options.get(), console.task()));
+  }
+
+  void write(const Console& console, const Segmentation& segmentation, const Table& table, Json notes, Json result) const {
+    OutputFolder folder(output);
+    Cloud labelled;
+    must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
+    must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr, console.task()));
+    must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr, console.task()));
+    write_text_file(folder.path("segments.csv"), table.csv());
+    draw(console, segmentation, folder.path("segments.svg"));
+    notes["times"]["write"] = console.seconds();
+    result["times"] = notes["times"];
+    write_text_file(folder.path("segments.json"), result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
+    must(jalon_report_write_html(segmentation.get(), nullptr, text.c_str(), folder.path("report.html").c_str(), nullptr, console.task()));
+    folder.commit();
+  }
+
+  static void list(const Console& console, const Table& table) {
+    console.say("segment     points    area m2   sigma mm   normal");
+    for (uint64_t i = 0; i < table.rows(); ++i) {
+      char line[200];
+      std::snprintf(line, sizeof line, "%7u %10s %10s %10s   %s %s %s", static_cast<unsigned>(table.count("label", i)),
+                    grouped(table.count("inliers", i)).c_str(), fixed(table.number("area", i), 2).c_str(),
+                    fixed(1000 * table.number("sigma", i), 1).c_str(), fixed(table.number("normal", i, 0), 4).c_str(),
+                    fixed(table.number("normal", i, 1), 4).c_str(), fixed(table.number("normal", i, 2), 4).c_str());
+      console.say(line);
+    }
+  }
+
+  void run() const {
+    Console console(common);
+    Params params;
+    const Segmenter worker = segmenter(params);  // wrong parameters are told before a long read
+    Json notes{{"title", "Segments"}, {"input", {{"file", input.path}, {"method", method}}}, {"times", Json::object()}};
+    console.step("reading");
+    const Cloud cloud = input.read(console);
+    notes["times"]["read"] = console.seconds();
+    console.step("segments");
+    Segmentation segmentation;
+    must(jalon_segmenter_run(worker.get(), cloud.get(), console.task(), Out(segmentation)));
+    notes["times"]["segment"] = console.seconds();
+    Fields fields;
+    must(jalon_segmentation_segments(segmentation.get(), Out(fields)));
+    const Table table(std::move(fields));
+    const char* parameters = nullptr;
+    must(jalon_params_to_json(params.get(), &parameters));
+    Json result{{"input", input.path}, {"points", count_of(cloud)}, {"output", output}, {"method", method},
+                {"parameters", Json::parse(parameters)}, {"times", notes["times"]}, {"segments", table.list()}};
+    console.step("writing");
+    write(console, segmentation, table, notes, result);
+    list(console, table);
+    console.say("wrote " + output + ": report.html, segments.svg, segments.csv, segments.json, segments.las, segments.ply");
+    console.result(result);
+  }
+};
+
+// The parameters of every method that this library has.
+std::string tables() {
+  std::string text;
+  for (const char* method : kMethods) {
+    jalon_segmenter* raw = nullptr;
+    if (jalon_segmenter_create(method, &raw) != JALON_OK) continue;
+    const Segmenter segmenter(raw);
+    Params params;
+    must(jalon_segmenter_params(segmenter.get(), Out(params)));
+    text += std::string("Parameters of --set with --method ") + method + ":\n" + describe(params.get()) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_segment(CLI::App& app) {
+  auto* command = app.add_subcommand("segment", "From a scan to labelled points, a table of the segments and a picture of them");
+  auto state = std::make_shared<Segment>();
+  state->input.add_to(*command);
+  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
+  command->add_option("--method", state->method, "How segments are found: ransac, ...; the parameters below tell which there are")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command->add_option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the method's")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--view", state->view, "What the picture shows")->check(CLI::IsMember({"front", "plan"}))->capture_default_str();
+  state->settings.add_to(*command);
+  add_common(*command, state->common);
+  command->footer([] {
+    return tables() +
+           "Examples:\n  jalon segment scan.las -o result\n  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set "
+           "min_area_m2=0.2\n  jalon evaluate-segmentation result/segments.las reference.las";
+  });
+  command->callback([state] { state->run(); });
+}
+
+}  // namespace jalon::cli

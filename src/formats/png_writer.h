@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jalon {
+
+struct Rgb {
+  uint8_t red = 0, green = 0, blue = 0;
+  bool operator==(const Rgb&) const = default;
+};
+
+/// "#rrggbb".
+std::string hex_of(const Rgb& colour);
+
+/// A picture of at most 256 colours: one palette index a pixel, row by row from the top.
+struct IndexedImage {
+  uint32_t width = 0, height = 0;
+  std::vector<uint8_t> pixels;
+  std::vector<Rgb> palette;
+};
+
+/// The picture as a PNG file (ISO/IEC 15948, colour type 3). Even areas shrink to little; nothing takes more than 9 bits a pixel.
+std::string png_of(const IndexedImage& image);
+
+/// Text form of bytes for data: addresses (RFC 4648).
+std::string base64_of(std::string_view bytes);
+
+}  // namespace jalon
