@@ -15,8 +15,8 @@ namespace jalon {
 
 /// Adjustment of a curved surface to points by least squares or by Tukey's biweight.
 ///
-/// A Model has `Point`, `kUnknowns`, `double residual(const Point&, Row<kUnknowns>& derivatives) const`, the signed
-/// distance, and `void move(const Row<kUnknowns>& step)`, a small change of the unknowns.
+/// A Model has `Point`, `kUnknowns`, `double residual(const Point&, Coefficients<kUnknowns>& derivatives) const`, the signed
+/// distance, and `void move(const Coefficients<kUnknowns>& step)`, a small change of the unknowns.
 struct AdjustSetting {
   double reach_m = INFINITY;  ///< points further away have no say
   bool robust = true;         ///< biweight; else every point within reach has weight 1
@@ -63,8 +63,8 @@ struct Weighting {
 template <size_t K>
 struct Sums {
   Square<K> normal{}, slopes{}, squares{};  ///< sums of j j^T with the weights w, psi', psi^2
-  Row<K> right{};
-  double loss = 0, psi2 = 0, slope = 0;
+  Coefficients<K> right{};
+  double loss = 0, psi2 = 0, slope = 0, slope2 = 0;
   uint64_t n = 0;
   Sums& operator+=(const Sums& b) {
     for (size_t i = 0; i < K * K; ++i) {
@@ -76,15 +76,17 @@ struct Sums {
     loss += b.loss;
     psi2 += b.psi2;
     slope += b.slope;
+    slope2 += b.slope2;
     n += b.n;
     return *this;
   }
-  void add(const Influence& f, const Row<K>& j, bool with_covariance) {
+  void add(const Influence& f, const Coefficients<K>& j, bool with_covariance) {
     loss += f.loss;
     if (f.weight == 0) return;
     ++n;
     psi2 += f.psi * f.psi;
     slope += f.slope;
+    slope2 += f.slope * f.slope;
     for (size_t r = 0; r < K; ++r) {
       right[r] -= f.psi * j[r];
       for (size_t c = 0; c < K; ++c) normal[K * r + c] += f.weight * j[r] * j[c];
@@ -104,7 +106,7 @@ Sums<Model::kUnknowns> sums_of(std::span<const typename Model::Point> points, co
   using S = Sums<Model::kUnknowns>;
   return parallel_reduce(task, points.size(), kPointsPerChunk, S{}, [&](size_t begin, size_t end) {
     S part;
-    Row<Model::kUnknowns> j;
+    Coefficients<Model::kUnknowns> j;
     for (size_t i = begin; i < end; ++i) {
       const double d = model.residual(points[i], j);
       part.add(weighting(d), j, with_covariance);
@@ -115,7 +117,7 @@ Sums<Model::kUnknowns> sums_of(std::span<const typename Model::Point> points, co
 
 template <class Model>
 double distance_of(const Model& model, const typename Model::Point& p) {
-  Row<Model::kUnknowns> unused;
+  Coefficients<Model::kUnknowns> unused;
   return model.residual(p, unused);
 }
 
@@ -175,7 +177,7 @@ bool descend(std::span<const typename Model::Point> points, const Weighting& wei
     for (size_t i = 0; i < kK; ++i) normal[kK * i + i] *= 1 + damping;
     Cholesky<kK> factor;
     if (!factor.factor(normal)) return false;
-    const Row<kK> change = factor.solve(here.right);
+    const Coefficients<kK> change = factor.solve(here.right);
     double size = 0;
     for (const double c : change) size = std::max(size, std::fabs(c));
     if (!std::isfinite(size)) return false;
@@ -209,8 +211,10 @@ bool covariance_of(const Sums<K>& sums, bool least_squares, Square<K>& out) {
   } else if (least_squares) {
     for (double& c : out) c *= sums.psi2 / freedom;
   } else {
+    const double mean = sums.slope / n, spread = sums.slope2 / n / (mean * mean) - 1;
+    const double small_sample = 1 + static_cast<double>(K) / n * spread;  // Huber (1981), 7.6
     out = sandwich<K>(out, sums.squares);
-    for (double& c : out) c *= n / freedom;
+    for (double& c : out) c *= small_sample * small_sample * n / freedom;
   }
   return true;
 }

@@ -9,7 +9,7 @@
 namespace jalon {
 
 template <size_t K>
-using Row = std::array<double, K>;
+using Coefficients = std::array<double, K>;
 /// Row-major; of symmetric matrices both triangles are kept.
 template <size_t K>
 using Square = std::array<double, K * K>;
@@ -35,7 +35,7 @@ class Cholesky {
     return true;
   }
 
-  Row<K> solve(Row<K> x) const {
+  Coefficients<K> solve(Coefficients<K> x) const {
     for (size_t i = 0; i < K; ++i) {
       for (size_t k = 0; k < i; ++k) x[i] -= l_[K * i + k] * x[k];
       x[i] /= l_[K * i + i];
@@ -50,9 +50,9 @@ class Cholesky {
   Square<K> inverse() const {
     Square<K> out{};
     for (size_t j = 0; j < K; ++j) {
-      Row<K> unit{};
+      Coefficients<K> unit{};
       unit[j] = 1;
-      const Row<K> column = solve(unit);
+      const Coefficients<K> column = solve(unit);
       for (size_t i = 0; i < K; ++i) out[K * i + j] = column[i];
     }
     return out;

@@ -15,14 +15,14 @@ struct CircleModel {
   Circle circle;
 
   double radius() const { return circle.radius; }
-  double residual(const Vec2& p, Row<3>& j) const {
+  double residual(const Vec2& p, Coefficients<3>& j) const {
     const Vec2 d = p - circle.centre;
     const double r = norm(d);
     const Vec2 u = r > 0 ? d * (1 / r) : Vec2{1, 0};
     j = {-u.u, -u.v, -1};
     return r - circle.radius;
   }
-  void move(const Row<3>& step) {
+  void move(const Coefficients<3>& step) {
     circle.centre = circle.centre + Vec2{step[0], step[1]};
     circle.radius += step[2];
   }
@@ -36,10 +36,10 @@ bool circle_linear(std::span<const Vec2> points, Circle& out) {
   for (const Vec2& p : points) mean = mean + (p - points[0]);
   mean = points[0] + mean * (1 / static_cast<double>(points.size()));
   Square<3> normal{};
-  Row<3> right{};
+  Coefficients<3> right{};
   for (const Vec2& p : points) {
     const Vec2 d = p - mean;
-    const Row<3> row{1, 2 * d.u, 2 * d.v};
+    const Coefficients<3> row{1, 2 * d.u, 2 * d.v};
     for (size_t r = 0; r < 3; ++r) {
       right[r] += row[r] * dot(d, d);
       for (size_t c = 0; c < 3; ++c) normal[3 * r + c] += row[r] * row[c];
@@ -47,7 +47,7 @@ bool circle_linear(std::span<const Vec2> points, Circle& out) {
   }
   Cholesky<3> factor;
   if (!factor.factor(normal)) return false;
-  const Row<3> x = factor.solve(right);
+  const Coefficients<3> x = factor.solve(right);
   const Vec2 centre{x[1], x[2]};
   const double squared = x[0] + dot(centre, centre);
   if (!(squared > 0)) return false;

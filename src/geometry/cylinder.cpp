@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kParallelSine = 0.05;  // 3 degrees between two normals: below, their noise sets the axis
 constexpr double kLeastCosine = 0.906;  // 25 degrees between the normals of point and surface (Schnabel et al. 2007)
+constexpr int kAttempts = 3;                 // one in ten thousand starts leads nowhere
+constexpr uint64_t kSeedStep = 0x9E3779B9;  // keeps the draws of the attempts apart
 constexpr double kOpenRadius = 0.5;     // standard deviation of the radius, relative, of a cylinder that nothing fixes
 constexpr double kOpenDirection = 0.5;  // the same of the direction, rad
 // Variance h^2 / 12 along the axis of a closed cylinder against r^2 / 2 across it: h = 2 r * 1.5 gives 1.5 to 1.
@@ -25,7 +27,7 @@ struct CylinderModel {
   CylinderModel() : CylinderModel(Cylinder{}) {}
   explicit CylinderModel(const Cylinder& c) : cylinder(c), e(across(c.direction)) {}
   double radius() const { return cylinder.radius; }
-  double residual(const Vec3& p, Row<5>& j) const {
+  double residual(const Vec3& p, Coefficients<5>& j) const {
     const Vec3 d = p - cylinder.point;
     const double h = dot(d, cylinder.direction), a = dot(d, e[0]), b = dot(d, e[1]);
     const double r = std::sqrt(a * a + b * b);
@@ -33,7 +35,7 @@ struct CylinderModel {
     j = {-u, -v, -h * u, -h * v, -1};
     return r - cylinder.radius;
   }
-  void move(const Row<5>& step) {
+  void move(const Coefficients<5>& step) {
     cylinder.point += step[0] * e[0] + step[1] * e[1];
     cylinder.direction = normalized(cylinder.direction + step[2] * e[0] + step[3] * e[1]);
     cylinder.radius += step[4];
@@ -168,17 +170,20 @@ bool adjust_cylinder(std::span<const Vec3> points, const Cylinder& start, const 
 bool fit_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals, const PrimitiveSetting& setting,
                   Task& task, CylinderFit& out) {
   if (points.size() < 5) return false;
-  if (!normals.empty()) {
+  for (int attempt = 0; attempt < kAttempts && !normals.empty(); ++attempt) {
+    PrimitiveSetting anew = setting;
+    anew.seed += static_cast<uint64_t>(attempt) * kSeedStep;
     CylinderModel start;
     const auto draw = [&](RandomStream& random, CylinderModel& model) {
-      return draw_cylinder(points, normals, setting, random, model);
+      return draw_cylinder(points, normals, anew, random, model);
     };
     const auto agrees = [&](const CylinderModel& model, size_t i) {
       return normal_agrees(model.cylinder, points[i], normals[i]);
     };
-    if (!best_draw(points, setting, 2, task, draw, agrees, start)) return false;
-    return adjust_cylinder(points, start.cylinder, setting, task, out);
+    if (best_draw(points, anew, 2, task, draw, agrees, start) && adjust_cylinder(points, start.cylinder, anew, task, out))
+      return true;
   }
+  if (!normals.empty()) return false;
   Vec3 direction;
   CylinderFit start;
   if (!axis_from_covariance(points, direction)) return false;

@@ -19,14 +19,14 @@ struct SphereModel {
 
   double radius() const { return sphere.radius; }
   /// Rows of Boulaassal 2010, E.11.
-  double residual(const Vec3& p, Row<4>& j) const {
+  double residual(const Vec3& p, Coefficients<4>& j) const {
     const Vec3 d = p - sphere.centre;
     const double r = norm(d);
     const Vec3 u = r > 0 ? d / r : Vec3{0, 0, 1};
     j = {-u.x, -u.y, -u.z, -1};
     return r - sphere.radius;
   }
-  void move(const Row<4>& step) {
+  void move(const Coefficients<4>& step) {
     sphere.centre += Vec3{step[0], step[1], step[2]};
     sphere.radius += step[3];
   }
@@ -47,7 +47,7 @@ bool sphere_through(const std::array<Vec3, 4>& points, Sphere& out) {
   const Eigen3 eigen = symmetric_eigen(moments.covariance());
   if (!(eigen.values[0] > kFlat * eigen.values[2])) return false;
   Square<3> normal{};
-  Row<3> right{};
+  Coefficients<3> right{};
   for (size_t i = 0; i < 4; ++i) {  // planes that halve P1P2, P2P3, P3P4, P4P1
     const Vec3 a = points[i] - points[0], b = points[(i + 1) % 4] - points[0], n = b - a;
     const double offset = dot(n, a + b) / 2;
@@ -58,7 +58,7 @@ bool sphere_through(const std::array<Vec3, 4>& points, Sphere& out) {
   }
   Cholesky<3> factor;
   if (!factor.factor(normal)) return false;
-  const Row<3> centre = factor.solve(right);
+  const Coefficients<3> centre = factor.solve(right);
   out.centre = points[0] + Vec3{centre[0], centre[1], centre[2]};
   out.radius = norm(out.centre - points[0]);
   return std::isfinite(out.radius);
@@ -70,10 +70,10 @@ bool sphere_linear(std::span<const Vec3> points, Sphere& out) {
   for (const Vec3& p : points) mean += p - points[0];
   mean = points[0] + mean / static_cast<double>(points.size());
   Square<4> normal{};
-  Row<4> right{};
+  Coefficients<4> right{};
   for (const Vec3& p : points) {
     const Vec3 d = p - mean;
-    const Row<4> row{1, 2 * d.x, 2 * d.y, 2 * d.z};
+    const Coefficients<4> row{1, 2 * d.x, 2 * d.y, 2 * d.z};
     for (size_t r = 0; r < 4; ++r) {
       right[r] += row[r] * squared_norm(d);
       for (size_t c = 0; c < 4; ++c) normal[4 * r + c] += row[r] * row[c];
@@ -81,7 +81,7 @@ bool sphere_linear(std::span<const Vec3> points, Sphere& out) {
   }
   Cholesky<4> factor;
   if (!factor.factor(normal)) return false;
-  const Row<4> x = factor.solve(right);
+  const Coefficients<4> x = factor.solve(right);
   const Vec3 centre{x[1], x[2], x[3]};
   const double squared = x[0] + squared_norm(centre);
   if (!(squared > 0)) return false;
