@@ -81,8 +81,8 @@ void build_lycee(const ParamSet& params, SceneBuilder& out) {
   constexpr double kCrown_m = 2, kOpacity = 0.75;
   const auto seed = static_cast<uint64_t>(params.integer("seed"));
   const uint32_t unwanted = out.part("unwanted", "unwanted");
-  add_tree(out, unwanted, {3.06, -4, 8.7}, kCrown_m, kOpacity, {seed, 1});
-  add_tree(out, unwanted, {9.63, -4, 8.7}, kCrown_m, kOpacity, {seed, 2});
+  add_crown(out, unwanted, {3.06, -4, 8.7}, kCrown_m, kOpacity, {seed, 1});
+  add_crown(out, unwanted, {9.63, -4, 8.7}, kCrown_m, kOpacity, {seed, 2});
 }
 
 void build_arches(const ParamSet&, SceneBuilder& out) {

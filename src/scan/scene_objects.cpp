@@ -33,14 +33,19 @@ void add_stair(SceneBuilder& out, uint32_t parent, const Vec3& corner) {
   }
 }
 
-void add_tree(SceneBuilder& out, uint32_t parent, const Vec3& crown_middle, double crown_radius_m, double opacity,
-              const RandomStream& random) {
+void add_crown(SceneBuilder& out, uint32_t parent, const Vec3& middle, double radius_m, double opacity,
+               const RandomStream& random) {
   out.part("tree", "tree", parent);
   // Light through the middle, Beer & Lambert: 1 - opacity = exp(-leaves x shadow / volume x diameter).
-  const double shadow = kLeafArea * kLeaf_m * kLeaf_m / 2, diameter = 2 * crown_radius_m;
+  const double shadow = kLeafArea * kLeaf_m * kLeaf_m / 2, diameter = 2 * radius_m;
   const double volume = std::numbers::pi * diameter * diameter * diameter / 6;
   const auto leaves = static_cast<int>(std::lround(-std::log(1 - opacity) * volume / (shadow * diameter)));
-  out.crown(crown_middle, crown_radius_m, leaves, kLeaf_m, random);
+  out.crown(middle, radius_m, leaves, kLeaf_m, random);
+}
+
+void add_tree(SceneBuilder& out, uint32_t parent, const Vec3& crown_middle, double crown_radius_m, double opacity,
+              const RandomStream& random) {
+  add_crown(out, parent, crown_middle, crown_radius_m, opacity, random);
   out.cylinder({crown_middle.x, crown_middle.y, 0}, 0.12, crown_middle.z, kFacets);
 }
 

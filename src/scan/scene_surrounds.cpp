@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // S2 and S3 of facade-segmentation 3.3: a wall with window surrounds, alone and behind what nobody wants.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -61,8 +62,8 @@ void add_ghosts(SceneBuilder& out, uint32_t parent, uint64_t seed) {
       RandomStream random(seed, ++number);
       const double behind = kNearest_m + (kFarthest_m - kNearest_m) * random.uniform();
       const double u = window.u0 + window.width() / 2 + kAside_m * (2 * random.uniform() - 1);
-      const double v = window.v0 + window.height() * random.uniform();
       const double width = 0.4 + 0.8 * random.uniform(), height = 0.5 + random.uniform();
+      const double v = std::min(window.v0 + window.height() * random.uniform(), kHeight_m - height);
       out.face(ghosts, kFront.raised(-behind), {u - width / 2, u + width / 2, v, v + height});
     }
   }

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/random.h"
 #include "scan/misfit.h"
 #include "scan/pulse.h"
+#include "scan/returns.h"
 #include "scan/scan_output.h"
 #include "scan/scanner.h"
 #include "scan/static_settings.h"
@@ -18,19 +17,6 @@
 namespace jalon {
 
 namespace {
-
-constexpr size_t kRayGrain = 16384;               // rays a chunk: about 5 ms
-constexpr size_t kMaxStations = size_t{1} << 26;  // (station, ray) is a random stream number of 64 bits
-constexpr int kRayBits = 37;
-static_assert(kMaxRays < double{size_t{1} << kRayBits});
-
-/// One return, before noise: small, because all of a scan's are kept until their number is known.
-struct Return {
-  double range;
-  uint32_t triangle;
-  uint32_t ray;  ///< in its chunk; the top bits mark what is no point of one plane
-};
-constexpr uint32_t kOutlierBit = 1u << 31, kMixedBit = 1u << 30, kRayMask = kMixedBit - 1;
 
 /// The columns that only this scanner has.
 struct Output : ScanOutput {
@@ -50,12 +36,12 @@ class Scan {
       : surfaces_(surfaces),
         settings_(settings),
         tree_(tree),
+        streams_(settings.seed),
         directions_(settings, task),
         pulses_(settings, tree, surfaces) {}
 
-  /// Returns of a station, chunk by chunk of its rays.
-  using Returns = std::vector<std::vector<Return>>;
   Returns cast(const Transform& pose, size_t station, Task& task) const {
+    if (tree_.size() == 0) return {};
     Returns returns((settings_.rays() + kRayGrain - 1) / kRayGrain);
     parallel_for(task, settings_.rays(), kRayGrain, [&](size_t begin, size_t end) {
       std::vector<Return> found;
@@ -64,34 +50,6 @@ class Scan {
       returns[begin / kRayGrain] = std::move(found);
     });
     return returns;
-  }
-
-  /// Drops returns at random until as many are left as asked for. Of equal draws the earlier rays stay.
-  void thin(std::vector<Returns>& stations, Task& task) const {
-    Buffer<uint64_t> draws(count(stations));
-    if (settings_.max_points == 0 || draws.size() <= settings_.max_points) return;
-    size_t n = 0;
-    for_each_chunk(stations, task, [&](size_t station, size_t first_ray, const std::vector<Return>& chunk) {
-      for (const Return& r : chunk) draws[n++] = lot(station, first_ray + (r.ray & kRayMask));
-    });
-    std::nth_element(draws.begin(), draws.begin() + (settings_.max_points - 1), draws.end());
-    const uint64_t limit = draws[settings_.max_points - 1];
-    size_t left = settings_.max_points - static_cast<size_t>(std::count_if(
-                                             draws.begin(), draws.begin() + (settings_.max_points - 1),
-                                             [&](uint64_t draw) { return draw < limit; }));
-    for_each_chunk(stations, task, [&](size_t station, size_t first_ray, std::vector<Return>& chunk) {
-      std::erase_if(chunk, [&](const Return& r) {
-        const uint64_t draw = lot(station, first_ray + (r.ray & kRayMask));
-        return draw > limit || (draw == limit && left-- == 0);
-      });
-    });
-  }
-
-  static size_t count(const std::vector<Returns>& stations) {
-    size_t n = 0;
-    for (const Returns& station : stations)
-      for (const auto& chunk : station) n += chunk.size();
-    return n;
   }
 
   void record(const Transform& pose, size_t station, const Returns& returns, size_t first, Output& out,
@@ -109,30 +67,6 @@ class Scan {
   }
 
  private:
-  template <class F>
-  static void for_each_chunk(std::vector<Returns>& stations, Task& task, F&& f) {
-    for (size_t s = 0; s < stations.size(); ++s)
-      for (size_t c = 0; c < stations[s].size(); ++c) {
-        if (c % 64 == 0) task.checkpoint(static_cast<double>(s) / static_cast<double>(stations.size()));
-        f(s, c * kRayGrain, stations[s][c]);
-      }
-  }
-
-  /// A pure function of (seed, station, ray): threads may take rays in any order. One stream decides what comes back,
-  /// one is the noise, one decides at panes of glass, one thins: changing one changes nothing of the others.
-  RandomStream stream(size_t station, uint64_t ray, uint64_t which) const {
-    return {settings_.seed, (station << kRayBits | ray | (which & 2) << (kRayBits - 2)) * 2 + (which & 1)};
-  }
-  RandomStream decisions(size_t station, uint64_t ray) const { return stream(station, ray, 0); }
-  RandomStream noise(size_t station, uint64_t ray) const { return stream(station, ray, 1); }
-  RandomStream panes(size_t station, uint64_t ray) const { return stream(station, ray, 2); }
-  RandomStream thinning(size_t station, uint64_t ray) const { return stream(station, ray, 3); }
-  uint64_t lot(size_t station, uint64_t ray) const {
-    RandomStream random = thinning(station, ray);
-    random.bits();  // the spacing has had it
-    return random.bits();
-  }
-
   /// A unit vector whatever the last digits of the pose, so that t along it is the range.
   Vec3 direction_of(const Transform& pose, uint64_t ray) const {
     return normalized(pose.direction(directions_.of(ray)));
@@ -143,13 +77,13 @@ class Scan {
     const Vec3 direction = direction_of(pose, ray);
     Echo echo;
     // Range limits apply to what is first met: a surface too near shadows those behind it.
-    if (!pulses_.send(pose.translation(), direction, panes(station, ray), echo)) return;
+    if (!pulses_.send(pose.translation(), direction, streams_.panes(station, ray), echo)) return;
     if (!(echo.range >= settings_.min_range && echo.range <= settings_.max_range)) return;
-    RandomStream random = decisions(station, ray);
+    RandomStream random = streams_.decisions(station, ray);
     if (random.uniform() < settings_.dropout) return;
     uint32_t mark = random.uniform() < settings_.outliers ? kOutlierBit : 0;
     if (echo.is_mixed) mark |= kMixedBit;
-    if (settings_.spacing_m > 0 && thinning(station, ray).uniform() >= kept_share(echo, direction, ray)) return;
+    if (settings_.spacing_m > 0 && streams_.thinning(station, ray).uniform() >= kept_share(echo, direction, ray)) return;
     found.push_back({echo.range, echo.triangle, static_cast<uint32_t>(ray - first) | mark});
   }
 
@@ -166,7 +100,7 @@ class Scan {
     const bool is_outlier = (r.ray & kOutlierBit) != 0, is_mixed = (r.ray & kMixedBit) != 0;
     const Vec3 origin = tree_.origin(), from = pose.translation() - origin;
     const Vec3 direction = direction_of(pose, ray);
-    RandomStream random = noise(station, ray);
+    RandomStream random = streams_.noise(station, ray);
     Vec3 exact, measured;  // relative to the tree's origin
     if (is_outlier) {
       exact = outlier(random, from, direction, r.range);
@@ -217,9 +151,50 @@ class Scan {
   const Surfaces& surfaces_;
   const StaticSettings& settings_;
   const TriangleTree& tree_;
+  RayStreams streams_;
   Directions directions_;
   PulseCaster pulses_;
 };
+
+std::vector<Returns> cast_all(const Scan& scan, std::span<const ScanStation> stations, Task& task) {
+  std::vector<Returns> returns;
+  const double n = static_cast<double>(stations.size());
+  for (size_t s = 0; s < stations.size(); ++s) {
+    const double part = static_cast<double>(s);
+    const Span span(task, part / n, (part + 1) / n);
+    returns.push_back(scan.cast(stations[s].pose, s, task));
+  }
+  return returns;
+}
+
+/// Points and fields, station by station; the returns are used up.
+Cloud record_all(const Scan& scan, const StaticSettings& settings, std::span<const ScanStation> stations,
+                 std::vector<Returns>& returns, Task& task) {
+  std::vector<size_t> first(stations.size() + 1, 0);
+  for (size_t s = 0; s < stations.size(); ++s) {
+    first[s + 1] = first[s];
+    for (const auto& chunk : returns[s]) first[s + 1] += chunk.size();
+  }
+  Output out(first.back(), settings.with_incidence);
+  const double n = static_cast<double>(stations.size());
+  for (size_t s = 0; s < stations.size(); ++s) {
+    const double part = static_cast<double>(s);
+    const Span span(task, part / n, (part + 1) / n);
+    scan.record(stations[s].pose, s, returns[s], first[s], out, task);
+    returns[s] = {};
+  }
+  Cloud cloud = out.take();
+  cloud.fields.set(out.range);
+  if (out.incidence) cloud.fields.set(out.incidence);
+  for (size_t s = 0; s < stations.size(); ++s) {
+    Station station{stations[s].name, true, Misfit(settings, s).recorded(stations[s].pose), first[s],
+                    first[s + 1] - first[s]};
+    if (station.name.empty()) station.name = "station " + std::to_string(s + 1);
+    for (int a = 0; a < 3; ++a) station.pose.m[static_cast<size_t>(4 * a + 3)] += settings.offset[a];
+    cloud.stations.push_back(station);
+  }
+  return cloud;
+}
 
 }  // namespace
 
@@ -239,51 +214,29 @@ Cloud scan_static(const Model& model, std::span<const ScanStation> stations, con
   std::shared_ptr<const TriangleTree> tree;
   std::optional<Surfaces> surfaces;
   {
-    const Span span(task, 0, 0.1, "indexing the model");
+    const Span span(task, 0, 0.05, "finding the true planes");
     surfaces.emplace(model, params, task);
+  }
+  {
+    const Span span(task, 0.05, 0.1, "indexing the model");
     tree = TriangleTree::build(model.vertices, model.triangles, task);
   }
   const Scan scan(*surfaces, settings, *tree, task);
 
-  // 3. All rays: what they meet, without noise.
-  const double n = static_cast<double>(stations.size());
-  std::vector<Scan::Returns> returns(stations.size());
-  for (size_t s = 0; s < stations.size(); ++s) {
-    const double part = static_cast<double>(s);
-    const Span span(task, 0.1 + 0.7 * part / n, 0.1 + 0.7 * (part + 1) / n, "scanning");
-    if (tree->size() > 0) returns[s] = scan.cast(stations[s].pose, s, task);
+  // 3. All rays: what they meet, without noise; and which of it is kept.
+  std::vector<Returns> returns;
+  {
+    const Span span(task, 0.1, 0.8, "scanning");
+    returns = cast_all(scan, stations, task);
   }
   {
     const Span span(task, 0.8, 0.82, "thinning");
-    scan.thin(returns, task);
+    thin(returns, settings.max_points, RayStreams(settings.seed), task);
   }
 
   // 4. Points with noise and truth.
-  std::vector<size_t> first(stations.size() + 1, 0);
-  for (size_t s = 0; s < stations.size(); ++s) {
-    first[s + 1] = first[s];
-    for (const auto& chunk : returns[s]) first[s + 1] += chunk.size();
-  }
-  Output out(first.back(), settings.with_incidence);
-  for (size_t s = 0; s < stations.size(); ++s) {
-    const double part = static_cast<double>(s);
-    const Span span(task, 0.82 + 0.18 * part / n, 0.82 + 0.18 * (part + 1) / n, "recording points");
-    scan.record(stations[s].pose, s, returns[s], first[s], out, task);
-    returns[s] = {};
-  }
-
-  // 5. The cloud.
-  Cloud cloud = out.take();
-  cloud.fields.set(out.range);
-  if (out.incidence) cloud.fields.set(out.incidence);
-  for (size_t s = 0; s < stations.size(); ++s) {
-    Station station{stations[s].name, true, Misfit(settings, s).recorded(stations[s].pose), first[s],
-                    first[s + 1] - first[s]};
-    if (station.name.empty()) station.name = "station " + std::to_string(s + 1);
-    for (int a = 0; a < 3; ++a) station.pose.m[static_cast<size_t>(4 * a + 3)] += settings.offset[a];
-    cloud.stations.push_back(station);
-  }
-  return cloud;
+  const Span span(task, 0.82, 1, "recording points");
+  return record_all(scan, settings, stations, returns, task);
 }
 
 }  // namespace jalon

@@ -34,22 +34,8 @@ void set_gx(StaticSettings& s) {
   s.beam_divergence = 60e-6;
 }
 
-}  // namespace
-
-StaticSettings static_settings(const ParamSet& params) {
-  StaticSettings s;
-  s.horizontal_from = params.number("horizontal_from_rad");
-  s.vertical_from = params.number("vertical_from_rad");
-  s.horizontal_step = params.number("horizontal_step_rad");
-  s.vertical_step = params.number("vertical_step_rad");
-  s.columns = steps_in(s.horizontal_from, params.number("horizontal_to_rad"), s.horizontal_step, false);
-  s.rows = steps_in(s.vertical_from, params.number("vertical_to_rad"), s.vertical_step, true);
-  if (static_cast<double>(s.columns) * static_cast<double>(s.rows) > kMaxRays)
-    fail(Status::kLimit, "the angular steps give more than 2^36 rays a station");
-  s.by_columns = params.text("order") == "columns";
-  s.min_range = params.number("min_range_m");
-  s.max_range = params.number("max_range_m");
-  if (!(s.min_range <= s.max_range)) fail(Status::kInvalidArgument, "min_range_m is above max_range_m");
+/// Noise, beam and misfit.
+void read_errors(const ParamSet& params, StaticSettings& s) {
   s.range_noise = params.number("range_noise_m");
   s.range_noise_ppm = params.number("range_noise_ppm");
   s.horizontal_noise = params.number("angle_noise_rad");
@@ -66,6 +52,25 @@ StaticSettings static_settings(const ParamSet& params) {
   s.misfit_shift = params.number("misfit_shift_m");
   s.misfit_rotation = params.number("misfit_rotation_rad");
   s.point_noise = params.number("point_noise_m");
+}
+
+}  // namespace
+
+StaticSettings static_settings(const ParamSet& params) {
+  StaticSettings s;
+  s.horizontal_from = params.number("horizontal_from_rad");
+  s.vertical_from = params.number("vertical_from_rad");
+  s.horizontal_step = params.number("horizontal_step_rad");
+  s.vertical_step = params.number("vertical_step_rad");
+  s.columns = steps_in(s.horizontal_from, params.number("horizontal_to_rad"), s.horizontal_step, false);
+  s.rows = steps_in(s.vertical_from, params.number("vertical_to_rad"), s.vertical_step, true);
+  if (static_cast<double>(s.columns) * static_cast<double>(s.rows) > kMaxRays)
+    fail(Status::kLimit, "the angular steps give more than 2^36 rays a station");
+  s.by_columns = params.text("order") == "columns";
+  s.min_range = params.number("min_range_m");
+  s.max_range = params.number("max_range_m");
+  if (!(s.min_range <= s.max_range)) fail(Status::kInvalidArgument, "min_range_m is above max_range_m");
+  read_errors(params, s);
   s.dropout = params.number("dropout");
   s.outliers = params.number("outliers");
   s.outliers_in_box = params.text("outlier_place") == "box";

@@ -130,6 +130,120 @@ static void scanner__hands_on_the_ids_of_a_mesh(void** state) {
   jalon_model_release(model);
 }
 
+static void scanner__tells_the_true_planes_and_how_many_points_each_has(void** state) {
+  (void)state;
+  jalon_model* model = scene("sills");
+  jalon_scanner* scanner;
+  jalon_params* params;
+  jalon_cloud* cloud;
+  jalon_fields *fields, *truth, *bare;
+  const double grid[] = {652000, 6861000, 35};
+  MUST(jalon_scanner_create("sample", &scanner));
+  MUST(jalon_scanner_params(scanner, &params));
+  MUST(jalon_params_set_int64(params, "points", 6060));
+  MUST(jalon_params_set_double(params, "noise_m", 0));
+  MUST(jalon_params_set_doubles(params, "offset_m", grid, 3));
+  MUST(jalon_scanner_run(scanner, model, NULL, &cloud));
+  assert_int_equal(count_of(cloud), 6060);
+  MUST(jalon_cloud_fields(cloud, &fields));
+  MUST(jalon_scanner_truth(scanner, model, cloud, NULL, &truth));
+  uint64_t n, planes;
+  const uint32_t* segment = column(fields, "segment", &n);
+  const uint32_t* number = column(truth, "segment", &planes);
+  const double* normal = column(truth, "normal", &planes);
+  const double* offset = column(truth, "offset", &planes);
+  const double* area = column(truth, "area", &planes);
+  const uint64_t* count = column(truth, "count", &planes);
+  const uint32_t* part = column(truth, "part", &planes);
+  assert_int_equal(planes, 3); /* the wall and two sills */
+  jalon_array_view xyz;
+  MUST(jalon_cloud_points(cloud, &xyz));
+  uint64_t counted[4] = {0};
+  for (uint64_t i = 0; i < n; ++i) {
+    const double* p = (const double*)xyz.data + 3 * i;
+    const uint64_t k = segment[i] - 1;
+    assert_true(segment[i] >= 1 && segment[i] <= 3);
+    ++counted[segment[i]];
+    assert_true(fabs(normal[3 * k] * p[0] + normal[3 * k + 1] * p[1] + normal[3 * k + 2] * p[2] - offset[k]) < 1e-8);
+  }
+  const char* expected[] = {"wall", "sill", "sill"};
+  for (uint64_t k = 0; k < 3; ++k) {
+    const char* part_class;
+    MUST(jalon_model_part(model, part[k], NULL, &part_class, NULL));
+    assert_string_equal(part_class, expected[k]);
+    assert_int_equal(number[k], k + 1);
+    assert_int_equal(count[k], counted[k + 1]);
+    assert_true(fabs(area[k] - (k == 0 ? 60 : 0.3)) < 1e-9);
+    assert_true(fabs((double)count[k] - 100 * area[k]) < 3);
+  }
+  MUST(jalon_scanner_truth(scanner, model, NULL, NULL, &bare));
+  count = column(bare, "count", &planes);
+  assert_true(planes == 3 && count[0] == 0);
+  jalon_fields_release(bare);
+  /* A larger least area leaves the sills out. */
+  MUST(jalon_params_set_double(params, "truth_min_area_m2", 0.5));
+  MUST(jalon_scanner_truth(scanner, model, NULL, NULL, &bare));
+  column(bare, "count", &planes);
+  assert_int_equal(planes, 1);
+  /* A cloud without the field, and a station for a scanner that stands nowhere. */
+  const double origin[3] = {0, 0, 0};
+  const jalon_transform pose = pose_at(0, 0, 0);
+  jalon_cloud *other, *none = NULL;
+  jalon_fields* nothing = NULL;
+  MUST(jalon_cloud_create(origin, JALON_FLOAT64, 1, 0, 0, &other));
+  REFUSED(JALON_ERROR_NOT_FOUND, jalon_scanner_truth(scanner, model, other, NULL, &nothing));
+  assert_null(nothing);
+  MUST(jalon_cloud_set_field(other, "segment", origin, JALON_FLOAT64, 1, 1, 0, NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_scanner_truth(scanner, model, other, NULL, &nothing));
+  assert_null(nothing);
+  MUST(jalon_scanner_add_station(scanner, NULL, &pose));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_scanner_run(scanner, model, NULL, &none));
+  assert_null(none);
+  jalon_cloud_release(other);
+  jalon_fields_release(bare);
+  jalon_fields_release(truth);
+  jalon_fields_release(fields);
+  jalon_cloud_release(cloud);
+  jalon_params_release(params);
+  jalon_scanner_release(scanner);
+  jalon_model_release(model);
+}
+
+static void scanner__surveys_the_school_as_its_recipe_says(void** state) {
+  (void)state;
+  jalon_model* model = scene("insa");
+  jalon_scanner* scanner;
+  jalon_params* params;
+  jalon_cloud* cloud;
+  jalon_fields* truth;
+  uint64_t planes, stations;
+  MUST(jalon_scanner_create("static", &scanner));
+  MUST(jalon_scanner_params(scanner, &params));
+  MUST(jalon_params_from_json(params,
+                              "{\"instrument\": \"gx\", \"horizontal_step_rad\": 0.0029, \"vertical_step_rad\": 0.0029, "
+                              "\"stations\": 4, \"station_distance_m\": 30, \"misfit_shift_m\": 0.004, "
+                              "\"glass_return_min\": 0.05, \"glass_return_max\": 0.3, \"outliers\": 0.02, "
+                              "\"outlier_place\": \"box\", \"max_points\": 200000}"));
+  MUST(jalon_scanner_run(scanner, model, NULL, &cloud));
+  assert_int_equal(count_of(cloud), 200000);
+  MUST(jalon_cloud_station_count(cloud, &stations));
+  assert_int_equal(stations, 4);
+  MUST(jalon_scanner_truth(scanner, model, cloud, NULL, &truth));
+  const uint64_t* count = column(truth, "count", &planes);
+  uint64_t with_points = 0, points = 0;
+  for (uint64_t k = 0; k < planes; ++k) {
+    with_points += count[k] > 0;
+    points += count[k];
+  }
+  assert_true(planes > 900 && with_points > 500);
+  assert_true(points > 180000 && points < 197000); /* the rest: outliers, mixed pixels, small faces */
+  jalon_fields_release(truth);
+  jalon_cloud_release(cloud);
+  jalon_params_release(params);
+  jalon_scanner_release(scanner);
+  jalon_model_release(model);
+}
+
 static void scanner__shares_its_parameters_with_the_set_it_hands_out(void** state) {
   (void)state;
   jalon_scanner* scanner = coarse_scanner(0);
@@ -181,6 +295,8 @@ int main(void) {
       cmocka_unit_test(scanner__gives_points_with_their_truth),
       cmocka_unit_test(scanner__places_stations_by_itself),
       cmocka_unit_test(scanner__hands_on_the_ids_of_a_mesh),
+      cmocka_unit_test(scanner__tells_the_true_planes_and_how_many_points_each_has),
+      cmocka_unit_test(scanner__surveys_the_school_as_its_recipe_says),
       cmocka_unit_test(scanner__shares_its_parameters_with_the_set_it_hands_out),
       cmocka_unit_test(scanner__refuses_wrong_methods_poses_and_options),
   };

@@ -106,27 +106,43 @@ static void model_and_files(const jalon_cloud* cloud, uint64_t seed, jalon_task*
   release_made(&out);
 }
 
-static void scan(uint64_t seed, jalon_task* task) {
+/* A scan of a scene by a method, with these parameters besides the seed, and its true planes. */
+static void scan(const char* name, const char* scene_name, const char* method, const char* more, uint64_t seed, jalon_task* task) {
   jalon_scanner* scanner;
-  jalon_params* params;
+  jalon_params *params, *options;
   jalon_model* scene;
   jalon_cloud* cloud;
-  char json[160];
+  jalon_fields* truth;
+  char json[600];
   const jalon_transform pose = {{1, 0, 0, 11, 0, 1, 0, -12, 0, 0, 1, 1.7}};
-  snprintf(json, sizeof json, "{\"seed\": %llu, \"horizontal_step_rad\": 0.01, \"vertical_step_rad\": 0.01}",
-           (unsigned long long)seed);
-  MUST(jalon_scene_create(NULL, task, &scene));
-  MUST(jalon_scanner_create(NULL, &scanner));
+  snprintf(json, sizeof json, "{\"seed\": %llu, %s}", (unsigned long long)seed, more);
+  MUST(jalon_params_create("scene", &options));
+  MUST(jalon_params_set_string(options, "name", scene_name));
+  MUST(jalon_scene_create(options, task, &scene));
+  MUST(jalon_scanner_create(method, &scanner));
   MUST(jalon_scanner_params(scanner, &params));
   MUST(jalon_params_from_json(params, json));
-  MUST(jalon_scanner_add_station(scanner, "tripod", &pose));
+  if (method == NULL) MUST(jalon_scanner_add_station(scanner, "tripod", &pose));
   MUST(jalon_scanner_run(scanner, scene, task, &cloud));
   assert_true(count_of(cloud) > 1000);
-  tell("virtual scan", seed, hash_cloud(kStart, cloud));
+  MUST(jalon_scanner_truth(scanner, scene, cloud, task, &truth));
+  tell(name, seed, hash_fields(hash_cloud(kStart, cloud), truth));
+  jalon_fields_release(truth);
   jalon_cloud_release(cloud);
   jalon_model_release(scene);
   jalon_params_release(params);
+  jalon_params_release(options);
   jalon_scanner_release(scanner);
+}
+
+static void scans(uint64_t seed, jalon_task* task) {
+  scan("virtual scan", "facade", NULL, "\"horizontal_step_rad\": 0.01, \"vertical_step_rad\": 0.01", seed, task);
+  scan("virtual scan, all effects", "unwanted", NULL,
+       "\"horizontal_step_rad\": 0.01, \"vertical_step_rad\": 0.01, \"instrument\": \"gx\", \"misfit_shift_m\": 0.004, "
+       "\"misfit_rotation_rad\": 0.0001, \"glass_return_min\": 0.05, \"glass_return_max\": 0.3, \"outliers\": 0.02, "
+       "\"dropout\": 0.01, \"spacing_m\": 0.05, \"max_points\": 5000",
+       seed, task);
+  scan("virtual samples", "lycee", "sample", "\"points\": 20000, \"outliers\": 0.01", seed, task);
 }
 
 static int print_hashes(uint32_t threads) {
@@ -143,7 +159,7 @@ static int print_hashes(uint32_t threads) {
     triangulated(cloud, seed, task);
     statistics(cloud, seed, task);
     model_and_files(cloud, seed, task);
-    scan(seed, task);
+    scans(seed, task);
     jalon_cloud_release(cloud);
   }
   jalon_task_release(task);

@@ -37,6 +37,8 @@ done
 check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
 
 check "scan makes a sample" "$jalon" scan --scene facade -o sample.las --set horizontal_step_rad=0.003 --set vertical_step_rad=0.003
+check "scan samples a scene and tells its true planes" bash -c "'$jalon' scan --scene sills --method sample --set points=6060 -o sills.ply --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"points\"]==6060 and d[\"true_planes\"]==3, d'"
+check "scan --help lists scenes and both methods" bash -c "'$jalon' scan --help | grep -q 'insa_surveyed' && '$jalon' scan --help | grep -q 'method sample'"
 check "--quiet is silent" bash -c "[ -z \"\$('$jalon' scan --scene facade -o quiet.las --quiet --set horizontal_step_rad=0.005 --set vertical_step_rad=0.005 2>&1)\" ]"
 check "info tells points and box" bash -c "'$jalon' info sample.las | grep -q '^points' && '$jalon' info sample.las | grep -q '^max'"
 check "info --json is JSON" bash -c "'$jalon' info sample.las --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"points\"]>100000, d'"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <string>
 #include <vector>
@@ -57,6 +58,35 @@ inline ScanStation station_at(const Vec3& p) {
   station.pose.m[11] = p.z;
   return station;
 }
+
+inline Cloud sampled(const Model& model, const Options& options = {}, unsigned threads = 0) {
+  Task::Hooks hooks;
+  hooks.threads = threads;
+  Task task(hooks);
+  return scan_sample(model, {}, filled("scanner", sample_scanner_rows(), options), task);
+}
+
+inline bool same_bits(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+inline bool same_clouds(const Cloud& a, const Cloud& b) {
+  if (a.size() != b.size() || a.fields.size() != b.fields.size() || !same_bits(a.xyz(), b.xyz())) return false;
+  for (const ColumnPtr& column : a.fields) {
+    const Column& other = b.fields.require(column->info().name);
+    if (column->bytes() != other.bytes() || std::memcmp(column->raw(), other.raw(), other.bytes()) != 0) return false;
+  }
+  return true;
+}
+
+/// Share k of n draws of probability p, within five standard deviations.
+inline bool is_binomial(size_t k, size_t n, double p) {
+  const double expected = p * static_cast<double>(n);
+  return std::abs(static_cast<double>(k) - expected) <= 5 * std::sqrt(expected * (1 - p)) + 1e-9;
+}
+
+/// Squares of n standard normal draws add up to n, within four standard deviations.
+inline bool is_chi_squared(double squares, double n) { return std::abs(squares - n) < 4 * std::sqrt(2 * n); }
 
 template <class T>
 std::span<const T> values(const Cloud& cloud, const char* name) {

@@ -12,7 +12,9 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr const char* kScenes[] = {"facade", "street", "room", "box", "surrounds", "strips"};
+constexpr const char* kScenes[] = {"facade",  "street",   "room", "box",    "surrounds", "strips",
+                                   "insa",    "insa_surveyed", "unwanted",  "std",  "normal", "patches",   "sills",
+                                   "robbery", "lycee",    "arches", "residence"};
 
 size_t parts_of_class(const Model& model, const std::string& part_class) {
   return static_cast<size_t>(std::count_if(model.parts.begin(), model.parts.end(),

@@ -16,25 +16,6 @@ using namespace jalon::test;
 
 namespace {
 
-bool same_bits(std::span<const double> a, std::span<const double> b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
-}
-
-bool same_clouds(const Cloud& a, const Cloud& b) {
-  if (a.size() != b.size() || a.fields.size() != b.fields.size() || !same_bits(a.xyz(), b.xyz())) return false;
-  for (const ColumnPtr& column : a.fields) {
-    const Column& other = b.fields.require(column->info().name);
-    if (column->bytes() != other.bytes() || std::memcmp(column->raw(), other.raw(), other.bytes()) != 0) return false;
-  }
-  return true;
-}
-
-/// Share k of n draws of probability p, within five standard deviations.
-bool is_binomial(size_t k, size_t n, double p) {
-  const double expected = p * static_cast<double>(n);
-  return std::abs(static_cast<double>(k) - expected) <= 5 * std::sqrt(expected * (1 - p)) + 1e-9;
-}
-
 Model one_triangle() {
   Model model;
   model.vertices = {{-1, 5, 0}, {1, 5, 0}, {0, 5, 2}};
