@@ -180,6 +180,34 @@ static Result run_las3(Bench* bench, jalon_task* task, FILE* sample) {
   return run_las(bench, "_pf3.las", task, sample);
 }
 
+/* From raw points to labels and planes, with the default parameters; count: the segments. */
+static Result run_segmenter(Bench* bench, const char* method, jalon_task* task) {
+  Result result;
+  double start;
+  jalon_segmenter* segmenter = NULL;
+  jalon_segmentation* segmentation = NULL;
+  jalon_fields* segments = NULL;
+  jalon_array_view labels;
+  jalon_cloud* cloud = fresh_cloud(bench);
+  check(jalon_segmenter_create(method, &segmenter));
+  start = now();
+  check(jalon_segmenter_run(segmenter, cloud, task, &segmentation));
+  result.seconds = now() - start;
+  check(jalon_segmentation_segments(segmentation, &segments));
+  check(jalon_fields_view(segments, "label", &labels));
+  result.count = labels.count;
+  jalon_fields_release(segments);
+  jalon_segmentation_release(segmentation);
+  jalon_segmenter_release(segmenter);
+  jalon_cloud_release(cloud);
+  return result;
+}
+
+static Result run_region_growing(Bench* bench, jalon_task* task, FILE* sample) {
+  (void)sample;
+  return run_segmenter(bench, "region_growing", task);
+}
+
 typedef struct Operation {
   const char* name;
   Result (*run)(Bench* bench, jalon_task* task, FILE* sample);
@@ -187,7 +215,8 @@ typedef struct Operation {
 
 static const Operation kOperations[] = {{"index", run_index},         {"knn16", run_knn16},
                                         {"normals16", run_normals16}, {"voxel5cm", run_voxel5cm},
-                                        {"las0", run_las0},           {"las3", run_las3}};
+                                        {"las0", run_las0},           {"las3", run_las3},
+                                        {"region_growing", run_region_growing}};
 enum { OPERATIONS = sizeof kOperations / sizeof kOperations[0] };
 
 static int serve(Bench* bench) {
@@ -221,7 +250,7 @@ int main(int argc, char** argv) {
   memset(&bench, 0, sizeof bench);
   bench.prefix = argv[1];
   load(&bench);
-  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3\n");
+  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3,region_growing\n");
   fflush(stdout);
   code = serve(&bench);
   jalon_cloud_release(bench.indexed);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// bench_pcl PREFIX: PCL's FLANN kd-tree, NormalEstimationOMP and VoxelGrid. Its tree and its voxel
-// grid are serial.
+// bench_pcl PREFIX: PCL's FLANN kd-tree, NormalEstimationOMP, VoxelGrid and RegionGrowing. Its tree,
+// its voxel grid and its growing are serial.
 
 #include <omp.h>
 #include <pcl/features/normal_3d_omp.h>
@@ -11,6 +11,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
+#include <pcl/segmentation/region_growing.h>
 
 #include <memory>
 
@@ -67,14 +68,18 @@ int main(int argc, char** argv) {
     }
     return result;
   };
+  using SearchTree = pcl::search::KdTree<pcl::PointXYZ>;
+  const auto estimate = [&](int threads, const SearchTree::Ptr& search, pcl::PointCloud<pcl::Normal>& field) {
+    pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(static_cast<unsigned>(threads));
+    estimation.setInputCloud(cloud);
+    estimation.setSearchMethod(search);
+    estimation.setKSearch(bench::kNeighbours);
+    estimation.compute(field);
+  };
   const auto normals = [&](int threads, bool with_sample) {
     pcl::PointCloud<pcl::Normal> field;
     const bench::Stopwatch watch;
-    pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(static_cast<unsigned>(threads));
-    estimation.setInputCloud(cloud);
-    estimation.setSearchMethod(std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
-    estimation.setKSearch(bench::kNeighbours);
-    estimation.compute(field);
+    estimate(threads, std::make_shared<SearchTree>(), field);
     bench::Result result{watch.seconds(), n, {}};
     if (with_sample) {
       bench::for_samples(n, [&](size_t i) {
@@ -93,6 +98,28 @@ int main(int argc, char** argv) {
     grid.filter(thinned);
     return bench::Result{watch.seconds(), thinned.size(), {}};
   };
-  return bench::serve(
-      "PCL", n, {{"index", build}, {"knn16", knn}, {"normals16", normals}, {"voxel5cm", voxel}});
+  const auto grow = [&](int threads, bool) {
+    const bench::Stopwatch watch;
+    const auto search = std::make_shared<SearchTree>();  // built by the normals, used again
+    const auto field = std::make_shared<pcl::PointCloud<pcl::Normal>>();
+    estimate(threads, search, *field);
+    pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
+    growing.setMinClusterSize(200);
+    growing.setMaxClusterSize(static_cast<int>(n));
+    growing.setSearchMethod(search);
+    growing.setNumberOfNeighbours(bench::kNeighbours);
+    growing.setInputCloud(cloud);
+    growing.setInputNormals(field);
+    growing.setSmoothnessThreshold(static_cast<float>(5 * M_PI / 180));
+    growing.setCurvatureThreshold(0.02f);
+    std::vector<pcl::PointIndices> regions;
+    growing.extract(regions);
+    return bench::Result{watch.seconds(), regions.size(), {}};
+  };
+  return bench::serve("PCL", n,
+                      {{"index", build},
+                       {"knn16", knn},
+                       {"normals16", normals},
+                       {"voxel5cm", voxel},
+                       {"region_growing", grow}});
 }

@@ -103,4 +103,6 @@ def compare(operation, sample, sampled_xyz, step, squared, normals, count, point
             f"{count} points, coordinates within {1000 * error:.3f} mm",
             count == points and error <= 0.51 * LAS_STEP_M,
         )
+    if operation == "region_growing":
+        return f"{count} segments", count > 0  # how right they are is tests/accuracy's matter
     return f"{count} points", count > 0

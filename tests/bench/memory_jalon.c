@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0 */
 
 /* memory_jalon PREFIX [THREADS]: bytes a point of a cloud with its index and float normals (k =
- * 16), from the resident set of this process less what it held before; Linux only. The caller's own
- * array is freed before the first measurement. */
+ * 16), and of a cloud without either while it is segmented, from the resident set of this process less
+ * what it held before; Linux only. The caller's own array is freed before the first measurement. */
 
 #include <fcntl.h>
 #include <jalon/jalon.h>
@@ -86,6 +86,23 @@ static void warm_up(const jalon_params* options, jalon_task* task) {
   jalon_cloud_release(cloud);
 }
 
+static void segment(const char* method, const char* prefix, double before, jalon_task* task) {
+  uint64_t count = 0;
+  jalon_cloud* cloud = NULL;
+  jalon_segmenter* segmenter = NULL;
+  jalon_segmentation* segmentation = NULL;
+  double* xyz = load(prefix, &count);
+  check(jalon_cloud_create(xyz, JALON_FLOAT64, count, 0, 0, &cloud));
+  free(xyz);
+  check(jalon_segmenter_create(method, &segmenter));
+  reset_peak();
+  check(jalon_segmenter_run(segmenter, cloud, task, &segmentation));
+  report(method, before, (double)count);
+  jalon_segmentation_release(segmentation);
+  jalon_segmenter_release(segmenter);
+  jalon_cloud_release(cloud);
+}
+
 int main(int argc, char** argv) {
   uint64_t count = 0;
   double* xyz;
@@ -120,6 +137,7 @@ int main(int argc, char** argv) {
   report("normals", before, (double)count);
   jalon_cloud_release(cloud);
   report("release", before, (double)count);
+  segment("region_growing", argv[1], before, task);
   jalon_params_release(options);
   jalon_task_release(task);
   return 0;

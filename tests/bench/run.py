@@ -18,11 +18,12 @@ import time
 
 import checks
 
-OPERATIONS = ["index", "knn16", "normals16", "voxel5cm", "las0", "las3"]
+OPERATIONS = ["index", "knn16", "normals16", "voxel5cm", "las0", "las3", "region_growing"]
 # What Jalon must reach, as fastest peer / Jalon: at least as fast, LAS no slower than 1.5 times
-# LASzip; and the goals: twice as fast, LAS 0.15 s where LASzip takes 0.22 s.
+# LASzip; and the goals: twice as fast, LAS 0.15 s where LASzip takes 0.22 s, region
+# growing 1.5 s where PCL takes 4.3 s.
 GATE = {"las0": 1 / 1.5, "las3": 1 / 1.5}
-GOAL = {"las0": 0.22 / 0.15, "las3": 0.22 / 0.15}
+GOAL = {"las0": 0.22 / 0.15, "las3": 0.22 / 0.15, "region_growing": 4.3 / 1.5}
 MEMORY_NOW, MEMORY_PEAK = 60.0, 120.0  # bytes a point: coordinates + index + float normals
 
 
@@ -194,7 +195,7 @@ def memory(build, prefix, threads):
         _, stage, points, now, peak = line.split("|")
         stages[stage] = (float(now), float(peak) if peak else None)
     now = stages["normals"][0]
-    peak = max(stages[stage][1] for stage in ("prepare", "normals"))
+    peak = max(stages[stage][1] for stage in ("prepare", "normals", "region_growing"))
     mark = "PASS" if now <= MEMORY_NOW and peak <= MEMORY_PEAK else "FAIL"
     print(
         f"memory, {points} points, {threads} threads: {now:.1f} B a point "
