@@ -19,6 +19,8 @@ struct NeighbourPlane {
   const double* normal;      ///< null when the neighbours do not span a plane
   double variation;          ///< lambda_0 / (lambda_0 + lambda_1 + lambda_2)
   double squared_offset;     ///< of the neighbours' centroid from the point, grid steps^2
+  const Symmetric3* scatter; ///< sums of products about the centroid, grid steps^2
+  size_t count;              ///< of the neighbours
 };
 
 /// Takes neighbourhoods one after the other and hands their planes on, four at a time.
@@ -77,7 +79,7 @@ class NeighbourPlanes {
     write(i, normal, std::max(0.0, e.values[0]) / (e.values[0] + e.values[1] + e.values[2]));
   }
   void write(int i, const double* normal, double variation) {
-    write_(NeighbourPlane{position_[i], normal, variation, squared_offset_[i]});
+    write_(NeighbourPlane{position_[i], normal, variation, squared_offset_[i], &covariance_[i], count_[i]});
   }
 
   const int32_t *x_, *y_, *z_;

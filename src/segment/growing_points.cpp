@@ -88,12 +88,27 @@ GrowingPoints subset(const SegmentScene& scene, const std::vector<uint32_t>& cho
   return points;
 }
 
+// A strip of neighbours as narrow as the noise has no normal: points of one line of a scan, of which the next lies
+// farther off than k points of this one, as on ground far from the tripod.
+constexpr double kLeastWidthInTolerances = 0.5;  // 1.5 sigma, as in extraction.cpp
+
+// Rms extent across the longest one of the neighbours' plane, grid steps.
+double width_of(const NeighbourPlane& plane) {
+  const Symmetric3& m = *plane.scatter;
+  const double trace = m[0] + m[3] + m[5], smallest = plane.variation * trace;
+  const double minors = (m[0] * m[3] - m[1] * m[1]) + (m[0] * m[5] - m[2] * m[2]) + (m[3] * m[5] - m[4] * m[4]);
+  const double sum = trace - smallest, product = minors - smallest * sum;  // of the other two eigenvalues
+  const double middle = sum / 2 - std::sqrt(std::max(0.0, sum * sum / 4 - product));
+  return std::sqrt(std::max(0.0, middle) / static_cast<double>(plane.count));
+}
+
 // Normals of the planes through the k nearest points (Hoppe et al. 1992), spacing as that of k points evenly spread
 // over the disc that holds them, and which points are isolated.
 void look_around(SegmentScene& scene, GrowingPoints& points, const GrowingSettings& settings, Task& task) {
   const Octree& tree = *points.tree;
   const size_t k = std::min<size_t>(settings.k, tree.size());
   const double step = tree.grid_step();
+  const double least_width = kLeastWidthInTolerances * scene.settings.distance_tolerance_m;
   points.isolated = Buffer<uint8_t>(tree.size());
   tree.for_each_knn(static_cast<uint32_t>(k), task, [&](const Octree::Batch& b) {
     NeighbourPlanes planes(tree, [&](const NeighbourPlane& plane) {
@@ -103,8 +118,9 @@ void look_around(SegmentScene& scene, GrowingPoints& points, const GrowingSettin
       points.isolated[plane.position] =
           plane.squared_offset * step * step > kIsolated * kIsolated * squared_radius ? 1 : 0;
       if (settings.field_normals) return;
+      const bool known = plane.normal != nullptr && width_of(plane) * step >= least_width;
       for (size_t c = 0; c < 3; ++c)
-        scene.normals[3 * position + c] = plane.normal == nullptr ? kNotANumber : static_cast<float>(plane.normal[c]);
+        scene.normals[3 * position + c] = known ? static_cast<float>(plane.normal[c]) : kNotANumber;
     });
     for (size_t i = 0; i < b.count; ++i) planes.add(b.first + i, b.neighbours + i * k, k);
     planes.flush();
@@ -127,7 +143,7 @@ void spread_to_cells(SegmentScene& scene, const Representatives& cells, bool nor
 }
 
 // Largest extent of the points of a leaf on an axis.
-double width_of(const Octree& tree, size_t first, size_t last) {
+double extent_of(const Octree& tree, size_t first, size_t last) {
   Box3 box;
   for (size_t i = first; i < last; ++i) box.add(tree.local(i));
   const Vec3 sides = box.max - box.min;
@@ -143,7 +159,7 @@ float spacing_of_leaf(const SegmentScene& scene, const GrowingPoints& points, si
   if (count == 0) return -1;
   std::nth_element(spacings.begin(), spacings.begin() + count / 2, spacings.begin() + count);
   const float middle = spacings[count / 2];
-  return width_of(*points.tree, first, last) > kLooseInSpacings * middle ? -1 : middle;
+  return extent_of(*points.tree, first, last) > kLooseInSpacings * middle ? -1 : middle;
 }
 
 void connect_leaves(const SegmentScene& scene, GrowingPoints& points, const GrowingSettings& settings, Task& task) {

@@ -174,6 +174,20 @@ TEST_CASE("growing makes no planes of a column or a ball") {
   CHECK(overlap(scene, s, 1, 1) >= 11900);
 }
 
+TEST_CASE("growing crosses the gaps between a scan's lines on far ground when gap_m spans them") {
+  Scene scene;
+  RandomStream random(16, 0);
+  for (int line = 0; line < 20; ++line)
+    for (int i = 0; i < 500; ++i) {
+      scene.points.push_back({0.01 * i, 0.2 * line, 0.003 * random.normal()});
+      scene.faces.push_back(1);
+    }
+  const Segmentation s = grow(cloud_of(scene.points), "{\"gap_m\": 0.4}");
+  REQUIRE(s.segments.size() == 1);
+  CHECK(overlap(scene, s, 1, 1) >= 9900);
+  CHECK(s.segments[0].fit.plane.normal.z > 1 - 1e-8);
+}
+
 TEST_CASE("growing thins what is much denser than the tolerance and labels all points") {
   Scene scene;
   RandomStream random(14, 0);
