@@ -2,10 +2,11 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file evaluate.h
- * Evaluation: how a result agrees with a reference that is known to be right (hand labels, the virtual scanner's truth, another program).
+ * Evaluation: how a result agrees with a reference that is known to be right (hand labels, the virtual scanner's truth,
+ * another program).
  *
- * An evaluation is immutable and may be read by many threads; it keeps neither of the segmentations. Tables are snapshots that the
- * caller releases. Rates lie in 0 ... 1; a rate or mean of nothing is NaN.
+ * An evaluation is immutable and may be read by many threads; it keeps neither of the segmentations. Tables are
+ * snapshots that the caller releases. Rates lie in 0 ... 1; a rate or mean of nothing is NaN.
  */
 #ifndef JALON_EVALUATE_H
 #define JALON_EVALUATE_H
@@ -17,13 +18,14 @@ JALON_BEGIN_C
 typedef struct jalon_evaluation jalon_evaluation;
 
 /**
- * A segmentation from a field of whole numbers: a hand-labelled reference, the scanner's "face", what jalon_segmentation_cloud wrote into
- * a file, the result of other software. Each value but the noise labels (0 by default; NaN always) is a segment; values may be any
- * whole numbers. Rows come by falling number of points, ties by value; column "source_label" of jalon_segmentation_segments
- * keeps the value. Planes are least-squares planes of all points of a segment; a segment whose points give none (fewer than 3, equal,
- * collinear) keeps its row with NaN in it and orientation JALON_ORIENTATION_NONE. Operation "labels".
- * JALON_ERROR_NOT_FOUND for an unknown field, JALON_ERROR_INVALID_ARGUMENT for one that holds fractions or several
- * components a point. An empty cloud gives a segmentation without segments. O(n log n), parallel.
+ * A segmentation from a field of whole numbers: a hand-labelled reference, the scanner's "face", what
+ * jalon_segmentation_cloud wrote into a file, the result of other software. Each value but the noise labels (0 by
+ * default; NaN always) is a segment; values may be any whole numbers. Rows come by falling number of points, ties by
+ * value; column "source_label" of jalon_segmentation_segments keeps the value. Planes are least-squares planes of all
+ * points of a segment; a segment whose points give none (fewer than 3, equal, collinear) keeps its row with NaN in it
+ * and orientation JALON_ORIENTATION_NONE. Operation "labels". JALON_ERROR_NOT_FOUND for an unknown field,
+ * JALON_ERROR_INVALID_ARGUMENT for one that holds fractions or several components a point. An empty cloud gives a
+ * segmentation without segments. O(n log n), parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_from_labels(const jalon_cloud* cloud, const char* label_field,
                                                       const jalon_params* options, jalon_task* task,
@@ -33,11 +35,12 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_from_labels(const jalon_cl
  * Compares two segmentations of one cloud: the same points in the same order, up to coordinate_tolerance_m; otherwise
  * JALON_ERROR_INVALID_ARGUMENT. Operation "evaluation".
  *
- * Segments below min_points or min_area_m2 are left out on both sides. Of the others those pairs (A, SR) are chosen, one to one, whose
- * overlaps have the largest sum (optimal assignment, Kuhn 1955), pairs below min_iou excluded. A is a part of SR when part_share
- * of A's points lie in SR, and the other way round. Reference segments with two or more parts are over-segmented, automatic ones with
- * two or more under-segmented; a reference of whose points less than covered_share lie in any automatic segment is non-segmented
- * (terms of Pu & Vosselman 2006). Rates and geometry: Boulaassal 2010, 5.5.3.2 (eq. 5.9-5.11). O(n log n + sparse assignment), parallel.
+ * Segments below min_points or min_area_m2 are left out on both sides. Of the others those pairs (A, SR) are chosen,
+ * one to one, whose overlaps have the largest sum (optimal assignment, Kuhn 1955), pairs below min_iou excluded. A is a
+ * part of SR when part_share of A's points lie in SR, and the other way round. Reference segments with two or more
+ * parts are over-segmented, automatic ones with two or more under-segmented; a reference of whose points less than
+ * covered_share lie in any automatic segment is non-segmented (terms of Pu & Vosselman 2006). Rates and geometry:
+ * Boulaassal 2010, 5.5.3.2 (eq. 5.9-5.11). O(n log n + sparse assignment), parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_evaluate(const jalon_segmentation* automatic,
                                                    const jalon_segmentation* reference,
@@ -46,38 +49,42 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_evaluate(const jalon_segme
 JALON_API jalon_evaluation* jalon_evaluation_retain(jalon_evaluation* evaluation);
 JALON_API void jalon_evaluation_release(jalon_evaluation* evaluation);
 /**
- * One row a pair, ascending by reference label: "automatic", "reference" (uint32 labels), "card_automatic" (Card A), "card_reference"
- * (Card SR), "intersection" (I), "commission" (D+ = A \ SR), "omission" (D- = SR \ A) (uint64), "tdr" = I / Card SR, "tda" = I / Card A,
- * "iou" (float64), "angle" (rad, 0 ... pi/2, between the normals), "distance" (m, mean distance of A's points from SR's plane),
- * "offset_difference" (m, signed: A's centroid beyond SR's plane). The last three are NaN where a side has no plane.
+ * One row a pair, ascending by reference label: "automatic", "reference" (uint32 labels), "card_automatic" (Card A),
+ * "card_reference" (Card SR), "intersection" (I), "commission" (D+ = A \ SR), "omission" (D- = SR \ A) (uint64), "tdr"
+ * = I / Card SR, "tda" = I / Card A, "iou" (float64), "angle" (rad, 0 ... pi/2, between the normals), "distance" (m,
+ * mean distance of A's points from SR's plane), "offset_difference" (m, signed: A's centroid beyond SR's plane). The
+ * last three are NaN where a side has no plane.
  */
 JALON_API JALON_CHECK jalon_status jalon_evaluation_pairs(const jalon_evaluation* evaluation, jalon_fields** out);
 /**
- * One row an automatic segment, in the order of its labels: "label" (uint32), "source_label" (int64), "points" (uint64), "kept" (uint8; 0 = left
- * out, too small), "partner" (uint32: the reference label of its pair, 0 = unmatched), "parts" (uint32: reference segments that are parts
- * of it), "covered" (uint64: its points that reference segments hold).
+ * One row an automatic segment, in the order of its labels: "label" (uint32), "source_label" (int64), "points"
+ * (uint64), "kept" (uint8; 0 = left out, too small), "partner" (uint32: the reference label of its pair, 0 =
+ * unmatched), "parts" (uint32: reference segments that are parts of it), "covered" (uint64: its points that reference
+ * segments hold).
  */
 JALON_API JALON_CHECK jalon_status jalon_evaluation_automatic(const jalon_evaluation* evaluation, jalon_fields** out);
 /** The same of the reference segments. */
 JALON_API JALON_CHECK jalon_status jalon_evaluation_reference(const jalon_evaluation* evaluation, jalon_fields** out);
 /**
- * One row: counts "pairs", "unmatched_automatic", "unmatched_reference", "left_out_automatic", "left_out_reference", "over_segmented",
- * "under_segmented", "non_segmented" and, summed over the pairs, "card_automatic", "card_reference", "intersection", "commission",
- * "omission" (uint64); of these sums "global_tdr", "global_tda", "global_iou"; over the pairs "mean_tdr", "mean_tda", "mean_iou"; over all kept
- * segments, unmatched ones as 0, "detection" (TDR of the reference) and "accuracy" (TDA of the automatic); "mean_angle",
- * "std_angle", "mean_distance", "std_distance", "mean_offset_difference", "std_offset_difference" (divided by n - 1) (float64).
+ * One row: counts "pairs", "unmatched_automatic", "unmatched_reference", "left_out_automatic", "left_out_reference",
+ * "over_segmented", "under_segmented", "non_segmented" and, summed over the pairs, "card_automatic", "card_reference",
+ * "intersection", "commission", "omission" (uint64); of these sums "global_tdr", "global_tda", "global_iou"; over the
+ * pairs "mean_tdr", "mean_tda", "mean_iou"; over all kept segments, unmatched ones as 0, "detection" (TDR of the
+ * reference) and "accuracy" (TDA of the automatic); "mean_angle", "std_angle", "mean_distance", "std_distance",
+ * "mean_offset_difference", "std_offset_difference" (divided by n - 1) (float64).
  */
 JALON_API JALON_CHECK jalon_status jalon_evaluation_totals(const jalon_evaluation* evaluation, jalon_fields** out);
 
 /**
- * Confusion of two class fields (whole numbers, any element type) of one cloud; points without a class (NaN), and those whose reference
- * class is among ignored_classes, are left out. Operation "confusion". At most 1024 different classes (JALON_ERROR_LIMIT). Each output may
- * be NULL.
+ * Confusion of two class fields (whole numbers, any element type) of one cloud; points without a class (NaN), and those
+ * whose reference class is among ignored_classes, are left out. Operation "confusion". At most 1024 different classes
+ * (JALON_ERROR_LIMIT). Each output may be NULL.
  *
- * classes: one row a class that occurs in either field, ascending: "class" (int64), "reference", "predicted", "correct" (uint64, points),
- * "precision", "recall", "f1", "iou" (float64), "confusion" (uint64 x number of classes: points of the row's reference class that were given
- * each class, in the order of the rows). totals: one row: "points", "correct" (uint64), "accuracy", "mean_precision", "mean_recall", "mean_f1"
- * (over the classes the reference has), "kappa" (float64; Cohen 1960). O(n log n), parallel.
+ * classes: one row a class that occurs in either field, ascending: "class" (int64), "reference", "predicted", "correct"
+ * (uint64, points), "precision", "recall", "f1", "iou" (float64), "confusion" (uint64 x number of classes: points of
+ * the row's reference class that were given each class, in the order of the rows). totals: one row: "points", "correct"
+ * (uint64), "accuracy", "mean_precision", "mean_recall", "mean_f1" (over the classes the reference has), "kappa"
+ * (float64; Cohen 1960). O(n log n), parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_confusion(const jalon_cloud* cloud, const char* class_field,
                                              const char* reference_field, const jalon_params* options,

@@ -26,7 +26,8 @@ void give_table(const jalon_evaluation* evaluation, jalon_fields** out, FieldTab
 
 }  // namespace
 
-jalon_status jalon_segmentation_from_labels(const jalon_cloud* cloud, const char* label_field, const jalon_params* options,
+jalon_status jalon_segmentation_from_labels(const jalon_cloud* cloud, const char* label_field,
+                                            const jalon_params* options,
                                             jalon_task* task, jalon_segmentation** out) {
   return guard([&] {
     require(cloud, "cloud");
@@ -35,7 +36,8 @@ jalon_status jalon_segmentation_from_labels(const jalon_cloud* cloud, const char
     const ParamSet set = options_or_default(options, "labels");
     auto handle = std::make_unique<jalon_segmentation>();
     with_task(task, [&](Task& t) {
-      handle->segmentation = std::make_shared<const Segmentation>(segmentation_from_labels(cloud->cloud, field, set, t));
+      handle->segmentation =
+          std::make_shared<const Segmentation>(segmentation_from_labels(cloud->cloud, field, set, t));
     });
     *out = handle.release();
   });
@@ -80,7 +82,8 @@ jalon_status jalon_cloud_confusion(const jalon_cloud* cloud, const char* class_f
                                    jalon_fields** totals) {
   return guard([&] {
     require(cloud, "cloud");
-    const std::string found = require_text(class_field, "class_field"), truth = require_text(reference_field, "reference_field");
+    const std::string found = require_text(class_field, "class_field"),
+        truth = require_text(reference_field, "reference_field");
     const ParamSet set = options_or_default(options, "confusion");
     Owned<jalon_fields> rows = own<jalon_fields>(nullptr), sums = own<jalon_fields>(nullptr);
     with_task(task, [&](Task& t) {

@@ -55,7 +55,8 @@ jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation
   });
 }
 
-jalon_status jalon_report_write_picture(const jalon_segmentation* segmentation, const char* path, const jalon_params* options,
+jalon_status jalon_report_write_picture(const jalon_segmentation* segmentation, const char* path,
+                                        const jalon_params* options,
                                         jalon_task* task) {
   return guard([&] {
     require(segmentation, "segmentation");

@@ -69,12 +69,14 @@ struct Evaluate {
     must(jalon_cloud_fields(truth.get(), Out(fields)));
     jalon_array_view view;
     must(jalon_fields_view(fields.get(), reference.class_field.c_str(), &view));
-    must(jalon_cloud_set_field(found.get(), name, view.data, view.type, view.components, view.count, view.stride_bytes, nullptr, nullptr));
+    must(jalon_cloud_set_field(found.get(), name, view.data, view.type, view.components, view.count, view.stride_bytes,
+                               nullptr, nullptr));
     const Params options = make_params("confusion");
     if (!ignored_classes.empty())
       must(jalon_params_set_doubles(options.get(), "ignored_classes", ignored_classes.data(), ignored_classes.size()));
     Fields rows, totals;
-    must(jalon_cloud_confusion(found.get(), automatic.class_field.c_str(), name, options.get(), console.task(), Out(rows), Out(totals)));
+    must(jalon_cloud_confusion(found.get(), automatic.class_field.c_str(), name, options.get(), console.task(),
+                               Out(rows), Out(totals)));
     const ConfusionTables tables{Table(std::move(rows)), Table(std::move(totals))};
     tables.print(console);
     return tables.json();
@@ -93,7 +95,8 @@ struct Evaluate {
     }
     const Cloud& truth = one_file() ? found : other;
     console.step("comparing");
-    Json result{{"automatic", automatic.input.path}, {"reference", one_file() ? automatic.input.path : reference.input.path},
+    Json result{{"automatic", automatic.input.path},
+                {"reference", one_file() ? automatic.input.path : reference.input.path},
                 {"points", count_of(found)}};
     if (!only_classes) result["segments"] = segments(console, found, truth);
     if (has_classes()) result["classes"] = classes(console, found, truth);
@@ -102,38 +105,59 @@ struct Evaluate {
 
   void require_same_count(const Cloud& a, const Cloud& b) const {
     if (count_of(a) == count_of(b)) return;
-    throw Failure{JALON_ERROR_FORMAT, automatic.input.path + " has " + grouped(count_of(a)) + " points, " + reference.input.path +
-                                          " " + grouped(count_of(b)) + ": both must hold the same points in the same order"};
+    throw Failure{JALON_ERROR_FORMAT, automatic.input.path + " has " + grouped(count_of(a)) + " points, " +
+                                          reference.input.path + " " + grouped(count_of(b)) +
+                                          ": both must hold the same points in the same order"};
   }
 };
+
+void add_options(CLI::App& command, Evaluate& state) {
+  Side &a = state.automatic, &r = state.reference;
+  command.add_option("automatic", a.input.path, "Labelled scan to judge")->required()->type_name("AUTO");
+  command.add_option("reference", r.input.path,
+                      "Labelled scan that is right, the same points; none: fields of AUTO")
+      ->type_name("REFERENCE");
+  command.add_option("--labels", a.labels, "Field of AUTO with a whole number a segment")
+      ->default_val("label")->type_name("FIELD");
+  command.add_option("--reference-labels", r.labels,
+                      "Field of the reference; with two files the same name by default")
+      ->type_name("FIELD");
+  command.add_option("--noise-label", a.noise,
+                      "Value of AUTO's field that means no segment; 0 by default (repeatable)")
+      ->allow_extra_args(false);
+  command.add_option("--reference-noise-label", r.noise, "The same of the reference (repeatable)")
+      ->allow_extra_args(false);
+  command.add_option("--class-field", a.class_field, "Field of AUTO with a class a point: also a confusion matrix")
+      ->type_name("FIELD");
+  command.add_option("--reference-class-field", r.class_field, "Field of the reference with the true class")
+      ->type_name("FIELD");
+  command.add_option("--ignore-class", state.ignored_classes,
+                      "Leave points of this reference class out (repeatable)")
+      ->allow_extra_args(false);
+  command.add_flag("--classes-only", state.only_classes, "No segments, only classes");
+  command.add_option("--columns", a.input.columns,
+                      "Columns of a text file, e.g. \"x y z intensity class instance\"")
+      ->type_name("NAMES");
+  command.add_option("--reference-columns", r.input.columns, "The same of REFERENCE; AUTO's by default")
+      ->type_name("NAMES");
+  command.add_option("--csv", state.csv, "Also write the table of pairs as CSV")->type_name("FILE");
+}
 
 }  // namespace
 
 void add_evaluate(CLI::App& app) {
-  auto* command = app.add_subcommand("evaluate-segmentation", "Compares segments, and classes, with a reference of the same points");
+  auto* command = app.add_subcommand("evaluate-segmentation",
+                                     "Compares segments, and classes, with a reference of the same points");
   auto state = std::make_shared<Evaluate>();
-  Side &a = state->automatic, &r = state->reference;
-  command->add_option("automatic", a.input.path, "Labelled scan to judge")->required()->type_name("AUTO");
-  command->add_option("reference", r.input.path, "Labelled scan that is right, the same points; none: fields of AUTO")->type_name("REFERENCE");
-  command->add_option("--labels", a.labels, "Field of AUTO with a whole number a segment")->default_val("label")->type_name("FIELD");
-  command->add_option("--reference-labels", r.labels, "Field of the reference; with two files the same name by default")->type_name("FIELD");
-  command->add_option("--noise-label", a.noise, "Value of AUTO's field that means no segment; 0 by default (repeatable)")->allow_extra_args(false);
-  command->add_option("--reference-noise-label", r.noise, "The same of the reference (repeatable)")->allow_extra_args(false);
-  command->add_option("--class-field", a.class_field, "Field of AUTO with a class a point: also a confusion matrix")->type_name("FIELD");
-  command->add_option("--reference-class-field", r.class_field, "Field of the reference with the true class")->type_name("FIELD");
-  command->add_option("--ignore-class", state->ignored_classes, "Leave points of this reference class out (repeatable)")->allow_extra_args(false);
-  command->add_flag("--classes-only", state->only_classes, "No segments, only classes");
-  command->add_option("--columns", a.input.columns, "Columns of a text file, e.g. \"x y z intensity class instance\"")->type_name("NAMES");
-  command->add_option("--reference-columns", r.input.columns, "The same of REFERENCE; AUTO's by default")->type_name("NAMES");
-  command->add_option("--csv", state->csv, "Also write the table of pairs as CSV")->type_name("FILE");
+  add_options(*command, *state);
   state->settings.add_to(*command);
   add_common(*command, state->common);
   command->footer([] {
     return "Parameters of --set:\n" + describe(make_params("evaluation").get()) + R"(
-TDR = I / Card SR (detected share of a reference segment), TDA = I / Card A (right share of an automatic one), D+ and D- the points
-of one side alone. Segments are paired one to one with the largest total overlap.
-Exit codes: 0 compared, however well or badly they agree; 2 wrong options, unsuitable fields or other points; 3 a file or field is missing or
-malformed, or the files have unequal numbers of points; others as in jalon --help.
+TDR = I / Card SR (detected share of a reference segment), TDA = I / Card A (right share of an automatic one),
+D+ and D- the points of one side alone. Segments are paired one to one with the largest total overlap.
+Exit codes: 0 compared, however well or badly they agree; 2 wrong options, unsuitable fields or other points;
+3 a file or field is missing or malformed, or the files have unequal numbers of points; others as in jalon --help.
 
 Examples:
   jalon evaluate-segmentation result/segments.las reference.las --set min_points=50

@@ -23,6 +23,14 @@ std::string right(const std::string& text, size_t width) {
   return text.size() >= width ? text : std::string(width - text.size(), ' ') + text;
 }
 
+constexpr const char* kCounts[] = {"card_automatic", "card_reference", "intersection", "commission", "omission"};
+
+// A number of a table: a count without decimals (-1), a rate or a length with them.
+std::string cell(const Table& table, const char* name, uint64_t row, size_t width, int decimals, double scale = 1) {
+  if (decimals < 0) return right(grouped(table.count(name, row)), width);
+  return right(fixed(scale * table.number(name, row), decimals), width);
+}
+
 // Labels of the kept segments without a pair.
 std::vector<int64_t> unmatched(const Table& side) {
   std::vector<int64_t> out;
@@ -34,7 +42,8 @@ std::vector<int64_t> unmatched(const Table& side) {
 
 std::string listed(const std::vector<int64_t>& labels) {
   std::string text;
-  for (size_t i = 0; i < std::min(labels.size(), kListed); ++i) text += (i == 0 ? "" : ", ") + std::to_string(labels[i]);
+  for (size_t i = 0; i < std::min(labels.size(), kListed); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(labels[i]);
   return labels.size() > kListed ? text + " ..." : text;
 }
 
@@ -47,64 +56,74 @@ EvaluationTables::EvaluationTables(const jalon_evaluation* evaluation)
       totals(table_of(evaluation, jalon_evaluation_totals)) {}
 
 void EvaluationTables::print(const Console& console) const {
-  const auto cell = [](const Table& table, const char* name, uint64_t row, size_t width, int decimals, double scale = 1) {
-    return right(decimals < 0 ? grouped(table.count(name, row)) : fixed(scale * table.number(name, row), decimals), width);
-  };
   // Segments go by the numbers they have in the files.
   const auto source = [](const Table& side, uint64_t label) {
     return right(std::to_string(static_cast<int64_t>(side.number("source_label", label - 1))), 10);
   };
-  const char* heading = " reference  automatic     Card A    Card SR          I         D+         D-    TDR    TDA    IoU  angle deg    D mm  offset mm";
-  console.say(heading);
+  console.say(" reference  automatic     Card A    Card SR          I         D+         D-    TDR    TDA    IoU"
+              "  angle deg    D mm  offset mm");
   for (uint64_t i = 0; i < pairs.rows(); ++i) {
-    std::string line = source(reference, pairs.count("reference", i)) + " " + source(automatic, pairs.count("automatic", i));
-    for (const char* name : {"card_automatic", "card_reference", "intersection", "commission", "omission"}) line += cell(pairs, name, i, 11, -1);
+    std::string line = source(reference, pairs.count("reference", i)) + " ";
+    line += source(automatic, pairs.count("automatic", i));
+    for (const char* name : kCounts) line += cell(pairs, name, i, 11, -1);
     for (const char* name : {"tdr", "tda", "iou"}) line += cell(pairs, name, i, 7, 3);
     console.say(line + cell(pairs, "angle", i, 11, 4, kDegrees) + cell(pairs, "distance", i, 8, 2, 1000) +
                 cell(pairs, "offset_difference", i, 11, 2, 1000));
   }
   std::string sums = right("total", 21), means = right("mean", 76), deviations = right("deviation", 76);
-  for (const char* name : {"card_automatic", "card_reference", "intersection", "commission", "omission"}) sums += cell(totals, name, 0, 11, -1);
+  for (const char* name : kCounts) sums += cell(totals, name, 0, 11, -1);
   for (const char* name : {"global_tdr", "global_tda", "global_iou"}) sums += cell(totals, name, 0, 7, 3);
   for (const char* name : {"mean_tdr", "mean_tda", "mean_iou"}) means += cell(totals, name, 0, 7, 3);
   console.say(sums);
   console.say(means + cell(totals, "mean_angle", 0, 11, 4, kDegrees) + cell(totals, "mean_distance", 0, 8, 2, 1000) +
               cell(totals, "mean_offset_difference", 0, 11, 2, 1000));
-  console.say(deviations + std::string(21, ' ') + cell(totals, "std_angle", 0, 11, 4, kDegrees) + cell(totals, "std_distance", 0, 8, 2, 1000) +
+  console.say(deviations + std::string(21, ' ') + cell(totals, "std_angle", 0, 11, 4, kDegrees) +
+              cell(totals, "std_distance", 0, 8, 2, 1000) +
               cell(totals, "std_offset_difference", 0, 11, 2, 1000));
+  print_errors(console);
+}
+
+// Counts of what went wrong, and the lists that the table of pairs lacks.
+void EvaluationTables::print_errors(const Console& console) const {
   const auto count = [&](const char* name) { return grouped(totals.count(name, 0)); };
-  console.say("pairs " + count("pairs") + "; over-segmented " + count("over_segmented") + ", under-segmented " + count("under_segmented") +
-              ", non-segmented " + count("non_segmented") + "; left out as too small: " + count("left_out_reference") + " reference, " +
-              count("left_out_automatic") + " automatic");
+  console.say("pairs " + count("pairs") + "; over-segmented " + count("over_segmented") + ", under-segmented " +
+              count("under_segmented") + ", non-segmented " + count("non_segmented") + "; left out as too small: " +
+              count("left_out_reference") + " reference, " + count("left_out_automatic") + " automatic");
   const auto lonely = [&](const char* which, const Table& side) {
     const auto labels = unmatched(side);
-    if (!labels.empty()) console.say("unmatched " + std::string(which) + " (" + grouped(labels.size()) + "): " + listed(labels));
+    if (!labels.empty())
+      console.say("unmatched " + std::string(which) + " (" + grouped(labels.size()) + "): " + listed(labels));
   };
   lonely("reference", reference);
   lonely("automatic", automatic);
-  console.say("detection " + fixed(totals.number("detection", 0), 4) + ", accuracy " + fixed(totals.number("accuracy", 0), 4) +
+  const auto rate = [&](const char* name) { return fixed(totals.number(name, 0), 4); };
+  console.say("detection " + rate("detection") + ", accuracy " + rate("accuracy") +
               " (mean TDR and TDA with unmatched segments as 0)");
 }
 
 Json EvaluationTables::json() const {
-  return {{"totals", totals.object(0)}, {"pairs", pairs.list()}, {"automatic", automatic.list()}, {"reference", reference.list()},
+  return {{"totals", totals.object(0)}, {"pairs", pairs.list()}, {"automatic", automatic.list()},
+          {"reference", reference.list()},
           {"unmatched_automatic", unmatched(automatic)}, {"unmatched_reference", unmatched(reference)}};
 }
 
 void ConfusionTables::print(const Console& console) const {
   const auto number = [&](const char* name, uint64_t i) { return right(fixed(classes.number(name, i), 4), 10); };
+  const auto class_name = [&](uint64_t i) { return std::to_string(static_cast<int64_t>(classes.number("class", i))); };
   console.say("confusion matrix: a row a reference class, a column a class given");
   std::string heading = right("class", 10);
-  for (uint64_t i = 0; i < classes.rows(); ++i) heading += right(std::to_string(static_cast<int64_t>(classes.number("class", i))), 11);
+  for (uint64_t i = 0; i < classes.rows(); ++i) heading += right(class_name(i), 11);
   console.say(heading + right("points", 11) + right("precision", 10) + right("recall", 10) + right("F1", 10));
   for (uint64_t i = 0; i < classes.rows(); ++i) {
-    std::string line = right(std::to_string(static_cast<int64_t>(classes.number("class", i))), 10);
+    std::string line = right(class_name(i), 10);
     for (uint32_t k = 0; k < classes.rows(); ++k)
       line += right(grouped(static_cast<uint64_t>(classes.number("confusion", i, k))), 11);
-    console.say(line + right(grouped(classes.count("reference", i)), 11) + number("precision", i) + number("recall", i) + number("f1", i));
+    console.say(line + right(grouped(classes.count("reference", i)), 11) + number("precision", i) +
+                number("recall", i) + number("f1", i));
   }
   const auto total = [&](const char* name) { return fixed(totals.number(name, 0), 4); };
-  console.say("overall accuracy " + total("accuracy") + ", mean precision " + total("mean_precision") + ", mean recall " +
+  console.say("overall accuracy " + total("accuracy") + ", mean precision " + total("mean_precision") +
+              ", mean recall " +
               total("mean_recall") + ", mean F1 " + total("mean_f1") + ", kappa " + total("kappa"));
 }
 

@@ -14,6 +14,9 @@ struct EvaluationTables {
   nlohmann::ordered_json json() const;
 
   Table pairs, automatic, reference, totals;
+
+ private:
+  void print_errors(const Console& console) const;
 };
 
 /// A confusion matrix for people and scripts.

@@ -34,12 +34,14 @@ struct Segment {
 
   void draw(const Console& console, const Segmentation& segmentation, const std::string& path) const {
     const Params options = make_params("picture");
-    must(jalon_params_set_string(options.get(), "title", std::filesystem::path(input.path).filename().string().c_str()));
+    must(jalon_params_set_string(options.get(), "title",
+                                 std::filesystem::path(input.path).filename().string().c_str()));
     must(jalon_params_set_string(options.get(), "view", view.c_str()));
     must(jalon_report_write_picture(segmentation.get(), path.c_str(), options.get(), console.task()));
   }
 
-  void write(const Console& console, const Segmentation& segmentation, const Table& table, Json notes, Json result) const {
+  void write(const Console& console, const Segmentation& segmentation, const Table& table, Json notes,
+             Json result) const {
     OutputFolder folder(output);
     Cloud labelled;
     must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
@@ -51,7 +53,8 @@ struct Segment {
     result["times"] = notes["times"];
     write_text_file(folder.path("segments.json"), result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
-    must(jalon_report_write_html(segmentation.get(), nullptr, text.c_str(), folder.path("report.html").c_str(), nullptr, console.task()));
+    must(jalon_report_write_html(segmentation.get(), nullptr, text.c_str(), folder.path("report.html").c_str(), nullptr,
+                                 console.task()));
     folder.commit();
   }
 
@@ -89,7 +92,8 @@ struct Segment {
     console.step("writing");
     write(console, segmentation, table, notes, result);
     list(console, table);
-    console.say("wrote " + output + ": report.html, segments.svg, segments.csv, segments.json, segments.las, segments.ply");
+    console.say("wrote " + output +
+                ": report.html, segments.svg, segments.csv, segments.json, segments.las, segments.ply");
     console.result(result);
   }
 };
@@ -111,22 +115,27 @@ std::string tables() {
 }  // namespace
 
 void add_segment(CLI::App& app) {
-  auto* command = app.add_subcommand("segment", "From a scan to labelled points, a table of the segments and a picture of them");
+  auto* command =
+      app.add_subcommand("segment", "From a scan to labelled points, a table of the segments and a picture of them");
   auto state = std::make_shared<Segment>();
   state->input.add_to(*command);
   command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
-  command->add_option("--method", state->method, "How segments are found: ransac, ...; the parameters below tell which there are")
+  command->add_option("--method", state->method,
+                      "How segments are found: ransac, ...; the parameters below tell which there are")
       ->capture_default_str()
       ->type_name("NAME");
   command->add_option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the method's")
       ->check(CLI::PositiveNumber);
-  command->add_option("--view", state->view, "What the picture shows")->check(CLI::IsMember({"front", "plan"}))->capture_default_str();
+  command->add_option("--view", state->view,
+                      "What the picture shows")
+      ->check(CLI::IsMember({"front", "plan"}))->capture_default_str();
   state->settings.add_to(*command);
   add_common(*command, state->common);
   command->footer([] {
     return tables() +
-           "Examples:\n  jalon segment scan.las -o result\n  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set "
-           "min_area_m2=0.2\n  jalon evaluate-segmentation result/segments.las reference.las";
+           "Examples:\n  jalon segment scan.las -o result\n"
+           "  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set min_area_m2=0.2\n"
+           "  jalon evaluate-segmentation result/segments.las reference.las";
   });
   command->callback([state] { state->run(); });
 }

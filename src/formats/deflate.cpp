@@ -23,9 +23,10 @@ constexpr std::array<Code, 29> kLengths = {{{3, 0},  {4, 0},  {5, 0},  {6, 0},  
                                             {35, 3}, {43, 3}, {51, 3}, {59, 3}, {67, 4}, {83, 4},  {99, 4},  {115, 4},
                                             {131, 5}, {163, 5}, {195, 5}, {227, 5}, {258, 0}}};
 constexpr std::array<Code, 30> kDistances = {
-    {{1, 0},     {2, 0},     {3, 0},     {4, 0},     {5, 1},     {7, 1},      {9, 2},      {13, 2},    {17, 3},    {25, 3},
-     {33, 4},    {49, 4},    {65, 5},    {97, 5},    {129, 6},   {193, 6},    {257, 7},    {385, 7},   {513, 8},   {769, 8},
-     {1025, 9},  {1537, 9},  {2049, 10}, {3073, 10}, {4097, 11}, {6145, 11},  {8193, 12},  {12289, 12}, {16385, 13}, {24577, 13}}};
+    {{1, 0},    {2, 0},    {3, 0},     {4, 0},     {5, 1},     {7, 1},     {9, 2},     {13, 2},
+     {17, 3},   {25, 3},   {33, 4},    {49, 4},    {65, 5},    {97, 5},    {129, 6},   {193, 6},
+     {257, 7},  {385, 7},  {513, 8},   {769, 8},   {1025, 9},  {1537, 9},  {2049, 10}, {3073, 10},
+     {4097, 11}, {6145, 11}, {8193, 12}, {12289, 12}, {16385, 13}, {24577, 13}}};
 
 class BitWriter {
  public:
@@ -59,7 +60,8 @@ class BitWriter {
 
 template <size_t N>
 uint32_t code_of(const std::array<Code, N>& codes, size_t value) {
-  const auto after = std::upper_bound(codes.begin(), codes.end(), value, [](size_t v, const Code& c) { return v < c.base; });
+  const auto after =
+      std::upper_bound(codes.begin(), codes.end(), value, [](size_t v, const Code& c) { return v < c.base; });
   return static_cast<uint32_t>(after - codes.begin()) - 1;
 }
 
@@ -74,7 +76,8 @@ void repetition(BitWriter& writer, size_t length, size_t distance) {
 size_t match(std::string_view bytes, size_t at, size_t distance) {
   if (distance == 0 || distance > at) return 0;
   size_t length = 0;
-  while (length < kLongest && at + length < bytes.size() && bytes[at + length] == bytes[at + length - distance]) ++length;
+  const size_t longest = std::min(kLongest, bytes.size() - at);
+  while (length < longest && bytes[at + length] == bytes[at + length - distance]) ++length;
   return length;
 }
 

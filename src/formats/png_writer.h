@@ -24,7 +24,8 @@ struct IndexedImage {
   std::vector<Rgb> palette;
 };
 
-/// The picture as a PNG file (ISO/IEC 15948, colour type 3). Even areas shrink to little; nothing takes more than 9 bits a pixel.
+/// The picture as a PNG file (ISO/IEC 15948, colour type 3). Even areas shrink to little; nothing takes more than 9
+/// bits a pixel.
 std::string png_of(const IndexedImage& image);
 
 /// Text form of bytes for data: addresses (RFC 4648).

@@ -26,17 +26,6 @@ std::string group_text(const DepthGroup& group) {
   return (from == to ? from : from + " to " + to) + (group.faces > 1 ? " (" + std::to_string(group.faces) + ")" : "");
 }
 
-// 123456 as "123 456".
-std::string grouped(uint64_t n) {
-  const std::string digits = std::to_string(n);
-  std::string out;
-  for (size_t i = 0; i < digits.size(); ++i) {
-    if (i != 0 && (digits.size() - i) % 3 == 0) out += ' ';
-    out += digits[i];
-  }
-  return out;
-}
-
 void cell(SvgWriter& svg, const Box_mm& box, std::string_view name, std::string_view text, double size) {
   svg.leaf("rect", {{"x", box.x},
                     {"y", box.y},

@@ -10,11 +10,11 @@ namespace jalon {
 
 namespace {
 
-constexpr std::array<Rgb, 18> kPalette = {{{0xa6, 0xbd, 0xd7}, {0xce, 0xa2, 0x62}, {0x00, 0x7d, 0x34}, {0xff, 0xb3, 0x00},
-                                           {0x80, 0x3e, 0x75}, {0xf6, 0x76, 0x8e}, {0x00, 0x53, 0x8a}, {0xff, 0x68, 0x00},
-                                           {0x93, 0xaa, 0x00}, {0xc1, 0x00, 0x20}, {0x53, 0x37, 0x7a}, {0xf4, 0xc8, 0x00},
-                                           {0xff, 0x7a, 0x5c}, {0x7f, 0x18, 0x0d}, {0x59, 0x33, 0x15}, {0xb3, 0x28, 0x51},
-                                           {0xf1, 0x3a, 0x13}, {0x23, 0x2c, 0x16}}};
+constexpr std::array<Rgb, 18> kPalette = {
+    {{0xa6, 0xbd, 0xd7}, {0xce, 0xa2, 0x62}, {0x00, 0x7d, 0x34}, {0xff, 0xb3, 0x00}, {0x80, 0x3e, 0x75},
+     {0xf6, 0x76, 0x8e}, {0x00, 0x53, 0x8a}, {0xff, 0x68, 0x00}, {0x93, 0xaa, 0x00}, {0xc1, 0x00, 0x20},
+     {0x53, 0x37, 0x7a}, {0xf4, 0xc8, 0x00}, {0xff, 0x7a, 0x5c}, {0x7f, 0x18, 0x0d}, {0x59, 0x33, 0x15},
+     {0xb3, 0x28, 0x51}, {0xf1, 0x3a, 0x13}, {0x23, 0x2c, 0x16}}};
 constexpr size_t kReach = 3;  // pixels: segments with a narrow gap between them count as neighbours
 
 bool is_segment(uint32_t label) { return label != LabelRaster::kEmpty && label != LabelRaster::kNoise; }
@@ -55,8 +55,11 @@ std::span<const Rgb> segment_palette() { return kPalette; }
 
 std::vector<uint8_t> colour_labels(const LabelRaster& raster, size_t segments) {
   const std::vector<Pair> pairs = neighbours_of(raster);
+  std::vector<uint64_t> pixels(segments + 1, 0);
+  for (const uint32_t label : raster.labels)
+    if (is_segment(label)) ++pixels[label];
   std::vector<uint8_t> colours(segments, 0);
-  std::array<uint64_t, kPalette.size()> used{};
+  std::array<uint64_t, kPalette.size()> used{};  // pixels
   auto pair = pairs.begin();
   for (uint32_t label = 1; label <= segments; ++label) {
     std::array<uint64_t, kPalette.size()> near{};
@@ -66,7 +69,7 @@ std::vector<uint8_t> colour_labels(const LabelRaster& raster, size_t segments) {
     for (size_t c = 1; c < kPalette.size(); ++c)
       if (std::pair(near[c], used[c]) < std::pair(near[best], used[best])) best = c;
     colours[label - 1] = static_cast<uint8_t>(best);
-    ++used[best];
+    used[best] += 1 + pixels[label];
   }
   return colours;
 }

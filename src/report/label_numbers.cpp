@@ -58,7 +58,8 @@ std::vector<LabelNumber> place_numbers(const LabelRaster& raster, double text_he
     const double digits = static_cast<double>(std::to_string(label).size());
     const double needed = text_height * std::max(kLeastRoom, kDigitWidth * digits / 2);
     if (room[best[label]] < needed) continue;
-    out.push_back({label, static_cast<uint32_t>(best[label] % raster.columns), static_cast<uint32_t>(best[label] / raster.columns)});
+    out.push_back({label, static_cast<uint32_t>(best[label] % raster.columns),
+                   static_cast<uint32_t>(best[label] / raster.columns)});
   }
   return out;
 }

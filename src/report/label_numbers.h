@@ -13,7 +13,8 @@ struct LabelNumber {
   uint32_t label = 0, column = 0, row = 0;
 };
 
-/// One number for each segment that has room for a text of this height (pixels): where it is farthest from the segment's border.
+/// One number for each segment that has room for a text of this height (pixels): where it is farthest from the
+/// segment's border.
 std::vector<LabelNumber> place_numbers(const LabelRaster& raster, double text_height);
 
 }  // namespace jalon

@@ -13,7 +13,8 @@ namespace jalon {
 namespace {
 
 constexpr size_t kPointsPerChunk = 1 << 16;
-constexpr double kCoarsePixels = 256;      // along the longer side, to see how much of the picture is covered
+constexpr double kCoarseCells = 256;       // at most, along the longer side, to see how much of the picture is covered
+constexpr double kPointsPerCell = 9;       // so that surfaces have no empty cells (e^-9)
 constexpr double kPixelsPerSpacing = 2;    // a point is 3 pixels wide then: surfaces close, edges swell by 3/4 spacing
 constexpr double kLeastExtent_m = 0.01;
 constexpr int kClosingNeighbours = 5;      // of 8: a hole of one pixel in a surface
@@ -63,8 +64,10 @@ Extent extent_of(const Segmentation& s, const Projection& projection, bool noise
 // Spacing of the points on the picture, from the part of it that they cover.
 double spacing_of(const Segmentation& s, const Projection& projection, const Extent& box, Task& task) {
   const double width = box.high.u - box.low.u, height = box.high.v - box.low.v;
-  const double cell = std::max({width, height, kLeastExtent_m}) / kCoarsePixels;
-  const auto side = static_cast<size_t>(kCoarsePixels) + 1;
+  const double n = static_cast<double>(std::max<uint64_t>(1, box.n));
+  const double cell = std::max(std::max({width, height, kLeastExtent_m}) / kCoarseCells,
+                               std::sqrt(kPointsPerCell * width * height / n));
+  const auto side = static_cast<size_t>(kCoarseCells) + 1;
   std::vector<uint8_t> covered(side * side, 0);
   for (size_t i = 0; i < s.cloud->size(); ++i) {
     if (i % kPointsPerChunk == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(s.cloud->size()));
@@ -74,7 +77,7 @@ double spacing_of(const Segmentation& s, const Projection& projection, const Ext
       covered[static_cast<size_t>(v) * side + static_cast<size_t>(u)] = 1;
   }
   const auto cells = static_cast<double>(std::count(covered.begin(), covered.end(), uint8_t{1}));
-  return cell * std::sqrt(cells / static_cast<double>(std::max<uint64_t>(1, box.n)));
+  return cell * std::sqrt(cells / n);
 }
 
 // Empty raster of the box with a rim of one point.
@@ -126,8 +129,9 @@ void close_holes(LabelRaster& raster) {
     for (size_t x = 1; x + 1 < columns; ++x) {
       const size_t at = y * columns + x;
       if (before[at] != LabelRaster::kEmpty && before[at] != LabelRaster::kNoise) continue;
-      const uint32_t around[8] = {before[at - columns - 1], before[at - columns], before[at - columns + 1], before[at - 1],
-                                  before[at + 1], before[at + columns - 1], before[at + columns], before[at + columns + 1]};
+      const size_t above = at - columns, below = at + columns;
+      const uint32_t around[8] = {before[above - 1], before[above],     before[above + 1], before[at - 1],
+                                  before[at + 1],    before[below - 1], before[below],     before[below + 1]};
       for (const uint32_t label : around)
         if (label != LabelRaster::kEmpty && std::count(around, around + 8, label) >= kClosingNeighbours)
           raster.labels[at] = label;

@@ -26,8 +26,9 @@ struct LabelRaster {
   double height_m() const { return rows * pixel_m; }
 };
 
-/// Rasterises the points in the box of the segments (of all points when there are none). Noise shows only where no segment does, so that
-/// stray points before a facade do not hide it. At most kMaxPicturePixels pixels; where points are sparser than pixels they are drawn larger.
+/// Rasterises the points in the box of the segments (of all points when there are none). Noise shows only where no
+/// segment does, so that stray points before a facade do not hide it. At most kMaxPicturePixels pixels; where points
+/// are sparser than pixels they are drawn larger.
 LabelRaster rasterise_labels(const Segmentation& segmentation, PictureView view, Task& task);
 
 constexpr double kMaxPicturePixels = 1e6;  // worst case 9 bits each: with base64 below 1.6 MB

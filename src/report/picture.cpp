@@ -41,7 +41,8 @@ void draw_image(SvgWriter& svg, const Picture& picture) {
                      {"height", v.height},
                      {"preserveAspectRatio", "none"},
                      {"style", "image-rendering:pixelated"},
-                     {"xlink:href", "data:image/png;base64," + base64_of(png_of(image_of(picture.raster, picture.colours)))}});
+                     {"xlink:href",
+                      "data:image/png;base64," + base64_of(png_of(image_of(picture.raster, picture.colours)))}});
 }
 
 // Front: x counts from the left end of the picture, as on the elevation; plan: X and Y of the data.
@@ -63,8 +64,10 @@ void draw_axes(SvgWriter& svg, const Picture& picture) {
     svg_line(svg, {v.x - 1.5, at}, {v.x, at}, kInk, 0.18);
     svg_text(svg, {v.x - 2.3, at + 0.9}, is_front ? kText : kSmallText, Anchor::kEnd, y.label(value));
   }
-  svg_text(svg, {v.x + v.width / 2, v.bottom() + 9.5}, 2.8, Anchor::kMiddle, is_front ? "Distance along the facade (m)" : "X (m)");
-  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, 2.8, Anchor::kMiddle, is_front ? "Height Z (m)" : "Y (m)", false, true);
+  svg_text(svg, {v.x + v.width / 2, v.bottom() + 9.5}, 2.8, Anchor::kMiddle,
+           is_front ? "Distance along the facade (m)" : "X (m)");
+  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, 2.8, Anchor::kMiddle, is_front ? "Height Z (m)" : "Y (m)", false,
+           true);
 }
 
 // A white border keeps numbers readable on any colour.
@@ -98,19 +101,20 @@ void draw_legend(SvgWriter& svg, const Picture& picture) {
   const size_t rows = static_cast<size_t>(std::max(1.0, (box.bottom() - 14 - y) / kRow - 2));
   for (size_t i = 0; i < std::min(rows, s.segments.size()); ++i, y += kRow)
     swatch(svg, x, y, segment_palette()[picture.colours[i]],
-           std::to_string(s.segments[i].label) + "  (" + std::to_string(s.segments[i].point_count()) + ")");
+           std::to_string(s.segments[i].label) + "  (" + grouped(s.segments[i].point_count()) + ")");
   if (s.segments.size() > rows) {
-    svg_text(svg, {x, y + 2.5}, kText, Anchor::kStart, "and " + std::to_string(s.segments.size() - rows) + " smaller ones");
+    svg_text(svg, {x, y + 2.5}, kText, Anchor::kStart,
+             "and " + std::to_string(s.segments.size() - rows) + " smaller ones");
     y += kRow;
   }
-  swatch(svg, x, y, kNoiseColour, "noise  (" + std::to_string(noise) + ")");
+  swatch(svg, x, y, kNoiseColour, "noise  (" + grouped(noise) + ")");
 }
 
 std::string title_of(const Picture& picture, const ParamSet& options) {
   const std::string& title = options.text("title");
   const char* kind = picture.view == PictureView::kFront ? "front view" : "plan view";
-  return (title.empty() ? "" : title + ": ") + kind + ", " + std::to_string(picture.segmentation.segments.size()) +
-         " segments of " + std::to_string(picture.segmentation.cloud->size()) + " points";
+  return (title.empty() ? "" : title + ": ") + kind + ", " + grouped(picture.segmentation.segments.size()) +
+         " segments of " + grouped(picture.segmentation.cloud->size()) + " points";
 }
 
 }  // namespace
@@ -130,7 +134,8 @@ std::string picture_svg(const Segmentation& segmentation, const ParamSet& option
   Picture picture{segmentation, rasterise_labels(segmentation, view_of(options), task), {}, view_of(options), {}};
   picture.colours = colour_labels(picture.raster, segmentation.segments.size());
   const bool is_empty = picture.raster.labels.empty();
-  picture.sheet = is_empty ? lay_out_figure(10, 5) : lay_out_figure(picture.raster.width_m(), picture.raster.height_m());
+  picture.sheet = is_empty ? lay_out_figure(10, 5)
+                           : lay_out_figure(picture.raster.width_m(), picture.raster.height_m());
   const Sheet& sheet = picture.sheet;
   SvgWriter svg;
   svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
@@ -149,7 +154,8 @@ std::string picture_svg(const Segmentation& segmentation, const ParamSet& option
     return svg.take();
   }
   draw_image(svg, picture);
-  svg.leaf("rect", {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width}, {"height", sheet.view.height},
+  svg.leaf("rect",
+           {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width}, {"height", sheet.view.height},
                     {"fill", "none"}, {"stroke", kInk}, {"stroke-width", 0.25}});
   draw_axes(svg, picture);
   if (options.flag("numbers")) draw_numbers(svg, picture);

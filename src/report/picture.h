@@ -14,7 +14,8 @@ namespace jalon {
 /// Parameter table of operation "picture".
 std::span<const ParamRow> picture_rows();
 
-/// The labelled points as an SVG figure: axes in metres, scale bar, numbers and legend of the segments; the points are a PNG inside it.
+/// The labelled points as an SVG figure: axes in metres, scale bar, numbers and legend of the segments; the points are
+/// a PNG inside it.
 std::string picture_svg(const Segmentation& segmentation, const ParamSet& options, Task& task);
 /// The points alone as a PNG file.
 std::string picture_png(const Segmentation& segmentation, const ParamSet& options, Task& task);

@@ -63,6 +63,16 @@ std::string svg_polyline(std::span<const Vec2> points) {
   return d;
 }
 
+std::string grouped(uint64_t n) {
+  const std::string digits = std::to_string(n);
+  std::string out;
+  for (size_t i = 0; i < digits.size(); ++i) {
+    if (i != 0 && (digits.size() - i) % 3 == 0) out += ' ';
+    out += digits[i];
+  }
+  return out;
+}
+
 double text_width(std::string_view text, double size) {
   return kCharacterWidth * size * static_cast<double>(characters(text));
 }

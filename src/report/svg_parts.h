@@ -29,6 +29,8 @@ std::string svg_rings(std::span<const std::vector<Vec2>> rings);
 /// d of a <path>: an open line.
 std::string svg_polyline(std::span<const Vec2> points);
 
+/// 123456 as "123 456".
+std::string grouped(uint64_t n);
 /// Width that a text takes at most, for layouts (sans-serif digits and capitals).
 double text_width(std::string_view text, double size);
 /// The text, cut with "..." after whole characters to fit.

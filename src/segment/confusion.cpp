@@ -57,7 +57,8 @@ std::vector<uint64_t> classes_of(const WholeNumbers& a, const WholeNumbers& b, s
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   if (out.size() > kMaxClasses)
-    fail(Status::kLimit, "%zu classes; at most %zu are told apart: are these numbers of instances?", out.size(), kMaxClasses);
+    fail(Status::kLimit, "%zu classes; at most %zu are told apart: are these numbers of instances?", out.size(),
+         kMaxClasses);
   return out;
 }
 
@@ -81,8 +82,8 @@ std::span<const ParamRow> confusion_rows() {
   return kRows;
 }
 
-Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::string_view reference, const ParamSet& params,
-                       Task& task) {
+Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::string_view reference,
+                       const ParamSet& params, Task& task) {
   const WholeNumbers found(cloud.fields.require(predicted), {});
   const WholeNumbers truth(cloud.fields.require(reference), params.numbers("ignored_classes"));
   const size_t n = cloud.size();
@@ -123,7 +124,8 @@ FieldTable class_table(const Confusion& c) {
   add<int64_t>(t, n, 1, "class", "", "value of the class fields", [&](size_t i, uint32_t) { return c.classes[i]; });
   add<uint64_t>(t, n, 1, "reference", "points", "points of the class in the reference",
                 [&](size_t i, uint32_t) { return counts[i].support; });
-  add<uint64_t>(t, n, 1, "predicted", "points", "points given the class", [&](size_t i, uint32_t) { return counts[i].predicted; });
+  add<uint64_t>(t, n, 1, "predicted", "points", "points given the class",
+                [&](size_t i, uint32_t) { return counts[i].predicted; });
   add<uint64_t>(t, n, 1, "correct", "points", "points of both", [&](size_t i, uint32_t) { return counts[i].correct; });
   rate("precision", "correct / predicted", &ClassCounts::precision);
   rate("recall", "correct / reference", &ClassCounts::recall);
@@ -141,7 +143,7 @@ FieldTable agreement_table(const Confusion& c) {
   for (const ClassCounts& k : counts_of(c)) {
     correct += k.correct;
     chance += static_cast<double>(k.support) * static_cast<double>(k.predicted);
-    if (k.support == 0) continue;  // only ever predicted: it shows in the precision of nothing, and in the others' recall
+    if (k.support == 0) continue;  // only ever given: it costs the others their recall
     present += 1;
     precision += k.predicted > 0 ? k.precision() : 0;
     recall += k.recall();
@@ -155,7 +157,8 @@ FieldTable agreement_table(const Confusion& c) {
   add<uint64_t>(t, 1, 1, "points", "points", "points compared", [&](size_t, uint32_t) { return c.points; });
   add<uint64_t>(t, 1, 1, "correct", "points", "points of equal class", [&](size_t, uint32_t) { return correct; });
   number("accuracy", "correct / points; also precision, recall and F1 over all points", accuracy);
-  number("mean_precision", "mean over the reference's classes; a class that was never given counts 0", ratio(precision, present));
+  number("mean_precision", "mean over the reference's classes; a class that was never given counts 0",
+         ratio(precision, present));
   number("mean_recall", "mean over the reference's classes", ratio(recall, present));
   number("mean_f1", "mean over the reference's classes", ratio(f1, present));
   number("kappa", "agreement beyond chance (Cohen 1960)", ratio(accuracy - by_chance, 1 - by_chance));

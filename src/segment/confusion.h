@@ -21,8 +21,8 @@ struct Confusion {
 
 /// Parameter table of operation "confusion".
 std::span<const ParamRow> confusion_rows();
-Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::string_view reference, const ParamSet& params,
-                       Task& task);
+Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::string_view reference,
+                       const ParamSet& params, Task& task);
 
 /// The tables of jalon/evaluate.h.
 FieldTable class_table(const Confusion& confusion);

@@ -28,15 +28,18 @@ struct FirstIndex {
 void require_same_points(const Cloud& a, const Cloud& b, double tolerance_m, Task& task) {
   if (a.xyz_buffer == b.xyz_buffer) return;
   if (a.size() != b.size())
-    fail(Status::kInvalidArgument, "the automatic segmentation has %zu points, the reference %zu: both must be of one cloud",
+    fail(Status::kInvalidArgument,
+         "the automatic segmentation has %zu points, the reference %zu: both must be of one cloud",
          a.size(), b.size());
-  const FirstIndex first = parallel_reduce(task, a.size(), kPointsPerChunk, FirstIndex{}, [&](size_t begin, size_t end) {
+  const FirstIndex none;
+  const FirstIndex first = parallel_reduce(task, a.size(), kPointsPerChunk, none, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
       if (!(norm(a.point(i) - b.point(i)) <= tolerance_m)) return FirstIndex{i};
-    return FirstIndex{};
+    return none;
   });
   if (first.index != kNone)
-    fail(Status::kInvalidArgument, "point %zu of the automatic segmentation is not point %zu of the reference: both must be of one cloud",
+    fail(Status::kInvalidArgument,
+         "point %zu of the automatic segmentation is not point %zu of the reference: both must be of one cloud",
          first.index, first.index);
 }
 
@@ -49,7 +52,8 @@ std::vector<SegmentVerdict> judge_sizes(const Segmentation& s, const ParamSet& p
   for (const Segment& segment : s.segments) {
     SegmentVerdict verdict;
     verdict.points = segment.point_count();
-    verdict.kept = segment.point_count() >= std::max<uint64_t>(1, min_points) && (min_area_m2 <= 0 || segment.area_m2 >= min_area_m2);
+    verdict.kept = segment.point_count() >= std::max<uint64_t>(1, min_points) &&
+        (min_area_m2 <= 0 || segment.area_m2 >= min_area_m2);
     out.push_back(verdict);
   }
   return out;

@@ -65,8 +65,8 @@ struct Evaluation {
 /// Parameter table of operation "evaluation".
 std::span<const ParamRow> evaluation_rows();
 
-/// Two segmentations of one cloud (points equal by index): overlaps, one-to-one pairs of the largest total overlap, geometry of the pairs,
-/// counts of over-, under- and non-segmentation.
+/// Two segmentations of one cloud (points equal by index): overlaps, one-to-one pairs of the largest total overlap,
+/// geometry of the pairs, counts of over-, under- and non-segmentation.
 Evaluation evaluate_segmentation(const Segmentation& automatic, const Segmentation& reference, const ParamSet& params,
                                  Task& task);
 

@@ -30,18 +30,21 @@ double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(norm(cros
 
 }  // namespace
 
-std::vector<Overlap> count_overlaps(const Segmentation& automatic, const Segmentation& reference, const Evaluation& verdicts,
-                                    Task& task) {
+std::vector<Overlap> count_overlaps(const Segmentation& automatic, const Segmentation& reference,
+                                    const Evaluation& verdicts, Task& task) {
   const auto a = automatic.labels->values<uint32_t>(), r = reference.labels->values<uint32_t>();
   const std::vector<KeyCount> counts = count_keys(task, a.size(), [&](size_t begin, size_t end, uint64_t* keys) {
     for (size_t i = begin; i < end; ++i) {
-      const bool counts_in = a[i] != 0 && r[i] != 0 && verdicts.automatic[a[i] - 1].kept && verdicts.reference[r[i] - 1].kept;
-      keys[i - begin] = counts_in ? uint64_t{r[i]} << 32 | a[i] : kNoKey;
+      const bool on_both = a[i] != 0 && r[i] != 0;
+      keys[i - begin] = on_both && verdicts.automatic[a[i] - 1].kept && verdicts.reference[r[i] - 1].kept
+                            ? uint64_t{r[i]} << 32 | a[i]
+                            : kNoKey;
     }
   });
   std::vector<Overlap> out;
   out.reserve(counts.size());
-  for (const KeyCount& c : counts) out.push_back({static_cast<uint32_t>(c.key), static_cast<uint32_t>(c.key >> 32), c.count});
+  for (const KeyCount& c : counts)
+    out.push_back({static_cast<uint32_t>(c.key), static_cast<uint32_t>(c.key >> 32), c.count});
   return out;
 }
 
@@ -53,8 +56,8 @@ void pair_segments(std::span<const Overlap> overlaps, double min_iou, Evaluation
     edges.push_back({overlap.reference - 1, overlap.automatic - 1, static_cast<int64_t>(overlap.points)});
     chosen.push_back(&overlap);
   }
-  const auto partners = assign_sparse(static_cast<uint32_t>(out.reference.size()), static_cast<uint32_t>(out.automatic.size()),
-                                      edges, task);
+  const auto rows = static_cast<uint32_t>(out.reference.size()), columns = static_cast<uint32_t>(out.automatic.size());
+  const std::vector<uint32_t> partners = assign_sparse(rows, columns, edges, task);
   for (size_t e = 0; e < edges.size(); ++e) {
     if (partners[edges[e].row] != edges[e].column) continue;
     out.pairs.push_back(make_pair(*chosen[e], out));
@@ -82,7 +85,8 @@ void compare_planes(const Segmentation& automatic, const Segmentation& reference
     // From the plane's centroid, so that national coordinates cancel before they are multiplied.
     const double sum = parallel_reduce(task, points.size(), kPointsPerChunk, 0.0, [&](size_t begin, size_t end) {
       double part = 0;
-      for (size_t i = begin; i < end; ++i) part += std::fabs(dot(plane.plane.normal, cloud.point(points[i]) - plane.centroid));
+      for (size_t i = begin; i < end; ++i)
+        part += std::fabs(dot(plane.plane.normal, cloud.point(points[i]) - plane.centroid));
       return part;
     });
     pair->distance_m = sum / static_cast<double>(points.size());

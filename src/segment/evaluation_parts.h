@@ -15,8 +15,8 @@ struct Overlap {
 };
 
 /// Non-empty overlaps of the kept segments, ascending by reference, then automatic label.
-std::vector<Overlap> count_overlaps(const Segmentation& automatic, const Segmentation& reference, const Evaluation& verdicts,
-                                    Task& task);
+std::vector<Overlap> count_overlaps(const Segmentation& automatic, const Segmentation& reference,
+                                    const Evaluation& verdicts, Task& task);
 /// Pairs of the largest total overlap among those of at least min_iou; fills pairs and partners.
 void pair_segments(std::span<const Overlap> overlaps, double min_iou, Evaluation& out, Task& task);
 /// Angle, mean distance and offset of each pair; NaN where a side has no plane.

@@ -28,7 +28,8 @@ FieldTable side_table(const std::vector<SegmentVerdict>& side, std::span<const i
   for (size_t s = 0; s < side.size(); ++s) rows.push_back({static_cast<uint32_t>(s + 1), source[s], &side[s]});
   FieldTable t;
   add<uint32_t>(t, rows, "label", "", "label of the segment", [](const Row& r) { return r.label; });
-  add<int64_t>(t, rows, "source_label", "", "its value in the field it was made from", [](const Row& r) { return r.source; });
+  add<int64_t>(t, rows, "source_label", "", "its value in the field it was made from",
+               [](const Row& r) { return r.source; });
   add<uint64_t>(t, rows, "points", "points", "number of its points", [](const Row& r) { return r.verdict->points; });
   add<uint8_t>(t, rows, "kept", "", "1; 0 = left out, too small", [](const Row& r) { return r.verdict->kept ? 1 : 0; });
   add<uint32_t>(t, rows, "partner", "", "label of its pair on the other side; 0 = unmatched",
@@ -57,7 +58,8 @@ FieldTable pair_table(const Evaluation& e) {
   add<double>(t, rows, "tda", "1", "detection accuracy I / Card A", [](const P& p) { return p.tda(); });
   add<double>(t, rows, "iou", "1", "intersection over union", [](const P& p) { return p.iou(); });
   add<double>(t, rows, "angle", "rad", "between the normals", [](const P& p) { return p.angle_rad; });
-  add<double>(t, rows, "distance", "m", "mean distance of A's points from SR's plane", [](const P& p) { return p.distance_m; });
+  add<double>(t, rows, "distance", "m", "mean distance of A's points from SR's plane",
+              [](const P& p) { return p.distance_m; });
   add<double>(t, rows, "offset_difference", "m", "A's centroid beyond SR's plane, along SR's normal",
               [](const P& p) { return p.offset_m; });
   return t;

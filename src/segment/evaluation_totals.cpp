@@ -27,7 +27,8 @@ MeanAndDeviation spread(const std::vector<SegmentPair>& pairs, F&& value) {
   return out;
 }
 
-void count_verdicts(const std::vector<SegmentVerdict>& side, uint64_t& left_out, uint64_t& unmatched, uint64_t& in_parts) {
+void count_verdicts(const std::vector<SegmentVerdict>& side, uint64_t& left_out, uint64_t& unmatched,
+                    uint64_t& in_parts) {
   for (const SegmentVerdict& verdict : side) {
     if (!verdict.kept) {
       ++left_out;

@@ -27,7 +27,8 @@ constexpr size_t kPointsPerChunk = 1 << 15;
 // Which row (1-based) a key has: by falling number of points, ties by value.
 class Rows {
  public:
-  explicit Rows(std::vector<KeyCount> counts) : counts_(std::move(counts)), row_(counts_.size()), by_row_(counts_.size()) {
+  explicit Rows(std::vector<KeyCount> counts)
+      : counts_(std::move(counts)), row_(counts_.size()), by_row_(counts_.size()) {
     if (counts_.size() >= std::numeric_limits<uint32_t>::max())
       fail(Status::kLimit, "%zu different labels; a segmentation has at most 4294967294", counts_.size());
     for (size_t i = 0; i < by_row_.size(); ++i) by_row_[i] = static_cast<uint32_t>(i);
@@ -78,9 +79,9 @@ std::string parameters_text(std::string_view field, const ParamSet& params) {
 std::span<const ParamRow> labels_rows() {
   static constexpr ParamRow kRows[] = {
       doubles_row("noise_labels", "0", -kWholeDoubles, kWholeDoubles, "1", "",
-                  "Values of the field that mean no segment; the virtual scanner's \"face\" has 4294967295 for outliers."),
+                  "Values of the field that mean no segment; the scanner's \"face\" has 4294967295 for outliers."),
       number_row("pixel_m", 0, 0, 100, "m", "",
-                 "Edge of a raster pixel for the area; 0 = so that a pixel of the surface holds four points on average."),
+                 "Edge of a raster pixel for the area; 0 = so that a pixel holds four points on average."),
       number_row("orientation_tolerance_rad", 0.0174533, 1e-4, 0.785398, "rad", "",
                  "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."),
       bool_row("facade_frame", true, "",
@@ -90,7 +91,8 @@ std::span<const ParamRow> labels_rows() {
 }
 
 // 1. count the labels; 2. number them by size; 3. fit each segment; 4. normals, orientation classes, facade frame.
-Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view field, const ParamSet& params, Task& task) {
+Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view field, const ParamSet& params,
+                                      Task& task) {
   const WholeNumbers labels(cloud->fields.require(field), params.numbers("noise_labels"));
   Segmentation out;
   out.cloud = cloud;

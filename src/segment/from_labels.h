@@ -11,9 +11,11 @@ namespace jalon {
 /// Parameter table of operation "labels".
 std::span<const ParamRow> labels_rows();
 
-/// The segmentation that a field of whole numbers tells: hand labels, true faces of the virtual scanner, another program's result. Each
-/// value but the noise labels is a segment, with the least-squares plane of all its points; segments whose points give no plane (fewer
-/// than 3, equal, collinear) keep their row, with NaN in it. Rows are numbered anew by falling number of points, ties by value.
-Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view field, const ParamSet& params, Task& task);
+/// The segmentation that a field of whole numbers tells: hand labels, true faces of the virtual scanner, another
+/// program's result. Each value but the noise labels is a segment, with the least-squares plane of all its points;
+/// segments whose points give no plane (fewer than 3, equal, collinear) keep their row, with NaN in it. Rows are
+/// numbered anew by falling number of points, ties by value.
+Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view field, const ParamSet& params,
+                                      Task& task);
 
 }  // namespace jalon

@@ -14,8 +14,8 @@ struct GivenPoints {
   Vec3 local(size_t i) const { return cloud.point(indices[i]) - origin; }
 };
 
-/// Their least-squares plane, extents and area. Without a plane everything but the number of points is NaN. pixel_m: raster for the area;
-/// 0 = four points a pixel on average, what the segmenter's twice the spacing comes to.
+/// Their least-squares plane, extents and area. Without a plane everything but the number of points is NaN. pixel_m:
+/// raster for the area; 0 = four points a pixel on average, what the segmenter's twice the spacing comes to.
 Segment describe_given(const GivenPoints& points, double pixel_m, Task& task);
 
 }  // namespace jalon

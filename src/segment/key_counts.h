@@ -28,8 +28,8 @@ inline void combine(std::vector<KeyCount>& counts) {
   counts.resize(kept);
 }
 
-/// How often each key occurs among n items, ascending by key. keys_of(begin, end, keys) writes the keys of a chunk. Neighbouring
-/// points mostly have equal keys, so runs are counted before anything is sorted.
+/// How often each key occurs among n items, ascending by key. keys_of(begin, end, keys) writes the keys of a chunk.
+/// Neighbouring points mostly have equal keys, so runs are counted before anything is sorted.
 template <class F>
 std::vector<KeyCount> count_keys(Task& task, size_t n, F&& keys_of) {
   constexpr size_t kChunk = 1 << 15;

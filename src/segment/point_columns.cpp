@@ -12,7 +12,8 @@ namespace {
 
 constexpr size_t kPointsPerChunk = 1 << 15;
 
-std::shared_ptr<Column> point_column(const char* name, ElementType type, const char* unit, const char* meaning, size_t n) {
+std::shared_ptr<Column> point_column(const char* name, ElementType type, const char* unit, const char* meaning,
+                                     size_t n) {
   return std::make_shared<Column>(FieldInfo{name, type, 1, unit, meaning}, n);
 }
 

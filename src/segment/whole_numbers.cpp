@@ -21,7 +21,8 @@ bool is_whole(double value) { return std::fabs(value) <= kWholeDoubles && value 
 WholeNumbers::WholeNumbers(const Column& column, std::span<const double> left_out) : column_(column) {
   const FieldInfo& info = column.info();
   if (info.components != 1)
-    fail(Status::kInvalidArgument, "field \"%.100s\" has %u components; one number a point is needed", info.name.c_str(),
+    fail(Status::kInvalidArgument, "field \"%.100s\" has %u components; one number a point is needed",
+         info.name.c_str(),
          info.components);
   for (const double value : left_out) {
     if (!is_whole(value)) fail(Status::kInvalidArgument, "the values to leave out must be whole numbers");

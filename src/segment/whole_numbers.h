@@ -12,8 +12,9 @@ namespace jalon {
 
 constexpr double kWholeDoubles = 0x1p53;  ///< beyond it not every whole number is a double
 
-/// A scalar field of whole numbers, of any element type, as sortable keys. Left out (kNoKey) are the values given and NaN; a fraction, or
-/// a number beyond int64 or 2^53 in a floating field, is Error(kInvalidArgument) that names the point.
+/// A scalar field of whole numbers, of any element type, as sortable keys. Left out (kNoKey) are the values given and
+/// NaN; a fraction, or a number beyond int64 or 2^53 in a floating field, is Error(kInvalidArgument) that names the
+/// point.
 class WholeNumbers {
  public:
   WholeNumbers(const Column& column, std::span<const double> left_out);

@@ -199,6 +199,29 @@ static jalon_status scenario_segmentation(void) {
   return status;
 }
 
+static jalon_status scenario_evaluation(void) {
+  jalon_cloud *cloud = NULL, *labelled = NULL;
+  jalon_segmentation *segmentation = NULL, *again = NULL;
+  jalon_evaluation* evaluation = NULL;
+  jalon_fields* f[6] = {NULL};
+  jalon_status status = segmented(&cloud, &segmentation, NULL);
+  TRY(jalon_segmentation_cloud(segmentation, &labelled));
+  TRY(jalon_segmentation_from_labels(labelled, "label", NULL, small_task, &again));
+  TRY(jalon_segmentation_evaluate(segmentation, again, NULL, small_task, &evaluation));
+  TRY(jalon_evaluation_pairs(evaluation, &f[0]));
+  TRY(jalon_evaluation_automatic(evaluation, &f[1]));
+  TRY(jalon_evaluation_reference(evaluation, &f[2]));
+  TRY(jalon_evaluation_totals(evaluation, &f[3]));
+  TRY(jalon_cloud_confusion(labelled, "label", "orientation", NULL, small_task, &f[4], &f[5]));
+  for (int i = 0; i < 6; ++i) jalon_fields_release(f[i]);
+  jalon_evaluation_release(evaluation);
+  jalon_segmentation_release(again);
+  jalon_segmentation_release(segmentation);
+  jalon_cloud_release(labelled);
+  jalon_cloud_release(cloud);
+  return status;
+}
+
 static jalon_status scenario_model(void) {
   jalon_cloud* cloud = NULL;
   jalon_segmentation* segmentation = NULL;
@@ -230,10 +253,12 @@ static jalon_status scenario_report(void) {
   TRY(jalon_report_write_elevation(segmentation, model, small_path("a.svg"), NULL, small_task));
   TRY(jalon_report_write_html(segmentation, model, notes, small_path("a.html"), NULL, small_task));
   TRY(jalon_report_write_json(segmentation, model, notes, small_path("a.json"), NULL, small_task));
+  TRY(jalon_report_write_picture(segmentation, small_path("a.png"), NULL, small_task));
   jalon_model_release(model);
   jalon_segmentation_release(segmentation);
   jalon_cloud_release(cloud);
   remove(small_path("a.svg")), remove(small_path("a.html")), remove(small_path("a.json"));
+  remove(small_path("a.png"));
   return status;
 }
 
@@ -318,6 +343,7 @@ static const struct {
     {"features", scenario_features},
     {"cleaning", scenario_cleaning},
     {"segmentation", scenario_segmentation},
+    {"evaluation", scenario_evaluation},
     {"model", scenario_model},
     {"report", scenario_report},
     {"files", scenario_files},

@@ -31,7 +31,7 @@ static jalon_segmentation* segmentation_of(const jalon_cloud* cloud) {
   return made;
 }
 
-/* Labels 5, -7 and 1000000 for the walls; the second wall has 100 noise points, the third is largest by a few of the first's. */
+/* Labels 5, -7 and 1000000 for the walls; the second has 100 noise points, the third a few of the first's. */
 static int32_t* some_labels(void) {
   static int32_t labels[kCount];
   const int32_t names[3] = {5, -7, 1000000};

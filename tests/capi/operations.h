@@ -116,6 +116,15 @@ static inline jalon_status op_segment(const jalon_cloud* cloud, jalon_task* task
 static inline jalon_status op_grow(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return segment_by("region_growing", cloud, task, out);
 }
+/* Components as given labels; the task is for one call, the one under test. */
+static inline jalon_status op_labels(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  made parts = {NULL, NULL, NULL};
+  jalon_status status = change(cloud, NULL, &parts, components, "components", "{\"cell_m\": 0.2}");
+  if (status == JALON_OK)
+    status = jalon_segmentation_from_labels(parts.cloud, "component", NULL, task, &out->segmentation);
+  release_made(&parts);
+  return status;
+}
 static inline jalon_status op_append(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return jalon_cloud_append(cloud, cloud, task, &out->cloud);
 }
@@ -133,7 +142,7 @@ static const struct {
     {"voxel", op_voxel},         {"minimum distance", op_minimum_distance}, {"random", op_random},
     {"duplicates", op_duplicates}, {"interest", op_interest},     {"radius search", op_radius},
     {"segment", op_segment},     {"region growing", op_grow},     {"append", op_append},
-    {"crop", op_crop},
+    {"crop", op_crop},           {"from labels", op_labels},
 };
 enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
 

@@ -106,6 +106,30 @@ static void model_and_files(const jalon_cloud* cloud, uint64_t seed, jalon_task*
   release_made(&out);
 }
 
+static void evaluation(const jalon_cloud* cloud, uint64_t seed, jalon_task* task) {
+  made found = {NULL, NULL, NULL}, grown = {NULL, NULL, NULL};
+  jalon_evaluation* evaluation;
+  jalon_cloud* labelled;
+  jalon_fields *fields, *totals;
+  MUST(op_segment(cloud, task, &found));
+  MUST(op_grow(cloud, task, &grown));
+  MUST(jalon_segmentation_evaluate(found.segmentation, grown.segmentation, NULL, task, &evaluation));
+  MUST(jalon_evaluation_pairs(evaluation, &fields));
+  tell("evaluation pairs", seed, hash_and_release(fields));
+  MUST(jalon_evaluation_totals(evaluation, &fields));
+  tell("evaluation totals", seed, hash_and_release(fields));
+  MUST(jalon_segmentation_cloud(found.segmentation, &labelled));
+  MUST(jalon_cloud_confusion(labelled, "label", "orientation", NULL, task, &fields, &totals));
+  tell("confusion", seed, hash_and_release(fields));
+  tell("confusion totals", seed, hash_and_release(totals));
+  MUST(jalon_report_write_picture(found.segmentation, temporary("p.svg"), NULL, task));
+  tell("segments.svg", seed, hash_file("p.svg"));
+  jalon_cloud_release(labelled);
+  jalon_evaluation_release(evaluation);
+  release_made(&found);
+  release_made(&grown);
+}
+
 /* A scan of a scene by a method, with these parameters besides the seed, and its true planes. */
 static void scan(const char* name, const char* scene_name, const char* method, const char* more, uint64_t seed, jalon_task* task) {
   jalon_scanner* scanner;
@@ -159,6 +183,7 @@ static int print_hashes(uint32_t threads) {
     triangulated(cloud, seed, task);
     statistics(cloud, seed, task);
     model_and_files(cloud, seed, task);
+    evaluation(cloud, seed, task);
     scans(seed, task);
     jalon_cloud_release(cloud);
   }

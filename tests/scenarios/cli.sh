@@ -31,7 +31,7 @@ refuses() {
 }
 
 check "--help shows examples and exit codes" bash -c "'$jalon' --help | grep -q 'jalon facade scan.las' && '$jalon' --help | grep -q 'Exit codes'"
-for command in info convert clean normals facade scan; do
+for command in info convert clean normals facade scan segment evaluate-segmentation; do
   check "$command --help shows an example" bash -c "'$jalon' $command --help | grep -q 'jalon $command'"
 done
 check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
@@ -56,6 +56,49 @@ check "the same seed gives the same files" bash -c "'$jalon' facade sample.las -
 check "a terminal sees a progress bar" bash -c "script -qec \"'$jalon' facade sample.las -o bar\" /dev/null | grep -q '%'"
 check "--set reaches the segmenter" bash -c "'$jalon' facade sample.las -o few --json --set max_planes=2 | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"planes\"])==2, len(d[\"planes\"])'"
 
+check "segment writes its six files" "$jalon" segment sample.las -o segments
+for file in report.html segments.svg segments.csv segments.json segments.las segments.ply; do check "segment made $file" test -s segments/$file; done
+check "segment leaves no private folder" bash -c "[ \$(ls -A segments | wc -l) -eq 6 ]"
+check "segment by another method, --json" bash -c "'$jalon' segment sample.las -o grown --method region_growing --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"segments\"])>5 and d[\"method\"]==\"region_growing\", d'"
+check "segments.csv has a row a segment" python3 -c "
+import csv, json
+rows = list(csv.DictReader(open('segments/segments.csv')))
+table = json.load(open('segments/segments.json'))['segments']
+assert len(rows) == len(table) > 5
+assert all(int(r['label']) == t['label'] and float(r['offset']) == t['offset'] and float(r['normal_2']) == t['normal'][2] for r, t in zip(rows, table))"
+check "the picture is a whole PNG in an SVG below 2 MB" python3 -c "
+import base64, re, struct, xml.dom.minidom, zlib
+text = open('segments/segments.svg').read()
+xml.dom.minidom.parseString(text)
+assert len(text) < 2000000
+png = base64.b64decode(re.search('data:image/png;base64,([A-Za-z0-9+/=]+)', text).group(1))
+assert png[:8] == b'\x89PNG\r\n\x1a\n'
+at, chunks = 8, {}
+while at < len(png):
+    n, kind = struct.unpack('>I4s', png[at:at + 8])
+    body = png[at + 8:at + 8 + n]
+    assert struct.unpack('>I', png[at + 8 + n:at + 12 + n])[0] == zlib.crc32(kind + body)
+    chunks[kind], at = body, at + 12 + n
+width, height = struct.unpack('>II', chunks[b'IHDR'][:8])
+rows = zlib.decompress(chunks[b'IDAT'])
+assert len(rows) == height * (width + 1) and len(set(rows)) > 5
+assert max(rows) < len(chunks[b'PLTE']) // 3"
+check "rsvg draws the picture" rsvg-convert segments/segments.svg -o picture.png
+check "the report of segments is self-contained" bash -c "! grep -qE '(src|href)=\"(https?:|//|/)' segments/report.html && grep -q 'data:image/png' segments/report.html"
+check "evaluate-segmentation on the true planes of the sample" bash -c "'$jalon' evaluate-segmentation segments/segments.las --reference-labels segment --set min_points=50 --json | python3 -c '
+import json,sys
+d=json.load(sys.stdin)[\"segments\"]
+t=d[\"totals\"]
+assert t[\"pairs\"]==len(d[\"pairs\"])>20 and t[\"global_tdr\"]>0.98 and t[\"mean_angle\"]<0.02, t
+assert len(d[\"unmatched_reference\"])==t[\"unmatched_reference\"]'"
+check "evaluate-segmentation prints its table" bash -c "'$jalon' evaluate-segmentation segments/segments.las grown/segments.las | grep -qE '^ +total .* [01][.][0-9]{3} '"
+check "evaluate-segmentation of two formats of one result is perfect" bash -c "'$jalon' evaluate-segmentation segments/segments.las segments/segments.ply --csv pairs.csv | grep -q 'detection 1.0000, accuracy 1.0000' && head -n 1 pairs.csv | grep -q '^automatic,reference,card_automatic'"
+printf '0 0 0 1 1\n1 0 0 1 1\n2 0 0 2 1\n3 0 0 2 2\n' >classes.xyz
+check "evaluate-segmentation --classes-only has precision and recall" bash -c "'$jalon' evaluate-segmentation classes.xyz --columns 'x y z found class' --classes-only --class-field found --reference-class-field class --json | python3 -c '
+import json,sys
+c=json.load(sys.stdin)[\"classes\"]
+assert c[\"totals\"][\"accuracy\"]==0.75 and [r[\"confusion\"] for r in c[\"classes\"]]==[[2,1],[0,1]], c'"
+
 sha256sum result/* >before
 refuses "a missing file" 3 'none.las' "$jalon" facade none.las -o result
 : >empty.las
@@ -75,6 +118,12 @@ printf '1 2 3\n' >one.xyz
 refuses "one point" 5 'point' "$jalon" facade one.xyz -o result
 refuses "an unknown parameter lists the names" 2 'there are' "$jalon" facade sample.las -o result --set nose=1
 refuses "a parameter out of range" 2 'outside' "$jalon" facade sample.las -o result --set distance_tolerance_m=-1
+refuses "an unknown method lists what there is" 3 'ransac' "$jalon" segment sample.las -o never --method magic
+refuses "no reference to evaluate against" 2 'reference-labels' "$jalon" evaluate-segmentation segments/segments.las
+refuses "a label field that is not there" 3 'label' "$jalon" evaluate-segmentation segments/segments.las --labels nose --reference-labels segment
+refuses "clouds of unequal size" 3 'same points' "$jalon" evaluate-segmentation segments/segments.las quiet.las
+refuses "labels that are no whole numbers" 2 'whole' "$jalon" evaluate-segmentation segments/segments.las --reference-labels residual
+refuses "a class field alone" 2 'together' "$jalon" evaluate-segmentation segments/segments.las --reference-labels segment --class-field label
 refuses "an unknown extension" 6 'xxx' "$jalon" convert sample.las sample.xxx
 mkdir folder.ply
 refuses "a folder as output file" 4 'folder.ply' "$jalon" convert sample.las folder.ply

@@ -18,7 +18,8 @@ inline ParamSet evaluation_params(const char* json = "{}") {
   return params;
 }
 
-inline Segmentation from_labels(const CloudPtr& cloud, const char* field, const char* json = "{}", unsigned threads = 2) {
+inline Segmentation from_labels(const CloudPtr& cloud, const char* field, const char* json = "{}",
+                                unsigned threads = 2) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
@@ -28,7 +29,8 @@ inline Segmentation from_labels(const CloudPtr& cloud, const char* field, const 
 }
 
 /// A cloud with the fields "automatic" and "reference".
-inline CloudPtr make_labelled_cloud(Buffer<double> xyz, const std::vector<int64_t>& automatic, const std::vector<int64_t>& reference) {
+inline CloudPtr make_labelled_cloud(Buffer<double> xyz, const std::vector<int64_t>& automatic,
+                                    const std::vector<int64_t>& reference) {
   Cloud cloud = make_cloud(std::move(xyz));
   cloud.fields.set(make_column<int64_t>({"automatic"}, automatic));
   cloud.fields.set(make_column<int64_t>({"reference"}, reference));
@@ -39,11 +41,13 @@ inline Evaluation evaluate_labels(const CloudPtr& cloud, const char* json = "{}"
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return evaluate_segmentation(from_labels(cloud, "automatic", "{}", threads), from_labels(cloud, "reference", "{}", threads),
+  return evaluate_segmentation(from_labels(cloud, "automatic", "{}", threads),
+                               from_labels(cloud, "reference", "{}", threads),
                                evaluation_params(json), task);
 }
 
-/// Points that carry a label of each side; each reference label (or, without one, automatic label) lies on a plane of its own.
+/// Points that carry a label of each side; each reference label (or, without one, automatic label) lies on a plane of
+/// its own.
 struct Labelled {
   std::vector<int64_t> automatic, reference;
 
@@ -61,7 +65,9 @@ struct Labelled {
     }
     return make_labelled_cloud(std::move(xyz), automatic, reference);
   }
-  Evaluation evaluate(const char* json = "{}", unsigned threads = 2) const { return evaluate_labels(cloud(), json, threads); }
+  Evaluation evaluate(const char* json = "{}", unsigned threads = 2) const {
+    return evaluate_labels(cloud(), json, threads);
+  }
 };
 
 }  // namespace jalon::test

@@ -13,12 +13,14 @@ using namespace jalon;
 
 namespace {
 
-std::vector<WeightedEdge> random_edges(RandomStream& random, uint32_t rows, uint32_t columns, uint32_t degree, int64_t largest) {
+std::vector<WeightedEdge> random_edges(RandomStream& random, uint32_t rows, uint32_t columns, uint32_t degree,
+                                       int64_t largest) {
   std::vector<WeightedEdge> out;
   for (uint32_t row = 0; row < rows; ++row) {
     std::set<uint32_t> chosen;
     for (uint32_t k = 0; k < degree; ++k) chosen.insert(static_cast<uint32_t>(random.below(columns)));
-    for (const uint32_t column : chosen) out.push_back({row, column, 1 + static_cast<int64_t>(random.below(static_cast<uint64_t>(largest)))});
+    for (const uint32_t column : chosen)
+      out.push_back({row, column, 1 + static_cast<int64_t>(random.below(static_cast<uint64_t>(largest)))});
   }
   return out;
 }
@@ -55,7 +57,8 @@ TEST_CASE("sparse assignment reaches the largest weight that trying everything f
   Task task;
   for (int trial = 0; trial < 2000; ++trial) {
     const auto rows = static_cast<uint32_t>(1 + random.below(6)), columns = static_cast<uint32_t>(1 + random.below(7));
-    const auto edges = random_edges(random, rows, columns, static_cast<uint32_t>(random.below(5)), trial % 2 == 0 ? 5 : 1000);
+    const auto edges =
+        random_edges(random, rows, columns, static_cast<uint32_t>(random.below(5)), trial % 2 == 0 ? 5 : 1000);
     CAPTURE(trial);
     CHECK(weight_of(assign_sparse(rows, columns, edges, task), edges) == best_by_trial(edges, 0, rows, 0));
   }
