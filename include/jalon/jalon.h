@@ -21,6 +21,7 @@
 #include <jalon/search.h>
 #include <jalon/model.h>
 #include <jalon/segmenter.h>
+#include <jalon/primitives.h>
 #include <jalon/evaluate.h>
 #include <jalon/modeller.h>
 #include <jalon/scanner.h>

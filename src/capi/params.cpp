@@ -14,6 +14,8 @@
 #include "segment/confusion.h"
 #include "segment/evaluation.h"
 #include "segment/from_labels.h"
+#include "segment/picks.h"
+#include "segment/primitive_fits.h"
 
 namespace jalon::capi {
 
@@ -24,6 +26,7 @@ std::span<const Operation> operations() {
       {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
       {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},
       {"labels", labels_rows},       {"evaluation", evaluation_rows}, {"confusion", confusion_rows},
+      {"primitive", primitive_rows}, {"pick", pick_rows},
   };
   return kOperations;
 }

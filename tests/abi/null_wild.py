@@ -39,7 +39,8 @@ OPERATION = {
     "jalon_model_read": "read", "jalon_cloud_write": "write", "jalon_model_write": "write",
     "jalon_scene_create": "scene", "jalon_report_write_elevation": "elevation",
     "jalon_segmentation_from_labels": "labels", "jalon_segmentation_evaluate": "evaluation",
-    "jalon_cloud_confusion": "confusion", "jalon_report_write_picture": "picture",
+    "jalon_cloud_fit_sphere": "primitive", "jalon_cloud_fit_cylinder": "primitive", "jalon_cloud_fit_circle": "primitive",
+    "jalon_segmentation_pick": "pick", "jalon_cloud_confusion": "confusion", "jalon_report_write_picture": "picture",
     "jalon_report_write_html": "report", "jalon_report_write_json": "report",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
@@ -52,15 +53,19 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
-OPEN = {"jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
+OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
         "jalon_cloud_radius_search.neighbours", "jalon_cloud_builder_begin_station.name",
         "jalon_cloud_set_station.name", "jalon_report_write_elevation.model", "jalon_report_write_elevation.options"}
 # Arrays and the parameter that counts them.
-ARRAYS = {"xyz": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
+ARRAYS = {"xyz": "count", "picks": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
           "polygon_uv": "count", "values": "count", "queries": "count", "clouds": "count",
           "vertices": "count_vertices", "triangles": "count_triangles"}
 # Baselines that need another handle or value than the tables give.
 BASE = {
+    "jalon_cloud_fit_sphere.cloud": "fx_ball", "jalon_cloud_fit_cylinder.cloud": "fx_ball",
+    "jalon_cloud_fit_circle.cloud": "fx_ball", "jalon_segmentation_pick.segmentation": "fx_start",
+    "jalon_segmentation_pick.picks": "fx_picks",
+    "jalon_segmentation_write_primitives.path": 'fx_path("out.txt")',
     "jalon_cloud_set_field.cloud": "fx_small", "jalon_cloud_set_field.count": "12",
     "jalon_cloud_knn_all.cloud": "fx_small", "jalon_cloud_builder_seal.builder": "fx_builder_ready",
     "jalon_cloud_builder_append_field.name": '"extra"', "jalon_cloud_builder_declare_field.name": '"another"',
@@ -115,6 +120,9 @@ def scalar(function, p):
         if n == "level":
             return Case("JALON_LEVEL_AUTOMATIC", wild_values(["-2", "22", "INT32_MIN", "INT32_MAX"], INVALID)
                         + wild_values(["0", "1", "21"]))
+        if n == "primitive":
+            return Case("JALON_PRIMITIVE_PLANE", wild_values(["0", "-1", "4", "INT32_MIN", "INT32_MAX"], INVALID)
+                        + wild_values(["JALON_PRIMITIVE_SPHERE", "JALON_PRIMITIVE_CYLINDER"]))
         if n in ("centred", "value"):
             return Case("1", wild_values(["0", "-5", "INT32_MIN"], PASS))
     if p.type == "uint32_t":

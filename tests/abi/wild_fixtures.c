@@ -9,13 +9,14 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear, *fx_far, *fx_nan_field;
+jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear, *fx_far, *fx_nan_field,
+    *fx_ball;
 jalon_cloud* fx_clouds[3];
 jalon_cloud_builder *fx_builder, *fx_builder_ready;
 jalon_fields* fx_fields;
 jalon_model *fx_model, *fx_mesh, *fx_bare;
 jalon_segmenter* fx_segmenter;
-jalon_segmentation *fx_segmentation, *fx_no_segments;
+jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;
 jalon_evaluation* fx_evaluation;
 jalon_modeller* fx_modeller;
 jalon_scanner* fx_scanner;
@@ -29,6 +30,7 @@ double fx_xyz[3 * kArrayItems];
 uint64_t fx_indices[kArrayItems];
 uint32_t fx_triangles[kArrayItems] = {0, 1, 2, 2, 3, 0};
 const double fx_square[8] = {-50, -50, 50, -50, 50, 50, -50, 50};
+const double fx_picks[24] = {0, 0, 0, 2.5, 0, 0, 4.9, 0, 0, 4.9, 0, 1.5, 4.9, 0, 2.9, 2, 0, 2.9, 0, 0, 2.9, 0, 0, 1};
 const jalon_transform fx_identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
 const jalon_transform fx_zero = {{0}};
 const jalon_transform fx_nan_transform = {{1, 0, 0, NAN, 0, 1, 0, 0, 0, 0, 1, 0}};
@@ -146,6 +148,10 @@ static void make_clouds(void) {
   fx_nan_field = cloud_of(fx_xyz, 200);
   MUST(jalon_cloud_set_field(fx_nan_field, "intensity", nans, JALON_FLOAT32, 1, 200, 0, "", ""));
   MUST(jalon_cloud_set_field(fx_nan_field, "normal", nans, JALON_FLOAT32, 3, 200, 0, "", ""));
+  double rings[36]; /* on a sphere and on an upright cylinder */
+  for (int i = 0; i < 12; ++i)
+    rings[3 * i] = cos(0.5 * i), rings[3 * i + 1] = sin(0.5 * i), rings[3 * i + 2] = i % 2 ? 0.2 : -0.2;
+  fx_ball = cloud_of(rings, 12);
   fx_clouds[0] = fx_cloud, fx_clouds[1] = fx_small, fx_clouds[2] = fx_two;
 }
 
@@ -167,6 +173,7 @@ static void make_workers(void) {
   jalon_cloud* nothing = cloud_of(sparse, 40);
   MUST(jalon_segmenter_run(fx_segmenter, nothing, NULL, &fx_no_segments));
   jalon_cloud_release(nothing);
+  MUST(jalon_segmentation_start(fx_cloud, NULL, &fx_start));
   MUST(jalon_segmentation_evaluate(fx_segmentation, fx_segmentation, NULL, NULL, &fx_evaluation));
   MUST(jalon_modeller_create(NULL, &fx_modeller));
   MUST(jalon_modeller_run(fx_modeller, fx_cloud, fx_segmentation, NULL, &fx_model));
@@ -208,7 +215,8 @@ void fx_end(void) {
     rmdir(folder);
   }
   for (int i = 0; i < made_options; ++i) jalon_params_release(options[i].params);
-  jalon_cloud* clouds[] = {fx_cloud, fx_small, fx_empty, fx_one, fx_two, fx_equal, fx_collinear, fx_far, fx_nan_field};
+  jalon_cloud* clouds[] = {fx_cloud, fx_small, fx_empty, fx_one, fx_two, fx_equal, fx_collinear, fx_far, fx_nan_field,
+                          fx_ball};
   for (size_t i = 0; i < sizeof clouds / sizeof *clouds; ++i) jalon_cloud_release(clouds[i]);
   jalon_cloud_builder_release(fx_builder);
   jalon_cloud_builder_release(fx_builder_ready);
@@ -219,6 +227,7 @@ void fx_end(void) {
   jalon_segmenter_release(fx_segmenter);
   jalon_segmentation_release(fx_segmentation);
   jalon_segmentation_release(fx_no_segments);
+  jalon_segmentation_release(fx_start);
   jalon_evaluation_release(fx_evaluation);
   jalon_modeller_release(fx_modeller);
   jalon_scanner_release(fx_scanner);

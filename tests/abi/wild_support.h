@@ -15,13 +15,14 @@ enum { kSlots = 10, kSlotBytes = 65536, kPoison = 0xA5, kArrayItems = 4096 };
 enum { kAny, kMustPass, kMustFail, kMustBeInvalid };
 
 /* Handles and data that are valid. */
-extern jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear, *fx_far, *fx_nan_field;
+extern jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear, *fx_far, *fx_nan_field,
+    *fx_ball;
 extern jalon_cloud* fx_clouds[3];
 extern jalon_cloud_builder *fx_builder, *fx_builder_ready;
 extern jalon_fields* fx_fields;
 extern jalon_model *fx_model, *fx_mesh, *fx_bare;
 extern jalon_segmenter* fx_segmenter;
-extern jalon_segmentation *fx_segmentation, *fx_no_segments;
+extern jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;
 extern jalon_evaluation* fx_evaluation;
 extern jalon_modeller* fx_modeller;
 extern jalon_scanner* fx_scanner;
@@ -34,7 +35,7 @@ extern const char* fx_text_value;
 extern double fx_xyz[3 * kArrayItems];
 extern uint64_t fx_indices[kArrayItems];
 extern uint32_t fx_triangles[kArrayItems];
-extern const double fx_square[8];
+extern const double fx_square[8], fx_picks[24];
 extern const jalon_transform fx_identity, fx_zero, fx_nan_transform, fx_inf_transform, fx_big_transform;
 extern const jalon_box fx_box, fx_reversed_box, fx_nan_box;
 extern const jalon_vec3 fx_foot, fx_top, fx_nan_vec, fx_inf_vec;
