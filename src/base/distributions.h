@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace jalon {
+
+/// P(X <= x) of the standard normal distribution.
+double normal_cdf(double x);
+/// x with normal_cdf(x) = p; 0 < p < 1.
+double normal_quantile(double p);
+/// x with P(X <= x) = p of the chi-square distribution; dof >= 1 (need not be whole), 0 <= p < 1.
+double chi_square_quantile(double dof, double p);
+
+}  // namespace jalon
