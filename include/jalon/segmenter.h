@@ -75,6 +75,23 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_cloud(const jalon_segmenta
 JALON_API JALON_CHECK jalon_status jalon_segmentation_facade_frame(const jalon_segmentation* segmentation,
                                                        jalon_transform* T_facade_world);
 
+/**
+ * The parameters the segmentation was made with as JSON, the tolerance as it was used; "" when it was not made by a segmenter. Valid as
+ * long as the handle.
+ */
+JALON_API JALON_CHECK jalon_status jalon_segmentation_parameters(const jalon_segmentation* segmentation,
+                                                     const char** out);
+/**
+ * Distribution of the signed distances of points to their planes (Boulaassal 2010, 3.4.3.6): of the segment with this label, or of all
+ * segments (label 0). out_bins: one row a bin, 1 <= bins <= 10000 over +- four sigma: "lower", "upper" (float64, m), "count" (uint64),
+ * "expected" (float64: by the normal distribution of the same mean, sigma and count). out_normal: one row: "count" (uint64), "mean",
+ * "sigma" (float64, m; sigma unbiased), "skewness", "excess_kurtosis" (float64; 0 and 0 for normal distances), "below", "above" (uint64:
+ * outside the bins). JALON_ERROR_NOT_FOUND for an unknown label. O(points).
+ */
+JALON_API JALON_CHECK jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation,
+                                                    uint32_t label, uint32_t bins, jalon_task* task,
+                                                    jalon_fields** out_bins, jalon_fields** out_normal);
+
 JALON_END_C
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "capi/guard.h"
 #include "capi/worker_handles.h"
+#include "segment/residuals.h"
 #include "segment/tables.h"
 
 using namespace jalon;
@@ -105,5 +106,32 @@ jalon_status jalon_segmentation_facade_frame(const jalon_segmentation* segmentat
     require(segmentation, "segmentation");
     require(T_facade_world, "T_facade_world");
     *T_facade_world = to_c(segmentation->segmentation->T_facade_world);
+  });
+}
+
+jalon_status jalon_segmentation_parameters(const jalon_segmentation* segmentation, const char** out) {
+  return guard([&] {
+    require(segmentation, "segmentation");
+    require(out, "out");
+    *out = segmentation->segmentation->parameters_json.c_str();
+  });
+}
+
+jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation, uint32_t label, uint32_t bins,
+                                          jalon_task* task, jalon_fields** out_bins, jalon_fields** out_normal) {
+  return guard([&] {
+    require(segmentation, "segmentation");
+    require(out_bins, "out_bins");
+    require(out_normal, "out_normal");
+    constexpr uint32_t kMostBins = 10000;
+    if (bins < 1 || bins > kMostBins) fail(Status::kInvalidArgument, "bins is %u; 1 ... %u are possible", bins, kMostBins);
+    const Segmentation& s = *segmentation->segmentation;
+    if (label > s.segments.size())
+      fail(Status::kNotFound, "no segment with label %u; there are %zu segments", label, s.segments.size());
+    Residuals residuals;
+    with_task(task, [&](Task& t) { residuals = bin_residuals(s, label, bins, t); });
+    auto table = std::unique_ptr<jalon_fields>(new_fields(residual_bins_table(residuals)));
+    *out_normal = new_fields(residual_normal_table(residuals));
+    *out_bins = table.release();
   });
 }

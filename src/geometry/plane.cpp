@@ -73,6 +73,15 @@ void shift_origin(PlaneFit& fit, const Vec3& shift) {
   fit.covariance = parameter_covariance(fit);
 }
 
+double rms_about(const Moments& moments, const Plane& plane) {
+  const Symmetric3 c = moments.covariance();
+  const Vec3& n = plane.normal;
+  const double spread = c[0] * n.x * n.x + c[3] * n.y * n.y + c[5] * n.z * n.z +
+                        2 * (c[1] * n.x * n.y + c[2] * n.x * n.z + c[4] * n.y * n.z);
+  const double shift = plane.distance(moments.centroid());
+  return std::sqrt(std::max(0.0, spread) + shift * shift);
+}
+
 bool plane_through(const Vec3& a, const Vec3& b, const Vec3& c, Plane& out) {
   constexpr double kMinSine = 1e-3;
   const Vec3 u = b - a, v = c - a, n = cross(u, v);

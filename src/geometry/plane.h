@@ -62,6 +62,8 @@ struct PlaneFit {
 /// False when fewer than 3 points, or collinear (second eigenvalue <= 1e-12 of the largest).
 bool fit_plane(const Moments& moments, PlaneFit& out);
 bool fit_plane(std::span<const Vec3> points, PlaneFit& out);
+/// Root of the mean squared distance of the points to any plane; their number must not be 0.
+double rms_about(const Moments& moments, const Plane& plane);
 /// The same fit in coordinates q = p + shift: moves centroid and offset and propagates the covariance of the offset, which grows with
 /// the distance of the origin from the centroid.
 void shift_origin(PlaneFit& fit, const Vec3& shift);

@@ -8,7 +8,7 @@
 #include "report/orientation_name.h"
 #include "report/picture.h"
 #include "report/report.h"
-#include "report/residuals.h"
+#include "report/residual_chart.h"
 
 namespace jalon {
 
@@ -177,7 +177,7 @@ std::string report_html(const Segmentation& segmentation, const Model& model, st
                         const ParamSet& options, Task& task) {
   const Span span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
-  const Residuals residuals = bin_residuals(segmentation, static_cast<size_t>(options.integer("bins")), task);
+  const Residuals residuals = bin_residuals(segmentation, 0, static_cast<size_t>(options.integer("bins")), task);
   Page page;
   auto& html = page.html();
   html.raw("<!DOCTYPE html>\n");

@@ -7,7 +7,7 @@
 #include "report/notes.h"
 #include "report/orientation_name.h"
 #include "report/report.h"
-#include "report/residuals.h"
+#include "segment/residuals.h"
 
 namespace jalon {
 
@@ -90,7 +90,7 @@ std::string report_json(const Segmentation& segmentation, const Model& model, st
   for (const Face& face : model.faces) write_face(json, face);
   json.end_array();
   json.name("residuals");
-  write_residuals(json, bin_residuals(segmentation, kBins, task));
+  write_residuals(json, bin_residuals(segmentation, 0, kBins, task));
   return json.end_object().take() + "\n";
 }
 

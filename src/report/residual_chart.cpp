@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include "report/residual_chart.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/text_number.h"
-#include "report/residuals.h"
 #include "report/svg_parts.h"
 #include "report/ticks.h"
 
@@ -24,13 +24,6 @@ struct Plot {
   double x(double mm) const { return kLeft + (mm + half_range_mm) / (2 * half_range_mm) * (kRight - kLeft); }
   double y(double count) const { return kBottom - count / most * (kBottom - kTop); }
 };
-
-// Points a bin that a normal distribution of this mean and sigma would have.
-double expected(const Residuals& r, double value_m) {
-  const double bin_m = 2 * r.half_range_m / static_cast<double>(r.bins.size());
-  const double t = (value_m - r.mean_m) / r.sigma_m;
-  return static_cast<double>(r.count) * bin_m / (r.sigma_m * std::sqrt(2 * std::numbers::pi)) * std::exp(-0.5 * t * t);
-}
 
 void draw_axes(SvgWriter& svg, const Plot& plot) {
   const Ticks x = make_ticks(-plot.half_range_mm, plot.half_range_mm, plot.half_range_mm / 6);
@@ -54,7 +47,7 @@ void draw_curve(SvgWriter& svg, const Residuals& r, const Plot& plot) {
   std::vector<Vec2> curve;
   for (int i = 0; i <= kSteps; ++i) {
     const double value = r.half_range_m * (2.0 * i / kSteps - 1);
-    curve.push_back({plot.x(1000 * value), plot.y(expected(r, value))});
+    curve.push_back({plot.x(1000 * value), plot.y(r.expected(value))});
   }
   svg.leaf("path", {{"d", svg_polyline(curve)}, {"fill", "none"}, {"stroke", kCurve}, {"stroke-width", 0.5}});
   svg_line(svg, {kRight - 48, kTop + 2}, {kRight - 40, kTop + 2}, kCurve, 0.5);
@@ -72,7 +65,7 @@ std::string residual_chart(const Residuals& residuals) {
   svg.element("title", {}, "Histogram of the residuals");
   Plot plot{1000 * residuals.half_range_m, 1};
   for (const uint64_t n : residuals.bins) plot.most = std::max(plot.most, static_cast<double>(n));
-  if (residuals.sigma_m > 0) plot.most = std::max(plot.most, expected(residuals, residuals.mean_m));
+  if (residuals.sigma_m > 0) plot.most = std::max(plot.most, residuals.expected(residuals.mean_m));
   plot.most *= 1.05;
   draw_axes(svg, plot);
   const double bin_mm = 2 * plot.half_range_mm / static_cast<double>(residuals.bins.size());

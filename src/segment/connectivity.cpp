@@ -22,6 +22,15 @@ void drop_small(Raster& raster, const Regions& regions, uint64_t least) {
   }
 }
 
+// Empties what is narrower than the width: a morphological opening of the image, whose single empty pixels are filled
+// first so that they do not eat the surface.
+void cut_strips(Raster& raster, double width_m) {
+  const double pixels = std::ceil(width_m / raster.pixel_m);
+  const auto radius = static_cast<uint32_t>(std::clamp(std::floor(pixels / 2), 1.0, static_cast<double>(kMaxGapPixels)));
+  const Raster kept = opened(closed(raster, 1), radius);
+  for (size_t i = 0; i < raster.size(); ++i) raster.pixels[i] &= kept.pixels[i];
+}
+
 // Label of the group with most occupied pixels; ties to the smaller label.
 uint32_t largest_group(const Raster& occupied, const Regions& groups, uint64_t& pixels) {
   std::vector<uint64_t> counts(groups.count() + 1, 0);
@@ -74,16 +83,18 @@ Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t mar
   return rasterise(points, pixel_m, margin);
 }
 
-Region largest_region(std::span<const Vec2> points, double pixel_m, double gap_m, double min_piece_m2) {
+Region largest_region(std::span<const Vec2> points, const RegionRule& rule) {
   Region region;
   if (points.empty()) return region;
   // Square dilation by r joins pieces up to 2 r empty pixels apart.
-  const auto margin = static_cast<uint32_t>(std::min<double>(kMaxGapPixels, std::floor(gap_m / (2 * pixel_m))));
-  Raster raster = bounded_raster(points, pixel_m, margin);
+  const auto margin =
+      static_cast<uint32_t>(std::min<double>(kMaxGapPixels, std::floor(rule.gap_m / (2 * rule.pixel_m))));
+  Raster raster = bounded_raster(points, rule.pixel_m, std::max(margin, rule.strip_width_m > 0 ? 1u : 0u));
+  if (rule.strip_width_m > 0) cut_strips(raster, rule.strip_width_m);
   const double pixel_area = raster.pixel_m * raster.pixel_m;
   Regions regions = label_regions(raster);
   if (margin > 0 && regions.count() > 1) {
-    drop_small(raster, regions, static_cast<uint64_t>(std::ceil(min_piece_m2 / pixel_area)));
+    drop_small(raster, regions, static_cast<uint64_t>(std::ceil(rule.min_piece_m2 / pixel_area)));
     regions = label_regions(dilated(raster, margin));
   }
   uint64_t pixels = 0;

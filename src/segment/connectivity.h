@@ -29,10 +29,19 @@ struct Region {
 /// itself is known.
 double connectivity_pixel(const RansacSettings& settings, std::vector<float> spacings);
 
+/// What makes a surface one.
+struct RegionRule {
+  double pixel_m = 0;
+  double gap_m = 0;
+  double min_piece_m2 = 0;
+  double strip_width_m = 0;
+};
+
 /// The largest region by area (Boulaassal 2010, 3.4.6): occupied pixels, 8-neighbourhood; pieces of at least
 /// min_piece_m2 that come within gap_m of each other count as one region, smaller ones belong to it only when they
-/// touch.
-Region largest_region(std::span<const Vec2> points, double pixel_m, double gap_m, double min_piece_m2);
+/// touch. Parts narrower than strip_width_m are cut off first: the line of points where the plane cuts another surface
+/// touches the surface sought and would come with it.
+Region largest_region(std::span<const Vec2> points, const RegionRule& rule);
 
 /// Area of the occupied pixels.
 double occupied_area_m2(const Raster& raster);

@@ -77,7 +77,7 @@ void require_area(const Cloud& cloud, Task& task) {
 }
 
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  for (int round = 0; round < kAssignmentRounds; ++round) {
+  for (int round = 0; scene.settings.reassign && round < kAssignmentRounds; ++round) {
     assign_points(scene, surfaces, task);
     if (!refit_surfaces(scene, surfaces, task) && round > 0) break;
   }
@@ -94,7 +94,7 @@ Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scen
   const auto labels = label_column->values<uint32_t>();
   out.labels = label_column;
   const FacadeContext context{*cloud, scene.origin, settings.orientation_tolerance_rad, settings.distance_tolerance_m,
-                              settings.facade_frame};
+                              settings.facade_frame, scene.axes ? &*scene.axes : nullptr};
   turn_normals(context, labels, out.segments, task);
   classify(context, out.segments);
   out.T_facade_world = facade_transform(context, out.segments);

@@ -15,9 +15,6 @@ constexpr int kMaxRounds = 12;          // a plane from a 0.2 m cell reaches a 2
 constexpr double kStable = 0.001;       // change of the number of points that ends the rounds
 constexpr double kSigmas = 3;
 constexpr double kLeastReach = 0.1;     // of the tolerance: keeps noise-free planes from reaching nothing
-// Points evenly spread over the tolerance, as where a plane cuts through volume, a column or a step, have an rms of
-// 0.58 tolerances; noise with the tolerance at 2 sigma has 0.44.
-constexpr double kMaxRoughness = 0.5;
 // A strip of n points with rms width s fixes the plane's turn about its long side to sigma / (s sqrt(n)) (fit_plane's
 // covariance). Sigma is that of a scan for which the tolerance was chosen, 3 sigma, not the fit's own: least squares
 // through a single column finds hardly any residual. Twice the usual tolerance of 1 degree for orientations.
@@ -51,7 +48,7 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
     return;
   }
   const Region region =
-      largest_region(uv, members.pixel_m, scene.settings.gap_m, scene.settings.min_area_m2);
+      largest_region(uv, {members.pixel_m, scene.settings.gap_m, scene.settings.min_area_m2, scene.settings.strip_width_m});
   members.area_m2 = region.area_m2;
   for (size_t i = 0; i < region.members.size(); ++i) members.inliers[i] = members.inliers[region.members[i]];
   members.inliers.resize(region.members.size());
@@ -108,13 +105,18 @@ Window first_window(const SegmentScene& scene, const Candidate& candidate) {
   return window;
 }
 
-// Rounds of collect - region - least squares.
-bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, Surface& surface, Window& window) {
+// Rounds of collect - region - least squares; members are those of the last round.
+bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, Surface& surface, Window& window,
+                  Members& members) {
   const RansacSettings& settings = scene.settings;
+  if (!settings.refit) {
+    window.half_m = window.all_m;
+    surface.sigma_m = settings.distance_tolerance_m / kSigmas;
+    return true;
+  }
   double reach = settings.distance_tolerance_m;
   size_t previous = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
-    Members members;
     members.inliers = pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
     if (members.inliers.empty()) return false;
     keep_largest_region(scene, pool, surface.plane, members);
@@ -125,7 +127,7 @@ bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, 
     reach = core_reach(settings, fit.sigma);
     const bool grown = window.grow_if_touched(members, settings.gap_m + 2 * members.pixel_m);
     if (!grown && (!large_enough(settings, members) || !wide_enough(settings, fit))) return false;
-    if (settings.uses_normals() && fit.sigma > kMaxRoughness * settings.distance_tolerance_m) return false;
+    if (too_rough(settings, fit.sigma)) return false;
     const double change = std::fabs(static_cast<double>(members.inliers.size()) - static_cast<double>(previous));
     if (!grown && round > 1 && change <= kStable * static_cast<double>(previous)) break;
     previous = members.inliers.size();
@@ -148,6 +150,15 @@ Members members_of(const SegmentScene& scene, const PointPool& pool, const Surfa
   return members;
 }
 
+// Notes on the points of a surface that it was none, so that they do not lead to it for ever.
+void reject(SegmentScene& scene, const PointPool& pool, const Candidate& candidate, const Members& members) {
+  const auto note = [&](uint32_t position) {
+    if (position != kNoPoint && scene.rejections[position] < 255) ++scene.rejections[position];
+  };
+  note(candidate.seed);
+  for (const Inlier& i : members.inliers) note(pool.position(i.slot));
+}
+
 }  // namespace
 
 bool wide_enough(const RansacSettings& settings, const PlaneFit& fit) {
@@ -158,20 +169,39 @@ bool wide_enough(const RansacSettings& settings, const PlaneFit& fit) {
          width * std::sqrt(static_cast<double>(fit.n)) * kLargestTurn_rad >= sigma;
 }
 
+bool too_rough(const RansacSettings& settings, double sigma_m) {
+  // Points evenly spread over the tolerance, as where a plane cuts through clutter, a pipe or a step, have an rms of
+  // 0.46 tolerances after the core is cut and more before; noise with the tolerance at 2.5 sigma has 0.38.
+  constexpr double kMaxRoughness = 0.42;
+  return settings.uses_normals() && sigma_m > kMaxRoughness * settings.distance_tolerance_m;
+}
+
 double core_reach(const RansacSettings& settings, double sigma_m) {
   const double tolerance = settings.distance_tolerance_m;
   if (!settings.uses_normals()) return tolerance;  // the plain method of Boulaassal 2010: the buffer zone alone decides
   return std::clamp(kSigmas * sigma_m, kLeastReach * tolerance, tolerance);
 }
 
-bool extract_surface(SegmentScene& scene, PointPool& pool, const Candidate& candidate, uint32_t owner_id, Task& task,
-                     Surface& out) {
+double settled_sigma(const SegmentScene& scene, const PointPool& pool, const Candidate& candidate, Task& task) {
   Surface surface;
   surface.plane = candidate.plane;
   Window window = first_window(scene, candidate);
-  if (!settle_plane(scene, pool, task, surface, window)) return false;
-  const Members members = members_of(scene, pool, surface, window, task);
-  if (!large_enough(scene.settings, members)) return false;
+  Members members;
+  return settle_plane(scene, pool, task, surface, window, members) ? surface.sigma_m : INFINITY;
+}
+
+bool extract_surface(SegmentScene& scene, PointPool& pool, const OrientationPass& pass, const Candidate& candidate,
+                     uint32_t owner_id, Task& task, Surface& out) {
+  Surface surface;
+  surface.plane = candidate.plane;
+  Window window = first_window(scene, candidate);
+  Members members;
+  const bool settled = settle_plane(scene, pool, task, surface, window, members) && pass.accepts(surface.plane.normal);
+  if (settled) members = members_of(scene, pool, surface, window, task);
+  if (!settled || !large_enough(scene.settings, members)) {
+    reject(scene, pool, candidate, members);
+    return false;
+  }
   surface.area_m2 = members.area_m2;
   surface.pixel_m = members.pixel_m;
   surface.positions.reserve(members.inliers.size());

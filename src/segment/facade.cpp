@@ -151,21 +151,14 @@ void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels, std:
 
 void classify(const FacadeContext& c, std::vector<Segment>& segments) {
   const int facade = main_facade(segments);
-  Vec3 across{0, 1, 0};  // horizontal direction of the facade's normal; no facade: no vertical planes to class
-  if (facade >= 0) {
-    const Vec3& n = segments[static_cast<size_t>(facade)].fit.plane.normal;
-    across = normalized({n.x, n.y, 0});
-  }
-  const Vec3 along = cross({0, 0, 1}, across);
-  const double cosine = std::cos(c.orientation_tolerance_rad);
-  for (Segment& segment : segments) {
-    if (!segment.is_plane()) continue;
-    const Vec3& n = segment.fit.plane.normal;
-    segment.orientation = std::fabs(dot(n, across)) >= cosine  ? Orientation::kParallel
-                          : std::fabs(dot(n, along)) >= cosine ? Orientation::kVertical
-                          : std::fabs(n.z) >= cosine           ? Orientation::kHorizontal
-                                                               : Orientation::kInclined;
-  }
+  FacadeAxes axes;  // no facade: those of the coordinates
+  if (c.axes != nullptr)
+    axes = *c.axes;
+  else if (facade >= 0)
+    axes = FacadeAxes::of(segments[static_cast<size_t>(facade)].fit.plane.normal);
+  for (Segment& segment : segments)
+    if (segment.is_plane())
+      segment.orientation = axes.classify(segment.fit.plane.normal, c.orientation_tolerance_rad);
 }
 
 Transform facade_transform(const FacadeContext& c, const std::vector<Segment>& segments) {

@@ -15,6 +15,7 @@ struct FacadeContext {
   double orientation_tolerance_rad;
   double distance_tolerance_m;
   bool facade_frame;
+  const FacadeAxes* axes = nullptr;  ///< known before the planes, or null
 };
 
 /// Index of the main facade: the vertical plane of the largest area; -1 when there is none.

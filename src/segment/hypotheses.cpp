@@ -21,7 +21,7 @@ constexpr int kSeedTries = 32;
 bool pick_seed(const SegmentScene& scene, const PointPool& pool, RandomStream& random, uint32_t& seed) {
   for (int i = 0; i < kSeedTries; ++i) {
     seed = pool.position(static_cast<uint32_t>(random.below(pool.slots())));
-    if (seed != kNoPoint && scene.owner[seed] == 0) return true;
+    if (seed != kNoPoint && scene.may_seed(seed)) return true;
   }
   return false;
 }
@@ -45,7 +45,8 @@ bool pick_partner(const SegmentScene& scene, const Octree::Cell& cell, const Vec
 }
 
 // Share of the cell's free points on the plane, from an even sample, and the least-squares plane of those.
-bool local_support(const SegmentScene& scene, const Octree::Cell& cell, const Vec3& reference, Plane& plane) {
+bool local_support(const SegmentScene& scene, const Octree::Cell& cell, const Vec3& reference, bool refine,
+                   Plane& plane) {
   const double tolerance = scene.settings.distance_tolerance_m;
   Moments moments;
   moments.reference = reference;
@@ -59,18 +60,41 @@ bool local_support(const SegmentScene& scene, const Octree::Cell& cell, const Ve
   }
   if (static_cast<double>(moments.n) < kMinLocalSupport * static_cast<double>(seen)) return false;
   PlaneFit fit;
-  if (moments.n >= 6 && fit_plane(moments, fit)) plane = fit.plane;
+  if (refine && moments.n >= 6 && fit_plane(moments, fit)) plane = fit.plane;
   return true;
+}
+
+// Any three free points (Boulaassal 2010, 3.4.3.3).
+bool draw_globally(const SegmentScene& scene, const PointPool& pool, RandomStream& random, Candidate& candidate) {
+  const double spread = kMinSpread * scene.settings.distance_tolerance_m;
+  Vec3 points[3];
+  for (Vec3& point : points) {
+    uint32_t position = kNoPoint;
+    if (!pick_seed(scene, pool, random, position)) return false;
+    if (&point == points) candidate.seed = position;
+    point = scene.local(position);
+    for (const Vec3* other = points; other != &point; ++other)
+      if (squared_norm(*other - point) < spread * spread) return false;
+  }
+  return plane_through(points[0], points[1], points[2], candidate.plane);
 }
 
 }  // namespace
 
 // 1. a free point at random; 2. a cell of a random level around it; 3. two more free points of that cell, well apart
 // (Schnabel et al. 2007, 4.3: points close together belong to one surface); 4. the plane of the three, tested and
-// refined on the cell's points.
-bool draw_candidate(const SegmentScene& scene, const PointPool& pool, uint64_t draw, Candidate& out) {
+// refined on the cell's points; 5. in a pass for one orientation class, turned onto its axis and tested again.
+bool draw_candidate(const SegmentScene& scene, const PointPool& pool, const OrientationPass& pass, uint64_t draw,
+                    Candidate& out) {
   RandomStream random(scene.settings.seed, draw);
   Candidate candidate;
+  if (!scene.settings.local_sampling) {
+    if (!draw_globally(scene, pool, random, candidate)) return false;
+    if (!pass.shape(candidate.plane, scene.local(candidate.seed))) return false;
+    if (scene.inconsistent(candidate.seed, candidate.plane.normal, scene.min_cosine())) return false;
+    out = candidate;
+    return true;
+  }
   if (!pick_seed(scene, pool, random, candidate.seed)) return false;
   const Octree::Cell cell = pick_cell(scene, candidate.seed, random);
   const Vec3 a = scene.local(candidate.seed);
@@ -78,7 +102,10 @@ bool draw_candidate(const SegmentScene& scene, const PointPool& pool, uint64_t d
   if (!pick_partner(scene, cell, a, random, b) || !pick_partner(scene, cell, a, random, c)) return false;
   if (!plane_through(a, b, c, candidate.plane)) return false;
   if (scene.inconsistent(candidate.seed, candidate.plane.normal, scene.min_cosine())) return false;
-  if (!local_support(scene, cell, a, candidate.plane)) return false;
+  if (!local_support(scene, cell, a, true, candidate.plane)) return false;
+  if (pass.wanted != Orientation::kNone &&
+      !(pass.shape(candidate.plane, a) && local_support(scene, cell, a, false, candidate.plane)))
+    return false;
   out = candidate;
   return true;
 }

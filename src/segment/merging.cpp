@@ -52,15 +52,6 @@ Part part_of(const SegmentScene& scene, const Surface& surface, Task& task) {
   return part;
 }
 
-double rms_about(const Part& part, const Plane& plane) {
-  const Symmetric3 c = part.moments.covariance();
-  const Vec3& n = plane.normal;
-  const double spread = c[0] * n.x * n.x + c[3] * n.y * n.y + c[5] * n.z * n.z +
-                        2 * (c[1] * n.x * n.y + c[2] * n.x * n.z + c[4] * n.y * n.z);
-  const double shift = plane.distance(part.fit.centroid);
-  return std::sqrt(std::max(0.0, spread) + shift * shift);
-}
-
 bool one_plane_fits(const SegmentScene& scene, const Part& a, const Part& b) {
   const double tolerance = scene.settings.distance_tolerance_m;
   const Part& large = a.moments.n >= b.moments.n ? a : b;
@@ -72,7 +63,7 @@ bool one_plane_fits(const SegmentScene& scene, const Part& a, const Part& b) {
   PlaneFit fit;
   if (!fit_plane(joint, fit)) return false;
   const auto agrees = [&](const Part& part) {
-    return rms_about(part, fit.plane) <= std::max(kRoughnessGrowth * part.fit.sigma, kFreeRoughness * tolerance);
+    return rms_about(part.moments, fit.plane) <= std::max(kRoughnessGrowth * part.fit.sigma, kFreeRoughness * tolerance);
   };
   return agrees(a) && agrees(b);
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "segment/ending.h"
 #include "segment/merging.h"
 #include "segment/segmentation.h"
@@ -7,15 +9,34 @@
 
 namespace jalon {
 
+namespace {
+
+// With orientation classes asked for, planes that turned out to be of another one once all points were shared out.
+void drop_other_classes(SegmentScene& scene, std::vector<Surface>& surfaces) {
+  if (!scene.axes) return;
+  const OrientationOrder& order = scene.settings.order;
+  const auto asked_for = [&](const Surface& surface) {
+    const Orientation own = scene.axes->classify(surface.plane.normal, scene.settings.orientation_tolerance_rad);
+    const auto end = order.classes.begin() + order.count;
+    return std::find(order.classes.begin(), end, own) != end;
+  };
+  for (const Surface& surface : surfaces)
+    if (!asked_for(surface))
+      for (const uint32_t position : surface.positions) scene.owner[position] = 0;
+  std::erase_if(surfaces, [&](const Surface& surface) { return !asked_for(surface); });
+}
+
+}  // namespace
+
 // 1. sequence of planes; 2. coplanar neighbours joined; 3. points shared out anew among all planes; 4. last fit; 5.
 // normals, orientation classes and facade frame.
 Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task& task) {
-  const RansacSettings settings = ransac_settings(params);
+  const RansacSettings asked = ransac_settings(params);
   require_area(*cloud, task);
   std::vector<Surface> surfaces;
   SegmentScene scene = [&] {
     Span span(task, 0, 0.3, "indexing");
-    return make_scene(*cloud, settings, task);
+    return make_scene(*cloud, asked, task);
   }();
   {
     Span span(task, 0.3, 0.85, "finding planes");
@@ -23,11 +44,15 @@ Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task&
   }
   {
     Span span(task, 0.85, 0.95, "sharing out points");
-    if (settings.connectivity) merge_coplanar(scene, surfaces, task);
+    if (scene.settings.connectivity) merge_coplanar(scene, surfaces, task);
     share_out_points(scene, surfaces, task);
+    drop_other_classes(scene, surfaces);
   }
   Span span(task, 0.95, 1, "last fit");
-  return finish_segmentation(cloud, scene, surfaces, params, task);
+  ParamSet used = params;  // the tolerance may have come from the cloud
+  used.set_number("distance_tolerance_m", scene.settings.distance_tolerance_m);
+  used.set_number("sigma_m", scene.settings.sigma_m);
+  return finish_segmentation(cloud, scene, surfaces, used, task);
 }
 
 }  // namespace jalon

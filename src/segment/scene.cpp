@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "segment/tolerance.h"
 
 namespace jalon {
 
@@ -32,9 +33,11 @@ Cube anchored_cube(const Box3& box) {
 SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
   const Cube anchored = anchored_cube(bounds(cloud, task));
   SegmentScene scene{.cloud = cloud, .settings = settings, .tree = Octree::build(cloud.xyz(), anchored, task)};
+  resolve_tolerance(cloud, *scene.tree, scene.settings, task);
   scene.order = scene.tree->order();
   scene.origin = scene.tree->cube().origin;
   scene.owner.assign(scene.size(), 0);
+  scene.rejections.assign(scene.size(), 0);
   scene.normals = Buffer<float>(3 * scene.size());
   scene.spacing = Buffer<float>(scene.size());
   return scene;
@@ -43,7 +46,7 @@ SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, T
 SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
   SegmentScene scene = indexed_scene(cloud, settings, task);
   const Cube& cube = scene.tree->cube();
-  const double finest = std::log2(cube.edge / (kFineCellTolerances * settings.distance_tolerance_m));
+  const double finest = std::log2(cube.edge / (kFineCellTolerances * scene.settings.distance_tolerance_m));
   scene.fine_level = std::clamp(static_cast<int>(std::floor(finest)), 0, kMaxLevel);
   scene.coarse_level = std::max(0, scene.fine_level - kLevels);
   for (int level = scene.coarse_level; level <= scene.fine_level; ++level)

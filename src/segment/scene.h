@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,11 +34,19 @@ struct SegmentScene {
   std::vector<std::vector<Octree::Cell>> cells = {};  ///< of levels coarse_level ... fine_level
 
   std::vector<uint32_t> owner = {};   ///< segment that took the point, 0 = free
+  std::vector<uint8_t> rejections = {};  ///< surfaces with the point that were no planes, since the last that was
   Buffer<float> normals = {};       ///< 3 a point, NaN = unknown
   Buffer<float> spacing = {};       ///< local point spacing, m
   Buffer<uint8_t> level = {};            ///< level of the cell that gave normal and spacing
 
+  std::optional<FacadeAxes> axes = {};  ///< when orientation classes were extracted one by one
+
   size_t size() const { return order.size(); }
+  /// A free point that a draw may start from: not where draw after draw has led to the same surface and that was none.
+  bool may_seed(size_t position) const {
+    constexpr uint8_t kMostRejections = 3;
+    return owner[position] == 0 && rejections[position] < kMostRejections;
+  }
   /// From the octree's grid: right to edge / 2^32.
   Vec3 local(size_t position) const { return tree->local(position); }
   /// From the caller's doubles.

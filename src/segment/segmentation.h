@@ -15,11 +15,9 @@
 #include "geometry/cylinder.h"
 #include "geometry/plane.h"
 #include "geometry/sphere.h"
+#include "segment/orientation.h"
 
 namespace jalon {
-
-/// Orientation classes relative to the main facade (Boulaassal 2010, 3.4.5.2); the numbers of jalon/segmenter.h.
-enum class Orientation : uint8_t { kNone = 0, kParallel = 1, kVertical = 2, kHorizontal = 3, kInclined = 4 };
 
 /// What a segment is; the numbers of jalon/segmenter.h (type codes of Boulaassal 2010, 5.5.2).
 enum class PrimitiveType : uint8_t { kPlane = 1, kSphere = 2, kCylinder = 3 };

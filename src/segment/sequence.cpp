@@ -19,6 +19,12 @@ constexpr double kCompactBelow = 0.7;   // free share of the pool at which it is
 // about 1/2 (Schnabel et al. 2007, 4.3, with the level of the cell chosen by the point's surroundings instead of at
 // random).
 constexpr double kLocalSuccess = 0.25;
+// Draws of any three points: fewer would trust a poor plane of three noisy points too early; more are not worth it.
+constexpr double kLeastGlobalDraws = 300, kMostGlobalDraws = 1e5;
+
+// With criterion standard_deviation: planes with at least this share of the best one's points compete, at most so many.
+constexpr double kNearlyAsMany = 0.9;
+constexpr size_t kCompetitors = 8;
 
 class Sequence {
  public:
@@ -27,11 +33,11 @@ class Sequence {
   }
 
   std::vector<Surface> run() {
-    while (pool_.free_points() >= least_points() && !enough_planes()) {
-      draw_batch();
-      while (!enough_planes() && extract_best()) compact();
-      if (sure_of(least_points())) break;
-      task_.checkpoint(progress());
+    const std::vector<OrientationPass> passes = orientation_passes(scene_, task_);
+    for (size_t i = 0; i < passes.size(); ++i) {
+      const auto part = static_cast<double>(passes.size());
+      Span span(task_, static_cast<double>(i) / part, static_cast<double>(i + 1) / part, nullptr);
+      run_pass(passes[i]);
     }
     task_.log(Task::kDebug, "ransac: %llu draws, %zu planes tried, %zu kept, %zu points left",
               static_cast<unsigned long long>(draws_), tried_, surfaces_.size(), pool_.free_points());
@@ -39,6 +45,19 @@ class Sequence {
   }
 
  private:
+  void run_pass(const OrientationPass& pass) {
+    pass_ = pass;
+    candidates_.clear();
+    exposure_ = 0;
+    fruitless_draws_ = 0;
+    while (pool_.free_points() >= least_points() && !enough_planes()) {
+      draw_batch();
+      while (!enough_planes() && extract_best()) compact();
+      if (sure_of(static_cast<double>(least_points()))) break;
+      task_.checkpoint(progress());
+    }
+  }
+
   size_t least_points() const { return std::max<size_t>(3, scene_.settings.min_points); }
   bool enough_planes() const {
     return scene_.settings.max_planes != 0 && surfaces_.size() >= scene_.settings.max_planes;
@@ -46,29 +65,44 @@ class Sequence {
   // Expected number of good draws on a plane of that many points: each draw hits it with probability points / free x
   // kLocalSuccess.
   double hits(double points) const { return points * kLocalSuccess * exposure_; }
-  bool sure_of(size_t points) const { return hits(static_cast<double>(points)) >= needed_; }
+  // Nothing better than a plane of that many points is likely to turn up; with a fixed number of draws: they are done
+  // (Boulaassal 2010, 3.4.3.2).
+  bool sure_of(double points) const {
+    const auto fruitless = static_cast<double>(fruitless_draws_);
+    if (scene_.settings.draws != 0) return fruitless_draws_ >= scene_.settings.draws;
+    if (!scene_.settings.local_sampling) return fruitless >= global_draws(points);
+    return hits(points) >= needed_;
+  }
+  // N = log(1 - P) / log(1 - W^3) (Boulaassal 2010, 3.11), W the plane's share of the points that are left.
+  double global_draws(double points) const {
+    const double w = std::min(1.0, points / static_cast<double>(pool_.free_points()));
+    return std::clamp(-needed_ / std::log1p(-w * w * w), kLeastGlobalDraws, kMostGlobalDraws);
+  }
   double progress() const {
     const double taken = 1 - static_cast<double>(pool_.free_points()) / static_cast<double>(scene_.size());
     return std::max(0.7 * taken, std::min(1.0, hits(static_cast<double>(least_points())) / needed_));
   }
 
   void draw_batch() {
-    std::vector<Candidate> drawn(kDrawsPerBatch);
-    std::vector<uint8_t> good(kDrawsPerBatch, 0);
-    parallel_for(task_, kDrawsPerBatch, kDrawsPerChunk, [&](size_t begin, size_t end) {
+    const uint64_t left = scene_.settings.draws != 0 ? scene_.settings.draws - fruitless_draws_ : kDrawsPerBatch;
+    const size_t draws = std::min<size_t>(kDrawsPerBatch, left);
+    std::vector<Candidate> drawn(draws);
+    std::vector<uint8_t> good(draws, 0);
+    parallel_for(task_, draws, kDrawsPerChunk, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
-        if (!draw_candidate(scene_, pool_, draws_ + i, drawn[i])) continue;
+        if (!draw_candidate(scene_, pool_, pass_, draws_ + i, drawn[i])) continue;
         score_roughly(scene_, pool_, drawn[i]);
         good[i] = drawn[i].upper >= static_cast<double>(least_points());
       }
     });
-    for (size_t i = 0; i < kDrawsPerBatch; ++i) {
+    for (size_t i = 0; i < draws; ++i) {
       if (!good[i]) continue;
       drawn[i].epoch = epoch_;
       candidates_.push_back(drawn[i]);
     }
-    draws_ += kDrawsPerBatch;
-    exposure_ += static_cast<double>(kDrawsPerBatch) / static_cast<double>(pool_.free_points());
+    draws_ += draws;
+    fruitless_draws_ += draws;
+    exposure_ += static_cast<double>(draws) / static_cast<double>(pool_.free_points());
   }
 
   // Scores only fall as points are taken, so an old upper bound is still one.
@@ -104,22 +138,46 @@ class Sequence {
     }
   }
 
+  // Of the candidates with nearly as many points as the best, the one whose plane has the least standard deviation
+  // (Boulaassal 2010, 3.4.5.3; Tarsha-Kurdi et al. 2008).
+  size_t least_spread(size_t best) {
+    const double enough = kNearlyAsMany * candidates_[best].estimate;
+    std::vector<size_t> competitors{best};
+    for (size_t i = 0; i < candidates_.size() && competitors.size() < kCompetitors; ++i) {
+      if (i == best || candidates_[i].upper < enough) continue;
+      if (candidates_[i].epoch != epoch_) refresh(candidates_[i]);
+      if (candidates_[i].estimate >= enough) competitors.push_back(i);
+    }
+    double least = INFINITY;
+    for (const size_t i : competitors) {
+      const double sigma = settled_sigma(scene_, pool_, candidates_[i], task_);
+      if (sigma < least) {
+        least = sigma;
+        best = i;
+      }
+    }
+    return best;
+  }
+
   bool extract_best() {
     std::erase_if(candidates_, [&](const Candidate& c) {
-      return scene_.owner[c.seed] != 0 || c.upper < static_cast<double>(least_points());
+      return !scene_.may_seed(c.seed) || c.upper < static_cast<double>(least_points());
     });
     while (!candidates_.empty()) {
-      const size_t best = best_candidate();
+      size_t best = best_candidate();
+      if (candidates_[best].upper < static_cast<double>(least_points())) return false;
+      if (!sure_of(candidates_[best].lower)) return false;
+      if (scene_.settings.criterion == Criterion::kStandardDeviation) best = least_spread(best);
       const Candidate candidate = candidates_[best];
-      if (candidate.upper < static_cast<double>(least_points())) return false;
-      if (hits(candidate.lower) < needed_) return false;
       candidates_.erase(candidates_.begin() + static_cast<ptrdiff_t>(best));
       Surface surface;
       ++tried_;
       const auto id = static_cast<uint32_t>(surfaces_.size() + 1);
-      if (!extract_surface(scene_, pool_, candidate, id, task_, surface)) continue;
+      if (!extract_surface(scene_, pool_, pass_, candidate, id, task_, surface)) continue;
       surfaces_.push_back(std::move(surface));
       ++epoch_;
+      std::fill(scene_.rejections.begin(), scene_.rejections.end(), uint8_t{0});
+      fruitless_draws_ = 0;
       return true;
     }
     return false;
@@ -136,10 +194,11 @@ class Sequence {
   SegmentScene& scene_;
   Task& task_;
   PointPool pool_;
+  OrientationPass pass_;
   std::vector<Candidate> candidates_;
   std::vector<Surface> surfaces_;
   double needed_ = 0, exposure_ = 0;
-  uint64_t draws_ = 0;
+  uint64_t draws_ = 0, fruitless_draws_ = 0;
   size_t tried_ = 0;
   uint32_t epoch_ = 1;
 };

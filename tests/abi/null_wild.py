@@ -139,6 +139,10 @@ def scalar(function, p):
             else:
                 wild += wild_values(["UINT32_MAX"])
             return Case("4", wild)
+        if n == "label":
+            return Case("0", wild_values(["UINT32_MAX"]))
+        if n == "bins":
+            return Case("10", wild_values(["0", "UINT32_MAX"], INVALID))
         if n in ("a", "b", "c"):
             return Case("2", wild_values(["9", "UINT32_MAX"], INVALID) + wild_values(["0", "8"], PASS))
         if n == "threads":

@@ -92,6 +92,51 @@ static void segmenter__finds_two_planes_with_their_tables(void** state) {
   jalon_segmentation_release(segmentation);
 }
 
+static void segmenter__tells_parameters_and_distribution(void** state) {
+  (void)state;
+  jalon_cloud* cloud = corner_cloud();
+  jalon_segmenter* segmenter = NULL;
+  jalon_params* params = NULL;
+  jalon_segmentation* segmentation = NULL;
+  MUST(jalon_segmenter_create("ransac", &segmenter));
+  MUST(jalon_segmenter_params(segmenter, &params));
+  MUST(jalon_params_set_string(params, "tolerance_from", "sigma"));
+  MUST(jalon_params_set_double(params, "sigma_m", 0.005));
+  MUST(jalon_params_set_int64(params, "tolerance_dof", 2));
+  MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
+  const char* json = NULL;
+  MUST(jalon_segmentation_parameters(segmentation, &json));
+  assert_non_null(strstr(json, "\"distance_tolerance_m\":0.01517")); /* sqrt(9.21) x 5 mm */
+  jalon_fields *bins = NULL, *normal = NULL;
+  MUST(jalon_segmentation_residuals(segmentation, 0, 20, NULL, &bins, &normal));
+  jalon_array_view count, expected, sigma, total, kurtosis;
+  MUST(jalon_fields_view(bins, "count", &count));
+  MUST(jalon_fields_view(bins, "expected", &expected));
+  MUST(jalon_fields_view(normal, "sigma", &sigma));
+  MUST(jalon_fields_view(normal, "count", &total));
+  MUST(jalon_fields_view(normal, "excess_kurtosis", &kurtosis));
+  assert_int_equal(count.count, 20);
+  assert_int_equal(expected.type, JALON_FLOAT64);
+  assert_int_equal(total.count, 1);
+  uint64_t sum = 0;
+  for (int i = 0; i < 20; ++i) sum += ((const uint64_t*)count.data)[i];
+  assert_true(sum == *(const uint64_t*)total.data);
+  /* The noise is even over 4 mm: sigma 4 / sqrt(12), flat. */
+  assert_true(fabs(*(const double*)sigma.data - 0.004 / sqrt(12)) < 2e-5);
+  assert_true(*(const double*)kurtosis.data < -1);
+  jalon_fields *kept = bins, *kept_normal = normal;
+  assert_int_equal(jalon_segmentation_residuals(segmentation, 3, 20, NULL, &bins, &normal), JALON_ERROR_NOT_FOUND);
+  assert_int_equal(jalon_segmentation_residuals(segmentation, 1, 0, NULL, &bins, &normal), JALON_ERROR_INVALID_ARGUMENT);
+  assert_ptr_equal(bins, kept);
+  assert_ptr_equal(normal, kept_normal);
+  jalon_fields_release(bins);
+  jalon_fields_release(normal);
+  jalon_segmentation_release(segmentation);
+  jalon_params_release(params);
+  jalon_segmenter_release(segmenter);
+  jalon_cloud_release(cloud);
+}
+
 static void segmenter__shares_its_parameters(void** state) {
   (void)state;
   jalon_segmenter* segmenter = NULL;
@@ -220,6 +265,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(segmenter__finds_two_planes_with_their_tables),
       cmocka_unit_test(segmenter__grows_the_same_two_planes),
+      cmocka_unit_test(segmenter__tells_parameters_and_distribution),
       cmocka_unit_test(segmenter__shares_its_parameters),
       cmocka_unit_test(segmenter__each_method_has_its_own_parameters),
       cmocka_unit_test(segmenter__refuses_bad_input),

@@ -11,7 +11,7 @@
 #include "markup.h"
 #include "report/notes.h"
 #include "report/report.h"
-#include "report/residuals.h"
+#include "report/residual_chart.h"
 
 using namespace walls;
 
@@ -241,14 +241,14 @@ TEST_CASE("bin_residuals: every finite residual is counted once") {
   for (size_t i = 0; i < values.size(); ++i) values[i] = i % 3 == 0 ? NAN : 0.001f * static_cast<float>(i % 7) - 0.003f;
   s.residuals = residuals;
   Task task;
-  const Residuals r = bin_residuals(s, 40, task);
+  const Residuals r = bin_residuals(s, 0, 40, task);
   uint64_t sum = r.below + r.above;
   for (const uint64_t n : r.bins) sum += n;
   CHECK(sum == r.count);
   CHECK(r.count == values.size() - (values.size() + 2) / 3);
   CHECK(r.sigma_m == doctest::Approx(0.002).epsilon(0.01));
   for (size_t i = 0; i < values.size(); ++i) values[i] = 0;
-  const Residuals zero = bin_residuals(s, 40, task);
+  const Residuals zero = bin_residuals(s, 0, 40, task);
   CHECK(zero.sigma_m == 0);
   CHECK(markup::well_formed(residual_chart(zero)));
 }
