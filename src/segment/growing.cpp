@@ -113,7 +113,7 @@ class Grower {
   bool settle(GrowingRegion& region, Surface& surface) const {
     const RansacSettings& settings = scene_.settings;
     PlaneFit fit;
-    const double least = std::max(3.0, kPieceShare * settings.min_points);
+    const double least = std::max(3.0, kPieceShare * settings.min_points / points_.points_per_member);
     if (static_cast<double>(region.members.size()) < least || !fit_plane(region.moments, fit)) return false;
     if (fit.sigma > kMaxRoughness * settings.distance_tolerance_m || !wide_enough(settings, fit)) return false;
     if (is_bent(fit, points_, region.members)) return false;

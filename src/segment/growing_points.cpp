@@ -186,6 +186,7 @@ GrowingPoints points_to_grow(SegmentScene& scene, const GrowingSettings& setting
   GrowingPoints points = thin                         ? subset(scene, cells.points, task)
                          : cells.free == scene.size() ? GrowingPoints{.tree = scene.tree}
                                                       : subset(scene, free_points(scene), task);
+  points.points_per_member = static_cast<double>(cells.free) / static_cast<double>(points.tree->size());
   look_around(scene, points, settings, task);
   if (thin) spread_to_cells(scene, cells, !settings.field_normals, task);
   connect_leaves(scene, points, settings, task);

@@ -15,12 +15,9 @@ namespace {
 constexpr int kRounds = 2;  // the second finds what stands at the edges of the first one's surfaces
 
 // Regions that did not become large enough with their coplanar neighbours; their points may go to others.
-void drop_small(SegmentScene& scene, std::vector<Surface>& surfaces) {
+void drop_small(const RansacSettings& settings, double points_per_member, std::vector<Surface>& surfaces) {
   std::erase_if(surfaces, [&](const Surface& surface) {
-    const bool small = surface.positions.size() < scene.settings.min_points;
-    for (const uint32_t position : surface.positions)
-      if (small) scene.owner[position] = 0;
-    return small;
+    return static_cast<double>(surface.positions.size()) * points_per_member < settings.min_points;
   });
 }
 
@@ -40,7 +37,7 @@ Segmentation segment_region_growing(const CloudPtr& cloud, const ParamSet& param
   std::vector<Surface> surfaces;
   for (int round = 0; round < kRounds; ++round) {
     if (std::count(scene.owner.begin(), scene.owner.end(), 0u) < 3) break;
-    const double from = 0.1 + 0.45 * round;
+    const double from = 0.1 + 0.43 * round;
     GrowingPoints points = [&] {
       Span span(task, from, from + 0.2, "normals");
       return points_to_grow(scene, settings, task);
@@ -49,13 +46,15 @@ Segmentation segment_region_growing(const CloudPtr& cloud, const ParamSet& param
       Span span(task, from + 0.2, from + 0.35, "growing");
       return grow_surfaces(scene, points, static_cast<uint32_t>(surfaces.size() + 1), task);
     }();
+    const double points_per_member = points.points_per_member;
     points = {};
     surfaces.insert(surfaces.end(), std::make_move_iterator(grown.begin()), std::make_move_iterator(grown.end()));
-    Span span(task, from + 0.35, from + 0.45, "sharing out points");
+    Span span(task, from + 0.35, from + 0.43, "sharing out points");
     if (settings.planes.merge_gap_m > 0) merge_coplanar(scene, surfaces, task);
-    drop_small(scene, surfaces);
+    drop_small(settings.planes, points_per_member, surfaces);
     share_out_points(scene, surfaces, task);
   }
+  Span span(task, 0.96, 1, "last fit");
   return finish_segmentation(cloud, scene, surfaces, params, task);
 }
 
