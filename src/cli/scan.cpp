@@ -55,8 +55,13 @@ struct Scan {
     console.step("writing");
     must(jalon_cloud_write(cloud.get(), output.c_str(), nullptr, console.task()));
     if (!model_output.empty()) must(jalon_model_write(model.get(), model_output.c_str(), nullptr, console.task()));
-    console.say(grouped(count_of(cloud)) + " points of scene \"" + scene + "\" in " + fixed(seconds, 2) + " s -> " + output);
-    console.result({{"scene", scene}, {"output", output}, {"points", count_of(cloud)}, {"true_planes", true_planes}, {"seconds", seconds}});
+    console.say(grouped(count_of(cloud)) + " points of scene \"" + scene + "\" in " + fixed(seconds, 2) + " s -> " +
+                output);
+    console.result({{"scene", scene},
+                    {"output", output},
+                    {"points", count_of(cloud)},
+                    {"true_planes", true_planes},
+                    {"seconds", seconds}});
   }
 };
 
@@ -71,7 +76,8 @@ std::string scanner_table(const char* method) {
 }  // namespace
 
 void add_scan(CLI::App& app) {
-  auto* command = app.add_subcommand("scan", "Scans a ready-made scene with a virtual scanner; the truth comes along as fields");
+  auto* command = app.add_subcommand(
+      "scan", "Scans a ready-made scene with a virtual scanner; the truth comes along as fields");
   auto state = std::make_shared<Scan>();
   command->add_option("--scene", state->scene, "Scene to scan; names below")->capture_default_str()->type_name("NAME");
   command->add_option("--method", state->method, "static: a tripod scanner; sample: random points on all faces")
@@ -79,7 +85,8 @@ void add_scan(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("-o,--output", state->output, "Scan to write")->required()->type_name("FILE");
   command->add_option("--model", state->model_output, "Also write the scene as a model (.obj)")->type_name("FILE");
-  command->add_option("--station", state->stations, "Scanner position; without one, two are placed in front (repeatable)")
+  command
+      ->add_option("--station", state->stations, "Scanner position; without one, two are placed in front (repeatable)")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
   state->settings.add_to(*command);

@@ -52,13 +52,14 @@ std::span<const ParamRow> scene_rows() {
                  "lycee|arches|residence",
                  "",
                  "facade: a town house with doors, windows, plinth, cornice and ground; street: 60 m, six facades, "
-                 "columns, gutters, boxes, a sphere (the panes of one facade share an id); room: six walls from inside; "
-                 "box: on a ground; surrounds: wall, window surrounds, joinery; strips: six staggered strips; "
-                 "insa: 68 x 22 m of posts, bands, mullions and windows, turned by 37 degrees and shifted by (1000, 500, "
-                 "40) m; insa_surveyed: the same building with the depths of its survey; residence: that with balconies; "
-                 "unwanted: surrounds behind trees, cars and pedestrians, furniture behind the glass; std: ten planes; "
-                 "normal: one plane; patches: two of one plane; sills: a wall and two sills; robbery: a wall and a shelf; "
-                 "lycee: six facades, eight arched windows, two trees; arches: two walls, square and arched windows"),
+                 "columns, gutters, boxes, a sphere (the panes of one facade share an id); room: six walls from "
+                 "inside; box: on a ground; surrounds: wall, window surrounds, joinery; strips: six staggered strips; "
+                 "insa: 68 x 22 m of posts, bands, mullions and windows, turned by 37 degrees and shifted by (1000, "
+                 "500, 40) m; insa_surveyed: the same building with the depths of its survey; residence: that with "
+                 "balconies; unwanted: surrounds behind trees, cars and pedestrians, furniture behind the glass; "
+                 "std: ten planes; normal: one plane; patches: two of one plane; sills: a wall and two sills; "
+                 "robbery: a wall and a shelf; lycee: six facades, eight arched windows, two trees; arches: two "
+                 "walls, square and arched windows"),
       number_row("rotation_rad", 0, -10, 10, "rad", "", "turns the scene about the vertical axis through its origin"),
       doubles_row("shift_m", "0 0 0", -1e9, 1e9, "m", "", "three numbers added to all coordinates after the turn"),
       number_row("width_m", 22, 2, 1000, "m", "facade", "width of the facade"),

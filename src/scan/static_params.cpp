@@ -38,7 +38,7 @@ std::span<const ParamRow> static_scanner_rows() {
       choice_row("instrument", "custom", "custom|gx", "",
                  "gx: noise and beam of a Trimble GX in place of those set: 7 mm, 60 and 70 urad, a spot of 60 urad"),
       number_row("misfit_shift_m", 0, 0, 10, "m", "",
-                 "standard deviation of each coordinate of a recorded station: one error a station, of pose and points"),
+                 "standard deviation of each coordinate of a recorded station: one error of its pose and points"),
       number_row("misfit_rotation_rad", 0, 0, 1, "rad", "",
                  "standard deviation of the rotation of a recorded station about each axis, through its centre"),
       number_row("beam_diameter_m", 0, 0, 1, "m", "", "diameter of the beam where it leaves the scanner"),
@@ -46,7 +46,7 @@ std::span<const ParamRow> static_scanner_rows() {
       integer_row("beam_rings", 2, 0, kMostBeamRings, "1", "",
                   "sub-rays of a beam with a diameter: one and rings of 6, 12, 18 ...; 0: a line"),
       number_row("range_resolution_m", 0.3, 0, 100, "m", "",
-                 "surfaces that one pulse meets within this range give one return, at their weighted mean: a mixed pixel"),
+                 "surfaces that a pulse meets within this range give one return at their weighted mean: a mixed pixel"),
       choice_row("echo", "first", "first|last|strongest", "", "which return of a pulse is recorded"),
       kGlassMinRow, kGlassMaxRow,
       number_row("dropout", 0, 0, 1, "1", "", "share of the returns that is lost"),
@@ -64,8 +64,8 @@ std::span<const ParamRow> static_scanner_rows() {
       number_row("spacing_m", 0, 0, 100, "m", "",
                  "thins each station at random to one point a square of this side on the surfaces; 0: all"),
       integer_row("stations", 0, 0, 1000, "1", "",
-                  "number of automatic stations, evenly along a facade, on the axis of a street, around a building; 0: by "
-                  "the model"),
+                  "number of automatic stations, evenly along a facade, on the axis of a street, around a building; "
+                  "0: by the model"),
       number_row("station_distance_m", 0, 0, 1e6, "m", "",
                  "distance of automatic stations from the foremost upright face; 0: 0.6 times the width"),
       kTruthRow,

@@ -83,7 +83,9 @@ class Scan {
     if (random.uniform() < settings_.dropout) return;
     uint32_t mark = random.uniform() < settings_.outliers ? kOutlierBit : 0;
     if (echo.is_mixed) mark |= kMixedBit;
-    if (settings_.spacing_m > 0 && streams_.thinning(station, ray).uniform() >= kept_share(echo, direction, ray)) return;
+    if (settings_.spacing_m > 0 &&
+        streams_.thinning(station, ray).uniform() >= kept_share(echo, direction, ray))
+      return;
     found.push_back({echo.range, echo.triangle, static_cast<uint32_t>(ray - first) | mark});
   }
 

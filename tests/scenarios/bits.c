@@ -131,7 +131,8 @@ static void evaluation(const jalon_cloud* cloud, uint64_t seed, jalon_task* task
 }
 
 /* A scan of a scene by a method, with these parameters besides the seed, and its true planes. */
-static void scan(const char* name, const char* scene_name, const char* method, const char* more, uint64_t seed, jalon_task* task) {
+static void scan(const char* name, const char* scene_name, const char* method, const char* more, uint64_t seed,
+                 jalon_task* task) {
   jalon_scanner* scanner;
   jalon_params *params, *options;
   jalon_model* scene;
