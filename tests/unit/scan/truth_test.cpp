@@ -2,8 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
 #include <set>
+#include <thread>
 
+#include "base/error.h"
+#include "base/random.h"
 #include "fixture.h"
 #include "scan/truth.h"
 
@@ -88,6 +94,99 @@ TEST_CASE("truth__of_a_long_chain_of_patches_is_one_plane") {
   const Truth truth = truth_of(model);
   REQUIRE(truth.planes.size() == 1);
   CHECK(truth.planes[0].area_m2 == doctest::Approx(1600));
+}
+
+TEST_CASE("truth__of_two_sided_faces_joins_those_that_meet_along_a_part_of_an_edge") {
+  Model model;
+  for (int side = 0; side < 2; ++side) {
+    add_rectangle(model, 0, 1, 0, 1);
+    add_rectangle(model, 1, 2, 0.3, 0.7);
+  }
+  const Truth truth = truth_of(model);
+  REQUIRE(truth.planes.size() == 1);
+  CHECK(truth.planes[0].area_m2 == doctest::Approx(2 * 1.4));
+}
+
+TEST_CASE("truth__of_many_large_plates_one_above_the_other_takes_little_memory") {
+  Model model;
+  for (int k = 0; k < 5000; ++k) add_rectangle(model, 0, 100, 0, 100, 0.01 * k);
+  CHECK(truth_of(model).planes.size() == 5000);
+}
+
+TEST_CASE("truth__of_a_large_mesh_stops_within_100_ms_of_a_cancel") {
+  using Clock = std::chrono::steady_clock;
+  const uint32_t side = std::getenv("JALON_SANITIZED") != nullptr ? 300 : 1000;
+  Model mesh;
+  RandomStream random(1, 0);
+  for (uint32_t k = 0; k < side * side; ++k) mesh.vertices.push_back({0.1 * (k % side), 0.1 * (k / side), random.uniform()});
+  for (uint32_t k = 0; k + side < side * side; ++k)
+    if (k % side + 1 < side) {
+      mesh.triangles.push_back({k, k + 1, k + 1 + side});
+      mesh.triangles.push_back({k, k + 1 + side, k + side});
+    }
+  mesh.triangle_faces.assign(mesh.triangles.size(), 1);
+  double worst_ms = 0;
+  int stopped = 0;
+  for (int after_ms = 5; after_ms < 5000; after_ms *= 2) {
+    std::atomic<bool> cancel{false};
+    Clock::time_point cancelled;
+    std::thread other([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));
+      cancelled = Clock::now();
+      cancel = true;
+    });
+    Task::Hooks hooks;
+    hooks.cancel = &cancel;
+    Task task(hooks);
+    bool is_done = true;
+    try {
+      find_truth(mesh, kLeast_m2, task);
+    } catch (const Error&) {
+      is_done = false;
+    }
+    const auto end = Clock::now();
+    other.join();
+    if (is_done) break;
+    ++stopped;
+    worst_ms = std::max(worst_ms, std::chrono::duration<double, std::milli>(end - cancelled).count());
+  }
+  MESSAGE("FIGURE " << mesh.triangles.size() << " triangles: " << stopped << " cancels, worst " << worst_ms << " ms");
+  CHECK(stopped > 0);
+  CHECK(worst_ms < 100);
+}
+
+TEST_CASE("truth__of_a_mesh_does_not_depend_on_shared_vertices_or_the_number_of_threads") {
+  // A roof of two planes in small triangles, beside a rough field: with shared vertices, and as loose triangles.
+  constexpr uint32_t kSide = 80;
+  Model mesh, loose;
+  RandomStream random(1, 0);
+  for (uint32_t j = 0; j < kSide; ++j)
+    for (uint32_t i = 0; i < kSide; ++i)
+      mesh.vertices.push_back({0.1 * i, 0.1 * j, j < 40 ? 0.05 * std::abs(20.0 - j) : 0.95 + 0.1 * random.uniform()});
+  for (uint32_t j = 0; j + 1 < kSide; ++j)
+    for (uint32_t i = 0; i + 1 < kSide; ++i) {
+      const uint32_t a = j * kSide + i;
+      mesh.triangles.push_back({a, a + 1, a + 1 + kSide});
+      mesh.triangles.push_back({a, a + 1 + kSide, a + kSide});
+    }
+  for (const auto& t : mesh.triangles) {
+    const auto first = static_cast<uint32_t>(loose.vertices.size());
+    for (const uint32_t v : t) loose.vertices.push_back(mesh.vertices[v]);
+    loose.triangles.push_back({first, first + 1, first + 2});
+  }
+  mesh.triangle_faces.assign(mesh.triangles.size(), 1);
+  loose.triangle_faces = mesh.triangle_faces;
+  const Truth truth = truth_of(mesh);
+  REQUIRE(truth.planes.size() == 2);
+  CHECK(truth.planes[0].area_m2 == doctest::Approx(20 * 0.1 * 7.9 * std::sqrt(1.25)));
+  CHECK(truth.planes[1].area_m2 == doctest::Approx(19 * 0.1 * 7.9 * std::sqrt(1.25)));
+  CHECK(truth_of(loose).triangle_segments == truth.triangle_segments);
+  for (const unsigned threads : {1u, 2u, 7u}) {
+    Task::Hooks hooks;
+    hooks.threads = threads;
+    Task task(hooks);
+    CHECK(find_truth(mesh, kLeast_m2, task).triangle_segments == truth.triangle_segments);
+  }
 }
 
 TEST_CASE("truth__leaves_out_curved_surfaces_of_scenes_but_takes_every_triangle_of_a_mesh") {
