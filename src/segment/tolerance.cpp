@@ -28,6 +28,13 @@ struct LocalSpread {
   double across = 0, along = 0;
 };
 
+/// A neighbourhood's variance is chi-square / dof about the true one, and the median of that lies below 1: (1 - 2 / (9
+/// dof))^3 (Wilson & Hilferty 1931).
+double median_of_variances(double dof) {
+  const double root = 1 - 2 / (9 * dof);
+  return root * root * root;
+}
+
 double median(std::vector<double>& values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
@@ -53,7 +60,8 @@ LocalSpread local_spread(const Cloud& cloud, const Octree& tree, uint32_t k, Tas
       along[i] = std::max(0.0, eigen.values[1]);
     }
   });
-  return {median(across), median(along)};
+  const double dof = static_cast<double>(std::min<size_t>(k, tree.size())) - 3;
+  return {median(across) / (dof > 0 ? median_of_variances(dof) : 1), median(along)};
 }
 
 }  // namespace
