@@ -5,8 +5,8 @@
  * Point clouds: making them, their fields, stations and CRS, and what surveyors do to them.
  *
  * A cloud is points + named per-point fields + scan stations (pose, range of points) + CRS text. Its points never
- * change; coordinates are kept as the caller's doubles, untouched, in metres. Functions that select, append or transform
- * return a new cloud that shares what it can. Fields are added or replaced whole.
+ * change; coordinates are kept as the caller's doubles, untouched, in metres. Functions that select, append or
+ * transform return a new cloud that shares what it can. Fields are added or replaced whole.
  *
  * Threads: functions on a const cloud may run on many threads at once; the others need the cloud for themselves.
  * Distinct clouds are free of each other even when they share storage. The index (an octree) is built once, when first
@@ -31,9 +31,9 @@ enum { JALON_CLOUD_DROP_INVALID = 1 };
 /* ---- making ---- */
 
 /**
- * From an array of count points; xyz points at the x of the first one, y and z follow it as elements of the same type, and
- * stride_bytes leads to the next point (0 = packed). type: any JALON_ element type. Everything is copied. A count of 0 gives
- * an empty cloud. flags: 0 or JALON_CLOUD_DROP_INVALID. O(n).
+ * From an array of count points; xyz points at the x of the first one, y and z follow it as elements of the same type,
+ * and stride_bytes leads to the next point (0 = packed). type: any JALON_ element type. Everything is copied. A count
+ * of 0 gives an empty cloud. flags: 0 or JALON_CLOUD_DROP_INVALID. O(n).
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_create(const void* xyz, int32_t type, uint64_t count,
                                           uint64_t stride_bytes, uint32_t flags, jalon_cloud** out);
@@ -46,8 +46,9 @@ JALON_API jalon_cloud* jalon_cloud_retain(jalon_cloud* cloud);
 JALON_API void jalon_cloud_release(jalon_cloud* cloud);
 
 /**
- * A builder takes a cloud in pieces: declare the fields, open stations, append points and the fields' values in any block sizes,
- * then seal. flags as in jalon_cloud_create; with JALON_CLOUD_DROP_INVALID the field values of dropped points go too.
+ * A builder takes a cloud in pieces: declare the fields, open stations, append points and the fields' values in any
+ * block sizes, then seal. flags as in jalon_cloud_create; with JALON_CLOUD_DROP_INVALID the field values of dropped
+ * points go too.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_builder_create(uint32_t flags, jalon_cloud_builder** out);
 JALON_API jalon_cloud_builder* jalon_cloud_builder_retain(jalon_cloud_builder* builder);
@@ -84,7 +85,8 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_crs(const jalon_cloud* cloud, con
 JALON_API JALON_CHECK jalon_status jalon_cloud_set_crs(jalon_cloud* cloud, const char* crs);
 JALON_API JALON_CHECK jalon_status jalon_cloud_station_count(const jalon_cloud* cloud, uint64_t* out);
 /**
- * Station i: its name, whether its pose is known (1 or 0), the pose, and its points [first, first + count). Each output may be NULL.
+ * Station i: its name, whether its pose is known (1 or 0), the pose, and its points [first, first + count). Each output
+ * may be NULL.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_station(const jalon_cloud* cloud, uint64_t i, const char** name,
                                            int32_t* has_pose, jalon_transform* pose,
@@ -118,13 +120,14 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_append(const jalon_cloud* a, cons
 JALON_API JALON_CHECK jalon_status jalon_cloud_transform(const jalon_cloud* cloud,
                                              const jalon_transform* transform, jalon_task* task,
                                              jalon_cloud** out);
-/** Points inside the closed box given in its own frame (T_box_world maps world to box; NULL = world). outside may be NULL. */
+/** Points inside the closed box given in its own frame (T_box_world maps world to box; NULL = world). outside may be
+ * NULL. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_crop_box(const jalon_cloud* cloud, const jalon_box* box,
                                             const jalon_transform* T_box_world, jalon_task* task,
                                             jalon_cloud** inside, jalon_cloud** outside);
 /**
- * Points inside a prism: a simple polygon of count corners (u, v pairs) swept along w from w_min to w_max, in the frame that
- * T_prism_world maps to (NULL: u, v, w = x, y, z). Even-odd rule; the border counts as inside.
+ * Points inside a prism: a simple polygon of count corners (u, v pairs) swept along w from w_min to w_max, in the frame
+ * that T_prism_world maps to (NULL: u, v, w = x, y, z). Even-odd rule; the border counts as inside.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_crop_polygon(const jalon_cloud* cloud, const double* polygon_uv,
                                                 uint64_t count, double w_min, double w_max,
@@ -140,17 +143,19 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_crop_cylinder(const jalon_cloud* 
 /* ---- per-point properties: they add fields; options may be NULL for the defaults ---- */
 
 /**
- * Field "normal" (float32 x 3, unit length) and, for method pca with curvature = true, "curvature" (float32, surface variation).
- * Operation "normals": method pca | quadric | triangulation, k or radius_m, orientation none | station | point | centroid.
- * Points without a normal get NaN. Sources: Hoppe et al. 1992 (pca); Girardeau-Montaut 2006, annex A.2 (triangulation, quadric).
+ * Field "normal" (float32 x 3, unit length) and, for method pca with curvature = true, "curvature" (float32, surface
+ * variation). Operation "normals": method pca | quadric | triangulation, k or radius_m, orientation none | station |
+ * point | centroid. Points without a normal get NaN. Sources: Hoppe et al. 1992 (pca); Girardeau-Montaut 2006, annex
+ * A.2 (triangulation, quadric).
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_normals(jalon_cloud* cloud, const jalon_params* options,
                                                    jalon_task* task);
 /** Turns all normals round. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_invert_normals(jalon_cloud* cloud, jalon_task* task);
 /**
- * Fields chosen by the text list "which" of operation "features": density, roughness, mean_curvature, gaussian_curvature,
- * surface_variation, linearity, planarity, sphericity, verticality (float32 each). Demantke et al. 2011 for the last four.
+ * Fields chosen by the text list "which" of operation "features": density, roughness, mean_curvature,
+ * gaussian_curvature, surface_variation, linearity, planarity, sphericity, verticality (float32 each). Demantke et al.
+ * 2011 for the last four.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_features(jalon_cloud* cloud, const jalon_params* options,
                                                     jalon_task* task);
@@ -170,8 +175,8 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_moment(const jalon_cloud* cloud, 
 /* ---- cleaning and sampling; report may be NULL ---- */
 
 /**
- * Keeps the first of the points whose three coordinates agree after rounding to tolerance_m (0.0001 m is usual), with all
- * its fields. Boulaassal 2010, eq. 3.2 in its intended form. O(n log n).
+ * Keeps the first of the points whose three coordinates agree after rounding to tolerance_m (0.0001 m is usual), with
+ * all its fields. Boulaassal 2010, eq. 3.2 in its intended form. O(n log n).
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_remove_duplicates(const jalon_cloud* cloud, double tolerance_m,
                                                      jalon_task* task, jalon_cloud** out,
@@ -185,8 +190,8 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_subsample(const jalon_cloud* clou
                                              jalon_task* task, jalon_cloud** out,
                                              jalon_reduction* report);
 /**
- * Splits a facade scan into points of interest (the largest vertical entity) and the rest (obstacles in front, ghosts behind).
- * Operation "interest". Boulaassal 2010, section 3.3. Each output may be NULL.
+ * Splits a facade scan into points of interest (the largest vertical entity) and the rest (obstacles in front, ghosts
+ * behind). Operation "interest". Boulaassal 2010, section 3.3. Each output may be NULL.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_split_interest(const jalon_cloud* cloud, const jalon_params* options,
                                                   jalon_task* task, jalon_cloud** interest,

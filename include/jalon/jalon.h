@@ -5,8 +5,8 @@
  * All of Jalon: laser-scan surveying for CAD and GIS tools.
  *
  * Data nouns (cloud, model), workers (segmenter, modeller, scanner) that hold parameters, and what workers produce
- * (segmentation, model, cloud): learn one, know all. Handles are reference counted: jalon_X_create makes one owner, jalon_X_retain
- * adds one, jalon_X_release takes one away, in any order. Outputs are written only on success.
+ * (segmentation, model, cloud): learn one, know all. Handles are reference counted: jalon_X_create makes one owner,
+ * jalon_X_retain adds one, jalon_X_release takes one away, in any order. Outputs are written only on success.
  */
 #ifndef JALON_JALON_H
 #define JALON_JALON_H

@@ -4,8 +4,9 @@
  * @file search.h
  * Neighbours and cells: the cloud's octree of sorted Morton codes (Girardeau-Montaut 2006, chapter 4).
  *
- * Answers are exact: they equal a brute-force search in double precision; neighbours come nearest first, ties by smaller index.
- * Level 0 is the cube around the cloud, level 21 the deepest. Codes interleave the cell numbers as x y z bits, x highest.
+ * Answers are exact: they equal a brute-force search in double precision; neighbours come nearest first, ties by
+ * smaller index. Level 0 is the cube around the cloud, level 21 the deepest. Codes interleave the cell numbers as x y z
+ * bits, x highest.
  */
 #ifndef JALON_SEARCH_H
 #define JALON_SEARCH_H
@@ -20,21 +21,21 @@ enum { JALON_OCTREE_MAX_LEVEL = 21, JALON_LEVEL_AUTOMATIC = -1 };
 #define JALON_NO_POINT UINT64_MAX
 
 /**
- * The k nearest points of each query. queries: as xyz of jalon_cloud_create. level: JALON_LEVEL_AUTOMATIC for the adaptive search,
- * or 1..21 for the constant-level search of section 4.4; the answer is the same. indices: count * k; squared_distances: the same
- * or NULL. Parallel.
+ * The k nearest points of each query. queries: as xyz of jalon_cloud_create. level: JALON_LEVEL_AUTOMATIC for the
+ * adaptive search, or 1..21 for the constant-level search of section 4.4; the answer is the same. indices: count * k;
+ * squared_distances: the same or NULL. Parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_knn(const jalon_cloud* cloud, const void* queries, int32_t type,
                                        uint64_t count, uint64_t stride_bytes, uint32_t k,
                                        int32_t level, jalon_task* task, uint64_t* indices,
                                        double* squared_distances);
-/** The k nearest points of every point of the cloud, itself included, in the cloud's order: the fast batch form, k <= 256. indices: 32 bits,
- * UINT32_MAX where there are fewer; after a failure the arrays may be partly written. */
+/** The k nearest points of every point of the cloud, itself included, in the cloud's order: the fast batch form, k <=
+ * 256. indices: 32 bits, UINT32_MAX where there are fewer; after a failure the arrays may be partly written. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_knn_all(const jalon_cloud* cloud, uint32_t k, jalon_task* task,
                                            uint32_t* indices, float* squared_distances);
 /**
- * The points within radius_m (closed ball) of each query. Result columns: "first" (uint64, count + 1 items: where each query's
- * neighbours begin) in *ranges, "index" (uint64) and "distance" (float64, m) in *neighbours.
+ * The points within radius_m (closed ball) of each query. Result columns: "first" (uint64, count + 1 items: where each
+ * query's neighbours begin) in *ranges, "index" (uint64) and "distance" (float64, m) in *neighbours.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_radius_search(const jalon_cloud* cloud, const void* queries,
                                                  int32_t type, uint64_t count,
@@ -44,22 +45,25 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_radius_search(const jalon_cloud* 
 /** The cube of the octree: lowest corner and edge length (m). Each output may be NULL. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_octree_cube(const jalon_cloud* cloud, jalon_task* task,
                                                jalon_vec3* origin, double* edge_m);
-/** Occupied cells of a level 0..21, in code order: "code" (uint64), "first", "count" (uint64), "centre" (float64 x 3, m). */
+/** Occupied cells of a level 0..21, in code order: "code" (uint64), "first", "count" (uint64), "centre" (float64 x 3,
+ * m). */
 JALON_API JALON_CHECK jalon_status jalon_cloud_cells(const jalon_cloud* cloud, int32_t level, jalon_task* task,
                                          jalon_fields** out);
-/** Indices of the points in code order: cell c of any level holds the points order[first] ... order[first + count - 1]. */
+/** Indices of the points in code order: cell c of any level holds the points order[first] ... order[first + count -
+ * 1]. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_order(const jalon_cloud* cloud, jalon_task* task, jalon_fields** out);
 /** Codes of the occupied cells at Chebyshev distance 1..reach of a cell, ascending: column "code". */
 JALON_API JALON_CHECK jalon_status jalon_cloud_cell_neighbours(const jalon_cloud* cloud, int32_t level,
                                                    uint64_t code, uint32_t reach,
                                                    jalon_task* task, jalon_fields** out);
 /**
- * Level at which the constant-level search of k neighbours in cloud for all points of compared is expected to be fastest (formula 4.2
- * of the source). The two should share their cube.
+ * Level at which the constant-level search of k neighbours in cloud for all points of compared is expected to be
+ * fastest (formula 4.2 of the source). The two should share their cube.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_best_level(const jalon_cloud* cloud, const jalon_cloud* compared,
                                               uint32_t k, jalon_task* task, int32_t* out);
-/** Gives several clouds octrees on one common cube, so that equal codes mean the same place. Rebuilds those that differ. */
+/** Gives several clouds octrees on one common cube, so that equal codes mean the same place. Rebuilds those that
+ * differ. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_share_octree(jalon_cloud* const* clouds, uint64_t count,
                                                 jalon_task* task);
 

@@ -15,7 +15,8 @@ namespace {
 
 // Errors come back as NaN or infinity and are not thrown; long double gives nothing that a double could keep.
 namespace policies = boost::math::policies;
-using Quiet = policies::policy<policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
+using Quiet = policies::policy<policies::domain_error<policies::ignore_error>,
+                               policies::pole_error<policies::ignore_error>,
                                policies::overflow_error<policies::ignore_error>,
                                policies::evaluation_error<policies::ignore_error>, policies::promote_double<false>>;
 
@@ -29,7 +30,8 @@ double normal_quantile(double p) {
 }
 
 double chi_square_quantile(double dof, double p) {
-  if (!(dof >= 1 && p >= 0 && p < 1)) fail(Status::kInternal, "chi_square_quantile: dof below 1 or the probability not within [0, 1)");
+  if (!(dof >= 1 && p >= 0 && p < 1))
+    fail(Status::kInternal, "chi_square_quantile: dof below 1 or the probability not within [0, 1)");
   return 2 * boost::math::gamma_p_inv(dof / 2, p, Quiet());
 }
 

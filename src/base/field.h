@@ -134,8 +134,8 @@ ColumnPtr make_column(FieldInfo info, std::span<const T> values) {
 
 /// The rows of these indices, as a new column.
 ColumnPtr gather(const Column& column, std::span<const uint64_t> indices);
-/// Copies count items from strided memory of another type into items [first, first + count) of the column, converting. A value that
-/// the column's integers cannot hold is Error(kInvalidArgument) naming the item.
+/// Copies count items from strided memory of another type into items [first, first + count) of the column, converting.
+/// A value that the column's integers cannot hold is Error(kInvalidArgument) naming the item.
 void store_converted(Column& column, size_t first, const void* data, ElementType type, size_t count,
                      size_t stride_bytes);
 /// The same outwards: all elements, packed, to the type given.

@@ -184,7 +184,10 @@ class Reader {
     uint32_t code = 0;
     for (int i = 0; i < 4; ++i, ++at_) {
       const char c = peek();
-      const int digit = is_digit(c) ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+      const int digit = is_digit(c)              ? c - '0'
+                        : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                        : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                               : -1;
       if (digit < 0) wrong("four hexadecimal digits");
       code = code << 4 | static_cast<uint32_t>(digit);
     }
@@ -206,7 +209,8 @@ const JsonValue* find_member(const JsonValue& object, std::string_view name) {
 }
 
 std::vector<JsonValue> read_json(std::string_view text) {
-  if (text.size() > kMaxBytes) fail(Status::kInvalidArgument, "a JSON text of %zu bytes; at most %zu", text.size(), kMaxBytes);
+  if (text.size() > kMaxBytes)
+    fail(Status::kInvalidArgument, "a JSON text of %zu bytes; at most %zu", text.size(), kMaxBytes);
   return Reader(text).read();
 }
 

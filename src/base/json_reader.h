@@ -10,8 +10,8 @@
 
 namespace jalon {
 
-/// One value of a JSON text. A text is read into one flat array in the order of the text: a value's children follow it, so nothing is
-/// allocated when it is dropped, and running out of memory on the way leaves nothing half made.
+/// One value of a JSON text. A text is read into one flat array in the order of the text: a value's children follow it,
+/// so nothing is allocated when it is dropped, and running out of memory on the way leaves nothing half made.
 struct JsonValue {
   enum class Kind : uint8_t { kNull, kBool, kInteger, kNumber, kText, kArray, kObject };
 
@@ -51,8 +51,8 @@ class JsonChildren {
 /// The member of this name, the last one where a name stands twice, or NULL.
 const JsonValue* find_member(const JsonValue& object, std::string_view name);
 
-/// Reads one JSON text (RFC 8259, nothing more: no comments, no NaN, valid UTF-8); the first value is the whole. Anything else, more than
-/// 64 levels or more than 16 MiB is Error(kInvalidArgument) with the byte where it went wrong.
+/// Reads one JSON text (RFC 8259, nothing more: no comments, no NaN, valid UTF-8); the first value is the whole.
+/// Anything else, more than 64 levels or more than 16 MiB is Error(kInvalidArgument) with the byte where it went wrong.
 std::vector<JsonValue> read_json(std::string_view text);
 
 }  // namespace jalon

@@ -10,11 +10,11 @@
 
 namespace jalon {
 
-/// Builds JSON text value by value. Numbers are the shortest that read back the same, those that are not finite become null; control
-/// characters are escaped, broken UTF-8 becomes U+FFFD.
+/// Builds JSON text value by value. Numbers are the shortest that read back the same, those that are not finite become
+/// null; control characters are escaped, broken UTF-8 becomes U+FFFD.
 ///
 ///   JsonWriter json;
-///   json.begin_object().name("label").value(3).name("size").begin_array().value(1.5).value(2.0).end_array().end_object();
+///   json.begin_object().name("label").value(3).name("size").begin_array().value(1.5).end_array().end_object();
 ///   json.take();  // {"label":3,"size":[1.5,2.0]}
 class JsonWriter {
  public:

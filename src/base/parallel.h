@@ -11,8 +11,8 @@
 
 namespace jalon {
 
-/// f(begin, end) over fixed chunks of [0, n): the cuts depend on n and grain only, never on the threads. A chunk should take
-/// 0.1-20 ms, so that cancel is quick and hand-over cheap.
+/// f(begin, end) over fixed chunks of [0, n): the cuts depend on n and grain only, never on the threads. A chunk should
+/// take 0.1-20 ms, so that cancel is quick and hand-over cheap.
 template <class F>
 void parallel_for(Task& task, size_t n, size_t grain, F&& f) {
   struct Context {

@@ -51,12 +51,13 @@ constexpr ParamRow doubles_row(const char* name, const char* values, double mini
   return {name, ParamType::kDoubles, unit, methods, help, 0, values, "", minimum, maximum};
 }
 
-/// Values of a table's rows. Setters check name, type and range and throw Error(kInvalidArgument) or, for an unknown name,
-/// Error(kNotFound) listing the names. Getters of code that owns the table never fail but on a wrong name (kInternal).
+/// Values of a table's rows. Setters check name, type and range and throw Error(kInvalidArgument) or, for an unknown
+/// name, Error(kNotFound) listing the names. Getters of code that owns the table never fail but on a wrong name
+/// (kInternal).
 class ParamSet {
  public:
-  /// The member of the row's type counts. (A std::variant would do, but libstdc++ leaves one without a value when a copy runs out of
-  /// memory.)
+  /// The member of the row's type counts. (A std::variant would do, but libstdc++ leaves one without a value when a
+  /// copy runs out of memory.)
   struct Value {
     double number = 0;
     int64_t integer = 0;

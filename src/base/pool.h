@@ -14,8 +14,8 @@ namespace jalon {
 
 class Task;
 
-/// A few threads that work on numbered chunks. Which thread does which chunk is left open; what a chunk does must depend on its
-/// number only, so that results are the same for any number of threads.
+/// A few threads that work on numbered chunks. Which thread does which chunk is left open; what a chunk does must
+/// depend on its number only, so that results are the same for any number of threads.
 class Pool {
  public:
   explicit Pool(unsigned threads) : threads_(threads) {}
@@ -24,8 +24,9 @@ class Pool {
   Pool& operator=(const Pool&) = delete;
 
   using Work = void (*)(void* context, size_t chunk);
-  /// Runs work(context, c) for every c in [0, chunks), the calling thread taking part and keeping the task's progress and cancel. The
-  /// exception of the lowest failing chunk is rethrown once all threads have stopped. Nested calls run inline.
+  /// Runs work(context, c) for every c in [0, chunks), the calling thread taking part and keeping the task's progress
+  /// and cancel. The exception of the lowest failing chunk is rethrown once all threads have stopped. Nested calls run
+  /// inline.
   void run(Task& task, size_t chunks, Work work, void* context);
 
  private:

@@ -8,8 +8,9 @@
 
 namespace jalon {
 
-/// Counter-based random stream: value i of stream s under a seed is a pure function of (seed, s, i), so threads may draw in any order and
-/// give the same bits. The mixer is splitmix64's finaliser (Steele, Lea & Flood 2014), applied to each key word in turn.
+/// Counter-based random stream: value i of stream s under a seed is a pure function of (seed, s, i), so threads may
+/// draw in any order and give the same bits. The mixer is splitmix64's finaliser (Steele, Lea & Flood 2014), applied to
+/// each key word in turn.
 class RandomStream {
  public:
   RandomStream(uint64_t seed, uint64_t stream) : key_(mix(mix(seed + kGolden) ^ (stream * kGolden + 1))) {}

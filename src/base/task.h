@@ -13,9 +13,9 @@ class Pool;
 
 /// How a running operation talks to its host, and its threads: the last parameter of every long function.
 ///
-/// checkpoint() and the parallel loops report progress and notice a cancel; both act only on the thread that started the
-/// operation (the host's promise: callbacks on the calling thread). A cancel or a callback that says stop ends in Error(kCancelled).
-/// Progress windows: a Span maps the fractions of a sub-step into its part of the whole.
+/// checkpoint() and the parallel loops report progress and notice a cancel; both act only on the thread that started
+/// the operation (the host's promise: callbacks on the calling thread). A cancel or a callback that says stop ends in
+/// Error(kCancelled). Progress windows: a Span maps the fractions of a sub-step into its part of the whole.
 class Task {
  public:
   using Progress = int32_t (*)(double fraction, const char* stage, void* user);
@@ -39,8 +39,8 @@ class Task {
 
   unsigned threads() const { return threads_; }
   bool cancelled() const { return hooks_.cancel != nullptr && hooks_.cancel->load(std::memory_order_relaxed); }
-  /// Throws when cancelled; tells the host the fraction (0..1 of the current window) when it is due. Calling thread only; elsewhere it
-  /// only throws when cancelled.
+  /// Throws when cancelled; tells the host the fraction (0..1 of the current window) when it is due. Calling thread
+  /// only; elsewhere it only throws when cancelled.
   void checkpoint(double fraction);
   /// Sends a line to the host's log, if any. Calling thread only.
   void log(LogLevel level, const char* format, ...) __attribute__((format(printf, 3, 4)));
@@ -64,7 +64,8 @@ class Task {
   std::chrono::steady_clock::time_point last_report_;
 };
 
-/// Gives the code in its scope the part [from, to] of the enclosing progress window, under a stage name (static text; NULL keeps it).
+/// Gives the code in its scope the part [from, to] of the enclosing progress window, under a stage name (static text;
+/// NULL keeps it).
 class Span {
  public:
   Span(Task& task, double from, double to, const char* stage = nullptr);

@@ -7,7 +7,8 @@
 
 namespace jalon {
 
-/// Bytes of the UTF-8 character at the front of text (Unicode table 3-7: no overlong forms, no surrogates); 0 when there is none.
+/// Bytes of the UTF-8 character at the front of text (Unicode table 3-7: no overlong forms, no surrogates); 0 when
+/// there is none.
 inline size_t utf8_character_bytes(std::string_view text) {
   const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
   if (text.empty()) return 0;

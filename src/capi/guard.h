@@ -40,8 +40,8 @@ inline ElementType require_type(int32_t type) {
   return static_cast<ElementType>(type);
 }
 
-/// Strided input of count items of components elements: checks type, stride, overflow and NULL (allowed for count 0 only); returns the
-/// stride, packed when 0 was given.
+/// Strided input of count items of components elements: checks type, stride, overflow and NULL (allowed for count 0
+/// only); returns the stride, packed when 0 was given.
 size_t require_array(const void* data, int32_t type, uint64_t count, uint32_t components, uint64_t stride_bytes,
                      const char* name);
 
@@ -68,8 +68,9 @@ inline jalon_array_view view_of(const Column& column) {
           size_of(column.info().type) * column.info().components};
 }
 
-/// Runs body(Task&) under the caller's task (NULL = defaults): one call a task, cancel, progress, 1.0 at the end; gives back what body
-/// gives. 1.0 means success, so whatever can fail belongs into body, making a handle included; outputs are written after this returns:
+/// Runs body(Task&) under the caller's task (NULL = defaults): one call a task, cancel, progress, 1.0 at the end; gives
+/// back what body gives. 1.0 means success, so whatever can fail belongs into body, making a handle included; outputs
+/// are written after this returns:
 ///   *out = with_task(task, [&](Task& t) { return own(new_cloud(...)); }).release();
 template <class F>
 auto with_task(jalon_task* task, F&& body) {

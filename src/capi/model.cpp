@@ -49,10 +49,12 @@ FieldTable face_table(const Model& model) {
                        [](const Face& f, uint64_t* o) { *o = f.first_ring; });
   add_column<uint64_t>(t, rows, "ring_count", 1, "", "outline and openings",
                        [](const Face& f, uint64_t* o) { *o = f.ring_count; });
-  add_column<uint32_t>(t, rows, "id", 1, "", "e.g. label of the segment", [](const Face& f, uint32_t* o) { *o = f.id; });
+  add_column<uint32_t>(t, rows, "id", 1, "", "e.g. label of the segment",
+                       [](const Face& f, uint32_t* o) { *o = f.id; });
   add_column<uint8_t>(t, rows, "class", 1, "", "orientation class",
                       [](const Face& f, uint8_t* o) { *o = f.face_class; });
-  add_column<double>(t, rows, "normal", 3, "1", "unit normal", [](const Face& f, double* o) { put(f.plane.normal, o); });
+  add_column<double>(t, rows, "normal", 3, "1", "unit normal",
+                     [](const Face& f, double* o) { put(f.plane.normal, o); });
   add_column<double>(t, rows, "offset", 1, "m", "normal . p = offset",
                      [](const Face& f, double* o) { *o = f.plane.offset; });
   add_column<double>(t, rows, "area", 1, "m2", "openings taken off", [](const Face& f, double* o) { *o = f.area_m2; });

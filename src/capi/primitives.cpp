@@ -36,7 +36,8 @@ std::vector<Vec3> pick_list(const double* picks, uint64_t count) {
   std::vector<Vec3> out;
   for (uint64_t i = 0; i < count; ++i) {
     out.push_back({picks[3 * i], picks[3 * i + 1], picks[3 * i + 2]});
-    if (!is_finite(out.back())) fail(Status::kInvalidArgument, "pick %llu is not finite", static_cast<unsigned long long>(i));
+    if (!is_finite(out.back()))
+      fail(Status::kInvalidArgument, "pick %llu is not finite", static_cast<unsigned long long>(i));
   }
   return out;
 }
@@ -96,7 +97,8 @@ jalon_status jalon_segmentation_start(const jalon_cloud* cloud, jalon_task* task
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    *out = with_task(task, [&](Task& t) { return own(new_segmentation(empty_segmentation(cloud->cloud, t))); }).release();
+    *out = with_task(task,
+                     [&](Task& t) { return own(new_segmentation(empty_segmentation(cloud->cloud, t))); }).release();
   });
 }
 

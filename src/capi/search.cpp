@@ -93,7 +93,8 @@ jalon_status jalon_cloud_knn_all(const jalon_cloud* cloud, uint32_t k, jalon_tas
   return guard([&] {
     require(cloud, "cloud");
     const size_t n = cloud->cloud->size();
-    if (k == 0 || k > kMostNeighbours) fail(Status::kInvalidArgument, "k is %u; 1 ... %u are possible", k, kMostNeighbours);
+    if (k == 0 || k > kMostNeighbours)
+      fail(Status::kInvalidArgument, "k is %u; 1 ... %u are possible", k, kMostNeighbours);
     if (n != 0) require(indices, "indices");
     with_task(task, [&](Task& t) {
       std::shared_ptr<const Octree> tree;
@@ -125,7 +126,8 @@ jalon_status jalon_cloud_radius_search(const jalon_cloud* cloud, const void* que
     require(ranges, "ranges");
     require(neighbours, "neighbours");
     const auto points = read_queries(queries, type, count, stride_bytes);
-    if (!(radius_m >= 0) || !std::isfinite(radius_m)) fail(Status::kInvalidArgument, "the radius must be finite and not negative");
+    if (!(radius_m >= 0) || !std::isfinite(radius_m))
+      fail(Status::kInvalidArgument, "the radius must be finite and not negative");
     Owned<jalon_fields> made_ranges = own<jalon_fields>(nullptr), made_neighbours = own<jalon_fields>(nullptr);
     with_task(task, [&](Task& t) {
       std::shared_ptr<const Octree> tree;
@@ -241,7 +243,8 @@ jalon_status jalon_cloud_cell_neighbours(const jalon_cloud* cloud, int32_t level
     *out = with_task(task, [&](Task& t) {
       FieldTable table;
       const auto codes = cloud->cloud->octree(t)->neighbour_cells(level, code, reach);
-      table.set(make_column<uint64_t>({"code", ElementType::kUint64, 1, "", "codes of the occupied cells around"}, codes));
+      table.set(make_column<uint64_t>({"code", ElementType::kUint64, 1, "", "codes of the occupied cells around"},
+                                      codes));
       return own(new_fields(std::move(table)));
     }).release();
   });
@@ -272,7 +275,8 @@ jalon_status jalon_cloud_share_octree(jalon_cloud* const* clouds, uint64_t count
       if (box.empty()) return;
       const Cube cube = enclosing_cube(box);
       for (uint64_t i = 0; i < count; ++i) {
-        Span span(t, static_cast<double>(i) / static_cast<double>(count), static_cast<double>(i + 1) / static_cast<double>(count));
+        Span span(t, static_cast<double>(i) / static_cast<double>(count),
+                  static_cast<double>(i + 1) / static_cast<double>(count));
         const Cloud& cloud = *clouds[i]->cloud;
         cloud.index->get_on(cloud.xyz(), cube, t);
       }

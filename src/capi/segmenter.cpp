@@ -124,7 +124,8 @@ jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation
     require(out_bins, "out_bins");
     require(out_normal, "out_normal");
     constexpr uint32_t kMostBins = 10000;
-    if (bins < 1 || bins > kMostBins) fail(Status::kInvalidArgument, "bins is %u; 1 ... %u are possible", bins, kMostBins);
+    if (bins < 1 || bins > kMostBins)
+      fail(Status::kInvalidArgument, "bins is %u; 1 ... %u are possible", bins, kMostBins);
     const Segmentation& s = *segmentation->segmentation;
     if (label > s.segments.size())
       fail(Status::kNotFound, "no segment with label %u; there are %zu segments", label, s.segments.size());

@@ -43,7 +43,8 @@ struct Clean {
       must(jalon_cloud_split_interest(cloud.get(), nullptr, console.task(), Out(cloud), nullptr));
       const uint64_t after = count_of(cloud);
       report(console, steps, "unwanted points",
-             {before, after, before - after, before > 0 ? 100.0 * static_cast<double>(before - after) / static_cast<double>(before) : 0});
+             {before, after, before - after,
+              before > 0 ? 100.0 * static_cast<double>(before - after) / static_cast<double>(before) : 0});
     }
     if (remove_outliers) {
       console.step("outliers");
@@ -74,12 +75,15 @@ void add_clean(CLI::App& app) {
   auto state = std::make_shared<Clean>();
   state->input.add_to(*command);
   command->add_option("-o,--output", state->output, "File to write")->required()->type_name("FILE");
-  command->add_option("--duplicate-tolerance", state->duplicate_tolerance_m, "Points that agree after rounding to this length are one (m)")
+  command->add_option("--duplicate-tolerance", state->duplicate_tolerance_m,
+                      "Points that agree after rounding to this length are one (m)")
       ->capture_default_str();
   command->add_flag("--keep-duplicates", state->keep_duplicates, "Do not look for duplicates");
-  command->add_flag("--facade", state->facade_only, "Keep the largest vertical entity: drops obstacles in front and ghosts behind");
+  command->add_flag("--facade", state->facade_only,
+                    "Keep the largest vertical entity: drops obstacles in front and ghosts behind");
   command->add_flag("--outliers", state->remove_outliers, "Remove isolated points");
-  command->add_option("--voxel", state->voxel_m, "Thin to one point a cell of this edge length (m)")->check(CLI::PositiveNumber);
+  command->add_option("--voxel", state->voxel_m, "Thin to one point a cell of this edge length (m)")
+      ->check(CLI::PositiveNumber);
   state->outliers.add_to(*command);
   add_common(*command, state->common);
   command->footer([] {

@@ -18,8 +18,8 @@ struct Common {
   unsigned threads = 0;
 };
 
-/// What a person sees while a command runs: a progress bar on a terminal, warnings, the result; nothing but errors when quiet, one JSON
-/// object on standard output with --json. It owns the task; Ctrl-C cancels it.
+/// What a person sees while a command runs: a progress bar on a terminal, warnings, the result; nothing but errors when
+/// quiet, one JSON object on standard output with --json. It owns the task; Ctrl-C cancels it.
 class Console {
  public:
   explicit Console(const Common& common);

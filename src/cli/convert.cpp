@@ -33,12 +33,15 @@ void add_convert(CLI::App& app) {
   auto* command = app.add_subcommand("convert", "Reads a scan and writes it in the format of the new extension");
   auto state = std::make_shared<Convert>();
   state->input.add_to(*command);
-  command->add_option("output", state->output, "File to write: .las, .ply, .xyz, .txt, .csv")->required()->type_name("OUTPUT");
+  command->add_option("output", state->output, "File to write: .las, .ply, .xyz, .txt, .csv")
+      ->required()
+      ->type_name("OUTPUT");
   state->settings.add_to(*command);
   add_common(*command, state->common);
   command->footer([] {
     return "Parameters of --set:\n" + describe(make_params("write").get()) +
-           "\nExamples:\n  jalon convert scan.las scan.ply\n  jalon convert scan.txt scan.las --columns \"x y z intensity\"";
+           "\nExamples:\n  jalon convert scan.las scan.ply\n"
+           "  jalon convert scan.txt scan.las --columns \"x y z intensity\"";
   });
   command->callback([state] { state->run(); });
 }

@@ -53,10 +53,12 @@ struct Facade {
     must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr, console.task()));
     must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr, console.task()));
     must(jalon_model_write(model.get(), folder.path("model.obj").c_str(), nullptr, console.task()));
-    must(jalon_report_write_elevation(segmentation.get(), model.get(), folder.path("elevation.svg").c_str(), nullptr, console.task()));
+    must(jalon_report_write_elevation(segmentation.get(), model.get(), folder.path("elevation.svg").c_str(), nullptr,
+                                      console.task()));
     notes["times"]["write"] = console.seconds();
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
-    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(), folder.path("report.html").c_str(), nullptr, console.task()));
+    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(), folder.path("report.html").c_str(),
+                                 nullptr, console.task()));
     folder.commit();
   }
 
@@ -78,9 +80,11 @@ struct Facade {
                       {"area_m2", area[i]}, {"sigma_m", sigma[i]}, {"offset_m", offset[i]},
                       {"normal", {normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]}}});
       char line[200];
-      std::snprintf(line, sizeof line, "%5u  %-11s %10s %10s %10s   %s %s %s", label[i], orientation_name(orientation[i]),
+      std::snprintf(line, sizeof line, "%5u  %-11s %10s %10s %10s   %s %s %s", label[i],
+                    orientation_name(orientation[i]),
                     grouped(inliers[i]).c_str(), fixed(area[i], 2).c_str(), fixed(1000 * sigma[i], 1).c_str(),
-                    fixed(normal[3 * i], 4).c_str(), fixed(normal[3 * i + 1], 4).c_str(), fixed(normal[3 * i + 2], 4).c_str());
+                    fixed(normal[3 * i], 4).c_str(), fixed(normal[3 * i + 1], 4).c_str(),
+                    fixed(normal[3 * i + 2], 4).c_str());
       console.say(line);
     }
     return list;
@@ -134,7 +138,8 @@ void add_facade(CLI::App& app) {
   add_common(*command, state->common);
   command->footer([] {
     return tables() +
-           "\nExamples:\n  jalon facade scan.las -o result\n  jalon facade scan.txt -o result --columns \"x y z intensity\" --set seed=7";
+           "\nExamples:\n  jalon facade scan.las -o result\n"
+           "  jalon facade scan.txt -o result --columns \"x y z intensity\" --set seed=7";
   });
   command->callback([state] { state->run(); });
 }

@@ -16,7 +16,8 @@ void add_common(CLI::App& command, Common& common) {
 }
 
 void Settings::add_to(CLI::App& command, const std::string& prefix) {
-  command.add_option("--" + prefix + "set", assignments, "Set a parameter, e.g. --" + prefix + "set min_area_m2=0.2 (repeatable)")
+  command.add_option("--" + prefix + "set", assignments,
+                     "Set a parameter, e.g. --" + prefix + "set min_area_m2=0.2 (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command.add_option("--" + prefix + "params", json_file, "Read parameters from a JSON file")->type_name("FILE");
@@ -53,7 +54,8 @@ void assign(jalon_params* params, const std::string& name, const std::string& va
   const int32_t type = info_of(params, name).type;
   if (type == JALON_PARAM_STRING || type == JALON_PARAM_CHOICE)
     return must(jalon_params_set_string(params, name.c_str(), value.c_str()));
-  const std::string json = type == JALON_PARAM_DOUBLES && value.find('[') == std::string::npos ? "[" + value + "]" : value;
+  const bool bare_list = type == JALON_PARAM_DOUBLES && value.find('[') == std::string::npos;
+  const std::string json = bare_list ? "[" + value + "]" : value;
   if (jalon_params_from_json(params, ("{\"" + name + "\":" + json + "}").c_str()) != JALON_OK)
     throw usage("--set " + name + "=" + value + ": " + jalon_last_error_message());
 }
@@ -93,7 +95,8 @@ std::string describe(jalon_params* params) {
 
 void Input::add_to(CLI::App& command, bool required) {
   command.add_option("scan", path, "Scan file: LAS, PLY, XYZ, TXT, CSV")->required(required)->type_name("SCAN");
-  command.add_option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")->type_name("NAMES");
+  command.add_option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
+      ->type_name("NAMES");
   command.add_flag("--drop-invalid", drop_invalid, "Drop points whose coordinates are not finite");
 }
 

@@ -21,7 +21,8 @@ namespace {
 OutputFolder::OutputFolder(const std::string& folder) : folder_(folder) {
   std::error_code error;
   created_ = fs::create_directories(folder_, error);
-  if (error || !fs::is_directory(folder_)) refuse(folder_, error ? error : std::make_error_code(std::errc::not_a_directory));
+  if (error || !fs::is_directory(folder_))
+    refuse(folder_, error ? error : std::make_error_code(std::errc::not_a_directory));
   private_ = folder_ / (".jalon-" + std::to_string(getpid()));
   fs::create_directory(private_, error);
   if (error) refuse(private_, error);

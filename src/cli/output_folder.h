@@ -8,8 +8,8 @@
 
 namespace jalon::cli {
 
-/// Results appear in a folder together: they are written into a private folder inside it and renamed by commit(). When anything fails
-/// before, the private folder goes and what was in the folder stays as it was.
+/// Results appear in a folder together: they are written into a private folder inside it and renamed by commit(). When
+/// anything fails before, the private folder goes and what was in the folder stays as it was.
 class OutputFolder {
  public:
   explicit OutputFolder(const std::string& folder);

@@ -32,8 +32,8 @@ class NeighbourPlanes {
   NeighbourPlanes(const NeighbourPlanes&) = delete;
   NeighbourPlanes& operator=(const NeighbourPlanes&) = delete;
 
-  /// The neighbours of the point at a sorted position. Grid coordinates relative to the point are exact, so the sums are
-  /// the same wherever the cloud lies.
+  /// The neighbours of the point at a sorted position. Grid coordinates relative to the point are exact, so the sums
+  /// are the same wherever the cloud lies.
   void add(size_t centre, const uint32_t* neighbours, size_t count) {
     double sx = 0, sy = 0, sz = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     const int32_t cx = x_[centre], cy = y_[centre], cz = z_[centre];

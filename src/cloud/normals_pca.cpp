@@ -14,10 +14,12 @@ namespace {
 PcaNormals new_result(size_t count, bool with_curvature) {
   PcaNormals out;
   out.normal =
-      std::make_shared<Column>(FieldInfo{"normal", ElementType::kFloat32, 3, "", "unit normal of the local plane"}, count);
+      std::make_shared<Column>(FieldInfo{"normal", ElementType::kFloat32, 3, "", "unit normal of the local plane"},
+                               count);
   if (with_curvature)
     out.curvature = std::make_shared<Column>(
-        FieldInfo{"curvature", ElementType::kFloat32, 1, "", "surface variation lambda_0 / (lambda_0 + lambda_1 + lambda_2)"},
+        FieldInfo{"curvature", ElementType::kFloat32, 1, "",
+                  "surface variation lambda_0 / (lambda_0 + lambda_1 + lambda_2)"},
         count);
   return out;
 }

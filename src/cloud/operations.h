@@ -40,7 +40,8 @@ Cloud subsampled(const Cloud& cloud, const ParamSet& options, Task& task);
 std::vector<uint8_t> inside_box(const Cloud& cloud, const Box3& box, const Transform& T_box_world, Task& task);
 std::vector<uint8_t> inside_prism(const Cloud& cloud, std::span<const Vec2> polygon, double w_min, double w_max,
                                   const Transform& T_prism_world, Task& task);
-std::vector<uint8_t> inside_cylinder(const Cloud& cloud, const Vec3& foot, const Vec3& top, double radius_m, Task& task);
+std::vector<uint8_t> inside_cylinder(const Cloud& cloud, const Vec3& foot, const Vec3& top, double radius_m,
+                                     Task& task);
 /// 1 = point of interest (the facade), 0 = unwanted.
 std::vector<uint8_t> points_of_interest(const Cloud& cloud, const ParamSet& options, Task& task);
 /// The points whose mask byte equals value.

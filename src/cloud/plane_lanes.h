@@ -8,10 +8,10 @@ namespace jalon {
 
 /// Smallest eigenvalue and eigenvector of four symmetric 3 x 3 matrices at once.
 ///
-/// The smallest root of the characteristic polynomial by Newton's method from 0: all roots of a covariance are real and not negative, so
-/// the steps rise to the smallest one and never pass it. The vector is the longest cross product of two rows of C - lambda I
-/// (Eberly 2014). Close to double roots and to lines both lose digits: ok says where they did not, and the
-/// others are left to symmetric_eigen.
+/// The smallest root of the characteristic polynomial by Newton's method from 0: all roots of a covariance are real and
+/// not negative, so the steps rise to the smallest one and never pass it. The vector is the longest cross product of
+/// two rows of C - lambda I (Eberly 2014). Close to double roots and to lines both lose digits: ok says where they did
+/// not, and the others are left to symmetric_eigen.
 class FourPlanes {
  public:
   using Four = double __attribute__((vector_size(32)));
@@ -25,7 +25,8 @@ class FourPlanes {
   void solve() {
     const Four trace = m_[0] + m_[3] + m_[5];
     const Four scale = 1 / trace;
-    const Four a = m_[0] * scale, b = m_[1] * scale, c = m_[2] * scale, d = m_[3] * scale, e = m_[4] * scale, f = m_[5] * scale;
+    const Four a = m_[0] * scale, b = m_[1] * scale, c = m_[2] * scale, d = m_[3] * scale, e = m_[4] * scale,
+               f = m_[5] * scale;
     const Four c1 = (a * d - b * b) + (a * f - c * c) + (d * f - e * e);
     const Four c0 = a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d);
     Four root{}, step{};

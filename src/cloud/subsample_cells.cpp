@@ -70,7 +70,8 @@ Vec3 centroid_of(const Cloud& cloud, std::span<const uint32_t> members, const Ve
 /// Without fields and stations nothing has to be taken from the points.
 Cloud bare_centroids(const Cloud& cloud, const Box3& box, double cell_m, Task& task) {
   Buffer<double> xyz = voxel_centroids(cloud.xyz(), box, enclosing_cube(box).origin, cell_m, task);
-  if (xyz.size() == cloud.xyz().size()) return cloud;  // every point alone in its cell: share the points and their index
+  // Every point alone in its cell: share the points and their index
+  if (xyz.size() == cloud.xyz().size()) return cloud;
   Cloud out = make_cloud(std::move(xyz));
   out.crs = cloud.crs;
   out.attachments = cloud.attachments;

@@ -12,7 +12,8 @@ namespace jalon {
 enum class Keep { kCentroid, kNearest };
 
 // The new points follow each other in the order of the points whose fields they took; stations stay. Centroids of a
-// regular grid for a cloud without fields and stations take nothing from its points: they follow each other cell by cell.
+// regular grid for a cloud without fields and stations take nothing from its points: they follow each other cell by
+// cell.
 
 /// One point a cell of a regular grid.
 Cloud one_per_voxel(const Cloud& cloud, double cell_m, Keep keep, Task& task);

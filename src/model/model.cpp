@@ -38,7 +38,8 @@ void validate(const Model& model) {
         fail(Status::kInvalidArgument, "triangle %llu names vertex %u of %llu", number(i), v,
              number(model.vertices.size()));
   for (size_t i = 0; i < model.rings.size(); ++i)
-    if (model.rings[i].first > model.corners.size() || model.rings[i].count > model.corners.size() - model.rings[i].first)
+    if (model.rings[i].first > model.corners.size() ||
+        model.rings[i].count > model.corners.size() - model.rings[i].first)
       fail(Status::kInvalidArgument, "ring %llu reaches beyond the corners", number(i));
   for (size_t i = 0; i < model.faces.size(); ++i)
     if (model.faces[i].first_ring > model.rings.size() ||

@@ -62,8 +62,8 @@ uint32_t label_pieces(const HalfEdges& edges, std::vector<uint32_t>& piece) {
   return count;
 }
 
-// The border half-edge after h: turn about h's end through the triangles of one fan. At a point where fans of the same piece meet, this
-// keeps to the fan, and split_at_repeats takes the loops apart.
+// The border half-edge after h: turn about h's end through the triangles of one fan. At a point where fans of the same
+// piece meet, this keeps to the fan, and split_at_repeats takes the loops apart.
 uint32_t next_on_border(const HalfEdges& edges, uint32_t h) {
   uint32_t next = next_in_triangle(h);
   while (edges.twin[next] != kNone) next = next_in_triangle(edges.twin[next]);

@@ -13,14 +13,15 @@ namespace jalon {
 
 using Triangle2 = std::array<uint32_t, 3>;
 
-/// The border of triangles joined edge to edge: closed rings of point indices with the triangles on the left, so the outer ring runs
-/// anticlockwise and the others clockwise. No index stands twice in a ring.
+/// The border of triangles joined edge to edge: closed rings of point indices with the triangles on the left, so the
+/// outer ring runs anticlockwise and the others clockwise. No index stands twice in a ring.
 struct BoundaryPiece {
   double area = 0;
   std::vector<std::vector<uint32_t>> rings;
 };
 
-/// triangles: anticlockwise, each undirected edge in at most two. Pieces in the order of their first triangle. O(t log t).
+/// triangles: anticlockwise, each undirected edge in at most two. Pieces in the order of their first triangle. O(t log
+/// t).
 std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles, std::span<const Vec2> points);
 
 }  // namespace jalon

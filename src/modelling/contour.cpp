@@ -138,7 +138,8 @@ double typical_spacing(std::span<const Vec2> points, Task& task) {
     if (std::isfinite(squared)) spacings.push_back(kSpacingOfRadius * std::sqrt(squared));
   }
   if (spacings.empty()) return 0;
-  const auto at = spacings.begin() + static_cast<ptrdiff_t>(kSpacingQuantile * static_cast<double>(spacings.size() - 1));
+  const auto at = spacings.begin() +
+      static_cast<ptrdiff_t>(kSpacingQuantile * static_cast<double>(spacings.size() - 1));
   std::nth_element(spacings.begin(), at, spacings.end());
   return *at;
 }

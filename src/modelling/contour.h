@@ -18,7 +18,8 @@ struct ContourSetting {
   double min_opening_width_m = 0.2;
 };
 
-/// Closed chain of points of the cloud, in plane coordinates. Outlines run anticlockwise, openings clockwise; no point twice.
+/// Closed chain of points of the cloud, in plane coordinates. Outlines run anticlockwise, openings clockwise; no point
+/// twice.
 using Chain = std::vector<Vec2>;
 
 /// One connected piece of a segment.
@@ -34,13 +35,15 @@ struct Contour {
   std::vector<ContourPiece> pieces;  ///< largest first
 };
 
-/// Typical spacing: sqrt of the area a point, from the distance of the 8th neighbour of up to 1000 sampled points; the upper quartile of
-/// them, so that the sparser parts of the segment count. 0 for fewer than 9 points or when all are equal.
+/// Typical spacing: sqrt of the area a point, from the distance of the 8th neighbour of up to 1000 sampled points; the
+/// upper quartile of them, so that the sparser parts of the segment count. 0 for fewer than 9 points or when all are
+/// equal.
 double typical_spacing(std::span<const Vec2> points, Task& task);
 
-/// Contour of points in a plane: Delaunay triangulation without the triangles that have a long edge (Boulaassal 2010, 4.2.2-4.2.3, as
-/// amended in the table of failure 5: edges with one triangle, which gives chains). Points deeper than two raster cells
-/// inside take no part, so the cost follows the length of the contour: O(n log n) for the raster, then about 2 us a border point.
+/// Contour of points in a plane: Delaunay triangulation without the triangles that have a long edge (Boulaassal 2010,
+/// 4.2.2-4.2.3, as amended in the table of failure 5: edges with one triangle, which gives chains). Points deeper than
+/// two raster cells inside take no part, so the cost follows the length of the contour: O(n log n) for the raster, then
+/// about 2 us a border point.
 Contour extract_contour(std::span<const Vec2> points, const ContourSetting& setting, Task& task);
 
 /// Shorter side of the rectangle with this area and perimeter; of rounder shapes the side of the square.

@@ -20,8 +20,8 @@ struct EdgeLine {
   Vec2 foot(const Vec2& p) const { return point + direction * dot(direction, p - point); }
 };
 
-/// Least-squares line (total, 2D) of a run of contour points in their order, its cut ends and then its outliers left out; snapped to horizontal
-/// or vertical; moved outward by the set-back. points: at least 2, first and last apart.
+/// Least-squares line (total, 2D) of a run of contour points in their order, its cut ends and then its outliers left
+/// out; snapped to horizontal or vertical; moved outward by the set-back. points: at least 2, first and last apart.
 EdgeLine fit_edge_line(std::span<const Vec2> points, const StraightenSetting& setting);
 
 /// Same direction within 5 degrees.

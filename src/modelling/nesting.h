@@ -20,8 +20,9 @@ struct RingForms {
   }
 };
 
-/// A form for each ring so that openings lie inside the outline and apart from each other: each ring takes its most wanted form, and rings
-/// in conflict step down to the next until none is left. The chains themselves never conflict. rings[0] is the outline.
+/// A form for each ring so that openings lie inside the outline and apart from each other: each ring takes its most
+/// wanted form, and rings in conflict step down to the next until none is left. The chains themselves never conflict.
+/// rings[0] is the outline.
 Polygons nested(std::span<const RingForms> rings);
 
 }  // namespace jalon

@@ -20,7 +20,8 @@ namespace {
 
 constexpr ParamRow kRows[] = {
     number_row("max_edge_m", 0, 0, 1000, "m", "outlines",
-               "Longest edge (a length) of a triangle that counts as surface; gaps wider than this are outside. 0 = edge_factor x "
+               "Longest edge (a length) of a triangle that counts as surface; gaps wider than this are outside. "
+               "0 = edge_factor x "
                "spacing of the segment's points"),
     number_row("edge_factor", 4, 1.5, 100, "1", "outlines", "Longest edge in spacings, when max_edge_m is 0"),
     number_row("min_area_m2", 0.1, 0, 1e9, "m2", "outlines", "Smallest area of a connected face"),
@@ -34,8 +35,8 @@ constexpr ParamRow kRows[] = {
     bool_row("rectangles", true, "outlines", "Openings that fill an upright rectangle become one"),
 };
 
-// Points of a straight border end, on average, this share of the spacing inside it: 0.5 on a regular grid (facade-modelling A3, failure 2),
-// 0.2 measured on points scattered at random, whose contour follows the outermost.
+// Points of a straight border end, on average, this share of the spacing inside it: 0.5 on a regular grid
+// (facade-modelling A3, failure 2), 0.2 measured on points scattered at random, whose contour follows the outermost.
 constexpr double kSetBack = 0.35;
 // Strip of a straight edge in triangle edges: cut corners are at most half an edge deep.
 constexpr double kToleranceOfEdge = 0.5;

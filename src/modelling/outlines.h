@@ -13,7 +13,8 @@ namespace jalon {
 
 /// Parameter table of method "outlines".
 std::span<const ParamRow> outlines_rows();
-/// One face with openings per planar segment, straight edges (contour by the in-plane Delaunay triangulation without long triangles).
+/// One face with openings per planar segment, straight edges (contour by the in-plane Delaunay triangulation without
+/// long triangles).
 Model model_outlines(const Segmentation& segmentation, const ParamSet& params, Task& task);
 
 }  // namespace jalon

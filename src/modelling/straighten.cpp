@@ -74,7 +74,8 @@ void merge_collinear(Runs& all) {
   }
 }
 
-// 3. A short run between two longer ones that would meet beside it is a cut corner: the triangulation bridges corners by up to an edge.
+// 3. A short run between two longer ones that would meet beside it is a cut corner: the triangulation bridges corners
+// by up to an edge.
 void drop_chamfers(Runs& all) {
   auto& runs = all.runs;
   const double reach = kChamfer * all.setting.max_edge_m;
@@ -168,7 +169,8 @@ Polygon fitted_rectangle(std::span<const Vec2> chain, const StraightenSetting& s
   constexpr double kAreaShare = 0.1;  // relative difference of area allowed
   const double near = setting.tolerance_m;
   if (chain.size() < 4) return {};
-  // Sides as left, bottom, right, top; start from the box of the chain, then take each side as the median of the points along it.
+  // Sides as left, bottom, right, top; start from the box of the chain, then take each side as the median of the points
+  // along it.
   std::array<double, 4> side{chain[0].u, chain[0].v, chain[0].u, chain[0].v};
   for (const Vec2& p : chain) {
     side[0] = std::min(side[0], p.u);

@@ -19,15 +19,17 @@ struct StraightenSetting {
 
 using Polygon = std::vector<Vec2>;
 
-/// Straight edges for a chain of contour points with the solid on its left (Boulaassal 2010, 4.3, for straight parts): Douglas-Peucker runs,
-/// a least-squares line a run, corners as intersections of neighbouring lines. Never crosses itself: where the lines would, the
-/// Douglas-Peucker polygon comes back, and at worst the chain. Turns the same way round as the chain.
+/// Straight edges for a chain of contour points with the solid on its left (Boulaassal 2010, 4.3, for straight parts):
+/// Douglas-Peucker runs, a least-squares line a run, corners as intersections of neighbouring lines. Never crosses
+/// itself: where the lines would, the Douglas-Peucker polygon comes back, and at worst the chain. Turns the same way
+/// round as the chain.
 Polygon straightened(std::span<const Vec2> chain, const StraightenSetting& setting);
 
 /// The Douglas-Peucker polygon alone.
 Polygon thinned(std::span<const Vec2> chain, double tolerance_m);
 
-/// The axis-parallel rectangle that an opening's chain (clockwise) fills, as 4 corners clockwise; empty when the chain has another form.
+/// The axis-parallel rectangle that an opening's chain (clockwise) fills, as 4 corners clockwise; empty when the chain
+/// has another form.
 Polygon fitted_rectangle(std::span<const Vec2> chain, const StraightenSetting& setting);
 
 }  // namespace jalon

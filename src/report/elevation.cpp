@@ -39,7 +39,8 @@ struct OnPaper {
 void define_patterns(SvgWriter& svg, const Sheet& sheet) {
   svg.open("defs");
   svg.open("clipPath", {{"id", "window"}});
-  svg.leaf("rect", {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width}, {"height", sheet.view.height}});
+  svg.leaf("rect", {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width},
+                    {"height", sheet.view.height}});
   svg.close();
   svg.open("pattern", {{"id", "slanted"},
                        {"width", 1.5},
@@ -51,7 +52,8 @@ void define_patterns(SvgWriter& svg, const Sheet& sheet) {
   svg.close();
 }
 
-// Tick marks, labels, faint grid, axis names. x counts from the left end of the drawing's faces, z is the height of the data.
+// Tick marks, labels, faint grid, axis names. x counts from the left end of the drawing's faces, z is the height of the
+// data.
 void draw_axes(SvgWriter& svg, const Sheet& sheet, const OnPaper& on_paper, const ElevationFaces& faces) {
   const Window& w = on_paper.window;
   const double mm = sheet.mm_of(1);

@@ -36,8 +36,8 @@ struct FacadeView {
   }
 };
 
-// A face turned away from the facade by less than the front angle is drawn as a front, whatever its class: dormers and wings are
-// seldom parallel to a degree.
+// A face turned away from the facade by less than the front angle is drawn as a front, whatever its class: dormers and
+// wings are seldom parallel to a degree.
 DrawnFace::Kind kind_of(const Face& face, const FacadeView& view, double front_angle_rad) {
   const double facing = std::fabs(view.T_facade_world.direction(face.plane.normal).y);
   if (facing >= std::cos(front_angle_rad)) return DrawnFace::Kind::kFront;
@@ -109,7 +109,8 @@ void set_box(ElevationFaces& out) {
 
 }  // namespace
 
-ElevationFaces elevation_faces(const Segmentation& segmentation, const Model& model, const ViewLimits& limits, Task& task) {
+ElevationFaces elevation_faces(const Segmentation& segmentation, const Model& model, const ViewLimits& limits,
+                               Task& task) {
   const FacadeView view{segmentation.T_facade_world};
   ElevationFaces out;
   double main_area = -1, main_depth = 0;
@@ -127,7 +128,9 @@ ElevationFaces elevation_faces(const Segmentation& segmentation, const Model& mo
   // Without any face to the front the depths mean nothing, and nothing is left out.
   for (DrawnFace& face : out.faces) face.depth_m = main_area >= 0 ? face.depth_m - main_depth : 0;
   std::erase_if(out.faces,
-                [&](const DrawnFace& face) { return face.depth_m < -limits.in_front_m || face.depth_m > limits.behind_m; });
+                [&](const DrawnFace& face) {
+                  return face.depth_m < -limits.in_front_m || face.depth_m > limits.behind_m;
+                });
   out.groups = group_depths(out.faces);
   std::stable_sort(out.faces.begin(), out.faces.end(),
                    [](const DrawnFace& a, const DrawnFace& b) { return a.depth_m > b.depth_m; });

@@ -12,7 +12,8 @@
 
 namespace jalon {
 
-/// A face as the drawing shows it: seen from the street, x to the right along the facade, z up, depth away from the eye.
+/// A face as the drawing shows it: seen from the street, x to the right along the facade, z up, depth away from the
+/// eye.
 struct DrawnFace {
   enum class Kind : uint8_t { kFront, kEdgeOn, kSlanted };
   Kind kind = Kind::kFront;
@@ -44,6 +45,7 @@ struct ViewLimits {
 };
 
 /// The model's faces within these limits.
-ElevationFaces elevation_faces(const Segmentation& segmentation, const Model& model, const ViewLimits& limits, Task& task);
+ElevationFaces elevation_faces(const Segmentation& segmentation, const Model& model, const ViewLimits& limits,
+                               Task& task);
 
 }  // namespace jalon

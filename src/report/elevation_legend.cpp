@@ -111,7 +111,8 @@ void draw_scale_bar(SvgWriter& svg, const Sheet& sheet) {
     svg_text(svg, {x, y - 3}, 3, Anchor::kStart, "Scale 1:" + std::to_string(sheet.denominator), true);
 }
 
-void draw_title_block(SvgWriter& svg, const ElevationFaces& faces, const Sheet& sheet, const ElevationSetting& setting) {
+void draw_title_block(SvgWriter& svg, const ElevationFaces& faces, const Sheet& sheet,
+                      const ElevationSetting& setting) {
   const double width = std::min(150.0, sheet.strip.width * 0.6), x = sheet.strip.right() - width, y = sheet.strip.y;
   const double half = width / 2, third = width / 3, row = sheet.strip.height / 3;
   // Rounded as shown, so that a hair below north is 0.0 and not 360.0.

@@ -22,14 +22,17 @@ constexpr ParamRow kReportRows[] = {
 
 // Dark on white, one column, prints without surprises. No scripts, no fonts or pictures from elsewhere.
 constexpr const char* kStyle =
-    "body{font-family:Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:64rem;margin:2rem auto;padding:0 1rem;"
+    "body{font-family:Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:64rem;margin:2rem auto;"
+    "padding:0 1rem;"
     "line-height:1.4}"
-    "h1{font-size:1.7rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2rem 0 .5rem;border-bottom:1px solid #bbb;padding-bottom:.2rem}"
+    "h1{font-size:1.7rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2rem 0 .5rem;border-bottom:1px solid #bbb;"
+    "padding-bottom:.2rem}"
     ".lead{font-size:1.05rem;color:#333}"
     ".scroll{overflow-x:auto}"
     "table{border-collapse:collapse;font-size:.88rem}th,td{padding:.22rem .6rem;text-align:left;vertical-align:top;"
     "border-bottom:1px solid #e2e2e2}"
-    "thead th{border-bottom:2px solid #777;white-space:nowrap}.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}"
+    "thead th{border-bottom:2px solid #777;white-space:nowrap}"
+    ".n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}"
     "td bdi{overflow-wrap:anywhere}"
     "svg{width:100%;height:auto;max-height:60rem}"
     ".note{color:#555;font-size:.85rem}"
@@ -69,10 +72,12 @@ uint64_t labelled(const Segmentation& segmentation) {
 void add_summary(Page& page, const Segmentation& segmentation, const Notes& notes, const Residuals& residuals) {
   auto& html = page.html();
   html.open("h1").element("bdi", {}, notes.title).close();
-  const uint64_t points = segmentation.cloud->size(), used = residuals.count != 0 ? residuals.count : labelled(segmentation);
+  const uint64_t points = segmentation.cloud->size();
+  const uint64_t used = residuals.count != 0 ? residuals.count : labelled(segmentation);
   const double share = points != 0 ? 100 * static_cast<double>(used) / static_cast<double>(points) : 0;
   html.element("p", {{"class", "lead"}},
-               std::to_string(plane_count(segmentation.segments)) + " planes from " + std::to_string(points) + " points; " +
+               std::to_string(plane_count(segmentation.segments)) + " planes from " + std::to_string(points) +
+               " points; " +
                    text_of(share, 1) + " % of the points lie on them, with a standard deviation of " +
                    text_of(1000 * residuals.sigma_m, 2) + " mm.");
 }
@@ -110,7 +115,8 @@ void add_parameters(Page& page, const Segmentation& segmentation) {
   std::vector<std::pair<std::string, std::string>> pairs;
   const std::vector<JsonValue> parameters = read_json(segmentation.parameters_json);
   for (const JsonValue& value : JsonChildren(parameters[0]))
-    pairs.emplace_back(value.name, value.kind == JsonValue::Kind::kText ? value.text : JsonWriter().value(value).take());
+    pairs.emplace_back(value.name,
+                       value.kind == JsonValue::Kind::kText ? value.text : JsonWriter().value(value).take());
   if (pairs.empty()) return;
   page.heading("Parameters");
   add_pairs(page, pairs);
@@ -121,7 +127,8 @@ void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
   auto& html = page.html();
   if (plane_count(segmentation.segments) == 0) return page.note("No plane was found.");
   html.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
-  for (const char* name : {"No", "orientation", "size (m)", "area (m\xC2\xB2)", "normal", "offset (m)", "\xCF\x83 (mm)", "points"})
+  for (const char* name : {"No", "orientation", "size (m)", "area (m\xC2\xB2)", "normal", "offset (m)", "\xCF\x83 (mm)",
+                           "points"})
     html.element("th", {}, name);
   html.close().close().open("tbody");
   for (size_t i = 0; i < segmentation.segments.size(); ++i) {
@@ -141,7 +148,8 @@ void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
     html.close();
   }
   html.close().close().close();
-  page.note("normal . p = offset for a point p of the plane. Orientation is relative to the main facade. \xCF\x83 is the standard "
+  page.note("normal . p = offset for a point p of the plane. Orientation is relative to the main facade. "
+            "\xCF\x83 is the standard "
             "deviation of the points from their plane.");
 }
 
@@ -151,13 +159,15 @@ void add_drawing(Page& page, const Segmentation& segmentation, const Model& mode
   options.set_text("title", notes.title);
   options.set_bool("outlines_only", true);
   page.html().raw(elevation_svg(segmentation, model, options, task));
-  page.note("The numbers are those of the table of planes. A drawing to scale for printing is written as elevation.svg.");
+  page.note("The numbers are those of the table of planes. A drawing to scale for printing is written as "
+            "elevation.svg.");
 }
 
 void add_picture(Page& page, const Segmentation& segmentation, Task& task) {
   page.heading("Labelled points");
   page.html().raw(picture_svg(segmentation, ParamSet("picture", picture_rows()), task));
-  page.note("Front view, from the station side. Segments that meet have different colours; the numbers are those of the table of "
+  page.note("Front view, from the station side. Segments that meet have different colours; "
+            "the numbers are those of the table of "
             "planes. Noise, in grey, is shown only where no segment lies.");
 }
 
@@ -166,7 +176,8 @@ void add_residuals(Page& page, const Residuals& r) {
   if (r.count == 0) return page.note("No point lies on a plane.");
   page.html().raw(residual_chart(r));
   page.note(std::to_string(r.count) + " points, mean " + text_of(1000 * r.mean_m, 3) + " mm, standard deviation " +
-            text_of(1000 * r.sigma_m, 3) + " mm; " + std::to_string(r.below + r.above) + " points lie outside the range shown.");
+            text_of(1000 * r.sigma_m, 3) + " mm; " + std::to_string(r.below + r.above) +
+            " points lie outside the range shown.");
 }
 
 }  // namespace

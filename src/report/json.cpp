@@ -22,7 +22,9 @@ void write_array(JsonWriter& json, const char* name, const Range& values) {
   json.end_array();
 }
 
-void write_vector(JsonWriter& json, const char* name, const Vec3& v) { write_array(json, name, std::array{v.x, v.y, v.z}); }
+void write_vector(JsonWriter& json, const char* name, const Vec3& v) {
+  write_array(json, name, std::array{v.x, v.y, v.z});
+}
 
 template <class Pairs>
 void write_pairs(JsonWriter& json, const char* name, const Pairs& pairs) {

@@ -16,8 +16,9 @@ struct Notes {
   std::vector<std::pair<std::string, double>> times_s;
 };
 
-/// Reads {"title": text, "input": {name: text, ...}, "times": {stage: seconds, ...}}; "" gives the defaults, other members are ignored. A
-/// text that is no such object is Error(kInvalidArgument). Numbers and booleans in "input" are taken as text.
+/// Reads {"title": text, "input": {name: text, ...}, "times": {stage: seconds, ...}}; "" gives the defaults, other
+/// members are ignored. A text that is no such object is Error(kInvalidArgument). Numbers and booleans in "input" are
+/// taken as text.
 Notes read_notes(std::string_view json);
 
 }  // namespace jalon

@@ -71,7 +71,8 @@ std::string residual_chart(const Residuals& residuals) {
   const double bin_mm = 2 * plot.half_range_mm / static_cast<double>(residuals.bins.size());
   for (size_t i = 0; i < residuals.bins.size(); ++i) {
     if (residuals.bins[i] == 0) continue;
-    const double from = -plot.half_range_mm + static_cast<double>(i) * bin_mm, top = plot.y(static_cast<double>(residuals.bins[i]));
+    const double from = -plot.half_range_mm + static_cast<double>(i) * bin_mm;
+    const double top = plot.y(static_cast<double>(residuals.bins[i]));
     svg.leaf("rect", {{"x", plot.x(from)},
                       {"y", top},
                       {"width", plot.x(from + bin_mm) - plot.x(from)},

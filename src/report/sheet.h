@@ -24,8 +24,9 @@ struct Sheet {
   double mm_of(double metres) const { return metres * 1000 / static_cast<double>(denominator); }
 };
 
-/// The sheet for a window of width x height metres. paper: "auto", "A4" ... "A0"; denominator 0 = the largest usual scale that fits
-/// (auto: on A3, and then A4 if it fits there too). A scale that is asked for and fits no paper gives a sheet of its own size.
+/// The sheet for a window of width x height metres. paper: "auto", "A4" ... "A0"; denominator 0 = the largest usual
+/// scale that fits (auto: on A3, and then A4 if it fits there too). A scale that is asked for and fits no paper gives a
+/// sheet of its own size.
 Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, int64_t denominator);
 
 /// The same without border and title block, as small as its content: at most about 250 mm wide.

@@ -4,7 +4,8 @@
 // The k nearest neighbours of every point, leaf by leaf:
 //   1. gather the points in the leaf's box widened by a reach, guessed from the leaf before;
 //   2. select the k + 1 nearest candidates of all queries of the leaf at once, in the vector lanes (knn_kernel.inc);
-//   3. a query whose k-th neighbour is not inside the reach: widen it and repeat; far-off queries are answered one by one;
+//   3. a query whose k-th neighbour is not inside the reach: widen it and repeat; far-off queries are answered one by
+//   one;
 //   4. a query with distances too close to call in single precision on the grid is settled from the caller's doubles.
 
 #include <algorithm>
@@ -97,8 +98,8 @@ class BatchSearch {
     }
   }
 
-  // True when the leaf lies in a run of k and more points with the same coordinates: they stand by index, so the first k are the
-  // neighbours of all. Without this, many duplicates would cost the square of their number.
+  // True when the leaf lies in a run of k and more points with the same coordinates: they stand by index, so the first
+  // k are the neighbours of all. Without this, many duplicates would cost the square of their number.
   bool same_point(size_t first, size_t count) {
     for (int axis = 0; axis < 3; ++axis)
       if (box_.lo[axis] != box_.hi[axis]) return false;
@@ -197,7 +198,8 @@ class BatchSearch {
     uint32_t candidate;
   };
 
-  // Step 4: the candidates that may be among the k nearest, in doubles; runs that the grid cannot order by the caller's coordinates.
+  // Step 4: the candidates that may be among the k nearest, in doubles; runs that the grid cannot order by the caller's
+  // coordinates.
   void settle(size_t position, uint32_t q, uint32_t* to, float* to_squared) {
     const double slack = tree_.on_grid ? 0 : 2 * kSqrt3 + 1e-3;
     const float kth = squared_of(keys_[(k_ - 1) * size_t{kMostQueries} + q]);  // not a number: fewer than k candidates
@@ -205,13 +207,15 @@ class BatchSearch {
     const double limit = kth == kth ? reach * reach * (1 + 1e-12) : std::numeric_limits<double>::infinity();
     close_.clear();
     for (uint32_t c = 0; c < candidates_.count; ++c) {
-      const double dx = group_.x[q] - candidates_.x[c], dy = group_.y[q] - candidates_.y[c], dz = group_.z[q] - candidates_.z[c];
+      const double dx = group_.x[q] - candidates_.x[c], dy = group_.y[q] - candidates_.y[c],
+                   dz = group_.z[q] - candidates_.z[c];
       const double squared = dx * dx + dy * dy + dz * dz;
       if (squared <= limit) close_.push_back({squared, c});
     }
     const auto by_distance = [&](const Close& a, const Close& b) {
       return a.squared < b.squared ||
-             (a.squared == b.squared && tree_.order[candidates_.position[a.candidate]] < tree_.order[candidates_.position[b.candidate]]);
+             (a.squared == b.squared &&
+              tree_.order[candidates_.position[a.candidate]] < tree_.order[candidates_.position[b.candidate]]);
     };
     std::sort(close_.begin(), close_.end(), by_distance);
     if (!tree_.on_grid) {
@@ -223,7 +227,8 @@ class BatchSearch {
         if (end - begin == 1) continue;
         for (size_t i = begin; i < end; ++i)
           close_[i].squared = squared_norm(tree_.exact_point(candidates_.position[close_[i].candidate]) - query);
-        std::sort(close_.begin() + static_cast<ptrdiff_t>(begin), close_.begin() + static_cast<ptrdiff_t>(end), by_distance);
+        std::sort(close_.begin() + static_cast<ptrdiff_t>(begin), close_.begin() + static_cast<ptrdiff_t>(end),
+                  by_distance);
       }
     }
     for (uint32_t j = 0; j < k_; ++j) {
@@ -252,7 +257,8 @@ class BatchSearch {
       uint32_t* to = neighbours + q * k_;
       if (!nearest_by_grid(first + q, to)) tree_.nearest_of_point(first + q, k_, to);
       for (uint32_t j = 0; j < k_; ++j)
-        squared[q * k_ + j] = to[j] == kNoPoint ? std::numeric_limits<float>::infinity() : squared_metres(first + q, to[j]);
+        squared[q * k_ + j] =
+            to[j] == kNoPoint ? std::numeric_limits<float>::infinity() : squared_metres(first + q, to[j]);
     }
     reach_ = 0;
   }
@@ -275,7 +281,8 @@ class BatchSearch {
 void Octree::knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batch&), void* context) const {
   if (k < 1 || k > 256) fail(Status::kInvalidArgument, "k is %u; 1 ... 256 are possible", k);
   const Kernels kernels = use_avx2() ? Kernels{gather_candidates_avx2, knn_group_avx2, nearest_on_grid_avx2}
-                                     : Kernels{gather_candidates_baseline, knn_group_baseline, nearest_on_grid_baseline};
+                                     : Kernels{gather_candidates_baseline, knn_group_baseline,
+                                               nearest_on_grid_baseline};
   constexpr size_t kLeavesAtOnce = 128;
   parallel_for(task, impl_->leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
     const size_t first = impl_->leaf_first[begin], count = impl_->leaf_first[end] - first;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Vectors of 32-bit lanes in the width of the file's instruction set: 8 with AVX2, else 4. For kernels that are compiled once a set;
-// everything is in an unnamed namespace, so that the linker cannot mix the two. Operations act lane by lane, in the same order for
-// both widths, so both give the same bits.
+// Vectors of 32-bit lanes in the width of the file's instruction set: 8 with AVX2, else 4. For kernels that are
+// compiled once a set; everything is in an unnamed namespace, so that the linker cannot mix the two. Operations act
+// lane by lane, in the same order for both widths, so both give the same bits.
 
 #include <cstdint>
 #include <cstring>

@@ -81,7 +81,8 @@ LeafGraph leaf_graph(const Octree& tree, std::span<const float> reach_m, Task& t
   graph.neighbours.resize(graph.first[leaves]);
   parallel_for(task, parts.size(), 8, [&](size_t begin, size_t end) {
     for (size_t p = begin; p < end; ++p)
-      std::copy(parts[p].begin(), parts[p].end(), graph.neighbours.begin() + static_cast<ptrdiff_t>(graph.first[p * kLeavesPerChunk]));
+      std::copy(parts[p].begin(), parts[p].end(),
+                graph.neighbours.begin() + static_cast<ptrdiff_t>(graph.first[p * kLeavesPerChunk]));
   });
   return graph;
 }

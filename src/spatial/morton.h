@@ -6,7 +6,8 @@
 
 namespace jalon {
 
-/// Morton codes: groups of 3 bits x y z, one group a level, level 1 in the most significant place (Girardeau-Montaut 2006, 4.2).
+/// Morton codes: groups of 3 bits x y z, one group a level, level 1 in the most significant place (Girardeau-Montaut
+/// 2006, 4.2).
 
 /// Bit i of v (21 bits) to bit 3 i.
 constexpr uint64_t spread_bits(uint64_t v) {

@@ -25,7 +25,8 @@ Cube enclosing_cube(const Box3& box) {
   const double longest = std::max({extent.x, extent.y, extent.z});
   if (!(longest < std::ldexp(1.0, kLargestEdge - 1)))
     fail(Status::kLimit, "the cloud is too large for an octree: its longest side exceeds 2^59 m");
-  // Half a metre and more: origin on whole metres. Smaller: on the grid of the cube itself, of which a metre is a multiple.
+  // Half a metre and more: origin on whole metres. Smaller: on the grid of the cube itself, of which a metre is a
+  // multiple.
   const bool whole = longest >= 0.5;
   Cube cube;
   cube.edge = whole ? 1.0 : std::ldexp(1.0, kSmallestEdge);
@@ -134,7 +135,8 @@ std::vector<Octree::Cell> Octree::cells(int level, Task& task) const {
   for (const auto& part : parts) total += part.size();
   out.reserve(total);
   for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
-  for (size_t c = 0; c < out.size(); ++c) out[c].count = (c + 1 < out.size() ? out[c + 1].first : size()) - out[c].first;
+  for (size_t c = 0; c < out.size(); ++c)
+    out[c].count = (c + 1 < out.size() ? out[c + 1].first : size()) - out[c].first;
   return out;
 }
 
@@ -150,7 +152,8 @@ Octree::Cell Octree::cell(int level, uint64_t wanted) const {
 std::vector<uint64_t> Octree::neighbour_cells(int level, uint64_t centre, uint32_t reach) const {
   require_level(level);
   if (centre >> 3 * level != 0)
-    fail(Status::kInvalidArgument, "code %llu has more than %d bits", static_cast<unsigned long long>(centre), 3 * level);
+    fail(Status::kInvalidArgument, "code %llu has more than %d bits", static_cast<unsigned long long>(centre),
+         3 * level);
   const CellNumbers c = cell_numbers(centre);
   const int64_t side = int64_t{1} << level;
   const auto low = [&](uint32_t v) { return std::max<int64_t>(0, int64_t{v} - reach); };

@@ -13,8 +13,9 @@
 
 namespace jalon {
 
-/// Cube of an octree: cells of level l have the edge edge / 2^l. edge is a power of two and the origin a multiple of a whole
-/// metre (of edge / 2^31 for smaller clouds), so that shifting a cloud by whole metres shifts the cube and changes no code.
+/// Cube of an octree: cells of level l have the edge edge / 2^l. edge is a power of two and the origin a multiple of a
+/// whole metre (of edge / 2^31 for smaller clouds), so that shifting a cloud by whole metres shifts the cube and
+/// changes no code.
 struct Cube {
   Vec3 origin;
   double edge = 1;
@@ -33,10 +34,12 @@ struct Neighbour {
   uint32_t index;  ///< in the caller's order
 };
 
-/// Linear octree: points sorted by Morton code (Girardeau-Montaut 2006, chapter 4). Immutable; any number of threads may query it.
+/// Linear octree: points sorted by Morton code (Girardeau-Montaut 2006, chapter 4). Immutable; any number of threads
+/// may query it.
 ///
-/// It keeps 31-bit fixed-point coordinates in the cube (12 B a point), the order (4 B) and small nodes (about 3 B); it does not own
-/// the doubles, which must outlive it and are read to settle near-ties, so that answers equal brute force in doubles exactly.
+/// It keeps 31-bit fixed-point coordinates in the cube (12 B a point), the order (4 B) and small nodes (about 3 B); it
+/// does not own the doubles, which must outlive it and are read to settle near-ties, so that answers equal brute force
+/// in doubles exactly.
 class Octree {
  public:
   /// xyz: 3n doubles, finite. Throws kLimit above 2^32 - 2 points. Parallel; the same bits for any number of threads.
@@ -67,8 +70,8 @@ class Octree {
   /// The points in the closed ball, in ascending index order.
   void radius(const Vec3& q, double radius, std::vector<Neighbour>& out) const;
 
-  /// For every point in sorted order its k nearest (itself included) by the fast batch path: visit(chunk, Batch), chunks of
-  /// consecutive sorted positions, in parallel. k <= 256. Fewer than k points in the tree: kNoPoint fills up.
+  /// For every point in sorted order its k nearest (itself included) by the fast batch path: visit(chunk, Batch),
+  /// chunks of consecutive sorted positions, in parallel. k <= 256. Fewer than k points in the tree: kNoPoint fills up.
   struct Batch {
     size_t first, count;          ///< sorted positions [first, first + count)
     const uint32_t* neighbours;   ///< count * k sorted positions (not caller's indices)
@@ -91,8 +94,8 @@ class Octree {
     ball_batches(radius, task, [](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
                  &visit);
   }
-  /// Coordinates of a sorted position relative to the cube's origin, in metres, from the 31-bit grid (rounded down, error < edge / 2^31): enough for
-  /// normals and features, and the same bits wherever the cloud lies.
+  /// Coordinates of a sorted position relative to the cube's origin, in metres, from the 31-bit grid (rounded down,
+  /// error < edge / 2^31): enough for normals and features, and the same bits wherever the cloud lies.
   Vec3 local(size_t sorted_position) const;
   /// Raw fixed-point coordinates and their step (m).
   const int32_t* grid_x() const;
@@ -110,12 +113,13 @@ class Octree {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Constant-level k nearest neighbours (2.3, formula 4.1), cell-batched: queries are grouped by their cell, and each group shares the
-/// points gathered around it. Queries may lie anywhere, in any order; the level (1 ... 21) changes the time, never the answer, which is
-/// that of Octree::knn. out: queries * k, filled up with kNoPoint at infinity.
+/// Constant-level k nearest neighbours (2.3, formula 4.1), cell-batched: queries are grouped by their cell, and each
+/// group shares the points gathered around it. Queries may lie anywhere, in any order; the level (1 ... 21) changes the
+/// time, never the answer, which is that of Octree::knn. out: queries * k, filled up with kNoPoint at infinity.
 void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32_t k, int level, Task& task,
                   std::span<Neighbour> out);
-/// Formula 4.2: the level expected to be fastest for k neighbours in reference of all points of compared. Both on one cube.
+/// Formula 4.2: the level expected to be fastest for k neighbours in reference of all points of compared. Both on one
+/// cube.
 int best_level(const Octree& reference, const Octree& compared, uint32_t k, Task& task);
 
 }  // namespace jalon

@@ -28,8 +28,9 @@ inline uint64_t code_of(int32_t x, int32_t y, int32_t z) {
                      static_cast<uint32_t>(z) >> shift);
 }
 
-/// Leaves are runs of at most kLeafPoints points inside one octree cell, in curve order. Above them stands a tree without pointers: block b of
-/// level i + 1 holds the boxes of blocks 8 b ... 8 b + 7 of level i; the last level is one block.
+/// Leaves are runs of at most kLeafPoints points inside one octree cell, in curve order. Above them stands a tree
+/// without pointers: block b of level i + 1 holds the boxes of blocks 8 b ... 8 b + 7 of level i; the last level is one
+/// block.
 struct Octree::Impl {
   std::span<const double> xyz;
   Cube cube;

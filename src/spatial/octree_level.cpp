@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Search at a constant level (Girardeau-Montaut 2006, 4.4): the cells around the query's own one, shell by shell, until the k-th
-// distance fits into the sphere that the shells cover.
+// Search at a constant level (Girardeau-Montaut 2006, 4.4): the cells around the query's own one, shell by shell, until
+// the k-th distance fits into the sphere that the shells cover.
 //
-// Two things are ours. Empty shells are jumped over: the next occupied shell is found by descending the sorted codes. And once k
-// candidates are known, the last shell that matters is known too (2.3 step 6), so at most one more gathering follows.
+// Two things are ours. Empty shells are jumped over: the next occupied shell is found by descending the sorted codes.
+// And once k candidates are known, the last shell that matters is known too (2.3 step 6), so at most one more gathering
+// follows.
 
 #include <algorithm>
 #include <bit>
@@ -49,7 +50,8 @@ class LevelCells {
         for (int64_t q = c.q - outer; q <= c.q + outer; ++q)
           for (int64_t r = c.r - outer; r <= c.r + outer; ++r)
             if (inside(p) && inside(q) && inside(r) && distance(c, p, q, r) > inner)
-              look_up(morton_code(static_cast<uint32_t>(p), static_cast<uint32_t>(q), static_cast<uint32_t>(r)), points);
+              look_up(morton_code(static_cast<uint32_t>(p), static_cast<uint32_t>(q), static_cast<uint32_t>(r)),
+                      points);
     } else {
       descend(c, inner, outer, 0, 0, 0, cells_.size(), points);
     }
@@ -119,7 +121,9 @@ class LevelCells {
       return;
     }
     for_children(level, begin, end,
-                 [&](uint64_t child, size_t from, size_t to) { descend_nearest(c, inner, level + 1, child, from, to, best); });
+                 [&](uint64_t child, size_t from, size_t to) {
+                   descend_nearest(c, inner, level + 1, child, from, to, best);
+                 });
   }
 
   int level_;
@@ -141,15 +145,18 @@ class CellSearch {
 
   void find(const Vec3& query, std::span<Neighbour> out) {
     const Vec3 q = (query - tree_.cube.origin) * tree_.inverse_step;
-    // Step 1, formula 4.1: r_j = r_0 + j l. Points on a face of the covered cells are on the outer side of it by rounding at most.
+    // Step 1, formula 4.1: r_j = r_0 + j l. Points on a face of the covered cells are on the outer side of it by
+    // rounding at most.
     const double r0 = inscribed_radius(q);
     heap_.clear();
     limit_ = std::numeric_limits<double>::infinity();
     scan(query, q, 0);
     // Steps 3 to 5.
     while (!complete_) {
-      const double covered = (r0 + static_cast<double>(std::max<int64_t>(shell_, 0)) * edge_) * (1 - 1e-12) - kGridError;
-      if (shell_ >= 0 && heap_.size() == k_ && std::sqrt(heap_[0].squared_distance) * tree_.inverse_step < covered) break;
+      const double covered =
+          (r0 + static_cast<double>(std::max<int64_t>(shell_, 0)) * edge_) * (1 - 1e-12) - kGridError;
+      if (shell_ >= 0 && heap_.size() == k_ && std::sqrt(heap_[0].squared_distance) * tree_.inverse_step < covered)
+        break;
       const size_t known = points_.size();
       extend(r0);
       scan(query, q, known);
@@ -241,17 +248,22 @@ void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32
     uint64_t code;
     size_t index;
   };
-  if (queries.size() >= kNoPoint) fail(Status::kLimit, "at most 2^32 - 2 queries are possible; there are %zu", queries.size());
+  if (queries.size() >= kNoPoint)
+    fail(Status::kLimit, "at most 2^32 - 2 queries are possible; there are %zu", queries.size());
   Buffer<Query> sorted(queries.size());
   constexpr int kDigitBits = 12;
   const int shift = std::max(0, 3 * level - kDigitBits);
   const auto begins = partition(
-      queries.size(), size_t{1} << std::min(3 * level, kDigitBits), [shift](const Query& q) { return q.code >> shift; }, task,
+      queries.size(), size_t{1} << std::min(3 * level, kDigitBits), [shift](const Query& q) { return q.code >> shift; },
+      task,
       sorted.data(), [&](size_t i) { return Query{query_code(tree, queries[i], level), i}; });
-  const auto groups = groups_of(begins.size() - 1, size_t{1} << 14, [&](size_t b) { return begins[b + 1] - begins[b]; });
+  const auto groups = groups_of(begins.size() - 1, size_t{1} << 14,
+                                [&](size_t b) { return begins[b + 1] - begins[b]; });
   parallel_chunks(task, groups.size() - 1, [&](size_t g) {
     std::sort(sorted.data() + begins[groups[g]], sorted.data() + begins[groups[g + 1]],
-              [](const Query& a, const Query& b) { return a.code < b.code || (a.code == b.code && a.index < b.index); });
+              [](const Query& a, const Query& b) {
+                return a.code < b.code || (a.code == b.code && a.index < b.index);
+              });
   });
   constexpr size_t kGrain = 256;
   parallel_for(task, sorted.size(), kGrain, [&](size_t begin, size_t end) {

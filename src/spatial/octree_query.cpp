@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Single queries: depth-first through the box tree, nearest child first. Grid coordinates only rule points out; what may belong to
-// the answer is measured in doubles between the caller's own coordinates, so that answers equal brute force.
+// Single queries: depth-first through the box tree, nearest child first. Grid coordinates only rule points out; what
+// may belong to the answer is measured in doubles between the caller's own coordinates, so that answers equal brute
+// force.
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@ namespace jalon {
 
 namespace {
 
-// A grid coordinate stands for [g, g + 1): its centre is within half a diagonal, sqrt(3) / 2, of the point; a little is added for
-// the rounding of the distances themselves.
+// A grid coordinate stands for [g, g + 1): its centre is within half a diagonal, sqrt(3) / 2, of the point; a little is
+// added for the rounding of the distances themselves.
 constexpr double kGridError = 0.8661;
 constexpr double kRounding = 1 + 1e-12;
 
@@ -24,7 +25,8 @@ struct Visit {
   uint32_t level, block;
 };
 
-// Walks the leaves that may hold points nearer than bound() (squared, grid units), nearest first by box; scan(leaf) looks at one.
+// Walks the leaves that may hold points nearer than bound() (squared, grid units), nearest first by box; scan(leaf)
+// looks at one.
 template <class Bound, class Scan>
 void walk(const Octree::Impl& tree, const Vec3& q, Bound bound, Scan scan) {
   if (tree.count == 0) return;
@@ -63,7 +65,8 @@ void walk(const Octree::Impl& tree, const Vec3& q, Bound bound, Scan scan) {
   }
 }
 
-// Calls found(position, exact squared distance) for the points of a leaf that are not certainly beyond limit (grid units).
+// Calls found(position, exact squared distance) for the points of a leaf that are not certainly beyond limit (grid
+// units).
 template <class Limit, class Found>
 void scan_leaf(const Octree::Impl& tree, size_t leaf, const Vec3& q_world, const Vec3& q, Limit limit, Found found) {
   for (size_t i = tree.leaf_first[leaf]; i < tree.leaf_first[leaf + 1]; ++i) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The sort of an octree's points by (code, index), in three moves:
-//   1. every point is put on the grid and goes to the bucket of its top levels (two passes over the doubles: count, then move);
-//   2. buckets that hold too much of the cloud are split again by their next differing levels (far outliers, uneven density);
+//   1. every point is put on the grid and goes to the bucket of its top levels (two passes over the doubles: count,
+//   then move);
+//   2. buckets that hold too much of the cloud are split again by their next differing levels (far outliers, uneven
+//   density);
 //   3. each bucket, now a cell that fits the L2 cache, is sorted by itself and cut into leaves.
 // All moves are stable and the cuts depend on the points only, so any number of threads gives the same bits.
 
@@ -97,8 +99,9 @@ std::vector<Bucket> split_large(std::vector<Bucket> buckets, size_t limit, GridP
   return buckets;
 }
 
-// Cuts sorted codes into leaves: runs of at most kLeafPoints points that never leave a cell which is too large for one leaf. Neighbouring
-// children of such a cell share a leaf while they fit; many points of one deepest cell are cut into equal pieces.
+// Cuts sorted codes into leaves: runs of at most kLeafPoints points that never leave a cell which is too large for one
+// leaf. Neighbouring children of such a cell share a leaf while they fit; many points of one deepest cell are cut into
+// equal pieces.
 void cut_leaves(const uint64_t* codes, size_t first, size_t last, size_t offset, std::vector<uint32_t>& leaves) {
   const uint64_t differing = codes[first] ^ codes[last - 1];
   if (last - first <= kLeafPoints || differing == 0) {

@@ -15,8 +15,9 @@ namespace jalon {
 /// Points a chunk takes: cuts depend on n alone.
 inline size_t partition_grain(size_t n) { return std::max<size_t>(size_t{1} << 15, n / 256 + 1); }
 
-/// Stable parallel partition of n < 2^32 records by a digit in [0, bins): read(i) makes record i, which goes to out at its bin. Returns
-/// where each bin begins, and n. Two passes: count, then move. A few thousand bins keep the open write streams in the cache.
+/// Stable parallel partition of n < 2^32 records by a digit in [0, bins): read(i) makes record i, which goes to out at
+/// its bin. Returns where each bin begins, and n. Two passes: count, then move. A few thousand bins keep the open write
+/// streams in the cache.
 template <class Record, class Digit, class Read>
 std::vector<size_t> partition(size_t n, size_t bins, Digit digit, Task& task, Record* out, Read read) {
   const size_t grain = partition_grain(n), chunks = (n + grain - 1) / grain;
@@ -51,7 +52,8 @@ std::vector<size_t> partition(size_t n, size_t bins, Digit digit, Task& task, Re
   return begins;
 }
 
-/// Groups of consecutive parts of at least goal items (the last may be smaller): group g holds parts out[g] ... out[g + 1] - 1.
+/// Groups of consecutive parts of at least goal items (the last may be smaller): group g holds parts out[g] ... out[g +
+/// 1] - 1.
 template <class Size>
 std::vector<size_t> groups_of(size_t parts, size_t goal, Size size) {
   std::vector<size_t> out{0};

@@ -120,7 +120,8 @@ class Centroids {
         const uint64_t mask = (uint64_t{1} << digit_bits) - 1;
         append_buckets(partition(
                            bucket.count, size_t{1} << digit_bits,
-                           [=](const Record& r) { return r.key >> shift & mask; }, task, to.data() + bucket.first, [from](size_t i) { return from[i]; }),
+                           [=](const Record& r) { return r.key >> shift & mask; }, task, to.data() + bucket.first,
+                           [from](size_t i) { return from[i]; }),
                        bucket.first, !bucket.in_second, split);
         again = true;
       }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Cells by sorting: the three cell numbers of a point, counted from the lowest ones in use, are packed into one 64-bit key; keys are
-// parted by their highest bits in parallel, and each part is sorted in the cache.
+// Cells by sorting: the three cell numbers of a point, counted from the lowest ones in use, are packed into one 64-bit
+// key; keys are parted by their highest bits in parallel, and each part is sorted in the cache.
 
 #include "spatial/voxel_grid.h"
 

@@ -18,8 +18,8 @@ namespace jalon {
 void require_voxels(size_t points, double cell_m);
 
 /// The three cell numbers of a point, floor((p - origin) / cell) counted from the lowest in use, packed into one
-/// 64-bit key: z counts most, x least. Numbers too large for 64 bits together are first replaced by their ranks, axis by
-/// axis: n points occupy at most n different planes of cells.
+/// 64-bit key: z counts most, x least. Numbers too large for 64 bits together are first replaced by their ranks, axis
+/// by axis: n points occupy at most n different planes of cells.
 class VoxelNumbers {
  public:
   /// box: of all points. kLimit when a number or a key has too many bits. xyz must outlive this.

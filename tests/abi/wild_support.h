@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* What the generated program wild_calls.c stands on. Every case runs in a child process of its own, so that a crash costs one case and
- * has a name, and that every case meets the same fresh handles. */
+/* What the generated program wild_calls.c stands on. Every case runs in a child process of its own, so that a crash
+ * costs one case and has a name, and that every case meets the same fresh handles. */
 #ifndef WILD_SUPPORT_H
 #define WILD_SUPPORT_H
 

@@ -38,7 +38,8 @@ struct StreetTruth {
     for (const Face& face : model.faces) {
       areas[face.id] += face.area_m2;
       if (plane_of.count(face.id) != 0) continue;
-      const auto same = std::find_if(planes.begin(), planes.end(), [&](const Plane& p) { return coplanar(p, face.plane); });
+      const auto same = std::find_if(planes.begin(), planes.end(),
+                                     [&](const Plane& p) { return coplanar(p, face.plane); });
       plane_of[face.id] = static_cast<size_t>(same - planes.begin());
       if (same == planes.end()) planes.push_back(face.plane);
     }
@@ -133,11 +134,9 @@ TEST_CASE("chain_growing__finds_every_plane_of_the_scanned_street_once_and_unsla
     const Segmentation s = segment_region_growing(cloud, params, task);
     const Figures f = judge(truth, s);
     MESSAGE("FIGURE street by region_growing, seed " << seed << ", " << cloud->size() << " points: " << f.once << " of "
-                                                     << f.planes << " once, worst angle " << f.angle_deg << " deg, shift "
-                                                     << 1000 * f.shift_m << " mm, coverage " << f.coverage
-                                                     << ", purity " << f.purity << "; " << s.segments.size()
-                                                     << " segments, worst slant " << f.slant_deg << " deg, "
-                                                     << f.on_curved << " on curved things");
+            << f.planes << " once, worst angle " << f.angle_deg << " deg, shift " << 1000 * f.shift_m
+            << " mm, coverage " << f.coverage << ", purity " << f.purity << "; " << s.segments.size()
+            << " segments, worst slant " << f.slant_deg << " deg, " << f.on_curved << " on curved things");
     CHECK(f.planes >= 17);  // 20 at the full density
     CHECK(f.once == f.planes);
     CHECK(f.angle_deg <= kLargestAngle_deg);

@@ -192,11 +192,10 @@ TEST_CASE("chain_street__finds_the_28_true_planes_of_the_measured_street_once_an
     check_true_planes(street, s, segments, worst);
     check_segments(street, s, segments, worst);
     CHECK(worst.planes == kTruePlanes);
-    MESSAGE("FIGURE street, seed " << seed << ": " << worst.once << " of " << worst.planes << " once, " << s.segments.size()
-                                   << " segments; worst so far: buildings " << worst.building_deg << " deg, "
-                                   << 1000 * worst.building_m << " mm, boxes " << worst.box_deg << " deg, "
-                                   << 1000 * worst.box_m << " mm, coverage " << worst.coverage << ", slant "
-                                   << worst.slant_deg << " deg, purity " << worst.purity << "; "
-                                   << worst.on_no_plane << " segments on curved things");
+    MESSAGE("FIGURE street, seed " << seed << ": " << worst.once << " of " << worst.planes << " once, "
+            << s.segments.size() << " segments; worst so far: buildings " << worst.building_deg << " deg, "
+            << 1000 * worst.building_m << " mm, boxes " << worst.box_deg << " deg, " << 1000 * worst.box_m
+            << " mm, coverage " << worst.coverage << ", slant " << worst.slant_deg << " deg, purity " << worst.purity
+            << "; " << worst.on_no_plane << " segments on curved things");
   }
 }

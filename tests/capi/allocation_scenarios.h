@@ -1,6 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* Small jobs through the whole C surface. Each makes all it needs, gives everything back and returns the first failure. */
+/* Small jobs through the whole C surface. Each makes all it needs, gives everything back and returns the first
+ * failure. */
 #ifndef JALON_TEST_ALLOCATION_SCENARIOS_H
 #define JALON_TEST_ALLOCATION_SCENARIOS_H
 
@@ -36,7 +37,8 @@ static inline jalon_status options_of(const char* operation, const char* json, j
 }
 
 static jalon_status scenario_cloud(void) {
-  jalon_cloud *cloud = NULL, *picked = NULL, *even = NULL, *odd = NULL, *both = NULL, *moved = NULL, *in = NULL, *out = NULL;
+  jalon_cloud *cloud = NULL, *picked = NULL, *even = NULL, *odd = NULL, *both = NULL, *moved = NULL, *in = NULL,
+              *out = NULL;
   jalon_fields* fields = NULL;
   const jalon_transform pose = {{0, -1, 0, 2, 1, 0, 0, 3, 0, 0, 1, 4}};
   const jalon_box box = {{1, -5, 1}, {9, 5, 8}};
@@ -71,7 +73,8 @@ static jalon_status scenario_builder(void) {
   const jalon_transform pose = {{1, 0, 0, 2, 0, 1, 0, 3, 0, 0, 1, 4}};
   jalon_status status = jalon_cloud_builder_create(JALON_CLOUD_DROP_INVALID, &builder);
   TRY(jalon_cloud_builder_set_crs(builder, "a coordinate reference system of more than sixteen letters"));
-  TRY(jalon_cloud_builder_declare_field(builder, "a field with a rather long name", JALON_FLOAT32, 3, "m", "something"));
+  TRY(jalon_cloud_builder_declare_field(builder, "a field with a rather long name", JALON_FLOAT32, 3, "m",
+                                        "something"));
   for (int block = 0; block < 3; ++block) {
     TRY(jalon_cloud_builder_begin_station(builder, "a station with a rather long name", &pose));
     TRY(jalon_cloud_builder_append_points(builder, small_xyz, JALON_FLOAT64, 200, 0));

@@ -1,8 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* Allocation failure is an ordinary error: in small jobs through the whole surface the 1st, 2nd, 3rd ... allocation fails, once or
- * from then on. Each time: out of memory or success, no crash, nothing kept, and the same job then succeeds. By default at most
- * kShallow failures a job and mode, spread over all; JALON_FULL=1 takes every one. */
+/* Allocation failure is an ordinary error: in small jobs through the whole surface the 1st, 2nd, 3rd ... allocation
+ * fails, once or from then on. Each time: out of memory or success, no crash, nothing kept, and the same job then
+ * succeeds. By default at most kShallow failures a job and mode, spread over all; JALON_FULL=1 takes every one. */
 #include "allocation_scenarios.h"
 
 #include <dirent.h>
@@ -43,7 +43,9 @@ static void* counted(void* block) {
 #pragma GCC visibility push(default) /* the build hides everything, but these must be seen by the libraries */
 void* malloc(size_t bytes) { return must_fail() ? NULL : counted(__libc_malloc(bytes)); }
 void* calloc(size_t count, size_t bytes) { return must_fail() ? NULL : counted(__libc_calloc(count, bytes)); }
-void* memalign(size_t alignment, size_t bytes) { return must_fail() ? NULL : counted(__libc_memalign(alignment, bytes)); }
+void* memalign(size_t alignment, size_t bytes) {
+  return must_fail() ? NULL : counted(__libc_memalign(alignment, bytes));
+}
 void* aligned_alloc(size_t alignment, size_t bytes) { return memalign(alignment, bytes); }
 int posix_memalign(void** out, size_t alignment, size_t bytes) {
   void* block = memalign(alignment, bytes);
@@ -64,7 +66,8 @@ void free(void* block) {
 }
 #pragma GCC visibility pop
 
-/* One run of a job with the k-th allocation failing (0 = none): its status, what it kept, and whether anything did fail. */
+/* One run of a job with the k-th allocation failing (0 = none): its status, what it kept, and whether anything did
+ * fail. */
 struct outcome {
   jalon_status status;
   long kept, failures, attempts;
@@ -89,7 +92,8 @@ static int files_left(void) {
   int count = 0;
   DIR* folder = opendir(small_folder);
   if (folder == NULL) return 0;
-  for (struct dirent* entry; (entry = readdir(folder)) != NULL;) count += entry->d_name[0] != '.' || entry->d_name[1] > '.';
+  for (struct dirent* entry; (entry = readdir(folder)) != NULL;)
+    count += entry->d_name[0] != '.' || entry->d_name[1] > '.';
   closedir(folder);
   return count;
 }
@@ -110,15 +114,16 @@ static void out_of_memory__is_an_ordinary_error_everywhere(void** state) {
     for (int mode = 0; mode < 2; ++mode)
       for (long step = 0; step < steps; ++step) {
         /* The last one of each stretch; a shift by mode takes others the second time. */
-        const long k = steps == whole.attempts ? step + 1 : 1 + (step * whole.attempts + mode * whole.attempts / 2) / steps;
+        const long k = steps == whole.attempts ? step + 1
+                                               : 1 + (step * whole.attempts + mode * whole.attempts / 2) / steps;
         struct outcome outcome = run_job(job, k, mode);
         injected += outcome.failures;
         if (outcome.status == JALON_ERROR_OUT_OF_MEMORY) {
           ++refused;
           expect_one_line();
         } else if (outcome.status != JALON_OK) {
-          fail_msg("%s, allocation %ld of %ld fails %s: %s: %s", name, k, whole.attempts, mode ? "and all after" : "once",
-                   jalon_status_name(outcome.status), jalon_last_error_message());
+          fail_msg("%s, allocation %ld of %ld fails %s: %s: %s", name, k, whole.attempts,
+                   mode ? "and all after" : "once", jalon_status_name(outcome.status), jalon_last_error_message());
         }
         if (outcome.kept != 0 && run_job(job, k, mode).kept > 0) /* twice: no thread stack that happened to be new */
           fail_msg("%s, allocation %ld of %ld fails %s: %ld blocks are never freed", name, k, whole.attempts,

@@ -95,7 +95,8 @@ static void wrong_field__lists_the_fields_there_are(void** state) {
   REFUSED(JALON_ERROR_NOT_FOUND, jalon_fields_view(fields, "intensity", &view));
   expect_word("reflectance");
   REFUSED(JALON_ERROR_NOT_FOUND, jalon_cloud_remove_field(cloud, "intensity"));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_set_field(cloud, "short", value, JALON_FLOAT32, 1, 49, 0, NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_cloud_set_field(cloud, "short", value, JALON_FLOAT32, 1, 49, 0, NULL, NULL));
   jalon_fields_release(fields);
   jalon_cloud_release(cloud);
 }
@@ -214,7 +215,8 @@ static void no_folder__is_named(void** state) {
   for (int i = 0; i < kWriters; ++i) {
     snprintf(path, sizeof path, "%s/none/%s", temporary("no"), kWritten[i]);
     const jalon_status status = write_one(&w, i, path);
-    if (status != JALON_ERROR_IO && status != JALON_ERROR_NOT_FOUND) fail_msg("%s: status %d", kWritten[i], (int)status);
+    if (status != JALON_ERROR_IO && status != JALON_ERROR_NOT_FOUND)
+      fail_msg("%s: status %d", kWritten[i], (int)status);
     expect_one_line();
     expect_word(kWritten[i]);
   }

@@ -36,8 +36,8 @@ static int32_t watch_progress(double fraction, const char* stage, void* user) {
 
 static void expect_contract(const struct watch* w, const char* name) {
   if (w->backward || w->outside || w->stranger || w->unnamed)
-    fail_msg("%s: of %d reports %d went backward, %d left 0..1, %d came on another thread, %d had no stage", name, w->calls,
-             w->backward, w->outside, w->stranger, w->unnamed);
+    fail_msg("%s: of %d reports %d went backward, %d left 0..1, %d came on another thread, %d had no stage", name,
+             w->calls, w->backward, w->outside, w->stranger, w->unnamed);
 }
 
 static void progress__is_monotone_and_one_only_at_the_end(void** state) {
@@ -53,7 +53,8 @@ static void progress__is_monotone_and_one_only_at_the_end(void** state) {
       MUST(jalon_task_set_progress(task, watch_progress, &w));
       MUST(kOperations[i].run(cloud, task, &out));
       expect_contract(&w, kOperations[i].name);
-      if (w.ones != 1 || w.last != 1.0) fail_msg("%s: %d reports of 1, the last is %g", kOperations[i].name, w.ones, w.last);
+      if (w.ones != 1 || w.last != 1.0)
+        fail_msg("%s: %d reports of 1, the last is %g", kOperations[i].name, w.ones, w.last);
       reports += w.calls;
       release_made(&out);
       jalon_task_release(task);
@@ -149,7 +150,8 @@ static void cancel__ends_any_call_within_100_ms(void** state) {
       MUST(jalon_task_cancel(call.task));
       pthread_join(thread, NULL);
       if (call.status == JALON_ERROR_CANCELLED) {
-        if (call.out.cloud || call.out.fields || call.out.segmentation) fail_msg("%s wrote an output", kOperations[i].name);
+        if (call.out.cloud || call.out.fields || call.out.segmentation)
+          fail_msg("%s wrote an output", kOperations[i].name);
         late_s[count] = call.ended_s - asked_s;
         if (late_s[count] > worst) worst = late_s[count], worst_name = kOperations[i].name;
         ++count;
@@ -164,8 +166,10 @@ static void cancel__ends_any_call_within_100_ms(void** state) {
   }
   qsort(late_s, (size_t)count, sizeof *late_s, by_size);
   const double p99 = count > 0 ? late_s[(int)(0.99 * (count - 1))] : 0;
-  printf("FIGURE cancel latency, %d cancels on %llu points: median %.1f ms, p99 %.1f ms, worst %.1f ms (%s); %d ended before\n",
-         count, (unsigned long long)points(), count > 0 ? 1e3 * late_s[count / 2] : 0, 1e3 * p99, 1e3 * worst, worst_name, early);
+  printf("FIGURE cancel latency, %d cancels on %llu points: median %.1f ms, p99 %.1f ms, worst %.1f ms (%s); "
+         "%d ended before\n",
+         count, (unsigned long long)points(), count > 0 ? 1e3 * late_s[count / 2] : 0, 1e3 * p99, 1e3 * worst,
+         worst_name, early);
   assert_true(count >= (is_sanitized() ? 5 : 50));
   if (!is_sanitized()) assert_true(p99 <= 0.1);
 }

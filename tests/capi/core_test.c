@@ -10,7 +10,8 @@ static void status__each_has_a_name_of_its_own(void** state) {
   const int32_t numbers[] = {0, -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -99};
   for (size_t i = 0; i < 14; ++i) {
     assert_string_not_equal(jalon_status_name(numbers[i]), "unknown status");
-    for (size_t j = 0; j < i; ++j) assert_string_not_equal(jalon_status_name(numbers[i]), jalon_status_name(numbers[j]));
+    for (size_t j = 0; j < i; ++j)
+      assert_string_not_equal(jalon_status_name(numbers[i]), jalon_status_name(numbers[j]));
   }
   assert_string_equal(jalon_status_name(-98), "unknown status");
   assert_string_equal(jalon_status_name(1), "unknown status");

@@ -1,6 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* The layout of the public structs and the numbers of the constants: a changed line here is a broken program somewhere. */
+/* The layout of the public structs and the numbers of the constants: a changed line here is a broken program
+ * somewhere. */
 #include "support.h"
 
 #define AT(type, member, offset) assert_int_equal(offsetof(type, member), offset)
@@ -41,9 +42,9 @@ static void constants__keep_their_numbers(void** state) {
                            JALON_UINT32, JALON_INT64, JALON_UINT64, JALON_FLOAT32, JALON_FLOAT64};
   for (int32_t i = 0; i < 10; ++i) assert_int_equal(types[i], i + 1);
   const int32_t statuses[] = {JALON_OK, JALON_ERROR_INVALID_ARGUMENT, JALON_ERROR_OUT_OF_MEMORY, JALON_ERROR_CANCELLED,
-                              JALON_ERROR_NOT_FOUND, JALON_ERROR_INSUFFICIENT_DATA, JALON_ERROR_DEGENERATE, JALON_ERROR_IO,
-                              JALON_ERROR_FORMAT, JALON_ERROR_UNSUPPORTED, JALON_ERROR_CALLBACK, JALON_ERROR_BUSY,
-                              JALON_ERROR_LIMIT};
+                              JALON_ERROR_NOT_FOUND, JALON_ERROR_INSUFFICIENT_DATA, JALON_ERROR_DEGENERATE,
+                              JALON_ERROR_IO, JALON_ERROR_FORMAT, JALON_ERROR_UNSUPPORTED, JALON_ERROR_CALLBACK,
+                              JALON_ERROR_BUSY, JALON_ERROR_LIMIT};
   for (int32_t i = 0; i < 13; ++i) assert_int_equal(statuses[i], -i);
   assert_int_equal(JALON_ERROR_INTERNAL, -99);
   const int32_t params[] = {JALON_PARAM_DOUBLE, JALON_PARAM_INT64,  JALON_PARAM_BOOL,

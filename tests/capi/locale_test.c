@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* Text made and read under a locale with a decimal comma equals that under "C", byte by byte. comma_locale.sh makes the locale;
- * without it the test is skipped. */
+/* Text made and read under a locale with a decimal comma equals that under "C", byte by byte. comma_locale.sh makes the
+ * locale; without it the test is skipped. */
 #include "support.h"
 
 #include <locale.h>
@@ -40,8 +40,8 @@ static char* make_texts(void) {
   MUST(jalon_modeller_run(modeller, cloud, segmentation, NULL, &model));
   MUST(jalon_model_write(model, temporary(kFiles[4]), NULL, NULL));
   MUST(jalon_report_write_elevation(segmentation, model, temporary(kFiles[5]), NULL, NULL));
-  MUST(jalon_report_write_json(segmentation, model, "{\"title\": \"t\", \"times\": {\"read\": 1.5}}", temporary(kFiles[6]), NULL,
-                               NULL));
+  MUST(jalon_report_write_json(segmentation, model, "{\"title\": \"t\", \"times\": {\"read\": 1.5}}",
+                               temporary(kFiles[6]), NULL, NULL));
   MUST(jalon_segmenter_params(segmenter, &params));
   MUST(jalon_params_from_json(params, "{\"distance_tolerance_m\": 0.0125}"));
   MUST(jalon_params_to_json(params, &json));

@@ -77,12 +77,16 @@ static void mesh__refuses_what_is_impossible(void** state) {
   jalon_model* model = NULL;
   const uint32_t beyond[] = {0, 1, 4};
   const double nan_vertex[] = {0, 0, NAN};
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_create_mesh(kVertices, JALON_FLOAT32, 4, 0, beyond, 1, NULL, &model));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_create_mesh(nan_vertex, JALON_FLOAT64, 1, 0, NULL, 0, NULL, &model));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_create_mesh(NULL, JALON_FLOAT32, 4, 0, kTriangles, 2, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_model_create_mesh(kVertices, JALON_FLOAT32, 4, 0, beyond, 1, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_model_create_mesh(nan_vertex, JALON_FLOAT64, 1, 0, NULL, 0, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_model_create_mesh(NULL, JALON_FLOAT32, 4, 0, kTriangles, 2, NULL, &model));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_create_mesh(kVertices, 99, 4, 0, kTriangles, 2, NULL, &model));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_create_mesh(kVertices, JALON_FLOAT32, 4, 0, NULL, 2, NULL, &model));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_create_mesh(kVertices, JALON_FLOAT32, 4, 0, kTriangles, 2, NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_model_create_mesh(kVertices, JALON_FLOAT32, 4, 0, kTriangles, 2, NULL, NULL));
   assert_null(model);
   MUST(jalon_model_create_mesh(NULL, JALON_FLOAT64, 0, 0, NULL, 0, NULL, &model));
   assert_ptr_equal(jalon_model_retain(model), model);

@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* The long operations in one shape, for tests that treat them all alike: each works on a copy of the handle's cloud where it would
- * change it, writes the handle it makes to *out and gives the hash of what came out. */
+/* The long operations in one shape, for tests that treat them all alike: each works on a copy of the handle's cloud
+ * where it would change it, writes the handle it makes to *out and gives the hash of what came out. */
 #ifndef JALON_TEST_OPERATIONS_H
 #define JALON_TEST_OPERATIONS_H
 
@@ -158,7 +158,8 @@ static inline uint64_t hash_fields(uint64_t hash, const jalon_fields* fields) {
     static const unsigned char bytes[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
     hash = hash_bytes(hash, info.name, strlen(info.name));
     for (uint64_t i = 0; i < view.count; ++i)
-      hash = hash_bytes(hash, (const char*)view.data + i * view.stride_bytes, (size_t)bytes[view.type] * view.components);
+      hash = hash_bytes(hash, (const char*)view.data + i * view.stride_bytes,
+                        (size_t)bytes[view.type] * view.components);
   }
   return hash;
 }

@@ -52,7 +52,8 @@ static void for_each_row(row_visit visit) {
 static void check_row(const char* owner, jalon_params* params, const jalon_param_info* row) {
   uint64_t rows, same = 0;
   if (row->type < 1 || row->type > 6) fail_msg("%s.%s has type %d", owner, row->name, row->type);
-  if (strlen(row->help) < 8 || strchr(row->help, '\n') != NULL) fail_msg("%s.%s: help \"%s\"", owner, row->name, row->help);
+  if (strlen(row->help) < 8 || strchr(row->help, '\n') != NULL)
+    fail_msg("%s.%s: help \"%s\"", owner, row->name, row->help);
   if ((row->type == JALON_PARAM_CHOICE) != (row->choices[0] != 0)) fail_msg("%s.%s: choices", owner, row->name);
   if (!(row->minimum <= row->maximum)) fail_msg("%s.%s: empty range", owner, row->name);
   if (row->default_text[0] == 0) fail_msg("%s.%s: no default", owner, row->name);
@@ -75,9 +76,10 @@ static void params__every_row_is_complete(void** state) {
 
 static void check_length(const char* owner, jalon_params* params, const jalon_param_info* row) {
   (void)params;
-  static const char* const kinds[] = {"radius", "diameter", "half", "edge", "side", "distance", "width", "height", "length",
-                                      "depth", "thickness", "size", "spacing", "shift", "offset", "coordinate", "deviation",
-                                      "sigma", "step", "scale", "gap", "position", "range", "viewpoint", "point", "margin"};
+  static const char* const kinds[] = {"radius", "diameter", "half", "edge", "side", "distance", "width", "height",
+                                      "length", "depth", "thickness", "size", "spacing", "shift", "offset",
+                                      "coordinate", "deviation", "sigma", "step", "scale", "gap", "position", "range",
+                                      "viewpoint", "point", "margin"};
   if (strcmp(row->unit, "m") != 0) return;
   char help[512] = "";
   for (size_t i = 0; i + 1 < sizeof help && row->help[i] != 0; ++i)
@@ -103,9 +105,11 @@ static void check_range(const char* owner, jalon_params* params, const jalon_par
     REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_double(params, row->name, NAN));
     assert_non_null(strstr(jalon_last_error_message(), row->name));
     if (isfinite(row->minimum))
-      REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_double(params, row->name, nextafter(row->minimum, -INFINITY)));
+      REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+              jalon_params_set_double(params, row->name, nextafter(row->minimum, -INFINITY)));
     if (isfinite(row->maximum))
-      REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_double(params, row->name, nextafter(row->maximum, INFINITY)));
+      REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+              jalon_params_set_double(params, row->name, nextafter(row->maximum, INFINITY)));
     MUST(jalon_params_get_double(params, row->name, &after));
     assert_memory_equal(&before, &after, sizeof before);
     if (isfinite(row->minimum)) MUST(jalon_params_set_double(params, row->name, row->minimum));

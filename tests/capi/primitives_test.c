@@ -136,7 +136,8 @@ static void primitives__picks_one_after_the_other_with_undo(void** state) {
   remove("primitives.txt");
   assert_int_equal(rows, 3);
   jalon_segmentation* more = NULL;
-  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_segmentation_pick(ball, JALON_PRIMITIVE_PLANE, corners, 4, NULL, NULL, &more));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
+          jalon_segmentation_pick(ball, JALON_PRIMITIVE_PLANE, corners, 4, NULL, NULL, &more));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_segmentation_pick(ball, 4, corners, 4, NULL, NULL, &more));
   assert_true(more == NULL);
   jalon_segmentation_release(none);

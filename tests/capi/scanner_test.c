@@ -220,7 +220,8 @@ static void scanner__surveys_the_school_as_its_recipe_says(void** state) {
   MUST(jalon_scanner_create("static", &scanner));
   MUST(jalon_scanner_params(scanner, &params));
   MUST(jalon_params_from_json(params,
-                              "{\"instrument\": \"gx\", \"horizontal_step_rad\": 0.0029, \"vertical_step_rad\": 0.0029, "
+                              "{\"instrument\": \"gx\", \"horizontal_step_rad\": 0.0029, "
+                              "\"vertical_step_rad\": 0.0029, "
                               "\"stations\": 4, \"station_distance_m\": 30, \"misfit_shift_m\": 0.004, "
                               "\"glass_return_min\": 0.05, \"glass_return_max\": 0.3, \"outliers\": 0.02, "
                               "\"outlier_place\": \"box\", \"max_points\": 200000}"));

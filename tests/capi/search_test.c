@@ -65,7 +65,8 @@ static void knn__equals_brute_force_at_every_level(void** state) {
   const int32_t levels[] = {JALON_LEVEL_AUTOMATIC, 1, 2, 4, 7, 10, 21};
   for (size_t l = 0; l < sizeof levels / sizeof *levels; ++l) {
     memset(found, 0, sizeof found);
-    assert_int_equal(jalon_cloud_knn(cloud, queries, JALON_FLOAT64, 3, 0, 9, levels[l], NULL, found, distances), JALON_OK);
+    assert_int_equal(jalon_cloud_knn(cloud, queries, JALON_FLOAT64, 3, 0, 9, levels[l], NULL, found, distances),
+                     JALON_OK);
     assert_memory_equal(found, expected, sizeof expected);
     for (int i = 0; i < 27; ++i) assert_true(distances[i] == squared(xyz + 3 * found[i], queries + 3 * (i / 9)));
   }
@@ -80,7 +81,8 @@ static void knn_all__agrees_with_knn(void** state) {
   static uint64_t each[kCount * 7];
   jalon_cloud* cloud = grid_cloud(0, xyz);
   assert_int_equal(jalon_cloud_knn_all(cloud, 7, NULL, all, squares), JALON_OK);
-  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, kCount, 0, 7, JALON_LEVEL_AUTOMATIC, NULL, each, NULL), JALON_OK);
+  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, kCount, 0, 7, JALON_LEVEL_AUTOMATIC, NULL, each, NULL),
+                   JALON_OK);
   for (int i = 0; i < kCount * 7; ++i) assert_int_equal(all[i], each[i]);
   assert_true(squares[0] == 0 && squares[1] == 0.0625f);
   jalon_cloud_release(cloud);
@@ -91,7 +93,8 @@ static void radius_search__finds_the_closed_ball(void** state) {
   static double xyz[3 * kCount];
   jalon_cloud* cloud = grid_cloud(0, xyz);
   jalon_fields *ranges = NULL, *neighbours = NULL;
-  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, kCount, 0, 0.25, NULL, &ranges, &neighbours), JALON_OK);
+  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, kCount, 0, 0.25, NULL, &ranges, &neighbours),
+                   JALON_OK);
   jalon_array_view first, index, distance;
   assert_int_equal(jalon_fields_view(ranges, "first", &first), JALON_OK);
   assert_int_equal(jalon_fields_view(neighbours, "index", &index), JALON_OK);
@@ -133,7 +136,8 @@ static void cells__tile_the_points_in_order(void** state) {
     assert_int_equal(((const uint64_t*)count.data)[c], 64);
     for (uint64_t i = next; i < next + 64; ++i)
       for (int axis = 0; axis < 3; ++axis)
-        assert_true(fabs(xyz[3 * ((const uint64_t*)sorted.data)[i] + axis] - ((const double*)centre.data)[3 * c + axis]) <= 0.5);
+        assert_true(fabs(xyz[3 * ((const uint64_t*)sorted.data)[i] + axis] -
+                         ((const double*)centre.data)[3 * c + axis]) <= 0.5);
     next += 64;
   }
   assert_int_equal(next, kCount);
@@ -172,16 +176,23 @@ static void bad_arguments__are_refused_and_nothing_is_written(void** state) {
   uint64_t found[8] = {77};
   const double bad[] = {0, NAN, 0};
   jalon_fields *fields = NULL, *more = NULL;
-  assert_int_equal(jalon_cloud_knn(cloud, bad, JALON_FLOAT64, 1, 0, 1, -1, NULL, found, NULL), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, 1, 0, 0, -1, NULL, found, NULL), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, 1, 0, 1, 22, NULL, found, NULL), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, 1, 0, 1, 0, NULL, found, NULL), JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_cloud_knn(cloud, bad, JALON_FLOAT64, 1, 0, 1, -1, NULL, found, NULL),
+                   JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, 1, 0, 0, -1, NULL, found, NULL),
+                   JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, 1, 0, 1, 22, NULL, found, NULL),
+                   JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, 1, 0, 1, 0, NULL, found, NULL),
+                   JALON_ERROR_INVALID_ARGUMENT);
   assert_int_equal(jalon_cloud_knn(cloud, xyz, 99, 1, 0, 1, -1, NULL, found, NULL), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, UINT64_MAX, 0, 1, -1, NULL, found, NULL), JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, UINT64_MAX, 0, 1, -1, NULL, found, NULL),
+                   JALON_ERROR_INVALID_ARGUMENT);
   assert_int_equal(found[0], 77);
   assert_int_equal(jalon_cloud_knn_all(cloud, 257, NULL, (uint32_t*)found, NULL), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, 1, 0, -1, NULL, &fields, &more), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, 1, 0, NAN, NULL, &fields, &more), JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, 1, 0, -1, NULL, &fields, &more),
+                   JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, 1, 0, NAN, NULL, &fields, &more),
+                   JALON_ERROR_INVALID_ARGUMENT);
   assert_int_equal(jalon_cloud_cells(cloud, 22, NULL, &fields), JALON_ERROR_INVALID_ARGUMENT);
   assert_int_equal(jalon_cloud_cell_neighbours(cloud, 2, 64, 1, NULL, &fields), JALON_ERROR_INVALID_ARGUMENT);
   assert_null(fields);

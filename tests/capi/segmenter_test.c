@@ -126,7 +126,8 @@ static void segmenter__tells_parameters_and_distribution(void** state) {
   assert_true(*(const double*)kurtosis.data < -1);
   jalon_fields *kept = bins, *kept_normal = normal;
   assert_int_equal(jalon_segmentation_residuals(segmentation, 3, 20, NULL, &bins, &normal), JALON_ERROR_NOT_FOUND);
-  assert_int_equal(jalon_segmentation_residuals(segmentation, 1, 0, NULL, &bins, &normal), JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_segmentation_residuals(segmentation, 1, 0, NULL, &bins, &normal),
+                   JALON_ERROR_INVALID_ARGUMENT);
   assert_ptr_equal(bins, kept);
   assert_ptr_equal(normal, kept_normal);
   jalon_fields_release(bins);

@@ -51,14 +51,15 @@ static void* query_body(void* argument) {
     jalon_fields *ranges = NULL, *near = NULL, *fields = NULL;
     jalon_box box;
     if (jalon_cloud_points(w->cloud, &xyz) != JALON_OK) note(w, "points");
-    if (jalon_cloud_knn(w->cloud, xyz.data, JALON_FLOAT64, kQueries, 0, kNeighbours, JALON_LEVEL_AUTOMATIC, task, found, NULL) !=
-        JALON_OK)
+    if (jalon_cloud_knn(w->cloud, xyz.data, JALON_FLOAT64, kQueries, 0, kNeighbours, JALON_LEVEL_AUTOMATIC, task, found,
+                        NULL) != JALON_OK)
       note(w, jalon_last_error_message());
     else if (memcmp(found, expected_neighbours, sizeof found) != 0)
       note(w, "other neighbours");
     if (jalon_cloud_radius_search(w->cloud, xyz.data, JALON_FLOAT64, 16, 0, 0.2, task, &ranges, &near) != JALON_OK)
       note(w, jalon_last_error_message());
-    if (jalon_cloud_fields(w->cloud, &fields) != JALON_OK || jalon_cloud_bounds(w->cloud, &box) != JALON_OK) note(w, "fields");
+    if (jalon_cloud_fields(w->cloud, &fields) != JALON_OK || jalon_cloud_bounds(w->cloud, &box) != JALON_OK)
+      note(w, "fields");
     jalon_fields_release(ranges);
     jalon_fields_release(near);
     jalon_fields_release(fields);

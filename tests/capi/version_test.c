@@ -48,7 +48,8 @@ static void instruction_set__is_one_of_two(void** state) {
 }
 
 int main(int argc, char** argv) {
-  if (argc == 2 && strcmp(argv[1], "--tell-instruction-set") == 0) return strcmp(jalon_instruction_set(), "baseline") == 0;
+  if (argc == 2 && strcmp(argv[1], "--tell-instruction-set") == 0)
+    return strcmp(jalon_instruction_set(), "baseline") == 0;
   own_path = argv[0];
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(version__runs_with_the_headers_it_was_built_from),

@@ -1,8 +1,10 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* Same bits: one line a result, "name hash". bits.sh runs it with several numbers of threads and instruction sets and compares.
+/* Same bits: one line a result, "name hash". bits.sh runs it with several numbers of threads and instruction sets and
+ * compares.
  *   bits THREADS    hashes of every operation on seeded data
- *   bits --grid     the same scene at the origin and on the national grid: identical bits, or close (prints its own verdicts) */
+ *   bits --grid     the same scene at the origin and on the national grid: identical bits, or close (prints its own
+ *   verdicts) */
 #define JALON_TEST_PLAIN_PROGRAM
 #include "../capi/operations.h"
 
@@ -49,7 +51,8 @@ static void search(const jalon_cloud* cloud, uint64_t seed, jalon_task* task) {
   MUST(jalon_cloud_points(cloud, &xyz));
   MUST(jalon_cloud_knn_all(cloud, kNear, task, near, distances));
   tell("knn_all", seed, hash_bytes(hash_bytes(kStart, near, sizeof near), distances, sizeof distances));
-  MUST(jalon_cloud_knn(cloud, xyz.data, JALON_FLOAT64, 2000, 0, kNear, JALON_LEVEL_AUTOMATIC, task, some, some_distances));
+  MUST(jalon_cloud_knn(cloud, xyz.data, JALON_FLOAT64, 2000, 0, kNear, JALON_LEVEL_AUTOMATIC, task, some,
+                       some_distances));
   tell("knn", seed, hash_bytes(hash_bytes(kStart, some, sizeof some), some_distances, sizeof some_distances));
   MUST(jalon_cloud_cells(cloud, 6, task, &fields));
   tell("cells", seed, hash_and_release(fields));
@@ -226,7 +229,8 @@ static double distance_apart(const jalon_array_view* a, const jalon_array_view* 
   return worst;
 }
 
-/* How far plane b lies from plane a, measured at its centroid along the normal: what a label more or less may change. */
+/* How far plane b lies from plane a, measured at its centroid along the normal: what a label more or less may
+ * change. */
 static double planes_apart(const jalon_fields* a, const jalon_fields* b, double east, double north) {
   const double shift[3] = {east, north, 0};
   jalon_array_view normals, p, q;
@@ -279,7 +283,8 @@ static void compare_operation(int i, const jalon_cloud* local, const jalon_cloud
     MUST(jalon_segmentation_points(b.segmentation, &q));
     same = hash_and_release(p) == hash_and_release(q);
   }
-  snprintf(name, sizeof name, "%s gives identical bits on a 2^-20 m grid at E 652 000, N 6 861 000", kOperations[i].name);
+  snprintf(name, sizeof name, "%s gives identical bits on a 2^-20 m grid at E 652 000, N 6 861 000",
+           kOperations[i].name);
   if (strcmp(kOperations[i].name, "crop") != 0) verdict(same, name);
   release_made(&a);
   release_made(&b);
@@ -290,7 +295,8 @@ static void compare_neighbours(const jalon_cloud* local, const jalon_cloud* nati
   static float da[kPoints * kNear], db[kPoints * kNear];
   MUST(jalon_cloud_knn_all(local, kNear, NULL, a, da));
   MUST(jalon_cloud_knn_all(national, kNear, NULL, b, db));
-  verdict(memcmp(a, b, sizeof a) == 0 && memcmp(da, db, sizeof da) == 0, "neighbours and distances are identical on the grid");
+  verdict(memcmp(a, b, sizeof a) == 0 && memcmp(da, db, sizeof da) == 0,
+          "neighbours and distances are identical on the grid");
 }
 
 /* Labels and planes of arbitrary coordinates, and how far they may move: 1e-4 of the labels, 1e-5 m. */
@@ -316,7 +322,8 @@ static void compare_arbitrary(void) {
   MUST(jalon_segmentation_segments(a.segmentation, &p));
   MUST(jalon_segmentation_segments(b.segmentation, &q));
   const double apart = planes_apart(p, q, east, north);
-  printf("FIGURE arbitrary coordinates on the national grid: %d of %d labels differ, planes %.2g m apart\n", other, kPoints, apart);
+  printf("FIGURE arbitrary coordinates on the national grid: %d of %d labels differ, planes %.2g m apart\n", other,
+         kPoints, apart);
   verdict(other <= 1e-4 * kPoints, "at most 1e-4 of the labels differ for arbitrary coordinates");
   verdict(apart <= 1e-5, "planes move by at most 1e-5 m for arbitrary coordinates");
   jalon_fields_release(p);

@@ -40,9 +40,9 @@ class Tally:
 def tree_files():
     """Paths (relative to the root) of the files that git tracks or would track; without git, all but build folders."""
     try:
-        out = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard"], check=True,
+        out = subprocess.run(["git", "-C", ROOT, "ls-files", "-zco", "--exclude-standard"], check=True,
                              capture_output=True, text=True).stdout
-        files = out.splitlines()
+        files = out.split("\0")[:-1]
     except (OSError, subprocess.CalledProcessError):
         files = []
         for folder, folders, names in os.walk(ROOT):

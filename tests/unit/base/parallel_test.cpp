@@ -69,7 +69,8 @@ TEST_CASE("an exception in a worker reaches the caller, and the pool works on af
 TEST_CASE("nested loops run inline") {
   Task task(with_threads(3));
   std::atomic<size_t> n{0};
-  parallel_for(task, 20, 1, [&](size_t, size_t) { parallel_for(task, 100, 10, [&](size_t b, size_t e) { n += e - b; }); });
+  parallel_for(task, 20, 1,
+               [&](size_t, size_t) { parallel_for(task, 100, 10, [&](size_t b, size_t e) { n += e - b; }); });
   CHECK(n == 2000);
 }
 

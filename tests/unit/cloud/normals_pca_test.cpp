@@ -79,7 +79,8 @@ void check_against_reference(const std::vector<double>& xyz, const PcaNormals& n
     worst = std::max(worst, norm(cross(n, e.vectors[0])));
     ++compared;
   }
-  MESSAGE(compared << " normals: largest angle to the Jacobi solution " << worst << " rad, of the variation " << worst_variation);
+  MESSAGE(compared << " normals: largest angle to the Jacobi solution " << worst << " rad, of the variation "
+          << worst_variation);
   REQUIRE(compared > tree.size() / 6);
   CHECK(worst < 1e-5);
   CHECK(worst_variation < 1e-6);

@@ -31,7 +31,8 @@ std::function<bool(double, double)> solid_but(const std::vector<Rectangle>& hole
 // Largest distance of a true corner to the nearest corner of the polygon.
 double corner_error(const std::vector<Vec2>& polygon, const Rectangle& r) {
   double worst = 0;
-  for (const Vec2 corner : {Vec2{r.left, r.bottom}, Vec2{r.right, r.bottom}, Vec2{r.right, r.top}, Vec2{r.left, r.top}}) {
+  const Vec2 corners[] = {{r.left, r.bottom}, {r.right, r.bottom}, {r.right, r.top}, {r.left, r.top}};
+  for (const Vec2 corner : corners) {
     double nearest = INFINITY;
     for (const Vec2& p : polygon) nearest = std::min(nearest, norm(p - corner));
     worst = std::max(worst, nearest);

@@ -21,7 +21,8 @@ std::vector<Vec2> ragged(const std::vector<Vec2>& polygon, double step, double r
     const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
     const double length = norm(b - a);
     const Vec2 along = (b - a) * (1 / length), inward{-along.v, along.u};
-    for (double t = step; t < length - step; t += step) out.push_back(a + along * t + inward * (rag * random.uniform()));
+    for (double t = step; t < length - step; t += step)
+      out.push_back(a + along * t + inward * (rag * random.uniform()));
   }
   return out;
 }

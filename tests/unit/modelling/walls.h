@@ -22,7 +22,8 @@ struct Rectangle {
 /// Coordinates on a grid of 2^-20 m, so that shifts by whole metres are exact.
 inline double snapped(double x) { return std::round(x * 0x1p20) * 0x1p-20; }
 
-/// Jittered grid of points where solid(u, v) holds, drawn on the wall plane y = 0 turned by azimuth about Z, with noise along the normal.
+/// Jittered grid of points where solid(u, v) holds, drawn on the wall plane y = 0 turned by azimuth about Z, with noise
+/// along the normal.
 struct WallScan {
   double width = 12, height = 9, spacing = 0.015, noise = 0.004, azimuth = 0.3;
   double jitter = 0.5;    ///< of the spacing; 1 = one point anywhere in each cell
@@ -47,8 +48,10 @@ struct WallScan {
   }
 };
 
-/// A segmentation whose segment s holds the points of part s, fitted by least squares (normal toward -Y as from the street).
-inline Segmentation segmentation_of(const std::vector<std::vector<Vec3>>& parts, Orientation orientation = Orientation::kParallel) {
+/// A segmentation whose segment s holds the points of part s, fitted by least squares (normal toward -Y as from the
+/// street).
+inline Segmentation segmentation_of(const std::vector<std::vector<Vec3>>& parts,
+                                    Orientation orientation = Orientation::kParallel) {
   size_t n = 0;
   for (const auto& part : parts) n += part.size();
   Buffer<double> xyz(3 * n);

@@ -31,7 +31,8 @@ inline std::vector<Tag> tags(std::string_view s) {
   std::vector<Tag> out;
   size_t i = 0;
   const auto space = [&] { while (i < s.size() && std::isspace(static_cast<unsigned char>(s[i]))) ++i; };
-  const auto is_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == ':'; };
+  const auto is_name =
+      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == ':'; };
   const auto broken = [&] {
     Tag tag;
     tag.name = "broken";
@@ -146,7 +147,8 @@ inline std::vector<TextBox> text_boxes(std::string_view svg) {
   std::vector<TextBox> out;
   for (const Tag& tag : tags(svg)) {
     if (tag.name != "text") continue;
-    const double x = number(tag.attribute("x")), y = number(tag.attribute("y")), size = number(tag.attribute("font-size"));
+    const double x = number(tag.attribute("x")), y = number(tag.attribute("y")),
+        size = number(tag.attribute("font-size"));
     const double width = 0.55 * size * static_cast<double>(tag.text_after.size());
     const std::string anchor = tag.attribute("text-anchor");
     const double left = anchor == "middle" ? -width / 2 : anchor == "end" ? -width : 0;

@@ -88,8 +88,8 @@ TEST_CASE("elevation: picks a usual scale and paper, well-formed, axes and scale
   const Segmentation s = small_facade();
   const std::string svg = elevation_of(s, outlines_of(s));
   CHECK(markup::well_formed(svg));
-  for (const char* text : {"Distance along the facade (m)", "Height Z (m)", "1:50", "Depth from main plane (m)", "+0.20",
-                           "Facade elevation"})
+  for (const char* text : {"Distance along the facade (m)", "Height Z (m)", "1:50", "Depth from main plane (m)",
+                           "+0.20", "Facade elevation"})
     CHECK_MESSAGE(svg.find(text) != std::string::npos, text);
 }
 
@@ -125,10 +125,11 @@ TEST_CASE("elevation: a national grid and heights are shown true") {
 
 TEST_CASE("report_html: self-contained, with all its chapters") {
   const Segmentation s = small_facade();
-  const std::string html = html_of(s, outlines_of(s), R"({"title": "North wall", "input": {"file": "a.las"}, "times": {"read": 0.25}})");
+  const std::string html =
+      html_of(s, outlines_of(s), R"({"title": "North wall", "input": {"file": "a.las"}, "times": {"read": 0.25}})");
   CHECK(markup::well_formed(html));
-  for (const char* text : {"North wall", "a.las", "0.250 s", "Planes", "Residuals", "Parameters", "distance_tolerance", "Elevation",
-                           "Labelled points"})
+  for (const char* text : {"North wall", "a.las", "0.250 s", "Planes", "Residuals", "Parameters", "distance_tolerance",
+                           "Elevation", "Labelled points"})
     CHECK_MESSAGE(html.find(text) != std::string::npos, text);
   for (const char* text : {"<script", "<link", "src=", "@import", "url(http"})
     CHECK_MESSAGE(html.find(text) == std::string::npos, text);
@@ -161,13 +162,13 @@ TEST_CASE("report_json: the planes and residuals as numbers") {
 TEST_CASE("reports: hostile names never alter structure") {
   const std::vector<std::string> names{
       "<script>alert(1)</script>", "</title><script>", "\"><img src=x onerror=alert(1)>", "'><svg/onload=alert(1)>",
-      "<!--", "-->", "<![CDATA[", "]]>", "&lt;script&gt;", "&#60;b&#62;", "&amp", "&", "<", ">", "\"", "'", "`", "</style>",
-      "</svg>", "</text></svg><script>", "<?xml version=\"1.0\"?>", "<!DOCTYPE x [<!ENTITY e \"v\">]>", "&e;",
-      "javascript:alert(1)", "=cmd|' /C calc'!A0", "+1+1", "-2", "@SUM(A1)", "../../etc/passwd", "C:\\nul", "a/b\\c",
-      "line\nbreak", "tab\there", "carriage\rreturn", std::string("nul\0byte", 8), "\x01\x02\x1b[31m", "\x7f", "\xff\xfe",
-      "\xc0\xaf", "\xed\xa0\x80", "\xef\xbf\xbe", "\xe2\x80\xae" "gnp.exe", "\xe2\x80\xa8", "%s%n%x", "${jndi:ldap://x}",
-      "{{7*7}}", "<a href=javascript:alert(1)>", "</bdi>", "\\u003cscript\\u003e", std::string(5000, 'A'),
-      std::string(2000, '<'), "]]></title>", ""};
+      "<!--", "-->", "<![CDATA[", "]]>", "&lt;script&gt;", "&#60;b&#62;", "&amp", "&", "<", ">", "\"", "'", "`",
+      "</style>", "</svg>", "</text></svg><script>", "<?xml version=\"1.0\"?>", "<!DOCTYPE x [<!ENTITY e \"v\">]>",
+      "&e;", "javascript:alert(1)", "=cmd|' /C calc'!A0", "+1+1", "-2", "@SUM(A1)", "../../etc/passwd", "C:\\nul",
+      "a/b\\c", "line\nbreak", "tab\there", "carriage\rreturn", std::string("nul\0byte", 8), "\x01\x02\x1b[31m", "\x7f",
+      "\xff\xfe", "\xc0\xaf", "\xed\xa0\x80", "\xef\xbf\xbe", "\xe2\x80\xae" "gnp.exe", "\xe2\x80\xa8", "%s%n%x",
+      "${jndi:ldap://x}", "{{7*7}}", "<a href=javascript:alert(1)>", "</bdi>", "\\u003cscript\\u003e",
+      std::string(5000, 'A'), std::string(2000, '<'), "]]></title>", ""};
   REQUIRE(names.size() >= 40);
   Segmentation s = small_facade();
   const Model m = outlines_of(s);
@@ -214,8 +215,9 @@ TEST_CASE("reports: hostile names never alter structure") {
 }
 
 TEST_CASE("read_notes: malformed notes are refused with a reason") {
-  for (const char* text : {"{", "[]", "1", "null", "\"x\"", "{\"title\": 3}", "{\"input\": []}", "{\"input\": {\"a\": []}}",
-                           "{\"times\": {\"a\": \"b\"}}", "{\"times\": 1}", "{\"title\": \"a\"} x", "\xff"}) {
+  for (const char* text : {"{", "[]", "1", "null", "\"x\"", "{\"title\": 3}", "{\"input\": []}",
+                           "{\"input\": {\"a\": []}}", "{\"times\": {\"a\": \"b\"}}", "{\"times\": 1}",
+                           "{\"title\": \"a\"} x", "\xff"}) {
     CAPTURE(text);
     try {
       read_notes(text);

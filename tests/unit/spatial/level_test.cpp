@@ -48,7 +48,8 @@ TEST_CASE("best_level__costs_at_most_2.5_times_the_best_and_is_never_more_than_2
     for (size_t i = 0; i < tree1->size(); ++i) queries.push_back(point(compared, tree1->order()[i]));
     std::vector<Neighbour> found(queries.size());
     std::vector<double> seconds(11, 1e9);
-    // Processor time of this process: other programs on the machine count little. Deeper levels only get slower once one is.
+    // Processor time of this process: other programs on the machine count little. Deeper levels only get slower once
+    // one is.
     double least = 1e9;
     for (int level = 4; level <= 10; ++level) {
       const std::clock_t start = std::clock();
@@ -59,8 +60,10 @@ TEST_CASE("best_level__costs_at_most_2.5_times_the_best_and_is_never_more_than_2
     }
     const int best = static_cast<int>(std::min_element(seconds.begin(), seconds.end()) - seconds.begin());
     std::string line;
-    for (size_t level = 4; level <= 10 && seconds[level] < 1e9; ++level) line += " " + std::to_string(level) + ":" + std::to_string(seconds[level]);
-    MESSAGE(std::string(c.name) << ": formula 4.2 picks " << chosen << ", best " << best << "; seconds by level" << line);
+    for (size_t level = 4; level <= 10 && seconds[level] < 1e9; ++level)
+      line += " " + std::to_string(level) + ":" + std::to_string(seconds[level]);
+    MESSAGE(std::string(c.name) << ": formula 4.2 picks " << chosen << ", best " << best << "; seconds by level"
+            << line);
     CHECK(std::abs(chosen - best) <= 2);
     REQUIRE((chosen >= 4 && chosen <= 10));
     CHECK(seconds[static_cast<size_t>(chosen)] <= 2.5 * seconds[static_cast<size_t>(best)]);

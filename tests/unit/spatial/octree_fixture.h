@@ -50,7 +50,8 @@ inline Vec3 point(const std::vector<double>& xyz, size_t i) { return {xyz[3 * i]
 /// All distances, sorted by (distance, index): the ground truth.
 inline std::vector<Neighbour> brute_force(const std::vector<double>& xyz, const Vec3& q, size_t k) {
   std::vector<Neighbour> all;
-  for (size_t i = 0; i < xyz.size() / 3; ++i) all.push_back({squared_norm(point(xyz, i) - q), static_cast<uint32_t>(i)});
+  for (size_t i = 0; i < xyz.size() / 3; ++i)
+    all.push_back({squared_norm(point(xyz, i) - q), static_cast<uint32_t>(i)});
   const auto nearer = [](const Neighbour& a, const Neighbour& b) {
     return a.squared_distance < b.squared_distance || (a.squared_distance == b.squared_distance && a.index < b.index);
   };

@@ -23,8 +23,9 @@ uint64_t closed_form(const Cube& cube, const Vec3& point, int level) {
   uint64_t code = 0;
   uint64_t number[3];
   for (int axis = 0; axis < 3; ++axis)
-    number[axis] = static_cast<uint64_t>(std::min(std::ldexp(1.0, level) - 1, std::floor((point[axis] - cube.origin[axis]) *
-                                                                                         std::ldexp(1.0, level) / cube.edge)));
+    const double cells = std::ldexp(1.0, level);
+    const double cell = std::floor((point[axis] - cube.origin[axis]) * cells / cube.edge);
+    number[axis] = static_cast<uint64_t>(std::min(cells - 1, cell));
   for (int bit = level - 1; bit >= 0; --bit)
     for (auto n : number) code = code << 1 | (n >> bit & 1);
   return code;
@@ -42,7 +43,8 @@ TEST_CASE("octree__codes_equal_the_closed_form_and_are_sorted_with_their_indices
     seen[index] = true;
     REQUIRE(tree->code(i) == closed_form(tree->cube(), point(xyz, index), kMaxLevel));
     if (i == 0) continue;
-    const bool ascending = tree->code(i - 1) < tree->code(i) || (tree->code(i - 1) == tree->code(i) && tree->order()[i - 1] < index);
+    const bool ascending = tree->code(i - 1) < tree->code(i) ||
+        (tree->code(i - 1) == tree->code(i) && tree->order()[i - 1] < index);
     REQUIRE(ascending);
     REQUIRE(norm(tree->local(i) + tree->cube().origin - point(xyz, index)) < 2 * tree->grid_step());
   }

@@ -57,7 +57,8 @@ TEST_CASE("voxel_grid__is_the_same_for_any_number_of_threads_and_after_whole_met
   auto shifted = xyz;
   for (size_t i = 0; i < xyz.size(); ++i) shifted[i] += i % 3 == 0 ? 652000.0 : i % 3 == 1 ? 6861000.0 : 35.0;
   Task one(threads(1)), seven(threads(7));
-  const VoxelGrid a = voxel_grid(xyz, {-1, -1, -1}, 0.05, one), b = voxel_grid(shifted, {651999, 6860999, 34}, 0.05, seven);
+  const VoxelGrid a = voxel_grid(xyz, {-1, -1, -1}, 0.05, one),
+      b = voxel_grid(shifted, {651999, 6860999, 34}, 0.05, seven);
   REQUIRE(a.size() == b.size());
   CHECK(std::equal(a.first.begin(), a.first.end(), b.first.begin()));
   CHECK(std::equal(a.order.begin(), a.order.end(), b.order.begin()));
