@@ -9,5 +9,6 @@ suite bits bash tests/scenarios/bits.sh "$release"
 suite cli bash tests/scenarios/cli.sh "$release/src/jalon"
 suite malformed bash tests/fuzz/malformed.sh "$release"
 suite laspy bash tests/fuzz/laspy.sh "$release"
+suite laspy_offline bash tests/fuzz/laspy_offline.sh
 suite accuracy "$release/tests/accuracy/accuracy"
 suite examples bash tests/scenarios/examples.sh "$release"

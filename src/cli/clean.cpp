@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "cli/options.h"
+#include "cli/cloud_job.h"
 
 namespace jalon::cli {
 
 namespace {
 
 struct Clean {
-  Common common;
-  Input input;
-  Settings outliers;
-  std::string output;
+  CloudJob job;
   double duplicate_tolerance_m = 1e-4;  // Boulaassal 2010, 3.3: equal to the tenth of a millimetre
   bool keep_duplicates = false;
   bool remove_outliers = false;
@@ -27,9 +24,8 @@ struct Clean {
   }
 
   void run() const {
-    Console console(common);
-    console.step("reading");
-    Cloud cloud = input.read(console);
+    Console console(job.common);
+    Cloud cloud = job.read(console);
     auto steps = nlohmann::ordered_json::array();
     jalon_reduction reduction;
     if (!keep_duplicates) {
@@ -49,7 +45,7 @@ struct Clean {
     if (remove_outliers) {
       console.step("outliers");
       const Params options = make_params("outliers");
-      outliers.apply(options.get());
+      job.settings.apply(options.get());
       must(jalon_cloud_remove_outliers(cloud.get(), options.get(), console.task(), Out(cloud), &reduction));
       report(console, steps, "outliers", reduction);
     }
@@ -61,10 +57,11 @@ struct Clean {
       must(jalon_cloud_subsample(cloud.get(), options.get(), console.task(), Out(cloud), &reduction));
       report(console, steps, "voxels", reduction);
     }
-    console.step("writing");
-    must(jalon_cloud_write(cloud.get(), output.c_str(), nullptr, console.task()));
-    console.say("wrote " + output);
-    console.result({{"input", input.path}, {"output", output}, {"points", count_of(cloud)}, {"steps", steps}});
+    job.write(console, cloud, nullptr);
+    console.say("wrote " + job.output);
+    nlohmann::ordered_json result = job.result(cloud);
+    result["steps"] = steps;
+    console.result(result);
   }
 };
 
@@ -73,8 +70,8 @@ struct Clean {
 void add_clean(CLI::App& app) {
   auto* command = app.add_subcommand("clean", "Removes duplicates, outliers and unwanted points; thins");
   auto state = std::make_shared<Clean>();
-  state->input.add_to(*command);
-  command->add_option("-o,--output", state->output, "File to write")->required()->type_name("FILE");
+  state->job.add_to(*command, "-o,--output", "Parameters of --set (for --outliers)", "outliers",
+                    "Example: jalon clean scan.las -o clean.las --outliers --voxel 0.02");
   command->add_option("--duplicate-tolerance", state->duplicate_tolerance_m,
                       "Points that agree after rounding to this length are one (m)")
       ->capture_default_str();
@@ -84,12 +81,6 @@ void add_clean(CLI::App& app) {
   command->add_flag("--outliers", state->remove_outliers, "Remove isolated points");
   command->add_option("--voxel", state->voxel_m, "Thin to one point a cell of this edge length (m)")
       ->check(CLI::PositiveNumber);
-  state->outliers.add_to(*command);
-  add_common(*command, state->common);
-  command->footer([] {
-    return "Parameters of --set (for --outliers):\n" + describe(make_params("outliers").get()) +
-           "\nExample: jalon clean scan.las -o clean.las --outliers --voxel 0.02";
-  });
   command->callback([state] { state->run(); });
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/las_fields.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace jalon::las {
 
 namespace {
@@ -10,44 +13,48 @@ using enum ElementType;
 
 constexpr double kAngleStep = 0.006;  // degrees, of formats 6-10
 
-Dimension whole(const char* name, ElementType type, int offset, const char* unit,
-                const char* meaning) {
+Dimension whole(const char* name, ElementType type, int offset, const char* unit, const char* meaning) {
   return {{name, type, 1, unit, meaning}, {type, offset}};
 }
-Dimension bits(const char* name, int offset, int shift, int count, const char* meaning) {
-  return {{name, kUint8, 1, "", meaning}, {kUint8, offset, shift, count}};
-}
 
-void add_core(std::vector<Dimension>& out) {
-  out.push_back(bits("return_number", 14, 0, 3, "number of this return, from 1"));
-  out.push_back(bits("number_of_returns", 14, 3, 3, "returns of the pulse"));
-  out.push_back(bits("scan_direction", 14, 6, 1, "1: the mirror moved to the left"));
-  out.push_back(bits("edge_of_flight_line", 14, 7, 1, "1: last point of a scan line"));
-  out.push_back(bits("classification", 15, 0, 5, "ASPRS class"));
-  out.push_back(bits("synthetic", 15, 5, 1, "1: not from a laser pulse"));
-  out.push_back(bits("key_point", 15, 6, 1, "1: model key point"));
-  out.push_back(bits("withheld", 15, 7, 1, "1: deleted"));
-  out.push_back(
-      {{"scan_angle", kFloat32, 1, "deg", "angle of the pulse across track"}, {kInt8, 16}});
-  out.push_back(whole("user_data", kUint8, 17, "", ""));
-  out.push_back(whole("point_source_id", kUint16, 18, "", "flight line or station"));
-}
+// A dimension of the core behind the intensity, and where it lies in formats 0-5 and in formats 6-10 (offset -1: not
+// there).
+struct CoreDimension {
+  const char* name;
+  ElementType type;
+  const char *unit, *meaning;
+  Place old_place, extended_place;
+};
 
-void add_extended_core(std::vector<Dimension>& out) {
-  out.push_back(bits("return_number", 14, 0, 4, "number of this return, from 1"));
-  out.push_back(bits("number_of_returns", 14, 4, 4, "returns of the pulse"));
-  out.push_back(bits("synthetic", 15, 0, 1, "1: not from a laser pulse"));
-  out.push_back(bits("key_point", 15, 1, 1, "1: model key point"));
-  out.push_back(bits("withheld", 15, 2, 1, "1: deleted"));
-  out.push_back(bits("overlap", 15, 3, 1, "1: in the overlap of two flight lines"));
-  out.push_back(bits("scanner_channel", 15, 4, 2, "scanner head"));
-  out.push_back(bits("scan_direction", 15, 6, 1, "1: the mirror moved to the left"));
-  out.push_back(bits("edge_of_flight_line", 15, 7, 1, "1: last point of a scan line"));
-  out.push_back(whole("classification", kUint8, 16, "", "ASPRS class"));
-  out.push_back(whole("user_data", kUint8, 17, "", ""));
-  out.push_back({{"scan_angle", kFloat32, 1, "deg", "angle of the pulse across track"},
-                 {kInt16, 18, 0, 0, kAngleStep}});
-  out.push_back(whole("point_source_id", kUint16, 20, "", "flight line or station"));
+// ASPRS LAS 1.4 R15, tables 7 and 15.
+constexpr CoreDimension kCore[] = {
+    {"return_number", kUint8, "", "number of this return, from 1", {kUint8, 14, 0, 3}, {kUint8, 14, 0, 4}},
+    {"number_of_returns", kUint8, "", "returns of the pulse", {kUint8, 14, 3, 3}, {kUint8, 14, 4, 4}},
+    {"scan_direction", kUint8, "", "1: the mirror moved to the left", {kUint8, 14, 6, 1}, {kUint8, 15, 6, 1}},
+    {"edge_of_flight_line", kUint8, "", "1: last point of a scan line", {kUint8, 14, 7, 1}, {kUint8, 15, 7, 1}},
+    {"classification", kUint8, "", "ASPRS class", {kUint8, 15, 0, 5}, {kUint8, 16}},
+    {"synthetic", kUint8, "", "1: not from a laser pulse", {kUint8, 15, 5, 1}, {kUint8, 15, 0, 1}},
+    {"key_point", kUint8, "", "1: model key point", {kUint8, 15, 6, 1}, {kUint8, 15, 1, 1}},
+    {"withheld", kUint8, "", "1: deleted", {kUint8, 15, 7, 1}, {kUint8, 15, 2, 1}},
+    {"overlap", kUint8, "", "1: in the overlap of two flight lines", {kUint8, -1}, {kUint8, 15, 3, 1}},
+    {"scanner_channel", kUint8, "", "scanner head", {kUint8, -1}, {kUint8, 15, 4, 2}},
+    {"scan_angle", kFloat32, "deg", "angle of the pulse across track",
+     {kInt8, 16},
+     {kInt16, 18, 0, 0, kAngleStep}},
+    {"user_data", kUint8, "", "", {kUint8, 17}, {kUint8, 17}},
+    {"point_source_id", kUint16, "", "flight line or station", {kUint16, 18}, {kUint16, 20}},
+};
+
+// In the order of the record.
+void add_core(bool extended, std::vector<Dimension>& out) {
+  const auto first = static_cast<ptrdiff_t>(out.size());
+  for (const CoreDimension& row : kCore) {
+    const Place& place = extended ? row.extended_place : row.old_place;
+    if (place.offset >= 0) out.push_back({{row.name, row.type, 1, row.unit, row.meaning}, place});
+  }
+  std::sort(out.begin() + first, out.end(), [](const Dimension& a, const Dimension& b) {
+    return std::pair(a.place.offset, a.place.shift) < std::pair(b.place.offset, b.place.shift);
+  });
 }
 
 }  // namespace
@@ -56,7 +63,7 @@ std::vector<Dimension> dimensions(unsigned format_id) {
   const PointFormat& format = *point_format(format_id);
   std::vector<Dimension> out;
   out.push_back(whole("intensity", kUint16, 12, "", "strength of the return"));
-  format.extended ? add_extended_core(out) : add_core(out);
+  add_core(format.extended, out);
   if (format.gps >= 0) out.push_back(whole("gps_time", kFloat64, format.gps, "s", "GPS time"));
   if (format.rgb >= 0) {
     out.push_back(whole("red", kUint16, format.rgb, "", ""));

@@ -2,44 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/utf8.h"
 
+#include "base/utf8_character.h"
+
 namespace jalon {
 
 namespace {
 
 constexpr size_t kNameBytes = 256;
 
-bool continues(std::string_view text, size_t i) {
-  return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
-}
+bool continues(std::string_view text, size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80; }
 
 }  // namespace
-
-size_t utf8_length(std::string_view text) {
-  if (text.empty()) return 0;
-  const auto byte = [&](size_t i) {
-    return static_cast<unsigned>(static_cast<unsigned char>(text[i]));
-  };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return 1;
-  const size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
-                        : lead >= 0xE0 && lead < 0xF0 ? 3
-                        : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                      : 0;
-  if (length == 0 || text.size() < length) return 0;
-  for (size_t i = 1; i < length; ++i)
-    if (!continues(text, i)) return 0;
-  // Overlong forms, surrogates, beyond U+10FFFF.
-  if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) ||
-      (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F))
-    return 0;
-  return length;
-}
 
 std::string valid_utf8(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {
-    const size_t length = text.front() == 0 ? 0 : utf8_length(text);
+    const size_t length = text.front() == 0 ? 0 : utf8_character_bytes(text);
     if (length == 0) {
       out += kReplacementCharacter;
       text.remove_prefix(1);

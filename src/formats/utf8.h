@@ -10,8 +10,6 @@ namespace jalon {
 
 constexpr std::string_view kReplacementCharacter = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Length in bytes of the valid UTF-8 character at the start of the text; 0 when there is none.
-size_t utf8_length(std::string_view text);
 /// The text with every byte that is no valid UTF-8, and every NUL, replaced by U+FFFD.
 std::string valid_utf8(std::string_view text);
 /// The longest start of a valid text that has at most this many bytes and ends with a whole

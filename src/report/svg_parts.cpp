@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/svg_parts.h"
 
-#include "formats/utf8.h"
+#include "base/utf8_character.h"
 
 namespace jalon {
 
@@ -81,7 +81,7 @@ std::string fitted_text(std::string_view text, double size, double width) {
   if (text_width(text, size) <= width) return std::string(text);
   std::string out;
   for (size_t i = 0; i < text.size();) {
-    const size_t n = std::max<size_t>(1, utf8_length(text.substr(i)));
+    const size_t n = std::max<size_t>(1, utf8_character_bytes(text.substr(i)));
     if (text_width(out, size) + 4 * kCharacterWidth * size > width) break;
     out += text.substr(i, n);
     i += n;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-"""The binary interface against what is committed: check.py BUILD_FOLDER [--update]
+"""The binary interface against what is committed: check.py BUILD_FOLDER [--update], or check.py --types for the headers alone
 
 symbols.txt: the exported functions; globals.txt: the writable data of the library; jalon.abi.xml: the types, by abidw. --update
 writes them anew; the change belongs into the same commit as its reason, and into CHANGELOG.md.
@@ -159,6 +159,10 @@ def types(tally):
 
 
 def main():
+    if sys.argv[1] == "--types":
+        tally = Tally()
+        types(tally)
+        tally.close()
     build = os.path.abspath(sys.argv[1])
     update = "--update" in sys.argv[2:]
     library = next((p for p in (os.path.join(build, d, "libjalon.so") for d in ("src", "lib", "")) if os.path.exists(p)), None)

@@ -12,6 +12,7 @@ trap 'rm -rf "$work"' EXIT
 prefix=$work/prefix
 release=$(sed -n 's/.*JALON_VERSION_STRING "\(.*\)".*/\1/p' "$root/include/jalon/version.h")
 passed=0 failed=0
+export CMAKE_GENERATOR=Ninja # what the tests install; a fresh root has no make
 
 # check NAME COMMAND...: the command succeeds.
 check() {

@@ -32,7 +32,7 @@ finish() {
 }
 inside() { chroot "$chroot_folder" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "$@"; }
 leave() {
-  umount "$chroot_folder/dev/shm" "$chroot_folder/proc" 2>/dev/null
+  umount "$chroot_folder/dev/pts" "$chroot_folder/dev/shm" "$chroot_folder/proc" 2>/dev/null
   [ -n "${1:-}" ] || rm -rf --one-file-system "$chroot_folder"
 }
 trap 'leave "${1:-}"' EXIT
@@ -50,8 +50,9 @@ make_root() {
   grep -l Acquire /etc/apt/apt.conf.d/* | xargs -r cp -t "$chroot_folder/etc/apt/apt.conf.d/" # proxies and such
   [ ! -d /etc/apt/auth.conf.d ] || cp -r /etc/apt/auth.conf.d "$chroot_folder/etc/apt/"
   cp -r /usr/local/share/ca-certificates "$chroot_folder/usr/local/share/"
-  mkdir -p "$chroot_folder/proc" "$chroot_folder/dev/shm"
-  mount -t proc proc "$chroot_folder/proc" && mount -t tmpfs tmpfs "$chroot_folder/dev/shm"
+  mkdir -p "$chroot_folder/proc" "$chroot_folder/dev/shm" "$chroot_folder/dev/pts"
+  mount -t proc proc "$chroot_folder/proc" && mount -t tmpfs tmpfs "$chroot_folder/dev/shm" &&
+    mount -t devpts -o ptmxmode=0666 devpts "$chroot_folder/dev/pts"
 }
 make_clone() {
   git clone -q "$root" "$chroot_folder/project" || return 1

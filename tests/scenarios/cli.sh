@@ -7,7 +7,7 @@ jalon=$(realpath "$1")
 root=$(cd "$(dirname "$0")/../.." && pwd)
 data=$root/../shared/data
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'umount "$work/small" 2>/dev/null; rm -rf "$work"' EXIT
 cd "$work" || exit 1
 passed=0 failed=0 skipped=0
 check() { # check NAME COMMAND ...
@@ -136,6 +136,31 @@ check "a failed write leaves the good file" sha256sum -c good.sum
 refuses "no disk for the results" 4 '.' bash -c "trap '' XFSZ; ulimit -f 40; exec '$jalon' facade sample.las -o result"
 check "failures left the existing results untouched" sha256sum -c before
 check "failures left no private folder" bash -c "[ \$(ls -A result | wc -l) -eq 5 ]"
+
+# A disk that is full, then one that is read only: a small file system of its own, where it may be mounted.
+mkdir small
+if mount -t tmpfs -o size=96m tmpfs small 2>/dev/null; then
+  "$jalon" convert quiet.las small/good.ply --quiet && cp -r result small/result
+  find small -type f -exec sha256sum {} + >small.sum
+  dd if=/dev/zero of=small/filler bs=4k 2>/dev/null
+  refuses "a full disk names the cause" 4 'small/good.ply.*no space left' "$jalon" convert sample.las small/good.ply
+  refuses "a full disk names the cause, results" 4 'small/result.*no space left' "$jalon" facade sample.las -o small/result
+  refuses "a full disk names the cause, segments" 4 'small/new.*no space left' "$jalon" segment sample.las -o small/new
+  check "a full disk leaves the existing output untouched" sha256sum -c small.sum
+  check "a full disk leaves nothing behind" bash -c "[ \"\$(ls -A small | sort | xargs)\" = 'filler good.ply result' ] && [ \$(ls -A small/result | wc -l) -eq 5 ]"
+  mount -o remount,ro small
+  refuses "a read-only folder names the cause" 4 'small/good.ply.*read-only' "$jalon" convert quiet.las small/good.ply
+  refuses "a read-only folder names the cause, results" 4 'small/result.*[Rr]ead-only' "$jalon" facade quiet.las -o small/result
+  check "a read-only folder keeps its files" sha256sum -c small.sum
+  umount small
+else
+  echo "skipped: a full disk, a read-only disk (a file system cannot be mounted here)" && skipped=$((skipped + 1))
+fi
+if [ "$(id -u)" -ne 0 ]; then
+  cp quiet.las small/ && chmod a-w small
+  refuses "a folder without permission names the cause" 4 'small/new.ply.*ermi' "$jalon" convert quiet.las small/new.ply
+  chmod u+w small
+fi
 
 if [ -d "$data/facades" ]; then
   for street in street_1 street_3; do

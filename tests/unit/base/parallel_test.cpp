@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -90,6 +92,44 @@ TEST_CASE("a cancel flag ends a loop with kCancelled") {
   }
   CHECK(status == Status::kCancelled);
   CHECK(done < 1000);
+}
+
+// The flag is the host's: it may go up and down at any moment, also between two looks of the pool at it.
+TEST_CASE("a cancel that is taken back at once ends a loop with kCancelled or leaves it whole, never half done") {
+  std::atomic<bool> cancel{false}, over{false};
+  Task::Hooks hooks = with_threads(4);
+  hooks.cancel = &cancel;
+  Task task(hooks);
+  std::thread host([&] {
+    for (RandomStream random(5, 0); !over;) {
+      cancel = true;
+      for (uint64_t i = random.below(200); i > 0; --i) std::this_thread::yield();
+      cancel = false;
+      for (uint64_t i = random.below(2000); i > 0; --i) std::this_thread::yield();
+    }
+  });
+  int whole = 0, cancelled = 0, half = 0;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while ((whole < 200 || cancelled < 200) && std::chrono::steady_clock::now() < deadline) {
+    std::atomic<size_t> done{0};
+    try {
+      parallel_for(task, 64, 1, [&](size_t, size_t) { ++done; });
+      (done == 64 ? whole : half)++;
+    } catch (const Error& error) {
+      CHECK(error.status() == Status::kCancelled);
+      ++cancelled;
+    }
+  }
+  over = true;
+  host.join();
+  CHECK(half == 0);
+  CHECK(whole > 0);
+  CHECK(cancelled > 0);
+  std::atomic<size_t> done{0};
+  parallel_for(task, 1000, 1, [&](size_t, size_t) { ++done; });
+  CHECK(done == 1000);
+  MESSAGE("FIGURE loops under a flickering cancel: " << whole << " whole, " << cancelled << " cancelled, " << half
+                                                     << " half done");
 }
 
 TEST_CASE("progress grows monotonically on the calling thread and stays below 1 until finish") {

@@ -22,10 +22,11 @@ namespace {
 uint64_t closed_form(const Cube& cube, const Vec3& point, int level) {
   uint64_t code = 0;
   uint64_t number[3];
-  for (int axis = 0; axis < 3; ++axis)
-    const double cells = std::ldexp(1.0, level);
+  const double cells = std::ldexp(1.0, level);
+  for (int axis = 0; axis < 3; ++axis) {
     const double cell = std::floor((point[axis] - cube.origin[axis]) * cells / cube.edge);
     number[axis] = static_cast<uint64_t>(std::min(cells - 1, cell));
+  }
   for (int bit = level - 1; bit >= 0; --bit)
     for (auto n : number) code = code << 1 | (n >> bit & 1);
   return code;
