@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-# All C tests of a build as a host whose numbers have a decimal comma: comma_locale.sh BUILD_FOLDER
+# All C tests of a build, and the tool, as a host with a decimal comma: comma_locale.sh BUILD_FOLDER
 # The locale is made inside the build folder; nothing of the system changes.
 set -uo pipefail
 build=$(cd "$1" && pwd)
@@ -27,6 +27,22 @@ for program in "$build"/tests/capi_*_test; do
     77) skipped=$((skipped + 1)); echo "skipped - comma locale: $name" ;;
     *) failed=$((failed + 1)); echo "not ok - comma locale: $name"; tail -n 15 <<<"$output" ;;
   esac
+done
+
+# The tool: what it reads from options and text, and what it writes, is the same.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for locale in C de_DE.UTF-8; do
+  LC_ALL=$locale "$build/src/jalon" scan --scene facade -o "$work/$locale.xyz" --quiet \
+    --set horizontal_step_rad=0.006 --set vertical_step_rad=0.006 &&
+    LC_ALL=$locale "$build/src/jalon" facade "$work/$locale.xyz" -o "$work/$locale" --quiet --set distance_tolerance_m=0.02
+done
+for file in .xyz /model.obj /elevation.svg /segments.ply /segments.las; do
+  if cmp -s "$work/C$file" "$work/de_DE.UTF-8$file"; then
+    passed=$((passed + 1)); echo "ok - comma locale: the tool's $file is the same"
+  else
+    failed=$((failed + 1)); echo "not ok - comma locale: the tool's $file is the same"
+  fi
 done
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]
