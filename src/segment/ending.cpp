@@ -10,6 +10,7 @@
 #include "segment/assignment.h"
 #include "segment/facade.h"
 #include "segment/point_columns.h"
+#include "segment/splitting.h"
 
 namespace jalon {
 
@@ -77,10 +78,17 @@ void require_area(const Cloud& cloud, Task& task) {
 }
 
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  for (int round = 0; scene.settings.reassign && round < kAssignmentRounds; ++round) {
-    assign_points(scene, surfaces, task);
-    if (!refit_surfaces(scene, surfaces, task) && round > 0) break;
-  }
+  if (!scene.settings.reassign) return;
+  const auto settle = [&] {
+    for (int round = 0; round < kAssignmentRounds; ++round) {
+      assign_points(scene, surfaces, task);
+      if (!refit_surfaces(scene, surfaces, task) && round > 0) break;
+    }
+  };
+  settle();
+  if (!scene.settings.connectivity || !split_surfaces(scene, surfaces, task)) return;
+  refit_surfaces(scene, surfaces, task);
+  settle();
 }
 
 Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scene, std::vector<Surface>& surfaces,

@@ -14,6 +14,7 @@ namespace {
 constexpr double kMaxCosine = 0.985;      // 10 degrees: beyond, no joint fit is tried
 constexpr double kRoughnessGrowth = 1.5;  // rms about the joint plane against the own sigma
 constexpr double kFreeRoughness = 0.3;    // of the tolerance: rms that needs no comparison
+constexpr double kOverlap = 0.5;          // share of a layer's points over the other's pixels
 constexpr size_t kPointsPerChunk = 1 << 14;
 
 struct Part {
@@ -63,9 +64,39 @@ bool one_plane_fits(const SegmentScene& scene, const Part& a, const Part& b) {
   PlaneFit fit;
   if (!fit_plane(joint, fit)) return false;
   const auto agrees = [&](const Part& part) {
-    return rms_about(part.moments, fit.plane) <= std::max(kRoughnessGrowth * part.fit.sigma, kFreeRoughness * tolerance);
+    return rms_about(part.moments, fit.plane) <=
+           std::max(kRoughnessGrowth * part.fit.sigma, kFreeRoughness * tolerance);
   };
   return agrees(a) && agrees(b);
+}
+
+bool is_occupied(const Raster& raster, const Vec2& p) {
+  const double column = std::floor((p.u - raster.origin.u) / raster.pixel_m);
+  const double row = std::floor((p.v - raster.origin.v) / raster.pixel_m);
+  if (column < 0 || row < 0 || column >= raster.columns || row >= raster.rows) return false;
+  return raster.pixels[static_cast<size_t>(row) * raster.columns + static_cast<size_t>(column)] != 0;
+}
+
+// Two layers within the tolerance are one plane: it is as thick as its noise.
+bool layers_are_one(const SegmentScene& scene, const Part& a, const Part& b) {
+  if (std::fabs(dot(a.fit.plane.normal, b.fit.plane.normal)) < kMaxCosine) return false;
+  Moments joint = a.moments;
+  joint += b.moments;
+  PlaneFit fit;
+  if (!fit_plane(joint, fit)) return false;
+  return !too_rough(scene.settings, rms_about(a.moments, fit.plane)) &&
+         !too_rough(scene.settings, rms_about(b.moments, fit.plane));
+}
+
+// True when most of the points of one surface lie where the other one has points as well.
+bool lies_over(const SegmentScene& scene, const Surface& small, const Surface& large) {
+  const PlaneFrame frame = plane_frame(large.plane, scene.local(large.positions[0]));
+  std::vector<Vec2> uv(large.positions.size());
+  for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(large.positions[i]));
+  const Raster raster = bounded_raster(uv, large.pixel_m, 0);
+  size_t over = 0;
+  for (const uint32_t position : small.positions) over += is_occupied(raster, frame(scene.local(position)));
+  return static_cast<double>(over) >= kOverlap * static_cast<double>(small.positions.size());
 }
 
 bool boxes_near(const Box3& a, const Box3& b, double gap) {
@@ -83,13 +114,8 @@ bool pixels_near(const SegmentScene& scene, const Surface& a, const Surface& b) 
   std::vector<Vec2> uv(a.positions.size());
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(a.positions[i]));
   const Raster near = dilated(bounded_raster(uv, pixel, reach), reach);
-  for (const uint32_t position : b.positions) {
-    const Vec2 p = frame(scene.local(position));
-    const double column = std::floor((p.u - near.origin.u) / near.pixel_m);
-    const double row = std::floor((p.v - near.origin.v) / near.pixel_m);
-    if (column < 0 || row < 0 || column >= near.columns || row >= near.rows) continue;
-    if (near.pixels[static_cast<size_t>(row) * near.columns + static_cast<size_t>(column)] != 0) return true;
-  }
+  for (const uint32_t position : b.positions)
+    if (is_occupied(near, frame(scene.local(position)))) return true;
   return false;
 }
 
@@ -126,6 +152,23 @@ void merge_coplanar(const SegmentScene& scene, std::vector<Surface>& surfaces, T
     }
   }
   std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
+}
+
+bool merge_layers(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  std::vector<Part> parts;
+  for (const Surface& surface : surfaces) parts.push_back(part_of(scene, surface, task));
+  for (size_t i = 0; i < surfaces.size(); ++i) {
+    task.checkpoint(static_cast<double>(i) / static_cast<double>(surfaces.size()));
+    for (size_t j = i + 1; j < surfaces.size() && parts[i].alive; ++j) {
+      if (!parts[j].alive || !boxes_near(parts[i].box, parts[j].box, 0)) continue;
+      const bool i_is_large = surfaces[i].positions.size() >= surfaces[j].positions.size();
+      const Surface& large = surfaces[i_is_large ? i : j];
+      const Surface& small = surfaces[i_is_large ? j : i];
+      if (!layers_are_one(scene, parts[i], parts[j]) || !lies_over(scene, small, large)) continue;
+      absorb(surfaces[i], parts[i], surfaces[j], parts[j]);
+    }
+  }
+  return std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); }) > 0;
 }
 
 }  // namespace jalon

@@ -12,4 +12,8 @@ namespace jalon {
 /// wall comes out once.
 void merge_coplanar(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 
+/// Joins surfaces that lie one over the other within the tolerance, once the points are shared out: those that noise
+/// put farthest off a small plane may have made a second one. True when there were such.
+bool merge_layers(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
+
 }  // namespace jalon

@@ -46,6 +46,7 @@ Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task&
     Span span(task, 0.85, 0.95, "sharing out points");
     if (scene.settings.connectivity) merge_coplanar(scene, surfaces, task);
     share_out_points(scene, surfaces, task);
+    if (scene.settings.connectivity && merge_layers(scene, surfaces, task)) share_out_points(scene, surfaces, task);
     drop_other_classes(scene, surfaces);
   }
   Span span(task, 0.95, 1, "last fit");

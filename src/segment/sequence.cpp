@@ -22,6 +22,10 @@ constexpr double kLocalSuccess = 0.25;
 // Draws of any three points: fewer would trust a poor plane of three noisy points too early; more are not worth it.
 constexpr double kLeastGlobalDraws = 300, kMostGlobalDraws = 1e5;
 
+// Orientation classes come in the order asked for, and again while that finds planes: the narrow side of a post among
+// points of the front and the windows is seen once those are taken.
+constexpr int kMostRounds = 3;
+
 // With criterion standard_deviation: planes with at least this share of the best one's points compete, at most so many.
 constexpr double kNearlyAsMany = 0.9;
 constexpr size_t kCompetitors = 8;
@@ -34,10 +38,12 @@ class Sequence {
 
   std::vector<Surface> run() {
     const std::vector<OrientationPass> passes = orientation_passes(scene_, task_);
-    for (size_t i = 0; i < passes.size(); ++i) {
-      const auto part = static_cast<double>(passes.size());
-      Span span(task_, static_cast<double>(i) / part, static_cast<double>(i + 1) / part, nullptr);
-      run_pass(passes[i]);
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Span span(task_, round / double{kMostRounds}, (round + 1) / double{kMostRounds}, nullptr);
+      const size_t before = surfaces_.size();
+      if (round > 0) renew_pool();
+      run_passes(passes);
+      if (passes.size() == 1 || surfaces_.size() == before) break;
     }
     task_.log(Task::kDebug, "ransac: %llu draws, %zu planes tried, %zu kept, %zu points left",
               static_cast<unsigned long long>(draws_), tried_, surfaces_.size(), pool_.free_points());
@@ -45,8 +51,17 @@ class Sequence {
   }
 
  private:
+  void run_passes(const std::vector<OrientationPass>& passes) {
+    const auto part = static_cast<double>(passes.size());
+    for (size_t i = 0; i < passes.size(); ++i) {
+      const Span span(task_, static_cast<double>(i) / part, static_cast<double>(i + 1) / part, nullptr);
+      run_pass(passes[i]);
+    }
+  }
+
   void run_pass(const OrientationPass& pass) {
     pass_ = pass;
+    std::fill(scene_.rejections.begin(), scene_.rejections.end(), uint8_t{0});
     candidates_.clear();
     exposure_ = 0;
     fruitless_draws_ = 0;
@@ -183,11 +198,16 @@ class Sequence {
     return false;
   }
 
+  // The surroundings of the points that are left, without those that are taken.
+  void renew_pool() {
+    estimate_local_surface(scene_, task_);
+    pool_ = PointPool(scene_, task_);
+  }
+
   void compact() {
     const auto built = static_cast<double>(pool_.built_points());
     if (static_cast<double>(pool_.free_points()) >= kCompactBelow * built) return;
-    estimate_local_surface(scene_, task_);
-    pool_ = PointPool(scene_, task_);
+    renew_pool();
     for (Candidate& c : candidates_) c.epoch = epoch_ - 1;  // their pieces were those of the old pool
   }
 

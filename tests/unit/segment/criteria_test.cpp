@@ -169,6 +169,22 @@ TEST_CASE("S9 sills: connectivity takes both sills and leaves the strip to the w
   }
 }
 
+TEST_CASE("S9 sills: what the strip of the wall held together falls apart once the strip is the wall's") {
+  const Scene scene = sills(0, 1);
+  // No cut of narrow strips: both sills and the strip between them are one surface until the points are shared out.
+  const std::string order = "\"orientation_order\": \"horizontal parallel\", \"normals\": \"none\", \"gap_m\": 0, \"pixel_m\": 0.15";
+  const CloudPtr cloud = cloud_of(scene.points);
+  const Segmentation kept = run(cloud, ransac_params(("{" + order + ", \"reassign\": false}").c_str()));
+  REQUIRE(kept.segments.size() == 2);
+  CHECK(overlap(scene, kept, 1, 2) > 300);
+  const Segmentation s = run(cloud, ransac_params(("{" + order + ", \"merge_gap_m\": 0}").c_str()));
+  REQUIRE(s.segments.size() == 3);
+  for (uint32_t label = 2; label <= 3; ++label) {
+    CHECK(std::max(share(scene, s, 2, label), share(scene, s, 3, label)) > 0.85);
+    CHECK(s.segments[label - 1].length_u_m < 3);  // the sills are 4 m apart
+  }
+}
+
 TEST_CASE("the tolerance comes from sigma by chi-square, or from the cloud itself") {
   CHECK(tolerance_of_sigma(0.008, 0.99, 2) == doctest::Approx(0.008 * std::sqrt(9.2103)).epsilon(1e-4));
   CHECK(tolerance_of_sigma(0.008, 0.99, 1) == doctest::Approx(0.008 * 2.5758).epsilon(1e-4));
