@@ -28,19 +28,17 @@ constexpr double kFirstWindow = 4;      // half side, in edges of the cell
 constexpr double kWindowGrowth = 3;
 
 struct Members {
-  std::vector<Inlier> inliers;
+  std::vector<uint32_t> slots;
   double area_m2 = 0, pixel_m = 0;
 };
 
-Vec3 point_of(const Inlier& i) { return {i.x, i.y, i.z}; }
-
 void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane, Members& members) {
-  std::vector<float> spacings(members.inliers.size());
-  std::vector<Vec2> uv(members.inliers.size());
-  const PlaneFrame frame = plane_frame(plane, point_of(members.inliers[0]));
+  std::vector<float> spacings(members.slots.size());
+  std::vector<Vec2> uv(members.slots.size());
+  const PlaneFrame frame = plane_frame(plane, pool.point(members.slots[0]));
   for (size_t i = 0; i < uv.size(); ++i) {
-    spacings[i] = scene.spacing[pool.position(members.inliers[i].slot)];
-    uv[i] = frame(point_of(members.inliers[i]));
+    spacings[i] = scene.spacing[pool.position(members.slots[i])];
+    uv[i] = frame(pool.point(members.slots[i]));
   }
   members.pixel_m = connectivity_pixel(scene.settings, std::move(spacings));
   if (!scene.settings.connectivity) {
@@ -50,24 +48,24 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
   const Region region =
       largest_region(uv, {members.pixel_m, scene.settings.gap_m, scene.settings.min_area_m2, scene.settings.strip_width_m});
   members.area_m2 = region.area_m2;
-  for (size_t i = 0; i < region.members.size(); ++i) members.inliers[i] = members.inliers[region.members[i]];
-  members.inliers.resize(region.members.size());
+  for (size_t i = 0; i < region.members.size(); ++i) members.slots[i] = members.slots[region.members[i]];
+  members.slots.resize(region.members.size());
 }
 
-bool fit_members(const Members& members, Task& task, PlaneFit& fit) {
+bool fit_members(const PointPool& pool, const Members& members, Task& task, PlaneFit& fit) {
   Moments zero;
-  zero.reference = point_of(members.inliers[0]);
+  zero.reference = pool.point(members.slots[0]);
   const Moments moments =
-      parallel_reduce(task, members.inliers.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+      parallel_reduce(task, members.slots.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
         Moments part = zero;
-        for (size_t i = begin; i < end; ++i) part.add(point_of(members.inliers[i]));
+        for (size_t i = begin; i < end; ++i) part.add(pool.point(members.slots[i]));
         return part;
       });
   return fit_plane(moments, fit);
 }
 
 bool large_enough(const RansacSettings& settings, const Members& members) {
-  return members.inliers.size() >= std::max<size_t>(3, settings.min_points) &&
+  return members.slots.size() >= std::max<size_t>(3, settings.min_points) &&
          members.area_m2 >= settings.min_area_m2;
 }
 
@@ -85,11 +83,11 @@ struct Window {
   }
   bool whole() const { return half_m >= all_m; }
   // True when the region might go on outside; then the window has grown.
-  bool grow_if_touched(const Members& members, double margin_m) {
+  bool grow_if_touched(const PointPool& pool, const Members& members, double margin_m) {
     if (whole()) return false;
     bool touched = false;
-    for (const Inlier& i : members.inliers) {
-      const Vec3 d = point_of(i) - centre;
+    for (const uint32_t slot : members.slots) {
+      const Vec3 d = pool.point(slot) - centre;
       const double reach = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
       touched |= reach > half_m - margin_m;
     }
@@ -117,20 +115,20 @@ bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, 
   double reach = settings.distance_tolerance_m;
   size_t previous = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
-    members.inliers = pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
-    if (members.inliers.empty()) return false;
+    members.slots = pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
+    if (members.slots.empty()) return false;
     keep_largest_region(scene, pool, surface.plane, members);
     PlaneFit fit;
-    if (members.inliers.size() < 3 || !fit_members(members, task, fit)) return false;
+    if (members.slots.size() < 3 || !fit_members(pool, members, task, fit)) return false;
     surface.plane = fit.plane;
     surface.sigma_m = fit.sigma;
     reach = core_reach(settings, fit.sigma);
-    const bool grown = window.grow_if_touched(members, settings.gap_m + 2 * members.pixel_m);
+    const bool grown = window.grow_if_touched(pool, members, settings.gap_m + 2 * members.pixel_m);
     if (!grown && (!large_enough(settings, members) || !wide_enough(settings, fit))) return false;
     if (too_rough(settings, fit.sigma)) return false;
-    const double change = std::fabs(static_cast<double>(members.inliers.size()) - static_cast<double>(previous));
+    const double change = std::fabs(static_cast<double>(members.slots.size()) - static_cast<double>(previous));
     if (!grown && round > 1 && change <= kStable * static_cast<double>(previous)) break;
-    previous = members.inliers.size();
+    previous = members.slots.size();
   }
   return true;
 }
@@ -140,13 +138,13 @@ Members members_of(const SegmentScene& scene, const PointPool& pool, const Surfa
                    Task& task) {
   Members members;
   const PlaneTest test = scene.test(surface.plane, scene.settings.distance_tolerance_m, 0);
-  members.inliers = pool.collect(test, window.box(), task);
+  members.slots = pool.collect(test, window.box(), task);
   const double cosine = scene.min_cosine(), core = core_reach(scene.settings, surface.sigma_m);
-  std::erase_if(members.inliers, [&](const Inlier& i) {
-    return std::fabs(surface.plane.distance(point_of(i))) > core &&
-           scene.inconsistent(pool.position(i.slot), surface.plane.normal, cosine);
+  std::erase_if(members.slots, [&](uint32_t slot) {
+    return std::fabs(surface.plane.distance(pool.point(slot))) > core &&
+           scene.inconsistent(pool.position(slot), surface.plane.normal, cosine);
   });
-  if (!members.inliers.empty()) keep_largest_region(scene, pool, surface.plane, members);
+  if (!members.slots.empty()) keep_largest_region(scene, pool, surface.plane, members);
   return members;
 }
 
@@ -156,7 +154,17 @@ void reject(SegmentScene& scene, const PointPool& pool, const Candidate& candida
     if (position != kNoPoint && scene.rejections[position] < 255) ++scene.rejections[position];
   };
   note(candidate.seed);
-  for (const Inlier& i : members.inliers) note(pool.position(i.slot));
+  for (const uint32_t slot : members.slots) note(pool.position(slot));
+}
+
+// Slots go through the pool's pieces one after the other, so their positions are a few ascending runs.
+void sort_runs(std::vector<uint32_t>& positions) {
+  auto sorted = std::is_sorted_until(positions.begin(), positions.end());
+  while (sorted != positions.end()) {
+    const auto next = std::is_sorted_until(sorted, positions.end());
+    std::inplace_merge(positions.begin(), sorted, next);
+    sorted = next;
+  }
 }
 
 }  // namespace
@@ -204,13 +212,13 @@ bool extract_surface(SegmentScene& scene, PointPool& pool, const OrientationPass
   }
   surface.area_m2 = members.area_m2;
   surface.pixel_m = members.pixel_m;
-  surface.positions.reserve(members.inliers.size());
-  for (const Inlier& i : members.inliers) {
-    surface.positions.push_back(pool.position(i.slot));
-    scene.owner[pool.position(i.slot)] = owner_id;
-    pool.remove(i.slot);
+  surface.positions.reserve(members.slots.size());
+  for (const uint32_t slot : members.slots) {
+    surface.positions.push_back(pool.position(slot));
+    scene.owner[pool.position(slot)] = owner_id;
+    pool.remove(slot);
   }
-  std::sort(surface.positions.begin(), surface.positions.end());
+  sort_runs(surface.positions);
   out = std::move(surface);
   return true;
 }

@@ -20,15 +20,19 @@ constexpr double kMaxThickness = 0.5;   // rms of a planar cell, in tolerances
 constexpr double kMaxFlatness = 0.05;   // smallest against middle eigenvalue of a planar cell
 constexpr size_t kCellsPerChunk = 256;
 
+struct PointRange {
+  size_t begin, end;
+};
+
 // Free points of a cell: how many, whether one of them has no level yet.
 struct Census {
   size_t free = 0;
   bool undecided = false;
 };
 
-Census census_of(const SegmentScene& scene, const Octree::Cell& cell) {
+Census census_of(const SegmentScene& scene, const PointRange& cell) {
   Census census;
-  for (size_t i = cell.first; i < cell.first + cell.count; ++i) {
+  for (size_t i = cell.begin; i < cell.end; ++i) {
     if (scene.owner[i] != 0) continue;
     ++census.free;
     census.undecided |= scene.level[i] == kUndecided;
@@ -37,12 +41,12 @@ Census census_of(const SegmentScene& scene, const Octree::Cell& cell) {
 }
 
 // Normal of the cell's points when they are flat, else NaN.
-Vec3 cell_normal(const SegmentScene& scene, const Octree::Cell& cell, size_t free_points) {
+Vec3 cell_normal(const SegmentScene& scene, const PointRange& cell, size_t free_points) {
   Moments moments;
-  moments.reference = scene.local(cell.first);
+  moments.reference = scene.local(cell.begin);
   const size_t step = (free_points + kMaxCellSample - 1) / kMaxCellSample;
   size_t turn = 0;
-  for (size_t i = cell.first; i < cell.first + cell.count; ++i)
+  for (size_t i = cell.begin; i < cell.end; ++i)
     if (scene.owner[i] == 0 && turn++ % step == 0) moments.add(scene.local(i));
   const Vec3 none{kNotANumber, kNotANumber, kNotANumber};
   if (moments.n < 3) return none;
@@ -52,7 +56,7 @@ Vec3 cell_normal(const SegmentScene& scene, const Octree::Cell& cell, size_t fre
   return flat && eigen.values[1] > 0 ? eigen.vectors[0] : none;
 }
 
-void decide_cell(SegmentScene& scene, const Octree::Cell& cell, int level, bool keep_normals) {
+void decide_cell(SegmentScene& scene, const PointRange& cell, int level, bool keep_normals) {
   const Census census = census_of(scene, cell);
   const bool enough = census.free >= kMinCellPoints;
   if (!census.undecided || (!enough && level > scene.coarse_level)) return;
@@ -60,7 +64,7 @@ void decide_cell(SegmentScene& scene, const Octree::Cell& cell, int level, bool 
   if (enough && !keep_normals) normal = cell_normal(scene, cell, census.free);
   const double edge = std::ldexp(scene.tree->cube().edge, -level);
   const double spacing = edge / std::sqrt(static_cast<double>(std::max<size_t>(1, census.free)));
-  for (size_t i = cell.first; i < cell.first + cell.count; ++i) {
+  for (size_t i = cell.begin; i < cell.end; ++i) {
     if (scene.owner[i] != 0 || scene.level[i] != kUndecided) continue;
     scene.level[i] = static_cast<uint8_t>(level);
     scene.spacing[i] = static_cast<float>(spacing);
@@ -94,9 +98,9 @@ void estimate_local_surface(SegmentScene& scene, Task& task) {
       if (scene.owner[i] == 0) scene.level[i] = kUndecided;
   });
   for (int level = scene.fine_level; level >= scene.coarse_level; --level) {
-    const auto& cells = scene.cells[static_cast<size_t>(level - scene.coarse_level)];
-    parallel_for(task, cells.size(), kCellsPerChunk, [&](size_t begin, size_t end) {
-      for (size_t c = begin; c < end; ++c) decide_cell(scene, cells[c], level, keep_normals);
+    const auto& firsts = scene.cell_firsts[static_cast<size_t>(level - scene.coarse_level)];
+    parallel_for(task, firsts.size() - 1, kCellsPerChunk, [&](size_t begin, size_t end) {
+      for (size_t c = begin; c < end; ++c) decide_cell(scene, {firsts[c], firsts[c + 1]}, level, keep_normals);
     });
   }
 }

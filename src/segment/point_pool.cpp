@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "base/random.h"
@@ -96,10 +97,13 @@ PointColumns PointPool::columns(size_t block) const {
 uint32_t PointPool::count(size_t piece, const PlaneTest& test) const {
   uint32_t sum = 0;
   for (size_t block = first_block_[piece]; block < first_block_[piece + 1]; ++block) {
-    if (!may_touch(block, test)) continue;
-    sum += avx2_ ? count_block_avx2(columns(block), test) : count_block_baseline(columns(block), test);
+    if (may_touch(block, test)) sum += count_in_block(block, test);
   }
   return sum;
+}
+
+uint32_t PointPool::count_in_block(size_t block, const PlaneTest& test) const {
+  return avx2_ ? count_block_avx2(columns(block), test) : count_block_baseline(columns(block), test);
 }
 
 bool PointPool::overlaps(size_t block, const Box3& box) const {
@@ -109,34 +113,37 @@ bool PointPool::overlaps(size_t block, const Box3& box) const {
   return true;
 }
 
-void PointPool::append_inliers(size_t block, const PlaneTest& test, const Box3& box, std::vector<Inlier>& out) const {
-  uint32_t mask[kBlockPoints / 32];
+uint32_t PointPool::write_inliers(size_t block, const PlaneTest& test, const Box3& box, uint32_t* out) const {
+  uint32_t mask[kBlockPoints / 32], written = 0;
   const PointColumns c = columns(block);
-  if ((avx2_ ? count_block_avx2(c, test) : count_block_baseline(c, test)) == 0) return;
   mark_block(c, test, mask);
   for (size_t word = 0; word < kBlockPoints / 32; ++word)
     for (uint32_t bits = mask[word]; bits != 0; bits &= bits - 1) {
       const size_t i = 32 * word + static_cast<size_t>(std::countr_zero(bits));
-      if (!box.contains({c.x[i], c.y[i], c.z[i]})) continue;
-      out.push_back({c.x[i], c.y[i], c.z[i], static_cast<uint32_t>(block * kBlockPoints + i)});
+      if (box.contains({c.x[i], c.y[i], c.z[i]})) out[written++] = static_cast<uint32_t>(block * kBlockPoints + i);
     }
+  return written;
 }
 
-std::vector<Inlier> PointPool::collect(const PlaneTest& test, const Box3& box, Task& task) const {
-  const size_t blocks = first_block_[kPieces];
-  const size_t chunks = (blocks + kBlocksPerChunk - 1) / kBlocksPerChunk;
-  std::vector<std::vector<Inlier>> parts(chunks);
-  parallel_for(task, blocks, kBlocksPerChunk, [&](size_t begin, size_t end) {
+// 1. each block's inliers are counted, wherever in the block; 2. those in the box are written into that room; 3. the
+// rooms are moved together.
+std::vector<uint32_t> PointPool::collect(const PlaneTest& test, const Box3& box, Task& task) const {
+  std::vector<uint32_t> counts(first_block_[kPieces]), firsts(counts.size());
+  parallel_for(task, counts.size(), kBlocksPerChunk, [&](size_t begin, size_t end) {
     for (size_t block = begin; block < end; ++block)
-      if (overlaps(block, box) && may_touch(block, test))
-        append_inliers(block, test, box, parts[begin / kBlocksPerChunk]);
+      counts[block] = overlaps(block, box) && may_touch(block, test) ? count_in_block(block, test) : 0;
   });
-  size_t total = 0;
-  for (const auto& part : parts) total += part.size();
-  std::vector<Inlier> all;
-  all.reserve(total);
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  std::exclusive_scan(counts.begin(), counts.end(), firsts.begin(), 0u);
+  std::vector<uint32_t> slots(counts.empty() ? 0 : firsts.back() + counts.back());
+  parallel_for(task, counts.size(), kBlocksPerChunk, [&](size_t begin, size_t end) {
+    for (size_t block = begin; block < end; ++block)
+      if (counts[block] != 0) counts[block] = write_inliers(block, test, box, &slots[firsts[block]]);
+  });
+  auto out = slots.begin();
+  for (size_t block = 0; block < counts.size(); ++block)
+    out = std::copy_n(slots.begin() + firsts[block], counts[block], out);
+  slots.erase(out, slots.end());
+  return slots;
 }
 
 void PointPool::remove(uint32_t slot) {

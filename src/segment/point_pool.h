@@ -11,12 +11,6 @@
 
 namespace jalon {
 
-/// One point near a plane.
-struct Inlier {
-  float x, y, z;
-  uint32_t slot;
-};
-
 /// The free points in single precision, component by component, as disjoint random subsets of 1, 3, 12 and 48 parts
 /// in 64 (Schnabel et al. 2007, 4.5.1): the union of the first k is a random subset of the whole. Blocks of
 /// neighbours have a box, so that a plane looks only at blocks it passes through. 28 B a point.
@@ -24,6 +18,7 @@ class PointPool {
  public:
   static constexpr size_t kPieces = 4;
 
+  PointPool() = default;
   /// Collects the points with owner 0.
   PointPool(const SegmentScene& scene, Task& task);
 
@@ -34,22 +29,25 @@ class PointPool {
 
   /// Inliers in one piece. Thread-safe.
   uint32_t count(size_t piece, const PlaneTest& test) const;
-  /// All inliers in the box, in slot order.
-  std::vector<Inlier> collect(const PlaneTest& test, const Box3& box, Task& task) const;
+  /// Slots of all inliers in the box, ascending.
+  std::vector<uint32_t> collect(const PlaneTest& test, const Box3& box, Task& task) const;
   /// Slots hold a position each, or kNoPoint.
   size_t slots() const { return slots_; }
   uint32_t position(uint32_t slot) const { return positions_[slot]; }
+  Vec3 point(uint32_t slot) const { return {values_[slot], values_[slots_ + slot], values_[2 * slots_ + slot]}; }
   void remove(uint32_t slot);
 
  private:
   bool may_touch(size_t block, const PlaneTest& test) const;
   bool overlaps(size_t block, const Box3& box) const;
-  void append_inliers(size_t block, const PlaneTest& test, const Box3& box, std::vector<Inlier>& out) const;
+  uint32_t count_in_block(size_t block, const PlaneTest& test) const;
+  /// Slots of the block's inliers in the box; returns how many.
+  uint32_t write_inliers(size_t block, const PlaneTest& test, const Box3& box, uint32_t* out) const;
   PointColumns columns(size_t block) const;
   void fill_block(const SegmentScene& scene, size_t block);
 
   size_t free_ = 0, built_ = 0;
-  bool avx2_;
+  bool avx2_ = false;
   std::array<size_t, kPieces + 1> first_block_{};
   std::array<size_t, kPieces> piece_free_{};
   Buffer<float> values_;          ///< six columns

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "segment/cell_firsts.h"
 #include "segment/tolerance.h"
 
 namespace jalon {
@@ -49,9 +50,8 @@ SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task
   const double finest = std::log2(cube.edge / (kFineCellTolerances * scene.settings.distance_tolerance_m));
   scene.fine_level = std::clamp(static_cast<int>(std::floor(finest)), 0, kMaxLevel);
   scene.coarse_level = std::max(0, scene.fine_level - kLevels);
-  for (int level = scene.coarse_level; level <= scene.fine_level; ++level)
-    scene.cells.push_back(scene.tree->cells(level, task));
   scene.level = Buffer<uint8_t>(scene.size());
+  scene.cell_firsts = cell_firsts(*scene.tree, scene.coarse_level, scene.fine_level, scene.level, task);
   estimate_local_surface(scene, task);
   return scene;
 }

@@ -31,7 +31,7 @@ struct SegmentScene {
   std::span<const uint32_t> order = {};
   Vec3 origin = {};                      ///< of the local frame
   int fine_level = 0, coarse_level = 0;
-  std::vector<std::vector<Octree::Cell>> cells = {};  ///< of levels coarse_level ... fine_level
+  std::vector<std::vector<uint32_t>> cell_firsts = {};  ///< of levels coarse_level ... fine_level, with the end behind
 
   std::vector<uint32_t> owner = {};   ///< segment that took the point, 0 = free
   std::vector<uint8_t> rejections = {};  ///< surfaces with the point that were no planes, since the last that was

@@ -201,6 +201,7 @@ class Sequence {
   // The surroundings of the points that are left, without those that are taken.
   void renew_pool() {
     estimate_local_surface(scene_, task_);
+    pool_ = PointPool();  // its memory first
     pool_ = PointPool(scene_, task_);
   }
 
