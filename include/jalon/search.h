@@ -29,8 +29,13 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_knn(const jalon_cloud* cloud, con
                                        uint64_t count, uint64_t stride_bytes, uint32_t k,
                                        int32_t level, jalon_task* task, uint64_t* indices,
                                        double* squared_distances);
-/** The k nearest points of every point of the cloud, itself included, in the cloud's order: the fast batch form, k <=
- * 256. indices: 32 bits, UINT32_MAX where there are fewer; after a failure the arrays may be partly written. */
+/**
+ * The k nearest points of every point of the cloud, itself included, in the cloud's order: the fast batch form, k <=
+ * 256. indices: 32 bits, UINT32_MAX where there are fewer; after a failure the arrays may be partly written. Which
+ * neighbours they are, and their order, is exact. squared_distances are in single precision, of points rounded down to
+ * the octree's grid: a distance is within sqrt(3) edge / 2^31 (1e-7 m for a cube of 128 m) and 1e-6 of itself from the
+ * exact one, which jalon_cloud_knn gives.
+ */
 JALON_API JALON_CHECK jalon_status jalon_cloud_knn_all(const jalon_cloud* cloud, uint32_t k, jalon_task* task,
                                            uint32_t* indices, float* squared_distances);
 /**

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// bench_cgal PREFIX: CGAL's kd-tree, pca_estimate_normals and grid_simplify_point_set (which keeps
-// one point a cell and is serial).
+// bench_cgal PREFIX: CGAL's kd-tree, pca_estimate_normals, grid_simplify_point_set (which keeps one
+// point a cell and is serial) and Efficient_RANSAC for planes (serial; its normals are not).
 
 #define CGAL_LINKED_WITH_TBB
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Shape_detection/Efficient_RANSAC.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/grid_simplify_point_set.h>
 #include <CGAL/pca_estimate_normals.h>
@@ -30,14 +31,64 @@ using Numbered = std::pair<Point, uint32_t>;
 using Traits = CGAL::Search_traits_adapter<Numbered, CGAL::First_of_pair_property_map<Numbered>,
                                            CGAL::Search_traits_3<Kernel>>;
 using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+using PointMap = CGAL::First_of_pair_property_map<Oriented>;
+using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
+using RansacTraits =
+    CGAL::Shape_detection::Efficient_RANSAC_traits<Kernel, std::vector<Oriented>, PointMap, NormalMap>;
+using Ransac = CGAL::Shape_detection::Efficient_RANSAC<RansacTraits>;
+using Plane = CGAL::Shape_detection::Plane<RansacTraits>;
 
 template <class Tag>
 void estimate(std::vector<Oriented>& points) {
   // CGAL counts the neighbours besides the point itself; the others count the point as well.
   CGAL::pca_estimate_normals<Tag>(
       points, bench::kNeighbours - 1,
-      CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
-          .normal_map(CGAL::Second_of_pair_property_map<Oriented>()));
+      CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));
+}
+
+void estimate(std::vector<Oriented>& points, int threads) {
+  if (threads > 1) {
+    estimate<CGAL::Parallel_tag>(points);
+  } else {
+    estimate<CGAL::Sequential_tag>(points);
+  }
+}
+
+std::vector<Oriented> without_normals(const std::vector<Point>& points) {
+  std::vector<Oriented> oriented;
+  for (const Point& p : points) oriented.emplace_back(p, Kernel::Vector_3());
+  return oriented;
+}
+
+Ransac::Parameters ransac_parameters(size_t points) {
+  Ransac::Parameters parameters;
+  parameters.probability = 0.01;  // of missing the largest plane
+  parameters.min_points = points / 500;
+  parameters.epsilon = 0.015;
+  parameters.cluster_epsilon = 0.15;
+  parameters.normal_threshold = 0.9;
+  return parameters;
+}
+
+std::vector<double> rows_of_planes(const Ransac& ransac, const std::vector<Point>& points) {
+  std::vector<double> rows;
+  for (const auto& shape : ransac.shapes()) {
+    const auto* plane = dynamic_cast<const Plane*>(shape.get());
+    const auto& members = shape->indices_of_assigned_points();
+    if (plane == nullptr || members.empty()) continue;
+    double sum[3] = {0, 0, 0};
+    for (const size_t i : members)
+      for (int axis = 0; axis < 3; ++axis) sum[axis] += points[i][axis];
+    const auto count = static_cast<double>(members.size());
+    // CGAL does not refit: the foot of the centroid on its plane.
+    double off = plane->d();
+    for (int axis = 0; axis < 3; ++axis) off += plane->plane_normal()[axis] * sum[axis] / count;
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(plane->plane_normal()[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+      rows.push_back(sum[axis] / count - off * plane->plane_normal()[axis]);
+    rows.push_back(count);
+  }
+  return rows;
 }
 
 }  // namespace
@@ -98,14 +149,9 @@ int main(int argc, char** argv) {
   const auto normals = [&](int threads, bool with_sample) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<size_t>(threads));
-    std::vector<Oriented> oriented;
-    for (const Point& p : points) oriented.emplace_back(p, Kernel::Vector_3());
+    std::vector<Oriented> oriented = without_normals(points);
     const bench::Stopwatch watch;
-    if (threads > 1) {
-      estimate<CGAL::Parallel_tag>(oriented);
-    } else {
-      estimate<CGAL::Sequential_tag>(oriented);
-    }
+    estimate(oriented, threads);
     bench::Result result{watch.seconds(), n, {}};
     if (with_sample) {
       bench::for_samples(n, [&](size_t i) {
@@ -120,6 +166,24 @@ int main(int argc, char** argv) {
     copy.erase(CGAL::grid_simplify_point_set(copy, bench::kVoxel_m), copy.end());
     return bench::Result{watch.seconds(), copy.size(), {}};
   };
-  return bench::serve(
-      "CGAL", n, {{"index", build}, {"knn16", knn}, {"normals16", normals}, {"voxel5cm", voxel}});
+  const auto planes = [&](int threads, bool with_sample) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<size_t>(threads));
+    std::vector<Oriented> oriented = without_normals(points);
+    const bench::Stopwatch watch;
+    estimate(oriented, threads);
+    Ransac ransac;
+    ransac.set_input(oriented);
+    ransac.add_shape_factory<Plane>();
+    ransac.detect(ransac_parameters(n));
+    bench::Result result{watch.seconds(), ransac.shapes().size(), {}};
+    if (with_sample) result.sample = rows_of_planes(ransac, points);
+    return result;
+  };
+  return bench::serve("CGAL", n,
+                      {{"index", build},
+                       {"knn16", knn},
+                       {"normals16", normals},
+                       {"voxel5cm", voxel},
+                       {"planes", planes}});
 }

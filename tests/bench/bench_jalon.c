@@ -180,8 +180,23 @@ static Result run_las3(Bench* bench, jalon_task* task, FILE* sample) {
   return run_las(bench, "_pf3.las", task, sample);
 }
 
+/* A row a plane, largest first: normal, centroid of its points, how many they are. */
+static void write_planes(FILE* sample, const jalon_fields* segments) {
+  jalon_array_view normals, centroids, inliers;
+  uint64_t i;
+  check(jalon_fields_view(segments, "normal", &normals));
+  check(jalon_fields_view(segments, "centroid", &centroids));
+  check(jalon_fields_view(segments, "inliers", &inliers));
+  for (i = 0; i < inliers.count; ++i) {
+    const double points = (double)((const uint64_t*)inliers.data)[i];
+    fwrite((const double*)normals.data + 3 * i, sizeof(double), 3, sample);
+    fwrite((const double*)centroids.data + 3 * i, sizeof(double), 3, sample);
+    fwrite(&points, sizeof points, 1, sample);
+  }
+}
+
 /* From raw points to labels and planes, with the default parameters; count: the segments. */
-static Result run_segmenter(Bench* bench, const char* method, jalon_task* task) {
+static Result run_segmenter(Bench* bench, const char* method, jalon_task* task, FILE* sample) {
   Result result;
   double start;
   jalon_segmenter* segmenter = NULL;
@@ -196,6 +211,7 @@ static Result run_segmenter(Bench* bench, const char* method, jalon_task* task) 
   check(jalon_segmentation_segments(segmentation, &segments));
   check(jalon_fields_view(segments, "label", &labels));
   result.count = labels.count;
+  if (sample != NULL) write_planes(sample, segments);
   jalon_fields_release(segments);
   jalon_segmentation_release(segmentation);
   jalon_segmenter_release(segmenter);
@@ -203,9 +219,11 @@ static Result run_segmenter(Bench* bench, const char* method, jalon_task* task) 
   return result;
 }
 
+static Result run_planes(Bench* bench, jalon_task* task, FILE* sample) {
+  return run_segmenter(bench, "ransac", task, sample);
+}
 static Result run_region_growing(Bench* bench, jalon_task* task, FILE* sample) {
-  (void)sample;
-  return run_segmenter(bench, "region_growing", task);
+  return run_segmenter(bench, "region_growing", task, sample);
 }
 
 typedef struct Operation {
@@ -216,6 +234,7 @@ typedef struct Operation {
 static const Operation kOperations[] = {{"index", run_index},         {"knn16", run_knn16},
                                         {"normals16", run_normals16}, {"voxel5cm", run_voxel5cm},
                                         {"las0", run_las0},           {"las3", run_las3},
+                                        {"planes", run_planes},
                                         {"region_growing", run_region_growing}};
 enum { OPERATIONS = sizeof kOperations / sizeof kOperations[0] };
 
@@ -250,7 +269,7 @@ int main(int argc, char** argv) {
   memset(&bench, 0, sizeof bench);
   bench.prefix = argv[1];
   load(&bench);
-  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3,region_growing\n");
+  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3,planes,region_growing\n");
   fflush(stdout);
   code = serve(&bench);
   jalon_cloud_release(bench.indexed);

@@ -4,7 +4,9 @@
 // bench_pcl PREFIX: PCL's FLANN kd-tree, NormalEstimationOMP, VoxelGrid and RegionGrowing. Its tree,
 // its voxel grid and its growing are serial.
 
+#include <Eigen/Eigenvalues>
 #include <omp.h>
+#include <pcl/common/centroid.h>
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/filters/voxel_grid.h>
 #include <pcl/kdtree/kdtree_flann.h>
@@ -16,6 +18,26 @@
 #include <memory>
 
 #include "driver.h"
+
+namespace {
+
+// PCL's regions have no planes: least squares through the points of each, outside the time that is taken.
+std::vector<double> rows_of_planes(const pcl::PointCloud<pcl::PointXYZ>& cloud,
+                                   const std::vector<pcl::PointIndices>& regions) {
+  std::vector<double> rows;
+  for (const pcl::PointIndices& region : regions) {
+    Eigen::Matrix3d covariance;
+    Eigen::Vector4d centroid;
+    pcl::computeMeanAndCovarianceMatrix(cloud, region.indices, covariance, centroid);
+    const Eigen::Vector3d normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(normal[axis]);
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(centroid[axis]);
+    rows.push_back(static_cast<double>(region.indices.size()));
+  }
+  return rows;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
@@ -98,7 +120,7 @@ int main(int argc, char** argv) {
     grid.filter(thinned);
     return bench::Result{watch.seconds(), thinned.size(), {}};
   };
-  const auto grow = [&](int threads, bool) {
+  const auto grow = [&](int threads, bool with_sample) {
     const bench::Stopwatch watch;
     const auto search = std::make_shared<SearchTree>();  // built by the normals, used again
     const auto field = std::make_shared<pcl::PointCloud<pcl::Normal>>();
@@ -114,7 +136,9 @@ int main(int argc, char** argv) {
     growing.setCurvatureThreshold(0.02f);
     std::vector<pcl::PointIndices> regions;
     growing.extract(regions);
-    return bench::Result{watch.seconds(), regions.size(), {}};
+    bench::Result result{watch.seconds(), regions.size(), {}};
+    if (with_sample) result.sample = rows_of_planes(*cloud, regions);
+    return result;
   };
   return bench::serve("PCL", n,
                       {{"index", build},

@@ -8,13 +8,17 @@ import tempfile
 import numpy as np
 
 SAMPLES, NEIGHBOURS, BRUTE_FORCE_QUERIES = 2000, 16, 200
-# Floats carry 24 bits; a squared distance is a sum of three squares of coordinate differences.
-SQUARED_DISTANCE_TOLERANCE = 2e-5
+# Floats carry 24 bits; a distance is the root of three squares of coordinate differences.
+DISTANCE_TOLERANCE = 1e-6
+# Jalon's batch search gives distances of its grid, 2^31 steps an edge of the cube.
+GRID_STEPS = 2.0**31
 # Normals of a least squares plane from the same neighbours agree but for rounding; equal distances
 # may swap the last neighbour, and round or thread-like neighbourhoods have no firm normal, so one in
 # a hundred may differ.
 NORMAL_TOLERANCE_DEG, NORMAL_SHARE = 0.5, 0.99
 LAS_STEP_M = 0.0001
+# Of a true plane found: CGAL's epsilon; less than half of what lies between any two of them.
+PLANE_TOLERANCE_DEG, PLANE_TOLERANCE_M = 1.0, 0.015
 
 
 def neighbours_by_force(xyz, query):
@@ -27,6 +31,14 @@ def neighbours_by_force(xyz, query):
             order = np.argsort(squared, kind="stable")[:NEIGHBOURS]
             return squared[order], near[order]
         radius *= 4
+
+
+def grid_error_m(xyz):
+    """Largest error of a distance between two points that were rounded down to Jalon's grid.
+
+    The cube's edge is a power of two, its origin on whole metres."""
+    edge_m = 2.0 ** np.ceil(np.log2(np.ptp(xyz, axis=0).max() + 1))
+    return np.sqrt(3) * edge_m / GRID_STEPS
 
 
 def truth(xyz):
@@ -52,6 +64,7 @@ def same_work(drivers, operations, prefix):
     Returns Jalon's failures."""
     xyz = np.fromfile(f"{prefix}.f64").reshape(-1, 3)
     step, squared, normals = truth(xyz)
+    planes = np.fromfile(f"{prefix}.planes").reshape(-1, 7)
     rows = np.arange(0, len(xyz), max(1, len(xyz) // SAMPLES))
     failures = []
     with tempfile.TemporaryDirectory() as folder:
@@ -62,9 +75,12 @@ def same_work(drivers, operations, prefix):
                 path = os.path.join(folder, "sample")
                 _, count = driver.run(operation, path)
                 sample = np.fromfile(path) if os.path.exists(path) else np.zeros(0)
-                text, good = compare(
-                    operation, sample, xyz[rows], step, squared, normals, count, len(xyz)
-                )
+                if operation in ("planes", "region_growing"):
+                    text, good = compare_planes(sample, planes)
+                else:
+                    text, good = compare(
+                        operation, sample, xyz, rows, step, squared, normals, count
+                    )
                 print(
                     f"check {driver.name} {operation}: {text}{'' if good else '  DIFFERS'}",
                     flush=True,
@@ -76,15 +92,43 @@ def same_work(drivers, operations, prefix):
     return failures
 
 
-def compare(operation, sample, sampled_xyz, step, squared, normals, count, points):
+def compare_planes(sample, true_planes):
+    """How many of the true planes were found, and how far off the largest segment on each is."""
+    if len(sample) % 7 != 0:
+        return f"{len(sample)} numbers in the sample", False
+    found = sample.reshape(-1, 7)
+    angle, shift = [], []
+    for plane in true_planes:
+        angles = angles_deg(found[:, :3], plane[None, :3])
+        shifts = np.abs(((plane[3:6] - found[:, 3:6]) * found[:, :3]).sum(axis=1))
+        on = np.flatnonzero((angles <= PLANE_TOLERANCE_DEG) & (shifts <= PLANE_TOLERANCE_M))
+        if len(on) == 0:
+            continue
+        largest = on[np.argmax(found[on, 6])]
+        angle.append(angles[largest])
+        shift.append(shifts[largest])
+    text = f"{len(angle)} of {len(true_planes)} true planes among {len(found)}"
+    if angle:
+        text += (
+            f"; {np.median(angle):.4f} deg and {1000 * np.median(shift):.2f} mm off "
+            f"(worst {np.max(angle):.3f} and {1000 * np.max(shift):.2f})"
+        )
+    return text, len(angle) == len(true_planes)
+
+
+def compare(operation, sample, xyz, rows, step, squared, normals, count):
+    sampled_xyz, points = xyz[rows], len(xyz)
     if operation == "knn16":
         if len(sample) != NEIGHBOURS * len(sampled_xyz):
             return f"{len(sample)} numbers in the sample", False
         found = sample.reshape(-1, NEIGHBOURS)[::step]
-        error = np.abs(found - squared) / np.maximum(squared, 1e-6)
+        distances = np.sqrt(squared)
+        error = np.abs(np.sqrt(found) - distances)
+        limit = grid_error_m(xyz) + DISTANCE_TOLERANCE * distances
         return (
-            f"squared distances within {error.max():.1e} (relative) of brute force",
-            error.max() <= SQUARED_DISTANCE_TOLERANCE,
+            f"distances within {error.max():.1e} m of brute force, {(error / limit).max():.2f} "
+            f"of the limit ({grid_error_m(xyz):.1e} m and {DISTANCE_TOLERANCE:.0e})",
+            bool((error <= limit).all()),
         )
     if operation == "normals16":
         if len(sample) != 3 * len(sampled_xyz):
@@ -103,6 +147,4 @@ def compare(operation, sample, sampled_xyz, step, squared, normals, count, point
             f"{count} points, coordinates within {1000 * error:.3f} mm",
             count == points and error <= 0.51 * LAS_STEP_M,
         )
-    if operation == "region_growing":
-        return f"{count} segments", count > 0  # how right they are is tests/accuracy's matter
     return f"{count} points", count > 0

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 enum { LINE_BYTES = 4096 };
@@ -86,12 +87,25 @@ static void warm_up(const jalon_params* options, jalon_task* task) {
   jalon_cloud_release(cloud);
 }
 
-static void segment(const char* method, const char* prefix, double before, jalon_task* task) {
+static jalon_task* new_task(const char* threads) {
+  jalon_task* task = NULL;
+  check(jalon_task_create(&task));
+  check(jalon_task_set_threads(task, (uint32_t)strtoul(threads, NULL, 10)));
+  return task;
+}
+
+static void segment(const char* method, const char* prefix, const char* threads) {
   uint64_t count = 0;
+  double before;
+  double* xyz;
   jalon_cloud* cloud = NULL;
   jalon_segmenter* segmenter = NULL;
   jalon_segmentation* segmentation = NULL;
-  double* xyz = load(prefix, &count);
+  jalon_task* task = new_task(threads);
+  warm_up(NULL, task);
+  malloc_trim(0);
+  before = process_bytes("VmRSS:");
+  xyz = load(prefix, &count);
   check(jalon_cloud_create(xyz, JALON_FLOAT64, count, 0, 0, &cloud));
   free(xyz);
   check(jalon_segmenter_create(method, &segmenter));
@@ -101,23 +115,38 @@ static void segment(const char* method, const char* prefix, double before, jalon
   jalon_segmentation_release(segmentation);
   jalon_segmenter_release(segmenter);
   jalon_cloud_release(cloud);
+  jalon_task_release(task);
+}
+
+/* In a process of its own, so that what one left with the allocator is not the next one's. */
+static void segment_apart(const char* method, const char* prefix, const char* threads) {
+  int status = 0;
+  const pid_t child = fork();
+  if (child == 0) {
+    segment(method, prefix, threads);
+    exit(0);
+  }
+  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) exit(1);
 }
 
 int main(int argc, char** argv) {
   uint64_t count = 0;
   double* xyz;
   double before, with_input;
-  jalon_task* task = NULL;
+  const char* threads = argc > 2 ? argv[2] : "2";
+  jalon_task* task;
   jalon_params* options = NULL;
   jalon_cloud* cloud = NULL;
   if (argc < 2) return 2;
-  check(jalon_task_create(&task));
-  check(jalon_task_set_threads(task, argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 2));
+  printf("memory|stage|points|bytes a point now|peak bytes a point\n");
+  fflush(stdout); /* or the children would print it again */
+  segment_apart("ransac", argv[1], threads);
+  segment_apart("region_growing", argv[1], threads);
+  task = new_task(threads);
   check(jalon_params_create("normals", &options));
   check(jalon_params_set_string(options, "method", "pca"));
   check(jalon_params_set_int64(options, "k", 16));
 
-  printf("memory|stage|points|bytes a point now|peak bytes a point\n");
   warm_up(options, task);
   malloc_trim(0);
   before = process_bytes("VmRSS:");
@@ -137,7 +166,6 @@ int main(int argc, char** argv) {
   report("normals", before, (double)count);
   jalon_cloud_release(cloud);
   report("release", before, (double)count);
-  segment("region_growing", argv[1], before, task);
   jalon_params_release(options);
   jalon_task_release(task);
   return 0;

@@ -5,6 +5,7 @@
 //   PREFIX.f64      x y z as doubles
 //   PREFIX_pf0.las  LAS 1.2, point format 0
 //   PREFIX_pf3.las  the same points with time and colour (point format 3)
+//   PREFIX.planes   the true planes, seven doubles each (street_truth.h)
 
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,18 @@
 
 #include "street_las.h"
 #include "street_points.h"
+#include "street_truth.h"
+
+namespace {
+
+bool write_doubles(const std::string& path, const std::vector<double>& values) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return false;
+  const bool complete = std::fwrite(values.data(), 8, values.size(), file) == values.size();
+  return std::fclose(file) == 0 && complete;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   const size_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
@@ -22,12 +35,12 @@ int main(int argc, char** argv) {
   }
   const std::string prefix = argv[1];
   const uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-  const std::vector<double> xyz = bench::coordinates(bench::scan_street(bench::Street(), count, seed));
-  std::FILE* file = std::fopen((prefix + ".f64").c_str(), "wb");
-  bool good = file != nullptr && std::fwrite(xyz.data(), 8, xyz.size(), file) == xyz.size();
-  if (file != nullptr) good = std::fclose(file) == 0 && good;
-  good = good && bench::write_las(prefix + "_pf0.las", 0, xyz) &&
-         bench::write_las(prefix + "_pf3.las", 3, xyz);
+  const bench::Street street;
+  const std::vector<bench::Sample> samples = bench::scan_street(street, count, seed);
+  const std::vector<double> xyz = bench::coordinates(samples);
+  const bool good = write_doubles(prefix + ".f64", xyz) && bench::write_las(prefix + "_pf0.las", 0, xyz) &&
+                    bench::write_las(prefix + "_pf3.las", 3, xyz) &&
+                    write_doubles(prefix + ".planes", bench::true_planes(street, samples));
   if (!good) {
     std::fprintf(stderr, "street_scene: cannot write %s.*\n", prefix.c_str());
     return 1;
