@@ -40,7 +40,7 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_from_labels(const jalon_cl
  * part of SR when part_share of A's points lie in SR, and the other way round. Reference segments with two or more
  * parts are over-segmented, automatic ones with two or more under-segmented; a reference of whose points less than
  * covered_share lie in any automatic segment is non-segmented (terms of Pu & Vosselman 2006). Rates and geometry:
- * Boulaassal 2010, 5.5.3.2 (eq. 5.9-5.11). O(n log n + sparse assignment), parallel.
+ * Boulaassal 2010, 5.5.3.2 (eq. 5.9-5.11). Empty segmentations are no error. O(n log n + sparse assignment), parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_evaluate(const jalon_segmentation* automatic,
                                                    const jalon_segmentation* reference,

@@ -45,8 +45,10 @@ JALON_API void jalon_segmenter_release(jalon_segmenter* segmenter);
 /** The segmenter's own parameter set: setting it changes the segmenter. The caller releases it. */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_params(jalon_segmenter* segmenter, jalon_params** out);
 /**
- * Segments the cloud. JALON_ERROR_INSUFFICIENT_DATA below 3 points, JALON_ERROR_DEGENERATE when all points are equal or collinear;
- * a cloud without planes gives a segmentation without segments.
+ * Segments the cloud. JALON_ERROR_INSUFFICIENT_DATA below 3 points; JALON_ERROR_DEGENERATE when all points are equal or
+ * collinear. A cloud without planes, or with fewer points on them than min_points, gives JALON_OK and a segmentation
+ * without segments. Every method and every choice of parameters gives the same status. Repeated points count as often
+ * as they occur; points that are not finite never get into a cloud.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_cloud* cloud,
                                            jalon_task* task, jalon_segmentation** out);

@@ -175,8 +175,10 @@ PlaneFit seed_plane(const PickScene& scene, Task& task) {
   for (const Neighbour& n : near)
     if (scene.labels[n.index] == 0) points.push_back(scene.local(n.index));
   PlaneFit fit;
+  if (points.size() < 3)
+    fail(Status::kInsufficientData, "%zu free points lie around the seed; a plane needs 3", points.size());
   if (!fit_plane(points, fit))
-    fail(Status::kInsufficientData, "the %zu free points around the seed are too few or on one line", points.size());
+    fail(Status::kDegenerate, "the %zu free points around the seed are equal or on one line", points.size());
   if (fit.sigma > scene.setting.primitive.tolerance_m)
     fail(Status::kDegenerate, "the points around the seed lie %s m from a plane; the tolerance is %s m",
          text_of(fit.sigma, kMillimetreDigits).c_str(), text_of(scene.setting.primitive.tolerance_m).c_str());
@@ -194,8 +196,10 @@ std::vector<Vec2> pick_polygon(const PickScene& scene, const PlaneFit& fit) {
 }
 
 Vec3 pick_normal(const PickScene& scene, size_t i, Task& task) {
+  if (scene.cloud.size() < 3)
+    fail(Status::kInsufficientData, "the cloud has %zu points; a normal needs 3", scene.cloud.size());
   const Vec3 n = normal_near(scene.cloud, *scene.cloud.octree(task), scene.picks[i] + scene.origin, scene.setting.k);
-  if (!is_finite(n)) fail(Status::kDegenerate, "the points around pick %zu are on one line: they have no normal", i);
+  if (!is_finite(n)) fail(Status::kDegenerate, "the points around pick %zu are equal or on one line: no normal", i);
   return n;
 }
 
