@@ -6,29 +6,18 @@
  *   bits --grid     the same scene at the origin and on the national grid: identical bits, or close (prints its own
  *   verdicts) */
 #define JALON_TEST_PLAIN_PROGRAM
-#include "../capi/operations.h"
+#include "bits_segments.h"
 
 #include <math.h>
 
 enum { kPoints = 30000, kNear = 8, kSeeds = 2 };
 static const double kEast = 652000, kNorth = 6861000;
-static uint64_t kStart = 14695981039346656037u;
-
-static void tell(const char* name, uint64_t seed, uint64_t hash) {
-  printf("%-28s seed %llu %016llx\n", name, (unsigned long long)seed, (unsigned long long)hash);
-}
 
 static jalon_task* task_of(uint32_t threads) {
   jalon_task* task;
   MUST(jalon_task_create(&task));
   MUST(jalon_task_set_threads(task, threads));
   return task;
-}
-
-static uint64_t hash_and_release(jalon_fields* fields) {
-  const uint64_t hash = hash_fields(kStart, fields);
-  jalon_fields_release(fields);
-  return hash;
 }
 
 static uint64_t hash_file(const char* name) {
@@ -189,6 +178,9 @@ static int print_hashes(uint32_t threads) {
     model_and_files(cloud, seed, task);
     evaluation(cloud, seed, task);
     scans(seed, task);
+    segmenters(seed, task);
+    picks(seed, task);
+    if (seed == 1) every_scene(seed, task);
     jalon_cloud_release(cloud);
   }
   jalon_task_release(task);
