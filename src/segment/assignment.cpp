@@ -129,13 +129,17 @@ namespace {
 // For each point of the surface, 1 when it lies away from the surface's border. Where another surface meets this one at
 // an angle, that one's points are within reach on one side only and shift the plane: 0.3 mm at a pane of 1.2 m whose
 // reveals have too few points to be found as planes. Nothing else tells those points from the surface's own.
-std::vector<uint8_t> inner_points(const SegmentScene& scene, const Surface& surface) {
+std::vector<uint8_t> inner_points(const SegmentScene& scene, const Surface& surface, Task& task) {
   const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
   std::vector<Vec2> uv(surface.positions.size());
-  for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
+  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) uv[i] = frame(scene.local(surface.positions[i]));
+  });
   const Raster inner = eroded(closed(bounded_raster(uv, surface.pixel_m, 1), 1), 1);
   std::vector<uint8_t> out(uv.size());
-  for (size_t i = 0; i < uv.size(); ++i) out[i] = inner.pixels[inner.pixel_of(uv[i])];
+  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) out[i] = inner.pixels[inner.pixel_of(uv[i])];
+  });
   return out;
 }
 
@@ -157,7 +161,7 @@ CoreMoments core_moments(const SegmentScene& scene, const Surface& surface, Task
           : INFINITY;
   const double min_cosine = scene.min_cosine();
   std::vector<uint8_t> inner(surface.positions.size(), 0);
-  if (settings.connectivity && settings.reassign) inner = inner_points(scene, surface);
+  if (settings.connectivity && settings.reassign) inner = inner_points(scene, surface, task);
   CoreMoments zero;
   zero.all.reference = zero.inner.reference = scene.local(surface.positions[0]);
   const auto part_of = [&](size_t begin, size_t end) {

@@ -32,21 +32,27 @@ struct Members {
   double area_m2 = 0, pixel_m = 0;
 };
 
-void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane, Members& members) {
+// Millions of points: each loop over them looks at the cancel.
+void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane, Task& task,
+                         Members& members) {
   std::vector<float> spacings(members.slots.size());
   std::vector<Vec2> uv(members.slots.size());
   const PlaneFrame frame = plane_frame(plane, pool.point(members.slots[0]));
-  for (size_t i = 0; i < uv.size(); ++i) {
-    spacings[i] = scene.spacing[pool.position(members.slots[i])];
-    uv[i] = frame(pool.point(members.slots[i]));
-  }
+  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      spacings[i] = scene.spacing[pool.position(members.slots[i])];
+      uv[i] = frame(pool.point(members.slots[i]));
+    }
+  });
   members.pixel_m = connectivity_pixel(scene.settings, std::move(spacings));
+  task.checkpoint(0);
   if (!scene.settings.connectivity) {
     members.area_m2 = occupied_area_m2(bounded_raster(uv, members.pixel_m, 0));
     return;
   }
-  const Region region =
-      largest_region(uv, {members.pixel_m, scene.settings.gap_m, scene.settings.min_area_m2, scene.settings.strip_width_m});
+  const RansacSettings& settings = scene.settings;
+  const RegionRule rule{members.pixel_m, settings.gap_m, settings.min_area_m2, settings.strip_width_m};
+  const Region region = largest_region(uv, rule);
   members.area_m2 = region.area_m2;
   for (size_t i = 0; i < region.members.size(); ++i) members.slots[i] = members.slots[region.members[i]];
   members.slots.resize(region.members.size());
@@ -117,7 +123,7 @@ bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, 
   for (int round = 0; round < kMaxRounds; ++round) {
     members.slots = pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
     if (members.slots.empty()) return false;
-    keep_largest_region(scene, pool, surface.plane, members);
+    keep_largest_region(scene, pool, surface.plane, task, members);
     PlaneFit fit;
     if (members.slots.size() < 3 || !fit_members(pool, members, task, fit)) return false;
     surface.plane = fit.plane;
@@ -144,7 +150,7 @@ Members members_of(const SegmentScene& scene, const PointPool& pool, const Surfa
     return std::fabs(surface.plane.distance(pool.point(slot))) > core &&
            scene.inconsistent(pool.position(slot), surface.plane.normal, cosine);
   });
-  if (!members.slots.empty()) keep_largest_region(scene, pool, surface.plane, members);
+  if (!members.slots.empty()) keep_largest_region(scene, pool, surface.plane, task, members);
   return members;
 }
 
@@ -212,12 +218,14 @@ bool extract_surface(SegmentScene& scene, PointPool& pool, const OrientationPass
   }
   surface.area_m2 = members.area_m2;
   surface.pixel_m = members.pixel_m;
-  surface.positions.reserve(members.slots.size());
-  for (const uint32_t slot : members.slots) {
-    surface.positions.push_back(pool.position(slot));
-    scene.owner[pool.position(slot)] = owner_id;
-    pool.remove(slot);
-  }
+  surface.positions.resize(members.slots.size());
+  parallel_for(task, members.slots.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      surface.positions[i] = pool.position(members.slots[i]);
+      scene.owner[surface.positions[i]] = owner_id;
+    }
+  });
+  for (const uint32_t slot : members.slots) pool.remove(slot);
   sort_runs(surface.positions);
   out = std::move(surface);
   return true;

@@ -15,6 +15,34 @@ namespace jalon {
 /// Points a chunk takes: cuts depend on n alone.
 inline size_t partition_grain(size_t n) { return std::max<size_t>(size_t{1} << 15, n / 256 + 1); }
 
+/// From how many records of each bin each chunk has (chunks rows of bins) to where they begin; returns where each bin
+/// begins, and the sum. By stretches of bins, since a column of the table would touch another page in each row.
+inline std::vector<size_t> place_chunks(uint32_t* places, size_t chunks, size_t bins, Task& task) {
+  constexpr size_t kBinsPerChunk = 1024;
+  std::vector<uint32_t> next(bins, 0);
+  parallel_for(task, bins, kBinsPerChunk, [&](size_t first, size_t last) {
+    for (size_t c = 0; c < chunks; ++c)
+      for (size_t b = first; b < last; ++b) next[b] += places[c * bins + b];
+  });
+  std::vector<size_t> begins(bins + 1);
+  uint32_t sum = 0;
+  for (size_t b = 0; b < bins; ++b) {
+    begins[b] = sum;
+    sum += next[b];
+    next[b] = static_cast<uint32_t>(begins[b]);
+  }
+  begins[bins] = sum;
+  parallel_for(task, bins, kBinsPerChunk, [&](size_t first, size_t last) {
+    for (size_t c = 0; c < chunks; ++c)
+      for (size_t b = first; b < last; ++b) {
+        const uint32_t count = places[c * bins + b];
+        places[c * bins + b] = next[b];
+        next[b] += count;
+      }
+  });
+  return begins;
+}
+
 /// Stable parallel partition of n < 2^32 records by a digit in [0, bins): read(i) makes record i, which goes to out at
 /// its bin. Returns where each bin begins, and n. Two passes: count, then move. A few thousand bins keep the open write
 /// streams in the cache.
@@ -30,17 +58,7 @@ std::vector<size_t> partition(size_t n, size_t bins, Digit digit, Task& task, Re
       for (size_t i = begin; i < end; ++i) ++counts[digit(read(i))];
     });
   }
-  std::vector<size_t> begins(bins + 1);
-  uint32_t sum = 0;
-  for (size_t b = 0; b < bins; ++b) {
-    begins[b] = sum;
-    for (size_t c = 0; c < chunks; ++c) {
-      const uint32_t count = places[c * bins + b];
-      places[c * bins + b] = sum;
-      sum += count;
-    }
-  }
-  begins[bins] = sum;
+  const auto begins = place_chunks(places.data(), chunks, bins, task);
   Span half(task, 0.5, 1);
   parallel_for(task, n, grain, [&](size_t begin, size_t end) {
     uint32_t* place = places.data() + begin / grain * bins;
