@@ -17,25 +17,10 @@ namespace {
 
 constexpr double kCollinear = 1e-12;  // second eigenvalue against the largest: a line to rounding
 
-// Covariance of (normal, offset). In the plane's own frame a fit w = alpha u + beta v + gamma has independent
-// parameters: var alpha = s^2 / (n lambda_u), var beta = s^2 / (n lambda_v), var gamma = s^2 / n. The normal moves by
-// -alpha axis_u - beta axis_v, the offset by gamma + centroid . d normal.
-std::array<double, 16> parameter_covariance(const PlaneFit& fit) {
+// In the plane's own frame a fit w = alpha u + beta v + gamma has independent parameters.
+Symmetric3 least_squares_covariance(const PlaneFit& fit) {
   const double n = static_cast<double>(fit.n), s2 = fit.sigma * fit.sigma;
-  const double variance[3] = {s2 / (n * fit.eigenvalues[2]), s2 / (n * fit.eigenvalues[1]), s2 / n};
-  double jacobian[4][3];
-  const Vec3 columns[2] = {-fit.axis_u, -fit.axis_v};
-  for (int k = 0; k < 2; ++k) {
-    for (int i = 0; i < 3; ++i) jacobian[i][k] = columns[k][i];
-    jacobian[3][k] = dot(columns[k], fit.centroid);
-  }
-  for (int i = 0; i < 3; ++i) jacobian[i][2] = 0;
-  jacobian[3][2] = 1;
-  std::array<double, 16> out{};
-  for (size_t i = 0; i < 4; ++i)
-    for (size_t j = 0; j < 4; ++j)
-      for (size_t k = 0; k < 3; ++k) out[4 * i + j] += jacobian[i][k] * variance[k] * jacobian[j][k];
-  return out;
+  return {s2 / (n * fit.eigenvalues[2]), 0, 0, s2 / (n * fit.eigenvalues[1]), 0, s2 / n};
 }
 
 }  // namespace
@@ -54,7 +39,8 @@ bool fit_plane(const Moments& moments, PlaneFit& out) {
   fit.eigenvalues = {std::max(eigen.values[0], 0.0), eigen.values[1], eigen.values[2]};
   const double n = static_cast<double>(moments.n);
   fit.sigma = moments.n > 3 ? std::sqrt(fit.eigenvalues[0] * n / (n - 3)) : 0;
-  fit.covariance = parameter_covariance(fit);
+  fit.local_covariance = least_squares_covariance(fit);
+  update_covariance(fit);
   out = fit;
   return true;
 }
@@ -70,7 +56,33 @@ bool fit_plane(std::span<const Vec3> points, PlaneFit& out) {
 void shift_origin(PlaneFit& fit, const Vec3& shift) {
   fit.centroid += shift;
   fit.plane.offset += dot(fit.plane.normal, shift);
-  fit.covariance = parameter_covariance(fit);
+  update_covariance(fit);
+}
+
+void turn_over(PlaneFit& fit) {
+  fit.plane = {-fit.plane.normal, -fit.plane.offset};
+  fit.axis_v = -fit.axis_v;  // keeps axis_u x axis_v = normal: alpha and gamma change sign, beta does not
+  fit.local_covariance[1] = -fit.local_covariance[1];
+  fit.local_covariance[4] = -fit.local_covariance[4];
+}
+
+// The normal moves by -alpha axis_u - beta axis_v, the offset by gamma + centroid . d normal.
+void update_covariance(PlaneFit& fit) {
+  double jacobian[4][3];
+  const Vec3 columns[2] = {-fit.axis_u, -fit.axis_v};
+  for (int k = 0; k < 2; ++k) {
+    for (int i = 0; i < 3; ++i) jacobian[i][k] = columns[k][i];
+    jacobian[3][k] = dot(columns[k], fit.centroid);
+  }
+  for (int i = 0; i < 3; ++i) jacobian[i][2] = 0;
+  jacobian[3][2] = 1;
+  const Symmetric3& c = fit.local_covariance;
+  const double local[3][3] = {{c[0], c[1], c[2]}, {c[1], c[3], c[4]}, {c[2], c[4], c[5]}};
+  fit.covariance = {};
+  for (size_t i = 0; i < 4; ++i)
+    for (size_t j = 0; j < 4; ++j)
+      for (size_t k = 0; k < 3; ++k)
+        for (size_t l = 0; l < 3; ++l) fit.covariance[4 * i + j] += jacobian[i][k] * local[k][l] * jacobian[j][l];
 }
 
 double rms_about(const Moments& moments, const Plane& plane) {

@@ -56,6 +56,8 @@ struct PlaneFit {
   std::array<double, 3> eigenvalues;  ///< of the covariance (divided by n), ascending
   uint64_t n = 0;
   double sigma = 0;                   ///< sqrt(sum of squared distances / (n - 3)); 0 for n = 3
+  /// In the plane's own frame, of w = alpha u + beta v + gamma from the centroid: of (alpha, beta, gamma).
+  Symmetric3 local_covariance{};
   std::array<double, 16> covariance{};  ///< of (nx, ny, nz, offset), row-major, rank 3
 };
 
@@ -67,6 +69,10 @@ double rms_about(const Moments& moments, const Plane& plane);
 /// The same fit in coordinates q = p + shift: moves centroid and offset and propagates the covariance of the offset, which grows with
 /// the distance of the origin from the centroid.
 void shift_origin(PlaneFit& fit, const Vec3& shift);
+/// The same plane seen from its other side; axis_u stays.
+void turn_over(PlaneFit& fit);
+/// Sets the covariance of (normal, offset) from the local one.
+void update_covariance(PlaneFit& fit);
 /// Plane through three points; false when they are (nearly) collinear: |cross| <= 1e-3 |a| |b|.
 bool plane_through(const Vec3& a, const Vec3& b, const Vec3& c, Plane& out);
 

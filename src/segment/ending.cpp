@@ -11,6 +11,7 @@
 #include "segment/facade.h"
 #include "segment/point_columns.h"
 #include "segment/splitting.h"
+#include "segment/surface_fit.h"
 
 namespace jalon {
 
@@ -19,6 +20,16 @@ namespace {
 constexpr size_t kPointsPerChunk = 1 << 15;
 constexpr int kAssignmentRounds = 3;
 constexpr int kFitRounds = 3;
+
+// A plane that was looked for as one of an orientation class stays in it: the points are few that leave it.
+void settle_within_class(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
+  PlaneFit settled = fit;
+  if (!settle_surface(scene, surface, task, settled)) return;
+  const auto class_of = [&](const PlaneFit& f) {
+    return scene.axes->classify(f.plane.normal, scene.settings.orientation_tolerance_rad);
+  };
+  if (!scene.axes || class_of(settled) == class_of(fit)) fit = settled;
+}
 
 // Rows of the surfaces, largest first, fits in the local frame.
 std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
@@ -35,6 +46,7 @@ std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surfac
       surfaces[s].plane = segment.fit.plane;
       surfaces[s].sigma_m = segment.fit.sigma;
     }
+    settle_within_class(scene, surfaces[s], task, segment.fit);
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     const Vec3 axes[2] = {segment.fit.axis_u, segment.fit.axis_v};
     for (const uint32_t position : surfaces[s].positions) {

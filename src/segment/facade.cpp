@@ -17,13 +17,6 @@ constexpr double kFoot = 0.1;             // part of the height left out of that
 constexpr double kSameDirection = 0.985;  // 10 degrees
 constexpr size_t kPointsPerChunk = 1 << 15;
 
-void turn(Segment& segment) {
-  PlaneFit& fit = segment.fit;
-  fit.plane.normal = -fit.plane.normal;
-  fit.plane.offset = -fit.plane.offset;
-  fit.axis_v = -fit.axis_v;  // keeps axis_u x axis_v = normal; the covariance of (normal, offset) is even in the sign
-}
-
 struct Sides {
   int64_t front = 0, behind = 0;
   Sides& operator+=(const Sides& b) {
@@ -109,18 +102,18 @@ void turn_without_stations(const FacadeContext& c, std::span<const uint32_t> lab
   for (Segment& segment : segments) {
     if (!segment.is_plane()) continue;
     const Vec3& n = segment.fit.plane.normal;
-    if (std::fabs(n.z) > kSameDirection ? n.z < 0 : segment.fit.plane.distance(middle) < 0) turn(segment);
+    if (std::fabs(n.z) > kSameDirection ? n.z < 0 : segment.fit.plane.distance(middle) < 0) turn_over(segment.fit);
   }
   if (facade < 0) return;
   Segment& main = segments[static_cast<size_t>(facade)];
   const Sides sides = count_sides(c, main, labels, task);
-  if (sides.front > sides.behind) turn(main);
+  if (sides.front > sides.behind) turn_over(main.fit);
   front = main.fit.plane.normal;
   for (Segment& segment : segments) {
     if (!segment.is_plane()) continue;
     const double cosine = dot(segment.fit.plane.normal, front);
     if (cosine < -kSameDirection && std::fabs(main.fit.plane.distance(segment.fit.centroid)) < kNearFacade_m)
-      turn(segment);
+      turn_over(segment.fit);
   }
 }
 
@@ -146,7 +139,7 @@ void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels, std:
   }
   const std::vector<int64_t> votes = station_votes(c, labels, segments);
   for (size_t s = 0; s < segments.size(); ++s)
-    if (votes[s] < 0) turn(segments[s]);
+    if (votes[s] < 0) turn_over(segments[s].fit);
 }
 
 void classify(const FacadeContext& c, std::vector<Segment>& segments) {

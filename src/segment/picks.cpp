@@ -48,9 +48,7 @@ void face_the_station(const Cloud& cloud, std::span<const uint32_t> members, Seg
     away = std::fabs(plane.normal.z) > kMostlyHorizontal ? plane.normal.z < 0
                                                          : plane.distance(0.5 * (box.min + box.max)) < 0;
   }
-  if (!away) return;
-  segment.fit.plane = {-plane.normal, -plane.offset};
-  segment.fit.axis_v = -segment.fit.axis_v;
+  if (away) turn_over(segment.fit);
 }
 
 template <class T>

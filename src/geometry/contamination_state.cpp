@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/contamination_state.h"
+
+#include <Eigen/Dense>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kPointsPerChunk = 1 << 13;
+constexpr size_t kMostForJackknife = 1000;  // an 8 x 8 solution a point; leverages are below 1 % beyond
+constexpr double kLeastCondition = 1e-14;
+
+// In this order: height, slope_u, slope_v, ln sigma, front and behind of zone 0, of zone 1.
+constexpr int kUnknowns = 8;
+using Mat8 = Eigen::Matrix<double, kUnknowns, kUnknowns>;
+using Vec8 = Eigen::Matrix<double, kUnknowns, 1>;
+
+/// What a point, or many, tell: the gradient of the log likelihood and minus its second derivatives.
+struct PointInformation {
+  Vec8 score = Vec8::Zero();
+  Mat8 hessian = Mat8::Zero();
+};
+
+PointInformation information_of(const PlaneSample& s, double residual, const ContaminationTable& table) {
+  using T = ContaminationTable;
+  const auto v = table.derivatives(residual);
+  const Eigen::Vector3d g(1, static_cast<double>(s.u), static_cast<double>(s.v));
+  const Eigen::Index f = 4 + 2 * static_cast<Eigen::Index>(s.zone), b = f + 1;
+  PointInformation out;
+  out.score.head<3>() = -v[T::kR] * g;
+  out.score[3] = v[T::kS], out.score[f] = v[T::kF], out.score[b] = v[T::kB];
+  Mat8& h = out.hessian;
+  h.topLeftCorner<3, 3>() = -v[T::kRR] * g * g.transpose();
+  h.block<3, 1>(0, 3) = v[T::kRS] * g;
+  h.block<3, 1>(0, f) = v[T::kRF] * g;
+  h.block<3, 1>(0, b) = v[T::kRB] * g;
+  h(3, 3) = -v[T::kSS], h(3, f) = -v[T::kSF], h(3, b) = -v[T::kSB];
+  h(f, f) = -v[T::kFF], h(f, b) = -v[T::kFB], h(b, b) = -v[T::kBB];
+  h.triangularView<Eigen::StrictlyLower>() = h.transpose();
+  return out;
+}
+
+struct Sums {
+  Mat8 hessian = Mat8::Zero(), scores = Mat8::Zero();
+  Sums& operator+=(const Sums& b) {
+    hessian += b.hessian, scores += b.scores;
+    return *this;
+  }
+};
+
+/// The unknowns that are free; the others drop out of matrices and vectors.
+class Free {
+ public:
+  explicit Free(const ContaminationState& state) {
+    for (size_t z = 0; z < kContaminationZones; ++z) {
+      const auto f = static_cast<Eigen::Index>(4 + 2 * z);
+      if (!(state.front[z] > 0)) fixed_[f] = 1;
+      if (!(state.behind[z] > 0)) fixed_[f + 1] = 1;
+    }
+  }
+  Mat8 of(Mat8 m) const {
+    for (Eigen::Index k = 0; k < kUnknowns; ++k)
+      if (fixed_[k] != 0) m.row(k).setZero(), m.col(k).setZero(), m(k, k) = 1;
+    return m;
+  }
+  Vec8 of(const Vec8& v) const { return v.cwiseProduct(Vec8::Ones() - fixed_); }
+
+ private:
+  Vec8 fixed_ = Vec8::Zero();
+};
+
+Mat8 jackknife(const std::vector<PlaneSample>& samples, const ContaminationState& state,
+               const std::vector<ContaminationTable>& tables, const Free& free, const Mat8& hessian) {
+  Mat8 sum = Mat8::Zero();
+  for (const PlaneSample& s : samples) {
+    const PointInformation point = information_of(s, state.residual(s), tables[s.zone]);
+    const Vec8 change = free.of(Mat8(hessian - point.hessian)).ldlt().solve(free.of(point.score));
+    sum += change * change.transpose();
+  }
+  const auto n = static_cast<double>(samples.size());
+  return sum * ((n - 1) / n);
+}
+
+}  // namespace
+
+std::vector<ContaminationTable> ContaminationState::tables(double tolerance_m, bool with_derivatives) const {
+  std::vector<ContaminationTable> out;
+  for (size_t z = 0; z < kContaminationZones; ++z)
+    out.emplace_back(Contamination{sigma_m, tolerance_m, front[z], behind[z]}, with_derivatives);
+  return out;
+}
+
+bool contamination_covariance(const std::vector<PlaneSample>& samples, const ContaminationState& state,
+                              double tolerance_m, Task& task, Symmetric3& out) {
+  const std::vector<ContaminationTable> tables = state.tables(tolerance_m, true);
+  const Sums sums = parallel_reduce(task, samples.size(), kPointsPerChunk, Sums{}, [&](size_t begin, size_t end) {
+    Sums part;
+    for (size_t i = begin; i < end; ++i) {
+      const PlaneSample& s = samples[i];
+      const PointInformation point = information_of(s, state.residual(s), tables[s.zone]);
+      part.hessian += point.hessian;
+      part.scores += point.score * point.score.transpose();
+    }
+    return part;
+  });
+  const Free free(state);
+  const Eigen::LDLT<Mat8> hessian(free.of(sums.hessian));
+  if (hessian.info() != Eigen::Success || !hessian.isPositive() || !(hessian.rcond() > kLeastCondition)) return false;
+  Mat8 c;
+  if (samples.size() <= kMostForJackknife) {
+    c = jackknife(samples, state, tables, free, sums.hessian);
+  } else {
+    const Mat8 half = hessian.solve(free.of(sums.scores));
+    c = hessian.solve(Mat8(half.transpose()));
+  }
+  out = {c(1, 1), c(1, 2), c(1, 0), c(2, 2), c(2, 0), c(0, 0)};
+  return c.topLeftCorner<3, 3>().allFinite() && c(0, 0) > 0 && c(1, 1) > 0 && c(2, 2) > 0;
+}
+
+}  // namespace jalon
