@@ -55,10 +55,11 @@ std::span<const ParamRow> ransac_rows() {
                  "Surfaces that bend more tightly than this radius (columns, pipes, balls) are no planes: their points stay "
                  "noise; 0 = strips of them are taken as planes."),
       bool_row("reassign", true, "ransac",
-               "Shares the points out anew once all planes are known; off: each plane keeps what it took first."),
+               "Shares the points out anew once all planes are known, and splits what falls apart then; off: each plane "
+               "keeps what it took first."),
       string_row("orientation_order", "", "ransac",
                  "Orientation classes one after the other, as \"vertical horizontal inclined parallel\" (small planes "
-                 "first); classes left out are not looked for. Empty = all together."),
+                 "first), and again while they yield planes; classes left out are not looked for. Empty = all together."),
       number_row("orientation_tolerance_rad", 0.0174533, 1e-4, 0.785398, "rad", "ransac",
                  "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."),
       bool_row("facade_frame", true, "ransac",
