@@ -33,20 +33,22 @@ PickSetting pick_setting(const ParamSet& params) {
 }
 
 // Toward the station that saw most of the points; without stations upward, or toward the middle of the cloud.
-void face_the_station(const Cloud& cloud, std::span<const uint32_t> members, Segment& segment, Task& task) {
+// The segment is relative to the origin.
+void face_the_station(const Cloud& cloud, const Vec3& origin, std::span<const uint32_t> members, Segment& segment,
+                      Task& task) {
   const Plane& plane = segment.fit.plane;
   int64_t votes = 0;
   for (const Station& station : cloud.stations) {
     if (!station.has_pose) continue;
     const auto first = std::lower_bound(members.begin(), members.end(), station.first);
     const auto end = std::lower_bound(members.begin(), members.end(), station.first + station.count);
-    votes += (plane.distance(station.pose.translation()) >= 0 ? 1 : -1) * (end - first);
+    votes += (plane.distance(station.pose.translation() - origin) >= 0 ? 1 : -1) * (end - first);
   }
   bool away = votes < 0;
   if (votes == 0) {
     const Box3 box = bounds(cloud, task);
     away = std::fabs(plane.normal.z) > kMostlyHorizontal ? plane.normal.z < 0
-                                                         : plane.distance(0.5 * (box.min + box.max)) < 0;
+                                                         : plane.distance(0.5 * (box.min + box.max) - origin) < 0;
   }
   if (away) turn_over(segment.fit);
 }
@@ -59,15 +61,16 @@ std::shared_ptr<Column> copy_of(const Column& column) {
   return out;
 }
 
-// The points' columns of before, with the new segment's points filled in.
-void add_members(const Segmentation& before, const Picked& picked, Segmentation& out) {
+// The points' columns of before, with the new segment's points filled in; their distances come from the segment as it
+// is relative to the origin, so that large coordinates lose nothing.
+void add_members(const Segmentation& before, const Vec3& origin, const Picked& picked, Segmentation& out) {
   auto labels = copy_of<uint32_t>(*before.labels);
   auto residuals = copy_of<float>(*before.residuals);
   auto orientations = copy_of<uint8_t>(*before.orientations);
   const Segment& segment = out.segments.back();
   for (const uint32_t i : picked.members) {
     labels->values<uint32_t>()[i] = segment.label;
-    residuals->values<float>()[i] = static_cast<float>(segment.distance(out.cloud->point(i)));
+    residuals->values<float>()[i] = static_cast<float>(picked.segment.distance(out.cloud->point(i) - origin));
     orientations->values<uint8_t>()[i] = static_cast<uint8_t>(segment.orientation);
   }
   out.labels = labels;
@@ -130,13 +133,13 @@ Segmentation with_pick(const Segmentation& before, PrimitiveType type, std::span
   Picked picked = type == PrimitiveType::kPlane    ? pick_plane(scene, task)
                   : type == PrimitiveType::kSphere ? pick_sphere(scene, task)
                                                    : pick_cylinder(scene, task);
-  shift_origin(picked.segment, origin);
+  if (picked.segment.is_plane()) face_the_station(*before.cloud, origin, picked.members, picked.segment, task);
   picked.segment.label = static_cast<uint32_t>(before.segments.size() + 1);
   Segmentation out = before;
-  if (picked.segment.is_plane()) face_the_station(*before.cloud, picked.members, picked.segment, task);
   out.segments.push_back(picked.segment);
+  shift_origin(out.segments.back(), origin);
   orient(before, params, out);
-  add_members(before, picked, out);
+  add_members(before, origin, picked, out);
   if (main_facade(out.segments) != main_facade(before.segments)) {
     auto orientations = copy_of<uint8_t>(*out.orientations);
     const auto labels = out.labels->values<uint32_t>();
