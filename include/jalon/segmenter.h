@@ -32,7 +32,10 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
 /**
  * method, NULL = "ransac":
  * - "ransac": planes one after the other, the best first, from seeded random draws (Fischler & Bolles 1981; Schnabel et al. 2007;
- *   Boulaassal 2010).
+ *   Boulaassal 2010). With parameter "primitives" also spheres and cylinders, from two points with normals or from
+ *   points alone: they compete with the planes by their number of points, so a column is not taken for strips, and are
+ *   kept where they turn by more than the normals of a plane may, few planes do not fit their points as well, and
+ *   they stand out from what surrounds them. O(n log n).
  * - "region_growing": regions grown from the flattest places (Vosselman et al. 2004) over points with normals: a point joins when its
  *   normal is within an angle of the running plane's and it lies within a distance of that plane (Stamos & Allen 2002), which is refitted
  *   as the region grows; coplanar neighbours are joined, the points left over grow among themselves once more, and all points are shared

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "segment/curved_hypotheses.h"
 
 namespace jalon {
 
@@ -18,20 +19,23 @@ constexpr double kLeastArea_m2 = 1e-6;
 
 struct Patch {
   Plane plane;
+  Curved curved;  ///< instead of the plane, where it exists
   double core_m = 0;
   double weight = 0;    ///< 1 / sigma^2
   double evidence = 0;  ///< 2 ln(sigma / density)
   PlaneFrame frame;
+  SurfaceMap map;  ///< instead of the frame, for a curved surface
   Raster mask;  ///< the surface's pixels and their neighbours; empty without connectivity
   Box3 box;
 
   bool reaches(const Vec3& p) const {
     if (mask.size() == 0) return true;
-    const Vec2 q = frame(p);
-    const double column = std::floor((q.u - mask.origin.u) / mask.pixel_m);
-    const double row = std::floor((q.v - mask.origin.v) / mask.pixel_m);
-    return column >= 0 && row >= 0 && column < mask.columns && row < mask.rows &&
-           mask.pixels[static_cast<size_t>(row) * mask.columns + static_cast<size_t>(column)] != 0;
+    return mask.holds(curved.exists() ? map(p) : frame(p));
+  }
+  double distance(const Vec3& p) const { return curved.exists() ? curved.distance(p) : plane.distance(p); }
+  bool inconsistent(const SegmentScene& scene, size_t position, double min_cosine) const {
+    return curved.exists() ? curved_inconsistent(scene, curved, position)
+                           : scene.inconsistent(position, plane.normal, min_cosine);
   }
 };
 
@@ -39,18 +43,23 @@ Patch patch_of(const SegmentScene& scene, const Surface& surface) {
   const double tolerance = scene.settings.distance_tolerance_m;
   Patch patch;
   patch.plane = surface.plane;
+  patch.curved = surface.curved;
   patch.core_m = core_reach(scene.settings, surface.sigma_m);
   const double sigma = std::max(surface.sigma_m, kLeastSigma * tolerance);
   patch.weight = 1 / (sigma * sigma);
   const double density = static_cast<double>(surface.positions.size()) / std::max(surface.area_m2, kLeastArea_m2);
   patch.evidence = 2 * std::log(sigma / density);
-  patch.frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
-  std::vector<Vec2> uv(surface.positions.size());
-  for (size_t i = 0; i < uv.size(); ++i) {
-    const Vec3 p = scene.local(surface.positions[i]);
-    uv[i] = patch.frame(p);
-    patch.box.add(p);
+  std::vector<Vec3> points(surface.positions.size());
+  for (size_t i = 0; i < points.size(); ++i) {
+    points[i] = scene.local(surface.positions[i]);
+    patch.box.add(points[i]);
   }
+  std::vector<Vec2> uv(points.size());
+  if (surface.is_plane())
+    patch.frame = plane_frame(surface.plane, points[0]);
+  else
+    patch.map = surface.curved.map(points);
+  for (size_t i = 0; i < uv.size(); ++i) uv[i] = surface.is_plane() ? patch.frame(points[i]) : patch.map(points[i]);
   const double margin = 2 * surface.pixel_m + tolerance;
   for (int k = 0; k < 3; ++k) {
     patch.box.min[k] -= margin;
@@ -80,9 +89,9 @@ uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches, st
   double best_cost = INFINITY;
   for (const uint32_t k : near) {
     const Patch& patch = patches[k];
-    const double distance = std::fabs(patch.plane.distance(p));
+    const double distance = std::fabs(patch.distance(p));
     if (distance > scene.settings.distance_tolerance_m) continue;
-    if (distance > patch.core_m && scene.inconsistent(position, patch.plane.normal, min_cosine)) continue;
+    if (distance > patch.core_m && patch.inconsistent(scene, position, min_cosine)) continue;
     const double cost = distance * distance * patch.weight + patch.evidence;
     if (cost < best_cost && patch.reaches(p)) {
       best = k + 1;

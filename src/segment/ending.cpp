@@ -8,8 +8,10 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "segment/assignment.h"
+#include "segment/curved_extraction.h"
 #include "segment/facade.h"
 #include "segment/point_columns.h"
+#include "segment/primitive_fits.h"
 #include "segment/splitting.h"
 #include "segment/surface_fit.h"
 
@@ -31,6 +33,27 @@ void settle_within_class(const SegmentScene& scene, const Surface& surface, Task
   if (!scene.axes || class_of(settled) == class_of(fit)) fit = settled;
 }
 
+void fit_plane_segment(const SegmentScene& scene, Surface& surface, Task& task, Segment& segment) {
+  segment.area_m2 = surface.area_m2;
+  for (int round = 0; round < kFitRounds; ++round) {  // the core depends on the plane: to a fixed point
+    if (!fit_core(scene, surface, task, segment.fit)) fail(Status::kInternal, "a segment lost its plane");
+    surface.plane = segment.fit.plane;
+    surface.sigma_m = segment.fit.sigma;
+  }
+  settle_within_class(scene, surface, task, segment.fit);
+  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+  const Vec3 axes[2] = {segment.fit.axis_u, segment.fit.axis_v};
+  for (const uint32_t position : surface.positions) {
+    const Vec3 d = scene.exact(position) - segment.fit.centroid;
+    for (size_t k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], dot(d, axes[k]));
+      high[k] = std::max(high[k], dot(d, axes[k]));
+    }
+  }
+  segment.length_u_m = high[0] - low[0];
+  segment.length_v_m = high[1] - low[1];
+}
+
 // Rows of the surfaces, largest first, fits in the local frame.
 std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) {
@@ -40,24 +63,11 @@ std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surfac
   for (size_t s = 0; s < surfaces.size(); ++s) {
     Segment& segment = segments[s];
     segment.label = static_cast<uint32_t>(s + 1);
-    segment.area_m2 = surfaces[s].area_m2;
-    for (int round = 0; round < kFitRounds; ++round) {  // the core depends on the plane: to a fixed point
-      if (!fit_core(scene, surfaces[s], task, segment.fit)) fail(Status::kInternal, "a segment lost its plane");
-      surfaces[s].plane = segment.fit.plane;
-      surfaces[s].sigma_m = segment.fit.sigma;
-    }
-    settle_within_class(scene, surfaces[s], task, segment.fit);
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    const Vec3 axes[2] = {segment.fit.axis_u, segment.fit.axis_v};
-    for (const uint32_t position : surfaces[s].positions) {
-      const Vec3 d = scene.exact(position) - segment.fit.centroid;
-      for (size_t k = 0; k < 2; ++k) {
-        low[k] = std::min(low[k], dot(d, axes[k]));
-        high[k] = std::max(high[k], dot(d, axes[k]));
-      }
-    }
-    segment.length_u_m = high[0] - low[0];
-    segment.length_v_m = high[1] - low[1];
+    if (surfaces[s].is_plane())
+      fit_plane_segment(scene, surfaces[s], task, segment);
+    else if (!fit_curved_core(scene, surfaces[s], true, task, segment) &&
+             !fit_curved_core(scene, surfaces[s], false, task, segment))
+      fail(Status::kInternal, "a segment lost its sphere or cylinder");
   }
   return segments;
 }
@@ -120,8 +130,9 @@ Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scen
   out.T_facade_world = facade_transform(context, out.segments);
   add_point_columns(out, scene.origin, task);
   for (size_t s = 0; s < surfaces.size(); ++s) {
-    shift_origin(out.segments[s].fit, scene.origin);
-    out.segments[s].fit.n = surfaces[s].positions.size();
+    Segment& segment = out.segments[s];
+    shift_origin(segment, scene.origin);
+    segment.fit.n = segment.sphere.n = segment.cylinder.n = surfaces[s].positions.size();
   }
   return out;
 }

@@ -175,6 +175,20 @@ void sort_runs(std::vector<uint32_t>& positions) {
 
 }  // namespace
 
+std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface) {
+  std::vector<Vec2> uv(surface.positions.size());
+  if (surface.is_plane()) {
+    const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+    for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
+    return uv;
+  }
+  std::vector<Vec3> points(uv.size());
+  for (size_t i = 0; i < uv.size(); ++i) points[i] = scene.local(surface.positions[i]);
+  const SurfaceMap map = surface.curved.map(points);
+  for (size_t i = 0; i < uv.size(); ++i) uv[i] = map(points[i]);
+  return uv;
+}
+
 bool wide_enough(const RansacSettings& settings, const PlaneFit& fit) {
   if (!settings.uses_normals()) return true;  // the plain method: any three points are a plane
   const double sigma = settings.distance_tolerance_m / kSigmas;

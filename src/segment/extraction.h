@@ -13,11 +13,17 @@ namespace jalon {
 /// A segment in the making, in the local frame.
 struct Surface {
   Plane plane;
+  Curved curved;  ///< a sphere or cylinder instead of the plane, where it exists
   double sigma_m = 0;
   double area_m2 = 0;
   double pixel_m = 0;
   std::vector<uint32_t> positions;  ///< in the octree's order
+
+  bool is_plane() const { return !curved.exists(); }
 };
+
+/// The surface's points on a flat map of it, in metres.
+std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface);
 
 /// From a candidate to a surface: collect, keep the largest connected region, refit by least squares, until stable;
 /// then the points of the surface are taken out of the pool and belong to owner_id. False when no region is large,

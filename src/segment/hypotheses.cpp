@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/random.h"
+#include "segment/curved_hypotheses.h"
 
 namespace jalon {
 
@@ -79,6 +80,12 @@ bool draw_globally(const SegmentScene& scene, const PointPool& pool, RandomStrea
   return plane_through(points[0], points[1], points[2], candidate.plane);
 }
 
+uint32_t inliers(const SegmentScene& scene, const PointPool& pool, const Candidate& c, size_t piece) {
+  const double tolerance = scene.settings.distance_tolerance_m;
+  if (!c.curved.exists()) return pool.count(piece, scene.test(c.plane, tolerance, scene.min_cosine()));
+  return pool.count(piece, curved_test(scene, c.curved, scene.cell_edge_m(c.seed), tolerance));
+}
+
 }  // namespace
 
 // 1. a free point at random; 2. a cell of a random level around it; 3. two more free points of that cell, well apart
@@ -113,8 +120,7 @@ bool draw_candidate(const SegmentScene& scene, const PointPool& pool, const Orie
 // Bounds of the score from h inliers among m of N points, by the hypergeometric distribution (Schnabel et al. 2007,
 // 4.5.1): -1 - f(-2 - m, -2 - N, -1 - h), f(N, x, n) = (x n +- sqrt(x n (N - x) (N - n) / (N - 1))) / N.
 void score_next_piece(const SegmentScene& scene, const PointPool& pool, Candidate& c) {
-  const double tolerance = scene.settings.distance_tolerance_m;
-  c.found += pool.count(c.pieces++, scene.test(c.plane, tolerance, scene.min_cosine()));
+  c.found += inliers(scene, pool, c, c.pieces++);
   const double h = c.found, all = static_cast<double>(pool.free_points());
   const double m = static_cast<double>(pool.points_upto(c.pieces - 1));
   if (c.pieces == PointPool::kPieces) {

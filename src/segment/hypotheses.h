@@ -4,15 +4,17 @@
 
 #include <cstdint>
 
+#include "segment/curved.h"
 #include "segment/orientation_pass.h"
 #include "segment/point_pool.h"
 
 namespace jalon {
 
-/// A plane that three points suggest and their surroundings support, with what is known of its score (its number of
+/// A surface that a few points suggest and their surroundings support, with what is known of its score (its number of
 /// inliers).
 struct Candidate {
   Plane plane;             ///< local frame
+  Curved curved;           ///< a sphere or cylinder instead of the plane, where it exists
   uint32_t seed = 0;       ///< position of the first point drawn
   uint32_t found = 0;      ///< inliers in the pieces looked at
   uint32_t pieces = 0;     ///< pieces looked at

@@ -49,7 +49,7 @@ Part part_of(const SegmentScene& scene, const Surface& surface, Task& task) {
   Part part;
   part.moments = sums.moments;
   part.box = sums.box;
-  part.alive = fit_plane(sums.moments, part.fit);
+  part.alive = surface.is_plane() && fit_plane(sums.moments, part.fit);
   return part;
 }
 
@@ -70,13 +70,6 @@ bool one_plane_fits(const SegmentScene& scene, const Part& a, const Part& b) {
   return agrees(a) && agrees(b);
 }
 
-bool is_occupied(const Raster& raster, const Vec2& p) {
-  const double column = std::floor((p.u - raster.origin.u) / raster.pixel_m);
-  const double row = std::floor((p.v - raster.origin.v) / raster.pixel_m);
-  if (column < 0 || row < 0 || column >= raster.columns || row >= raster.rows) return false;
-  return raster.pixels[static_cast<size_t>(row) * raster.columns + static_cast<size_t>(column)] != 0;
-}
-
 // Two layers within the tolerance are one plane: it is as thick as its noise.
 bool layers_are_one(const SegmentScene& scene, const Part& a, const Part& b) {
   if (std::fabs(dot(a.fit.plane.normal, b.fit.plane.normal)) < kMaxCosine) return false;
@@ -95,7 +88,7 @@ bool lies_over(const SegmentScene& scene, const Surface& small, const Surface& l
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(large.positions[i]));
   const Raster raster = bounded_raster(uv, large.pixel_m, 0);
   size_t over = 0;
-  for (const uint32_t position : small.positions) over += is_occupied(raster, frame(scene.local(position)));
+  for (const uint32_t position : small.positions) over += raster.holds(frame(scene.local(position)));
   return static_cast<double>(over) >= kOverlap * static_cast<double>(small.positions.size());
 }
 
@@ -115,7 +108,7 @@ bool pixels_near(const SegmentScene& scene, const Surface& a, const Surface& b) 
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(a.positions[i]));
   const Raster near = dilated(bounded_raster(uv, pixel, reach), reach);
   for (const uint32_t position : b.positions)
-    if (is_occupied(near, frame(scene.local(position)))) return true;
+    if (near.holds(frame(scene.local(position)))) return true;
   return false;
 }
 

@@ -25,6 +25,13 @@ uint8_t random_piece(uint64_t seed, uint32_t position) {
   return part < 1 ? 0 : part < 4 ? 1 : part < 16 ? 2 : 3;
 }
 
+uint32_t mark(const PointColumns& points, const PlaneTest& test, uint32_t mask[kBlockPoints / 32]) {
+  return mark_block(points, test, mask);
+}
+uint32_t mark(const PointColumns& points, const CurvedTest& test, uint32_t mask[kBlockPoints / 32]) {
+  return mark_curved(points, test, mask);
+}
+
 }  // namespace
 
 PointPool::PointPool(const SegmentScene& scene, Task& task) : avx2_(use_avx2()) {
@@ -89,21 +96,39 @@ bool PointPool::may_touch(size_t block, const PlaneTest& t) const {
   return std::fabs(distance) <= reach + slack;
 }
 
+// By the ball around the box.
+bool PointPool::may_touch(size_t block, const CurvedTest& t) const {
+  const float* b = &boxes_[6 * block];
+  const Vec3 axis{t.ax, t.ay, t.az};
+  Vec3 d{double{b[0]} - t.cx, double{b[1]} - t.cy, double{b[2]} - t.cz};
+  const double far = norm(d), half = norm(Vec3{b[3], b[4], b[5]});
+  d -= dot(d, axis) * axis;
+  const double inner = std::sqrt(double{t.inner2}), outer = std::sqrt(double{t.outer2});
+  const double distance = norm(d), reach = half + 1e-6 * (far + half + outer);  // with a few roundings of the kernel
+  return distance + reach >= inner && distance - reach <= outer;
+}
+
 PointColumns PointPool::columns(size_t block) const {
   const float* p = values_.data() + block * kBlockPoints;
   return {p, p + slots_, p + 2 * slots_, p + 3 * slots_, p + 4 * slots_, p + 5 * slots_};
 }
 
-uint32_t PointPool::count(size_t piece, const PlaneTest& test) const {
+template <class Test>
+uint32_t PointPool::count_of(size_t piece, const Test& test) const {
   uint32_t sum = 0;
-  for (size_t block = first_block_[piece]; block < first_block_[piece + 1]; ++block) {
+  for (size_t block = first_block_[piece]; block < first_block_[piece + 1]; ++block)
     if (may_touch(block, test)) sum += count_in_block(block, test);
-  }
   return sum;
 }
+template uint32_t PointPool::count_of(size_t, const PlaneTest&) const;
+template uint32_t PointPool::count_of(size_t, const CurvedTest&) const;
 
 uint32_t PointPool::count_in_block(size_t block, const PlaneTest& test) const {
   return avx2_ ? count_block_avx2(columns(block), test) : count_block_baseline(columns(block), test);
+}
+
+uint32_t PointPool::count_in_block(size_t block, const CurvedTest& test) const {
+  return avx2_ ? count_curved_avx2(columns(block), test) : count_curved_baseline(columns(block), test);
 }
 
 bool PointPool::overlaps(size_t block, const Box3& box) const {
@@ -113,10 +138,11 @@ bool PointPool::overlaps(size_t block, const Box3& box) const {
   return true;
 }
 
-uint32_t PointPool::write_inliers(size_t block, const PlaneTest& test, const Box3& box, uint32_t* out) const {
+template <class Test>
+uint32_t PointPool::write_inliers(size_t block, const Test& test, const Box3& box, uint32_t* out) const {
   uint32_t mask[kBlockPoints / 32], written = 0;
   const PointColumns c = columns(block);
-  mark_block(c, test, mask);
+  mark(c, test, mask);
   for (size_t word = 0; word < kBlockPoints / 32; ++word)
     for (uint32_t bits = mask[word]; bits != 0; bits &= bits - 1) {
       const size_t i = 32 * word + static_cast<size_t>(std::countr_zero(bits));
@@ -127,7 +153,8 @@ uint32_t PointPool::write_inliers(size_t block, const PlaneTest& test, const Box
 
 // 1. each block's inliers are counted, wherever in the block; 2. those in the box are written into that room; 3. the
 // rooms are moved together.
-std::vector<uint32_t> PointPool::collect(const PlaneTest& test, const Box3& box, Task& task) const {
+template <class Test>
+std::vector<uint32_t> PointPool::slots_of(const Test& test, const Box3& box, Task& task) const {
   std::vector<uint32_t> counts(first_block_[kPieces]), firsts(counts.size());
   parallel_for(task, counts.size(), kBlocksPerChunk, [&](size_t begin, size_t end) {
     for (size_t block = begin; block < end; ++block)
@@ -144,6 +171,16 @@ std::vector<uint32_t> PointPool::collect(const PlaneTest& test, const Box3& box,
     out = std::copy_n(slots.begin() + firsts[block], counts[block], out);
   slots.erase(out, slots.end());
   return slots;
+}
+
+std::vector<uint32_t> PointPool::collect(const PlaneTest& test, const Box3& box, Task& task) const {
+  return slots_of(test, box, task);
+}
+
+std::vector<uint32_t> PointPool::collect(const CurvedTest& test, Task& task) const {
+  Box3 everywhere;
+  std::swap(everywhere.min, everywhere.max);
+  return slots_of(test, everywhere, task);
 }
 
 void PointPool::remove(uint32_t slot) {

@@ -16,6 +16,7 @@ void drop_other_classes(SegmentScene& scene, std::vector<Surface>& surfaces) {
   if (!scene.axes) return;
   const OrientationOrder& order = scene.settings.order;
   const auto asked_for = [&](const Surface& surface) {
+    if (!surface.is_plane()) return true;
     const Orientation own = scene.axes->classify(surface.plane.normal, scene.settings.orientation_tolerance_rad);
     const auto end = order.classes.begin() + order.count;
     return std::find(order.classes.begin(), end, own) != end;

@@ -54,6 +54,12 @@ std::span<const ParamRow> ransac_rows() {
       number_row("least_radius_m", 1, 0, 1000, "m", "ransac",
                  "Surfaces that bend more tightly than this radius (columns, pipes, balls) are no planes: their points stay "
                  "noise; 0 = strips of them are taken as planes."),
+      choice_row("primitives", "planes", "planes|planes+spheres|planes+cylinders|all", "ransac",
+                 "What is looked for: planes, or spheres and cylinders with them in one run, where the surface of most "
+                 "points wins; such a run takes up to twice the time."),
+      number_row("min_radius_m", 0.03, 1e-4, 1000, "m", "ransac",
+                 "Smallest radius of a sphere or cylinder; below 2 tolerances a pipe cannot be told from a bar."),
+      number_row("max_radius_m", 5, 1e-4, 1000, "m", "ransac", "Largest radius of a sphere or cylinder."),
       bool_row("reassign", true, "ransac",
                "Shares the points out anew once all planes are known, and splits what falls apart then; off: each plane "
                "keeps what it took first."),
@@ -83,6 +89,11 @@ RansacSettings ransac_settings(const ParamSet& params) {
   if (params.text("criterion") == "standard_deviation") s.criterion = Criterion::kStandardDeviation;
   s.strip_width_m = params.number("strip_width_m");
   s.least_radius_m = params.number("least_radius_m");
+  const std::string& primitives = params.text("primitives");
+  s.spheres = primitives == "planes+spheres" || primitives == "all";
+  s.cylinders = primitives == "planes+cylinders" || primitives == "all";
+  s.min_radius_m = params.number("min_radius_m");
+  s.max_radius_m = params.number("max_radius_m");
   s.reassign = params.flag("reassign");
   s.order = orientation_order(params.text("orientation_order"));
   s.distance_tolerance_m = params.number("distance_tolerance_m");

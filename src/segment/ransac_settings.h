@@ -41,11 +41,14 @@ struct RansacSettings {
   NormalSource normals = NormalSource::kCells;
   double normal_tolerance_rad = 0.44;
   double least_radius_m = 1;  ///< surfaces curved more tightly are no planes; 0 = they are
+  bool spheres = false, cylinders = false;  ///< looked for beside planes
+  double min_radius_m = 0.03, max_radius_m = 5;  ///< of spheres and cylinders
   bool reassign = true;
   double orientation_tolerance_rad = 0.0175;
   OrientationOrder order;  ///< empty: all orientations together
   bool facade_frame = true;
 
+  bool curved() const { return spheres || cylinders; }
   bool uses_normals() const { return normals != NormalSource::kNone; }
 };
 

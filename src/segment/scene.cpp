@@ -39,6 +39,7 @@ SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, T
   scene.origin = scene.tree->cube().origin;
   scene.owner.assign(scene.size(), 0);
   scene.rejections.assign(scene.size(), 0);
+  if (scene.settings.curved()) scene.curved_rejections.assign(scene.size(), 0);
   scene.normals = Buffer<float>(3 * scene.size());
   scene.spacing = Buffer<float>(scene.size());
   return scene;

@@ -21,6 +21,7 @@
 namespace jalon {
 
 constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
+constexpr uint8_t kMostRejections = 3;
 
 /// What all steps of one run share. Points are named by their position in the octree's order; coordinates are
 /// relative to the octree's cube, which is the run's own and moves with the cloud.
@@ -35,6 +36,7 @@ struct SegmentScene {
 
   std::vector<uint32_t> owner = {};   ///< segment that took the point, 0 = free
   std::vector<uint8_t> rejections = {};  ///< surfaces with the point that were no planes, since the last that was
+  std::vector<uint8_t> curved_rejections = {};  ///< the same of spheres and cylinders; empty when none are looked for
   Buffer<float> normals = {};       ///< 3 a point, NaN = unknown
   Buffer<float> spacing = {};       ///< local point spacing, m
   Buffer<uint8_t> level = {};            ///< level of the cell that gave normal and spacing
@@ -43,10 +45,12 @@ struct SegmentScene {
 
   size_t size() const { return order.size(); }
   /// A free point that a draw may start from: not where draw after draw has led to the same surface and that was none.
-  bool may_seed(size_t position) const {
-    constexpr uint8_t kMostRejections = 3;
-    return owner[position] == 0 && rejections[position] < kMostRejections;
+  bool may_seed(size_t position) const { return owner[position] == 0 && rejections[position] < kMostRejections; }
+  bool may_seed_curved(size_t position) const {
+    return owner[position] == 0 && curved_rejections[position] < kMostRejections;
   }
+  /// Edge of the cell that gave normal and spacing of the point.
+  double cell_edge_m(size_t position) const { return std::ldexp(tree->cube().edge, -level[position]); }
   /// From the octree's grid: right to edge / 2^32.
   Vec3 local(size_t position) const { return tree->local(position); }
   /// From the caller's doubles.

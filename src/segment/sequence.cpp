@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "segment/curved_extraction.h"
+#include "segment/curved_hypotheses.h"
 
 namespace jalon {
 
@@ -19,6 +21,9 @@ constexpr double kCompactBelow = 0.7;   // free share of the pool at which it is
 // about 1/2 (Schnabel et al. 2007, 4.3, with the level of the cell chosen by the point's surroundings instead of at
 // random).
 constexpr double kLocalSuccess = 0.25;
+// Draws of curved surfaces for each draw of a plane: a draw that starts on one succeeds with probability >= 1/8 only,
+// since it must also be of the right kind.
+constexpr size_t kCurvedDraws = 2;
 // Draws of any three points: fewer would trust a poor plane of three noisy points too early; more are not worth it.
 constexpr double kLeastGlobalDraws = 300, kMostGlobalDraws = 1e5;
 
@@ -45,7 +50,7 @@ class Sequence {
       run_passes(passes);
       if (passes.size() == 1 || surfaces_.size() == before) break;
     }
-    task_.log(Task::kDebug, "ransac: %llu draws, %zu planes tried, %zu kept, %zu points left",
+    task_.log(Task::kDebug, "ransac: %llu draws, %zu surfaces tried, %zu kept, %zu points left",
               static_cast<unsigned long long>(draws_), tried_, surfaces_.size(), pool_.free_points());
     return std::move(surfaces_);
   }
@@ -61,7 +66,7 @@ class Sequence {
 
   void run_pass(const OrientationPass& pass) {
     pass_ = pass;
-    std::fill(scene_.rejections.begin(), scene_.rejections.end(), uint8_t{0});
+    forget_rejections();
     candidates_.clear();
     exposure_ = 0;
     fruitless_draws_ = 0;
@@ -73,6 +78,10 @@ class Sequence {
     }
   }
 
+  void forget_rejections() {
+    std::fill(scene_.rejections.begin(), scene_.rejections.end(), uint8_t{0});
+    std::fill(scene_.curved_rejections.begin(), scene_.curved_rejections.end(), uint8_t{0});
+  }
   size_t least_points() const { return std::max<size_t>(3, scene_.settings.min_points); }
   bool enough_planes() const {
     return scene_.settings.max_planes != 0 && surfaces_.size() >= scene_.settings.max_planes;
@@ -101,11 +110,23 @@ class Sequence {
   void draw_batch() {
     const uint64_t left = scene_.settings.draws != 0 ? scene_.settings.draws - fruitless_draws_ : kDrawsPerBatch;
     const size_t draws = std::min<size_t>(kDrawsPerBatch, left);
+    add_drawn(draws, [&](size_t i, Candidate& c) { return draw_candidate(scene_, pool_, pass_, draws_ + i, c); });
+    if (scene_.settings.curved())
+      add_drawn(kCurvedDraws * draws, [&](size_t i, Candidate& c) {
+        return draw_curved(scene_, pool_, kCurvedDraws * draws_ + i, task_, c);
+      });
+    draws_ += draws;
+    fruitless_draws_ += draws;
+    exposure_ += static_cast<double>(draws) / static_cast<double>(pool_.free_points());
+  }
+
+  template <class Draw>
+  void add_drawn(size_t draws, Draw&& draw) {
     std::vector<Candidate> drawn(draws);
     std::vector<uint8_t> good(draws, 0);
     parallel_for(task_, draws, kDrawsPerChunk, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
-        if (!draw_candidate(scene_, pool_, pass_, draws_ + i, drawn[i])) continue;
+        if (!draw(i, drawn[i])) continue;
         score_roughly(scene_, pool_, drawn[i]);
         good[i] = drawn[i].upper >= static_cast<double>(least_points());
       }
@@ -115,9 +136,10 @@ class Sequence {
       drawn[i].epoch = epoch_;
       candidates_.push_back(drawn[i]);
     }
-    draws_ += draws;
-    fruitless_draws_ += draws;
-    exposure_ += static_cast<double>(draws) / static_cast<double>(pool_.free_points());
+  }
+
+  bool may_seed(const Candidate& c) const {
+    return c.curved.exists() ? scene_.may_seed_curved(c.seed) : scene_.may_seed(c.seed);
   }
 
   // Scores only fall as points are taken, so an old upper bound is still one.
@@ -159,7 +181,7 @@ class Sequence {
     const double enough = kNearlyAsMany * candidates_[best].estimate;
     std::vector<size_t> competitors{best};
     for (size_t i = 0; i < candidates_.size() && competitors.size() < kCompetitors; ++i) {
-      if (i == best || candidates_[i].upper < enough) continue;
+      if (i == best || candidates_[i].curved.exists() || candidates_[i].upper < enough) continue;
       if (candidates_[i].epoch != epoch_) refresh(candidates_[i]);
       if (candidates_[i].estimate >= enough) competitors.push_back(i);
     }
@@ -174,24 +196,30 @@ class Sequence {
     return best;
   }
 
+  bool extract(const Candidate& candidate, uint32_t id, Surface& surface) {
+    if (candidate.curved.exists()) return extract_curved(scene_, pool_, candidate, id, task_, surface);
+    return extract_surface(scene_, pool_, pass_, candidate, id, task_, surface);
+  }
+
   bool extract_best() {
     std::erase_if(candidates_, [&](const Candidate& c) {
-      return !scene_.may_seed(c.seed) || c.upper < static_cast<double>(least_points());
+      return !may_seed(c) || c.upper < static_cast<double>(least_points());
     });
     while (!candidates_.empty()) {
       size_t best = best_candidate();
       if (candidates_[best].upper < static_cast<double>(least_points())) return false;
       if (!sure_of(candidates_[best].lower)) return false;
-      if (scene_.settings.criterion == Criterion::kStandardDeviation) best = least_spread(best);
+      if (scene_.settings.criterion == Criterion::kStandardDeviation && !candidates_[best].curved.exists())
+        best = least_spread(best);
       const Candidate candidate = candidates_[best];
       candidates_.erase(candidates_.begin() + static_cast<ptrdiff_t>(best));
       Surface surface;
       ++tried_;
       const auto id = static_cast<uint32_t>(surfaces_.size() + 1);
-      if (!extract_surface(scene_, pool_, pass_, candidate, id, task_, surface)) continue;
+      if (!extract(candidate, id, surface)) continue;
       surfaces_.push_back(std::move(surface));
       ++epoch_;
-      std::fill(scene_.rejections.begin(), scene_.rejections.end(), uint8_t{0});
+      forget_rejections();
       fruitless_draws_ = 0;
       return true;
     }

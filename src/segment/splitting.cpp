@@ -21,9 +21,7 @@ struct Part {
 
 /// The connected parts of a surface, the one of most pixels first.
 std::vector<Part> parts_of(const SegmentScene& scene, const Surface& surface, double& pixel_area_m2) {
-  const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
-  std::vector<Vec2> uv(surface.positions.size());
-  for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
+  const std::vector<Vec2> uv = flat_points(scene, surface);
   // Dilation by r joins what is up to 2 r empty pixels apart: no less than connectivity and merging have joined.
   const double gap = std::max(scene.settings.gap_m, scene.settings.merge_gap_m);
   const auto reach = static_cast<uint32_t>(std::min(kMostReach, std::ceil(gap / (2 * surface.pixel_m))));

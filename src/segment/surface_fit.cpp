@@ -9,6 +9,7 @@
 #include "geometry/contaminated_plane.h"
 #include "geometry/curved_plane.h"
 #include "segment/border.h"
+#include "segment/curved_extraction.h"
 
 namespace jalon {
 
@@ -177,26 +178,26 @@ bool bends(const SegmentScene& scene, const Surface& surface, const PlaneFit& fi
   return std::fabs(bend.curvature) > 1 / radius && std::fabs(bend.curvature) - 1 / radius > kBendSigmas * bend.sigma;
 }
 
+// The plane, its sigma and its area anew from the surface's points; false when it is none any more.
+bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
+  const RansacSettings& settings = scene.settings;
+  PlaneFit fit;
+  const bool good = surface.positions.size() >= std::max<size_t>(3, settings.min_points) &&
+                    fit_core(scene, surface, task, fit) && wide_enough(settings, fit) &&
+                    !too_rough(settings, fit.sigma) && !bends(scene, surface, fit, task);
+  if (!good) return false;
+  surface.plane = fit.plane;
+  surface.sigma_m = fit.sigma;
+  surface.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, surface), surface.pixel_m, 0));
+  return surface.area_m2 >= settings.min_area_m2;
+}
+
 }  // namespace
 
 bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  const RansacSettings& settings = scene.settings;
   bool dropped = false;
   for (Surface& surface : surfaces) {
-    PlaneFit fit;
-    bool keep = surface.positions.size() >= std::max<size_t>(3, settings.min_points) &&
-                fit_core(scene, surface, task, fit) && wide_enough(settings, fit) &&
-                !too_rough(settings, fit.sigma) && !bends(scene, surface, fit, task);
-    if (keep) {
-      surface.plane = fit.plane;
-      surface.sigma_m = fit.sigma;
-      const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
-      std::vector<Vec2> uv(surface.positions.size());
-      for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
-      surface.area_m2 = occupied_area_m2(bounded_raster(uv, surface.pixel_m, 0));
-      keep = surface.area_m2 >= settings.min_area_m2;
-    }
-    if (keep) continue;
+    if (surface.is_plane() ? refit_plane(scene, surface, task) : refit_curved(scene, surface, task)) continue;
     for (const uint32_t position : surface.positions) scene.owner[position] = 0;
     surface.positions.clear();
     dropped = true;

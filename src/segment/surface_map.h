@@ -8,10 +8,11 @@
 
 namespace jalon {
 
-/// Takes points near a surface to metres on a flat map, so that rasters tell what is connected and how large it is: planes
-/// as they are, cylinders unrolled, spheres by Lambert's azimuthal equal-area map about the side that was seen.
+/// Takes points near a surface to metres on a flat map, so that rasters tell what is connected and how large it is:
+/// planes as they are, cylinders unrolled, spheres by Lambert's azimuthal equal-area map about the side that was seen.
 class SurfaceMap {
  public:
+  SurfaceMap() = default;
   static SurfaceMap of_plane(const Plane& plane, const Vec3& near);
   /// Cut open along the widest stretch without points.
   static SurfaceMap of_cylinder(const Cylinder& cylinder, std::span<const Vec3> points);

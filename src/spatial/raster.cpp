@@ -70,6 +70,12 @@ size_t Raster::pixel_of(const Vec2& p) const {
   return size_t{clamped_cell(p.v - origin.v, pixel_m, rows)} * columns + clamped_cell(p.u - origin.u, pixel_m, columns);
 }
 
+bool Raster::holds(const Vec2& p) const {
+  const double column = std::floor((p.u - origin.u) / pixel_m), row = std::floor((p.v - origin.v) / pixel_m);
+  return column >= 0 && row >= 0 && column < columns && row < rows &&
+         pixels[static_cast<size_t>(row) * columns + static_cast<size_t>(column)] != 0;
+}
+
 Raster rasterise(std::span<const Vec2> points, double pixel_m, uint32_t margin) {
   if (!(pixel_m > 0) || !std::isfinite(pixel_m))
     fail(Status::kInvalidArgument, "a pixel of %s m: it must be above 0", text_of(pixel_m).c_str());

@@ -22,6 +22,8 @@ struct Raster {
   size_t size() const { return pixels.size(); }
   /// The pixel of a point; points outside the image go to the nearest pixel. The image must not be empty.
   size_t pixel_of(const Vec2& p) const;
+  /// Whether a point lies in an occupied pixel; nowhere outside the image.
+  bool holds(const Vec2& p) const;
   Vec2 centre(size_t pixel) const {
     return {origin.u + (static_cast<double>(pixel % columns) + 0.5) * pixel_m,
             origin.v + (static_cast<double>(pixel / columns) + 0.5) * pixel_m};

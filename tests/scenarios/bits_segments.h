@@ -153,6 +153,7 @@ static inline void picks(uint64_t seed, jalon_task* task) {
                 {"pick of a ball by normals", JALON_PRIMITIVE_SPHERE, four, 2}};
   jalon_cloud* cloud = wall_column_ball(seed);
   jalon_segmentation *start, *picked;
+  segment_with(cloud, "ransac", "{\"primitives\": \"all\"}", "wall, column and ball", seed, task);
   MUST(jalon_segmentation_start(cloud, task, &start));
   for (size_t i = 0; i < sizeof kPicks / sizeof *kPicks; ++i) {
     MUST(jalon_segmentation_pick(start, kPicks[i].primitive, kPicks[i].picks, kPicks[i].count, NULL, task, &picked));
