@@ -26,10 +26,10 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_picture(const jalon_segmen
                                                   const char* path, const jalon_params* options,
                                                   jalon_task* task);
 /**
- * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and inliers, times, the
- * elevation, the picture of the labelled points and the residual histogram. model may be NULL: a segmentation alone.
- * notes_json: a JSON object with "title", "input" (text pairs) and "times" (seconds by stage), or NULL. Everything that
- * comes from outside is escaped. Operation "report".
+ * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and inliers, the spheres
+ * and cylinders with radius and its sigma, times, the elevation, the picture of the labelled points and the residual
+ * histogram. model may be NULL: a segmentation alone. notes_json: a JSON object with "title", "input" (text pairs) and
+ * "times" (seconds by stage), or NULL. Everything that comes from outside is escaped. Operation "report".
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_html(const jalon_segmentation* segmentation,
                                                const jalon_model* model, const char* notes_json,

@@ -48,6 +48,7 @@ struct Segment {
     must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr, console.task()));
     must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr, console.task()));
     write_text_file(folder.path("segments.csv"), table.csv());
+    must(jalon_segmentation_write_primitives(segmentation.get(), folder.path("primitives.txt").c_str()));
     draw(console, segmentation, folder.path("segments.svg"));
     notes["times"]["write"] = console.seconds();
     result["times"] = notes["times"];
@@ -58,14 +59,22 @@ struct Segment {
     folder.commit();
   }
 
+  static std::string shape(const Table& table, uint64_t row) {
+    const auto type = table.count("type", row);
+    const std::string radius = fixed(table.number("radius", row), 4);
+    if (type == JALON_PRIMITIVE_SPHERE) return "sphere " + radius;
+    std::string direction = fixed(table.number("normal", row, 0), 4);
+    for (const uint32_t k : {1u, 2u}) direction += " " + fixed(table.number("normal", row, k), 4);
+    return type == JALON_PRIMITIVE_CYLINDER ? "cylinder " + radius + ", " + direction : direction;
+  }
+
   static void list(const Console& console, const Table& table) {
-    console.say("segment     points    area m2   sigma mm   normal");
+    console.say("segment     points    area m2   sigma mm   normal, or radius in m and axis");
     for (uint64_t i = 0; i < table.rows(); ++i) {
       char line[200];
-      std::snprintf(line, sizeof line, "%7u %10s %10s %10s   %s %s %s", static_cast<unsigned>(table.count("label", i)),
+      std::snprintf(line, sizeof line, "%7u %10s %10s %10s   %s", static_cast<unsigned>(table.count("label", i)),
                     grouped(table.count("inliers", i)).c_str(), fixed(table.number("area", i), 2).c_str(),
-                    fixed(1000 * table.number("sigma", i), 1).c_str(), fixed(table.number("normal", i, 0), 4).c_str(),
-                    fixed(table.number("normal", i, 1), 4).c_str(), fixed(table.number("normal", i, 2), 4).c_str());
+                    fixed(1000 * table.number("sigma", i), 1).c_str(), shape(table, i).c_str());
       console.say(line);
     }
   }
@@ -93,7 +102,7 @@ struct Segment {
     write(console, segmentation, table, notes, result);
     list(console, table);
     console.say("wrote " + output +
-                ": report.html, segments.svg, segments.csv, segments.json, segments.las, segments.ply");
+                ": report.html, segments.svg, segments.csv, segments.json, segments.las, segments.ply, primitives.txt");
     console.result(result);
   }
 };
@@ -135,6 +144,7 @@ void add_segment(CLI::App& app) {
     return tables() +
            "Examples:\n  jalon segment scan.las -o result\n"
            "  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set min_area_m2=0.2\n"
+           "  jalon segment plant.las -o result --set primitives=all --set max_radius_m=1\n"
            "  jalon evaluate-segmentation result/segments.las reference.las";
   });
   command->callback([state] { state->run(); });

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include "base/json_reader.h"
 #include "base/json_writer.h"
 #include "base/text_number.h"
@@ -75,9 +77,11 @@ void add_summary(Page& page, const Segmentation& segmentation, const Notes& note
   const uint64_t points = segmentation.cloud->size();
   const uint64_t used = residuals.count != 0 ? residuals.count : labelled(segmentation);
   const double share = points != 0 ? 100 * static_cast<double>(used) / static_cast<double>(points) : 0;
+  const size_t planes = plane_count(segmentation.segments), curved = segmentation.segments.size() - planes;
+  const std::string found = std::to_string(planes) + " planes" +
+                            (curved != 0 ? " and " + std::to_string(curved) + " spheres and cylinders" : "");
   html.element("p", {{"class", "lead"}},
-               std::to_string(plane_count(segmentation.segments)) + " planes from " + std::to_string(points) +
-               " points; " +
+               found + " from " + std::to_string(points) + " points; " +
                    text_of(share, 1) + " % of the points lie on them, with a standard deviation of " +
                    text_of(1000 * residuals.sigma_m, 2) + " mm.");
 }
@@ -153,6 +157,40 @@ void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
             "deviation of the points from their plane.");
 }
 
+void add_curved(Page& page, const Segmentation& segmentation, Task& task) {
+  if (plane_count(segmentation.segments) == segmentation.segments.size()) return;
+  page.heading("Spheres and cylinders");
+  auto& html = page.html();
+  html.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
+  for (const char* name : {"No", "type", "radius (m)", "\xCF\x83 radius (mm)", "centre or axis point (m)", "axis",
+                           "length (m)", "area (m\xC2\xB2)", "\xCF\x83 (mm)", "points"})
+    html.element("th", {}, name);
+  html.close().close().open("tbody");
+  for (size_t i = 0; i < segmentation.segments.size(); ++i) {
+    if (i % 256 == 0) task.checkpoint(0);
+    const Segment& s = segmentation.segments[i];
+    if (s.is_plane()) continue;
+    const bool sphere = s.type == PrimitiveType::kSphere;
+    const Vec3 place = sphere ? s.sphere.sphere.centre : s.cylinder.cylinder.point;
+    const Vec3 axis = s.cylinder.cylinder.direction;
+    html.open("tr");
+    page.number(std::to_string(s.label));
+    html.element("td", {}, sphere ? "sphere" : "cylinder");
+    page.number(text_of(sphere ? s.sphere.sphere.radius : s.cylinder.cylinder.radius, 4));
+    page.number(text_of(1000 * std::sqrt(sphere ? s.sphere.covariance[15] : s.cylinder.covariance[48]), 2));
+    page.number(text_of(place.x, 3) + ", " + text_of(place.y, 3) + ", " + text_of(place.z, 3));
+    page.number(sphere ? "" : text_of(axis.x, 5) + ", " + text_of(axis.y, 5) + ", " + text_of(axis.z, 5));
+    page.number(sphere ? "" : text_of(s.length_u_m, 2));
+    page.number(text_of(s.area_m2, 2));
+    page.number(text_of(1000 * s.sigma_m(), 2));
+    page.number(std::to_string(s.point_count()));
+    html.close();
+  }
+  html.close().close().close();
+  page.note("The axis point is the one at mid height. \xCF\x83 radius is the standard deviation of the radius, "
+            "\xCF\x83 that of the points from their surface.");
+}
+
 void add_drawing(Page& page, const Segmentation& segmentation, const Model& model, const Notes& notes, Task& task) {
   page.heading("Elevation");
   ParamSet options("elevation", elevation_rows());
@@ -202,6 +240,7 @@ std::string report_html(const Segmentation& segmentation, const Model& model, st
   if (options.flag("drawing") && !model.faces.empty()) add_drawing(page, segmentation, model, notes, task);
   if (options.flag("picture")) add_picture(page, segmentation, task);
   add_planes(page, segmentation, task);
+  add_curved(page, segmentation, task);
   add_residuals(page, residuals);
   add_input(page, segmentation, notes);
   add_parameters(page, segmentation);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <cmath>
 
 #include "base/json_reader.h"
 #include "base/json_writer.h"
@@ -48,6 +49,32 @@ void write_plane(JsonWriter& json, const Segment& s) {
   json.end_object();
 }
 
+void write_curved(JsonWriter& json, const Segment& s) {
+  const bool sphere = s.type == PrimitiveType::kSphere;
+  json.begin_object();
+  json.name("label").value(s.label);
+  json.name("inliers").value(s.point_count());
+  json.name("radius_m").value(sphere ? s.sphere.sphere.radius : s.cylinder.cylinder.radius);
+  json.name("sigma_radius_m").value(std::sqrt(sphere ? s.sphere.covariance[15] : s.cylinder.covariance[48]));
+  if (sphere) {
+    write_vector(json, "centre", s.sphere.sphere.centre);
+  } else {
+    write_vector(json, "axis_point", s.cylinder.cylinder.point);
+    write_vector(json, "axis", s.cylinder.cylinder.direction);
+    json.name("length_m").value(s.length_u_m);
+  }
+  json.name("area_m2").value(s.area_m2);
+  json.name("sigma_m").value(s.sigma_m());
+  json.end_object();
+}
+
+void write_all_curved(JsonWriter& json, const char* name, const Segmentation& segmentation, PrimitiveType type) {
+  json.name(name).begin_array();
+  for (const Segment& segment : segmentation.segments)
+    if (segment.type == type) write_curved(json, segment);
+  json.end_array();
+}
+
 void write_face(JsonWriter& json, const Face& face) {
   json.begin_object();
   json.name("plane").value(face.id);
@@ -88,6 +115,8 @@ std::string report_json(const Segmentation& segmentation, const Model& model, st
   for (const Segment& segment : segmentation.segments)
     if (segment.is_plane()) write_plane(json, segment);
   json.end_array();
+  write_all_curved(json, "spheres", segmentation, PrimitiveType::kSphere);
+  write_all_curved(json, "cylinders", segmentation, PrimitiveType::kCylinder);
   json.name("faces").begin_array();
   for (const Face& face : model.faces) write_face(json, face);
   json.end_array();

@@ -56,10 +56,21 @@ check "the same seed gives the same files" bash -c "'$jalon' facade sample.las -
 check "a terminal sees a progress bar" bash -c "script -qec \"'$jalon' facade sample.las -o bar\" /dev/null | grep -q '%'"
 check "--set reaches the segmenter" bash -c "'$jalon' facade sample.las -o few --json --set max_planes=2 | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"planes\"])==2, len(d[\"planes\"])'"
 
-check "segment writes its six files" "$jalon" segment sample.las -o segments
-for file in report.html segments.svg segments.csv segments.json segments.las segments.ply; do check "segment made $file" test -s segments/$file; done
-check "segment leaves no private folder" bash -c "[ \$(ls -A segments | wc -l) -eq 6 ]"
+check "segment writes its seven files" "$jalon" segment sample.las -o segments
+for file in report.html segments.svg segments.csv segments.json segments.las segments.ply primitives.txt; do check "segment made $file" test -s segments/$file; done
+check "segment leaves no private folder" bash -c "[ \$(ls -A segments | wc -l) -eq 7 ]"
 check "segment by another method, --json" bash -c "'$jalon' segment sample.las -o grown --method region_growing --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"segments\"])>5 and d[\"method\"]==\"region_growing\", d'"
+check "scan of the arches" "$jalon" scan --scene arches -o arches.las --quiet
+check "segment finds the soffits of the arches as cylinders" bash -c "'$jalon' segment arches.las -o arches --set primitives=all --json | python3 -c '
+import json,sys
+d=json.load(sys.stdin)
+kinds={1:5,2:5,3:8}
+rows=[line.split() for line in open(\"arches/primitives.txt\")]
+assert len(rows)==len(d[\"segments\"]) and all(len(r)==kinds[int(r[0])] for r in rows), rows
+round_=[s for s in d[\"segments\"] if s[\"type\"]==3]
+assert len(round_)==2 and all(abs(s[\"radius\"]-0.6)<0.002 for s in round_) and not any(s[\"type\"]==2 for s in d[\"segments\"]), round_
+assert all(float(r[7])==s[\"radius\"] for r,s in zip(rows,d[\"segments\"]) if s[\"type\"]==3)'"
+check "the report lists spheres and cylinders" grep -q 'Spheres and cylinders' arches/report.html
 check "segments.csv has a row a segment" python3 -c "
 import csv, json
 rows = list(csv.DictReader(open('segments/segments.csv')))

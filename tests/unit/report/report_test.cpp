@@ -159,6 +159,36 @@ TEST_CASE("report_json: the planes and residuals as numbers") {
   CHECK(json["residuals"]["sigma_m"].get<double>() == doctest::Approx(0.004).epsilon(0.05));
 }
 
+TEST_CASE("reports: spheres and cylinders have a table of their own") {
+  Segmentation s = small_facade();
+  CHECK(html_of(s, Model{}, "").find("Spheres and cylinders") == std::string::npos);
+  Segment ball, column;
+  ball.label = 3;
+  ball.type = PrimitiveType::kSphere;
+  ball.sphere = {{{1, 2, 3}, 0.9125}, 400, 0.003, {}};
+  ball.sphere.covariance[15] = 1e-8;
+  column.label = 4;
+  column.type = PrimitiveType::kCylinder;
+  column.cylinder.cylinder = {{4, 5, 6}, {0, 0, 1}, 0.2525};
+  column.length_u_m = 3.25;
+  s.segments.push_back(ball);
+  s.segments.push_back(column);
+  const std::string html = html_of(s, Model{}, "");
+  CHECK(markup::well_formed(html));
+  for (const char* text : {"2 planes and 2 spheres and cylinders", "Spheres and cylinders", "0.9125", ">0.10<",
+                           "0.2525", "3.25"})
+    CHECK_MESSAGE(html.find(text) != std::string::npos, text);
+  const auto json = nlohmann::json::parse(json_of(s, Model{}, ""));
+  CHECK(json["planes"].size() == 2);
+  REQUIRE(json["spheres"].size() == 1);
+  REQUIRE(json["cylinders"].size() == 1);
+  CHECK(json["spheres"][0]["radius_m"] == 0.9125);
+  CHECK(json["spheres"][0]["centre"][2] == 3.0);
+  CHECK(json["spheres"][0]["sigma_radius_m"] == doctest::Approx(1e-4));
+  CHECK(json["cylinders"][0]["axis"][2] == 1.0);
+  CHECK(json["cylinders"][0]["length_m"] == 3.25);
+}
+
 TEST_CASE("reports: hostile names never alter structure") {
   const std::vector<std::string> names{
       "<script>alert(1)</script>", "</title><script>", "\"><img src=x onerror=alert(1)>", "'><svg/onload=alert(1)>",
