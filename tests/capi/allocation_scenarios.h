@@ -307,6 +307,8 @@ static jalon_status scenario_scan(void) {
   return status;
 }
 
+#include "allocation_primitives.h"
+
 static jalon_status scenario_params(void) {
   jalon_params* params = NULL;
   jalon_segmenter* segmenter = NULL;
@@ -352,6 +354,7 @@ static const struct {
     {"files", scenario_files},
     {"scan", scenario_scan},
     {"params", scenario_params},
+    {"primitives", scenario_primitives},
 };
 enum { kScenarioCount = sizeof kScenarios / sizeof *kScenarios };
 

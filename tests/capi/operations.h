@@ -103,18 +103,47 @@ static inline jalon_status op_radius(const jalon_cloud* cloud, jalon_task* task,
   jalon_fields_release(ranges);
   return status;
 }
-static inline jalon_status segment_by(const char* method, const jalon_cloud* cloud, jalon_task* task, made* out) {
+static inline jalon_status segment_by(const char* method, const char* json, const jalon_cloud* cloud, jalon_task* task,
+                                      made* out) {
   jalon_segmenter* segmenter = NULL;
+  jalon_params* params = NULL;
   jalon_status status = jalon_segmenter_create(method, &segmenter);
+  if (status == JALON_OK) status = jalon_segmenter_params(segmenter, &params);
+  if (status == JALON_OK) status = jalon_params_from_json(params, json);
   if (status == JALON_OK) status = jalon_segmenter_run(segmenter, cloud, task, &out->segmentation);
+  jalon_params_release(params);
   jalon_segmenter_release(segmenter);
   return status;
 }
 static inline jalon_status op_segment(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  return segment_by(NULL, cloud, task, out);
+  return segment_by(NULL, "{}", cloud, task, out);
+}
+static inline jalon_status op_primitives(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return segment_by(NULL, "{\"primitives\": \"all\"}", cloud, task, out);
 }
 static inline jalon_status op_grow(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  return segment_by("region_growing", cloud, task, out);
+  return segment_by("region_growing", "{}", cloud, task, out);
+}
+/* A plane from the cloud's first point as its seed. */
+static inline jalon_status op_pick(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  jalon_segmentation* start = NULL;
+  jalon_array_view xyz;
+  jalon_status status = jalon_segmentation_start(cloud, NULL, &start);
+  if (status == JALON_OK) status = jalon_cloud_points(cloud, &xyz);
+  if (status == JALON_OK)
+    status = jalon_segmentation_pick(start, JALON_PRIMITIVE_PLANE, xyz.data, 1, NULL, task, &out->segmentation);
+  jalon_segmentation_release(start);
+  return status;
+}
+/* All points but the facade's, which is no sphere: robust draws, then adjustment. */
+static inline jalon_status op_fit(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  const jalon_vec3 up = {0, 0, 1};
+  jalon_params* options = NULL;
+  jalon_status status = jalon_params_create("primitive", &options);
+  if (status == JALON_OK) status = jalon_params_from_json(options, "{\"tolerance_m\": 4, \"robust\": false}");
+  if (status == JALON_OK) status = jalon_cloud_fit_cylinder(cloud, NULL, 0, &up, options, task, &out->fields);
+  jalon_params_release(options);
+  return status;
 }
 /* Components as given labels; the task is for one call, the one under test. */
 static inline jalon_status op_labels(const jalon_cloud* cloud, jalon_task* task, made* out) {
@@ -142,7 +171,8 @@ static const struct {
     {"voxel", op_voxel},         {"minimum distance", op_minimum_distance}, {"random", op_random},
     {"duplicates", op_duplicates}, {"interest", op_interest},     {"radius search", op_radius},
     {"segment", op_segment},     {"region growing", op_grow},     {"append", op_append},
-    {"crop", op_crop},           {"from labels", op_labels},
+    {"crop", op_crop},           {"from labels", op_labels},      {"primitives", op_primitives},
+    {"pick", op_pick},           {"fit", op_fit},
 };
 enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
 

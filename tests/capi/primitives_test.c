@@ -90,6 +90,38 @@ static void primitives__refuses_what_fixes_nothing(void** state) {
   jalon_cloud_release(cloud);
 }
 
+/* The rows of the parameter file hold the numbers of the table, to the bit: type; normal and offset, centre and radius,
+ * or axis point, direction and radius. */
+static void expect_parameter_file(const jalon_segmentation* segmentation) {
+  static const char* const kColumns[4][3] = {
+      {NULL}, {"normal", "offset", NULL}, {"centroid", "radius", NULL}, {"centroid", "normal", "radius"}};
+  const char* path = temporary("primitives.txt");
+  jalon_fields* segments = NULL;
+  jalon_array_view types;
+  size_t bytes = 0;
+  MUST(jalon_segmentation_segments(segmentation, &segments));
+  MUST(jalon_fields_view(segments, "type", &types));
+  MUST(jalon_segmentation_write_primitives(segmentation, path));
+  char* text = content_of(path, &bytes);
+  assert_non_null(text);
+  char* at = text;
+  for (uint64_t row = 0; row < types.count; ++row) {
+    const uint8_t type = ((const uint8_t*)types.data)[row];
+    assert_int_equal(strtol(at, &at, 10), type);
+    for (int c = 0; c < 3 && kColumns[type][c] != NULL; ++c) {
+      jalon_array_view column;
+      MUST(jalon_fields_view(segments, kColumns[type][c], &column));
+      for (uint32_t k = 0; k < column.components; ++k)
+        assert_true(strtod(at, &at) == number(segments, kColumns[type][c], row, k));
+    }
+    assert_true(*at++ == '\n');
+  }
+  assert_true(*at == 0);
+  free(text);
+  remove(path);
+  jalon_fields_release(segments);
+}
+
 static void primitives__picks_one_after_the_other_with_undo(void** state) {
   (void)state;
   jalon_cloud *cloud = yard(), *rest = NULL;
@@ -126,15 +158,7 @@ static void primitives__picks_one_after_the_other_with_undo(void** state) {
   MUST(jalon_cloud_count(rest, &count));
   assert_int_equal(count, kAll);
   jalon_cloud_release(rest);
-  MUST(jalon_segmentation_write_primitives(ball, "primitives.txt"));
-  FILE* file = fopen("primitives.txt", "r");
-  assert_non_null(file);
-  char line[400];
-  int rows = 0;
-  while (fgets(line, sizeof line, file) != NULL) assert_true(line[0] == "132"[rows++]);
-  fclose(file);
-  remove("primitives.txt");
-  assert_int_equal(rows, 3);
+  expect_parameter_file(ball);
   jalon_segmentation* more = NULL;
   REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
           jalon_segmentation_pick(ball, JALON_PRIMITIVE_PLANE, corners, 4, NULL, NULL, &more));
