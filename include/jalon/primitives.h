@@ -59,9 +59,10 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_start(const jalon_cloud* c
  * JALON_PRIMITIVE_SPHERE: 4 picks or more, or 2 with the normals of the points around. JALON_PRIMITIVE_CYLINDER: 3 picks or more of a
  * vertical one, or 2 with normals of any other. Both grow around their picks.
  *
- * JALON_ERROR_INSUFFICIENT_DATA for too few picks, when a seed or a normal finds fewer than 3 points, or when the picks
- * gather fewer than "min_points"; JALON_ERROR_DEGENERATE when they fix no surface: flat for a sphere or a cylinder, or
- * the points around them equal or collinear. O(n) a round.
+ * JALON_ERROR_INSUFFICIENT_DATA for too few picks, when a seed or a normal finds fewer than 3 points, when a seed lies
+ * farther than "gap_m" from all points or amid points that are taken, or when the picks gather fewer than "min_points";
+ * JALON_ERROR_DEGENERATE when they fix no surface: flat for a sphere or a cylinder, or the points around them equal or
+ * collinear. O(n) a round.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_pick(const jalon_segmentation* segmentation, int32_t primitive,
                                                const double* picks, uint64_t count, const jalon_params* options,

@@ -18,7 +18,8 @@ namespace jalon {
 namespace {
 
 constexpr size_t kPointsPerChunk = 1 << 15;
-constexpr int kRounds = 12;             // a plane from a seed's neighbours reaches a 20 m wall in 3-5
+constexpr int kRounds = 12;
+constexpr double kReachGrowth = 2;
 constexpr uint32_t kMaxGapPixels = 256;
 constexpr double kSpacingsPerPixel = 2;
 constexpr uint32_t kSpacingNeighbours = 8;
@@ -31,7 +32,8 @@ std::vector<uint32_t> free_points(const PickScene& scene, Task& task, F&& takes)
   std::vector<std::vector<uint32_t>> parts((n + kPointsPerChunk - 1) / kPointsPerChunk);
   parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
-      if (scene.labels[i] == 0 && takes(scene.local(i))) parts[begin / kPointsPerChunk].push_back(static_cast<uint32_t>(i));
+      if (scene.labels[i] == 0 && takes(scene.local(i)))
+        parts[begin / kPointsPerChunk].push_back(static_cast<uint32_t>(i));
   });
   std::vector<uint32_t> out;
   for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
@@ -120,16 +122,34 @@ bool refit(const PickScene& scene, std::span<const uint32_t> members, const Vec3
   return adjust_cylinder(points, segment.cylinder.cylinder, setting, task, segment.cylinder);
 }
 
+/// The ball around a seed within which its plane is followed. The plane of a few neighbours is a degree or two off:
+/// all at once, it would gather a slanted band right across a facade. It grows while the members come near its border.
+struct SeedReach {
+  Vec3 seed;
+  double radius_m = INFINITY;
+
+  bool holds(const Vec3& p) const { return squared_norm(p - seed) <= radius_m * radius_m; }
+  bool grow_if_touched(const PickScene& scene, std::span<const uint32_t> members, double margin_m) {
+    if (std::isinf(radius_m)) return false;
+    double farthest = 0;
+    for (const uint32_t i : members) farthest = std::max(farthest, norm(scene.local(i) - seed));
+    if (farthest <= radius_m - margin_m) return false;
+    radius_m *= kReachGrowth;
+    return true;
+  }
+};
+
 // Rounds of members - connection - fit, from the surface of the picks until the points stay the same; then the small
 // pieces are left out and the last fit is made.
 template <class F>
-Picked grow(const PickScene& scene, Segment start, const Vec3* direction, bool connected, F&& bounds, Task& task) {
+Picked grow(const PickScene& scene, Segment start, const Vec3* direction, bool connected, SeedReach reach, F&& bounds,
+            Task& task) {
   const double tolerance = scene.setting.primitive.tolerance_m, pixel = pixel_of(scene, task);
   Picked out;
   out.segment = start;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kRounds;) {
     auto members = free_points(scene, task, [&](const Vec3& p) {
-      return std::fabs(out.segment.distance(p)) <= tolerance && bounds(p);
+      return std::fabs(out.segment.distance(p)) <= tolerance && reach.holds(p) && bounds(p);
     });
     if (connected) keep_connected(scene, out.segment, pixel, members);
     Segment next = out.segment;
@@ -137,7 +157,9 @@ Picked grow(const PickScene& scene, Segment start, const Vec3* direction, bool c
     const bool settled = members == out.members;
     out.members = std::move(members);
     out.segment = next;
+    if (reach.grow_if_touched(scene, out.members, scene.setting.gap_m + 2 * pixel)) continue;
     if (settled) break;
+    ++round;
   }
   if (!out.members.empty()) drop_small_pieces(scene, out.segment, pixel, out.members);
   if (out.members.size() < scene.setting.min_points || !refit(scene, out.members, direction, task, out.segment))
@@ -166,17 +188,24 @@ void describe_plane(const PickScene& scene, double pixel_m, Picked& picked) {
   picked.segment.area_m2 = static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
 }
 
-// The plane of the points around a seed.
-PlaneFit seed_plane(const PickScene& scene, Task& task) {
+// The plane of the points around a seed, and how far they reach.
+PlaneFit seed_plane(const PickScene& scene, Task& task, SeedReach& reach) {
   const auto tree = scene.cloud.octree(task);
   std::vector<Neighbour> near(scene.setting.k);
   near.resize(tree->knn(scene.picks[0] + scene.origin, scene.setting.k, near));
   std::vector<Vec3> points;
-  for (const Neighbour& n : near)
+  reach = {scene.picks[0], 0};
+  for (const Neighbour& n : near) {
+    reach.radius_m = std::max(reach.radius_m, kReachGrowth * std::sqrt(n.squared_distance));
     if (scene.labels[n.index] == 0) points.push_back(scene.local(n.index));
+  }
+  const double away_m = near.empty() ? INFINITY : std::sqrt(near[0].squared_distance);
+  if (!(away_m <= scene.setting.gap_m + scene.setting.primitive.tolerance_m))
+    fail(Status::kInsufficientData, "the nearest point lies %s m from the seed", text_of(away_m, kMillimetreDigits).c_str());
   PlaneFit fit;
-  if (points.size() < 3)
-    fail(Status::kInsufficientData, "%zu free points lie around the seed; a plane needs 3", points.size());
+  if (points.size() < 3 || 2 * points.size() < near.size())  // what others left is no surface
+    fail(Status::kInsufficientData, "%zu of the %zu points around the seed are free; a plane needs 3 and half of them",
+         points.size(), near.size());
   if (!fit_plane(points, fit))
     fail(Status::kDegenerate, "the %zu free points around the seed are equal or on one line", points.size());
   if (fit.sigma > scene.setting.primitive.tolerance_m)
@@ -223,8 +252,9 @@ Picked pick_plane(const PickScene& scene, Task& task) {
   Segment start;
   Picked out;
   if (scene.picks.size() == 1) {
-    start.fit = seed_plane(scene, task);
-    out = grow(scene, start, nullptr, true, kEverywhere, task);
+    SeedReach reach;
+    start.fit = seed_plane(scene, task, reach);
+    out = grow(scene, start, nullptr, true, reach, kEverywhere, task);
   } else {
     const size_t n = scene.picks.size();
     if (n < 3) fail(Status::kInsufficientData, "%zu picks; a plane needs 3, or one seed", n);
@@ -235,7 +265,7 @@ Picked pick_plane(const PickScene& scene, Task& task) {
       const Vec3 d = p - frame.centroid;
       return contains(polygon, {dot(d, frame.axis_u), dot(d, frame.axis_v)});
     };
-    out = grow(scene, start, nullptr, false, inside, task);
+    out = grow(scene, start, nullptr, false, {}, inside, task);
   }
   describe_plane(scene, pixel_of(scene, task), out);
   return out;
@@ -256,7 +286,7 @@ Picked pick_sphere(const PickScene& scene, Task& task) {
   else
     fail(Status::kInsufficientData, "%zu picks; a sphere needs 4, or 2 where the points around give normals", picks.size());
   require_radius(scene, found, sphere.radius);
-  return grow(scene, start, nullptr, true, kEverywhere, task);
+  return grow(scene, start, nullptr, true, {}, kEverywhere, task);
 }
 
 Picked pick_cylinder(const PickScene& scene, Task& task) {
@@ -273,7 +303,7 @@ Picked pick_cylinder(const PickScene& scene, Task& task) {
                               : cylinder_from_normals(picks[0], pick_normal(scene, 0, task), picks[1],
                                                       pick_normal(scene, 1, task), cylinder);
   require_radius(scene, found, cylinder.radius);
-  return grow(scene, start, vertical ? &kUp : nullptr, true, kEverywhere, task);
+  return grow(scene, start, vertical ? &kUp : nullptr, true, {}, kEverywhere, task);
 }
 
 }  // namespace jalon
