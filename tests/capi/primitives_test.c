@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0 */
 #include "support.h"
 
+#include <locale.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -104,6 +105,8 @@ static void expect_parameter_file(const jalon_segmentation* segmentation) {
   MUST(jalon_segmentation_write_primitives(segmentation, path));
   char* text = content_of(path, &bytes);
   assert_non_null(text);
+  for (char* c = text; *c != 0; ++c) /* strtod reads the host's decimal mark, the file has points in every locale */
+    if (*c == '.') *c = *localeconv()->decimal_point;
   char* at = text;
   for (uint64_t row = 0; row < types.count; ++row) {
     const uint8_t type = ((const uint8_t*)types.data)[row];
