@@ -73,6 +73,13 @@ class Free {
   Vec8 fixed_ = Vec8::Zero();
 };
 
+// Column by column: Eigen's solution of all at once keeps the sizes of the processor's caches in a static variable.
+Mat8 solve(const Eigen::LDLT<Mat8>& factors, const Mat8& right) {
+  Mat8 out;
+  for (Eigen::Index k = 0; k < kUnknowns; ++k) out.col(k) = factors.solve(Vec8(right.col(k)));
+  return out;
+}
+
 Mat8 jackknife(const std::vector<PlaneSample>& samples, const ContaminationState& state,
                const std::vector<ContaminationTable>& tables, const Free& free, const Mat8& hessian) {
   Mat8 sum = Mat8::Zero();
@@ -114,8 +121,7 @@ bool contamination_covariance(const std::vector<PlaneSample>& samples, const Con
   if (samples.size() <= kMostForJackknife) {
     c = jackknife(samples, state, tables, free, sums.hessian);
   } else {
-    const Mat8 half = hessian.solve(free.of(sums.scores));
-    c = hessian.solve(Mat8(half.transpose()));
+    c = solve(hessian, solve(hessian, free.of(sums.scores)).transpose());
   }
   out = {c(1, 1), c(1, 2), c(1, 0), c(2, 2), c(2, 0), c(0, 0)};
   return c.topLeftCorner<3, 3>().allFinite() && c(0, 0) > 0 && c(1, 1) > 0 && c(2, 2) > 0;
