@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file model.h
- * Vector models: vertices, faces with holes, triangle meshes, in a tree of parts. Immutable; readable by many threads.
+ * Vector models: vertices, edges (straight and arcs), faces with holes, solids, triangle meshes, in a tree of parts.
+ * Immutable; readable by many threads. Tables are snapshots that the caller releases.
  */
 #ifndef JALON_MODEL_H
 #define JALON_MODEL_H
@@ -13,6 +14,15 @@
 JALON_BEGIN_C
 
 typedef struct jalon_model jalon_model;
+
+/** How a part is known (column "evidence" of jalon_model_parts). */
+#define JALON_EVIDENCE_NONE 0        /**< not told */
+#define JALON_EVIDENCE_MEASURED 1    /**< points lie on it */
+#define JALON_EVIDENCE_SEEN_BEHIND 2 /**< an opening: points were seen through it, behind the wall */
+#define JALON_EVIDENCE_REVEALED 3    /**< an opening: its reveals were measured */
+#define JALON_EVIDENCE_SHAPE 4       /**< an opening by its shape alone: nothing was seen through it */
+#define JALON_EVIDENCE_COPIED 5      /**< a copy of a repeated element where data are missing */
+#define JALON_EVIDENCE_DERIVED 6     /**< follows from other parts: a reveal, the side of an extrusion */
 
 /**
  * A model that is one triangle mesh. vertices: as xyz of jalon_cloud_create; triangles: count_triangles x 3 vertex
@@ -26,7 +36,7 @@ JALON_API JALON_CHECK jalon_status jalon_model_create_mesh(const void* vertices,
 JALON_API jalon_model* jalon_model_retain(jalon_model* model);
 JALON_API void jalon_model_release(jalon_model* model);
 
-/** Column "xyz" (float64 x 3, m). */
+/** "xyz" (float64 x 3, m), "covariance" (float64 x 9, m2, row-major; NaN where it is not known). */
 JALON_API JALON_CHECK jalon_status jalon_model_vertices(const jalon_model* model, jalon_fields** out);
 /**
  * One row a face: "part" (uint32), "first_ring", "ring_count" (uint64; the first ring is the outline, the others its
@@ -34,13 +44,33 @@ JALON_API JALON_CHECK jalon_status jalon_model_vertices(const jalon_model* model
  * (float64, m2, openings taken off), "sigma" (float64, m), "covariance" (float64 x 16 of normal and offset).
  */
 JALON_API JALON_CHECK jalon_status jalon_model_faces(const jalon_model* model, jalon_fields** out);
-/** One row a ring: "first", "count" (uint64) in the ring corners. */
+/** One row a ring: "first", "count" (uint64) in the ring corners, "part" (uint32: the opening that fills this hole of its
+ * face, or UINT32_MAX). */
 JALON_API JALON_CHECK jalon_status jalon_model_rings(const jalon_model* model, jalon_fields** out);
-/** One row a ring corner: "vertex" (uint32). Outlines run counter-clockwise seen against the normal, openings
- * clockwise. */
+/**
+ * One row a ring corner: "vertex" (uint32), "sagitta" (float64, m: rise of the arc from this corner to the next of its
+ * ring over the chord; 0 = straight; positive = the arc runs anticlockwise seen against the normal; its DXF bulge is 2
+ * sagitta / chord). Outlines run counter-clockwise seen against the normal, openings clockwise.
+ */
 JALON_API JALON_CHECK jalon_status jalon_model_corners(const jalon_model* model, jalon_fields** out);
 /** One row a triangle: "vertices" (uint32 x 3), "face" (uint32: the id given, or the face's id). */
 JALON_API JALON_CHECK jalon_status jalon_model_triangles(const jalon_model* model, jalon_fields** out);
+/**
+ * One row a pair of vertices that rings join, ascending: "from", "to" (uint32, from < to), "sagitta" (float64, m, as
+ * the first face sees it from "from" to "to"), "first_face", "second_face" (uint32: rows of the faces that share it;
+ * UINT32_MAX: a border), "uses" (uint32: ring edges that run along it). O(n log n).
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_edges(const jalon_model* model, jalon_fields** out);
+/** One row a solid, a volume that faces enclose: "part" (uint32), "first_face", "face_count" (uint64; normals point
+ * outward). */
+JALON_API JALON_CHECK jalon_status jalon_model_solids(const jalon_model* model, jalon_fields** out);
+/**
+ * One row a part: "parent" (uint64, or UINT64_MAX), "width", "height" (float64, m, of its upright box in the plane of
+ * its wall), "depth" (float64, m, behind the plane of its wall, negative in front of it; NaN: not told), "copied_from"
+ * (uint64: the part it repeats, or UINT64_MAX), "lod" (uint8, CityGML 3.0: 2 walls and roofs, 3 with openings; 0: not
+ * told), "evidence" (uint8: JALON_EVIDENCE_...). Names and classes: jalon_model_part.
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_parts(const jalon_model* model, jalon_fields** out);
 JALON_API JALON_CHECK jalon_status jalon_model_part_count(const jalon_model* model, uint64_t* out);
 /** Part i: its name, its class ("facade", "wall", ...) and its parent (or UINT64_MAX). Each output may be NULL. */
 JALON_API JALON_CHECK jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char** name,

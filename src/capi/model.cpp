@@ -6,6 +6,7 @@
 
 #include "capi/guard.h"
 #include "capi/model_handles.h"
+#include "capi/model_tables.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -22,47 +23,13 @@ namespace {
 
 constexpr uint64_t kMaxElements = std::numeric_limits<uint32_t>::max();  // indices are uint32
 
-// One column: components values a row, put there by fill(row, values of the row).
-template <class T, class Rows, class F>
-void add_column(FieldTable& table, const Rows& rows, const char* name, uint32_t components, const char* unit,
-                const char* meaning, F&& fill) {
-  auto column = std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), components, unit, meaning}, rows.size());
-  T* out = column->template values<T>().data();
-  for (const auto& row : rows) {
-    fill(row, out);
-    out += components;
-  }
-  table.set(std::move(column));
-}
-
-void put(const Vec3& v, double* out) {
-  out[0] = v.x;
-  out[1] = v.y;
-  out[2] = v.z;
-}
-
-FieldTable face_table(const Model& model) {
-  FieldTable t;
-  const auto& rows = model.faces;
-  add_column<uint32_t>(t, rows, "part", 1, "", "part of the model", [](const Face& f, uint32_t* o) { *o = f.part; });
-  add_column<uint64_t>(t, rows, "first_ring", 1, "", "first ring: the outline",
-                       [](const Face& f, uint64_t* o) { *o = f.first_ring; });
-  add_column<uint64_t>(t, rows, "ring_count", 1, "", "outline and openings",
-                       [](const Face& f, uint64_t* o) { *o = f.ring_count; });
-  add_column<uint32_t>(t, rows, "id", 1, "", "e.g. label of the segment",
-                       [](const Face& f, uint32_t* o) { *o = f.id; });
-  add_column<uint8_t>(t, rows, "class", 1, "", "orientation class",
-                      [](const Face& f, uint8_t* o) { *o = f.face_class; });
-  add_column<double>(t, rows, "normal", 3, "1", "unit normal",
-                     [](const Face& f, double* o) { put(f.plane.normal, o); });
-  add_column<double>(t, rows, "offset", 1, "m", "normal . p = offset",
-                     [](const Face& f, double* o) { *o = f.plane.offset; });
-  add_column<double>(t, rows, "area", 1, "m2", "openings taken off", [](const Face& f, double* o) { *o = f.area_m2; });
-  add_column<double>(t, rows, "sigma", 1, "m", "standard deviation of the points from the plane",
-                     [](const Face& f, double* o) { *o = f.sigma_m; });
-  add_column<double>(t, rows, "covariance", 16, "", "of normal and offset, row-major",
-                     [](const Face& f, double* o) { std::copy(f.covariance.begin(), f.covariance.end(), o); });
-  return t;
+// What the table functions do alike.
+jalon_status give_table(const jalon_model* model, jalon_fields** out, FieldTable (*table)(const Model&)) {
+  return guard([&] {
+    require(model, "model");
+    require(out, "out");
+    *out = new_fields(table(*model->model));
+  });
 }
 
 const Model& model_of(const jalon_model* model) {
@@ -105,58 +72,35 @@ jalon_model* jalon_model_retain(jalon_model* model) { return retain(model); }
 void jalon_model_release(jalon_model* model) { release(model); }
 
 jalon_status jalon_model_vertices(const jalon_model* model, jalon_fields** out) {
-  return guard([&] {
-    const Model& m = model_of(model);
-    require(out, "out");
-    FieldTable table;
-    add_column<double>(table, m.vertices, "xyz", 3, "m", "vertex", [](const Vec3& v, double* o) { put(v, o); });
-    *out = new_fields(std::move(table));
-  });
+  return give_table(model, out, vertex_table);
 }
 
 jalon_status jalon_model_faces(const jalon_model* model, jalon_fields** out) {
-  return guard([&] {
-    const Model& m = model_of(model);
-    require(out, "out");
-    *out = new_fields(face_table(m));
-  });
+  return give_table(model, out, face_table);
 }
 
 jalon_status jalon_model_rings(const jalon_model* model, jalon_fields** out) {
-  return guard([&] {
-    const Model& m = model_of(model);
-    require(out, "out");
-    FieldTable table;
-    add_column<uint64_t>(table, m.rings, "first", 1, "", "first ring corner",
-                         [](const Ring& r, uint64_t* o) { *o = r.first; });
-    add_column<uint64_t>(table, m.rings, "count", 1, "", "ring corners",
-                         [](const Ring& r, uint64_t* o) { *o = r.count; });
-    *out = new_fields(std::move(table));
-  });
+  return give_table(model, out, ring_table);
 }
 
 jalon_status jalon_model_corners(const jalon_model* model, jalon_fields** out) {
-  return guard([&] {
-    const Model& m = model_of(model);
-    require(out, "out");
-    FieldTable table;
-    add_column<uint32_t>(table, m.corners, "vertex", 1, "", "vertex of the corner",
-                         [](uint32_t v, uint32_t* o) { *o = v; });
-    *out = new_fields(std::move(table));
-  });
+  return give_table(model, out, corner_table);
+}
+
+jalon_status jalon_model_edges(const jalon_model* model, jalon_fields** out) {
+  return give_table(model, out, edge_table);
+}
+
+jalon_status jalon_model_solids(const jalon_model* model, jalon_fields** out) {
+  return give_table(model, out, solid_table);
+}
+
+jalon_status jalon_model_parts(const jalon_model* model, jalon_fields** out) {
+  return give_table(model, out, part_table);
 }
 
 jalon_status jalon_model_triangles(const jalon_model* model, jalon_fields** out) {
-  return guard([&] {
-    const Model& m = model_of(model);
-    require(out, "out");
-    FieldTable table;
-    add_column<uint32_t>(table, m.triangles, "vertices", 3, "", "corners",
-                         [](const auto& t, uint32_t* o) { std::copy(t.begin(), t.end(), o); });
-    add_column<uint32_t>(table, m.triangle_faces, "face", 1, "", "id of the face",
-                         [](uint32_t id, uint32_t* o) { *o = id; });
-    *out = new_fields(std::move(table));
-  });
+  return give_table(model, out, triangle_table);
 }
 
 jalon_status jalon_model_part_count(const jalon_model* model, uint64_t* out) {

@@ -8,6 +8,14 @@
 
 namespace jalon {
 
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<double, 9> kUnknownCovariance{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown,
+                                                   kUnknown, kUnknown, kUnknown, kUnknown};
+
+}  // namespace
+
 size_t Model::add_face(Face face, const std::vector<std::vector<Vec3>>& face_rings) {
   face.first_ring = rings.size();
   face.ring_count = face_rings.size();
@@ -18,6 +26,8 @@ size_t Model::add_face(Face face, const std::vector<std::vector<Vec3>>& face_rin
     for (const Vec3& p : ring) {
       corners.push_back(static_cast<uint32_t>(vertices.size()));
       vertices.push_back(p);
+      if (!sagittas.empty()) sagittas.push_back(0);
+      if (!vertex_covariances.empty()) vertex_covariances.push_back(kUnknownCovariance);
     }
   }
   faces.push_back(face);
@@ -45,6 +55,16 @@ void validate(const Model& model) {
     if (model.faces[i].first_ring > model.rings.size() ||
         model.faces[i].ring_count > model.rings.size() - model.faces[i].first_ring)
       fail(Status::kInvalidArgument, "face %llu reaches beyond the rings", number(i));
+  if (!model.vertex_covariances.empty() && model.vertex_covariances.size() != model.vertices.size())
+    fail(Status::kInvalidArgument, "%llu covariances for %llu vertices", number(model.vertex_covariances.size()),
+         number(model.vertices.size()));
+  if (!model.sagittas.empty() && model.sagittas.size() != model.corners.size())
+    fail(Status::kInvalidArgument, "%llu sagittas for %llu corners", number(model.sagittas.size()),
+         number(model.corners.size()));
+  for (size_t i = 0; i < model.solids.size(); ++i)
+    if (model.solids[i].first_face > model.faces.size() ||
+        model.solids[i].face_count > model.faces.size() - model.solids[i].first_face)
+      fail(Status::kInvalidArgument, "solid %llu reaches beyond the faces", number(i));
   if (model.triangle_faces.size() != model.triangles.size())
     fail(Status::kInvalidArgument, "%llu face ids for %llu triangles", number(model.triangle_faces.size()),
          number(model.triangles.size()));

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The words of Part::part_class that all rooms know (glossary of facade-modelling); others may occur and mean nothing
+// to them.
+namespace jalon::part_class {
+
+inline constexpr char kBuilding[] = "building";
+inline constexpr char kFacade[] = "facade";
+inline constexpr char kWall[] = "wall";
+inline constexpr char kOpening[] = "opening";  ///< neither window nor door for certain
+inline constexpr char kWindow[] = "window";
+inline constexpr char kDoor[] = "door";
+inline constexpr char kReveal[] = "reveal";    ///< the sides of an opening between wall and joinery
+inline constexpr char kJoinery[] = "joinery";  ///< frames, panes, leaves behind an opening
+inline constexpr char kSill[] = "sill";
+inline constexpr char kCornice[] = "cornice";
+inline constexpr char kStringCourse[] = "string_course";
+inline constexpr char kBaseCourse[] = "base_course";
+inline constexpr char kPost[] = "post";
+inline constexpr char kGround[] = "ground";
+inline constexpr char kRoof[] = "roof";
+inline constexpr char kElement[] = "element";  ///< any other plane
+inline constexpr char kNoData[] = "no_data";   ///< a shadow: part of the wall that no station saw; no hole of its face
+
+}  // namespace jalon::part_class
