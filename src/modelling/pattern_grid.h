@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "modelling/pattern_types.h"
+
+namespace jalon {
+
+/// A row or a column of openings: the mean of their centres along one axis.
+struct GridLine {
+  double at = 0;
+  std::vector<size_t> openings;
+};
+
+/// Rows (one height) and columns of a wall's openings as far as they make a regular grid; without lines where they do
+/// not.
+struct OpeningGrid {
+  std::vector<GridLine> rows, columns;
+
+  /// The line within reach, or null.
+  const GridLine* row_near(double v, double reach_m) const { return near(rows, v, reach_m); }
+  const GridLine* column_near(double u, double reach_m) const { return near(columns, u, reach_m); }
+
+ private:
+  static const GridLine* near(const std::vector<GridLine>& lines, double at, double reach_m);
+};
+
+/// Farthest that an opening of a row lies from its line.
+double grid_reach_m(const FacadeWall& wall, const PatternSetting& setting);
+
+/// The grid of the openings told, with their boxes (one an opening of the wall). Lines whose crossings are mostly bare
+/// wall are left out. What remains is a grid when it has two rows and two columns or four openings at equal distances,
+/// and when enough of its crossings are taken, of those where a wall or an opening can be seen.
+OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, std::span<const OpeningBox> boxes,
+                      const PatternSetting& setting);
+
+}  // namespace jalon

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/patterns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polygon2.h"
+#include "modelling/pattern_grid.h"
+#include "modelling/pattern_place.h"
+#include "modelling/pattern_types.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kSolidInside = 0.05;    // share of a copy's cells where points of the wall may lie: strays
+constexpr double kThroughBeside = 0.10;  // of a copy's cells, seen through beside it: then it has another form
+constexpr double kReach = 1.5;           // spacings: border points farther from a side do not belong to it
+constexpr double kFit = 0.6;             // spacings: root mean square distance of those that do
+constexpr double kSideSupport = 0.10;    // share of a side's length where border points must lie
+constexpr size_t kLeastSupport = 3;
+constexpr double kSideSigmas = 3;        // of the mean distance of a side's points
+// Sides seen and lines of the grid agreed with. Three sides prove one size; a form seen once needs row and column as
+// well: among many single openings one that agrees by chance in one size is soon found.
+constexpr size_t kLeastSigns = 3, kLeastSignsOfOne = 4;
+constexpr size_t kMostBorderPoints = 400;  // of a fit; more are thinned evenly
+
+enum Side { kLeft, kRight, kLower, kUpper };
+
+/// Where a copy could go.
+struct Candidate {
+  size_t pattern = 0;
+  Motion2 motion;
+  size_t signs = 0;
+  double residual_m = 0;
+};
+
+class Completion {
+ public:
+  Completion(FacadeWall& wall, const PatternSetting& setting) : wall_(wall), setting_(setting) {
+    patterns_ = find_patterns(wall, setting);
+    for (const FacadeOpening& o : wall.openings) boxes_.push_back(box_of(o.outline));
+    is_member_.assign(wall.openings.size(), false);
+    for (const Pattern& p : patterns_)
+      for (const size_t i : p.members) is_member_[i] = true;
+  }
+
+  size_t run() {
+    if (patterns_.empty()) return 0;
+    look_for_grid();
+    size_t copies = 0;
+    for (size_t i = 0; i < is_member_.size(); ++i)
+      if (!is_member_[i]) copies += replace(i);
+    look_for_grid();
+    return copies + fill_gaps();
+  }
+
+ private:
+  void look_for_grid() {
+    std::vector<size_t> known;
+    for (size_t i = 0; i < wall_.openings.size(); ++i)
+      if (is_member_[i]) known.push_back(i);
+    grid_ = find_grid(wall_, known, boxes_, setting_);
+  }
+
+  const FacadeOpening& best_of(size_t pattern) const { return wall_.openings[patterns_[pattern].best]; }
+
+  /// 2. The badly measured opening becomes a copy of the pattern that its border agrees with best.
+  size_t replace(size_t i) {
+    Candidate best;
+    for (size_t p = 0; p < patterns_.size(); ++p) {
+      const Candidate c = best_placement(p, i);
+      if (c.signs > best.signs || (c.signs == best.signs && c.signs > 0 && c.residual_m < best.residual_m)) best = c;
+    }
+    if (best.signs == 0) return 0;
+    FacadeOpening& opening = wall_.openings[i];
+    const FacadeOpening& source = best_of(best.pattern);
+    opening.outline = moved(source.outline, best.motion);
+    if (!std::isfinite(opening.depth_m)) opening.depth_m = source.depth_m, opening.depth_sigma_m = source.depth_sigma_m;
+    opening.kind = source.kind;
+    opening.residual_m = best.residual_m;
+    mark(i, best.pattern);
+    return 1;
+  }
+
+  void mark(size_t i, size_t pattern) {
+    wall_.openings[i].evidence = Evidence::kCopied;
+    wall_.openings[i].copied_from = static_cast<int32_t>(patterns_[pattern].best);
+    boxes_[i] = box_of(wall_.openings[i].outline);
+    is_member_[i] = true;
+    patterns_[pattern].members.push_back(i);
+  }
+
+  /// The pattern laid onto the border points of an opening, from each way its box can lie in that of the opening.
+  Candidate best_placement(size_t p, size_t i) const {
+    const FacadeOpening& opening = wall_.openings[i];
+    const std::vector<Vec2> form = outline_points(best_of(p).outline), border = thinned_border(opening);
+    const double set_back_m = mean_distance(form, thinned_border(best_of(p)));
+    Candidate best;
+    const Vec2 low = boxes_[i].low - patterns_[p].box.low, high = boxes_[i].high - patterns_[p].box.high;
+    for (int k = 0; k < 9; ++k) {
+      const Vec2 start{low.u + (high.u - low.u) * (k % 3) / 2, low.v + (high.v - low.v) * (k / 3) / 2};
+      const Placement placed = place_on_border(form, set_back_m, border, start, kReach * wall_.spacing_m);
+      const Candidate c = judged(p, i, placed);
+      if (c.signs > best.signs || (c.signs == best.signs && c.signs > 0 && c.residual_m < best.residual_m)) best = c;
+    }
+    return best;
+  }
+
+  std::vector<Vec2> thinned_border(const FacadeOpening& opening) const {
+    const size_t n = opening.border_points.size(), step = n / kMostBorderPoints + 1;
+    std::vector<Vec2> out;
+    for (size_t k = 0; k < n; k += step) out.push_back(opening.border_points[k]);
+    return out;
+  }
+
+  /// Counts the sides that are seen and the lines of the grid that the placement agrees with, and takes from the grid
+  /// what the sides leave open. No signs: not there.
+  Candidate judged(size_t p, size_t i, const Placement& placed) const {
+    const OpeningBox& box = patterns_[p].box;
+    std::array<bool, 4> seen{};
+    for (size_t s = 0; s < 4; ++s) {
+      const double length_m = s == kLeft || s == kRight ? box.height() : box.width();
+      const auto wanted = static_cast<size_t>(kSideSupport * length_m / wall_.spacing_m);
+      seen[s] = placed.sides[s] >= std::max(kLeastSupport, std::min(wanted, kMostBorderPoints / 20));
+    }
+    Candidate out{p, placed.motion, 0, placed.residual_m};
+    if (placed.residual_m > kFit * wall_.spacing_m || !is_of_size(placed, seen)) return out;
+    size_t signs = static_cast<size_t>(std::count(seen.begin(), seen.end(), true));
+    const double reach_m = 2 * grid_reach_m(wall_, setting_);
+    const Vec2 centre = out.motion.point(box.centre());
+    const GridLine* row = grid_.row_near(centre.v, reach_m);
+    const GridLine* column = grid_.column_near(centre.u, reach_m);
+    if (!seen[kLower] && !seen[kUpper]) {
+      if (row == nullptr) return out;
+      out.motion.shift.v += row->at - centre.v;
+    }
+    if (!seen[kLeft] && !seen[kRight]) {
+      if (column == nullptr) return out;
+      out.motion.shift.u += column->at - centre.u;
+    }
+    const bool is_single = patterns_[p].members.size() < 2;
+    if (is_single && (row == nullptr || column == nullptr)) return out;
+    signs += static_cast<size_t>(row != nullptr) + static_cast<size_t>(column != nullptr);
+    if (signs >= (is_single ? kLeastSignsOfOne : kLeastSigns) && is_free(p, out.motion, i)) out.signs = signs;
+    return out;
+  }
+
+  /// Whether the border lies where the form says on every side that is seen, within the tolerance of sizes.
+  bool is_of_size(const Placement& placed, const std::array<bool, 4>& seen) const {
+    for (size_t s = 0; s < 4; ++s) {
+      const double sigma_m = placed.residual_m / std::sqrt(static_cast<double>(std::max<size_t>(1, placed.sides[s])));
+      const double limit_m = std::max(setting_.size_tolerance_m / 2, kSideSigmas * sigma_m);
+      if (seen[s] && std::fabs(placed.offsets_m[s]) > limit_m) return false;
+    }
+    return true;
+  }
+
+  /// 3. Crossings of the grid without an opening.
+  size_t fill_gaps() {
+    size_t copies = 0;
+    for (const GridLine& row : grid_.rows)
+      for (const GridLine& column : grid_.columns) {
+        const size_t p = pattern_for(row, column);
+        if (p == patterns_.size()) continue;
+        const Vec2 centre = patterns_[p].box.centre();
+        const Motion2 motion{centre, Vec2{column.at, row.at} - centre, 0};
+        if (!is_free(p, motion, wall_.openings.size())) continue;
+        FacadeOpening copy = best_of(p);
+        copy.outline = moved(copy.outline, motion);
+        copy.piece = piece_of(copy.outline);
+        copy.coverage = 0;
+        copy.residual_m = std::numeric_limits<double>::quiet_NaN();
+        copy.border_points.clear();
+        copy.joinery_label = 0;
+        wall_.openings.push_back(std::move(copy));
+        boxes_.emplace_back();
+        is_member_.push_back(true);
+        mark(wall_.openings.size() - 1, p);
+        ++copies;
+      }
+    return copies;
+  }
+
+  /// The pattern that most of the row and the column show; it must be in the row, or in the column of a single one.
+  size_t pattern_for(const GridLine& row, const GridLine& column) const {
+    size_t best = patterns_.size(), most = 0;
+    for (size_t p = 0; p < patterns_.size(); ++p) {
+      const auto count = [&](const GridLine& line) {
+        return static_cast<size_t>(std::count_if(line.openings.begin(), line.openings.end(), [&](size_t i) {
+          const auto& members = patterns_[p].members;
+          return std::find(members.begin(), members.end(), i) != members.end();
+        }));
+      };
+      const size_t in_row = count(row), in_column = count(column);
+      const bool fits = in_row > 0 || (row.openings.empty() && in_column > 0);
+      if (fits && in_row + in_column > most) best = p, most = in_row + in_column;
+    }
+    return best;
+  }
+
+  /// The face of the wall that this outline lies in, or their number.
+  uint32_t piece_of(const VectorRing& outline) const {
+    const std::vector<Vec2> form = outline_points(outline);
+    for (size_t k = 0; k < wall_.outlines.size(); ++k) {
+      const std::vector<Vec2> face = outline_points(wall_.outlines[k]);
+      if (std::all_of(form.begin(), form.end(), [&](const Vec2& p) { return contains(face, p); }))
+        return static_cast<uint32_t>(k);
+    }
+    return static_cast<uint32_t>(wall_.outlines.size());
+  }
+
+  /// Whether a copy may stand there instead of opening i (their number: of none): on the wall, apart from all others,
+  /// where no points of the wall lie, and with nothing seen through beside it that the opening would have shown.
+  bool is_free(size_t p, const Motion2& motion, size_t i) const {
+    const VectorRing ring = moved(best_of(p).outline, motion);
+    const OpeningBox box = box_of(ring);
+    for (size_t k = 0; k < boxes_.size(); ++k)
+      if (k != i && box.low.u < boxes_[k].high.u && boxes_[k].low.u < box.high.u && box.low.v < boxes_[k].high.v &&
+          boxes_[k].low.v < box.high.v)
+        return false;
+    if (piece_of(ring) == wall_.outlines.size()) return false;
+    const std::vector<Vec2> form = outline_points(ring);
+    const CellCount cells = count_cells(wall_.map, form, wall_.map.cell_m);
+    if (cells.all() == 0 || cells.share(WallCell::kSolid) > kSolidInside) return false;
+    if (i == wall_.openings.size()) return true;
+    const std::vector<Vec2> hole = outline_points(wall_.openings[i].outline);
+    const auto through = static_cast<size_t>(WallCell::kThrough);
+    const size_t in_hole = count_cells(wall_.map, hole, wall_.map.cell_m).of[through];
+    const size_t beside = in_hole - std::min(in_hole, count_cells(wall_.map, form, 0).of[through]);
+    return static_cast<double>(beside) <= kThroughBeside * static_cast<double>(cells.all());
+  }
+
+  FacadeWall& wall_;
+  const PatternSetting& setting_;
+  std::vector<Pattern> patterns_;
+  std::vector<OpeningBox> boxes_;  ///< of wall_.openings
+  std::vector<bool> is_member_;    ///< of a pattern, or a copy
+  OpeningGrid grid_;
+};
+
+}  // namespace
+
+PatternSetting pattern_setting(const ParamSet& params) {
+  return {params.flag("patterns"), params.number("pattern_tolerance_m"), params.number("pattern_coverage"),
+          params.number("pattern_occupancy")};
+}
+
+size_t complete_patterns(FacadeWall& wall, const PatternSetting& setting) {
+  if (!setting.enabled || wall.openings.size() < 2) return 0;
+  return Completion(wall, setting).run();
+}
+
+}  // namespace jalon
