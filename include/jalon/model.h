@@ -71,6 +71,9 @@ JALON_API JALON_CHECK jalon_status jalon_model_solids(const jalon_model* model, 
  * told), "evidence" (uint8: JALON_EVIDENCE_...). Names and classes: jalon_model_part.
  */
 JALON_API JALON_CHECK jalon_status jalon_model_parts(const jalon_model* model, jalon_fields** out);
+/** CRS text of the vertices (WKT, a URN ...), "" when unknown; that of the cloud it was made from. Lives as long as the
+ * model. */
+JALON_API JALON_CHECK jalon_status jalon_model_crs(const jalon_model* model, const char** out);
 JALON_API JALON_CHECK jalon_status jalon_model_part_count(const jalon_model* model, uint64_t* out);
 /** Part i: its name, its class ("facade", "wall", ...) and its parent (or UINT64_MAX). Each output may be NULL. */
 JALON_API JALON_CHECK jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char** name,

@@ -103,6 +103,14 @@ jalon_status jalon_model_triangles(const jalon_model* model, jalon_fields** out)
   return give_table(model, out, triangle_table);
 }
 
+jalon_status jalon_model_crs(const jalon_model* model, const char** out) {
+  return guard([&] {
+    const Model& m = model_of(model);
+    require(out, "out");
+    *out = m.crs.c_str();
+  });
+}
+
 jalon_status jalon_model_part_count(const jalon_model* model, uint64_t* out) {
   return guard([&] {
     const Model& m = model_of(model);

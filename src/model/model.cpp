@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/model.h"
 
+#include <iterator>
 #include <limits>
 
 #include "base/error.h"
@@ -14,7 +15,20 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<double, 9> kUnknownCovariance{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown,
                                                    kUnknown, kUnknown, kUnknown, kUnknown};
 
+constexpr const char* kEvidenceNames[] = {"none", "measured", "seen_behind", "revealed", "shape", "copied", "derived"};
+
 }  // namespace
+
+const char* name_of(Evidence evidence) {
+  const auto i = static_cast<size_t>(evidence);
+  return i < std::size(kEvidenceNames) ? kEvidenceNames[i] : kEvidenceNames[0];
+}
+
+Evidence evidence_named(std::string_view name) {
+  for (size_t i = 0; i < std::size(kEvidenceNames); ++i)
+    if (name == kEvidenceNames[i]) return static_cast<Evidence>(i);
+  return Evidence::kNone;
+}
 
 size_t Model::add_face(Face face, const std::vector<std::vector<Vec3>>& face_rings) {
   face.first_ring = rings.size();

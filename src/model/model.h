@@ -7,8 +7,10 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/shared_text.h"
 #include "geometry/plane.h"
 #include "geometry/vec.h"
 
@@ -46,6 +48,10 @@ enum class Evidence : uint8_t {
   kDerived = 6,     ///< follows from other parts: a reveal face, the side of an extrusion
 };
 
+/// "measured", "seen_behind", ... ; "none" for kNone. The other way round: kNone for a word that is none of them.
+const char* name_of(Evidence evidence);
+Evidence evidence_named(std::string_view name);
+
 /// Node of the tree of parts: building block -> facade -> wall, opening ...
 struct Part {
   std::string name;
@@ -55,7 +61,7 @@ struct Part {
   double height_m = std::numeric_limits<double>::quiet_NaN();
   double depth_m = std::numeric_limits<double>::quiet_NaN();   ///< behind the plane of its wall, negative in front
   uint64_t copied_from = kNoParent;                            ///< the part it repeats
-  uint8_t level_of_detail = 0;                                 ///< CityGML 3: 2 walls and roofs, 3 with openings; 0 = not told
+  uint8_t level_of_detail = 0;  ///< CityGML 3: 2 walls and roofs, 3 with openings; 0 = not told
   Evidence evidence = Evidence::kNone;
 };
 
@@ -79,6 +85,7 @@ struct Model {
   std::vector<uint32_t> triangle_faces;  ///< id handed on to scanned points, one a triangle
   std::vector<Part> parts;
   std::vector<Solid> solids;
+  SharedText crs;  ///< coordinate reference system of the vertices, as Cloud::crs (WKT, a URN ...); empty: not known
 
   double sagitta(size_t corner) const { return sagittas.empty() ? 0 : sagittas[corner]; }
   /// Appends a face from rings of points; equal vertices are not merged. Returns its index.

@@ -182,6 +182,7 @@ Model model_outlines(const Segmentation& segmentation, const ParamSet& params, T
   Model model;
   if (plane_count(segmentation.segments) == 0) return model;
   const Cloud& cloud = *segmentation.cloud;
+  model.crs = cloud.crs;
   const auto& m = segmentation.T_facade_world.m;
   const Vec3 facade_x{m[0], m[1], m[2]};
   ByLabel by_label;
