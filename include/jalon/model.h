@@ -44,8 +44,8 @@ JALON_API JALON_CHECK jalon_status jalon_model_vertices(const jalon_model* model
  * (float64, m2, openings taken off), "sigma" (float64, m), "covariance" (float64 x 16 of normal and offset).
  */
 JALON_API JALON_CHECK jalon_status jalon_model_faces(const jalon_model* model, jalon_fields** out);
-/** One row a ring: "first", "count" (uint64) in the ring corners, "part" (uint32: the opening that fills this hole of its
- * face, or UINT32_MAX). */
+/** One row a ring: "first", "count" (uint64) in the ring corners, "part" (uint32: the opening that fills this hole of
+ * its face, or UINT32_MAX). */
 JALON_API JALON_CHECK jalon_status jalon_model_rings(const jalon_model* model, jalon_fields** out);
 /**
  * One row a ring corner: "vertex" (uint32), "sagitta" (float64, m: rise of the arc from this corner to the next of its

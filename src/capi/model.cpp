@@ -24,12 +24,10 @@ namespace {
 constexpr uint64_t kMaxElements = std::numeric_limits<uint32_t>::max();  // indices are uint32
 
 // What the table functions do alike.
-jalon_status give_table(const jalon_model* model, jalon_fields** out, FieldTable (*table)(const Model&)) {
-  return guard([&] {
-    require(model, "model");
-    require(out, "out");
-    *out = new_fields(table(*model->model));
-  });
+void give_table(const jalon_model* model, jalon_fields** out, FieldTable (*table)(const Model&)) {
+  require(model, "model");
+  require(out, "out");
+  *out = new_fields(table(*model->model));
 }
 
 const Model& model_of(const jalon_model* model) {
@@ -72,35 +70,35 @@ jalon_model* jalon_model_retain(jalon_model* model) { return retain(model); }
 void jalon_model_release(jalon_model* model) { release(model); }
 
 jalon_status jalon_model_vertices(const jalon_model* model, jalon_fields** out) {
-  return give_table(model, out, vertex_table);
+  return guard([&] { give_table(model, out, vertex_table); });
 }
 
 jalon_status jalon_model_faces(const jalon_model* model, jalon_fields** out) {
-  return give_table(model, out, face_table);
+  return guard([&] { give_table(model, out, face_table); });
 }
 
 jalon_status jalon_model_rings(const jalon_model* model, jalon_fields** out) {
-  return give_table(model, out, ring_table);
+  return guard([&] { give_table(model, out, ring_table); });
 }
 
 jalon_status jalon_model_corners(const jalon_model* model, jalon_fields** out) {
-  return give_table(model, out, corner_table);
+  return guard([&] { give_table(model, out, corner_table); });
 }
 
 jalon_status jalon_model_edges(const jalon_model* model, jalon_fields** out) {
-  return give_table(model, out, edge_table);
+  return guard([&] { give_table(model, out, edge_table); });
 }
 
 jalon_status jalon_model_solids(const jalon_model* model, jalon_fields** out) {
-  return give_table(model, out, solid_table);
+  return guard([&] { give_table(model, out, solid_table); });
 }
 
 jalon_status jalon_model_parts(const jalon_model* model, jalon_fields** out) {
-  return give_table(model, out, part_table);
+  return guard([&] { give_table(model, out, part_table); });
 }
 
 jalon_status jalon_model_triangles(const jalon_model* model, jalon_fields** out) {
-  return give_table(model, out, triangle_table);
+  return guard([&] { give_table(model, out, triangle_table); });
 }
 
 jalon_status jalon_model_crs(const jalon_model* model, const char** out) {

@@ -116,7 +116,8 @@ FieldTable solid_table(const Model& model) {
   add_column<uint32_t>(t, rows, "part", 1, "", "part of the model", [](const Solid& s, uint32_t* o) { *o = s.part; });
   add_column<uint64_t>(t, rows, "first_face", 1, "", "first of its faces",
                        [](const Solid& s, uint64_t* o) { *o = s.first_face; });
-  add_column<uint64_t>(t, rows, "face_count", 1, "", "how many", [](const Solid& s, uint64_t* o) { *o = s.face_count; });
+  add_column<uint64_t>(t, rows, "face_count", 1, "", "how many",
+                       [](const Solid& s, uint64_t* o) { *o = s.face_count; });
   return t;
 }
 
@@ -132,7 +133,8 @@ FieldTable part_table(const Model& model) {
                      [](const Part& p, double* o) { *o = p.depth_m; });
   add_column<uint64_t>(t, rows, "copied_from", 1, "", "part it repeats, or 2^64 - 1",
                        [](const Part& p, uint64_t* o) { *o = p.copied_from; });
-  add_column<uint8_t>(t, rows, "lod", 1, "", "level of detail", [](const Part& p, uint8_t* o) { *o = p.level_of_detail; });
+  add_column<uint8_t>(t, rows, "lod", 1, "", "level of detail",
+                      [](const Part& p, uint8_t* o) { *o = p.level_of_detail; });
   add_column<uint8_t>(t, rows, "evidence", 1, "", "how it is known",
                       [](const Part& p, uint8_t* o) { *o = static_cast<uint8_t>(p.evidence); });
   return t;
@@ -142,7 +144,8 @@ FieldTable triangle_table(const Model& model) {
   FieldTable t;
   add_column<uint32_t>(t, model.triangles, "vertices", 3, "", "corners",
                        [](const auto& v, uint32_t* o) { std::copy(v.begin(), v.end(), o); });
-  add_column<uint32_t>(t, model.triangle_faces, "face", 1, "", "id of the face", [](uint32_t id, uint32_t* o) { *o = id; });
+  add_column<uint32_t>(t, model.triangle_faces, "face", 1, "", "id of the face",
+                       [](uint32_t id, uint32_t* o) { *o = id; });
   return t;
 }
 

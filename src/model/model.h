@@ -60,7 +60,7 @@ struct Part {
   double width_m = std::numeric_limits<double>::quiet_NaN();   ///< of its upright box in the plane of its wall
   double height_m = std::numeric_limits<double>::quiet_NaN();
   double depth_m = std::numeric_limits<double>::quiet_NaN();   ///< behind the plane of its wall, negative in front
-  uint64_t copied_from = kNoParent;                            ///< the part it repeats
+  uint64_t copied_from = kNoParent;  ///< the part it repeats
   uint8_t level_of_detail = 0;  ///< CityGML 3: 2 walls and roofs, 3 with openings; 0 = not told
   Evidence evidence = Evidence::kNone;
 };

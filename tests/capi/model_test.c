@@ -60,9 +60,11 @@ static void mesh__has_one_part_and_tables_of_every_kind(void** state) {
   MUST(jalon_model_part(model, 0, NULL, NULL, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_part(model, 1, &name, &part_class, &parent));
   jalon_status (*const tables[])(const jalon_model*, jalon_fields**) = {jalon_model_faces, jalon_model_rings,
-                                                                        jalon_model_corners};
-  const uint64_t columns[] = {10, 2, 1};
-  for (int i = 0; i < 3; ++i) {
+                                                                        jalon_model_corners, jalon_model_vertices,
+                                                                        jalon_model_edges, jalon_model_solids,
+                                                                        jalon_model_parts};
+  const uint64_t columns[] = {10, 3, 2, 2, 6, 3, 7};
+  for (int i = 0; i < 7; ++i) {
     jalon_fields* fields = NULL;
     MUST(tables[i](model, &fields));
     MUST(jalon_fields_count(fields, &count));
