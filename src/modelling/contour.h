@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,9 +11,16 @@
 
 namespace jalon {
 
+/// Which triangles of the in-plane Delaunay triangulation are surface.
+enum class ContourMode : uint8_t {
+  kAlpha,     ///< those with a small circumscribed circle (Edelsbrunner, Kirkpatrick & Seidel 1983)
+  kLongEdge,  ///< those without a long edge (Boulaassal 2010, 4.2.3, as chains)
+};
+
 struct ContourSetting {
-  double max_edge_m = 0;       ///< triangles with a longer edge are dropped; 0 = edge_factor x spacing
-  double edge_factor = 4;
+  ContourMode mode = ContourMode::kAlpha;
+  double max_edge_m = 0;       ///< widest gap that counts as surface; 0 = from the spacing or the edge lengths
+  double alpha_factor = 2;   ///< largest circumradius in local spacings, when max_edge_m is 0
   double min_area_m2 = 0.1;    ///< of a connected piece, its openings taken off
   double min_opening_area_m2 = 0.1;
   double min_opening_width_m = 0.2;
@@ -31,19 +39,16 @@ struct ContourPiece {
 
 struct Contour {
   double spacing_m = 0;   ///< typical distance of neighbouring points
-  double max_edge_m = 0;  ///< what was used
+  double max_edge_m = 0;  ///< widest gap that counted as surface where the spacing is typical
   std::vector<ContourPiece> pieces;  ///< largest first
 };
 
-/// Typical spacing: sqrt of the area a point, from the distance of the 8th neighbour of up to 1000 sampled points; the
-/// upper quartile of them, so that the sparser parts of the segment count. 0 for fewer than 9 points or when all are
-/// equal.
-double typical_spacing(std::span<const Vec2> points, Task& task);
-
-/// Contour of points in a plane: Delaunay triangulation without the triangles that have a long edge (Boulaassal 2010,
-/// 4.2.2-4.2.3, as amended in the table of failure 5: edges with one triangle, which gives chains). Points deeper than
-/// two raster cells inside take no part, so the cost follows the length of the contour: O(n log n) for the raster, then
-/// about 2 us a border point.
+/// Contour of points in a plane: Delaunay triangulation without the triangles that span gaps (facade-modelling A2-A3,
+/// amended as its failure 5 says: edges with one triangle left, which gives chains). Points deeper than two raster
+/// cells inside take no part, so the cost follows the length of the contour: O(n log n) for the raster, then about 2 us
+/// a border point.
+///
+/// kAlpha lets the gap grow with the local spacing where the points lie up to twice as far apart as is typical.
 Contour extract_contour(std::span<const Vec2> points, const ContourSetting& setting, Task& task);
 
 /// Shorter side of the rectangle with this area and perimeter; of rounder shapes the side of the square.

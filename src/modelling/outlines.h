@@ -13,8 +13,7 @@ namespace jalon {
 
 /// Parameter table of method "outlines".
 std::span<const ParamRow> outlines_rows();
-/// One face with openings per planar segment, straight edges (contour by the in-plane Delaunay triangulation without
-/// long triangles).
+/// The 2D vector model of each planar segment (vectorise), put into space: one face with openings a connected piece.
 Model model_outlines(const Segmentation& segmentation, const ParamSet& params, Task& task);
 
 }  // namespace jalon

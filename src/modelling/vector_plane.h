@@ -33,6 +33,7 @@ struct VectorEdge {
 struct VectorRing {
   std::vector<Vec2> corners;
   std::vector<VectorEdge> edges;
+  std::vector<Vec2> contour;  ///< the points of the segment it was drawn from, the same way round
 };
 
 /// A simple polygon (anticlockwise) with holes (clockwise) that lie inside it and apart from each other.
@@ -49,5 +50,12 @@ struct VectorPlane {
   double max_edge_m = 0;  ///< longest distance that counted as surface
   std::vector<VectorFace> faces;  ///< one a connected piece, largest first
 };
+
+/// Positive when the ring runs anticlockwise; what lies between arcs and their chords counts.
+double signed_area(const VectorRing& ring);
+/// Openings taken off.
+double area(const VectorFace& face);
+/// Corners with points on the arcs between, chords at most chord_error_m from them.
+std::vector<Vec2> flattened(const VectorRing& ring, double chord_error_m);
 
 }  // namespace jalon

@@ -37,7 +37,7 @@ static void modeller__parameters_change_the_model(void** state) {
   MUST(jalon_modeller_create("outlines", &modeller));
   MUST(jalon_modeller_params(modeller, &params));
   MUST(jalon_params_set_double(params, "min_opening_area_m2", 5));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_double(params, "edge_factor", -1));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_double(params, "alpha_factor", -1));
   REFUSED(JALON_ERROR_NOT_FOUND, jalon_params_set_double(params, "no_such_thing", 1));
   jalon_params_release(params);
   jalon_model* model = NULL;

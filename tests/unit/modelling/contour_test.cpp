@@ -12,6 +12,7 @@
 #include "modelling/cell_rows.h"
 #include "modelling/contour.h"
 #include "modelling/plane_frame.h"
+#include "modelling/spacing.h"
 
 using namespace jalon;
 
@@ -49,6 +50,7 @@ TEST_CASE("extract_contour: leaving out inner points changes no ring of the full
       return (p.u > 1 && p.u < 2 && p.v > 1 && p.v < 2) || std::hypot(p.u - 3.5, p.v - 1.5) < 0.6;
     });
     ContourSetting setting;
+    setting.mode = ContourMode::kLongEdge;
     setting.max_edge_m = 0.1;
     const Contour contour = extract_contour(points, setting, task);
     REQUIRE(contour.pieces.size() == 1);

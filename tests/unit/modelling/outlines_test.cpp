@@ -54,7 +54,10 @@ bool same_bits(const Model& a, const Model& b) {
     using T = typename std::decay_t<decltype(x)>::value_type;
     return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
   };
-  if (!equal(a.vertices, b.vertices) || !equal(a.corners, b.corners) || !equal(a.rings, b.rings)) return false;
+  if (!equal(a.vertices, b.vertices) || !equal(a.corners, b.corners) || !equal(a.sagittas, b.sagittas)) return false;
+  if (a.rings.size() != b.rings.size()) return false;
+  for (size_t i = 0; i < a.rings.size(); ++i)
+    if (a.rings[i].first != b.rings[i].first || a.rings[i].count != b.rings[i].count) return false;
   if (a.faces.size() != b.faces.size()) return false;
   for (size_t i = 0; i < a.faces.size(); ++i)
     if (a.faces[i].id != b.faces[i].id || a.faces[i].area_m2 != b.faces[i].area_m2 ||
