@@ -3,17 +3,18 @@
 #include "report/elevation_legend.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "base/text_number.h"
-#include "report/ticks.h"
+#include "model/part_classes.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kText = 2.5, kRow = 5;
+using Sign = LegendItem::Sign;
+
+constexpr double kText = 2.5, kRow = 4.6, kSwatch = 7, kSwatchHeight = 3.4;
+constexpr const char* kEdgeOn = "#5b4a9c";
 
 std::string depth_text(double depth_m) {
   const std::string number = text_of(depth_m, 2);
@@ -26,111 +27,136 @@ std::string group_text(const DepthGroup& group) {
   return (from == to ? from : from + " to " + to) + (group.faces > 1 ? " (" + std::to_string(group.faces) + ")" : "");
 }
 
-void cell(SvgWriter& svg, const Box_mm& box, std::string_view name, std::string_view text, double size) {
-  svg.leaf("rect", {{"x", box.x},
-                    {"y", box.y},
-                    {"width", box.width},
-                    {"height", box.height},
-                    {"fill", "none"},
-                    {"stroke", kInk},
-                    {"stroke-width", 0.18}});
-  svg_text(svg, {box.x + 1.5, box.y + 2.6}, 1.8, Anchor::kStart, name, false, false, kGrey);
-  svg_text(svg, {box.x + 1.5, box.bottom() - 1.8}, size, Anchor::kStart, fitted_text(text, size, box.width - 3),
-           size > 3);
+void add_depths(std::vector<LegendItem>& items, const ElevationFaces& faces, const ElevationSetting& setting) {
+  if (faces.groups.empty() || setting.colours == ElevationColours::kNone) return;
+  items.push_back({Sign::kHeading, "", "Depth from main plane (m)", "", ""});
+  items.push_back({Sign::kNote, "", "+ behind, - in front; (n) faces", "", ""});
+  for (size_t i = 0; i < faces.groups.size(); ++i)
+    items.push_back({Sign::kSwatch, group_colour(faces, i, setting.colours), group_text(faces.groups[i]), "", ""});
+  items.push_back({Sign::kGap, "", "", "", ""});
+}
+
+void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces, const ElevationSetting& setting) {
+  const auto add = [&](bool occurs, Sign sign, const std::string& colour, const char* text) {
+    if (occurs) items.push_back({sign, colour, text, "", ""});
+  };
+  const auto any_face = [&](auto test) { return std::any_of(faces.faces.begin(), faces.faces.end(), test); };
+  const auto any_opening = [&](auto test) {
+    return std::any_of(faces.openings.begin(), faces.openings.end(),
+                       [&](const DrawnOpening& o) { return test(o, faces.list.rows[o.row]); });
+  };
+  const auto has_class = [&](const char* c) {
+    return faces.has_named_openings &&
+           any_opening([&](const DrawnOpening&, const OpeningRow& r) { return r.part_class == c; });
+  };
+  add(has_class(part_class::kWindow), Sign::kLine, opening_colour(part_class::kWindow), "window");
+  add(has_class(part_class::kDoor), Sign::kLine, opening_colour(part_class::kDoor), "door");
+  add(has_class(part_class::kOpening), Sign::kLine, opening_colour(part_class::kOpening), "other opening");
+  add(any_opening([](const DrawnOpening&, const OpeningRow& r) { return r.is_copy(); }) ||
+          any_face([](const DrawnFace& f) { return f.is_copy; }),
+      Sign::kDashes, kInk, "copied: not measured here");
+  add(any_opening([](const DrawnOpening& o, const OpeningRow&) { return o.is_empty; }), Sign::kCross, kGrey,
+      "nothing seen in it");
+  add(any_face([](const DrawnFace& f) {
+        return f.kind == DrawnFace::Kind::kEdgeOn && f.role != DrawnFace::Role::kGround;
+      }),
+      Sign::kLine, kEdgeOn, "plane seen edge-on");
+  add(any_face([](const DrawnFace& f) {
+        return f.kind == DrawnFace::Kind::kEdgeOn && f.role == DrawnFace::Role::kGround;
+      }),
+      Sign::kLine, kInk, "ground");
+  add(any_face([](const DrawnFace& f) { return f.kind == DrawnFace::Kind::kSlanted; }), Sign::kSwatch,
+      "url(#slanted" + setting.id + ")", "inclined plane");
+  add(!faces.unknown.empty() || any_face([](const DrawnFace& f) { return f.role == DrawnFace::Role::kNoData; }),
+      Sign::kSwatch, "url(#unknown" + setting.id + ")", "no data");
+}
+
+void add_types(std::vector<LegendItem>& items, const ElevationFaces& faces) {
+  if (!faces.has_named_openings) return;
+  items.push_back({Sign::kGap, "", "", "", ""});
+  items.push_back({Sign::kHeading, "", "Openings", "", ""});
+  items.push_back({Sign::kNote, "", "width x height (m), number", "", ""});
+  std::vector<size_t> shown(faces.list.types.size());
+  for (const DrawnOpening& opening : faces.openings) ++shown[faces.list.rows[opening.row].type];
+  for (size_t i = 0; i < shown.size(); ++i) {
+    const OpeningType& type = faces.list.types[i];
+    if (shown[i] == 0) continue;
+    items.push_back({Sign::kType, opening_colour(type.part_class),
+                     text_of(type.width_m, 2) + " x " + text_of(type.height_m, 2) + (type.arched ? " arch" : ""),
+                     type.tag, std::to_string(shown[i])});
+  }
+}
+
+double height_of(const LegendItem& item) {
+  return item.sign == Sign::kGap ? 2.5 : item.sign == Sign::kNote ? 4.4 : kRow;
+}
+
+void draw_sign(SvgWriter& svg, const LegendItem& item, double x, double y) {
+  const double middle = y + kSwatchHeight / 2;
+  switch (item.sign) {
+    case Sign::kSwatch:
+    case Sign::kCross:
+      svg.leaf("rect", {{"x", x}, {"y", y}, {"width", kSwatch}, {"height", kSwatchHeight},
+                        {"fill", item.sign == Sign::kCross ? "#ffffff" : item.colour}, {"stroke", kInk},
+                        {"stroke-width", 0.18}});
+      if (item.sign == Sign::kSwatch) break;
+      svg_line(svg, {x, y}, {x + kSwatch, y + kSwatchHeight}, kGrey, 0.13);
+      svg_line(svg, {x, y + kSwatchHeight}, {x + kSwatch, y}, kGrey, 0.13);
+      break;
+    case Sign::kLine:
+    case Sign::kDashes:
+      svg.leaf("line", {{"x1", x}, {"y1", middle}, {"x2", x + kSwatch}, {"y2", middle}, {"stroke", item.colour},
+                        {"stroke-width", 0.4}, {"stroke-dasharray", item.sign == Sign::kDashes ? "1.4 0.8" : "none"}});
+      break;
+    default: break;
+  }
+}
+
+void draw_item(SvgWriter& svg, const LegendItem& item, double x, double y, double width) {
+  const double base = y + 2.6;
+  switch (item.sign) {
+    case Sign::kGap: return;
+    case Sign::kHeading: return svg_text(svg, {x, base}, 2.8, Anchor::kStart, item.text, true);
+    case Sign::kNote: return svg_text(svg, {x, y + 1.6}, 2, Anchor::kStart, item.text, false, false, kGrey);
+    case Sign::kType:
+      svg_text(svg, {x, base}, kText, Anchor::kStart, item.tag, true, false, item.colour.c_str());
+      svg_text(svg, {x + kSwatch + 2, base}, kText, Anchor::kStart, item.text);
+      return svg_text(svg, {x + width, base}, kText, Anchor::kEnd, item.count);
+    default: break;
+  }
+  draw_sign(svg, item, x, y);
+  svg_text(svg, {x + kSwatch + 2, base}, kText, Anchor::kStart, item.text);
 }
 
 }  // namespace
 
-void draw_legend(SvgWriter& svg, const ElevationFaces& faces, const Sheet& sheet) {
-  const double x = sheet.legend.x + 3, swatch = 7;
-  double y = sheet.legend.y + 8;
-  if (!faces.groups.empty()) {
-    svg_text(svg, {x, y}, 2.8, Anchor::kStart, "Depth from main plane (m)", true);
-    svg_text(svg, {x, y + 3.6}, 2, Anchor::kStart, "+ behind, - in front; (n) faces", false, false, kGrey);
-    y += 6.5;
-  }
-  for (size_t i = 0; i < faces.groups.size(); ++i, y += kRow) {
-    svg.leaf("rect", {{"x", x},
-                      {"y", y},
-                      {"width", swatch},
-                      {"height", 3.6},
-                      {"fill", depth_colour(i, faces.groups.size())},
-                      {"stroke", kInk},
-                      {"stroke-width", 0.18}});
-    svg_text(svg, {x + swatch + 2, y + 2.8}, kText, Anchor::kStart, group_text(faces.groups[i]));
-  }
-  const auto has = [&](DrawnFace::Kind kind) {
-    return std::any_of(faces.faces.begin(), faces.faces.end(), [&](const DrawnFace& f) { return f.kind == kind; });
-  };
-  y += 3;
-  if (has(DrawnFace::Kind::kEdgeOn)) {
-    svg_line(svg, {x, y + 1.8}, {x + swatch, y + 1.8}, "#b3472f", 0.35);
-    svg_text(svg, {x + swatch + 2, y + 2.7}, kText, Anchor::kStart, "plane seen edge-on");
-    y += kRow;
-  }
-  if (has(DrawnFace::Kind::kSlanted)) {
-    svg.leaf("rect", {{"x", x},
-                      {"y", y},
-                      {"width", swatch},
-                      {"height", 3.6},
-                      {"fill", "url(#slanted)"},
-                      {"stroke", kGrey},
-                      {"stroke-width", 0.18}});
-    svg_text(svg, {x + swatch + 2, y + 2.8}, kText, Anchor::kStart, "inclined plane");
-    y += kRow;
-  }
-  svg.leaf("rect", {{"x", x},
-                    {"y", y},
-                    {"width", swatch},
-                    {"height", 3.6},
-                    {"fill", "#ffffff"},
-                    {"stroke", kInk},
-                    {"stroke-width", 0.25}});
-  svg_text(svg, {x + swatch + 2, y + 2.8}, kText, Anchor::kStart, "opening or no points");
+std::vector<LegendItem> legend_items(const ElevationFaces& faces, const ElevationSetting& setting) {
+  std::vector<LegendItem> items;
+  if (faces.empty) return items;
+  add_depths(items, faces, setting);
+  add_signs(items, faces, setting);
+  add_types(items, faces);
+  return items;
 }
 
-void draw_scale_bar(SvgWriter& svg, const Sheet& sheet) {
-  // Four to five fields of a round length, together about 60 mm.
-  const double field_m = round_up_125(60.0 / 5 / sheet.mm_of(1)), field = sheet.mm_of(field_m);
-  const int fields = std::clamp(static_cast<int>(66 / field), 2, 5);
-  const double x = sheet.strip.x + 10, height = 2;
-  const double y = sheet.strip.y + (sheet.frame.width > 0 ? 17 : 2);
-  const int decimals = make_ticks(0, field_m, field_m).decimals;
-  for (int i = 0; i < fields; ++i)
-    svg.leaf("rect", {{"x", x + i * field},
-                      {"y", y},
-                      {"width", field},
-                      {"height", height},
-                      {"fill", i % 2 == 0 ? kInk : "#ffffff"},
-                      {"stroke", kInk},
-                      {"stroke-width", 0.18}});
-  for (int i = 0; i <= fields; ++i)
-    svg_text(svg, {x + i * field, y + height + 3.2}, kText, Anchor::kMiddle, text_of(i * field_m, decimals));
-  svg_text(svg, {x + fields * field + 4, y + height + 3.2}, kText, Anchor::kStart, "m");
-  if (sheet.frame.width > 0)
-    svg_text(svg, {x, y - 3}, 3, Anchor::kStart, "Scale 1:" + std::to_string(sheet.denominator), true);
+double legend_height(const std::vector<LegendItem>& items) {
+  double sum = 8;
+  for (const LegendItem& item : items) sum += height_of(item);
+  return sum;
 }
 
-void draw_title_block(SvgWriter& svg, const ElevationFaces& faces, const Sheet& sheet,
-                      const ElevationSetting& setting) {
-  const double width = std::min(150.0, sheet.strip.width * 0.6), x = sheet.strip.right() - width, y = sheet.strip.y;
-  const double half = width / 2, third = width / 3, row = sheet.strip.height / 3;
-  // Rounded as shown, so that a hair below north is 0.0 and not 360.0.
-  double azimuth = std::round(setting.view_azimuth_rad * 1800 / std::numbers::pi) / 10;
-  if (azimuth < 0) azimuth += 360;
-  svg_line(svg, {sheet.strip.x, y}, {sheet.strip.right(), y}, kInk, 0.35);
-  cell(svg, {x, y, width, row}, "Title", setting.title, 4.2);
-  cell(svg, {x, y + row, half, row}, "Contents",
-       "Elevation from " + grouped(setting.points) + " points, " + grouped(setting.planes) + " planes", 2.3);
-  cell(svg, {x + half, y + row, half, row}, "Left lower corner of the drawing, main plane: X, Y, Z (m)",
-       text_of(faces.corner_world.x, 3) + ", " + text_of(faces.corner_world.y, 3) + ", " +
-           text_of(faces.corner_world.z, 3),
-       2.3);
-  cell(svg, {x, y + 2 * row, third, row}, "Scale", "1:" + std::to_string(sheet.denominator) + "  (" + sheet.paper + ")",
-       3.2);
-  cell(svg, {x + third, y + 2 * row, third, row}, "Direction of view, from +Y clockwise",
-       text_of(azimuth, 1) + "\xC2\xB0", 2.6);
-  cell(svg, {x + 2 * third, y + 2 * row, third, row}, "Units; drawn by", "metres; Jalon", 2.6);
+void draw_legend(SvgWriter& svg, const std::vector<LegendItem>& items, const Sheet& sheet) {
+  const double x = sheet.legend.x + 3, width = sheet.legend.width - 6;
+  double y = sheet.legend.y + 5;
+  for (size_t i = 0; i < items.size(); ++i) {
+    const bool is_last = i + 1 == items.size();
+    if (y + kRow * (is_last ? 1 : 2) > sheet.legend.bottom()) {
+      svg_text(svg, {x, y + 2.6}, kText, Anchor::kStart, "and " + std::to_string(items.size() - i) + " more lines");
+      return;
+    }
+    draw_item(svg, items[i], x, y, width);
+    y += height_of(items[i]);
+  }
 }
 
 }  // namespace jalon

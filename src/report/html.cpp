@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "base/json_reader.h"
 #include "base/json_writer.h"
 #include "base/text_number.h"
-#include "formats/svg_writer.h"
+#include "report/elevation_view.h"
+#include "report/html_model.h"
 #include "report/notes.h"
 #include "report/orientation_name.h"
 #include "report/picture.h"
@@ -21,6 +23,8 @@ constexpr ParamRow kReportRows[] = {
     bool_row("drawing", true, "", "With the elevation drawing, when there is a model"),
     bool_row("picture", true, "", "With a front view of the points in the colours of their segments"),
 };
+
+constexpr size_t kMostDrawings = 24;  // of single facades: a page that still opens at once
 
 // Dark on white, one column, prints without surprises. No scripts, no fonts or pictures from elsewhere.
 constexpr const char* kStyle =
@@ -39,31 +43,6 @@ constexpr const char* kStyle =
     "svg{width:100%;height:auto;max-height:60rem}"
     ".note{color:#555;font-size:.85rem}"
     "@media print{body{margin:0;max-width:none}h2{break-after:avoid}tr,svg{break-inside:avoid}}";
-
-class Page {
- public:
-  void heading(std::string_view text) { svg_.element("h2", {}, text); }
-  void note(std::string_view text) { svg_.element("p", {{"class", "note"}}, text); }
-  // Text from outside stands in <bdi>, so that marks for writing direction stay inside.
-  void foreign(const char* tag, std::string_view text) { svg_.open(tag).element("bdi", {}, text).close(); }
-  void number(std::string_view text) { svg_.element("td", {{"class", "n"}}, text); }
-  SvgWriter& html() { return svg_; }
-
- private:
-  SvgWriter svg_;
-};
-
-void add_pairs(Page& page, const std::vector<std::pair<std::string, std::string>>& pairs) {
-  auto& html = page.html();
-  html.open("table").open("tbody");
-  for (const auto& [name, value] : pairs) {
-    html.open("tr");
-    page.foreign("th", name);
-    page.foreign("td", value);
-    html.close();
-  }
-  html.close().close();
-}
 
 uint64_t labelled(const Segmentation& segmentation) {
   uint64_t n = 0;
@@ -130,11 +109,8 @@ void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
   page.heading("Planes");
   auto& html = page.html();
   if (plane_count(segmentation.segments) == 0) return page.note("No plane was found.");
-  html.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
-  for (const char* name : {"No", "orientation", "size (m)", "area (m\xC2\xB2)", "normal", "offset (m)", "\xCF\x83 (mm)",
-                           "points"})
-    html.element("th", {}, name);
-  html.close().close().open("tbody");
+  page.open_table({"No", "orientation", "size (m)", "area (m\xC2\xB2)", "normal", "offset (m)", "\xCF\x83 (mm)",
+                   "points"});
   for (size_t i = 0; i < segmentation.segments.size(); ++i) {
     if (i % 256 == 0) task.checkpoint(0);
     const Segment& s = segmentation.segments[i];
@@ -151,7 +127,7 @@ void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
     page.number(std::to_string(s.fit.n));
     html.close();
   }
-  html.close().close().close();
+  page.close_table();
   page.note("normal . p = offset for a point p of the plane. Orientation is relative to the main facade. "
             "\xCF\x83 is the standard "
             "deviation of the points from their plane.");
@@ -161,11 +137,8 @@ void add_curved(Page& page, const Segmentation& segmentation, Task& task) {
   if (plane_count(segmentation.segments) == segmentation.segments.size()) return;
   page.heading("Spheres and cylinders");
   auto& html = page.html();
-  html.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
-  for (const char* name : {"No", "type", "radius (m)", "\xCF\x83 radius (mm)", "centre or axis point (m)", "axis",
-                           "length (m)", "area (m\xC2\xB2)", "\xCF\x83 (mm)", "points"})
-    html.element("th", {}, name);
-  html.close().close().open("tbody");
+  page.open_table({"No", "type", "radius (m)", "\xCF\x83 radius (mm)", "centre or axis point (m)", "axis",
+                   "length (m)", "area (m\xC2\xB2)", "\xCF\x83 (mm)", "points"});
   for (size_t i = 0; i < segmentation.segments.size(); ++i) {
     if (i % 256 == 0) task.checkpoint(0);
     const Segment& s = segmentation.segments[i];
@@ -186,19 +159,25 @@ void add_curved(Page& page, const Segmentation& segmentation, Task& task) {
     page.number(std::to_string(s.point_count()));
     html.close();
   }
-  html.close().close().close();
+  page.close_table();
   page.note("The axis point is the one at mid height. \xCF\x83 radius is the standard deviation of the radius, "
             "\xCF\x83 that of the points from their surface.");
 }
 
-void add_drawing(Page& page, const Segmentation& segmentation, const Model& model, const Notes& notes, Task& task) {
-  page.heading("Elevation");
+// The whole model, then each facade alone where there are several.
+void add_drawings(Page& page, const Segmentation& segmentation, const Model& model, const Notes& notes, Task& task) {
+  const size_t facades = std::min(facade_parts(model).size(), kMostDrawings);
+  page.heading(facades > 1 ? "Elevations" : "Elevation");
   ParamSet options("elevation", elevation_rows());
   options.set_text("title", notes.title);
   options.set_bool("outlines_only", true);
   page.html().raw(elevation_svg(segmentation, model, options, task));
-  page.note("The numbers are those of the table of planes. A drawing to scale for printing is written as "
-            "elevation.svg.");
+  for (size_t k = 1; facades > 1 && k <= facades; ++k) {
+    options.set_integer("facade", static_cast<int64_t>(k));
+    page.html().raw(elevation_svg(segmentation, model, options, task));
+  }
+  page.note("Numbers on planes are those of the table of planes, W1, D1 ... types of openings of their table. Drawings "
+            "to scale for printing are the files elevation*.svg.");
 }
 
 void add_picture(Page& page, const Segmentation& segmentation, Task& task) {
@@ -237,10 +216,14 @@ std::string report_html(const Segmentation& segmentation, const Model& model, st
   html.open("style").raw(kStyle).close();
   html.close().open("body");
   add_summary(page, segmentation, notes, residuals);
-  if (options.flag("drawing") && !model.faces.empty()) add_drawing(page, segmentation, model, notes, task);
+  if (options.flag("drawing") && !model.faces.empty()) add_drawings(page, segmentation, model, notes, task);
   if (options.flag("picture")) add_picture(page, segmentation, task);
+  const OpeningList openings = list_openings(model, kTypeTolerance_m);
+  add_openings(page, model, openings);
   add_planes(page, segmentation, task);
   add_curved(page, segmentation, task);
+  add_precision(page, segmentation, notes, task);
+  add_parts(page, model);
   add_residuals(page, residuals);
   add_input(page, segmentation, notes);
   add_parameters(page, segmentation);

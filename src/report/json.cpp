@@ -5,7 +5,9 @@
 
 #include "base/json_reader.h"
 #include "base/json_writer.h"
+#include "report/json_model.h"
 #include "report/notes.h"
+#include "report/opening_precision.h"
 #include "report/orientation_name.h"
 #include "report/report.h"
 #include "segment/residuals.h"
@@ -46,6 +48,9 @@ void write_plane(JsonWriter& json, const Segment& s) {
   json.name("offset_m").value(s.fit.plane.offset);
   write_vector(json, "centroid", s.fit.centroid);
   json.name("sigma_m").value(s.fit.sigma);
+  const PlanePrecision precision = plane_precision(s.fit);
+  json.name("sigma_normal_rad").value(precision.sigma_normal_rad);
+  json.name("sigma_offset_m").value(precision.sigma_offset_m);
   json.end_object();
 }
 
@@ -108,6 +113,7 @@ std::string report_json(const Segmentation& segmentation, const Model& model, st
   json.name("points").value(segmentation.cloud->size());
   json.name("crs").value(segmentation.cloud->crs.str());
   write_pairs(json, "input", notes.input);
+  write_pairs(json, "precision", notes.precision);
   write_pairs(json, "times_s", notes.times_s);
   json.name("parameters").value(read_json(parameters.empty() ? "{}" : std::string_view(parameters))[0]);
   write_array(json, "T_facade_world", segmentation.T_facade_world.m);
@@ -120,6 +126,7 @@ std::string report_json(const Segmentation& segmentation, const Model& model, st
   json.name("faces").begin_array();
   for (const Face& face : model.faces) write_face(json, face);
   json.end_array();
+  write_model_parts(json, model);
   json.name("residuals");
   write_residuals(json, bin_residuals(segmentation, 0, kBins, task));
   return json.end_object().take() + "\n";

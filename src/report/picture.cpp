@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "base/text_number.h"
-#include "report/elevation_legend.h"
 #include "report/label_colours.h"
 #include "report/label_numbers.h"
 #include "report/svg_parts.h"
 #include "report/ticks.h"
+#include "report/title_block.h"
 
 namespace jalon {
 

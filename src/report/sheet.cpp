@@ -8,8 +8,6 @@ namespace jalon {
 
 namespace {
 
-// Room around the window: tick labels and axis names left and below, dimension lines above and to the right.
-constexpr double kLeft = 17, kBelow = 14, kAbove = 12, kRight = 11;
 constexpr double kMargin = 8, kStrip = 30, kLegend = 50;
 constexpr double kFigureWidth = 170;
 
@@ -28,32 +26,38 @@ int64_t usual_scale(int i) {
 }
 constexpr int kScales = 4 * 10;
 
-Box_mm free_box(double width, double height) {
-  const double left = kMargin + kLeft, top = kMargin + kAbove;
-  return {left, top, width - left - kRight - kLegend - kMargin, height - top - kBelow - kStrip - kMargin};
+Box_mm free_box(double width, double height, const Margins_mm& m) {
+  const double left = kMargin + m.left, top = kMargin + m.above;
+  return {left, top, width - left - m.right - kLegend - kMargin, height - top - m.below - kStrip - kMargin};
 }
 
-bool fits(const Paper& paper, double width_m, double height_m, int64_t denominator) {
-  const Box_mm box = free_box(paper.width, paper.height);
+// What the drawing asks of a sheet.
+struct Need {
+  double width_m, height_m;
+  Margins_mm margins;
+};
+
+bool fits(const Paper& paper, const Need& need, int64_t denominator) {
+  const Box_mm box = free_box(paper.width, paper.height, need.margins);
   const double mm = 1000 / static_cast<double>(denominator);
-  return width_m * mm <= box.width && height_m * mm <= box.height;
+  return need.width_m * mm <= box.width && need.height_m * mm <= box.height;
 }
 
-int64_t largest_scale(const Paper& paper, double width_m, double height_m) {
+int64_t largest_scale(const Paper& paper, const Need& need) {
   for (int i = 0; i < kScales; ++i)
-    if (fits(paper, width_m, height_m, usual_scale(i))) return usual_scale(i);
+    if (fits(paper, need, usual_scale(i))) return usual_scale(i);
   return usual_scale(kScales - 1);
 }
 
-Sheet place(double width, double height, const char* name, int64_t denominator, double width_m, double height_m) {
+Sheet place(double width, double height, const char* name, int64_t denominator, const Need& need) {
   Sheet s;
   s.paper = name;
   s.denominator = denominator;
   s.width = width;
   s.height = height;
   s.frame = {kMargin, kMargin, width - 2 * kMargin, height - 2 * kMargin};
-  const Box_mm room = free_box(width, height);
-  s.view = {0, 0, s.mm_of(width_m), s.mm_of(height_m)};
+  const Box_mm room = free_box(width, height, need.margins);
+  s.view = {0, 0, s.mm_of(need.width_m), s.mm_of(need.height_m)};
   s.view.x = room.x + std::max(0.0, (room.width - s.view.width) / 2);
   s.view.y = room.y + std::max(0.0, (room.height - s.view.height) / 2);
   s.legend = {s.frame.right() - kLegend, s.frame.y, kLegend, s.frame.height - kStrip};
@@ -63,38 +67,38 @@ Sheet place(double width, double height, const char* name, int64_t denominator, 
 
 }  // namespace
 
-Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, int64_t denominator) {
+Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, int64_t denominator,
+                    const Margins_mm& margins) {
+  const Need need{width_m, height_m, margins};
   const Paper* first = &kPapers[0];
   const Paper* last = &kPapers[4];
   for (const Paper& p : kPapers)
     if (paper == p.name) first = last = &p;
   if (denominator == 0) {
     if (first != last) last = &kPapers[1];  // what an office printer takes
-    denominator = largest_scale(*last, width_m, height_m);
+    denominator = largest_scale(*last, need);
   }
   for (const Paper* p = first; p <= last; ++p)
-    if (fits(*p, width_m, height_m, denominator))
-      return place(p->width, p->height, p->name, denominator, width_m, height_m);
+    if (fits(*p, need, denominator)) return place(p->width, p->height, p->name, denominator, need);
   // No such paper: one of its own size (a roll), so that the scale asked for holds.
   const double mm = 1000 / static_cast<double>(denominator);
-  const Box_mm none = free_box(0, 0);
+  const Box_mm none = free_box(0, 0, margins);
   const double width = std::max(last->width, width_m * mm - none.width);
   const double height = std::max(last->height, height_m * mm - none.height);
-  return place(width, height, "own size", denominator, width_m, height_m);
+  return place(width, height, "own size", denominator, need);
 }
 
-Sheet lay_out_figure(double width_m, double height_m) {
+Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins, double legend_height) {
   Sheet s;
   s.denominator = 1;
   for (int i = 0; i < kScales; ++i) {
     s.denominator = usual_scale(i);
     if (s.mm_of(width_m) <= kFigureWidth && s.mm_of(height_m) <= kFigureWidth) break;
   }
-  s.view = {kLeft, kAbove, s.mm_of(width_m), s.mm_of(height_m)};
-  const double legend_height = 75;
-  s.width = s.view.right() + kRight + kLegend;
-  s.height = std::max(s.view.bottom() + kBelow, legend_height) + 12;
-  s.legend = {s.view.right() + kRight, 0, kLegend, s.height};
+  s.view = {margins.left, margins.above, s.mm_of(width_m), s.mm_of(height_m)};
+  s.width = s.view.right() + margins.right + kLegend;
+  s.height = std::max(s.view.bottom() + margins.below, legend_height) + 12;
+  s.legend = {s.view.right() + margins.right, 0, kLegend, s.height};
   s.strip = {0, s.height - 12, s.width, 12};
   return s;
 }

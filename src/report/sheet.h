@@ -24,12 +24,19 @@ struct Sheet {
   double mm_of(double metres) const { return metres * 1000 / static_cast<double>(denominator); }
 };
 
+/// Room around the window: tick labels and axis names left and below, dimension lines above and to the right.
+struct Margins_mm {
+  double left = 17, below = 14, above = 12, right = 11;
+};
+
 /// The sheet for a window of width x height metres. paper: "auto", "A4" ... "A0"; denominator 0 = the largest usual
 /// scale that fits (auto: on A3, and then A4 if it fits there too). A scale that is asked for and fits no paper gives a
 /// sheet of its own size.
-Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, int64_t denominator);
+Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, int64_t denominator,
+                    const Margins_mm& margins = {});
 
 /// The same without border and title block, as small as its content: at most about 250 mm wide.
-Sheet lay_out_figure(double width_m, double height_m);
+/// legend_height: room that the legend needs, mm.
+Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins = {}, double legend_height = 75);
 
 }  // namespace jalon

@@ -75,7 +75,7 @@ TEST_CASE("elevation: millimetres on paper follow the scale") {
     // The first face drawn is the one behind; the last filled path is the wall. Its outline is 10 m wide.
     double low = INFINITY, high = -INFINITY;
     for (const auto& tag : tags)
-      if (tag.name == "path")
+      if (tag.name == "path" && tag.attribute("class") == "face")
         for (const double x : markup::path_x(tag.attribute("d"))) {
           low = std::min(low, x);
           high = std::max(high, x);

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "report/opening_precision.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/face_rings.h"
+
+namespace jalon {
+
+namespace {
+
+// Corners this near to a side of the box hold it.
+constexpr double kOnSide_m = 0.002;
+
+// Variance of a vertex along a unit direction.
+double variance_along(const Model& model, uint32_t vertex, const Vec3& d) {
+  const auto& c = model.vertex_covariances[vertex];
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) sum += d[i] * c[static_cast<size_t>(3 * i + k)] * d[k];
+  return sum;
+}
+
+struct Corner {
+  Vec2 at;
+  uint32_t vertex;
+};
+
+// Of the corners farthest along d (times sign): mean of their variances along it.
+double side_variance(const Model& model, const std::vector<Corner>& corners, const Vec3& axis, const Vec2& d) {
+  double most = -INFINITY;
+  for (const Corner& c : corners) most = std::max(most, dot(c.at, d));
+  double sum = 0;
+  size_t n = 0;
+  for (const Corner& c : corners) {
+    if (dot(c.at, d) < most - kOnSide_m) continue;
+    sum += variance_along(model, c.vertex, axis);
+    ++n;
+  }
+  return sum / static_cast<double>(n);
+}
+
+void set_box_precision(OpeningRow& row, const Model& model) {
+  const Face& face = model.faces[row.contour.front().face];
+  const PlaneFrame frame = frame_of(model, face);
+  std::vector<Corner> corners;
+  for (const FaceRing& at : row.contour) {
+    const Ring& ring = model.rings[at.ring];
+    for (uint64_t i = 0; i < ring.count; ++i) {
+      const uint32_t vertex = model.corners[ring.first + i];
+      corners.push_back({frame.project(model.vertices[vertex]), vertex});
+    }
+  }
+  const auto sigma_across = [&](const Vec3& axis, const Vec2& d) {
+    return std::sqrt(side_variance(model, corners, axis, d) + side_variance(model, corners, axis, d * -1.0));
+  };
+  row.sigma_width_m = sigma_across(frame.axis_u, {1, 0});
+  row.sigma_height_m = sigma_across(frame.axis_v, {0, 1});
+}
+
+bool has_covariance(const Face& face) {
+  return std::any_of(face.covariance.begin(), face.covariance.end(), [](double c) { return c != 0; });
+}
+
+// Joinery is the face behind the wall, not the outline itself.
+void set_depth_precision(OpeningRow& row, const Model& model) {
+  const Face& wall = model.faces[row.contour.front().face];
+  const Ring& ring = model.rings[row.contour.front().ring];
+  if (row.joinery.empty() || ring.count == 0) return;
+  const Face& pane = model.faces[row.joinery.front()];
+  if (&pane == &wall || !has_covariance(wall) || !has_covariance(pane)) return;
+  Vec3 middle;
+  for (uint64_t i = 0; i < ring.count; ++i)
+    middle += model.vertices[model.corners[ring.first + i]] / static_cast<double>(ring.count);
+  row.sigma_depth_m = std::hypot(sigma_at(wall.covariance, middle), sigma_at(pane.covariance, middle));
+}
+
+}  // namespace
+
+double sigma_at(const std::array<double, 16>& covariance, const Vec3& p) {
+  const double g[4] = {p.x, p.y, p.z, -1};  // distance = normal . p - offset
+  double sum = 0;
+  for (size_t i = 0; i < 4; ++i)
+    for (size_t k = 0; k < 4; ++k) sum += g[i] * covariance[4 * i + k] * g[k];
+  return std::sqrt(std::max(sum, 0.0));
+}
+
+void set_precision(OpeningRow& row, const Model& model) {
+  if (row.contour.empty()) return;
+  if (!model.vertex_covariances.empty()) set_box_precision(row, model);
+  set_depth_precision(row, model);
+}
+
+PlanePrecision plane_precision(const PlaneFit& fit) {
+  const Symmetric3& c = fit.local_covariance;  // of (alpha, beta, gamma): xx xy xz yy yz zz
+  const double mean = (c[0] + c[3]) / 2, spread = std::hypot((c[0] - c[3]) / 2, c[1]);
+  return {std::sqrt(std::max(mean + spread, 0.0)), std::sqrt(std::max(c[5], 0.0))};
+}
+
+}  // namespace jalon
