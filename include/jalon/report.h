@@ -11,8 +11,18 @@
 
 JALON_BEGIN_C
 
-/** Elevation drawing as SVG: the faces parallel to the facade seen from the front, to scale, axes in metres, a scale
- * bar. Operation "elevation". */
+/**
+ * Elevation drawing as SVG, a sheet to print at its scale: the model seen from the front of its main facade, or one
+ * of its facades alone from its own front (option "facade"; a model of several facades has one drawing each). Faces
+ * are filled by their depth before or behind the main plane (red in front, green behind; Boulaassal 2010, 4.4.1),
+ * arcs are arcs. Openings (parts of class window, door, opening) have a contour of their class and the tag of their
+ * type, W1 D1 O1 ...; copied ones are dashed, those in which nothing was seen crossed; parts of class no_data, and
+ * holes of which nothing is known, are hatched. Around it: chains of dimensions in metres (columns of openings, their
+ * axes, the ground floor where it differs, sills and heads, overall), height marks above the lowest ground, axes in
+ * metres, legend, table of the types of openings, scale bar, plan of the view with north, title block. Chains whose
+ * numbers have no room at the scale are left out. A model that names no openings shows plane numbers instead of
+ * types. Operation "elevation"; JALON_ERROR_INVALID_ARGUMENT for a facade that the model does not have.
+ */
 JALON_API JALON_CHECK jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation,
                                                     const jalon_model* model, const char* path,
                                                     const jalon_params* options, jalon_task* task);
@@ -27,15 +37,18 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_picture(const jalon_segmen
                                                   jalon_task* task);
 /**
  * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and inliers, the spheres
- * and cylinders with radius and its sigma, times, the elevation, the picture of the labelled points and the residual
- * histogram. model may be NULL: a segmentation alone. notes_json: a JSON object with "title", "input" (text pairs) and
+ * and cylinders with radius and its sigma, times, the elevations, the picture of the labelled points and the residual
+ * histogram; of a model the types of its openings, each opening with width, height and depth and their standard
+ * deviations (propagated from the covariances of corners and planes), and the tree of parts with what they are known
+ * from; the precision of each plane (sigma of a point, of the normal, of the place). model may be NULL: a segmentation
+ * alone. notes_json: a JSON object with "title", "input" and "precision" (text pairs; what is known of the scanner) and
  * "times" (seconds by stage), or NULL. Everything that comes from outside is escaped. Operation "report".
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_html(const jalon_segmentation* segmentation,
                                                const jalon_model* model, const char* notes_json,
                                                const char* path, const jalon_params* options,
                                                jalon_task* task);
-/** The same content as JSON text for scripts, without the pictures. model may be NULL. */
+/** The same content as JSON text for scripts, without the pictures. Unknown numbers are null. model may be NULL. */
 JALON_API JALON_CHECK jalon_status jalon_report_write_json(const jalon_segmentation* segmentation,
                                                const jalon_model* model, const char* notes_json,
                                                const char* path, const jalon_params* options,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "cli/model_files.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
 
@@ -20,14 +21,13 @@ struct Facade {
   Common common;
   Input input;
   Settings settings, model_settings;
-  std::string output;
+  ModelFiles files;
+  std::string output, model_method = "outlines";
   double tolerance_m = 0;  ///< 0 = the segmenter's default
 
   Segmentation segment(const Console& console, const Cloud& cloud) const {
-    Segmenter segmenter;
-    must(jalon_segmenter_create("ransac", Out(segmenter)));
     Params params;
-    must(jalon_segmenter_params(segmenter.get(), Out(params)));
+    const Segmenter segmenter = make_segmenter("ransac", params);
     if (tolerance_m > 0) must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
     settings.apply(params.get());
     Segmentation segmentation;
@@ -35,31 +35,31 @@ struct Facade {
     return segmentation;
   }
 
-  Model outline(const Console& console, const Cloud& cloud, const Segmentation& segmentation) const {
-    Modeller modeller;
-    must(jalon_modeller_create("outlines", Out(modeller)));
+  Model model_of(const Console& console, const Cloud& cloud, const Segmentation& segmentation) const {
     Params params;
-    must(jalon_modeller_params(modeller.get(), Out(params)));
+    const Modeller modeller = make_modeller(model_method, params);
     model_settings.apply(params.get());
     Model model;
     must(jalon_modeller_run(modeller.get(), cloud.get(), segmentation.get(), console.task(), Out(model)));
     return model;
   }
 
-  void write(const Console& console, const Segmentation& segmentation, const Model& model, Json notes) const {
+  std::vector<std::string> write(const Console& console, const Segmentation& segmentation, const Model& model,
+                                 Json notes) const {
     OutputFolder folder(output);
     Cloud labelled;
     must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
     must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr, console.task()));
     must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr, console.task()));
-    must(jalon_model_write(model.get(), folder.path("model.obj").c_str(), nullptr, console.task()));
-    must(jalon_report_write_elevation(segmentation.get(), model.get(), folder.path("elevation.svg").c_str(), nullptr,
-                                      console.task()));
+    auto names = files.write(console, segmentation.get(), model.get(), input.path, folder);
     notes["times"]["write"] = console.seconds();
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(), folder.path("report.html").c_str(),
                                  nullptr, console.task()));
     folder.commit();
+    names.insert(names.begin(), "report.html");
+    names.insert(names.end(), {"segments.las", "segments.ply"});
+    return names;
   }
 
   Json planes(const Console& console, const Segmentation& segmentation) const {
@@ -100,28 +100,24 @@ struct Facade {
     console.step("planes");
     const Segmentation segmentation = segment(console, cloud);
     notes["times"]["segment"] = console.seconds();
-    console.step("outlines");
-    const Model model = outline(console, cloud, segmentation);
+    console.step("model");
+    const Model model = model_of(console, cloud, segmentation);
     notes["times"]["model"] = console.seconds();
     console.step("writing");
-    write(console, segmentation, model, notes);
-    const Json list = planes(console, segmentation);
-    console.say("wrote " + output + ": report.html, elevation.svg, model.obj, segments.las, segments.ply");
+    const auto names = write(console, segmentation, model, notes);
+    const Json list = planes(console, segmentation), summary = summary_of(model.get());
+    console.say(summary_line(summary));
+    console.say("wrote " + output + ": " + joined(names));
     console.result({{"input", input.path}, {"points", count_of(cloud)}, {"output", output}, {"times", notes["times"]},
-                    {"planes", list}});
+                    {"planes", list}, {"model", summary}, {"files", names}});
   }
 };
 
 std::string tables() {
-  Segmenter segmenter;
-  must(jalon_segmenter_create("ransac", Out(segmenter)));
-  Modeller modeller;
-  must(jalon_modeller_create("outlines", Out(modeller)));
-  Params planes, outlines;
-  must(jalon_segmenter_params(segmenter.get(), Out(planes)));
-  must(jalon_modeller_params(modeller.get(), Out(outlines)));
-  return "Parameters of --set (planes):\n" + describe(planes.get()) + "\nParameters of --outline-set (outlines):\n" +
-         describe(outlines.get());
+  Params planes;
+  make_segmenter("ransac", planes);
+  return "Parameters of --set (planes):\n" + describe(planes.get()) + "\n" + modeller_tables("--model-set") +
+         "Parameters of --drawing-set:\n" + describe(make_params("elevation").get());
 }
 
 }  // namespace
@@ -134,7 +130,12 @@ void add_facade(CLI::App& app) {
   command->add_option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
       ->check(CLI::PositiveNumber);
   state->settings.add_to(*command);
-  state->model_settings.add_to(*command, "outline-");
+  command->add_option("--model-method", state->model_method,
+                      "How the model is made; the parameters below tell which methods there are")
+      ->capture_default_str()
+      ->type_name("NAME");
+  state->model_settings.add_to(*command, "model-");
+  state->files.add_to(*command);
   add_common(*command, state->common);
   command->footer([] {
     return tables() +

@@ -21,6 +21,7 @@ Existing output is replaced only by complete output.
 Examples:
   jalon info scan.las
   jalon facade scan.las -o result
+  jalon model segments.las -o result --labels label
   jalon scan --scene facade -o sample.las
 Help on a command: jalon facade --help)";
 
@@ -51,6 +52,7 @@ int run(int argc, char** argv) {
   add_normals(app);
   add_facade(app);
   add_segment(app);
+  add_model(app);
   add_evaluate(app);
   add_scan(app);
   try {

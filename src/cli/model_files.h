@@ -7,35 +7,34 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cli/console.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
 
 namespace jalon::cli {
 
-/// A model worker by its name, with its parameters set.
-Modeller make_modeller(const std::string& method, const Settings& settings);
-/// The parameters of every method of a kind of worker that this library has, for --help; option: "--set" or the like.
+/// A worker by its method, and its own parameter set.
+Segmenter make_segmenter(const std::string& method, Params& params);
+Modeller make_modeller(const std::string& method, Params& params);
+/// The parameters of every method that this library has, for --help; option: how they are set.
 std::string segmenter_tables(const std::string& option);
 std::string modeller_tables(const std::string& option);
 
-/// Model, drawings and reports, as "facade" and "model" write them.
+/// Files of a model: what "facade" and "model" both write.
 struct ModelFiles {
-  const Console& console;
-  jalon_segmentation* segmentation;
-  jalon_model* model;
-  std::string title, source;
+  Settings drawing;  ///< of operation "elevation"
 
-  /// Every vector format: model.obj, model.dxf, model.city.json, model.geojson, model.stl; only as asked. Formats of
-  /// surfaces are left out when the model has none, and named in the return value.
-  void write_model(OutputFolder& folder, const std::vector<std::string>& names) const;
-  /// elevation.svg of the whole; elevation_1.svg ... of each facade where there are several. Their names.
-  std::vector<std::string> write_elevations(OutputFolder& folder) const;
-  /// report.html and, when wanted, report.json.
-  void write_reports(OutputFolder& folder, const nlohmann::ordered_json& notes, bool with_json) const;
+  void add_to(CLI::App& command);
+  /// model.obj, model.dxf ...: each vector format that the library writes; elevation.svg of the whole, elevation_1.svg
+  /// ... of each facade where there are several. Returns their names.
+  std::vector<std::string> write(const Console& console, jalon_segmentation* segmentation, jalon_model* model,
+                                 const std::string& source, OutputFolder& folder) const;
 };
 
-/// How many faces, and parts by class: for --json and the closing lines.
+/// "faces", "openings" and the number of parts of each class.
 nlohmann::ordered_json summary_of(jalon_model* model);
+/// "12 faces; 1 facade, 3 wall, 21 window"
+std::string summary_line(const nlohmann::ordered_json& summary);
+/// Names for the closing line: "a, b, c".
+std::string joined(const std::vector<std::string>& names);
 
 }  // namespace jalon::cli

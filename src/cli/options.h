@@ -49,6 +49,7 @@ void add_clean(CLI::App& app);
 void add_normals(CLI::App& app);
 void add_facade(CLI::App& app);
 void add_segment(CLI::App& app);
+void add_model(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_scan(CLI::App& app);
 

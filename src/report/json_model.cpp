@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "report/evidence_name.h"
 #include "report/opening_list.h"
 #include "report/part_tree.h"
 
@@ -46,7 +45,7 @@ void write_opening(JsonWriter& json, const OpeningRow& row, const OpeningList& o
   json.name("sigma_height_m").value(row.sigma_height_m);
   json.name("sigma_depth_m").value(row.sigma_depth_m);
   json.name("arched").value(row.arched);
-  json.name("evidence").value(evidence_name(row.evidence));
+  json.name("evidence").value(name_of(row.evidence));
   write_place(json, "copied_from", row.copied_from, model);
   json.end_object();
 }
@@ -60,7 +59,7 @@ void write_part(JsonWriter& json, const Part& part, const Model& model, size_t f
   json.name("width_m").value(part.width_m);
   json.name("height_m").value(part.height_m);
   json.name("depth_m").value(part.depth_m);
-  json.name("evidence").value(evidence_name(part.evidence));
+  json.name("evidence").value(name_of(part.evidence));
   write_place(json, "copied_from", part.copied_from, model);
   json.end_object();
 }

@@ -121,8 +121,8 @@ void draw_title_block(SvgWriter& svg, const ElevationDrawing& drawing) {
   const double width = std::min(kBlockWidth, sheet.strip.width * kBlockShare), x = sheet.strip.right() - width;
   const double y = sheet.strip.y, row = sheet.strip.height / 3;
   svg_line(svg, {sheet.strip.x, y}, {sheet.strip.right(), y}, kInk, 0.35);
-  if (x - sheet.strip.x > kScaleBarRoom + 27)
-    draw_view_plan(svg, {sheet.strip.x + kScaleBarRoom + 12, y + sheet.strip.height / 2}, s);
+  if (x - sheet.strip.x > kScaleBarRoom + 30)
+    draw_view_plan(svg, {sheet.strip.x + kScaleBarRoom + 14, y + sheet.strip.height / 2}, s);
   const std::string ground = drawing.faces.empty ? "" : "\xC2\xB1" "0.00 = Z " + text_of(drawing.faces.ground_m, 2);
   const std::string azimuth = text_of(degrees(s.view_azimuth_rad), 1) + "\xC2\xB0";
   draw_row(svg, {x, y, width, row}, {{"Title", s.title, 4.2, 0.7}, {"Date", s.date, 2.6, 0.15, true}});

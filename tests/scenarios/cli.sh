@@ -31,7 +31,7 @@ refuses() {
 }
 
 check "--help shows examples and exit codes" bash -c "'$jalon' --help | grep -q 'jalon facade scan.las' && '$jalon' --help | grep -q 'Exit codes'"
-for command in info convert clean normals facade scan segment evaluate-segmentation; do
+for command in info convert clean normals facade model scan segment evaluate-segmentation; do
   check "$command --help shows an example" bash -c "'$jalon' $command --help | grep -q 'jalon $command'"
 done
 check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
@@ -110,6 +110,20 @@ import json,sys
 c=json.load(sys.stdin)[\"classes\"]
 assert c[\"totals\"][\"accuracy\"]==0.75 and [r[\"confusion\"] for r in c[\"classes\"]]==[[2,1],[0,1]], c'"
 
+check "model of the labels that segment wrote" bash -c "'$jalon' model segments/segments.las -o model --labels label --json | python3 -c '
+import json,os,sys
+d=json.load(sys.stdin)
+assert d[\"segments\"]==\"labels of field label\" and d[\"model\"][\"faces\"]>20 and d[\"parameters\"], d
+assert sorted(os.listdir(\"model\"))==sorted(d[\"files\"]), d[\"files\"]
+assert {\"report.html\",\"report.json\",\"elevation.svg\",\"model.obj\"} <= set(d[\"files\"]), d[\"files\"]'"
+check "model segments first, by another method" bash -c "'$jalon' model sample.las -o grown_model --segmenter region_growing --tolerance 0.02 --drawing-set scale=200 --drawing-set title=North | grep -q 'faces;' && grep -q '1:200' grown_model/elevation.svg && grep -q North grown_model/elevation.svg"
+check "the report of a model has its openings and their precision" python3 -c "
+import json
+d = json.load(open('model/report.json'))
+assert len(d['openings']) > 10 and d['opening_types'] and d['parts'], d['opening_types']
+assert all(p['sigma_normal_rad'] > 0 and p['sigma_offset_m'] > 0 for p in d['planes'])"
+check "rsvg draws the elevation" rsvg-convert model/elevation.svg -o picture.png
+
 sha256sum result/* >before
 refuses "a missing file" 3 'none.las' "$jalon" facade none.las -o result
 : >empty.las
@@ -130,6 +144,11 @@ refuses "one point" 5 'point' "$jalon" facade one.xyz -o result
 refuses "an unknown parameter lists the names" 2 'there are' "$jalon" facade sample.las -o result --set nose=1
 refuses "a parameter out of range" 2 'outside' "$jalon" facade sample.las -o result --set distance_tolerance_m=-1
 refuses "an unknown method lists what there is" 3 'ransac' "$jalon" segment sample.las -o never --method magic
+refuses "a modelling method that is not there" 3 'outlines' "$jalon" model sample.las -o never --method magic
+refuses "a label field that the cloud lacks" 3 'nose' "$jalon" model sample.las -o never --labels nose
+refuses "labels and parameters of a segmenter" 2 'as they are' "$jalon" model sample.las -o never --labels label --segment-set seed=3
+refuses "a facade that the model does not have" 2 'facade 9' "$jalon" model segments/segments.las -o never --labels label --drawing-set facade=9
+check "refusals leave no folder" bash -c "[ ! -e never ]"
 refuses "no reference to evaluate against" 2 'reference-labels' "$jalon" evaluate-segmentation segments/segments.las
 refuses "a label field that is not there" 3 'label' "$jalon" evaluate-segmentation segments/segments.las --labels nose --reference-labels segment
 refuses "clouds of unequal size" 3 'same points' "$jalon" evaluate-segmentation segments/segments.las quiet.las

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "cli/model_files.h"
+#include "cli/options.h"
+#include "cli/output_folder.h"
+#include "cli/table.h"
+
+namespace jalon::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ModelJob {
+  Common common;
+  Input input;
+  Settings settings, segment_settings;
+  ModelFiles files;
+  std::string method = "outlines", segmenter = "ransac", labels, output;
+  std::vector<double> noise;
+  double tolerance_m = 0;  ///< 0 = the segmenter's default
+
+  // Wrong parameters are told before a long read.
+  struct Workers {
+    Segmenter segmenter;
+    Modeller modeller;
+    Params segmenter_params, modeller_params;
+  };
+
+  Workers workers() const {
+    Workers out;
+    out.modeller = make_modeller(method, out.modeller_params);
+    settings.apply(out.modeller_params.get());
+    const bool is_given = !segment_settings.assignments.empty() || !segment_settings.json_file.empty();
+    if (!labels.empty() && (is_given || tolerance_m > 0))
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "--labels takes the segments as they are: no --tolerance, no --segment-set"};
+    out.segmenter = make_segmenter(segmenter, out.segmenter_params);
+    if (tolerance_m > 0)
+      must(jalon_params_set_double(out.segmenter_params.get(), "distance_tolerance_m", tolerance_m));
+    segment_settings.apply(out.segmenter_params.get());
+    return out;
+  }
+
+  Segmentation segments(const Console& console, const Cloud& cloud, const Workers& workers) const {
+    Segmentation made;
+    if (labels.empty()) {
+      must(jalon_segmenter_run(workers.segmenter.get(), cloud.get(), console.task(), Out(made)));
+      return made;
+    }
+    const Params options = make_params("labels");
+    if (!noise.empty()) must(jalon_params_set_doubles(options.get(), "noise_labels", noise.data(), noise.size()));
+    must(jalon_segmentation_from_labels(cloud.get(), labels.c_str(), options.get(), console.task(), Out(made)));
+    return made;
+  }
+
+  std::vector<std::string> write(const Console& console, const Segmentation& segmentation, const Model& model,
+                                 Json notes) const {
+    OutputFolder folder(output);
+    auto names = files.write(console, segmentation.get(), model.get(), input.path, folder);
+    notes["times"]["write"] = console.seconds();
+    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
+    names.insert(names.begin(), {"report.html", "report.json"});
+    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(), folder.path(names[0]).c_str(), nullptr,
+                                 console.task()));
+    must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(), folder.path(names[1]).c_str(), nullptr,
+                                 console.task()));
+    folder.commit();
+    return names;
+  }
+
+  void run() const {
+    Console console(common);
+    const Workers tools = workers();
+    const std::string source = labels.empty() ? segmenter : "labels of field " + labels;
+    Json notes{{"title", "Model"}, {"input", {{"file", input.path}, {"segments", source}, {"method", method}}},
+               {"times", Json::object()}};
+    console.step("reading");
+    const Cloud cloud = input.read(console);
+    notes["times"]["read"] = console.seconds();
+    console.step("segments");
+    const Segmentation segmentation = segments(console, cloud, tools);
+    notes["times"]["segment"] = console.seconds();
+    console.step("model");
+    Model model;
+    must(jalon_modeller_run(tools.modeller.get(), cloud.get(), segmentation.get(), console.task(), Out(model)));
+    notes["times"]["model"] = console.seconds();
+    console.step("writing");
+    const auto names = write(console, segmentation, model, notes);
+    const char* parameters = nullptr;
+    must(jalon_params_to_json(tools.modeller_params.get(), &parameters));
+    const Json summary = summary_of(model.get());
+    console.say(summary_line(summary));
+    console.say("wrote " + output + ": " + joined(names));
+    console.result({{"input", input.path}, {"points", count_of(cloud)}, {"output", output}, {"segments", source},
+                    {"method", method}, {"parameters", Json::parse(parameters)}, {"times", notes["times"]},
+                    {"model", summary}, {"files", names}});
+  }
+};
+
+}  // namespace
+
+void add_model(CLI::App& app) {
+  auto* command = app.add_subcommand("model", "From segments to a vector model: files for CAD, a drawing and a report");
+  auto state = std::make_shared<ModelJob>();
+  state->input.add_to(*command);
+  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
+  command->add_option("--labels", state->labels,
+                      "Field with the segment of each point (what \"jalon segment\" wrote, hand labels ...); "
+                      "without it the points are segmented first")
+      ->type_name("FIELD");
+  command->add_option("--noise-label", state->noise, "A label that is no segment; default 0 (repeatable)")
+      ->type_name("LABEL")
+      ->allow_extra_args(false);
+  command->add_option("--method", state->method,
+                      "How the model is made; the parameters below tell which methods there are")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command->add_option("--segmenter", state->segmenter, "How segments are found without --labels")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command->add_option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
+      ->check(CLI::PositiveNumber);
+  state->settings.add_to(*command);
+  state->segment_settings.add_to(*command, "segment-");
+  state->files.add_to(*command);
+  add_common(*command, state->common);
+  command->footer([] {
+    return modeller_tables("--set") + segmenter_tables("--segment-set") + "Parameters of --drawing-set:\n" +
+           describe(make_params("elevation").get()) +
+           "\nExamples:\n  jalon model scan.las -o result\n"
+           "  jalon model segments.las -o result --labels label\n"
+           "  jalon model scan.las -o result --segmenter region_growing --tolerance 0.01 --drawing-set scale=50";
+  });
+  command->callback([state] { state->run(); });
+}
+
+}  // namespace jalon::cli

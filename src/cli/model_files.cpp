@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/model_files.h"
+
+#include <cstring>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+namespace jalon::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSegmenters[] = {"ransac", "region_growing"};
+constexpr const char* kModellers[] = {"facade", "extrusion", "outlines"};
+// PLY is left out: it holds triangles alone, and STL does that already.
+constexpr const char* kExtensions[] = {"obj", "dxf", "city.json", "geojson", "stl"};
+
+// Is the extension one of a format of models that the library writes?
+bool is_written(const std::string& extension) {
+  uint64_t count = 0;
+  must(jalon_format_count(&count));
+  for (uint64_t i = 0; i < count; ++i) {
+    const char *extensions = nullptr, *abilities = nullptr;
+    must(jalon_format_info(i, nullptr, &extensions, &abilities));
+    const char* model = std::strstr(abilities, "model");
+    if (model == nullptr || std::strstr(model, "write") == nullptr) continue;
+    if ((" " + std::string(extensions) + " ").find(" " + extension + " ") != std::string::npos) return true;
+  }
+  return false;
+}
+
+Json count_classes(jalon_model* model) {
+  Json classes = Json::object();
+  uint64_t parts = 0;
+  must(jalon_model_part_count(model, &parts));
+  for (uint64_t i = 0; i < parts; ++i) {
+    const char* name = nullptr;
+    must(jalon_model_part(model, i, nullptr, &name, nullptr));
+    classes[name] = classes.value(name, uint64_t{0}) + 1;
+  }
+  return classes;
+}
+
+uint64_t facades_of(jalon_model* model) { return count_classes(model).value("facade", uint64_t{0}); }
+
+void draw(const Console& console, jalon_segmentation* segmentation, jalon_model* model, jalon_params* options,
+          uint64_t facade, const std::string& path) {
+  must(jalon_params_set_int64(options, "facade", static_cast<int64_t>(facade)));
+  must(jalon_report_write_elevation(segmentation, model, path.c_str(), options, console.task()));
+}
+
+template <class Create>
+std::string tables(const char* kind, const std::string& option, const char* const* names, size_t count,
+                   const Create& create) {
+  std::string text;
+  for (size_t i = 0; i < count; ++i) {
+    Params params;
+    if (create(names[i], params)) text += std::string("Parameters of ") + option + " with " + kind + " " + names[i] +
+                                          ":\n" + describe(params.get()) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+Segmenter make_segmenter(const std::string& method, Params& params) {
+  Segmenter made;
+  must(jalon_segmenter_create(method.c_str(), Out(made)));
+  must(jalon_segmenter_params(made.get(), Out(params)));
+  return made;
+}
+
+Modeller make_modeller(const std::string& method, Params& params) {
+  Modeller made;
+  must(jalon_modeller_create(method.c_str(), Out(made)));
+  must(jalon_modeller_params(made.get(), Out(params)));
+  return made;
+}
+
+std::string segmenter_tables(const std::string& option) {
+  return tables("planes by", option, kSegmenters, std::size(kSegmenters), [](const char* name, Params& params) {
+    Segmenter made;
+    if (jalon_segmenter_create(name, Out(made)) != JALON_OK) return false;
+    must(jalon_segmenter_params(made.get(), Out(params)));
+    return true;
+  });
+}
+
+std::string modeller_tables(const std::string& option) {
+  return tables("the model by", option, kModellers, std::size(kModellers), [](const char* name, Params& params) {
+    Modeller made;
+    if (jalon_modeller_create(name, Out(made)) != JALON_OK) return false;
+    must(jalon_modeller_params(made.get(), Out(params)));
+    return true;
+  });
+}
+
+void ModelFiles::add_to(CLI::App& command) { drawing.add_to(command, "drawing-"); }
+
+std::vector<std::string> ModelFiles::write(const Console& console, jalon_segmentation* segmentation, jalon_model* model,
+                                           const std::string& source, OutputFolder& folder) const {
+  std::vector<std::string> names;
+  for (const char* extension : kExtensions) {
+    if (!is_written(extension)) continue;
+    names.push_back(std::string("model.") + extension);
+    must(jalon_model_write(model, folder.path(names.back()).c_str(), nullptr, console.task()));
+  }
+  const Params options = make_params("elevation");
+  must(jalon_params_set_string(options.get(), "source", std::filesystem::path(source).filename().string().c_str()));
+  drawing.apply(options.get());
+  int64_t only = 0;
+  must(jalon_params_get_int64(options.get(), "facade", &only));
+  names.push_back("elevation.svg");
+  draw(console, segmentation, model, options.get(), static_cast<uint64_t>(only), folder.path(names.back()));
+  const uint64_t facades = only == 0 ? facades_of(model) : 0;
+  for (uint64_t k = 1; facades > 1 && k <= facades; ++k) {
+    names.push_back("elevation_" + std::to_string(k) + ".svg");
+    draw(console, segmentation, model, options.get(), k, folder.path(names.back()));
+  }
+  return names;
+}
+
+Json summary_of(jalon_model* model) {
+  Fields faces;
+  must(jalon_model_faces(model, Out(faces)));
+  uint64_t count = 0;
+  values<uint32_t>(faces, "part", &count);
+  return {{"faces", count}, {"parts", count_classes(model)}};
+}
+
+std::string summary_line(const Json& summary) {
+  std::string text = std::to_string(summary["faces"].get<uint64_t>()) + " faces";
+  const char* separator = "; ";
+  for (const auto& [name, count] : summary["parts"].items()) {
+    text += separator + std::to_string(count.get<uint64_t>()) + " " + name;
+    separator = ", ";
+  }
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace jalon::cli
