@@ -79,6 +79,19 @@ JALON_API JALON_CHECK jalon_status jalon_model_part_count(const jalon_model* mod
 JALON_API JALON_CHECK jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char** name,
                                         const char** part_class, uint64_t* parent);
 
+/**
+ * The model with another name and class of part i, as a new handle; the old one is the undo. name, part_class: UTF-8,
+ * NULL = as it is. Costs a copy of the model.
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_rename_part(const jalon_model* model, uint64_t i, const char* name,
+                                               const char* part_class, jalon_model** out);
+/**
+ * The model without part i, a copy of a repeated element (JALON_EVIDENCE_COPIED): the user's veto, as a new handle.
+ * What is below the part and its faces go, the hole it filled in its wall closes; parts, faces, rings and vertices
+ * behind it move up. Any other part is JALON_ERROR_INVALID_ARGUMENT. O(size).
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_remove_copy(const jalon_model* model, uint64_t i, jalon_model** out);
+
 JALON_END_C
 
 #endif

@@ -16,7 +16,33 @@ JALON_BEGIN_C
 
 typedef struct jalon_modeller jalon_modeller;
 
-/** method: "outlines" (NULL = the same): one face with openings a plane, straight edges. */
+/**
+ * method (NULL = "outlines"):
+ * - "outlines": one face with openings a plane, each plane by itself.
+ * - "facade": walls with windows and doors, their reveals and joinery, and the elements before and behind them, in a
+ *   tree of parts. The tree: [building, when there are several facades ->] facade -> wall -> window, door or opening ->
+ *   reveal, joinery; no_data under its wall; sill, cornice, string_course, base_course, post, ground, roof and element
+ *   under their facade (Boulaassal 2010, 4.4.1).
+ *
+ * Method "facade" names parts by position, size, depth and orientation:
+ * - facade: upright parallel walls near each other; the largest comes first. wall: an upright plane of min_wall_area_m2
+ *   that does not lie in the openings of another wall.
+ * - A hole of a wall, or a notch in its lower border, is an opening when it was seen through, when reveals were
+ *   measured in it, when something parallel to the wall fills it, or at last by its shape; the part's evidence says
+ *   which. What only things in front hide is no opening: the wall is closed over it and a part no_data has a face of
+ *   its outline. Rays from the stations decide where the cloud has stations with poses, else what lies before and
+ *   behind.
+ * - door: reaches the foot of the wall, 1.8 m and more high, 0.6 to 3.5 m wide. window: 0.25 to 5 m, with joinery
+ *   behind it. opening: any other.
+ * - depth of an opening: median distance of its joinery (the frame, where it shows) behind the wall (4.4.2); its pane
+ *   has the outline of the hole, moved along the wall's normal; reveals join both, arcs as planar strips within 1 mm.
+ *   The wall's hole, the reveals and the pane share vertices; column "part" of the ring names the opening.
+ * - ground: level, 2 m2 and more, at the foot and before the facade. sill: below an opening, up to 0.5 m high, before
+ *   the wall. roof: level or inclined, 4 m2 and more, at the top, behind the front. cornice, base_course,
+ *   string_course: 3 times as long as high, before the wall, at its top, its foot, between. post: before the wall, up
+ *   to 1 m wide, 3 times as high. element: all else.
+ * - Openings are numbered by row from below and place from the left ("window 2.3"), other parts from the left.
+ */
 JALON_API JALON_CHECK jalon_status jalon_modeller_create(const char* method, jalon_modeller** out);
 JALON_API jalon_modeller* jalon_modeller_retain(jalon_modeller* modeller);
 JALON_API void jalon_modeller_release(jalon_modeller* modeller);

@@ -7,6 +7,7 @@
 #include "capi/guard.h"
 #include "capi/model_handles.h"
 #include "capi/model_tables.h"
+#include "model/edit.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -126,5 +127,25 @@ jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char**
     if (name != nullptr) *name = part.name.c_str();
     if (part_class != nullptr) *part_class = part.part_class.c_str();
     if (parent != nullptr) *parent = part.parent;
+  });
+}
+
+jalon_status jalon_model_rename_part(const jalon_model* model, uint64_t i, const char* name, const char* part_class,
+                                     jalon_model** out) {
+  return guard([&] {
+    const Model& m = model_of(model);
+    require(out, "out");
+    if (i >= m.parts.size()) fail(Status::kInvalidArgument, "there are %zu parts", m.parts.size());
+    std::string new_name = name != nullptr ? require_text(name, "name") : m.parts[i].name;
+    std::string new_class = part_class != nullptr ? require_text(part_class, "part_class") : m.parts[i].part_class;
+    *out = new_model(with_renamed_part(m, i, std::move(new_name), std::move(new_class)));
+  });
+}
+
+jalon_status jalon_model_remove_copy(const jalon_model* model, uint64_t i, jalon_model** out) {
+  return guard([&] {
+    const Model& m = model_of(model);
+    require(out, "out");
+    *out = new_model(without_copy(m, i));
   });
 }

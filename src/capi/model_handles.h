@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "base/params.h"
 #include "capi/handles.h"
@@ -13,6 +14,7 @@ struct jalon_model : jalon::capi::Counted {
 };
 
 struct jalon_modeller : jalon::capi::Counted {
+  std::string method;
   std::shared_ptr<jalon::ParamSet> values;
 };
 

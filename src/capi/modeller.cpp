@@ -5,18 +5,39 @@
 #include "capi/guard.h"
 #include "capi/model_handles.h"
 #include "capi/worker_handles.h"
+#include "modelling/facade.h"
 #include "modelling/outlines.h"
 
 using namespace jalon;
 using namespace jalon::capi;
 
+namespace {
+
+struct Method {
+  const char* name;
+  const char* owner;  ///< of its parameters
+  std::span<const ParamRow> (*rows)();
+  Model (*run)(const Segmentation&, const ParamSet&, Task&);
+};
+constexpr Method kMethods[] = {{"outlines", "modeller outlines", outlines_rows, model_outlines},
+                               {"facade", "modeller facade", facade_rows, model_facade}};
+
+const Method& method_of(const std::string& name) {
+  for (const Method& method : kMethods)
+    if (name == method.name) return method;
+  fail(Status::kNotFound, "no modelling method \"%.100s\"; there are: outlines, facade", name.c_str());
+}
+
+}  // namespace
+
 jalon_status jalon_modeller_create(const char* method, jalon_modeller** out) {
   return guard([&] {
     require(out, "out");
     const std::string name = method != nullptr ? require_text(method, "method") : "outlines";
-    if (name != "outlines") fail(Status::kNotFound, "no modelling method \"%.100s\"; there is: outlines", name.c_str());
+    const Method& found = method_of(name);
     auto handle = std::make_unique<jalon_modeller>();
-    handle->values = std::make_shared<ParamSet>("modeller outlines", outlines_rows());
+    handle->method = name;
+    handle->values = std::make_shared<ParamSet>(found.owner, found.rows());
     *out = handle.release();
   });
 }
@@ -29,7 +50,7 @@ jalon_status jalon_modeller_params(jalon_modeller* modeller, jalon_params** out)
     require(modeller, "modeller");
     require(out, "out");
     auto handle = std::make_unique<jalon_params>();
-    handle->operation = "modeller outlines";
+    handle->operation = "modeller " + modeller->method;
     handle->values = modeller->values;
     *out = handle.release();
   });
@@ -46,8 +67,9 @@ jalon_status jalon_modeller_run(const jalon_modeller* modeller, const jalon_clou
     if (cloud->cloud->xyz_buffer != segmentation->segmentation->cloud->xyz_buffer)
       fail(Status::kInvalidArgument, "the segmentation is of another cloud");
     const ParamSet values = *modeller->values;  // a progress callback may set the next run's
+    const Method& method = method_of(modeller->method);
     *out = with_task(task, [&](Task& t) {
-             return own(new_model(model_outlines(*segmentation->segmentation, values, t)));
+             return own(new_model(method.run(*segmentation->segmentation, values, t)));
            }).release();
   });
 }

@@ -18,6 +18,7 @@ namespace jalon {
 
 constexpr uint64_t kNoParent = ~uint64_t{0};
 constexpr uint32_t kNoPart = ~uint32_t{0};
+constexpr uint32_t kNoFace = ~uint32_t{0};  ///< of points that no face gave, of an edge at the border
 
 /// A closed chain of vertices: corners[first ... first + count).
 struct Ring {

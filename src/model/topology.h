@@ -9,8 +9,6 @@
 
 namespace jalon {
 
-constexpr uint32_t kNoFace = ~uint32_t{0};
-
 /// An edge of the rings: straight, or an arc by its end points and sagitta (facade-modelling A11).
 struct Edge {
   uint32_t from = 0, to = 0;  ///< vertices; from < to

@@ -22,6 +22,8 @@ enum class OpeningKind : uint8_t { kOpening, kWindow, kDoor };
 struct FacadeOpening {
   VectorRing outline;  ///< anticlockwise, seen as the face that fills the hole
   uint32_t piece = 0;  ///< of FacadeWall::outlines: the face whose hole it is
+  /// It comes in from the lower border of the face (a door) and is no hole of it: the outline begins at its left foot.
+  bool is_notch = false;
   OpeningKind kind = OpeningKind::kOpening;
   Evidence evidence = Evidence::kNone;
   /// Of the joinery (frame, pane, leaf) behind the wall, along its normal; negative in front of it; NaN: nothing seen.
@@ -42,6 +44,7 @@ struct FacadeOpening {
 struct FacadeShadow {
   VectorRing outline;  ///< anticlockwise
   uint32_t piece = 0;
+  bool is_notch = false;  ///< it came in from the lower border
 };
 
 /// Where points prove what: one byte a cell.

@@ -18,9 +18,6 @@ struct ScanStation {
   Transform pose;  ///< T_world_scanner, a rigid motion
 };
 
-/// Field "face" of points that no face gave.
-constexpr uint32_t kNoFace = 0xffffffffu;
-
 /// Throws kInvalidArgument unless the transform is a rotation and a shift (to 1e-6) of finite numbers.
 void require_rigid(const Transform& pose);
 

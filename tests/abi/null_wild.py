@@ -49,7 +49,7 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_cloud_station.name", "jalon_cloud_station.has_pose", "jalon_cloud_station.first",
             "jalon_cloud_station.count", "jalon_format_info.name", "jalon_format_info.extensions",
             "jalon_format_info.abilities", "jalon_model_part.name", "jalon_model_part.part_class",
-            "jalon_model_part.parent", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
+            "jalon_model_part.parent", "jalon_model_rename_part.name", "jalon_model_rename_part.part_class", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
             "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}

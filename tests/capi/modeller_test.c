@@ -94,12 +94,68 @@ static void modeller__cancelled_leaves_everything_usable(void** state) {
   release_scene(&scene);
 }
 
+static void modeller__facade_makes_a_tree_with_a_window(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_modeller* modeller = NULL;
+  jalon_params* params = NULL;
+  jalon_model* model = NULL;
+  MUST(jalon_modeller_create("facade", &modeller));
+  MUST(jalon_modeller_params(modeller, &params));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_double(params, "max_depth_m", -1));
+  MUST(jalon_params_set_double(params, "max_depth_m", 0.8));
+  jalon_params_release(params);
+  MUST(jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, &model));
+  uint64_t count = 0, parent = 0;
+  MUST(jalon_model_part_count(model, &count));
+  assert_int_equal(count, 3);
+  const char *name = NULL, *part_class = NULL;
+  MUST(jalon_model_part(model, 2, &name, &part_class, &parent));
+  assert_string_equal(name, "window 1.1");
+  assert_string_equal(part_class, "window");
+  assert_int_equal(parent, 1);
+  jalon_fields* parts = NULL;
+  MUST(jalon_model_parts(model, &parts));
+  double width[3];
+  uint8_t evidence[3];
+  MUST(jalon_fields_copy(parts, "width", JALON_FLOAT64, width, 3));
+  MUST(jalon_fields_copy(parts, "evidence", JALON_UINT8, evidence, 3));
+  assert_true(fabs(width[2] - 1.2) < 0.03);
+  assert_int_equal(evidence[2], JALON_EVIDENCE_SHAPE);
+  jalon_fields_release(parts);
+  jalon_model_release(model);
+  jalon_modeller_release(modeller);
+  release_scene(&scene);
+}
+
+static void model__parts_are_renamed_in_a_new_model(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_model *model = model_of_scene(&scene), *renamed = NULL, *less = NULL;
+  const char *name = NULL, *part_class = NULL;
+  MUST(jalon_model_rename_part(model, 1, "street front", NULL, &renamed));
+  MUST(jalon_model_part(renamed, 1, &name, &part_class, NULL));
+  assert_string_equal(name, "street front");
+  MUST(jalon_model_part(model, 1, &name, NULL, NULL));
+  assert_string_not_equal(name, "street front");
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_rename_part(model, 99, "x", NULL, &less));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_rename_part(model, 0, "\xff", NULL, &less));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_remove_copy(model, 1, &less));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_remove_copy(model, 99, &less));
+  assert_null(less);
+  jalon_model_release(renamed);
+  jalon_model_release(model);
+  release_scene(&scene);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(modeller__draws_the_wall_with_its_window),
       cmocka_unit_test(modeller__parameters_change_the_model),
       cmocka_unit_test(modeller__refuses_another_cloud_and_unknown_methods),
       cmocka_unit_test(modeller__cancelled_leaves_everything_usable),
+      cmocka_unit_test(modeller__facade_makes_a_tree_with_a_window),
+      cmocka_unit_test(model__parts_are_renamed_in_a_new_model),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

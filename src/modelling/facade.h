@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "base/params.h"
+#include "base/task.h"
+#include "model/model.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+/// Parameter table of method "facade".
+std::span<const ParamRow> facade_rows();
+/// Walls with windows and doors, their reveals and joinery, and the elements before and behind them, in space
+/// (Boulaassal 2010, 4.4.1):
+/// 1. the 2D vector model of every planar segment (vectorise);
+/// 2. facades, their walls, openings told from shadows (facade_plan.h, openings.h);
+/// 3. faces with shared vertices in a tree of parts (facade_assembly.h).
+Model model_facade(const Segmentation& segmentation, const ParamSet& params, Task& task);
+
+}  // namespace jalon

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/hole_content.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jalon {
+
+namespace {
+
+constexpr double kParallel = 0.985;     // 10 degrees, as walls of one facade
+constexpr double kUpright = 0.174;      // 10 degrees from upright to the wall
+constexpr double kNearShare = 0.5;      // of the largest filler's cells: enough for one before it to be the joinery
+constexpr double kFrameBefore_m = 0.1;  // a frame stands at most this far before its glass ...
+constexpr double kFrameShare = 0.1;     // ... and takes this share of it: 5 cm of a window of 2 m
+constexpr double kLeastShare = 0.1;     // of the hole's seen cells: less is a handle, a pot, a lamp
+constexpr double kLowQuantile = 0.02;
+
+double quantile(std::vector<float>& values, double share) {
+  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map) {
+  HoleFiller out;
+  out.label = points.front().label;
+  out.points = points.size();
+  std::vector<float> depths, heights;
+  std::vector<uint32_t> cells;
+  for (const HolePoint& p : points) {
+    depths.push_back(-p.w);
+    heights.push_back(p.v);
+    const auto column = static_cast<uint32_t>((p.u - map.origin.u) / map.cell_m);
+    cells.push_back(static_cast<uint32_t>((p.v - map.origin.v) / map.cell_m) * map.columns + column);
+  }
+  std::sort(cells.begin(), cells.end());
+  out.cells = static_cast<uint32_t>(std::unique(cells.begin(), cells.end()) - cells.begin());
+  out.depth_m = quantile(depths, 0.5);
+  out.low_v = quantile(heights, kLowQuantile);
+  return out;
+}
+
+}  // namespace
+
+HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segmentation& segmentation, const Vec3& normal,
+                       uint32_t own_label) {
+  HoleContent out;
+  std::vector<HolePoint> points;
+  for (const HolePoint& p : hole.points)
+    if (p.label != own_label) points.push_back(p);
+  std::stable_sort(points.begin(), points.end(),
+                   [](const HolePoint& a, const HolePoint& b) { return a.label < b.label; });
+  for (size_t first = 0; first < points.size();) {
+    size_t end = first;
+    while (end < points.size() && points[end].label == points[first].label) ++end;
+    const HoleFiller filler = filler_of({points.data() + first, end - first}, map);
+    first = end;
+    const Segment* segment = filler.label == 0 ? nullptr : &segmentation.segments[filler.label - 1];
+    const double cosine =
+        segment != nullptr && segment->has_plane() ? std::fabs(dot(segment->fit.plane.normal, normal)) : 0.5;
+    (cosine >= kParallel ? out.parallel : cosine <= kUpright ? out.upright : out.other).push_back(filler);
+  }
+  for (auto* fillers : {&out.parallel, &out.upright, &out.other})
+    std::stable_sort(fillers->begin(), fillers->end(),
+                     [](const HoleFiller& a, const HoleFiller& b) { return a.cells > b.cells; });
+  return out;
+}
+
+const HoleFiller* joinery_of(const HoleContent& content, double min_depth_m) {
+  const HoleFiller* best = nullptr;
+  double seen = 0;
+  for (const HoleFiller& f : content.parallel) {
+    if (f.depth_m < min_depth_m) continue;
+    seen += f.cells;
+    if (best == nullptr) best = &f;  // they come by falling cells
+  }
+  if (best == nullptr) return nullptr;
+  const double largest = best->cells;
+  for (const HoleFiller& f : content.parallel)
+    if (f.depth_m >= min_depth_m && f.depth_m < best->depth_m && f.cells >= kNearShare * largest) best = &f;
+  const double pane_m = best->depth_m, pane = best->cells;
+  for (const HoleFiller& f : content.parallel)
+    if (f.depth_m >= std::max(min_depth_m, pane_m - kFrameBefore_m) && f.depth_m < best->depth_m &&
+        f.cells >= kFrameShare * pane)
+      best = &f;
+  return best->cells >= kLeastShare * seen ? best : nullptr;
+}
+
+}  // namespace jalon

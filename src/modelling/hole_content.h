@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "modelling/wall_survey.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+/// What one segment puts into a hole.
+struct HoleFiller {
+  uint32_t label = 0;  ///< 0: the points of no segment
+  uint32_t cells = 0;  ///< cells of the wall's map with such points
+  size_t points = 0;
+  double depth_m = 0;  ///< median, behind the wall
+  double low_v = 0;    ///< 2 % quantile of the points' heights
+};
+
+/// Fillers parallel to the wall, upright to it (reveals, sills, soffits), and the rest; by falling cells.
+struct HoleContent {
+  std::vector<HoleFiller> parallel, upright, other;
+};
+
+/// own_label: the wall's points are left out.
+HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segmentation& segmentation, const Vec3& normal,
+                       uint32_t own_label);
+
+/// The filler that closes the hole, the joinery (facade-modelling A14), among those min_depth_m and more behind the
+/// wall: the one with the most cells, or one well before it that has half as many (a pane before a curtain or a room),
+/// or the frame close before that. Null when there is none.
+const HoleFiller* joinery_of(const HoleContent& content, double min_depth_m);
+
+}  // namespace jalon
