@@ -7,6 +7,8 @@
 
 #include "modelling/openings.h"
 #include "modelling/ring_tools.h"
+#include "modelling/sills.h"
+#include "modelling/wall_bays.h"
 
 namespace jalon {
 
@@ -43,11 +45,20 @@ struct WallList {
   std::vector<SurveyedWall> walls;
 };
 
-WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan, const PlanSetting& setting) {
+// The holes of a wall's faces, down to the sills before them, and the bays between its pieces.
+std::vector<WallHole> interruptions_of(std::vector<VectorPlane>& planes, size_t wall, const PlanSetting& setting) {
+  std::vector<WallHole> out = holes_of(planes[wall], setting.group.notch);
+  end_at_sills(planes, wall, setting.survey.front_m, out);
+  const std::vector<WallHole> bays = bays_of(planes[wall], out, setting.group.notch);
+  out.insert(out.end(), bays.begin(), bays.end());
+  return out;
+}
+
+WallList list_walls(const Segmentation& segmentation, FacadePlan& plan, const PlanSetting& setting) {
   WallList out;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)
-      out.holes.push_back(holes_of(plan.planes[plane], setting.group.notch));
+      out.holes.push_back(interruptions_of(plan.planes, plane, setting));
   size_t k = 0;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)

@@ -8,6 +8,7 @@
 #include "modelling/border_evidence.h"
 #include "modelling/hole_content.h"
 #include "modelling/ring_tools.h"
+#include "modelling/wall_bays.h"
 
 namespace jalon {
 
@@ -20,6 +21,7 @@ constexpr double kHiddenShare = 0.25;   // hidden: rays to the rest went astray
 constexpr double kFlushShare = 0.5;     // filled by something on or before the wall
 // Points of a plane upright to the wall before it counts as a reveal.
 constexpr size_t kRevealPoints = 10;
+constexpr size_t kDepthPoints = 10;  // behind an opening for a depth without a plane
 // Doors: glossary of facade-modelling; a leaf of 2 m less what a plinth or a step hides.
 constexpr double kDoorHeight_m = 1.8, kDoorLeast_m = 0.6, kDoorMost_m = 3.5, kDoorFoot_m = 0.4;
 constexpr double kWindowLeast_m = 0.25, kWindowMost_m = 5;
@@ -66,11 +68,26 @@ OpeningKind kind_of(const RingBox& box, bool reaches_ground, const FacadeOpening
   return is_filled ? OpeningKind::kWindow : OpeningKind::kOpening;
 }
 
+// Where no plane fills the opening: the middle one of what lies behind it (leaves ajar, goods in a shop window); NaN
+// when nothing does.
+double depth_of_points(const HoleSurvey& survey, double tolerance_m) {
+  std::vector<double> depths;
+  for (const HolePoint& p : survey.points)
+    if (p.w < -tolerance_m) depths.push_back(-p.w);
+  if (depths.size() < kDepthPoints) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = depths.begin() + static_cast<ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
 void measure_depth(const HoleContent& content, const HoleFiller* joinery, const Segmentation& segmentation,
-                   FacadeOpening& opening) {
+                   const HoleSurvey& survey, double tolerance_m, FacadeOpening& opening) {
   const HoleFiller* filler = joinery;
   if (filler == nullptr && opening.evidence == Evidence::kMeasured) filler = &content.parallel.front();
-  if (filler == nullptr) return;
+  if (filler == nullptr) {
+    opening.depth_m = depth_of_points(survey, tolerance_m);
+    return;
+  }
   const Segment& segment = segmentation.segments[filler->label - 1];
   opening.joinery_label = filler->label;
   opening.depth_m = filler->depth_m;
@@ -99,8 +116,9 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
   wall.map = std::move(survey.map);
   std::vector<int32_t> opening_of(holes.size(), -1);
   for (size_t h = 0; h < holes.size(); ++h) {
-    const WallHole& hole = holes[h];
+    WallHole hole = holes[h];
     const HoleSurvey& seen = survey.holes[h];
+    if (hole.is_bay && !fit_to_content(hole, seen, wall.map, survey.tolerance_m)) continue;
     const HoleContent content = content_of(seen, wall.map, segmentation, wall.frame.normal, wall.label);
     const HoleFiller* joinery = joinery_of(content, setting.min_depth_m);
     const Verdict verdict = judge(hole, seen, content, joinery, survey.tolerance_m);
@@ -113,7 +131,7 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     opening.piece = hole.piece;
     opening.is_notch = hole.is_notch;
     opening.evidence = verdict.evidence;
-    measure_depth(content, joinery, segmentation, opening);
+    measure_depth(content, joinery, segmentation, seen, survey.tolerance_m, opening);
     measure_border(wall, seen, opening);
     const double foot = ring_box(wall.outlines[hole.piece]).low.v;
     if (hole.is_notch) lower_to_foot(joinery, opening.outline);

@@ -22,10 +22,10 @@ constexpr double kSolid = 0.2;         // share of a crossing's cells that shows
 /// One axis: 0 = u makes columns, 1 = v makes rows.
 double along(const Vec2& p, int axis) { return axis == 0 ? p.u : p.v; }
 
-std::vector<GridLine> lines_of(std::span<const size_t> openings, std::span<const OpeningBox> boxes, int axis,
+std::vector<GridLine> lines_of(std::span<const size_t> openings, std::span<const RingBox> boxes, int axis,
                                double reach_m) {
   std::vector<size_t> order(openings.begin(), openings.end());
-  const auto at = [&](size_t i) { return along(boxes[i].centre(), axis); };
+  const auto at = [&](size_t i) { return along(boxes[i].middle(), axis); };
   std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return at(a) != at(b) ? at(a) < at(b) : a < b; });
   std::vector<GridLine> out;
   for (const size_t i : order) {
@@ -44,15 +44,15 @@ bool in_line(const GridLine& line, size_t opening) {
 }
 
 /// What stands where a row and a column cross.
-Crossing crossing_of(const FacadeWall& wall, std::span<const OpeningBox> boxes, const GridLine& row,
+Crossing crossing_of(const FacadeWall& wall, std::span<const RingBox> boxes, const GridLine& row,
                      const GridLine& column) {
   for (const size_t i : row.openings)
     if (in_line(column, i)) return Crossing::kTaken;
-  const OpeningBox& like = boxes[row.openings[0]];
+  const RingBox& like = boxes[row.openings[0]];
   const Vec2 half{like.width() / 2, like.height() / 2}, c{column.at, row.at};
-  for (const OpeningBox& box : boxes)
-    if (std::fabs(box.centre().u - c.u) < half.u + box.width() / 2 &&
-        std::fabs(box.centre().v - c.v) < half.v + box.height() / 2)
+  for (const RingBox& box : boxes)
+    if (std::fabs(box.middle().u - c.u) < half.u + box.width() / 2 &&
+        std::fabs(box.middle().v - c.v) < half.v + box.height() / 2)
       return Crossing::kUnseen;  // another opening is in the way: no sign against the grid
   const std::vector<Vec2> form{c - half, {c.u + half.u, c.v - half.v}, c + half, {c.u - half.u, c.v + half.v}};
   const CellCount cells = count_cells(wall.map, form, wall.map.cell_m);
@@ -130,7 +130,7 @@ double grid_reach_m(const FacadeWall& wall, const PatternSetting& setting) {
   return std::max(2 * setting.size_tolerance_m, wall.spacing_m);
 }
 
-OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, std::span<const OpeningBox> boxes,
+OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, std::span<const RingBox> boxes,
                       const PatternSetting& setting) {
   // 1. Lines of equal centres.
   const double reach_m = grid_reach_m(wall, setting);

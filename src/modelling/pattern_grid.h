@@ -34,7 +34,7 @@ double grid_reach_m(const FacadeWall& wall, const PatternSetting& setting);
 /// The grid of the openings told, with their boxes (one an opening of the wall). Lines whose crossings are mostly bare
 /// wall are left out. What remains is a grid when it has two rows and two columns or four openings at equal distances,
 /// and when enough of its crossings are taken, of those where a wall or an opening can be seen.
-OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, std::span<const OpeningBox> boxes,
+OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, std::span<const RingBox> boxes,
                       const PatternSetting& setting);
 
 }  // namespace jalon

@@ -121,6 +121,7 @@ Vec2 Motion2::origin_of(const Vec2& p) const {
 VectorRing moved(const VectorRing& ring, const Motion2& motion) {
   VectorRing out = ring;
   for (Vec2& corner : out.corners) corner = motion.point(corner);
+  out.contour.clear();  // those points lie where it came from
   return out;
 }
 

@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "geometry/polygon2.h"
-#include "model/topology.h"
 #include "modelling/patterns.h"
 
 namespace jalon {
@@ -27,7 +26,7 @@ struct Size {
 
 Size size_of(const FacadeOpening& opening, double spacing_m) {
   const std::vector<Vec2> points = outline_points(opening.outline);
-  const OpeningBox box = box_of(opening.outline);
+  const RingBox box = ring_box(opening.outline);
   double variance = 0;
   for (const VectorEdge& e : opening.outline.edges)
     variance = std::max(variance, std::isfinite(e.sigma_m) ? e.sigma_m * e.sigma_m
@@ -44,24 +43,7 @@ bool is_like(const Size& a, const Size& b, double tolerance_m) {
 
 }  // namespace
 
-std::vector<Vec2> outline_points(const VectorRing& ring) {
-  std::vector<Vec2> out;
-  for (size_t i = 0; i < ring.corners.size(); ++i)
-    append_arc(out, ring.corners[i], ring.corners[(i + 1) % ring.corners.size()],
-               i < ring.edges.size() ? ring.edges[i].sagitta_m : 0, kChord_m);
-  return out;
-}
-
-OpeningBox box_of(const VectorRing& ring) {
-  const std::vector<Vec2> points = outline_points(ring);
-  if (points.empty()) return {};
-  OpeningBox box{points[0], points[0]};
-  for (const Vec2& p : points) {
-    box.low = {std::min(box.low.u, p.u), std::min(box.low.v, p.v)};
-    box.high = {std::max(box.high.u, p.u), std::max(box.high.v, p.v)};
-  }
-  return box;
-}
+std::vector<Vec2> outline_points(const VectorRing& ring) { return flattened(ring, kChord_m); }
 
 bool is_well_measured(const FacadeOpening& opening, const FacadeWall& wall, const PatternSetting& setting) {
   const bool is_known = opening.evidence != Evidence::kNone && opening.evidence != Evidence::kCopied;
@@ -94,7 +76,7 @@ std::vector<Pattern> find_patterns(const FacadeWall& wall, const PatternSetting&
                                is_like(sizes[p], size, setting.size_tolerance_m)))
       ++p;
     if (p == out.size()) {
-      out.push_back({i, {}, box_of(wall.openings[i].outline)});
+      out.push_back({i, {}, ring_box(wall.openings[i].outline)});
       sizes.push_back(size);
     }
     out[p].members.push_back(i);

@@ -5,27 +5,20 @@
 #include <vector>
 
 #include "modelling/facade_parts.h"
+#include "modelling/ring_tools.h"
 
 namespace jalon {
 
 struct PatternSetting;
 
-/// Upright box of an opening, arcs included.
-struct OpeningBox {
-  Vec2 low, high;
-  double width() const { return high.u - low.u; }
-  double height() const { return high.v - low.v; }
-  Vec2 centre() const { return (low + high) * 0.5; }
-};
 /// The outline with its arcs as chords.
 std::vector<Vec2> outline_points(const VectorRing& ring);
-OpeningBox box_of(const VectorRing& ring);
 
 /// Openings of one kind, size and form.
 struct Pattern {
   size_t best = 0;              ///< the one to copy
   std::vector<size_t> members;  ///< ascending, the best one among them
-  OpeningBox box;               ///< of the best one
+  RingBox box;               ///< of the best one
 };
 
 /// Measured well enough to be copied.

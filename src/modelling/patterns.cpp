@@ -40,7 +40,7 @@ class Completion {
  public:
   Completion(FacadeWall& wall, const PatternSetting& setting) : wall_(wall), setting_(setting) {
     patterns_ = find_patterns(wall, setting);
-    for (const FacadeOpening& o : wall.openings) boxes_.push_back(box_of(o.outline));
+    for (const FacadeOpening& o : wall.openings) boxes_.push_back(ring_box(o.outline));
     is_member_.assign(wall.openings.size(), false);
     for (const Pattern& p : patterns_)
       for (const size_t i : p.members) is_member_[i] = true;
@@ -87,7 +87,7 @@ class Completion {
   void mark(size_t i, size_t pattern) {
     wall_.openings[i].evidence = Evidence::kCopied;
     wall_.openings[i].copied_from = static_cast<int32_t>(patterns_[pattern].best);
-    boxes_[i] = box_of(wall_.openings[i].outline);
+    boxes_[i] = ring_box(wall_.openings[i].outline);
     is_member_[i] = true;
     patterns_[pattern].members.push_back(i);
   }
@@ -118,7 +118,7 @@ class Completion {
   /// Counts the sides that are seen and the lines of the grid that the placement agrees with, and takes from the grid
   /// what the sides leave open. No signs: not there.
   Candidate judged(size_t p, size_t i, const Placement& placed) const {
-    const OpeningBox& box = patterns_[p].box;
+    const RingBox& box = patterns_[p].box;
     std::array<bool, 4> seen{};
     for (size_t s = 0; s < 4; ++s) {
       const double length_m = s == kLeft || s == kRight ? box.height() : box.width();
@@ -129,7 +129,7 @@ class Completion {
     if (placed.residual_m > kFit * wall_.spacing_m || !is_of_size(placed, seen)) return out;
     size_t signs = static_cast<size_t>(std::count(seen.begin(), seen.end(), true));
     const double reach_m = 2 * grid_reach_m(wall_, setting_);
-    const Vec2 centre = out.motion.point(box.centre());
+    const Vec2 centre = out.motion.point(box.middle());
     const GridLine* row = grid_.row_near(centre.v, reach_m);
     const GridLine* column = grid_.column_near(centre.u, reach_m);
     if (!seen[kLower] && !seen[kUpper]) {
@@ -164,7 +164,7 @@ class Completion {
       for (const GridLine& column : grid_.columns) {
         const size_t p = pattern_for(row, column);
         if (p == patterns_.size()) continue;
-        const Vec2 centre = patterns_[p].box.centre();
+        const Vec2 centre = patterns_[p].box.middle();
         const Motion2 motion{centre, Vec2{column.at, row.at} - centre, 0};
         if (!is_free(p, motion, wall_.openings.size())) continue;
         FacadeOpening copy = best_of(p);
@@ -215,7 +215,7 @@ class Completion {
   /// where no points of the wall lie, and with nothing seen through beside it that the opening would have shown.
   bool is_free(size_t p, const Motion2& motion, size_t i) const {
     const VectorRing ring = moved(best_of(p).outline, motion);
-    const OpeningBox box = box_of(ring);
+    const RingBox box = ring_box(ring);
     for (size_t k = 0; k < boxes_.size(); ++k)
       if (k != i && box.low.u < boxes_[k].high.u && boxes_[k].low.u < box.high.u && box.low.v < boxes_[k].high.v &&
           boxes_[k].low.v < box.high.v)
@@ -235,7 +235,7 @@ class Completion {
   FacadeWall& wall_;
   const PatternSetting& setting_;
   std::vector<Pattern> patterns_;
-  std::vector<OpeningBox> boxes_;  ///< of wall_.openings
+  std::vector<RingBox> boxes_;  ///< of wall_.openings
   std::vector<bool> is_member_;    ///< of a pattern, or a copy
   OpeningGrid grid_;
 };

@@ -14,7 +14,7 @@ namespace jalon {
 struct PatternSetting {
   bool enabled = true;
   double size_tolerance_m = 0.02;
-  double least_coverage = 0.75;
+  double least_coverage = 0.7;
   double least_occupancy = 0.6;
 };
 
@@ -26,7 +26,7 @@ inline constexpr std::array kPatternRows{
     number_row("pattern_tolerance_m", 0.02, 0, 1, "m", "",
                "Openings whose widths and heights (full) differ by no more are of one size; more where their own "
                "standard deviations say so"),
-    number_row("pattern_coverage", 0.75, 0, 1, "1", "",
+    number_row("pattern_coverage", 0.7, 0, 1, "1", "",
                "Openings with a smaller share of measured outline are badly measured: they are no pattern and may "
                "become a copy"),
     number_row("pattern_occupancy", 0.6, 0, 1, "1", "",

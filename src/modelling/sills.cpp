@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/sills.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "modelling/ring_tools.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kParallel = 0.985;      // 10 degrees, as walls of one facade
+constexpr double kMostHeight_m = 0.35;   // of a sill's front: stone sills have 0.08-0.25
+constexpr double kLeastSpan = 0.8;       // of the hole's width
+constexpr double kLowestShare = 0.3;     // of the hole's height, where its upper edge may be
+constexpr double kFlare_spacings = 4;    // above it, where the hole narrows from the sill's width to its own
+constexpr double kSteep = 3;             // |dv| / |du| of a jamb
+constexpr double kFront_spacings = 0.5;  // nearer to the wall's plane a surface is the wall's own
+
+/// The front of a sill in the wall's coordinates.
+struct Sill {
+  RingBox box;
+  double sigma_m;  ///< of its upper edge
+};
+
+std::vector<Sill> sills_before(const std::vector<VectorPlane>& planes, size_t wall, double front_m) {
+  const PlaneFrame& frame = planes[wall].frame;
+  std::vector<Sill> out;
+  for (size_t p = 0; p < planes.size(); ++p) {
+    if (p == wall || planes[p].faces.empty() || dot(planes[p].frame.normal, frame.normal) < kParallel) continue;
+    for (const VectorFace& face : planes[p].faces) {
+      Sill sill{{}, std::numeric_limits<double>::quiet_NaN()};
+      double in_front = 0;
+      for (const Vec2& corner : face.outline.corners) {
+        const Vec3 at = planes[p].frame.lift(corner);
+        sill.box.add(frame.project(at));
+        in_front += dot(at - frame.origin, frame.normal) - frame.height;
+      }
+      in_front /= static_cast<double>(face.outline.corners.size());
+      if (in_front < kFront_spacings * planes[wall].spacing_m || in_front > front_m) continue;
+      if (sill.box.height() > kMostHeight_m) continue;
+      for (const VectorEdge& edge : face.outline.edges)
+        if (edge.direction == EdgeDirection::kHorizontal) sill.sigma_m = edge.sigma_m;
+      out.push_back(sill);
+    }
+  }
+  return out;
+}
+
+/// The highest sill at the hole's foot.
+const Sill* sill_of(const RingBox& hole, const std::vector<Sill>& sills) {
+  const Sill* best = nullptr;
+  for (const Sill& sill : sills) {
+    const double common = std::min(hole.high.u, sill.box.high.u) - std::max(hole.low.u, sill.box.low.u);
+    const double top = sill.box.high.v;
+    if (common < kLeastSpan * hole.width() || top <= hole.low.v) continue;
+    if (top > hole.low.v + kLowestShare * hole.height()) continue;
+    if (best == nullptr || top > best->box.high.v) best = &sill;
+  }
+  return best;
+}
+
+/// Where a jamb that goes up from a to b, prolonged, crosses the level.
+double foot_of(const Vec2& a, const Vec2& b, double level) {
+  const Vec2 d = b - a;
+  return std::fabs(d.v) > kSteep * std::fabs(d.u) ? a.u + d.u * (level - a.v) / d.v : b.u;
+}
+
+/// The ring (anticlockwise) from this level on: what lies above the flare, and the jambs down to the level. Nothing
+/// when it comes in more than one piece.
+std::optional<VectorRing> ended_at(const VectorRing& ring, double level, double flare_m, double sigma_m) {
+  const size_t n = ring.corners.size();
+  const auto above = [&](size_t i) { return ring.corners[i % n].v > level + flare_m; };
+  size_t first = n, runs = 0;  // the first corner above, after one below
+  for (size_t i = 0; i < n; ++i)
+    if (!above(i) && above(i + 1)) first = (i + 1) % n, ++runs;
+  if (runs != 1) return {};
+  size_t count = 1;
+  while (above(first + count)) ++count;
+  const size_t right = (first + n - 1) % n, last = (first + count - 1) % n;
+  if (ring.edges[right].sagitta_m != 0 || ring.edges[last].sagitta_m != 0) return {};
+  const double u1 = foot_of(ring.corners[right], ring.corners[first], level);
+  const double u0 = foot_of(ring.corners[(last + 1) % n], ring.corners[last], level);
+  if (!(u1 > u0)) return {};
+  VectorRing out;
+  VectorEdge foot;
+  foot.direction = EdgeDirection::kHorizontal;
+  foot.sigma_m = sigma_m;
+  out.corners = {{u0, level}, {u1, level}};
+  out.edges = {foot, ring.edges[right]};
+  for (size_t k = 0; k < count; ++k) {
+    out.corners.push_back(ring.corners[(first + k) % n]);
+    out.edges.push_back(ring.edges[(first + k) % n]);
+  }
+  out.contour = ring.contour;
+  return out;
+}
+
+}  // namespace
+
+void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, double front_m, std::vector<WallHole>& holes) {
+  const std::vector<Sill> sills = sills_before(planes, wall, front_m);
+  if (sills.empty()) return;
+  for (WallHole& hole : holes) {
+    const Sill* sill = hole.is_notch ? nullptr : sill_of(ring_box(hole.outline), sills);
+    if (sill == nullptr) continue;
+    const double flare_m = kFlare_spacings * planes[wall].spacing_m;
+    const auto ended = ended_at(hole.outline, sill->box.high.v, flare_m, sill->sigma_m);
+    if (!ended || !is_simple(*ended, planes[wall].spacing_m)) continue;
+    const VectorRing before = reversed(hole.outline);
+    for (VectorRing& ring : planes[wall].faces[hole.piece].openings)
+      if (ring.corners == before.corners) ring = reversed(*ended);
+    hole.outline = *ended;
+  }
+}
+
+}  // namespace jalon
