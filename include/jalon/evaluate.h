@@ -5,12 +5,13 @@
  * Evaluation: how a result agrees with a reference that is known to be right (hand labels, the virtual scanner's truth,
  * another program).
  *
- * An evaluation is immutable and may be read by many threads; it keeps neither of the segmentations. Tables are
- * snapshots that the caller releases. Rates lie in 0 ... 1; a rate or mean of nothing is NaN.
+ * An evaluation is immutable and may be read by many threads; it keeps neither of its inputs. Tables are snapshots that
+ * the caller releases. Rates lie in 0 ... 1; a rate or mean of nothing is NaN.
  */
 #ifndef JALON_EVALUATE_H
 #define JALON_EVALUATE_H
 
+#include <jalon/model.h>
 #include <jalon/segmenter.h>
 
 JALON_BEGIN_C
@@ -90,6 +91,92 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_confusion(const jalon_cloud* clou
                                              const char* reference_field, const jalon_params* options,
                                              jalon_task* task, jalon_fields** classes,
                                              jalon_fields** totals);
+
+/* ---- models (Boulaassal 2010, 5.6) ---- */
+
+typedef struct jalon_model_evaluation jalon_model_evaluation;
+
+/**
+ * Compares a model with a reference: a survey, a drawing, the model that was scanned. Operation "model_evaluation".
+ *
+ * Faces with their openings taken off (or, "compare" = openings, the openings alone) are put into the plane of their
+ * reference, arcs as chords of 0.1 mm error, coordinates on a grid of 0.1 mm. Those pairs are chosen, one to one, whose
+ * shared areas have the largest sum (optimal assignment, Kuhn 1955), among pairs whose planes agree within
+ * "angle_tolerance_rad" and "distance_tolerance_m" and whose intersection over union reaches "min_iou". With "group" =
+ * plane all faces of a plane are one polygon; so are the coplanar triangles of a model without faces.
+ *
+ * Of each pair: the five area indices (5.6.3.2, table 5.5; definitions by "formulas"), the two borders' distances both
+ * ways (precision, recall and F1 at "contour_tolerance_m", Hausdorff distance and its 95 % form) and the planes' angle
+ * and distance. Corners of paired faces are paired, the nearest first, up to "vertex_tolerance_m" (table 5.8). "mode" =
+ * relative moves the model by the medians of its vertices' deviations first and compares again. Classes of parts choose
+ * what counts: "classes", "ignored_classes". Empty models are no error. O(pairs of near faces x corners), parallel.
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_evaluate(const jalon_model* model, const jalon_model* reference,
+                                            const jalon_params* options, jalon_task* task,
+                                            jalon_model_evaluation** out);
+JALON_API jalon_model_evaluation* jalon_model_evaluation_retain(jalon_model_evaluation* evaluation);
+JALON_API void jalon_model_evaluation_release(jalon_model_evaluation* evaluation);
+/**
+ * One row a pair, ascending by reference: "automatic", "reference" (uint32: rows of the sides' tables);
+ * "area_automatic" |SA|, "area_reference" |SR|, "intersection" TP, "excess" FP = |SA \ SR|, "deficit" FN = |SR \ SA|
+ * (m2, in the reference's plane); "completeness" TP/|SR|, "correctness" TP/|SA|, "quality" TP/|SR u SA|, "branching"
+ * FP/TP, "miss" FN/TP (the two swapped by formulas = thesis; inf where nothing is shared), "failure" FP/|SR|,
+ * "omission" FN/|SR|; "angle" (rad, 0 ... pi/2), "distance" (m, of the automatic face's middle beyond the reference's
+ * plane), "same_class" (uint8); "contour_precision" (share of the automatic border within the tolerance of the
+ * reference), "contour_recall" (the other way), "contour_f1", "contour_mean", "contour_rms" (m, automatic to
+ * reference), "contour_mean_back", "contour_rms_back" (m, reference to automatic), "hausdorff95", "hausdorff" (m)
+ * (float64).
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_evaluation_pairs(const jalon_model_evaluation* evaluation,
+                                                    jalon_fields** out);
+/**
+ * One row a face (or opening, or plane) of the automatic model: "face" (uint32: its row in jalon_model_faces, of the
+ * largest of several; of a mesh a triangle), "ring" (uint32: row in jalon_model_rings of an opening, else UINT32_MAX),
+ * "part", "merged" (uint32: how many faces it stands for), "area" (float64, m2), "kept" (uint8; 0 = left out, too
+ * small), "partner" (uint32: row of the reference's table, UINT32_MAX = unmatched). Faces of classes that do not count
+ * and those without an area are not listed.
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_evaluation_automatic(const jalon_model_evaluation* evaluation,
+                                                        jalon_fields** out);
+/** The same of the reference. */
+JALON_API JALON_CHECK jalon_status jalon_model_evaluation_reference(const jalon_model_evaluation* evaluation,
+                                                        jalon_fields** out);
+/**
+ * One row a pair of homologous vertices, ascending by place of the reference: "automatic", "reference" (uint32: rows of
+ * jalon_model_vertices), "dx", "dy", "dz" (m, automatic less reference, after the shift of mode = relative), "distance"
+ * (m), "along", "up", "out" (m: the same along the reference's largest face there, up it, and along its normal)
+ * (float64).
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_evaluation_vertices(const jalon_model_evaluation* evaluation,
+                                                       jalon_fields** out);
+/**
+ * One row: counts "pairs", "unmatched_automatic", "unmatched_reference", "left_out_automatic", "left_out_reference",
+ * "same_class", "vertices" (uint64); sums "area_automatic", "area_reference", "intersection" over all kept faces,
+ * unmatched ones included; of each area index "total_..." of these sums (weighted by area), "mean_..." and "std_..."
+ * over the pairs; "mean_..." of each contour column; "mean_", "std_angle", "mean_", "std_plane_distance"; "shift"
+ * (float64 x 3, m: taken by mode = relative); of each vertex column "mean_..." (bias), "std_..." (n - 1) and "rms_...",
+ * and "max_distance" (float64).
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_evaluation_totals(const jalon_model_evaluation* evaluation,
+                                                     jalon_fields** out);
+
+/**
+ * The area indices of areas that are already known, e.g. of a printed table: count automatic areas, reference areas and
+ * areas of their intersections (m2). Operation "indices". rows: a row each with the columns "area_automatic" to
+ * "omission" of jalon_model_evaluation_pairs; totals: the sums, their indices, means and deviations as above. One of
+ * the outputs may be NULL. JALON_ERROR_INVALID_ARGUMENT for an area that is negative or not finite, or an intersection
+ * larger than one of its areas.
+ */
+JALON_API JALON_CHECK jalon_status jalon_area_indices(const double* automatic_m2, const double* reference_m2,
+                                          const double* intersection_m2, uint64_t count, const jalon_params* options,
+                                          jalon_fields** rows, jalon_fields** totals);
+/**
+ * Deviations of count vertices from their reference, pair by pair: x, y, z packed. rows: the columns of
+ * jalon_model_evaluation_vertices, "along", "up" and "out" NaN; totals: their means, deviations and root mean squares.
+ * One of the outputs may be NULL. JALON_ERROR_INVALID_ARGUMENT for a coordinate that is not finite.
+ */
+JALON_API JALON_CHECK jalon_status jalon_vertex_deviations(const double* automatic_xyz, const double* reference_xyz,
+                                               uint64_t count, jalon_fields** rows, jalon_fields** totals);
 
 JALON_END_C
 

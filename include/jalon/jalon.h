@@ -23,6 +23,7 @@
 #include <jalon/segmenter.h>
 #include <jalon/primitives.h>
 #include <jalon/evaluate.h>
+#include <jalon/precision.h>
 #include <jalon/modeller.h>
 #include <jalon/scanner.h>
 #include <jalon/io.h>

@@ -7,7 +7,9 @@
 #include "capi/guard.h"
 #include "capi/operations.h"
 #include "cloud/operations.h"
+#include "cloud/precision.h"
 #include "formats/formats.h"
+#include "modelling/model_evaluation.h"
 #include "report/picture.h"
 #include "report/report.h"
 #include "scan/scanner.h"
@@ -26,7 +28,8 @@ std::span<const Operation> operations() {
       {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
       {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},
       {"labels", labels_rows},       {"evaluation", evaluation_rows}, {"confusion", confusion_rows},
-      {"primitive", primitive_rows}, {"pick", pick_rows},
+      {"primitive", primitive_rows}, {"pick", pick_rows},           {"model_evaluation", model_evaluation_rows},
+      {"indices", indices_rows},     {"precision", precision_rows},
   };
   return kOperations;
 }

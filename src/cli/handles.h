@@ -32,6 +32,7 @@ using Cloud = std::unique_ptr<jalon_cloud, Release<jalon_cloud_release>>;
 using Evaluation = std::unique_ptr<jalon_evaluation, Release<jalon_evaluation_release>>;
 using Fields = std::unique_ptr<jalon_fields, Release<jalon_fields_release>>;
 using Model = std::unique_ptr<jalon_model, Release<jalon_model_release>>;
+using ModelEvaluation = std::unique_ptr<jalon_model_evaluation, Release<jalon_model_evaluation_release>>;
 using Modeller = std::unique_ptr<jalon_modeller, Release<jalon_modeller_release>>;
 using Params = std::unique_ptr<jalon_params, Release<jalon_params_release>>;
 using Scanner = std::unique_ptr<jalon_scanner, Release<jalon_scanner_release>>;

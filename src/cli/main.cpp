@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
   add_segment(app);
   add_model(app);
   add_evaluate(app);
+  add_evaluate_model(app);
   add_scan(app);
   try {
     app.parse(argc, argv);

@@ -51,6 +51,7 @@ void add_facade(CLI::App& app);
 void add_segment(CLI::App& app);
 void add_model(CLI::App& app);
 void add_evaluate(CLI::App& app);
+void add_evaluate_model(CLI::App& app);
 void add_scan(CLI::App& app);
 
 }  // namespace jalon::cli

@@ -20,8 +20,8 @@ struct UncertainSurface {
   double sigma_m = 0;
 };
 
-/// A fitted plane at a point: least certain far from its centroid, so an extrapolated corner is worth less than one amid
-/// the points.
+/// A fitted plane at a point: least certain far from its centroid, so an extrapolated corner is worth less than one
+/// amid the points.
 UncertainSurface plane_at(const PlaneFit& fit, const Vec3& point);
 /// The same from the covariance of (nx, ny, nz, offset), row-major, as in Face. Far from the origin (7 000 km of a
 /// national grid) its own rounding leaves some 1e-9 m2: take the fit where there is one.

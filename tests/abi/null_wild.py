@@ -24,6 +24,7 @@ HANDLES = {
     "jalon_segmenter": ("fx_segmenter", []),
     "jalon_segmentation": ("fx_segmentation", ["fx_no_segments"]),
     "jalon_evaluation": ("fx_evaluation", []),
+    "jalon_model_evaluation": ("fx_model_evaluation", []),
     "jalon_modeller": ("fx_modeller", []),
     "jalon_scanner": ("fx_scanner", []),
     "jalon_task": ("fx_task", []),
@@ -42,6 +43,9 @@ OPERATION = {
     "jalon_cloud_fit_sphere": "primitive", "jalon_cloud_fit_cylinder": "primitive", "jalon_cloud_fit_circle": "primitive",
     "jalon_segmentation_pick": "pick", "jalon_cloud_confusion": "confusion", "jalon_report_write_picture": "picture",
     "jalon_report_write_html": "report", "jalon_report_write_json": "report",
+    "jalon_model_evaluate": "model_evaluation", "jalon_area_indices": "indices",
+    "jalon_precision_budget": "precision", "jalon_cloud_compute_covariances": "precision",
+    "jalon_segmentation_plane_covariances": "precision",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
 NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world", "T_prism_world", "method", "face_ids",
@@ -51,6 +55,7 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_format_info.abilities", "jalon_model_part.name", "jalon_model_part.part_class",
             "jalon_model_part.parent", "jalon_model_rename_part.name", "jalon_model_rename_part.part_class", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
             "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
+            "rows", "vertical_rad", "incidence_rad",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
@@ -59,7 +64,9 @@ OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_dista
 # Arrays and the parameter that counts them.
 ARRAYS = {"xyz": "count", "picks": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
           "polygon_uv": "count", "values": "count", "queries": "count", "clouds": "count",
-          "vertices": "count_vertices", "triangles": "count_triangles"}
+          "automatic_m2": "count", "reference_m2": "count", "intersection_m2": "count", "automatic_xyz": "count",
+          "reference_xyz": "count", "ranges_m": "count", "measured_m": "count", "known_m": "count",
+          "wavelengths_m": "count", "remainders_m": "count", "vertices": "count_vertices", "triangles": "count_triangles"}
 # Baselines that need another handle or value than the tables give.
 BASE = {
     "jalon_cloud_fit_sphere.cloud": "fx_ball", "jalon_cloud_fit_cylinder.cloud": "fx_ball",
@@ -79,6 +86,11 @@ BASE = {
     "jalon_model_read.path": 'fx_path("model.obj")', "jalon_model_write.path": 'fx_path("out.obj")',
     "jalon_report_write_elevation.path": 'fx_path("out.svg")', "jalon_report_write_html.path": 'fx_path("out.html")',
     "jalon_report_write_picture.path": 'fx_path("picture.svg")', "jalon_report_write_json.path": 'fx_path("out.json")', "jalon_params_set_string.value": "fx_text_value",
+    "jalon_area_indices.automatic_m2": "fx_areas", "jalon_area_indices.reference_m2": "fx_areas",
+    "jalon_area_indices.intersection_m2": "fx_areas",
+    "jalon_precision_budget.ranges_m": "fx_ranges", "jalon_precision_budget.vertical_rad": "NULL",
+    "jalon_precision_budget.incidence_rad": "NULL", "jalon_angular_precision.ranges_m": "fx_ranges",
+    "jalon_phase_range.wavelengths_m": "fx_ranges", "jalon_phase_range.remainders_m": "fx_areas",
     "jalon_cloud_remove_field.name": '"intensity"', "jalon_fields_view.name": '"intensity"',
     "jalon_fields_copy.name": '"intensity"', "jalon_cloud_invert_normals.cloud": "fx_cloud",
 }
@@ -180,7 +192,7 @@ def text(function, p):
     null = null_expectation(function, p.name)
     base = {"crs": '"EPSG:2154"', "name": '"intensity"', "unit": '"m"', "meaning": '"a meaning"', "field": '"intensity"',
             "label_field": '"intensity"', "class_field": '"intensity"', "reference_field": '"intensity"',
-            "method": "NULL", "operation": '"normals"', "json": '"{}"', "notes_json": r'"{\"title\":\"t\"}"',
+            "part_class": '"wall"', "method": "NULL", "operation": '"normals"', "json": '"{}"', "notes_json": r'"{\"title\":\"t\"}"',
             "value": "fx_text_value", "path": 'fx_path("out.xyz")'}.get(p.name)
     if base is None:
         return None

@@ -308,6 +308,7 @@ static jalon_status scenario_scan(void) {
 }
 
 #include "allocation_primitives.h"
+#include "allocation_worth.h"
 
 static jalon_status scenario_params(void) {
   jalon_params* params = NULL;
@@ -355,6 +356,7 @@ static const struct {
     {"scan", scenario_scan},
     {"params", scenario_params},
     {"primitives", scenario_primitives},
+    {"worth", scenario_worth},
 };
 enum { kScenarioCount = sizeof kScenarios / sizeof *kScenarios };
 

@@ -162,6 +162,18 @@ static inline jalon_status op_crop(const jalon_cloud* cloud, jalon_task* task, m
   return jalon_cloud_crop_box(cloud, &box, NULL, task, &out->cloud, NULL);
 }
 
+/* Seen from a tripod in front of it all. */
+static inline jalon_status op_covariances(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  const jalon_transform pose = {{1, 0, 0, 10, 0, 1, 0, -25, 0, 0, 1, 1.7}};
+  jalon_cloud* own = NULL;
+  jalon_status status = own_handle(cloud, &own);
+  if (status == JALON_OK) status = jalon_cloud_set_station(own, "tripod", &pose);
+  if (status == JALON_OK) status = jalon_cloud_compute_covariances(own, NULL, task);
+  if (status == JALON_OK) out->cloud = own;
+  else jalon_cloud_release(own);
+  return status;
+}
+
 static const struct {
   const char* name;
   operation run;
@@ -172,7 +184,7 @@ static const struct {
     {"duplicates", op_duplicates}, {"interest", op_interest},     {"radius search", op_radius},
     {"segment", op_segment},     {"region growing", op_grow},     {"append", op_append},
     {"crop", op_crop},           {"from labels", op_labels},      {"primitives", op_primitives},
-    {"pick", op_pick},           {"fit", op_fit},
+    {"pick", op_pick},           {"fit", op_fit},                 {"covariances", op_covariances},
 };
 enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
 

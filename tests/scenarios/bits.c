@@ -93,6 +93,13 @@ static void model_and_files(const jalon_cloud* cloud, uint64_t seed, jalon_task*
   tell("text there and back", seed, hash_cloud(kStart, back));
   tell("segments.xyz", seed, hash_file("s.xyz"));
   jalon_cloud_release(back);
+  jalon_model_evaluation* judged;
+  MUST(jalon_model_evaluate(model, model, NULL, task, &judged));
+  MUST(jalon_model_evaluation_pairs(judged, &fields));
+  tell("model evaluation pairs", seed, hash_and_release(fields));
+  MUST(jalon_model_evaluation_totals(judged, &fields));
+  tell("model evaluation totals", seed, hash_and_release(fields));
+  jalon_model_evaluation_release(judged);
   jalon_model_release(model);
   jalon_modeller_release(modeller);
   release_made(&out);

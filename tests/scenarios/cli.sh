@@ -31,7 +31,7 @@ refuses() {
 }
 
 check "--help shows examples and exit codes" bash -c "'$jalon' --help | grep -q 'jalon facade scan.las' && '$jalon' --help | grep -q 'Exit codes'"
-for command in info convert clean normals facade model scan segment evaluate-segmentation; do
+for command in info convert clean normals facade model scan segment evaluate-segmentation evaluate-model; do
   check "$command --help shows an example" bash -c "'$jalon' $command --help | grep -q 'jalon $command'"
 done
 check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
@@ -55,6 +55,13 @@ check "facade --json lists the planes" bash -c "'$jalon' facade sample.las -o re
 check "the same seed gives the same files" bash -c "'$jalon' facade sample.las -o again --quiet --threads 1 && cmp result/model.obj again/model.obj && cmp result/segments.las again/segments.las && cmp result/segments.ply again/segments.ply"
 check "a terminal sees a progress bar" bash -c "script -qec \"'$jalon' facade sample.las -o bar\" /dev/null | grep -q '%'"
 check "--set reaches the segmenter" bash -c "'$jalon' facade sample.las -o few --json --set max_planes=2 | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"planes\"])==2, len(d[\"planes\"])'"
+check "evaluate-model of a model against itself is perfect" bash -c "'$jalon' evaluate-model result/model.obj result/model.obj -o judged --json | python3 -c '
+import json,sys
+t=json.load(sys.stdin)[\"totals\"]
+assert t[\"pairs\"]>5 and t[\"total_quality\"]==1 and t[\"total_branching\"]==t[\"total_miss\"]==t[\"total_failure\"]==t[\"max_distance\"]==0, t'"
+for file in faces.csv vertices.csv evaluation.json; do check "evaluate-model made $file" test -s judged/$file; done
+check "evaluate-model prints its table" bash -c "'$jalon' evaluate-model few/model.obj result/model.obj --set group=plane | grep -qE '^ +total .* [01][.][0-9]{3} '"
+refuses "no reference to judge a model by" 3 'none.obj' "$jalon" evaluate-model result/model.obj none.obj
 
 check "segment writes its seven files" "$jalon" segment sample.las -o segments
 for file in report.html segments.svg segments.csv segments.json segments.las segments.ply primitives.txt; do check "segment made $file" test -s segments/$file; done

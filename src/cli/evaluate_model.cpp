@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "cli/options.h"
+#include "cli/output_folder.h"
+#include "cli/table.h"
+
+namespace jalon::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegrees = 57.29577951308232;
+
+std::string right(const std::string& text, size_t width) {
+  return text.size() >= width ? text : std::string(width - text.size(), ' ') + text;
+}
+
+std::string cell(const Table& table, const std::string& name, uint64_t row, size_t width, int decimals,
+                 double scale = 1) {
+  return right(fixed(scale * table.number(name.c_str(), row), decimals), width);
+}
+
+Table table_of(const jalon_model_evaluation* evaluation,
+               jalon_status (*get)(const jalon_model_evaluation*, jalon_fields**)) {
+  Fields fields;
+  must(get(evaluation, Out(fields)));
+  return Table(std::move(fields));
+}
+
+constexpr const char* kIndices[] = {"completeness", "correctness", "quality", "branching", "miss", "failure"};
+
+/// A model's evaluation for people and scripts.
+struct ModelTables {
+  explicit ModelTables(const jalon_model_evaluation* e)
+      : pairs(table_of(e, jalon_model_evaluation_pairs)),
+        automatic(table_of(e, jalon_model_evaluation_automatic)),
+        reference(table_of(e, jalon_model_evaluation_reference)),
+        vertices(table_of(e, jalon_model_evaluation_vertices)),
+        totals(table_of(e, jalon_model_evaluation_totals)) {}
+
+  void print(const Console& console) const {
+    print_faces(console);
+    print_vertices(console);
+  }
+
+  Json json() const {
+    return {{"totals", totals.object(0)}, {"pairs", pairs.list()}, {"automatic", automatic.list()},
+            {"reference", reference.list()}, {"vertices", vertices.list()}};
+  }
+
+  Table pairs, automatic, reference, vertices, totals;
+
+ private:
+  void print_faces(const Console& console) const {
+    console.say(" reference  automatic       A m2       R m2   A n R m2  compl  corr   qual   branch   miss  FP/R"
+                "  angle deg  dist mm  H95 mm");
+    const auto face = [](const Table& side, uint64_t row) { return right(grouped(side.count("face", row)), 10); };
+    for (uint64_t i = 0; i < pairs.rows(); ++i) {
+      std::string line = face(reference, pairs.count("reference", i)) + " ";
+      line += face(automatic, pairs.count("automatic", i));
+      for (const char* name : {"area_automatic", "area_reference", "intersection"}) line += cell(pairs, name, i, 11, 3);
+      for (const char* name : kIndices) line += cell(pairs, name, i, 7, 3);
+      console.say(line + cell(pairs, "angle", i, 10, 3, kDegrees) + cell(pairs, "distance", i, 9, 1, 1000) +
+                  cell(pairs, "hausdorff95", i, 8, 1, 1000));
+    }
+    std::string sums = right("total", 21);
+    for (const char* name : {"area_automatic", "area_reference", "intersection"}) sums += cell(totals, name, 0, 11, 3);
+    for (const char* name : kIndices) sums += cell(totals, std::string("total_") + name, 0, 7, 3);
+    console.say(sums);
+    for (const char* kind : {"mean", "std"}) {
+      std::string line = right(kind, 54);
+      for (const char* name : kIndices) line += cell(totals, std::string(kind) + "_" + name, 0, 7, 3);
+      line += cell(totals, std::string(kind) + "_angle", 0, 10, 3, kDegrees);
+      console.say(line + cell(totals, std::string(kind) + "_plane_distance", 0, 9, 1, 1000));
+    }
+    const auto count = [&](const char* name) { return grouped(totals.count(name, 0)); };
+    console.say("pairs " + count("pairs") + ", of one class " + count("same_class") + "; unmatched: " +
+                count("unmatched_reference") + " reference, " + count("unmatched_automatic") +
+                " automatic (they count in the totals); left out as too small: " + count("left_out_reference") +
+                " reference, " + count("left_out_automatic") + " automatic");
+    const auto rate = [&](const char* name) { return fixed(totals.number(name, 0), 4); };
+    console.say("contours: precision " + rate("mean_contour_precision") + ", recall " + rate("mean_contour_recall") +
+                ", F1 " + rate("mean_contour_f1"));
+  }
+
+  void print_vertices(const Console& console) const {
+    console.say("vertices " + grouped(totals.count("vertices", 0)) +
+                " (mm)         DX        DY        DZ         D     along        up       out");
+    for (const char* kind : {"mean", "std", "rms"}) {
+      std::string line = right(kind, 16);
+      for (const char* name : {"dx", "dy", "dz", "distance", "along", "up", "out"})
+        line += cell(totals, std::string(kind) + "_" + name, 0, 10, 1, 1000);
+      console.say(line);
+    }
+    console.say("largest D " + fixed(1000 * totals.number("max_distance", 0), 1) + " mm");
+  }
+};
+
+struct EvaluateModel {
+  Common common;
+  std::string automatic, reference, output;
+  Settings settings;
+
+  static Model read(const Console& console, const std::string& path) {
+    Model model;
+    must(jalon_model_read(path.c_str(), nullptr, console.task(), Out(model)));
+    return model;
+  }
+
+  void run() const {
+    const Params options = make_params("model_evaluation");
+    settings.apply(options.get());
+    Console console(common);
+    console.step("reading");
+    const Model a = read(console, automatic), r = read(console, reference);
+    console.step("comparing");
+    ModelEvaluation evaluation;
+    must(jalon_model_evaluate(a.get(), r.get(), options.get(), console.task(), Out(evaluation)));
+    const ModelTables tables(evaluation.get());
+    Json result{{"automatic", automatic}, {"reference", reference}};
+    const char* parameters = nullptr;
+    must(jalon_params_to_json(options.get(), &parameters));
+    result["parameters"] = Json::parse(parameters);
+    result.update(tables.json());
+    if (!output.empty()) {
+      OutputFolder folder(output);
+      write_text_file(folder.path("faces.csv"), tables.pairs.csv());
+      write_text_file(folder.path("vertices.csv"), tables.vertices.csv());
+      const std::string text = result.dump(1, ' ', false, Json::error_handler_t::replace);
+      write_text_file(folder.path("evaluation.json"), text + "\n");
+      folder.commit();
+    }
+    tables.print(console);
+    if (!output.empty()) console.say("wrote " + output + ": faces.csv, vertices.csv, evaluation.json");
+    console.result(result);
+  }
+};
+
+}  // namespace
+
+void add_evaluate_model(CLI::App& app) {
+  auto* command = app.add_subcommand("evaluate-model",
+                                     "Compares a vector model with a reference: areas, contours, vertices");
+  auto state = std::make_shared<EvaluateModel>();
+  command->add_option("model", state->automatic, "Model to judge")->required()->type_name("MODEL");
+  command->add_option("reference", state->reference, "Model that is right")->required()->type_name("REFERENCE");
+  command->add_option("-o,--output", state->output, "Also write faces.csv, vertices.csv and evaluation.json here")
+      ->type_name("DIR");
+  state->settings.add_to(*command);
+  add_common(*command, state->common);
+  command->footer([] {
+    return "Parameters of --set:\n" + describe(make_params("model_evaluation").get()) + R"(
+A and R are the areas of a face and its reference in one plane: compl(eteness) = A n R / R, corr(ectness) = A n R / A,
+qual(ity) = A n R / A u R, branch(ing) = A \ R / A n R, miss = R \ A / A n R, FP/R = A \ R / R. H95: 95 % of both
+borders are nearer. D: distance of homologous vertices. Faces go by their rows, counted from 0.
+Exit codes: 0 compared, however well or badly they agree; 2 wrong options; 3 a file is missing or malformed; others
+as in jalon --help.
+
+Examples:
+  jalon evaluate-model result/model.city.json survey.obj
+  jalon evaluate-model model.obj drawn.obj --set mode=relative --set compare=openings -o result)";
+  });
+  command->callback([state] { state->run(); });
+}
+
+}  // namespace jalon::cli

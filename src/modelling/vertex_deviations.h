@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/field.h"
+#include "base/task.h"
+#include "geometry/vec.h"
+
+namespace jalon {
+
+/// A vertex and its counterpart (facade-modelling A38).
+struct VertexPair {
+  uint32_t automatic = 0, reference = 0;  ///< vertices of the two models, or rows of the lists
+  Vec3 deviation;                         ///< automatic less reference: DX, DY, DZ
+  Vec3 in_facade{kUnknown, kUnknown, kUnknown};  ///< the same along the facade, up and out of it; NaN: no face told
+  double distance_m() const { return norm(deviation); }
+
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Homologous vertices, one to one: the nearest pair first, then the nearest of what is left, up to the tolerance;
+/// ties by index. Ascending by the reference's index. O(n log n + pairs within the tolerance).
+std::vector<VertexPair> homologous_vertices(std::span<const Vec3> automatic, std::span<const Vec3> reference,
+                                            double tolerance_m, Task& task);
+
+/// One row a pair: indices, "dx", "dy", "dz", "distance", "along", "up", "out".
+FieldTable vertex_pair_table(std::span<const VertexPair> pairs);
+/// Adds "vertices" and, of each of those columns, "mean_", "std_" (n - 1) and "rms_"; "max_distance".
+void add_vertex_totals(FieldTable& table, std::span<const VertexPair> pairs);
+
+}  // namespace jalon

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "base/field.h"
+#include "base/params.h"
+#include "base/task.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+/// A plane adjusted with what its points are worth, and what that makes its parameters worth.
+struct PropagatedPlane {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  uint32_t label = 0;
+  Plane plane{{kUnknown, kUnknown, kUnknown}, kUnknown};
+  std::array<double, 16> covariance = filled();  ///< of (normal, offset), from the points' covariances
+  double sigma_prior_m = kUnknown;    ///< of the points along the normal, root of their mean variance
+  double sigma_m = kUnknown;          ///< of their residuals, n - 3
+  double variance_factor = kUnknown;  ///< residuals against their own sigmas, n - 3: 1 where the budget is right
+
+  static constexpr std::array<double, 16> filled() {
+    std::array<double, 16> out{};
+    for (double& value : out) value = kUnknown;
+    return out;
+  }
+};
+
+/// Weighted least squares of each planar segment, weights 1 / (n^T C_i n) from the scanner's precision (facade-modelling
+/// A25; Mikhail & Gracie 1981): covariance N^-1, a priori. Errors of points are independent; what all points of a station
+/// have in common (its position, back-sight, level) does not average out and is left out. Other segments have NaN. O(n).
+std::vector<PropagatedPlane> propagate_planes(const Segmentation& segmentation, const ParamSet& params, Task& task);
+FieldTable propagated_plane_table(const std::vector<PropagatedPlane>& planes);
+
+}  // namespace jalon
