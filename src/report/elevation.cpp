@@ -30,7 +30,6 @@ void define_patterns(SvgWriter& svg, const Sheet& sheet, const std::string& id) 
   svg.leaf("rect", {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width},
                     {"height", sheet.view.height}});
   svg.close();
-  define_hatching(svg, "slanted" + id, 1.5, "#a8a8a8", 0.15);
   define_hatching(svg, "unknown" + id, 2.2, "#555555", 0.2);
   svg.close();
 }

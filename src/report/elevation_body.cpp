@@ -15,7 +15,6 @@ using Role = DrawnFace::Role;
 constexpr double kOutline = 0.35, kEdge = 0.25, kDetail = 0.18, kGround = 0.5, kCross = 0.13;
 constexpr const char* kSolid = "none";
 constexpr const char* kDashed = "1.4 0.8";
-constexpr const char* kEdgeOn = "#5b4a9c";
 
 std::string url_of(const ElevationDrawing& drawing, const char* name) {
   return std::string("url(#").append(name).append(drawing.setting.id).append(")");
@@ -25,7 +24,7 @@ double width_of(Role role) { return role == Role::kWall ? kOutline : role == Rol
 
 std::string fill_of(const ElevationDrawing& drawing, const DrawnFace& face) {
   if (face.role == Role::kNoData) return url_of(drawing, "unknown");
-  if (face.kind == Kind::kSlanted) return url_of(drawing, "slanted");
+  if (face.kind == Kind::kSlanted) return kSlantedFill;
   return group_colour(drawing.faces, face.group, drawing.setting.colours);
 }
 

@@ -20,8 +20,8 @@ using Colour = std::array<double, 3>;
 // lean to blue, so that the colour-blind tell them from the reds.
 constexpr std::array<Colour, 6> kDepths{
     {{255, 247, 214}, {199, 233, 180}, {127, 205, 187}, {65, 158, 196}, {38, 98, 168}, {22, 40, 108}}};
-constexpr std::array<Colour, 3> kInFront{{{252, 210, 190}, {240, 140, 110}, {196, 66, 44}}};
-constexpr std::array<Colour, 3> kBehind{{{208, 235, 220}, {112, 184, 160}, {20, 96, 92}}};
+constexpr std::array<Colour, 3> kInFront{{{253, 222, 206}, {246, 172, 145}, {222, 106, 80}}};
+constexpr std::array<Colour, 3> kBehind{{{218, 240, 226}, {150, 208, 186}, {76, 160, 146}}};
 constexpr const char* kMainPlane = "#f7f3e8";
 constexpr const char* kPaper = "#ffffff";
 

@@ -13,6 +13,9 @@ namespace jalon {
 /// green behind, stronger with the distance), by depth alone, or not at all.
 enum class ElevationColours { kSides, kDepth, kNone };
 
+constexpr const char* kEdgeOn = "#8c4fa8";       ///< line of a plane seen edge-on
+constexpr const char* kSlantedFill = "#e8e8e8";  ///< of a plane seen at an angle
+
 /// Fill of group i.
 std::string group_colour(const ElevationFaces& faces, size_t i, ElevationColours colours);
 /// Does text on this colour (#rrggbb) have to be white?

@@ -16,7 +16,7 @@ namespace {
 // Depths this close are one colour to begin with: the thickness of a coat of plaster.
 constexpr double kFirstStep_m = 0.02;
 // |cos| between eye and normal below which a face is a line on the drawing: 2 degrees.
-constexpr double kEdgeOn = 0.035;
+constexpr double kEdgeOnCosine = 0.035;
 constexpr double kNoArea = -1;
 
 struct Extent {
@@ -38,7 +38,7 @@ struct Extent {
 DrawnFace::Kind kind_of(const Face& face, const ElevationView& view, double front_angle_rad) {
   const double facing = std::fabs(view.T_view_world.direction(face.plane.normal).y);
   if (facing >= std::cos(front_angle_rad)) return DrawnFace::Kind::kFront;
-  if (facing < kEdgeOn) return DrawnFace::Kind::kEdgeOn;
+  if (facing < kEdgeOnCosine) return DrawnFace::Kind::kEdgeOn;
   const auto orientation = static_cast<Orientation>(face.face_class);
   return orientation == Orientation::kVertical || orientation == Orientation::kHorizontal ? DrawnFace::Kind::kEdgeOn
                                                                                           : DrawnFace::Kind::kSlanted;
@@ -106,7 +106,8 @@ void rank_groups(std::vector<DepthGroup>& groups) {
     if (groups[i].side < 0) groups[i].rank = front++;
 }
 
-// Depths in steps around the main plane (step 0); the steps double until the groups can be told apart by colour.
+// Front faces from near to far, those within half a step of the main plane together, the others as far as a step
+// reaches; the steps double until the groups can be told apart by colour.
 std::vector<DepthGroup> group_depths(std::vector<DrawnFace>& faces) {
   std::vector<DrawnFace*> front;
   for (DrawnFace& face : faces)
@@ -116,13 +117,12 @@ std::vector<DepthGroup> group_depths(std::vector<DrawnFace>& faces) {
   std::vector<DepthGroup> groups;
   for (double step = kFirstStep_m;; step *= 2) {
     groups.clear();
-    double current = 0;
     for (DrawnFace* face : front) {
-      const double at = std::floor(face->depth_m / step + 0.5);
-      if (groups.empty() || at != current)
-        groups.push_back({face->depth_m, face->depth_m, 0, (at > 0) - (at < 0), 0});
-      current = at;
-      groups.back().to_m = face->depth_m;
+      const double depth = face->depth_m;
+      const int side = std::fabs(depth) <= step / 2 ? 0 : depth < 0 ? -1 : 1;
+      if (groups.empty() || side != groups.back().side || (side != 0 && depth - groups.back().from_m > step))
+        groups.push_back({depth, depth, 0, side, 0});
+      groups.back().to_m = depth;
       ++groups.back().faces;
       face->group = groups.size() - 1;
     }

@@ -14,7 +14,6 @@ namespace {
 using Sign = LegendItem::Sign;
 
 constexpr double kText = 2.5, kRow = 4.6, kSwatch = 7, kSwatchHeight = 3.4;
-constexpr const char* kEdgeOn = "#5b4a9c";
 
 std::string depth_text(double depth_m) {
   const std::string number = text_of(depth_m, 2);
@@ -66,7 +65,7 @@ void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces, cons
       }),
       Sign::kLine, kInk, "ground");
   add(any_face([](const DrawnFace& f) { return f.kind == DrawnFace::Kind::kSlanted; }), Sign::kSwatch,
-      "url(#slanted" + setting.id + ")", "inclined plane");
+      kSlantedFill, "plane seen at an angle");
   add(!faces.unknown.empty() || any_face([](const DrawnFace& f) { return f.role == DrawnFace::Role::kNoData; }),
       Sign::kSwatch, "url(#unknown" + setting.id + ")", "no data");
 }

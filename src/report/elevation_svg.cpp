@@ -70,11 +70,12 @@ std::span<const ParamRow> elevation_rows() { return kElevationRows; }
 
 std::string elevation_svg(const Segmentation& segmentation, const Model& model, const ParamSet& options, Task& task) {
   const Span span(task, 0, 1, "drawing the elevation");
-  const ElevationView view = elevation_view(segmentation, model, options.integer("facade"));
+  OpeningList openings = list_openings(model, options.number("type_tolerance_m"));
+  const ElevationView view = elevation_view(segmentation, model, openings, options.integer("facade"));
   const ElevationSetting setting = read_setting(segmentation, view, options);
   const ViewLimits limits{options.number("in_front_m"), options.number("behind_m"), options.number("front_angle_rad")};
   ElevationFaces faces = elevation_faces(model, view, limits, task);
-  faces.list = list_openings(model, options.number("type_tolerance_m"));
+  faces.list = std::move(openings);
   add_openings(faces, model, view);
   ElevationDrawing drawing{faces, setting, dimensions_of(faces, setting), window_of(faces), {}, {}};
   drawing.sheet = lay_out(drawing, options);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/elevation_view.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -44,6 +45,42 @@ WallSum sum_walls(const Model& model, const ElevationView& view, bool walls_only
   return sum;
 }
 
+Vec3 middle_of(const Model& model, uint64_t ring) {
+  Vec3 sum;
+  const Ring& r = model.rings[ring];
+  for (uint64_t i = 0; i < r.count; ++i)
+    sum += model.vertices[model.corners[r.first + i]] / static_cast<double>(r.count);
+  return sum;
+}
+
+// How many more openings of the faces shown have their joinery on the side that their depth says, when seen against
+// this normal, than on the other.
+int64_t front_votes(const Model& model, const ElevationView& view, const OpeningList& openings, const Vec3& outward) {
+  int64_t votes = 0;
+  for (const OpeningRow& row : openings.rows) {
+    if (row.contour.empty() || row.joinery.empty() || !view.shows(row.contour.front().face)) continue;
+    if (!std::isfinite(row.depth_m) || row.depth_m == 0) continue;
+    const Vec3 inward = middle_of(model, model.faces[row.joinery.front()].first_ring) -
+                        middle_of(model, row.contour.front().ring);
+    const double agreement = -dot(inward, outward) * row.depth_m;
+    votes += (agreement > 0) - (agreement < 0);
+  }
+  return votes;
+}
+
+bool has_station_poses(const Segmentation& segmentation) {
+  return std::any_of(segmentation.cloud->stations.begin(), segmentation.cloud->stations.end(),
+                     [](const Station& s) { return s.has_pose; });
+}
+
+Vec3 front_of(const Segmentation& segmentation, const Model& model, const ElevationView& view,
+              const OpeningList& openings, const Vec3& normal) {
+  if (has_station_poses(segmentation)) return normal;
+  const int64_t votes = front_votes(model, view, openings, normal);
+  const bool is_away = votes != 0 ? votes < 0 : segmentation.T_facade_world.direction(normal).y > 0;
+  return is_away ? -normal : normal;
+}
+
 }  // namespace
 
 double ElevationView::azimuth_rad() const { return std::atan2(T_view_world.m[4], T_view_world.m[5]); }
@@ -55,7 +92,8 @@ std::vector<uint32_t> facade_parts(const Model& model) {
   return out;
 }
 
-ElevationView elevation_view(const Segmentation& segmentation, const Model& model, int64_t facade) {
+ElevationView elevation_view(const Segmentation& segmentation, const Model& model, const OpeningList& openings,
+                             int64_t facade) {
   ElevationView view;
   view.T_view_world = segmentation.T_facade_world;
   if (facade == 0) return view;
@@ -75,7 +113,9 @@ ElevationView elevation_view(const Segmentation& segmentation, const Model& mode
   for (size_t f = 0; f < model.faces.size(); ++f) view.shown[f] = facade_of(model.faces[f]) == chosen;
   WallSum sum = sum_walls(model, view, true);
   if (!sum.found) sum = sum_walls(model, view, false);
-  if (std::hypot(sum.normal.x, sum.normal.y) > 0) view.T_view_world = view_against(sum.normal, sum.origin);
+  if (std::hypot(sum.normal.x, sum.normal.y) > 0)
+    view.T_view_world =
+        view_against(front_of(segmentation, model, view, openings, sum.normal), sum.origin);
   for (size_t f = 0; f < model.faces.size(); ++f)
     if (facade_of(model.faces[f]) == kNoPart) view.shown[f] = true;
   return view;

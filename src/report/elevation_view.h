@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "report/opening_list.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
@@ -32,7 +33,10 @@ struct ElevationView {
 std::vector<uint32_t> facade_parts(const Model& model);
 
 /// facade 0: the whole model from the front of the segmentation's main facade. k = 1 ...: the k-th facade alone, and
-/// what belongs to no facade, from the mean direction of its walls. Throws kInvalidArgument when there are fewer.
-ElevationView elevation_view(const Segmentation& segmentation, const Model& model, int64_t facade);
+/// what belongs to no facade, against the mean normal of its walls. Where no station is known normals may point either
+/// way: then the joinery of its openings tells the front, or else the side from which the main facade is seen. Throws
+/// kInvalidArgument when there are fewer facades.
+ElevationView elevation_view(const Segmentation& segmentation, const Model& model, const OpeningList& openings,
+                             int64_t facade);
 
 }  // namespace jalon

@@ -133,7 +133,7 @@ TEST_CASE("elevation: windows, doors, copies, empty openings and missing data ca
   for (const char* text : {"window", "door", "copied: not measured here", "nothing seen in it", "no data", "ground",
                            "1.20 x 1.50", "1.20 x 2.10 arch", "1.00 x 2.30", "-0.30", "+0.15 (13)", "+0.25"})
     CHECK_MESSAGE(has_text(svg, text), text);
-  for (const char* absent : {"inclined plane", "plane seen edge-on", "other opening"}) CHECK(!has_text(svg, absent));
+  for (const char* absent : {"plane seen at an angle", "plane seen edge-on", "other opening"}) CHECK(!has_text(svg, absent));
   CHECK(count_texts(svg, "W1") == 10);  // nine windows and the legend
   CHECK(svg.find("url(#unknown)") != std::string::npos);
 }
