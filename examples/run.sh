@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-# Sets up, builds and runs the main job on the bundled sample: a facade, scanned virtually, to planes, outlines, a drawing and
+# Sets up, builds and runs the main job on the bundled sample: a facade, scanned virtually, to planes, a model, a drawing and
 # a report. Usage: bash examples/run.sh [SCAN] - a scan of your own instead of the sample.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -29,5 +29,5 @@ echo
 echo "Look at:"
 echo "  $out/facade/report.html     the report: open it in a browser"
 echo "  $out/facade/elevation.svg   the drawing, to scale"
-echo "  $out/facade/model.obj       the outlines with their openings, for CAD"
+echo "  $out/facade/model.*         the model with its openings, for CAD, GIS and 3D tools"
 echo "  $out/facade/segments.las    the points with their plane, residual and orientation class"

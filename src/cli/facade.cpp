@@ -22,7 +22,7 @@ struct Facade {
   Input input;
   Settings settings, model_settings;
   ModelFiles files;
-  std::string output, model_method = "outlines";
+  std::string output, model_method = "facade";
   double tolerance_m = 0;  ///< 0 = the segmenter's default
 
   Segmentation segment(const Console& console, const Cloud& cloud) const {
@@ -56,8 +56,10 @@ struct Facade {
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(), folder.path("report.html").c_str(),
                                  nullptr, console.task()));
+    must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(), folder.path("report.json").c_str(),
+                                 nullptr, console.task()));
     folder.commit();
-    names.insert(names.begin(), "report.html");
+    names.insert(names.begin(), {"report.html", "report.json"});
     names.insert(names.end(), {"segments.las", "segments.ply"});
     return names;
   }
@@ -123,7 +125,8 @@ std::string tables() {
 }  // namespace
 
 void add_facade(CLI::App& app) {
-  auto* command = app.add_subcommand("facade", "From a scan to planes, outlines with openings, a drawing and a report");
+  auto* command =
+      app.add_subcommand("facade", "From a scan to planes, a model with windows and doors, a drawing and a report");
   auto state = std::make_shared<Facade>();
   state->input.add_to(*command);
   command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");

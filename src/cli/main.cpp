@@ -42,7 +42,7 @@ int exit_code(jalon_status status) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Jalon: laser scans in, planes, outlines and drawings out."};
+  CLI::App app{"Jalon: laser scans in, planes, facade models and drawings out."};
   app.footer(kFooter);
   app.set_version_flag("--version", std::string("jalon ") + jalon_version());
   app.require_subcommand(1);

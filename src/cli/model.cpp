@@ -18,7 +18,7 @@ struct ModelJob {
   Input input;
   Settings settings, segment_settings;
   ModelFiles files;
-  std::string method = "outlines", segmenter = "ransac", labels, output;
+  std::string method = "facade", segmenter = "ransac", labels, output;
   std::vector<double> noise;
   double tolerance_m = 0;  ///< 0 = the segmenter's default
 

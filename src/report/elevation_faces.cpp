@@ -173,6 +173,20 @@ size_t main_face(const ElevationFaces& out, const Model& model) {
   return best;
 }
 
+// What lies beyond the limits; of the elements also what no wall is near behind: cars, trees.
+void leave_out(std::vector<DrawnFace>& faces, const ViewLimits& limits) {
+  std::vector<double> walls;
+  for (const DrawnFace& face : faces)
+    if (face.role == DrawnFace::Role::kWall) walls.push_back(face.depth_m);
+  std::sort(walls.begin(), walls.end());
+  std::erase_if(faces, [&](const DrawnFace& face) {
+    if (face.depth_m < -limits.in_front_m || face.depth_m > limits.behind_m) return true;
+    if (walls.empty() || face.role != DrawnFace::Role::kElement) return false;
+    const auto behind = std::lower_bound(walls.begin(), walls.end(), face.depth_m);
+    return behind != walls.end() && *behind > face.depth_m + limits.element_reach_m;
+  });
+}
+
 }  // namespace
 
 ElevationFaces elevation_faces(const Model& model, const ElevationView& view, const ViewLimits& limits, Task& task) {
@@ -192,9 +206,7 @@ ElevationFaces elevation_faces(const Model& model, const ElevationView& view, co
   if (has_main) out.main_sigma_m = model.faces[out.faces[main].face].sigma_m;
   // Without any face to the front the depths mean nothing, and nothing is left out.
   for (DrawnFace& face : out.faces) face.depth_m = has_main ? face.depth_m - main_depth : 0;
-  std::erase_if(out.faces, [&](const DrawnFace& face) {
-    return face.depth_m < -limits.in_front_m || face.depth_m > limits.behind_m;
-  });
+  leave_out(out.faces, limits);
   out.groups = group_depths(out.faces);
   // Marks of missing data lie on their wall.
   std::stable_sort(out.faces.begin(), out.faces.end(), [](const DrawnFace& a, const DrawnFace& b) {

@@ -62,6 +62,7 @@ constexpr size_t kMaxDepthGroups = 8;
 
 struct ViewLimits {
   double in_front_m = 10, behind_m = 10;  ///< of the main plane: the front face of the largest area
+  double element_reach_m = 3;             ///< of elements in front of the nearest wall behind them
   double front_angle_rad = 0.26;          ///< largest turn of a front face from the facade
 };
 

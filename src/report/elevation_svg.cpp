@@ -21,6 +21,8 @@ constexpr ParamRow kElevationRows[] = {
     number_row("in_front_m", 10, 0, 1e6, "m", "",
                "Faces further than this (a depth) in front of the main plane are left out"),
     number_row("behind_m", 10, 0, 1e6, "m", "", "Faces further than this (a depth) behind the main plane are left out"),
+    number_row("element_reach_m", 3, 0, 1e6, "m", "",
+               "Elements that stand further than this (a depth) in front of every wall are left out: cars, trees"),
     number_row("front_angle_rad", 0.26, 0, 0.8, "rad", "",
                "Faces turned from the facade by less than this are filled by depth"),
     choice_row("colours", "sides", "sides|depth|none", "",
@@ -73,7 +75,8 @@ std::string elevation_svg(const Segmentation& segmentation, const Model& model, 
   OpeningList openings = list_openings(model, options.number("type_tolerance_m"));
   const ElevationView view = elevation_view(segmentation, model, openings, options.integer("facade"));
   const ElevationSetting setting = read_setting(segmentation, view, options);
-  const ViewLimits limits{options.number("in_front_m"), options.number("behind_m"), options.number("front_angle_rad")};
+  const ViewLimits limits{options.number("in_front_m"), options.number("behind_m"), options.number("element_reach_m"),
+                          options.number("front_angle_rad")};
   ElevationFaces faces = elevation_faces(model, view, limits, task);
   faces.list = std::move(openings);
   add_openings(faces, model, view);

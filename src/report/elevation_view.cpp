@@ -53,17 +53,16 @@ Vec3 middle_of(const Model& model, uint64_t ring) {
   return sum;
 }
 
-// How many more openings of the faces shown have their joinery on the side that their depth says, when seen against
-// this normal, than on the other.
+// How many more openings of the faces shown have their joinery behind the wall, when seen against this normal, than
+// before it.
 int64_t front_votes(const Model& model, const ElevationView& view, const OpeningList& openings, const Vec3& outward) {
   int64_t votes = 0;
   for (const OpeningRow& row : openings.rows) {
     if (row.contour.empty() || row.joinery.empty() || !view.shows(row.contour.front().face)) continue;
-    if (!std::isfinite(row.depth_m) || row.depth_m == 0) continue;
     const Vec3 inward = middle_of(model, model.faces[row.joinery.front()].first_ring) -
                         middle_of(model, row.contour.front().ring);
-    const double agreement = -dot(inward, outward) * row.depth_m;
-    votes += (agreement > 0) - (agreement < 0);
+    const double behind = -dot(inward, outward);
+    votes += (behind > 0) - (behind < 0);
   }
   return votes;
 }

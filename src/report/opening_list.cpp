@@ -55,7 +55,8 @@ std::vector<std::vector<size_t>> faces_inside(const Model& model, const PartTree
   return out;
 }
 
-OpeningRow row_of(const Model& model, uint32_t part, std::vector<FaceRing> holes, std::vector<size_t> inside) {
+OpeningRow row_of(const Model& model, const PartTree& tree, uint32_t part, std::vector<FaceRing> holes,
+                  std::vector<size_t> inside) {
   const Part& p = model.parts[part];
   OpeningRow row;
   row.part = part;
@@ -68,6 +69,10 @@ OpeningRow row_of(const Model& model, uint32_t part, std::vector<FaceRing> holes
   row.joinery = std::move(inside);
   if (row.contour.empty())  // a door that reaches the ground is a notch of the wall's outline, and no hole
     for (const size_t f : row.joinery) row.contour.push_back({f, model.faces[f].first_ring});
+  if (!row.contour.empty()) row.wall = row.contour.front().face;
+  const bool is_notch = !row.contour.empty() && row.contour.front().ring == model.faces[row.wall].first_ring;
+  if (is_notch && p.parent < model.parts.size() && !tree.faces()[p.parent].empty())
+    row.wall = tree.faces()[p.parent].front();
   measure(row, model);
   if (std::isfinite(p.width_m)) row.width_m = p.width_m;
   if (std::isfinite(p.height_m)) row.height_m = p.height_m;
@@ -81,7 +86,7 @@ std::vector<OpeningRow> named_openings(const Model& model) {
   std::vector<OpeningRow> rows;
   for (uint32_t part = 0; part < model.parts.size(); ++part)
     if (is_opening_class(model.parts[part].part_class))
-      rows.push_back(row_of(model, part, std::move(holes[part]), std::move(inside[part])));
+      rows.push_back(row_of(model, tree, part, std::move(holes[part]), std::move(inside[part])));
   return rows;
 }
 
@@ -95,6 +100,7 @@ std::vector<OpeningRow> unnamed_holes(const Model& model) {
       row.name = "hole " + std::to_string(rows.size() + 1);
       row.part_class = part_class::kOpening;
       row.contour.push_back({f, face.first_ring + r});
+      row.wall = f;
       measure(row, model);
       if (std::min(row.width_m, row.height_m) >= kSmallestHole_m) rows.push_back(std::move(row));
     }

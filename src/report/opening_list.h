@@ -30,6 +30,7 @@ struct OpeningRow {
   bool arched = false;  ///< its contour has an arc
   std::vector<FaceRing> contour;  ///< holes of the wall, or the outlines of its own faces where it is no hole
   std::vector<size_t> joinery;    ///< faces seen in it
+  size_t wall = 0;                ///< face of the wall around it; where none is known that of its own contour
   size_t type = 0;
 
   bool is_copy() const { return evidence == Evidence::kCopied || copied_from != kNoParent; }

@@ -66,7 +66,7 @@ bool has_covariance(const Face& face) {
 
 // Joinery is the face behind the wall, not the outline itself.
 void set_depth_precision(OpeningRow& row, const Model& model) {
-  const Face& wall = model.faces[row.contour.front().face];
+  const Face& wall = model.faces[row.wall];
   const Ring& ring = model.rings[row.contour.front().ring];
   if (row.joinery.empty() || ring.count == 0) return;
   const Face& pane = model.faces[row.joinery.front()];

@@ -47,9 +47,13 @@ check "convert PLY to XYZ" "$jalon" convert quiet.las quiet.xyz
 check "convert XYZ to LAS keeps the points" bash -c "'$jalon' convert quiet.xyz back.las --quiet && [ \$('$jalon' info back.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') -eq \$('$jalon' info quiet.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') ]"
 check "clean removes and thins" "$jalon" clean sample.las -o clean.ply --outliers --voxel 0.05
 check "normals writes normals" bash -c "'$jalon' normals quiet.las -o normals.ply --set orientation=centroid && head -c 2000 normals.ply | grep -aq 'property float nx'"
-check "facade writes its five files" "$jalon" facade sample.las -o result
-for file in report.html elevation.svg model.obj segments.las segments.ply; do check "facade made $file" test -s result/$file; done
-check "facade leaves no private folder" bash -c "[ \$(ls -A result | wc -l) -eq 5 ]"
+check "facade writes its files" "$jalon" facade sample.las -o result
+for file in report.html report.json elevation.svg model.obj segments.las segments.ply; do check "facade made $file" test -s result/$file; done
+check "facade leaves what it names and no private folder" bash -c "'$jalon' facade sample.las -o named --json | python3 -c '
+import json,os,sys
+d=json.load(sys.stdin)
+assert sorted(os.listdir(\"named\"))==sorted(d[\"files\"]), d[\"files\"]'"
+files=$(ls -A result | wc -l)
 check "the report is self-contained" bash -c "! grep -qE '(src|href)=\"(https?:|//|/)' result/report.html"
 check "facade --json lists the planes" bash -c "'$jalon' facade sample.las -o result --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"planes\"])>5 and d[\"times\"][\"segment\"]>0, d'"
 check "the same seed gives the same files" bash -c "'$jalon' facade sample.las -o again --quiet --threads 1 && cmp result/model.obj again/model.obj && cmp result/segments.las again/segments.las && cmp result/segments.ply again/segments.ply"
@@ -172,7 +176,7 @@ refuses "no disk over an existing file" 4 'good' bash -c "trap '' XFSZ; ulimit -
 check "a failed write leaves the good file" sha256sum -c good.sum
 refuses "no disk for the results" 4 '.' bash -c "trap '' XFSZ; ulimit -f 40; exec '$jalon' facade sample.las -o result"
 check "failures left the existing results untouched" sha256sum -c before
-check "failures left no private folder" bash -c "[ \$(ls -A result | wc -l) -eq 5 ]"
+check "failures left no private folder" bash -c "[ \$(ls -A result | wc -l) -eq $files ]"
 
 # A disk that is full, then one that is read only: a small file system of its own, where it may be mounted.
 mkdir small
@@ -184,7 +188,7 @@ if mount -t tmpfs -o size=96m tmpfs small 2>/dev/null; then
   refuses "a full disk names the cause, results" 4 'small/result.*no space left' "$jalon" facade sample.las -o small/result
   refuses "a full disk names the cause, segments" 4 'small/new.*no space left' "$jalon" segment sample.las -o small/new
   check "a full disk leaves the existing output untouched" sha256sum -c small.sum
-  check "a full disk leaves nothing behind" bash -c "[ \"\$(ls -A small | sort | xargs)\" = 'filler good.ply result' ] && [ \$(ls -A small/result | wc -l) -eq 5 ]"
+  check "a full disk leaves nothing behind" bash -c "[ \"\$(ls -A small | sort | xargs)\" = 'filler good.ply result' ] && [ \$(ls -A small/result | wc -l) -eq $files ]"
   mount -o remount,ro small
   refuses "a read-only folder names the cause" 4 'small/good.ply.*read-only' "$jalon" convert quiet.las small/good.ply
   refuses "a read-only folder names the cause, results" 4 'small/result.*[Rr]ead-only' "$jalon" facade quiet.las -o small/result
@@ -202,7 +206,7 @@ fi
 if [ -d "$data/facades" ]; then
   for street in street_1 street_3; do
     check "facade on the real $street" "$jalon" facade "$data/facades/$street.txt" -o $street
-    for file in report.html elevation.svg model.obj segments.las segments.ply; do check "$street: $file" test -s $street/$file; done
+    for file in report.html report.json elevation.svg model.obj segments.las segments.ply; do check "$street: $file" test -s $street/$file; done
   done
 else
   echo "skipped: real facades (shared data absent)" && skipped=$((skipped + 1))

@@ -133,7 +133,8 @@ TEST_CASE("elevation: windows, doors, copies, empty openings and missing data ca
   for (const char* text : {"window", "door", "copied: not measured here", "nothing seen in it", "no data", "ground",
                            "1.20 x 1.50", "1.20 x 2.10 arch", "1.00 x 2.30", "-0.30", "+0.15 (13)", "+0.25"})
     CHECK_MESSAGE(has_text(svg, text), text);
-  for (const char* absent : {"plane seen at an angle", "plane seen edge-on", "other opening"}) CHECK(!has_text(svg, absent));
+  for (const char* absent : {"plane seen at an angle", "plane seen edge-on", "other opening"})
+    CHECK(!has_text(svg, absent));
   CHECK(count_texts(svg, "W1") == 10);  // nine windows and the legend
   CHECK(svg.find("url(#unknown)") != std::string::npos);
 }
@@ -220,6 +221,24 @@ TEST_CASE("elevation: each facade alone, seen from its own front") {
   CHECK(paths(first, "opening").size() == 15);
   CHECK(paths(second, "opening").size() == 6);
   CHECK_THROWS_AS(drawing_of(m, R"({"facade": 3})"), Error);
+}
+
+TEST_CASE("elevation: without stations the front of a facade is the side from which its joinery lies behind") {
+  Model m = named_facade::make({});
+  for (Face& f : m.faces) f.plane.normal = -f.plane.normal;  // the normals point into the building
+  const std::string svg = drawing_of(m, R"({"facade": 1})");
+  CHECK(has_text(svg, "0.0\xC2\xB0"));
+  CHECK(has_text(svg, "+0.15 (14)"));
+  CHECK(has_text(svg, "-0.30"));
+}
+
+TEST_CASE("elevation: what stands far in front of every wall is left out") {
+  Model m = named_facade::make({});
+  m.parts.push_back(named_facade::part("car", part_class::kElement, 0));
+  named_facade::add(m, static_cast<uint32_t>(m.parts.size() - 1), {{0, -1, 0}, 5},
+                    {named_facade::lifted({{1, 0}, {4, 0}, {4, 1.5}, {1, 1.5}}, -5)}, {}, 4.5, 20);
+  CHECK(!has_text(drawing_of(m), "-5.00"));
+  CHECK(has_text(drawing_of(m, R"({"element_reach_m": 6})"), "-5.00"));
 }
 
 TEST_CASE("elevation: source and date stand in the title block when given") {
