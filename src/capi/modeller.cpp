@@ -20,12 +20,13 @@ struct Method {
   Model (*run)(const Segmentation&, const ParamSet&, Task&);
 };
 constexpr Method kMethods[] = {{"outlines", "modeller outlines", outlines_rows, model_outlines},
-                               {"facade", "modeller facade", facade_rows, model_facade}};
+                               {"facade", "modeller facade", facade_rows, model_facade},
+                               {"extrusion", "modeller extrusion", extrusion_rows, model_extrusion}};
 
 const Method& method_of(const std::string& name) {
   for (const Method& method : kMethods)
     if (name == method.name) return method;
-  fail(Status::kNotFound, "no modelling method \"%.100s\"; there are: outlines, facade", name.c_str());
+  fail(Status::kNotFound, "no modelling method \"%.100s\"; there are: outlines, facade, extrusion", name.c_str());
 }
 
 }  // namespace

@@ -30,7 +30,15 @@ constexpr std::array kFacadeRows{
                "Least height of a notch in the lower border of a wall that counts as an opening"),
 };
 
-constexpr auto kRows = joined_rows(joined_rows(kVectoriseRows, kFacadeRows), kPatternRows);
+constexpr std::array kSolidRow{
+    bool_row("solids", false, "", "Walls with thickness_m as closed solids; arcs become chords within 1 mm")};
+constexpr std::array kThicknessRow{
+    number_row("thickness_m", 0, 0, 100, "m", "",
+               "Thickness (full) of walls that become solids; 0 = the median depth of the facade's openings")};
+
+constexpr auto kExtrusionRows =
+    joined_rows(joined_rows(joined_rows(kVectoriseRows, kFacadeRows), kPatternRows), kThicknessRow);
+constexpr auto kRows = joined_rows(kExtrusionRows, kSolidRow);
 
 PlanSetting plan_setting(const ParamSet& params) {
   PlanSetting s;
@@ -48,11 +56,7 @@ PlanSetting plan_setting(const ParamSet& params) {
   return s;
 }
 
-}  // namespace
-
-std::span<const ParamRow> facade_rows() { return kRows; }
-
-Model model_facade(const Segmentation& segmentation, const ParamSet& params, Task& task) {
+Model run(const Segmentation& segmentation, const ParamSet& params, const AssemblySetting& setting, Task& task) {
   if (plane_count(segmentation.segments) == 0) return {};
   std::vector<VectorPlane> planes;
   {
@@ -65,7 +69,20 @@ Model model_facade(const Segmentation& segmentation, const ParamSet& params, Tas
     plan = plan_facades(segmentation, std::move(planes), plan_setting(params), task);
   }
   const Span span(task, 0.9, 1, "putting faces together");
-  return assemble_facades(segmentation, plan, task);
+  return assemble_facades(segmentation, std::move(plan), setting, task);
+}
+
+}  // namespace
+
+std::span<const ParamRow> facade_rows() { return kRows; }
+std::span<const ParamRow> extrusion_rows() { return kExtrusionRows; }
+
+Model model_facade(const Segmentation& segmentation, const ParamSet& params, Task& task) {
+  return run(segmentation, params, {params.flag("solids"), false, params.number("thickness_m")}, task);
+}
+
+Model model_extrusion(const Segmentation& segmentation, const ParamSet& params, Task& task) {
+  return run(segmentation, params, {true, true, params.number("thickness_m")}, task);
 }
 
 }  // namespace jalon

@@ -20,4 +20,10 @@ std::span<const ParamRow> facade_rows();
 /// 3. faces with shared vertices in a tree of parts (facade_assembly.h).
 Model model_facade(const Segmentation& segmentation, const ParamSet& params, Task& task);
 
+/// Parameter table of method "extrusion".
+std::span<const ParamRow> extrusion_rows();
+/// The walls alone, extruded inward along their normals by the depth of their openings, as closed solids with the
+/// reveals of the openings (Boulaassal 2010, 4.4.2).
+Model model_extrusion(const Segmentation& segmentation, const ParamSet& params, Task& task);
+
 }  // namespace jalon

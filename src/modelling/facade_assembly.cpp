@@ -12,6 +12,7 @@
 #include "modelling/opening_faces.h"
 #include "modelling/part_rules.h"
 #include "modelling/ring_tools.h"
+#include "modelling/wall_solid.h"
 
 namespace jalon {
 
@@ -35,10 +36,20 @@ Box3 box_in(const FacadeFrame& frame, const PlaneFrame& plane, const VectorRing&
   return box;
 }
 
+// The same closed chain, wherever it begins.
+bool same_corners(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  if (a.size() != b.size() || a.empty()) return false;
+  const auto start = static_cast<size_t>(std::find(b.begin(), b.end(), a.front()) - b.begin());
+  for (size_t i = 0; i < a.size(); ++i)
+    if (start == b.size() || !(a[i] == b[(start + i) % b.size()])) return false;
+  return true;
+}
+
 class Assembly {
  public:
-  Assembly(const Segmentation& segmentation, const FacadePlan& plan, Task& task)
-      : segmentation_(segmentation), plan_(plan), task_(task) {
+  Assembly(const Segmentation& segmentation, const FacadePlan& plan, const AssemblySetting& setting, Task& task)
+      : segmentation_(segmentation), plan_(plan), setting_(setting), task_(task) {
+    if (setting.solids) thicknesses_ = wall_thicknesses(plan, setting.thickness_m);
     for (const VectorPlane& plane : plan.planes) vertices_.emplace_back(model_, plane.frame);
     for (const SharedCorner& corner : plan.shared) {
       const auto index = static_cast<uint32_t>(model_.vertices.size());
@@ -54,6 +65,7 @@ class Assembly {
       building = append_part(model_, "building", part_class::kBuilding, kNoParent, Evidence::kNone);
     for (size_t f = 0; f < plan_.facades.size(); ++f) {
       const std::string name = plan_.facades.size() > 1 ? "facade " + std::to_string(f + 1) : "facade";
+      if (setting_.solids) thickness_m_ = thicknesses_[f];
       add_facade(plan_.facades[f], append_part(model_, name, part_class::kFacade, building, Evidence::kMeasured));
     }
     return std::move(model_);
@@ -89,7 +101,7 @@ class Assembly {
     }
     name_openings();
     for (const size_t w : by_place(boxes)) add_wall(facade.walls[w], w, boxes[w], part);
-    add_elements(part);
+    if (!setting_.walls_only) add_elements(part);
   }
 
   // Names of all openings of the facade together, so that storeys keep their numbers across walls.
@@ -128,10 +140,10 @@ class Assembly {
     const VectorPlane& plane = plan_.planes[planned.plane];
     for (const VectorFace& face : plane.faces) add_wall_face(planned.plane, face, wall, openings, part);
     // 3. What fills the openings, and what was not seen.
-    for (size_t o = 0; o < wall.openings.size(); ++o) {
+    for (size_t o = 0; o < wall.openings.size() && !setting_.walls_only; ++o) {
       Face joinery;
       if (wall.openings[o].joinery_label != 0) joinery = face_of(wall.openings[o].joinery_label - 1, 0);
-      append_opening_faces(model_, vertices_[planned.plane], wall.openings[o], openings[o], joinery, true);
+      append_opening_faces(model_, vertices_[planned.plane], wall.openings[o], openings[o], joinery, !setting_.solids);
     }
     for (const FacadeShadow& shadow : wall.shadows) add_shadow(planned.plane, shadow, part);
   }
@@ -151,12 +163,23 @@ class Assembly {
 
   void add_wall_face(size_t plane, const VectorFace& face, const FacadeWall& wall,
                      const std::vector<uint32_t>& openings, uint32_t part) {
-    std::vector<PartRing> rings{part_ring(vertices_[plane], face.outline)};
-    for (const VectorRing& ring : face.openings) {
-      rings.push_back(part_ring(vertices_[plane], ring));
-      const VectorRing outline = reversed(ring);
+    std::vector<uint32_t> hole_parts(face.openings.size(), kNoPart), reveal_parts(face.openings.size(), part);
+    for (size_t r = 0; r < face.openings.size(); ++r) {
+      const VectorRing outline = reversed(face.openings[r]);
       for (size_t o = 0; o < wall.openings.size(); ++o)
-        if (wall.openings[o].outline.corners == outline.corners) rings.back().part = openings[o];
+        if (same_corners(wall.openings[o].outline.corners, outline.corners)) hole_parts[r] = openings[o];
+    }
+    if (setting_.solids) {
+      for (size_t r = 0; r < hole_parts.size(); ++r)
+        if (hole_parts[r] != kNoPart)
+          reveal_parts[r] = append_part(model_, "reveal", part_class::kReveal, hole_parts[r], Evidence::kDerived);
+      append_wall_solid(model_, vertices_[plane], face, face_of(plane, part), hole_parts, reveal_parts, thickness_m_);
+      return;
+    }
+    std::vector<PartRing> rings{part_ring(vertices_[plane], face.outline)};
+    for (size_t r = 0; r < face.openings.size(); ++r) {
+      rings.push_back(part_ring(vertices_[plane], face.openings[r]));
+      rings.back().part = hole_parts[r];
     }
     append_face(model_, face_of(plane, part), rings);
   }
@@ -218,7 +241,10 @@ class Assembly {
 
   const Segmentation& segmentation_;
   const FacadePlan& plan_;
+  const AssemblySetting& setting_;
   Task& task_;
+  std::vector<double> thicknesses_;
+  double thickness_m_ = 0;
   Model model_;
   std::vector<PlaneVertices> vertices_;
   const PlannedFacade* facade_ = nullptr;
@@ -229,8 +255,9 @@ class Assembly {
 
 }  // namespace
 
-Model assemble_facades(const Segmentation& segmentation, const FacadePlan& plan, Task& task) {
-  return Assembly(segmentation, plan, task).run();
+Model assemble_facades(const Segmentation& segmentation, FacadePlan plan, const AssemblySetting& setting, Task& task) {
+  if (setting.solids) draw_chords(plan, kRevealChord_m);
+  return Assembly(segmentation, plan, setting, task).run();
 }
 
 }  // namespace jalon

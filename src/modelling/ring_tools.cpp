@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geometry/polygon2.h"
+#include "model/topology.h"
 
 namespace jalon {
 
@@ -47,6 +48,30 @@ VectorRing reversed(const VectorRing& ring) {
   for (size_t i = 0; i < n; ++i) {
     out.edges.push_back(ring.edges[(2 * n - 2 - i) % n]);
     out.edges.back().sagitta_m = -out.edges.back().sagitta_m;
+  }
+  return out;
+}
+
+VectorRing with_chords(const VectorRing& ring, double chord_error_m) {
+  VectorRing out;
+  const size_t n = ring.corners.size();
+  for (size_t i = 0; i < n; ++i) {
+    const Vec2 &a = ring.corners[i], &b = ring.corners[(i + 1) % n];
+    // Always drawn from the lower end, so that neighbours on both sides of an arc get the same bits.
+    const bool turn = a.u != b.u ? a.u > b.u : a.v > b.v;
+    const double sagitta_m = ring.edges[i].sagitta_m;
+    std::vector<Vec2> points;
+    append_arc(points, turn ? b : a, turn ? a : b, turn ? -sagitta_m : sagitta_m, chord_error_m);
+    if (turn) {
+      std::reverse(points.begin() + 1, points.end());
+      points.front() = a;
+    }
+    VectorEdge edge = ring.edges[i];
+    edge.sagitta_m = 0;
+    for (const Vec2& p : points) {
+      out.corners.push_back(p);
+      out.edges.push_back(edge);
+    }
   }
   return out;
 }

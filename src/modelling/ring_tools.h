@@ -29,6 +29,8 @@ struct RingBox {
 
 /// The same ring walked the other way: an outline becomes a hole and back.
 VectorRing reversed(const VectorRing& ring);
+/// Arcs as straight edges, chords at most chord_error_m from them: the same points whichever way the ring runs.
+VectorRing with_chords(const VectorRing& ring, double chord_error_m);
 /// Arcs included.
 RingBox ring_box(const VectorRing& ring);
 /// No two edges of it meet but neighbours in their common corner, arcs as chords. O(n^2) with boxes.

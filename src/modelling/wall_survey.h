@@ -29,7 +29,8 @@ struct HoleSurvey {
   uint32_t cells = 0;    ///< that the hole covers
   uint32_t through = 0;  ///< with rays that passed the wall's plane, or points behind it
   uint32_t hidden = 0;   ///< with things in front only
-  std::vector<HolePoint> points;  ///< within [-max_depth_m, front_m] of the wall, the wall's own beside the hole included
+  /// Within [-max_depth_m, front_m] of the wall, the wall's own beside the hole included.
+  std::vector<HolePoint> points;
 };
 
 struct WallSurvey {

@@ -128,6 +128,36 @@ static void modeller__facade_makes_a_tree_with_a_window(void** state) {
   release_scene(&scene);
 }
 
+static void modeller__extrusion_needs_a_depth_and_gives_a_closed_solid(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_modeller* modeller = NULL;
+  jalon_params* params = NULL;
+  jalon_model* model = NULL;
+  MUST(jalon_modeller_create("extrusion", &modeller));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, &model));
+  assert_null(model);
+  MUST(jalon_modeller_params(modeller, &params));
+  MUST(jalon_params_set_double(params, "thickness_m", 0.25));
+  jalon_params_release(params);
+  MUST(jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, &model));
+  jalon_fields *solids = NULL, *edges = NULL;
+  uint64_t faces = 0;
+  MUST(jalon_model_solids(model, &solids));
+  MUST(jalon_fields_copy(solids, "face_count", JALON_UINT64, &faces, 1));
+  assert_int_equal(faces, 2 + 4 + 4);
+  jalon_array_view uses;
+  MUST(jalon_model_edges(model, &edges));
+  MUST(jalon_fields_view(edges, "uses", &uses));
+  assert_int_equal(uses.count, 24);
+  for (uint64_t i = 0; i < uses.count; ++i) assert_int_equal(((const uint32_t*)uses.data)[i], 2);
+  jalon_fields_release(edges);
+  jalon_fields_release(solids);
+  jalon_model_release(model);
+  jalon_modeller_release(modeller);
+  release_scene(&scene);
+}
+
 static void model__parts_are_renamed_in_a_new_model(void** state) {
   (void)state;
   wall_scene scene = make_wall_scene();
@@ -155,6 +185,7 @@ int main(void) {
       cmocka_unit_test(modeller__refuses_another_cloud_and_unknown_methods),
       cmocka_unit_test(modeller__cancelled_leaves_everything_usable),
       cmocka_unit_test(modeller__facade_makes_a_tree_with_a_window),
+      cmocka_unit_test(modeller__extrusion_needs_a_depth_and_gives_a_closed_solid),
       cmocka_unit_test(model__parts_are_renamed_in_a_new_model),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -71,8 +71,8 @@ TEST_CASE("facade: holes, reveals and panes share their vertices, rings name the
     for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
       if (model.rings[r].part != kNoPart) ++named[model.rings[r].part];
   for (const size_t w : parts_of(model, "window")) CHECK(named[static_cast<uint32_t>(w)] == 1);
-  // An edge of a hole belongs to the wall and a reveal, an edge of a pane to the pane and a reveal: none is used once but
-  // those of the walls' outlines and of arcs, whose reveals are strips.
+  // An edge of a hole belongs to the wall and a reveal, an edge of a pane to the pane and a reveal: none is used once
+  // but those of the walls' outlines and of arcs, whose reveals are strips.
   std::vector<uint8_t> on_outline(model.vertices.size(), 0);
   for (const Face& face : model.faces) {
     if (model.parts[face.part].part_class != "wall") continue;
