@@ -24,6 +24,7 @@ struct FacadeOpening {
   uint32_t piece = 0;  ///< of FacadeWall::outlines: the face whose hole it is
   /// It comes in from the lower border of the face (a door) and is no hole of it: the outline begins at its left foot.
   bool is_notch = false;
+  bool ends_at_sill = false;  ///< its first edge is the upper edge of a sill that hides the wall there
   OpeningKind kind = OpeningKind::kOpening;
   Evidence evidence = Evidence::kNone;
   /// Of the joinery (frame, pane, leaf) behind the wall, along its normal; negative in front of it; NaN: nothing seen.

@@ -45,20 +45,19 @@ struct WallList {
   std::vector<SurveyedWall> walls;
 };
 
-// The holes of a wall's faces, down to the sills before them, and the bays between its pieces.
-std::vector<WallHole> interruptions_of(std::vector<VectorPlane>& planes, size_t wall, const PlanSetting& setting) {
-  std::vector<WallHole> out = holes_of(planes[wall], setting.group.notch);
-  end_at_sills(planes, wall, setting.survey.front_m, out);
-  const std::vector<WallHole> bays = bays_of(planes[wall], out, setting.group.notch);
+// The holes of a wall's faces, and the bays between its pieces.
+std::vector<WallHole> interruptions_of(const VectorPlane& wall, const NotchSetting& setting) {
+  std::vector<WallHole> out = holes_of(wall, setting);
+  const std::vector<WallHole> bays = bays_of(wall, out, setting);
   out.insert(out.end(), bays.begin(), bays.end());
   return out;
 }
 
-WallList list_walls(const Segmentation& segmentation, FacadePlan& plan, const PlanSetting& setting) {
+WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan, const PlanSetting& setting) {
   WallList out;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)
-      out.holes.push_back(interruptions_of(plan.planes, plane, setting));
+      out.holes.push_back(interruptions_of(plan.planes[plane], setting.group.notch));
   size_t k = 0;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)
@@ -118,7 +117,7 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
     plan.facades.push_back({std::move(group), {}, {}});
   task.checkpoint(0.05);
   // 2. One look at the cloud for the holes of all walls.
-  const WallList list = list_walls(segmentation, plan, setting);
+  WallList list = list_walls(segmentation, plan, setting);
   std::vector<WallSurvey> surveys;
   {
     const Span span(task, 0.05, 0.8, "looking through openings");
@@ -130,6 +129,7 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
   for (PlannedFacade& facade : plan.facades)
     for (const size_t index : facade.group.walls) {
       task.checkpoint(0.8);
+      end_at_sills(plan.planes, index, surveys[k], setting.survey.front_m, list.holes[k]);
       PlannedWall wall = planned_wall(segmentation, plan.planes[index], index);
       const auto opening_of = judge_holes(segmentation, list.holes[k], surveys[k], setting.survey, wall.wall);
       count_points(opening_of, surveys[k], in_openings);

@@ -130,6 +130,7 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     opening.outline = hole.outline;
     opening.piece = hole.piece;
     opening.is_notch = hole.is_notch;
+    opening.ends_at_sill = hole.ends_at_sill;
     opening.evidence = verdict.evidence;
     measure_depth(content, joinery, segmentation, seen, survey.tolerance_m, opening);
     measure_border(wall, seen, opening);

@@ -126,11 +126,11 @@ VectorRing moved(const VectorRing& ring, const Motion2& motion) {
 }
 
 Placement place_on_border(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border,
-                          const Vec2& start, double reach_m) {
+                          const Vec2& start, double reach_m, bool may_turn) {
   Placement out;
   out.motion = {mean_of(form), start, 0};
   Fit fit = iterate(form, set_back_m, border, out.motion, reach_m, false);
-  const Fit turned = iterate(form, set_back_m, border, fit.motion, reach_m, true);
+  const Fit turned = may_turn ? iterate(form, set_back_m, border, fit.motion, reach_m, true) : fit;
   // A turn is proven when it betters the sum of squares by more than chance, of no fewer points.
   const auto n = static_cast<double>(turned.pairs.feet.size());
   const bool as_many = turned.pairs.feet.size() >= fit.pairs.feet.size();
@@ -138,6 +138,8 @@ Placement place_on_border(std::span<const Vec2> form, double set_back_m, std::sp
   out.motion = fit.motion;
   out.support = fit.pairs.feet.size();
   out.residual_m = out.support > 0 ? std::sqrt(fit.squares / static_cast<double>(out.support)) : reach_m;
+  const auto all = static_cast<double>(border.size()), off = all - static_cast<double>(out.support);
+  out.cost_m2 = all > 0 ? (fit.squares + off * reach_m * reach_m) / all : reach_m * reach_m;
   for (const Foot& foot : fit.pairs.feet) {
     const bool faces[] = {foot.outward.u < -kFacing, foot.outward.u > kFacing, foot.outward.v < -kFacing,
                           foot.outward.v > kFacing};

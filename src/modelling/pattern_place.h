@@ -25,6 +25,7 @@ VectorRing moved(const VectorRing& ring, const Motion2& motion);
 struct Placement {
   Motion2 motion;
   double residual_m = 0;
+  double cost_m2 = 0;             ///< mean square distance of all border points, at most the reach of each
   size_t support = 0;             ///< border points that lie where the form's border should be
   /// Of the border points beside the left, right, lower and upper side of the form: how many, and their mean distance
   /// outward from where they should be.
@@ -34,10 +35,10 @@ struct Placement {
 
 /// Iterative closest points with a rigid 2D Procrustes step (Besl & McKay 1992; Kabsch 1976): the motion of the form
 /// (anticlockwise) that brings border points to this distance outside it. Starts from the shift; points farther than
-/// reach_m from where they should be count no more in the end. Turns only where the points prove it. O(iterations x
-/// points x corners).
+/// reach_m from where they should be count no more in the end. Turns only where it may and the points prove it.
+/// O(iterations x points x corners).
 Placement place_on_border(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border,
-                          const Vec2& start, double reach_m);
+                          const Vec2& start, double reach_m, bool may_turn);
 
 /// Mean signed distance of points outside (positive) and inside the form.
 double mean_distance(std::span<const Vec2> form, std::span<const Vec2> points);

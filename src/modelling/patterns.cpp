@@ -16,8 +16,11 @@ namespace {
 
 constexpr double kSolidInside = 0.05;    // share of a copy's cells where points of the wall may lie: strays
 constexpr double kThroughBeside = 0.10;  // of a copy's cells, seen through beside it: then it has another form
-constexpr double kReach = 1.5;           // spacings: border points farther from a side do not belong to it
-constexpr double kFit = 0.6;             // spacings: root mean square distance of those that do
+constexpr double kReach = 1.5;           // local spacings: border points farther from a side do not belong to it
+constexpr double kFit = 0.6;             // local spacings: root mean square distance of those that do
+constexpr double kAround_cells = 8;      // beside an opening, where its local spacing shows
+constexpr double kSolidWhereLit = 0.75;  // share of the wall's cells, one spacing wide, that have a point: 0.6-0.95
+constexpr double kLeastLit = 0.1;        // of it; a copy from fewer points is a guess
 constexpr double kSideSupport = 0.10;    // share of a side's length where border points must lie
 constexpr size_t kLeastSupport = 3;
 constexpr double kSideSigmas = 3;        // of the mean distance of a side's points
@@ -26,14 +29,21 @@ constexpr double kSideSigmas = 3;        // of the mean distance of a side's poi
 constexpr size_t kLeastSigns = 3, kLeastSignsOfOne = 4;
 constexpr size_t kMostBorderPoints = 400;  // of a fit; more are thinned evenly
 
+/// Whether any of its edges stands upright or lies level: then all of its kind do.
+bool is_upright(const VectorRing& ring) {
+  return std::any_of(ring.edges.begin(), ring.edges.end(), [](const VectorEdge& edge) {
+    return edge.direction == EdgeDirection::kVertical || edge.direction == EdgeDirection::kHorizontal;
+  });
+}
+
 enum Side { kLeft, kRight, kLower, kUpper };
 
 /// Where a copy could go.
 struct Candidate {
   size_t pattern = 0;
   Motion2 motion;
-  size_t signs = 0;
-  double residual_m = 0;
+  size_t signs = 0;  ///< sides seen and lines of the grid agreed with; 0: it is not there
+  double residual_m = 0, cost_m2 = 0;
 };
 
 class Completion {
@@ -71,7 +81,7 @@ class Completion {
     Candidate best;
     for (size_t p = 0; p < patterns_.size(); ++p) {
       const Candidate c = best_placement(p, i);
-      if (c.signs > best.signs || (c.signs == best.signs && c.signs > 0 && c.residual_m < best.residual_m)) best = c;
+      if (c.signs > 0 && (best.signs == 0 || c.cost_m2 < best.cost_m2)) best = c;
     }
     if (best.signs == 0) return 0;
     FacadeOpening& opening = wall_.openings[i];
@@ -96,16 +106,34 @@ class Completion {
   Candidate best_placement(size_t p, size_t i) const {
     const FacadeOpening& opening = wall_.openings[i];
     const std::vector<Vec2> form = outline_points(best_of(p).outline), border = thinned_border(opening);
-    const double set_back_m = mean_distance(form, thinned_border(best_of(p)));
+    // Where leaves or glass thin the points out, the last ones stay farther from the edge.
+    const double spacing_m = local_spacing_m(i);
+    const double set_back_m = mean_distance(form, thinned_border(best_of(p))) * spacing_m / wall_.spacing_m;
+    const bool may_turn = !is_upright(best_of(p).outline);
     Candidate best;
     const Vec2 low = boxes_[i].low - patterns_[p].box.low, high = boxes_[i].high - patterns_[p].box.high;
     for (int k = 0; k < 9; ++k) {
       const Vec2 start{low.u + (high.u - low.u) * (k % 3) / 2, low.v + (high.v - low.v) * (k / 3) / 2};
-      const Placement placed = place_on_border(form, set_back_m, border, start, kReach * wall_.spacing_m);
-      const Candidate c = judged(p, i, placed);
-      if (c.signs > best.signs || (c.signs == best.signs && c.signs > 0 && c.residual_m < best.residual_m)) best = c;
+      const Placement placed = place_on_border(form, set_back_m, border, start, kReach * spacing_m, may_turn);
+      const Candidate c = judged(p, i, placed, spacing_m);
+      if (c.signs > 0 && (best.signs == 0 || c.cost_m2 < best.cost_m2)) best = c;
     }
     return best;
+  }
+
+  /// Spacing of the wall's points beside an opening: that of the wall, more where only some of the cells have one.
+  double local_spacing_m(size_t i) const {
+    const double cell_m = wall_.map.cell_m;
+    const RingBox inner = boxes_[i].grown(cell_m), outer = boxes_[i].grown(kAround_cells * cell_m);
+    const auto in = [&](const RingBox& b) {
+      return count_cells(wall_.map, std::array{b.low, Vec2{b.high.u, b.low.v}, b.high, Vec2{b.low.u, b.high.v}}, 0);
+    };
+    const CellCount all = in(outer), hole = in(inner);
+    constexpr auto kSolid = static_cast<size_t>(WallCell::kSolid);
+    const auto solid = static_cast<double>(all.of[kSolid] - hole.of[kSolid]);
+    const auto cells = static_cast<double>(all.all() - hole.all());
+    const double lit = cells > 0 ? solid / cells / kSolidWhereLit : 1;
+    return wall_.spacing_m / std::sqrt(std::clamp(lit, kLeastLit, 1.0));
   }
 
   std::vector<Vec2> thinned_border(const FacadeOpening& opening) const {
@@ -117,18 +145,25 @@ class Completion {
 
   /// Counts the sides that are seen and the lines of the grid that the placement agrees with, and takes from the grid
   /// what the sides leave open. No signs: not there.
-  Candidate judged(size_t p, size_t i, const Placement& placed) const {
+  Candidate judged(size_t p, size_t i, const Placement& placed, double spacing_m) const {
     const RingBox& box = patterns_[p].box;
     std::array<bool, 4> seen{};
     for (size_t s = 0; s < 4; ++s) {
       const double length_m = s == kLeft || s == kRight ? box.height() : box.width();
-      const auto wanted = static_cast<size_t>(kSideSupport * length_m / wall_.spacing_m);
+      const auto wanted = static_cast<size_t>(kSideSupport * length_m / spacing_m);
       seen[s] = placed.sides[s] >= std::max(kLeastSupport, std::min(wanted, kMostBorderPoints / 20));
     }
-    Candidate out{p, placed.motion, 0, placed.residual_m};
-    if (placed.residual_m > kFit * wall_.spacing_m || !is_of_size(placed, seen)) return out;
+    Candidate out{p, placed.motion, 0, placed.residual_m, placed.cost_m2};
+    if (placed.residual_m > kFit * spacing_m || !is_of_size(placed, seen, spacing_m)) return out;
     size_t signs = static_cast<size_t>(std::count(seen.begin(), seen.end(), true));
     const double reach_m = 2 * grid_reach_m(wall_, setting_);
+    if (wall_.openings[i].ends_at_sill) {
+      // The sill hides the wall below and is measured better than any border.
+      const double rise = boxes_[i].low.v - out.motion.point(box.low).v;
+      if (std::fabs(rise) > kReach * spacing_m) return out;
+      out.motion.shift.v += rise;
+      if (!seen[kLower]) seen[kLower] = true, ++signs;
+    }
     const Vec2 centre = out.motion.point(box.middle());
     const GridLine* row = grid_.row_near(centre.v, reach_m);
     const GridLine* column = grid_.column_near(centre.u, reach_m);
@@ -148,10 +183,12 @@ class Completion {
   }
 
   /// Whether the border lies where the form says on every side that is seen, within the tolerance of sizes.
-  bool is_of_size(const Placement& placed, const std::array<bool, 4>& seen) const {
+  bool is_of_size(const Placement& placed, const std::array<bool, 4>& seen, double spacing_m) const {
     for (size_t s = 0; s < 4; ++s) {
       const double sigma_m = placed.residual_m / std::sqrt(static_cast<double>(std::max<size_t>(1, placed.sides[s])));
-      const double limit_m = std::max(setting_.size_tolerance_m / 2, kSideSigmas * sigma_m);
+      // How much farther the last points stay in the shade is known to within the growth of the spacing.
+      const double limit_m =
+          std::max(setting_.size_tolerance_m / 2, kSideSigmas * sigma_m) + spacing_m - wall_.spacing_m;
       if (seen[s] && std::fabs(placed.offsets_m[s]) > limit_m) return false;
     }
     return true;

@@ -20,6 +20,12 @@ constexpr double kFlare_spacings = 4;    // above it, where the hole narrows fro
 constexpr double kSteep = 3;             // |dv| / |du| of a jamb
 constexpr double kFront_spacings = 0.5;  // nearer to the wall's plane a surface is the wall's own
 
+constexpr double kEdgeSigma = 0.3;       // spacings, of an edge drawn from its last row of points
+constexpr size_t kLeastPoints = 10;      // of a front without a plane of its own
+constexpr double kStrays = 0.02;         // share of them that may lie beyond either edge
+constexpr double kColumns = 0.6;         // share of the hole's width, in columns of two spacings, where they lie
+constexpr double kSetBack_spacings = 0.35;  // of the last row of points from the edge: 0.5 on grids, 0.2 at random
+
 /// The front of a sill in the wall's coordinates.
 struct Sill {
   RingBox box;
@@ -51,7 +57,7 @@ std::vector<Sill> sills_before(const std::vector<VectorPlane>& planes, size_t wa
 }
 
 /// The highest sill at the hole's foot.
-const Sill* sill_of(const RingBox& hole, const std::vector<Sill>& sills) {
+std::optional<Sill> sill_of(const RingBox& hole, const std::vector<Sill>& sills) {
   const Sill* best = nullptr;
   for (const Sill& sill : sills) {
     const double common = std::min(hole.high.u, sill.box.high.u) - std::max(hole.low.u, sill.box.low.u);
@@ -60,7 +66,35 @@ const Sill* sill_of(const RingBox& hole, const std::vector<Sill>& sills) {
     if (top > hole.low.v + kLowestShare * hole.height()) continue;
     if (best == nullptr || top > best->box.high.v) best = &sill;
   }
-  return best;
+  return best != nullptr ? std::optional(*best) : std::nullopt;
+}
+
+/// The points before the hole's foot where they make a level bar.
+std::optional<Sill> sill_of_points(const RingBox& hole, const HoleSurvey& survey, double tolerance_m, double front_m,
+                                   double spacing_m) {
+  std::vector<double> levels;
+  std::vector<int64_t> columns;
+  std::vector<double> behind;
+  for (const HolePoint& p : survey.points) {
+    if (p.w < -tolerance_m) behind.push_back(p.v);
+    if (p.w <= tolerance_m || p.w > front_m || p.v > hole.low.v + kLowestShare * hole.height()) continue;
+    levels.push_back(p.v);
+    if (p.u > hole.low.u && p.u < hole.high.u)
+      columns.push_back(static_cast<int64_t>((p.u - hole.low.u) / (2 * spacing_m)));
+  }
+  if (levels.size() < kLeastPoints) return {};
+  std::sort(levels.begin(), levels.end());
+  const auto last = static_cast<double>(levels.size() - 1);
+  const auto at = [&](double share) { return levels[static_cast<size_t>(share * last)]; };
+  const double foot = at(kStrays), top = at(1 - kStrays);
+  if (top - foot > kMostHeight_m) return {};
+  // A rail or a flower box with the opening going on below it is no sill.
+  const auto below = std::count_if(behind.begin(), behind.end(), [&](double v) { return v < foot - spacing_m; });
+  if (static_cast<double>(below) > kStrays * static_cast<double>(behind.size())) return {};
+  std::sort(columns.begin(), columns.end());
+  const auto filled = static_cast<double>(std::unique(columns.begin(), columns.end()) - columns.begin());
+  if (filled * 2 * spacing_m < kColumns * hole.width()) return {};
+  return Sill{{{hole.low.u, foot}, {hole.high.u, top + kSetBack_spacings * spacing_m}}, kEdgeSigma * spacing_m};
 }
 
 /// Where a jamb that goes up from a to b, prolonged, crosses the level.
@@ -101,19 +135,24 @@ std::optional<VectorRing> ended_at(const VectorRing& ring, double level, double 
 
 }  // namespace
 
-void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, double front_m, std::vector<WallHole>& holes) {
+void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, const WallSurvey& survey, double front_m,
+                  std::vector<WallHole>& holes) {
   const std::vector<Sill> sills = sills_before(planes, wall, front_m);
-  if (sills.empty()) return;
-  for (WallHole& hole : holes) {
-    const Sill* sill = hole.is_notch ? nullptr : sill_of(ring_box(hole.outline), sills);
-    if (sill == nullptr) continue;
-    const double flare_m = kFlare_spacings * planes[wall].spacing_m;
-    const auto ended = ended_at(hole.outline, sill->box.high.v, flare_m, sill->sigma_m);
-    if (!ended || !is_simple(*ended, planes[wall].spacing_m)) continue;
+  const double spacing_m = planes[wall].spacing_m;
+  for (size_t h = 0; h < holes.size(); ++h) {
+    WallHole& hole = holes[h];
+    if (hole.is_notch) continue;
+    const RingBox box = ring_box(hole.outline);
+    auto sill = sill_of(box, sills);
+    if (!sill) sill = sill_of_points(box, survey.holes[h], survey.tolerance_m, front_m, spacing_m);
+    if (!sill) continue;
+    const auto ended = ended_at(hole.outline, sill->box.high.v, kFlare_spacings * spacing_m, sill->sigma_m);
+    if (!ended || !is_simple(*ended, spacing_m)) continue;
     const VectorRing before = reversed(hole.outline);
     for (VectorRing& ring : planes[wall].faces[hole.piece].openings)
       if (ring.corners == before.corners) ring = reversed(*ended);
     hole.outline = *ended;
+    hole.ends_at_sill = true;
   }
 }
 

@@ -14,6 +14,7 @@ struct WallHole {
   VectorRing outline;  ///< anticlockwise; of a notch it starts at its left foot, and its first edge closes it
   uint32_t piece = 0;  ///< index of the wall's face
   bool is_notch = false;
+  bool ends_at_sill = false;  ///< its first edge is the upper edge of a sill (sills.h)
   bool is_bay = false;  ///< a notch between two pieces (wall_bays.h): no face has its outline
 };
 
