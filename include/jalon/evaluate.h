@@ -144,8 +144,9 @@ JALON_API JALON_CHECK jalon_status jalon_model_evaluation_reference(const jalon_
 /**
  * One row a pair of homologous vertices, ascending by place of the reference: "automatic", "reference" (uint32: rows of
  * jalon_model_vertices), "dx", "dy", "dz" (m, automatic less reference, after the shift of mode = relative), "distance"
- * (m), "along", "up", "out" (m: the same along the reference's largest face there, up it, and along its normal)
- * (float64).
+ * (m), "along", "up", "out" (m: the same along the reference's largest face there, up it, and along its normal),
+ * "normalised" (the deviation against the covariances of the two vertices, sqrt(e^T C^-1 e): below 2.80 in 95 % of the
+ * cases where these are right; NaN where neither has one) (float64).
  */
 JALON_API JALON_CHECK jalon_status jalon_model_evaluation_vertices(const jalon_model_evaluation* evaluation,
                                                        jalon_fields** out);
@@ -155,7 +156,7 @@ JALON_API JALON_CHECK jalon_status jalon_model_evaluation_vertices(const jalon_m
  * unmatched ones included; of each area index "total_..." of these sums (weighted by area), "mean_..." and "std_..."
  * over the pairs; "mean_..." of each contour column; "mean_", "std_angle", "mean_", "std_plane_distance"; "shift"
  * (float64 x 3, m: taken by mode = relative); of each vertex column "mean_..." (bias), "std_..." (n - 1) and "rms_...",
- * and "max_distance" (float64).
+ * and "max_distance"; "within_95" (share of the vertices with covariances that lie in their 95 % ellipsoid) (float64).
  */
 JALON_API JALON_CHECK jalon_status jalon_model_evaluation_totals(const jalon_model_evaluation* evaluation,
                                                      jalon_fields** out);
@@ -170,6 +171,17 @@ JALON_API JALON_CHECK jalon_status jalon_model_evaluation_totals(const jalon_mod
 JALON_API JALON_CHECK jalon_status jalon_area_indices(const double* automatic_m2, const double* reference_m2,
                                           const double* intersection_m2, uint64_t count, const jalon_params* options,
                                           jalon_fields** rows, jalon_fields** totals);
+/**
+ * The same of two regions of one plane (m): rings of corners u, v, packed one after the other, and the number of corners of
+ * each ring. Anticlockwise rings are outlines, whose union is the region; clockwise ones are holes, cut out of all of
+ * it. Corners are snapped to 0.1 mm. rows: one row; see jalon_area_indices. Operation "indices".
+ * JALON_ERROR_INVALID_ARGUMENT for a coordinate that is not finite, JALON_ERROR_LIMIT for one beyond 13 km.
+ * O((n + k) log n) for n corners and k crossings.
+ */
+JALON_API JALON_CHECK jalon_status jalon_polygon_indices(const double* automatic_uv, const uint64_t* automatic_rings,
+                                             uint64_t automatic_ring_count, const double* reference_uv,
+                                             const uint64_t* reference_rings, uint64_t reference_ring_count,
+                                             const jalon_params* options, jalon_fields** out);
 /**
  * Deviations of count vertices from their reference, pair by pair: x, y, z packed. rows: the columns of
  * jalon_model_evaluation_vertices, "along", "up" and "out" NaN; totals: their means, deviations and root mean squares.

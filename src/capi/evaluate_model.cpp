@@ -3,6 +3,8 @@
 #include "capi/guard.h"
 #include "capi/model_handles.h"
 #include "jalon/evaluate.h"
+#include "geometry/polygon2.h"
+#include "geometry/polygon_sets.h"
 #include "modelling/model_evaluation.h"
 
 using namespace jalon;
@@ -21,6 +23,8 @@ void give_table(const jalon_model_evaluation* evaluation, jalon_fields** out,
   *out = new_fields(table(evaluation->evaluation));
 }
 
+constexpr uint64_t kMostCorners = uint64_t{1} << 32;
+
 FieldTable vertices_of(const ModelEvaluation& evaluation) { return vertex_pair_table(evaluation.vertices); }
 
 void require_either(jalon_fields** rows, jalon_fields** totals) {
@@ -32,6 +36,30 @@ void give_both(jalon_fields** rows, jalon_fields** totals, FieldTable row_table,
   Owned<jalon_fields> first = own(new_fields(std::move(row_table))), second = own(new_fields(std::move(total_table)));
   if (rows != nullptr) *rows = first.release();
   if (totals != nullptr) *totals = second.release();
+}
+
+// Rings by their sense: the union of the anticlockwise ones but the clockwise ones.
+std::vector<PolygonWithHoles> region_of(const double* uv, const uint64_t* rings, uint64_t count, const char* name) {
+  if (count > 0) require(uv, name);
+  require_array(rings, JALON_UINT64, count, 1, 0, name);
+  uint64_t corners = 0;
+  for (uint64_t i = 0; i < count; ++i) {
+    if (rings[i] > kMostCorners - corners)
+      fail(Status::kLimit, "%s: more than %llu corners", name, static_cast<unsigned long long>(kMostCorners));
+    corners += rings[i];
+  }
+  require_array(uv, JALON_FLOAT64, corners, 2, 0, name);
+  std::vector<PolygonWithHoles> outlines, holes;
+  for (uint64_t i = 0, at = 0; i < count; ++i) {
+    std::vector<Vec2> ring;
+    for (uint64_t k = 0; k < rings[i]; ++k, ++at) {
+      ring.push_back({uv[2 * at], uv[2 * at + 1]});
+      if (!std::isfinite(ring.back().u) || !std::isfinite(ring.back().v))
+        fail(Status::kInvalidArgument, "%s: corner %llu is not finite", name, static_cast<unsigned long long>(at));
+    }
+    (signed_area(ring) < 0 ? holes : outlines).push_back({std::move(ring), {}});
+  }
+  return combined(SetOperation::kDifference, outlines, holes);
 }
 
 std::vector<Vec3> points_of(const double* xyz, uint64_t count, const char* name) {
@@ -96,6 +124,21 @@ jalon_status jalon_area_indices(const double* automatic_m2, const double* refere
     for (uint64_t i = 0; i < count; ++i) areas.push_back({automatic_m2[i], reference_m2[i], intersection_m2[i]});
     require_areas(areas);
     give_both(rows, totals, index_table(areas, formulas), index_totals_table(areas, {}, formulas));
+  });
+}
+
+jalon_status jalon_polygon_indices(const double* automatic_uv, const uint64_t* automatic_rings,
+                                   uint64_t automatic_ring_count, const double* reference_uv,
+                                   const uint64_t* reference_rings, uint64_t reference_ring_count,
+                                   const jalon_params* options, jalon_fields** out) {
+  return guard([&] {
+    require(out, "out");
+    const IndexFormulas formulas = index_formulas(options_or_default(options, "indices").text("formulas"));
+    const auto a = region_of(automatic_uv, automatic_rings, automatic_ring_count, "automatic"),
+               r = region_of(reference_uv, reference_rings, reference_ring_count, "reference");
+    const SharedArea shared = shared_area(a, r);
+    const ComparedAreas row[] = {{shared.a, shared.b, shared.both}};
+    *out = new_fields(index_table(row, formulas));
   });
 }
 

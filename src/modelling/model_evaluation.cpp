@@ -85,6 +85,19 @@ struct Side {
   }
 };
 
+// Against the covariances that are known: a reference without one is taken as right.
+double normalised_deviation(const Vec3& e, const Model& a, uint32_t vertex_a, const Model& r, uint32_t vertex_r) {
+  const auto known = [](const Model& model, uint32_t v) {
+    return !model.vertex_covariances.empty() && std::isfinite(model.vertex_covariances[v][0]);
+  };
+  if (!known(a, vertex_a) && !known(r, vertex_r)) return VertexPair::kUnknown;
+  std::array<double, 9> sum{};
+  for (size_t i = 0; i < 9; ++i)
+    sum[i] = (known(a, vertex_a) ? a.vertex_covariances[vertex_a][i] : 0) +
+             (known(r, vertex_r) ? r.vertex_covariances[vertex_r][i] : 0);
+  return jalon::normalised_deviation(e, sum);
+}
+
 std::vector<VertexPair> compare_vertices(Side& automatic, Side& reference, const std::vector<FacePair>& pairs,
                                          const Vec3& shift, double tolerance_m, Task& task) {
   std::vector<uint32_t> a, r;
@@ -97,6 +110,8 @@ std::vector<VertexPair> compare_vertices(Side& automatic, Side& reference, const
     pair.in_facade = {dot(pair.deviation, frame.axis_u), dot(pair.deviation, frame.axis_v),
                       dot(pair.deviation, frame.normal)};
     pair.automatic = automatic.vertices[pair.automatic];
+    pair.normalised = normalised_deviation(pair.deviation, automatic.model, pair.automatic, reference.model,
+                                           reference.vertices[pair.reference]);
     pair.reference = reference.vertices[pair.reference];
   }
   return out;

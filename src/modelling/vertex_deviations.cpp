@@ -7,7 +7,9 @@
 #include <numeric>
 #include <string>
 
+#include "base/distributions.h"
 #include "base/table_columns.h"
+#include "geometry/cholesky.h"
 #include "modelling/area_indices.h"
 
 namespace jalon {
@@ -87,11 +89,23 @@ std::vector<VertexPair> homologous_vertices(std::span<const Vec3> automatic, std
   return out;
 }
 
+double normalised_deviation(const Vec3& e, const std::array<double, 9>& c) {
+  for (const double value : c)
+    if (!std::isfinite(value)) return VertexPair::kUnknown;
+  if (e == Vec3{}) return 0;
+  Cholesky<3> factor;
+  if (!factor.factor(c)) return std::numeric_limits<double>::infinity();
+  const Coefficients<3> x = factor.solve({e.x, e.y, e.z});
+  return std::sqrt(e.x * x[0] + e.y * x[1] + e.z * x[2]);
+}
+
 FieldTable vertex_pair_table(std::span<const VertexPair> pairs) {
   FieldTable t;
   add_column<uint32_t>(t, pairs, "automatic", "", "vertex", [](const VertexPair& p) { return p.automatic; });
   add_column<uint32_t>(t, pairs, "reference", "", "vertex", [](const VertexPair& p) { return p.reference; });
   for (const DeviationColumn& c : kColumns) add_column<double>(t, pairs, c.name, "m", c.meaning, c.value);
+  add_column<double>(t, pairs, "normalised", "1", "deviation against its covariance",
+                     [](const VertexPair& p) { return p.normalised; });
   return t;
 }
 
@@ -109,6 +123,13 @@ void add_vertex_totals(FieldTable& table, std::span<const VertexPair> pairs) {
     add_value<double>(table, "rms_" + name, "m", "about 0", root_mean_square(values));
   }
   add_value<double>(table, "max_distance", "m", "largest D", largest);
+  uint64_t known = 0, within = 0;
+  for (const VertexPair& pair : pairs) {
+    known += !std::isnan(pair.normalised);
+    within += pair.normalised * pair.normalised <= chi_square_quantile(3, 0.95);
+  }
+  add_value<double>(table, "within_95", "1", "share of the known covariances whose 95 % ellipsoid holds the deviation",
+                    known > 0 ? static_cast<double>(within) / static_cast<double>(known) : kNoIndex);
 }
 
 }  // namespace jalon

@@ -44,6 +44,7 @@ OPERATION = {
     "jalon_segmentation_pick": "pick", "jalon_cloud_confusion": "confusion", "jalon_report_write_picture": "picture",
     "jalon_report_write_html": "report", "jalon_report_write_json": "report",
     "jalon_model_evaluate": "model_evaluation", "jalon_area_indices": "indices",
+    "jalon_polygon_indices": "indices",
     "jalon_precision_budget": "precision", "jalon_cloud_compute_covariances": "precision",
     "jalon_segmentation_plane_covariances": "precision",
 }
@@ -64,7 +65,9 @@ OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_dista
 # Arrays and the parameter that counts them.
 ARRAYS = {"xyz": "count", "picks": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
           "polygon_uv": "count", "values": "count", "queries": "count", "clouds": "count",
-          "automatic_m2": "count", "reference_m2": "count", "intersection_m2": "count", "automatic_xyz": "count",
+          "automatic_rings": "automatic_ring_count", "reference_rings": "reference_ring_count",
+          "automatic_uv": "automatic_ring_count", "reference_uv": "reference_ring_count", "automatic_m2": "count",
+          "reference_m2": "count", "intersection_m2": "count", "automatic_xyz": "count",
           "reference_xyz": "count", "ranges_m": "count", "measured_m": "count", "known_m": "count",
           "wavelengths_m": "count", "remainders_m": "count", "vertices": "count_vertices", "triangles": "count_triangles"}
 # Baselines that need another handle or value than the tables give.

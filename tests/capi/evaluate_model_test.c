@@ -101,6 +101,26 @@ static void indices__reproduce_a_printed_row(void** state) {
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_area_indices(a, r, too_much, 2, NULL, &rows, NULL));
 }
 
+static void indices__of_polygons_take_holes_by_their_sense(void** state) {
+  (void)state;
+  /* A wall of 4 x 3 m with a window of 1 x 1 m, found 0.1 m too far to the right and without its window. */
+  const double truth[16] = {0, 0, 4, 0, 4, 3, 0, 3, 1, 1, 1, 2, 2, 2, 2, 1};
+  const double found[8] = {0.1, 0, 4.1, 0, 4.1, 3, 0.1, 3};
+  const uint64_t truth_rings[2] = {4, 4}, found_rings[1] = {4};
+  jalon_fields* rows = NULL;
+  MUST(jalon_polygon_indices(found, found_rings, 1, truth, truth_rings, 2, NULL, &rows));
+  assert_true(fabs(value(rows, "area_reference", 0) - 11) < 1e-9);
+  assert_true(fabs(value(rows, "intersection", 0) - (3.9 * 3 - 1)) < 1e-9);
+  assert_true(fabs(value(rows, "excess", 0) - 1.3) < 1e-9 && fabs(value(rows, "deficit", 0) - 0.3) < 1e-9);
+  jalon_fields_release(rows);
+  MUST(jalon_polygon_indices(truth, truth_rings, 2, truth, truth_rings, 2, NULL, &rows));
+  assert_true(value(rows, "quality", 0) == 1 && value(rows, "branching", 0) == 0);
+  jalon_fields_release(rows);
+  const double nowhere[2] = {NAN, 0};
+  const uint64_t one[1] = {1};
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_polygon_indices(nowhere, one, 1, NULL, NULL, 0, NULL, &rows));
+}
+
 static void deviations__tell_bias_and_spread_per_axis(void** state) {
   (void)state;
   const double found[6] = {1.03, 2, 3, 4.01, 5, 6.02}, truth[6] = {1, 2, 3, 4, 5, 6};
@@ -123,6 +143,7 @@ int main(void) {
       cmocka_unit_test(model__against_itself_gives_1_1_0_0_0),
       cmocka_unit_test(model__tables_tell_a_moved_wall),
       cmocka_unit_test(indices__reproduce_a_printed_row),
+      cmocka_unit_test(indices__of_polygons_take_holes_by_their_sense),
       cmocka_unit_test(deviations__tell_bias_and_spread_per_axis),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random.h"
 #include "modelling/model_evaluation.h"
 #include "scan/scanner.h"
 
@@ -230,6 +231,25 @@ TEST_CASE("vertex_deviations__give_the_recomputed_figures_of_table_5_8") {
     CHECK(std::fabs(mm(("rms_" + std::string(axes[i])).c_str()) - rms[i]) < 0.06);
     CHECK(std::fabs(mm(("mean_" + std::string(axes[i])).c_str()) - mean[i]) < 0.06);
   }
+}
+
+TEST_CASE("model_evaluation__holds_deviations_against_the_vertices_covariances") {
+  const double sx = 0.004, sy = 0.002, sz = 0.006;
+  Model truth, found;
+  RandomStream random(11, 1);
+  for (int k = 0; k < 500; ++k)
+    add(truth, "window", {upright(3 * k, 0, 3 * k + 2, 2, 0)});
+  found = truth;
+  for (Vec3& v : found.vertices) v += Vec3{sx * random.normal(), sy * random.normal(), sz * random.normal()};
+  CHECK(std::isnan(total(evaluated(found, truth), "within_95")));
+  found.vertex_covariances.assign(found.vertices.size(), {sx * sx, 0, 0, 0, sy * sy, 0, 0, 0, sz * sz});
+  const ModelEvaluation e = evaluated(found, truth);
+  CHECK(e.vertices.size() == 2000);
+  MESSAGE("FIGURE vertices within their 95 % ellipsoid: ", total(e, "within_95"));
+  CHECK(total(e, "within_95") > 0.935);
+  CHECK(total(e, "within_95") < 0.965);
+  CHECK(std::isnan(normalised_deviation({1, 0, 0}, {std::nan(""), 0, 0, 0, 0, 0, 0, 0, 0})));
+  CHECK(normalised_deviation({0.02, 0, 0}, {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4}) == doctest::Approx(2));
 }
 
 TEST_CASE("vertex_deviations__pair_the_nearest_first_and_one_to_one") {
