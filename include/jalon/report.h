@@ -36,12 +36,13 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_picture(const jalon_segmen
                                                   const char* path, const jalon_params* options,
                                                   jalon_task* task);
 /**
- * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and inliers, the spheres
- * and cylinders with radius and its sigma, times, the elevations, the picture of the labelled points and the residual
- * histogram; of a model the types of its openings, each opening with width, height and depth and their standard
- * deviations (propagated from the covariances of corners and planes), and the tree of parts with what they are known
- * from; the precision of each plane (sigma of a point, of the normal, of the place). model may be NULL: a segmentation
- * alone. notes_json: a JSON object with "title", "input" and "precision" (text pairs; what is known of the scanner) and
+ * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and inliers, the
+ * spheres and cylinders with radius and its sigma, times, the elevations, the picture of the labelled points and the
+ * residual histogram; of a model the types of its openings, each opening with width, height and depth and their
+ * standard deviations (propagated from the covariances of corners and planes), and the tree of parts with what they
+ * are known from; the precision of each plane (sigma of a point, of the normal, of the place). model may be NULL: a
+ * segmentation alone. notes_json: a JSON object with "title", "input" (text pairs), "scanner" (parameters of
+ * operation "precision": adds to each plane what the scanner makes of its points; every point needs a station) and
  * "times" (seconds by stage), or NULL. Everything that comes from outside is escaped. Operation "report".
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_html(const jalon_segmentation* segmentation,

@@ -98,6 +98,7 @@ struct Facade {
     console.step("reading");
     const Cloud cloud = input.read(console);
     notes["times"]["read"] = console.seconds();
+    files.note_scanner(cloud.get(), notes);
     notes["input"]["points"] = grouped(count_of(cloud));
     console.step("planes");
     const Segmentation segmentation = segment(console, cloud);
@@ -119,7 +120,8 @@ std::string tables() {
   Params planes;
   make_segmenter("ransac", planes);
   return "Parameters of --set (planes):\n" + describe(planes.get()) + "\n" + modeller_tables("--model-set") +
-         "Parameters of --drawing-set:\n" + describe(make_params("elevation").get());
+         "Parameters of --drawing-set:\n" + describe(make_params("elevation").get()) +
+         "\nParameters of --scanner-set (precision of the scanner):\n" + describe(make_params("precision").get());
 }
 
 }  // namespace

@@ -33,8 +33,7 @@ struct ModelJob {
     Workers out;
     out.modeller = make_modeller(method, out.modeller_params);
     settings.apply(out.modeller_params.get());
-    const bool is_given = !segment_settings.assignments.empty() || !segment_settings.json_file.empty();
-    if (!labels.empty() && (is_given || tolerance_m > 0))
+    if (!labels.empty() && (segment_settings.is_given() || tolerance_m > 0))
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
                     "--labels takes the segments as they are: no --tolerance, no --segment-set"};
     out.segmenter = make_segmenter(segmenter, out.segmenter_params);
@@ -80,6 +79,7 @@ struct ModelJob {
     console.step("reading");
     const Cloud cloud = input.read(console);
     notes["times"]["read"] = console.seconds();
+    files.note_scanner(cloud.get(), notes);
     console.step("segments");
     const Segmentation segmentation = segments(console, cloud, tools);
     notes["times"]["segment"] = console.seconds();
@@ -129,10 +129,12 @@ void add_model(CLI::App& app) {
   add_common(*command, state->common);
   command->footer([] {
     return modeller_tables("--set") + segmenter_tables("--segment-set") + "Parameters of --drawing-set:\n" +
-           describe(make_params("elevation").get()) +
+           describe(make_params("elevation").get()) + "\nParameters of --scanner-set (precision of the scanner):\n" +
+           describe(make_params("precision").get()) +
            "\nExamples:\n  jalon model scan.las -o result\n"
            "  jalon model segments.las -o result --labels label\n"
-           "  jalon model scan.las -o result --segmenter region_growing --tolerance 0.01 --drawing-set scale=50";
+           "  jalon model scan.las -o result --segmenter region_growing --tolerance 0.01 --drawing-set scale=50\n"
+           "  jalon model scan.las -o result --station 12.5,-8,1.7 --scanner-set sigma_range_m=0.002";
   });
   command->callback([state] { state->run(); });
 }

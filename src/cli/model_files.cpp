@@ -52,6 +52,23 @@ void draw(const Console& console, jalon_segmentation* segmentation, jalon_model*
   must(jalon_report_write_elevation(segmentation, model, path.c_str(), options, console.task()));
 }
 
+Json json_of(jalon_params* params) {
+  const char* json = nullptr;
+  must(jalon_params_to_json(params, &json));
+  return Json::parse(json);
+}
+
+// What differs from the defaults, and the three numbers that every scanner's specification has.
+Json told(jalon_params* params) {
+  const Json all = json_of(params), defaults = json_of(make_params("precision").get());
+  Json out = Json::object();
+  for (const auto& [name, value] : all.items())
+    if (name.starts_with("sigma_range") || name.starts_with("sigma_horizontal") || name.starts_with("sigma_vertical") ||
+        value != defaults[name])
+      out[name] = value;
+  return out;
+}
+
 template <class Create>
 std::string tables(const char* kind, const std::string& option, const char* const* names, size_t count,
                    const Create& create) {
@@ -98,7 +115,22 @@ std::string modeller_tables(const std::string& option) {
   });
 }
 
-void ModelFiles::add_to(CLI::App& command) { drawing.add_to(command, "drawing-"); }
+void ModelFiles::add_to(CLI::App& command) {
+  drawing.add_to(command, "drawing-");
+  scanner.add_to(command, "scanner-");
+}
+
+void ModelFiles::note_scanner(jalon_cloud* cloud, Json& notes) const {
+  if (!scanner.is_given()) return;
+  const Params params = make_params("precision");
+  scanner.apply(params.get());
+  uint64_t stations = 0;
+  must(jalon_cloud_station_count(cloud, &stations));
+  if (stations == 0)
+    throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                  "the precision of the scanner needs its place, which the file does not tell: add --station X,Y,Z"};
+  notes["scanner"] = told(params.get());
+}
 
 std::vector<std::string> ModelFiles::write(const Console& console, jalon_segmentation* segmentation, jalon_model* model,
                                            const std::string& source, OutputFolder& folder) const {

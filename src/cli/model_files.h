@@ -22,8 +22,11 @@ std::string modeller_tables(const std::string& option);
 /// Files of a model: what "facade" and "model" both write.
 struct ModelFiles {
   Settings drawing;  ///< of operation "elevation"
+  Settings scanner;  ///< of operation "precision"; none: not told
 
   void add_to(CLI::App& command);
+  /// The notes of a report with what was told of the scanner. Refuses it for a cloud without stations.
+  void note_scanner(jalon_cloud* cloud, nlohmann::ordered_json& notes) const;
   /// model.obj, model.dxf ...: each vector format that the library writes; elevation.svg of the whole, elevation_1.svg
   /// ... of each facade where there are several. Returns their names.
   std::vector<std::string> write(const Console& console, jalon_segmentation* segmentation, jalon_model* model,

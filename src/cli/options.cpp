@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/options.h"
 
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -97,6 +98,9 @@ void Input::add_to(CLI::App& command, bool required) {
   command.add_option("scan", path, "Scan file: LAS, PLY, XYZ, TXT, CSV")->required(required)->type_name("SCAN");
   command.add_option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
       ->type_name("NAMES");
+  command.add_option("--station", station,
+                     "Where the scanner stood, for all points: tells the front of surfaces and what was seen")
+      ->type_name("X,Y,Z");
   command.add_flag("--drop-invalid", drop_invalid, "Drop points whose coordinates are not finite");
 }
 
@@ -105,8 +109,24 @@ Cloud Input::read(Console& console) const {
   if (!columns.empty()) must(jalon_params_set_string(params.get(), "columns", columns.c_str()));
   if (drop_invalid) must(jalon_params_set_bool(params.get(), "drop_invalid", 1));
   Cloud cloud;
+  const bool has_station = !station.empty();
+  const jalon_transform pose = has_station ? pose_at(station) : jalon_transform{};
   must(jalon_cloud_read(path.c_str(), params.get(), console.task(), Out(cloud)));
+  if (has_station) must(jalon_cloud_set_station(cloud.get(), "station", &pose));
   return cloud;
+}
+
+jalon_transform pose_at(const std::string& text) {
+  jalon_transform pose{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+  const char *rest = text.data(), *last = text.data() + text.size();
+  for (const int k : {3, 7, 11}) {
+    const auto [end, error] = std::from_chars(rest, last, pose.m[k]);
+    const bool is_ended = k == 11 ? end == last : end != last && *end == ',';
+    if (error != std::errc() || !is_ended)
+      throw usage("--station needs X,Y,Z in metres, not \"" + text + "\"");
+    rest = k == 11 ? end : end + 1;
+  }
+  return pose;
 }
 
 uint64_t count_of(const Cloud& cloud) {

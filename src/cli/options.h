@@ -20,6 +20,7 @@ struct Settings {
   /// prefix: "" or e.g. "outline-" for a command with two sets.
   void add_to(CLI::App& command, const std::string& prefix = "");
   void apply(jalon_params* params) const;
+  bool is_given() const { return !assignments.empty() || !json_file.empty(); }
 };
 
 void add_common(CLI::App& command, Common& common);
@@ -34,6 +35,7 @@ std::string describe(jalon_params* params);
 struct Input {
   std::string path;
   std::string columns;
+  std::string station;  ///< "X,Y,Z" of the one scanner position; "": as the file tells
   bool drop_invalid = false;
 
   void add_to(CLI::App& command, bool required = true);
@@ -41,6 +43,8 @@ struct Input {
 };
 
 uint64_t count_of(const Cloud& cloud);
+/// "X,Y,Z" in metres as the pose of an upright scanner.
+jalon_transform pose_at(const std::string& text);
 
 // One function a command: declares it and what runs it.
 void add_info(CLI::App& app);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "cli/options.h"
@@ -18,14 +17,7 @@ struct Scan {
 
   void add_stations(jalon_scanner* scanner) const {
     for (const std::string& text : stations) {
-      jalon_transform pose{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
-      const char* rest = text.data();
-      for (const int k : {3, 7, 11}) {
-        const auto [end, error] = std::from_chars(rest, text.data() + text.size(), pose.m[k]);
-        if (error != std::errc() || (k != 11 && *end != ','))
-          throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--station needs X,Y,Z in metres, not \"" + text + "\""};
-        rest = end + 1;
-      }
+      const jalon_transform pose = pose_at(text);
       must(jalon_scanner_add_station(scanner, nullptr, &pose));
     }
   }

@@ -6,6 +6,7 @@
 #include "base/json_reader.h"
 #include "base/json_writer.h"
 #include "base/text_number.h"
+#include "model/part_classes.h"
 #include "report/elevation_view.h"
 #include "report/html_model.h"
 #include "report/notes.h"
@@ -34,7 +35,7 @@ constexpr const char* kStyle =
     "h1{font-size:1.7rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2rem 0 .5rem;border-bottom:1px solid #bbb;"
     "padding-bottom:.2rem}"
     ".lead{font-size:1.05rem;color:#333}"
-    ".scroll{overflow-x:auto}"
+    ".scroll{overflow-x:auto;margin:0 0 1rem}"
     "table{border-collapse:collapse;font-size:.88rem}th,td{padding:.22rem .6rem;text-align:left;vertical-align:top;"
     "border-bottom:1px solid #e2e2e2}"
     "thead th{border-bottom:2px solid #777;white-space:nowrap}"
@@ -50,7 +51,23 @@ uint64_t labelled(const Segmentation& segmentation) {
   return n;
 }
 
-void add_summary(Page& page, const Segmentation& segmentation, const Notes& notes, const Residuals& residuals) {
+// " The model has 118 faces, 19 windows, 2 doors and 0 other openings."
+std::string model_text(const Model& model, const OpeningList& openings) {
+  if (model.faces.empty()) return "";
+  size_t windows = 0, doors = 0;
+  for (const OpeningRow& row : openings.rows) {
+    windows += row.part_class == part_class::kWindow;
+    doors += row.part_class == part_class::kDoor;
+  }
+  const auto counted = [](size_t n, const char* one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); };
+  std::string text = " The model has " + counted(model.faces.size(), "face");
+  if (openings.rows.empty()) return text + ".";
+  return text + ", " + counted(windows, "window") + ", " + counted(doors, "door") + " and " +
+         counted(openings.rows.size() - windows - doors, "other opening") + ".";
+}
+
+void add_summary(Page& page, const Segmentation& segmentation, const Notes& notes, const Residuals& residuals,
+                 const std::string& model_text) {
   auto& html = page.html();
   html.open("h1").element("bdi", {}, notes.title).close();
   const uint64_t points = segmentation.cloud->size();
@@ -62,7 +79,7 @@ void add_summary(Page& page, const Segmentation& segmentation, const Notes& note
   html.element("p", {{"class", "lead"}},
                found + " from " + std::to_string(points) + " points; " +
                    text_of(share, 1) + " % of the points lie on them, with a standard deviation of " +
-                   text_of(1000 * residuals.sigma_m, 2) + " mm.");
+                   text_of(1000 * residuals.sigma_m, 2) + " mm." + model_text);
 }
 
 void add_input(Page& page, const Segmentation& segmentation, const Notes& notes) {
@@ -215,10 +232,10 @@ std::string report_html(const Segmentation& segmentation, const Model& model, st
   html.element("title", {}, notes.title);
   html.open("style").raw(kStyle).close();
   html.close().open("body");
-  add_summary(page, segmentation, notes, residuals);
+  const OpeningList openings = list_openings(model, kTypeTolerance_m);
+  add_summary(page, segmentation, notes, residuals, model_text(model, openings));
   if (options.flag("drawing") && !model.faces.empty()) add_drawings(page, segmentation, model, notes, task);
   if (options.flag("picture")) add_picture(page, segmentation, task);
-  const OpeningList openings = list_openings(model, kTypeTolerance_m);
   add_openings(page, model, openings);
   add_planes(page, segmentation, task);
   add_curved(page, segmentation, task);

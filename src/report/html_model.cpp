@@ -8,7 +8,6 @@
 #include "base/text_number.h"
 #include "model/part_classes.h"
 #include "report/evidence_name.h"
-#include "report/opening_precision.h"
 #include "report/part_tree.h"
 
 namespace jalon {
@@ -19,7 +18,7 @@ namespace {
 std::string metres(double value_m, int decimals = 2) {
   return std::isfinite(value_m) ? text_of(value_m, decimals) : std::string();
 }
-std::string millimetres(double value_m) { return std::isfinite(value_m) ? text_of(1000 * value_m, 1) : std::string(); }
+std::string millimetres(double value_m) { return std::isfinite(value_m) ? text_of(1000 * value_m, 2) : std::string(); }
 
 void add_types(Page& page, const OpeningList& openings) {
   page.open_table({"type", "class", "width (m)", "height (m)", "form", "number", "of these copied"});
@@ -86,35 +85,6 @@ void add_openings(Page& page, const Model& model, const OpeningList& openings) {
   if (is_known(openings, &OpeningRow::sigma_width_m) || is_known(openings, &OpeningRow::sigma_depth_m))
     page.note("\xCF\x83: standard deviation by propagation from the covariances of corners and planes; that of a side "
               "counts once, however many corners hold it.");
-}
-
-void add_precision(Page& page, const Segmentation& segmentation, const Notes& notes, Task& task) {
-  if (plane_count(segmentation.segments) == 0) return;
-  page.heading("Precision");
-  if (!notes.precision.empty()) add_pairs(page, notes.precision);
-  page.open_table({"plane", "points", "\xCF\x83 of a point (mm)", "\xCF\x83 of the normal (mrad)",
-                   "\xCF\x83 of the place (mm)", "normal x, y, z: \xCF\x83 (mrad)"});
-  for (size_t i = 0; i < segmentation.segments.size(); ++i) {
-    if (i % 256 == 0) task.checkpoint(0);
-    const Segment& s = segmentation.segments[i];
-    if (!s.has_plane()) continue;
-    const PlanePrecision precision = plane_precision(s.fit);
-    const auto& c = s.fit.covariance;
-    page.html().open("tr");
-    page.number(std::to_string(s.label));
-    page.number(std::to_string(s.fit.n));
-    page.number(text_of(1000 * s.fit.sigma, 2));
-    page.number(text_of(1000 * precision.sigma_normal_rad, 4));
-    page.number(text_of(1000 * precision.sigma_offset_m, 3));
-    page.number(text_of(1000 * std::sqrt(std::max(c[0], 0.0)), 4) + ", " +
-                text_of(1000 * std::sqrt(std::max(c[5], 0.0)), 4) + ", " +
-                text_of(1000 * std::sqrt(std::max(c[10], 0.0)), 4));
-    page.html().close();
-  }
-  page.close_table();
-  page.note("From the least-squares adjustment of each plane. \xCF\x83 of a point: distance from the plane; of the "
-            "normal: in the direction in which it is least certain; of the place: along the normal, at the middle of "
-            "the points. Errors common to all points (registration, scanner constants) are not in these figures.");
 }
 
 void add_parts(Page& page, const Model& model) {

@@ -14,7 +14,7 @@ namespace jalon {
 
 /// Types of the openings, then each opening with the standard deviations of its measures.
 void add_openings(Page& page, const Model& model, const OpeningList& openings);
-/// What the scanner is known to do and how well each plane is determined.
+/// How well each plane is determined, by its adjustment and, where it is told, by the scanner.
 void add_precision(Page& page, const Segmentation& segmentation, const Notes& notes, Task& task);
 /// The tree of parts and how each is known.
 void add_parts(Page& page, const Model& model);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <initializer_list>
 #include <string_view>
+#include <vector>
 
 #include "formats/svg_writer.h"
 
@@ -17,7 +17,7 @@ class Page {
   // Text from outside stands in <bdi>, so that marks for writing direction stay inside.
   void foreign(const char* tag, std::string_view text) { svg_.open(tag).element("bdi", {}, text).close(); }
   /// Opens a table with this heading, in a field that scrolls where it is wide; close_table() closes it.
-  void open_table(std::initializer_list<const char*> names) {
+  void open_table(const std::vector<const char*>& names) {
     svg_.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
     for (const char* name : names) svg_.element("th", {}, name);
     svg_.close().close().open("tbody");

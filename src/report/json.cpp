@@ -7,8 +7,8 @@
 #include "base/json_writer.h"
 #include "report/json_model.h"
 #include "report/notes.h"
-#include "report/opening_precision.h"
 #include "report/orientation_name.h"
+#include "report/plane_precision.h"
 #include "report/report.h"
 #include "segment/residuals.h"
 
@@ -36,7 +36,7 @@ void write_pairs(JsonWriter& json, const char* name, const Pairs& pairs) {
   json.end_object();
 }
 
-void write_plane(JsonWriter& json, const Segment& s) {
+void write_plane(JsonWriter& json, const Segment& s, const PropagatedPlane* scanner) {
   json.begin_object();
   json.name("label").value(s.label);
   json.name("orientation").value(orientation_name(s.orientation));
@@ -51,6 +51,10 @@ void write_plane(JsonWriter& json, const Segment& s) {
   const PlanePrecision precision = plane_precision(s.fit);
   json.name("sigma_normal_rad").value(precision.sigma_normal_rad);
   json.name("sigma_offset_m").value(precision.sigma_offset_m);
+  if (scanner != nullptr) {
+    json.name("sigma_scanner_m").value(scanner->sigma_prior_m);
+    json.name("variance_factor").value(scanner->variance_factor);
+  }
   json.end_object();
 }
 
@@ -113,13 +117,15 @@ std::string report_json(const Segmentation& segmentation, const Model& model, st
   json.name("points").value(segmentation.cloud->size());
   json.name("crs").value(segmentation.cloud->crs.str());
   write_pairs(json, "input", notes.input);
-  write_pairs(json, "precision", notes.precision);
+  if (!notes.scanner_json.empty()) json.name("scanner").value(read_json(notes.scanner_json)[0]);
   write_pairs(json, "times_s", notes.times_s);
   json.name("parameters").value(read_json(parameters.empty() ? "{}" : std::string_view(parameters))[0]);
   write_array(json, "T_facade_world", segmentation.T_facade_world.m);
   json.name("planes").begin_array();
-  for (const Segment& segment : segmentation.segments)
-    if (segment.is_plane()) write_plane(json, segment);
+  const std::vector<PropagatedPlane> scanner = scanner_planes(segmentation, notes, task);
+  for (size_t i = 0; i < segmentation.segments.size(); ++i)
+    if (segmentation.segments[i].is_plane())
+      write_plane(json, segmentation.segments[i], scanner.empty() ? nullptr : &scanner[i]);
   json.end_array();
   write_all_curved(json, "spheres", segmentation, PrimitiveType::kSphere);
   write_all_curved(json, "cylinders", segmentation, PrimitiveType::kCylinder);

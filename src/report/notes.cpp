@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/json_reader.h"
+#include "base/json_writer.h"
 #include "base/text_number.h"
 
 namespace jalon {
@@ -28,7 +29,7 @@ std::string text_value(const JsonValue& value) {
   if (value.kind == Kind::kText || value.kind == Kind::kInteger) return value.text;
   if (value.kind == Kind::kNumber) return text_of(value.number);
   if (value.kind == Kind::kBool) return value.flag ? "yes" : "no";
-  fail(Status::kInvalidArgument, "\"%.100s\" in the notes is no text", value.name.c_str());
+  fail(Status::kInvalidArgument, "\"%.100s\" in the notes' input is no text", value.name.c_str());
 }
 
 // Every name once, with the value given last, in the order of first mention.
@@ -63,8 +64,8 @@ Notes read_notes(std::string_view json) {
   }
   Pairs input(out.input);
   for (const JsonValue* member : members_of(notes, "input")) input.put(member->name, text_value(*member));
-  Pairs precision(out.precision);
-  for (const JsonValue* member : members_of(notes, "precision")) precision.put(member->name, text_value(*member));
+  members_of(notes, "scanner");  // refuses what is no object
+  if (const JsonValue* scanner = find_member(notes, "scanner")) out.scanner_json = JsonWriter().value(*scanner).take();
   Pairs times(out.times_s);
   for (const JsonValue* member : members_of(notes, "times")) {
     if (!member->is_number())

@@ -13,13 +13,13 @@ namespace jalon {
 struct Notes {
   std::string title = "Facade report";
   std::vector<std::pair<std::string, std::string>> input;  ///< in the order given
-  std::vector<std::pair<std::string, std::string>> precision;  ///< of the scanner, as far as it is known
+  std::string scanner_json;  ///< parameters of operation "precision"; empty: not told
   std::vector<std::pair<std::string, double>> times_s;
 };
 
-/// Reads {"title": text, "input": {name: text, ...}, "precision": {name: text, ...}, "times": {stage: seconds, ...}};
-/// "" gives the defaults, other members are ignored. A text that is no such object is Error(kInvalidArgument). Numbers
-/// and booleans in "input" and "precision" are taken as text.
+/// Reads {"title": text, "input": {name: text, ...}, "scanner": {parameter of operation "precision": value, ...},
+/// "times": {stage: seconds, ...}}; "" gives the defaults, other members are ignored. A text that is no such object is
+/// Error(kInvalidArgument). Numbers and booleans in "input" are taken as text.
 Notes read_notes(std::string_view json);
 
 }  // namespace jalon

@@ -93,10 +93,4 @@ void set_precision(OpeningRow& row, const Model& model) {
   set_depth_precision(row, model);
 }
 
-PlanePrecision plane_precision(const PlaneFit& fit) {
-  const Symmetric3& c = fit.local_covariance;  // of (alpha, beta, gamma): xx xy xz yy yz zz
-  const double mean = (c[0] + c[3]) / 2, spread = std::hypot((c[0] - c[3]) / 2, c[1]);
-  return {std::sqrt(std::max(mean + spread, 0.0)), std::sqrt(std::max(c[5], 0.0))};
-}
-
 }  // namespace jalon

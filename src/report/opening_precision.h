@@ -12,13 +12,6 @@ namespace jalon {
 /// of wall and joinery at the middle of the opening. NaN where the model has no covariance.
 void set_precision(OpeningRow& row, const Model& model);
 
-/// What a report tells of a plane's precision.
-struct PlanePrecision {
-  double sigma_normal_rad = 0;  ///< in the direction in which the normal is least certain
-  double sigma_offset_m = 0;    ///< of the plane's place at the middle of its points
-};
-PlanePrecision plane_precision(const PlaneFit& fit);
-
 /// Standard deviation of the distance of a plane at a point, from the covariance of its normal and offset.
 double sigma_at(const std::array<double, 16>& covariance, const Vec3& p);
 

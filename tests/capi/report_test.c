@@ -134,9 +134,83 @@ static void report__needs_no_model_and_draws_the_labelled_points(void** state) {
   release_scene(&scene);
 }
 
+static jalon_model* facade_of_scene(const wall_scene* scene) {
+  jalon_modeller* modeller = NULL;
+  jalon_model* model = NULL;
+  MUST(jalon_modeller_create("facade", &modeller));
+  MUST(jalon_modeller_run(modeller, scene->cloud, scene->segmentation, NULL, &model));
+  jalon_modeller_release(modeller);
+  return model;
+}
+
+static void report__draws_a_facade_model_with_dimensions_and_the_given_source(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_model* model = facade_of_scene(&scene);
+  jalon_params* options = NULL;
+  MUST(jalon_params_create("elevation", &options));
+  MUST(jalon_params_set_string(options, "source", "<wall>.las"));
+  MUST(jalon_params_set_string(options, "date", "2026-11-21"));
+  MUST(jalon_report_write_elevation(scene.segmentation, model, in_folder("a.svg"), options, NULL));
+  char* svg = text_of_file(in_folder("a.svg"));
+  for (size_t i = 0; i < 5; ++i) {
+    const char* texts[] = {"&lt;wall&gt;.las", "2026-11-21", "\xC2\xB1" "0.00", "Distance along the facade (m)",
+                           "class=\"face\""};
+    if (strstr(svg, texts[i]) == NULL) fail_msg("no %s in the drawing", texts[i]);
+  }
+  free(svg);
+  MUST(jalon_params_set_int64(options, "facade", 1));
+  MUST(jalon_report_write_elevation(scene.segmentation, model, in_folder("b.svg"), options, NULL));
+  MUST(jalon_params_set_int64(options, "facade", 2));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_report_write_elevation(scene.segmentation, model, in_folder("c.svg"), options, NULL));
+  assert_null(text_of_file(in_folder("c.svg")));
+  jalon_params_release(options);
+  jalon_model_release(model);
+  release_scene(&scene);
+}
+
+static void report__tells_parts_openings_and_precision(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_model* model = facade_of_scene(&scene);
+  const jalon_transform pose = {{1, 0, 0, 3, 0, 1, 0, -20, 0, 0, 1, 2}};
+  const char* notes = "{\"scanner\": {\"sigma_range_m\": 0.003}}";
+  REFUSED(JALON_ERROR_NOT_FOUND,
+          jalon_report_write_json(scene.segmentation, model, "{\"scanner\": {\"nose\": 1}}", in_folder("c.json"), NULL,
+                                  NULL));
+  MUST(jalon_report_write_html(scene.segmentation, model, NULL, in_folder("a.html"), NULL, NULL));
+  MUST(jalon_report_write_json(scene.segmentation, model, NULL, in_folder("a.json"), NULL, NULL));
+  char *page = text_of_file(in_folder("a.html")), *json = text_of_file(in_folder("a.json"));
+  assert_non_null(strstr(page, ">Parts<"));
+  assert_non_null(strstr(page, ">Precision<"));
+  for (size_t i = 0; i < 4; ++i) {
+    const char* names[] = {"\"openings\"", "\"opening_types\"", "\"parts\"", "\"sigma_normal_rad\""};
+    if (strstr(json, names[i]) == NULL) fail_msg("no %s in the JSON", names[i]);
+  }
+  assert_null(strstr(json, "variance_factor"));
+  free(page), free(json);
+  jalon_model_release(model);
+  /* The same points with a known station. */
+  jalon_segmenter* segmenter = NULL;
+  jalon_segmentation* stationed = NULL;
+  MUST(jalon_cloud_set_station(scene.cloud, "S", &pose));
+  MUST(jalon_segmenter_create("ransac", &segmenter));
+  MUST(jalon_segmenter_run(segmenter, scene.cloud, NULL, &stationed));
+  MUST(jalon_report_write_json(stationed, NULL, notes, in_folder("b.json"), NULL, NULL));
+  json = text_of_file(in_folder("b.json"));
+  assert_non_null(strstr(json, "variance_factor"));
+  free(json);
+  jalon_segmentation_release(stationed);
+  jalon_segmenter_release(segmenter);
+  release_scene(&scene);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(report__needs_no_model_and_draws_the_labelled_points),
+      cmocka_unit_test(report__draws_a_facade_model_with_dimensions_and_the_given_source),
+      cmocka_unit_test(report__tells_parts_openings_and_precision),
       cmocka_unit_test(report__writes_drawing_page_and_json),
       cmocka_unit_test(report__options_set_title_and_scale),
       cmocka_unit_test(report__failures_leave_the_old_file_alone),

@@ -133,6 +133,11 @@ import json
 d = json.load(open('model/report.json'))
 assert len(d['openings']) > 10 and d['opening_types'] and d['parts'], d['opening_types']
 assert all(p['sigma_normal_rad'] > 0 and p['sigma_offset_m'] > 0 for p in d['planes'])"
+check "a known station and scanner reach the report" bash -c "'$jalon' model quiet.las -o scanner --quiet --station 11,-15,1.6 --scanner-set sigma_range_m=0.002 && python3 -c '
+import json
+d=json.load(open(\"scanner/report.json\"))
+assert d[\"scanner\"][\"sigma_range_m\"]==0.002 and len(d[\"scanner\"])==3, d[\"scanner\"]
+assert 0.5<d[\"planes\"][0][\"variance_factor\"]<5, d[\"planes\"][0]'"
 check "rsvg draws the elevation" rsvg-convert model/elevation.svg -o picture.png
 
 sha256sum result/* >before
@@ -158,6 +163,8 @@ refuses "an unknown method lists what there is" 3 'ransac' "$jalon" segment samp
 refuses "a modelling method that is not there" 3 'outlines' "$jalon" model sample.las -o never --method magic
 refuses "a label field that the cloud lacks" 3 'nose' "$jalon" model sample.las -o never --labels nose
 refuses "labels and parameters of a segmenter" 2 'as they are' "$jalon" model sample.las -o never --labels label --segment-set seed=3
+refuses "a scanner without a place" 2 'station X,Y,Z' "$jalon" model sample.las -o never --scanner-set sigma_range_m=0.002
+refuses "a station that is no place" 2 'needs X,Y,Z' "$jalon" facade sample.las -o never --station 1,2
 refuses "a facade that the model does not have" 2 'facade 9' "$jalon" model segments/segments.las -o never --labels label --drawing-set facade=9
 check "refusals leave no folder" bash -c "[ ! -e never ]"
 refuses "no reference to evaluate against" 2 'reference-labels' "$jalon" evaluate-segmentation segments/segments.las

@@ -314,10 +314,11 @@ TEST_CASE("reports: openings with their precision, parts and evidence, as a page
   wall.height = 2;
   const Segmentation segmentation = walls::segmentation_of({wall.points()});
   Task task;
-  const std::string html = report_html(segmentation, m, R"({"precision": {"range": "2 mm"}})",
+  const std::string html = report_html(segmentation, m, "",
                                        ParamSet("report", report_rows()), task);
   CHECK(markup::well_formed(html));
-  for (const char* text : {">Openings<", ">Precision<", ">Parts<", "copy of window 1", "seen behind", "2 mm", ">2.8<",
+  for (const char* text : {">Openings<", ">Precision<", ">Parts<", "copy of window 1", "seen behind", ">2.83<",
+                           "14 windows, 1 door and 0 other openings.",
                            "of the normal (mrad)", "And 14 reveals"})
     CHECK_MESSAGE(html.find(text) != std::string::npos, text);
   const auto json = nlohmann::json::parse(report_json(segmentation, m, "", task));
@@ -332,4 +333,32 @@ TEST_CASE("reports: openings with their precision, parts and evidence, as a page
   const double sigma = json["planes"][0]["sigma_offset_m"];
   CHECK(sigma == doctest::Approx(segmentation.segments[0].fit.sigma /
                                  std::sqrt(static_cast<double>(segmentation.segments[0].fit.n))).epsilon(0.01));
+}
+
+TEST_CASE("reports: what the scanner makes of the planes, when it is told and stations are known") {
+  walls::WallScan wall;
+  wall.width = wall.height = 4;
+  Segmentation segmentation = walls::segmentation_of({wall.points()});
+  const char* notes = R"({"scanner": {"sigma_range_m": 0.004, "sigma_horizontal_rad": 0, "sigma_vertical_rad": 0}})";
+  Task task;
+  CHECK_THROWS_AS(report_json(segmentation, {}, notes, task), Error);  // no station
+  CHECK_THROWS_AS(report_json(segmentation, {}, R"({"scanner": 3})", task), Error);
+  Cloud cloud = *segmentation.cloud;
+  Station station;
+  station.has_pose = true;
+  station.pose.m = {1, 0, 0, 2, 0, 1, 0, -30, 0, 0, 1, 2};
+  station.count = cloud.size();
+  cloud.stations.push_back(station);
+  segmentation.cloud = std::make_shared<const Cloud>(cloud);
+  const auto json = nlohmann::json::parse(report_json(segmentation, {}, notes, task));
+  const auto& plane = json["planes"][0];
+  CHECK(plane["sigma_scanner_m"].get<double>() > 0.0035);  // a little less where the ray is not square to the wall
+  CHECK(plane["sigma_scanner_m"].get<double>() < 0.004);
+  CHECK(plane["variance_factor"].get<double>() > 0.9);
+  CHECK(plane["variance_factor"].get<double>() < 1.3);
+  CHECK(json["scanner"]["sigma_range_m"] == 0.004);
+  const std::string html = report_html(segmentation, {}, notes, ParamSet("report", report_rows()), task);
+  CHECK(markup::well_formed(html));
+  for (const char* text : {"variance factor", "sigma_range_m", "by the scanner (mm)"})
+    CHECK_MESSAGE(html.find(text) != std::string::npos, text);
 }
