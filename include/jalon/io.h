@@ -10,8 +10,35 @@
  * failed write never replaces a good file.
  *
  * Clouds: LAS 1.0-1.4 (point formats 0-10 read; 1.2 and 1.4 written; VLRs, EVLRs and CRS carried verbatim; other fields
- * as extra bytes), PLY (ASCII, both endians, all scalar properties), XYZ/TXT/CSV/PTS-like text. Meshes and models: OBJ,
- * PLY.
+ * as extra bytes), PLY (ASCII, both endians, all scalar properties), XYZ/TXT/CSV/PTS-like text.
+ *
+ * Models; coordinates are those of the model, in metres (extensions in brackets):
+ *
+ * - DXF (dxf), written: AutoCAD 2000 (AC1015, with handles, tables, layouts and metres as its unit) or release 12
+ *   (AC1009). A layer for each class of part (WALL, WINDOW, DOOR ...), "-COPIED" behind the class of copied elements,
+ *   NO_DATA for areas that no station saw; each ring of a face is a closed polyline in the plane of the face, arcs are
+ *   bulges (2 sagitta / chord) with the face's extrusion direction; triangles of a mesh are 3DFACEs. Application data
+ *   (JALON) names face, part, class, evidence and depth. "dxf_view" = "elevation" draws the facades flattened, 1:1: x
+ *   from the left end of the facade, y the height of the model; several facades stand side by side, 2 m apart; faces
+ *   seen edge-on are left out.
+ * - CityJSON 2.0 (city.json, json), written and read (1.0 and 1.1 too): a Building for each part of that class, with a
+ *   MultiSurface, and a Solid for each solid; semantic surfaces WallSurface, Window and Door (children of the wall
+ *   whose hole they fill), ClosureSurface (opening of unknown kind), RoofSurface, GroundSurface. A window of which the
+ *   hole alone is known gets a surface in the wall ("closes_opening"). Attributes carry name, class, evidence,
+ *   copied_from, widths, sigma and the tree of parts; the CRS is written when it has an EPSG code and is metric.
+ *   Coordinates are stored in steps of "city_scale_m". Read back: faces, holes, parts, solids, CRS; of several levels
+ *   of detail the highest; geometry templates are JALON_ERROR_UNSUPPORTED.
+ * - GeoJSON (geojson), written: a Feature for each face, 3D positions in the model's own system, which the member "crs"
+ *   names (null when it is not known: the numbers are metres, never degrees).
+ * - OBJ (obj), written and read: faces as polygons and triangles, openings stay open; outlines as lines; the tree of
+ *   parts in comments that other programs pass over, so that our own files come back with faces, holes, parts and
+ *   solids. Files of others are meshes with groups as parts, or a face for each polygon ("polygons" = "faces").
+ * - STL (stl), written and read: triangles; binary (float32; large coordinates less whole metres, which the header
+ *   names) or ASCII (exact; a solid for each part).
+ * - PLY (ply), written as triangles and read as a mesh.
+ *
+ * Where a format knows no arcs, chords at most "chord_error_m" (1 mm) from the arc stand for them, the same ones in all
+ * faces that share it.
  */
 #ifndef JALON_IO_H
 #define JALON_IO_H
@@ -27,10 +54,11 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_read(const char* path, const jalo
 /** Writes a cloud in the format of the extension. options: operation "write" or NULL. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path,
                                          const jalon_params* options, jalon_task* task);
-/** Reads a mesh or model (OBJ, PLY with faces). */
+/** Reads a mesh or model (CityJSON, OBJ, STL, PLY with faces). */
 JALON_API JALON_CHECK jalon_status jalon_model_read(const char* path, const jalon_params* options,
                                         jalon_task* task, jalon_model** out);
-/** Writes a model (OBJ; PLY as triangles). */
+/** Writes a model in the format of the extension: DXF, CityJSON, GeoJSON, OBJ, STL or PLY. options: operation "write"
+ * (dxf_version, dxf_view, chord_error_m ...) or NULL. */
 JALON_API JALON_CHECK jalon_status jalon_model_write(const jalon_model* model, const char* path,
                                          const jalon_params* options, jalon_task* task);
 /** Number of formats in the registry. */

@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-enum class Format { kUnknown, kLas, kPly, kText, kCsv, kObj };
+enum class Format { kUnknown, kLas, kPly, kText, kCsv, kObj, kStl, kDxf, kCity, kGeoJson };
 
 constexpr size_t kLookBytes = 4096;  // of the start of a file, to tell text from binary data
 
@@ -24,11 +24,15 @@ constexpr FormatInfo kFormats[] = {
     {"Text", "xyz txt pts asc", "cloud read write"},
     {"CSV", "csv", "cloud read write"},
     {"OBJ", "obj", "model read write"},
+    {"STL", "stl", "model read write"},
+    {"CityJSON", "city.json cityjson json", "model read write"},
+    {"DXF", "dxf", "model write"},
+    {"GeoJSON", "geojson", "model write"},
     {"SVG", "svg", "drawing write"},
 };
 
 constexpr ParamRow kReadRows[] = {
-    choice_row("format", "auto", "auto|las|ply|text|obj", "",
+    choice_row("format", "auto", "auto|las|ply|text|obj|stl|cityjson", "",
                "Format of the file; auto looks at its content, then its extension"),
     string_row("columns", "", "text",
                "Columns of a text file, e.g. \"x y z intensity\" or \"x y z i r g b nx ny nz\"; - "
@@ -36,12 +40,15 @@ constexpr ParamRow kReadRows[] = {
                "guessed"),
     bool_row("drop_invalid", false, "",
              "Drop points whose coordinates are not finite instead of refusing the file"),
+    choice_row("polygons", "auto", "auto|faces|mesh", "obj",
+               "What the polygons of a file become: auto: faces with openings where the file tells them, as our own "
+               "do, else the triangles of a mesh; faces: a face each"),
     choice_row("unit", "auto", "auto|metre|foot|us_survey_foot", "las",
                "Length unit of the file; auto takes it from the CRS"),
 };
 
 constexpr ParamRow kWriteRows[] = {
-    choice_row("format", "auto", "auto|las|ply|text|csv|obj", "",
+    choice_row("format", "auto", "auto|las|ply|text|csv|obj|stl|cityjson|dxf|geojson", "",
                "Format of the file; auto takes it from the extension"),
     choice_row("las_version", "auto", "auto|1.2|1.4", "las",
                "auto: that of the file it came from, 1.2 where it holds all fields"),
@@ -51,6 +58,17 @@ constexpr ParamRow kWriteRows[] = {
                "binary is little-endian"),
     integer_row("decimals", -1, -1, 17, "", "text",
                 "Decimals of the coordinates; -1: as many as give the same number back"),
+    number_row("chord_error_m", 0.001, 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf",
+               "Largest distance of the chords that stand for an arc, where a format knows no arcs"),
+    choice_row("dxf_version", "r2000", "r12|r2000", "dxf",
+               "r2000: AC1015, with units and planar polylines; r12: AC1009, for old programs"),
+    choice_row("dxf_view", "world", "world|elevation", "dxf",
+               "world: faces where they are in space; elevation: the facades flattened into the drawing plane, 1:1 in "
+               "metres, x along the facade, y the height"),
+    choice_row("stl_format", "binary", "binary|ascii", "stl",
+               "binary: float32, less whole metres that its header names where coordinates are large; ascii: exact "
+               "coordinates, a solid for each part"),
+    number_row("city_scale_m", 0.0001, 1e-9, 1, "m", "cityjson", "Step of the stored coordinates"),
 };
 
 Format format_named(const std::string& name) {
@@ -59,6 +77,10 @@ Format format_named(const std::string& name) {
   if (name == "text") return Format::kText;
   if (name == "csv") return Format::kCsv;
   if (name == "obj") return Format::kObj;
+  if (name == "stl") return Format::kStl;
+  if (name == "dxf") return Format::kDxf;
+  if (name == "cityjson" || name == "json") return Format::kCity;
+  if (name == "geojson") return Format::kGeoJson;
   return Format::kUnknown;
 }
 
@@ -94,10 +116,13 @@ Format format_of_content(const ByteSource& source) {
   const Format by_name = format_of_extension(source.path());
   if (by_name == Format::kLas) source.refuse(0, "a LAS file starts with LASF, this one does not");
   if (by_name == Format::kPly) source.refuse(0, "a PLY file starts with ply, this one does not");
-  if (by_name == Format::kObj) return Format::kObj;
+  if (by_name == Format::kObj || by_name == Format::kCity) return by_name;
+  if (by_name == Format::kStl || is_binary_stl(source)) return Format::kStl;
+  if (by_name == Format::kDxf || by_name == Format::kGeoJson)
+    fail(Status::kUnsupported, "%s: DXF and GeoJSON are written, not read", source.path().c_str());
   if (by_name == Format::kText || by_name == Format::kCsv || looks_like_text(look))
     return Format::kText;
-  fail(Status::kUnsupported, "%s: neither LAS, PLY, OBJ nor text", source.path().c_str());
+  fail(Status::kUnsupported, "%s: neither LAS, PLY, OBJ, STL, CityJSON nor text", source.path().c_str());
 }
 
 Format format_to_read(const ByteSource& source, const ParamSet& options) {
@@ -161,7 +186,9 @@ Cloud read_cloud(const std::string& path, const ParamSet& options, Task& task) {
     case Format::kPly:
       return read_ply(source, options, task);
     case Format::kObj:
-      fail(Status::kUnsupported, "%s: OBJ holds a model, no cloud", path.c_str());
+    case Format::kStl:
+    case Format::kCity:
+      fail(Status::kUnsupported, "%s: OBJ, STL and CityJSON hold a model, no cloud", path.c_str());
     default:
       return read_text(source, options, task);
   }
@@ -188,9 +215,13 @@ Model read_model(const std::string& path, const ParamSet& options, Task& task) {
     case Format::kPly:
       return read_ply_model(source, options, task);
     case Format::kObj:
-      return read_obj(source, task);
+      return read_obj(source, options, task);
+    case Format::kStl:
+      return read_stl(source, task);
+    case Format::kCity:
+      return read_city(source, options, task);
     default:
-      fail(Status::kUnsupported, "%s: no model; models are OBJ or PLY", path.c_str());
+      fail(Status::kUnsupported, "%s: no model; models are CityJSON, OBJ, PLY or STL", path.c_str());
   }
 }
 
@@ -199,9 +230,17 @@ void write_model(const Model& model, const std::string& path, const ParamSet& op
     case Format::kPly:
       return write_ply_model(model, path, options, task);
     case Format::kObj:
-      return write_obj(model, path, task);
+      return write_obj(model, path, options, task);
+    case Format::kStl:
+      return write_stl(model, path, options, task);
+    case Format::kDxf:
+      return write_dxf(model, path, options, task);
+    case Format::kCity:
+      return write_city(model, path, options, task);
+    case Format::kGeoJson:
+      return write_geojson(model, path, options, task);
     default:
-      refuse_extension(path, "obj, ply");
+      refuse_extension(path, "obj, dxf, city.json, geojson, stl, ply");
   }
 }
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "formats/atomic_file.h"
 #include "formats/number_text.h"
+#include "formats/obj_notes.h"
 #include "formats/polygon_triangles.h"
 #include "formats/readers.h"
 #include "formats/utf8.h"
+#include "model/chords.h"
 
 namespace jalon {
 
@@ -30,7 +30,7 @@ void append_corner(std::string& out, uint32_t vertex) {
 
 bool is_convex(const Model& model, const Face& face) {
   const Ring& ring = model.rings[face.first_ring];
-  const PlaneAxes axes = axes_of(face.plane.normal);
+  const PlaneAxes axes = axes_of(normal_of(model, face));
   const auto corner = [&](uint64_t i) {
     return model.vertices[model.corners[ring.first + i % ring.count]];
   };
@@ -62,10 +62,16 @@ void append_face(std::string& out, const Model& model, const Face& face) {
   }
 }
 
+bool has_outline(const Model& model, const Face& face) {
+  return face.ring_count > 0 && model.rings[face.first_ring].count >= 3;
+}
+
 void append_outlines(std::string& out, const Model& model, const Face& face) {
   for (uint64_t r = 0; r < face.ring_count; ++r) {
     const Ring& ring = model.rings[face.first_ring + r];
-    if (ring.count < 2) continue;
+    if (ring.count < 3) continue;
+    if (r == 0) obj::append_face_note(out, face);
+    else obj::append_hole_note(out, ring);
     const std::string name =
         r == 0 ? numbered("outline", face.id) : numbered(numbered("opening", face.id), r);
     out.append("g ").append(name).append("\nl");
@@ -75,13 +81,25 @@ void append_outlines(std::string& out, const Model& model, const Face& face) {
   }
 }
 
+// Solids name their faces by their order in the file: those without an outline do not stand there.
+void append_solids(std::string& out, const Model& model) {
+  std::vector<uint64_t> before{0};
+  for (const Face& face : model.faces) before.push_back(before.back() + (has_outline(model, face) ? 1 : 0));
+  for (Solid solid : model.solids) {
+    const uint64_t end = before[solid.first_face + solid.face_count];
+    solid.first_face = before[solid.first_face];
+    solid.face_count = end - solid.first_face;
+    obj::append_solid_note(out, solid);
+  }
+}
+
 void write_faces(AtomicFile& file, const Model& model, Task& task) {
   std::string text;
   uint32_t part = ~uint32_t{0};
   for (size_t f = 0; f < model.faces.size(); ++f) {
     task.checkpoint(static_cast<double>(f) / static_cast<double>(model.faces.size()));
     const Face& face = model.faces[f];
-    if (face.ring_count == 0 || model.rings[face.first_ring].count < 3) continue;
+    if (!has_outline(model, face)) continue;
     if (face.part != part && face.part < model.parts.size()) {
       part = face.part;
       text.append("o ")
@@ -94,43 +112,44 @@ void write_faces(AtomicFile& file, const Model& model, Task& task) {
   }
   if (model.faces.empty()) return;
   text = "o outlines\n";
-  for (const Face& face : model.faces) append_outlines(text, model, face);
+  for (const Face& face : model.faces)
+    if (has_outline(model, face)) append_outlines(text, model, face);
+  append_solids(text, model);
+  text.append(obj::kNote).append(" mesh\n");
   file.write(text);
 }
 
 void write_mesh(AtomicFile& file, const Model& model, Task& task) {
-  if (model.triangles.empty()) return;
+  const std::vector<uint32_t> triangles = loose_triangles(model);
+  if (triangles.empty()) return;
   file.write("o mesh\n");
-  const bool by_part = model.faces.empty() && !model.parts.empty() &&
-                       std::ranges::all_of(model.triangle_faces,
-                                           [&](uint32_t id) { return id < model.parts.size(); });
-  uint32_t last = ~uint32_t{0};
-  write_in_batches(
-      model.triangles.size(), kBatch, kBatch, file, task,
-      [&](size_t begin, size_t end, std::string& out) {
-        for (size_t i = begin; i < end; ++i) {
-          const uint32_t id = model.triangle_faces[i];
-          if (i == 0 || id != last) {
-            const std::string number = std::to_string(id);
-            out += "g " +
-                   (by_part ? word_of(model.parts[id].name, "part_" + number) : "face_" + number) +
-                   "\n";
-          }
-          last = id;
-          out += "f";
-          for (const uint32_t corner : model.triangles[i]) append_corner(out, corner);
-          out += "\n";
-        }
-      });
+  const bool by_part = is_mesh_by_part(model);
+  write_in_batches(triangles.size(), kBatch, kBatch, file, task, [&](size_t begin, size_t end, std::string& out) {
+    for (size_t i = begin; i < end; ++i) {
+      const uint32_t id = model.triangle_faces[triangles[i]];
+      if (i == 0 || id != model.triangle_faces[triangles[i - 1]]) {
+        const std::string number = std::to_string(id);
+        out += "g " + (by_part ? word_of(model.parts[id].name, "part_" + number) : "face_" + number) + "\n";
+      }
+      out += "f";
+      for (const uint32_t corner : model.triangles[triangles[i]]) append_corner(out, corner);
+      out += "\n";
+    }
+  });
 }
 
 }  // namespace
 
-void write_obj(const Model& model, const std::string& path, Task& task) {
+void write_obj(const Model& given, const std::string& path, const ParamSet& options, Task& task) {
   Span whole(task, 0, 0.99, "writing OBJ");
-  validate(model);
+  validate(given);
+  const Model chords = has_arcs(given) ? with_chords(given, options.number("chord_error_m")) : Model{};
+  const Model& model = chords.vertices.empty() ? given : chords;
   AtomicFile file(path);
-  file.write("# Jalon, coordinates in metres\n");
+  std::string head = "# Jalon, coordinates in metres\n";
+  if (!model.faces.empty())
+    for (uint32_t p = 0; p < model.parts.size(); ++p) obj::append_part_note(head, model, p);
+  file.write(head);
   {
     Span span(task, 0, 0.4);
     write_in_batches(model.vertices.size(), kBatch, kGrain, file, task,

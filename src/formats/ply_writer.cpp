@@ -10,6 +10,7 @@
 #include "formats/polygon_triangles.h"
 #include "formats/readers.h"
 #include "formats/utf8.h"
+#include "model/chords.h"
 
 namespace jalon {
 
@@ -162,19 +163,38 @@ void write_ply(const Cloud& cloud, const std::string& path, const ParamSet& opti
   file.commit();
 }
 
-void write_ply_model(const Model& model, const std::string& path, const ParamSet& options,
-                     Task& task) {
-  Span span(task, 0, 0.99, "writing PLY");
-  validate(model);
-  auto triangles = model.triangles;
-  auto ids = model.triangle_faces;
+namespace {
+
+struct Mesh {
+  std::vector<std::array<uint32_t, 3>> triangles;
+  std::vector<uint32_t> ids;
+};
+
+Mesh mesh_of(const Model& model, Task& task) {
+  Mesh mesh;
+  for (const uint32_t t : loose_triangles(model)) {
+    mesh.triangles.push_back(model.triangles[t]);
+    mesh.ids.push_back(model.triangle_faces[t]);
+  }
   for (const Face& face : model.faces) {
     task.checkpoint(0.3);
     for (const auto& triangle : triangles_of_face(model, face)) {
-      triangles.push_back(triangle);
-      ids.push_back(face.id);
+      mesh.triangles.push_back(triangle);
+      mesh.ids.push_back(face.id);
     }
   }
+  return mesh;
+}
+
+}  // namespace
+
+void write_ply_model(const Model& given, const std::string& path, const ParamSet& options, Task& task) {
+  Span span(task, 0, 0.99, "writing PLY");
+  validate(given);
+  const Model chords = has_arcs(given) ? with_chords(given, options.number("chord_error_m")) : Model{};
+  const Model& model = chords.vertices.empty() ? given : chords;
+  const Mesh mesh = mesh_of(model, task);
+  const auto& triangles = mesh.triangles;
   const Form form = form_of(options);
   std::string head = "ply\nformat ";
   head += form == Form::kAscii ? "ascii"
@@ -203,7 +223,7 @@ void write_ply_model(const Model& model, const std::string& path, const ParamSet
                      for (size_t i = begin; i < end; ++i) {
                        put(out, uint8_t{3}, ' ');
                        for (const uint32_t corner : triangles[i]) put(out, corner, ' ');
-                       put(out, ids[i], '\n');
+                       put(out, mesh.ids[i], '\n');
                      }
                    });
   task.checkpoint(1);

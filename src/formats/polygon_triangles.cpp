@@ -280,4 +280,18 @@ std::vector<std::array<uint32_t, 3>> triangles_of_face(const Model& model, const
   return out;
 }
 
+std::vector<uint32_t> loose_triangles(const Model& model) {
+  std::vector<uint32_t> ids, out;
+  for (const Face& face : model.faces) ids.push_back(face.id);
+  std::ranges::sort(ids);
+  for (uint32_t t = 0; t < model.triangles.size(); ++t)
+    if (!std::ranges::binary_search(ids, model.triangle_faces[t])) out.push_back(t);
+  return out;
+}
+
+bool is_mesh_by_part(const Model& model) {
+  return model.faces.empty() && !model.parts.empty() &&
+         std::ranges::all_of(model.triangle_faces, [&](uint32_t id) { return id < model.parts.size(); });
+}
+
 }  // namespace jalon

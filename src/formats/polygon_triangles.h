@@ -36,4 +36,10 @@ void append_polygon(Model& model, std::span<const uint32_t> corners, uint32_t fa
 /// Triangles of a face of a model, as vertex numbers, counter-clockwise seen against its normal.
 std::vector<std::array<uint32_t, 3>> triangles_of_face(const Model& model, const Face& face);
 
+/// Triangles of the mesh that no face stands for: those whose number is not the id of a face. (A scanned scene has its
+/// faces as triangles too.) Ascending.
+std::vector<uint32_t> loose_triangles(const Model& model);
+/// True when the numbers of a mesh without faces are its parts.
+bool is_mesh_by_part(const Model& model);
+
 }  // namespace jalon

@@ -17,7 +17,11 @@ Cloud read_las(const ByteSource& source, const ParamSet& options, Task& task);
 Cloud read_ply(const ByteSource& source, const ParamSet& options, Task& task);
 Cloud read_text(const ByteSource& source, const ParamSet& options, Task& task);
 Model read_ply_model(const ByteSource& source, const ParamSet& options, Task& task);
-Model read_obj(const ByteSource& source, Task& task);
+Model read_obj(const ByteSource& source, const ParamSet& options, Task& task);
+Model read_stl(const ByteSource& source, Task& task);
+Model read_city(const ByteSource& source, const ParamSet& options, Task& task);
+/// The number of triangles that a binary STL file states fits its size.
+bool is_binary_stl(const ByteSource& source);
 
 void write_las(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task);
 void write_ply(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task);
@@ -26,7 +30,11 @@ void write_text(const Cloud& cloud, const std::string& path, bool comma, const P
                 Task& task);
 void write_ply_model(const Model& model, const std::string& path, const ParamSet& options,
                      Task& task);
-void write_obj(const Model& model, const std::string& path, Task& task);
+void write_obj(const Model& model, const std::string& path, const ParamSet& options, Task& task);
+void write_stl(const Model& model, const std::string& path, const ParamSet& options, Task& task);
+void write_dxf(const Model& model, const std::string& path, const ParamSet& options, Task& task);
+void write_geojson(const Model& model, const std::string& path, const ParamSet& options, Task& task);
+void write_city(const Model& model, const std::string& path, const ParamSet& options, Task& task);
 
 /// What all cloud readers do last: refuses the first point that is not finite, naming it, or drops
 /// all of them ("drop_invalid").

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/text_number.h"
+#include "formats/city_boundaries.h"
+#include "formats/city_parts.h"
+#include "formats/city_tree.h"
+#include "formats/crs_code.h"
+#include "formats/readers.h"
+#include "formats/utf8.h"
+
+namespace jalon {
+
+namespace {
+
+using namespace city;
+
+constexpr size_t kTicks = 4096;  // vertices between two looks at the task
+
+/// A piece of the file; cursors on it refuse with the file's name and the byte in the file.
+struct Piece {
+  const ByteSource* source = nullptr;
+  std::string_view text;
+  uint64_t offset = 0;
+
+  bool empty() const { return text.empty(); }
+  JsonCursor cursor() const { return {text, refuse, this}; }
+  static void refuse(const void* context, uint64_t byte, const char* expected) {
+    const auto* piece = static_cast<const Piece*>(context);
+    piece->source->refuse(piece->offset + byte, "no CityJSON: %s was expected", expected);
+  }
+  /// The value at a cursor of this piece.
+  Piece value(JsonCursor& cursor) const {
+    cursor.kind();  // moves past the blanks
+    const uint64_t at = cursor.byte();
+    return {source, cursor.skip(), offset + at};
+  }
+};
+
+/// The members of a geometry.
+struct GeometryText {
+  std::string type;
+  double lod = -1;
+  Piece boundaries, surfaces, values;
+};
+
+class CityReader {
+ public:
+  CityReader(const ByteSource& source, Task& task) : source_(source), task_(task), boundaries_(model_, tree_) {}
+
+  Model run() {
+    text_.resize(source_.size());
+    source_.read(0, text_.data(), text_.size());
+    read_top();
+    read_transform();
+    read_vertices();
+    read_crs();
+    read_objects();
+    std::vector<uint32_t> new_index;
+    if (!tree_.build(model_.parts, new_index))
+      source_.refuse(objects_.offset, "the parts are no tree of at most 64 levels");
+    boundaries_.finish(new_index);
+    if (boundaries_.dropped() != 0)
+      task_.log(Task::kWarning, "%s: %zu surfaces without area left out", source_.path().c_str(),
+                boundaries_.dropped());
+    if (skipped_ != 0)
+      task_.log(Task::kWarning, "%s: %zu geometries of points and lines left out", source_.path().c_str(), skipped_);
+    return std::move(model_);
+  }
+
+ private:
+  void read_top() {
+    const Piece whole{&source_, text_, 0};
+    JsonCursor cursor = whole.cursor();
+    std::string type, version;
+    cursor.begin_object();
+    for (std::string name; cursor.next_member(name);) {
+      if (name == "type") type = cursor.text();
+      else if (name == "version") version = cursor.text();
+      else if (name == "transform") transform_ = whole.value(cursor);
+      else if (name == "metadata") metadata_ = whole.value(cursor);
+      else if (name == "CityObjects") objects_ = whole.value(cursor);
+      else if (name == "vertices") vertices_ = whole.value(cursor);
+      else cursor.skip();
+    }
+    cursor.end();
+    if (type == "CityJSONFeature")
+      fail(Status::kUnsupported, "%s: CityJSON text sequences are not supported", source_.path().c_str());
+    if (type != "CityJSON") source_.refuse(0, "the type is not CityJSON");
+    if (version != "2.0" && version != "1.1" && version != "1.0")
+      fail(Status::kUnsupported, "%s: CityJSON of another version than 1.0, 1.1 and 2.0", source_.path().c_str());
+    if (objects_.empty() || vertices_.empty()) source_.refuse(0, "CityObjects or vertices are missing");
+  }
+
+  static Vec3 read_triple(JsonCursor& cursor) {
+    Vec3 out;
+    cursor.begin_array();
+    for (int k = 0; k < 3; ++k) {
+      if (!cursor.next_element()) cursor.refuse("three numbers");
+      out[k] = cursor.number();
+    }
+    if (cursor.next_element()) cursor.refuse("three numbers");
+    return out;
+  }
+
+  void read_transform() {
+    if (transform_.empty()) return;
+    JsonCursor cursor = transform_.cursor();
+    cursor.begin_object();
+    for (std::string name; cursor.next_member(name);) {
+      if (name == "scale") scale_ = read_triple(cursor);
+      else if (name == "translate") translate_ = read_triple(cursor);
+      else cursor.skip();
+    }
+  }
+
+  void read_vertices() {
+    size_t count = 0;
+    JsonCursor counter = vertices_.cursor();
+    for (counter.begin_array(); counter.next_element(); ++count) counter.skip();
+    if (count > std::numeric_limits<uint32_t>::max()) source_.refuse(vertices_.offset, "more than 2^32 vertices");
+    model_.vertices.reserve(count);
+    JsonCursor cursor = vertices_.cursor();
+    for (cursor.begin_array(); cursor.next_element();) {
+      if (model_.vertices.size() % kTicks == 0) task_.checkpoint(0.4);
+      const Vec3 p = read_triple(cursor);
+      model_.vertices.push_back(
+          {p.x * scale_.x + translate_.x, p.y * scale_.y + translate_.y, p.z * scale_.z + translate_.z});
+      if (!is_finite(model_.vertices.back())) cursor.refuse("a finite vertex");
+    }
+  }
+
+  void read_crs() {
+    if (metadata_.empty()) return;
+    JsonCursor cursor = metadata_.cursor();
+    cursor.begin_object();
+    for (std::string name; cursor.next_member(name);) {
+      if (name != "referenceSystem" || cursor.kind() != JsonCursor::Kind::kText) {
+        cursor.skip();
+        continue;
+      }
+      const std::string system = cursor.text();
+      const uint32_t code = metric_epsg_code(system);
+      model_.crs = code != 0 ? "EPSG:" + std::to_string(code) : valid_utf8(system);
+    }
+  }
+
+  /// One CityObject: its part, if it is one, and then its geometry.
+  void read_objects() {
+    JsonCursor cursor = objects_.cursor();
+    std::map<std::string, uint32_t> drafts;
+    std::vector<std::pair<uint32_t, std::string>> parents;
+    cursor.begin_object();
+    for (std::string id; cursor.next_member(id);) {
+      task_.checkpoint(0.6);
+      Draft draft;
+      draft.part.name = name_from_file(id, "object");
+      Piece geometry;
+      std::string parent, type;
+      read_attributes(cursor, draft, [&](const std::string& name) {
+        if (name == "type") type = cursor.text();
+        else if (name == "attributes") read_object_attributes(cursor, draft);
+        else if (name == "geometry") geometry = objects_.value(cursor);
+        else if (name == "parents") parent = first_text(cursor);
+        else return false;
+        return true;
+      });
+      if (draft.number == kNoNumber || draft.part.part_class.empty()) draft.part.part_class = class_of_object(type);
+      const uint32_t object = tree_.add(std::move(draft));
+      drafts.emplace(id, object);
+      if (!parent.empty()) parents.emplace_back(object, parent);
+      if (!geometry.empty()) read_geometries(geometry, object);
+    }
+    for (const auto& [child, parent] : parents)
+      if (const auto found = drafts.find(parent); found != drafts.end() && found->second != child)
+        tree_.at(child).parent = found->second;
+  }
+
+  // Attributes of the building, and the parts without surfaces that our own files list there.
+  void read_object_attributes(JsonCursor& cursor, Draft& draft) {
+    if (cursor.kind() != JsonCursor::Kind::kObject) {
+      cursor.skip();
+      return;
+    }
+    read_attributes(cursor, draft, [&](const std::string& name) {
+      if (name != "groups" || cursor.kind() != JsonCursor::Kind::kArray) return false;
+      for (cursor.begin_array(); cursor.next_element();) {
+        Draft group;
+        if (cursor.kind() != JsonCursor::Kind::kObject) cursor.refuse("an object");
+        read_attributes(cursor, group, [](const std::string&) { return false; });
+        if (group.number != kNoNumber) tree_.add(std::move(group));
+      }
+      return true;
+    });
+  }
+
+  static std::string first_text(JsonCursor& cursor) {
+    std::string out;
+    for (cursor.begin_array(); cursor.next_element();)
+      if (out.empty() && cursor.kind() == JsonCursor::Kind::kText) out = cursor.text();
+      else cursor.skip();
+    return out;
+  }
+
+  // Of several levels of detail the highest counts.
+  void read_geometries(const Piece& list, uint32_t object) {
+    double best = -1;
+    for (const bool choosing : {true, false}) {
+      JsonCursor cursor = list.cursor();
+      for (cursor.begin_array(); cursor.next_element();) {
+        const GeometryText geometry = read_geometry(list, cursor);
+        if (choosing) best = std::max(best, geometry.lod);
+        else if (geometry.lod == best) add_geometry(geometry, object);
+      }
+    }
+  }
+
+  GeometryText read_geometry(const Piece& list, JsonCursor& cursor) const {
+    GeometryText out;
+    cursor.begin_object();
+    for (std::string name; cursor.next_member(name);) {
+      if (name == "type") {
+        out.type = cursor.text();
+      } else if (name == "lod") {
+        double lod = -1;
+        if (cursor.kind() == JsonCursor::Kind::kNumber) lod = cursor.number();
+        else if (!parse_number(cursor.text(), lod) || !std::isfinite(lod)) lod = -1;
+        out.lod = std::max(lod, -1.0);
+      } else if (name == "boundaries") {
+        out.boundaries = list.value(cursor);
+      } else if (name == "semantics" && cursor.kind() == JsonCursor::Kind::kObject) {
+        cursor.begin_object();
+        for (std::string member; cursor.next_member(member);) {
+          if (member == "surfaces") out.surfaces = list.value(cursor);
+          else if (member == "values") out.values = list.value(cursor);
+          else cursor.skip();
+        }
+      } else {
+        cursor.skip();
+      }
+    }
+    return out;
+  }
+
+  void add_geometry(const GeometryText& geometry, uint32_t object) {
+    const std::string& type = geometry.type;
+    if (type == "GeometryInstance")
+      fail(Status::kUnsupported, "%s: geometry templates of CityJSON are not supported", source_.path().c_str());
+    if (type == "MultiPoint" || type == "MultiLineString") {
+      ++skipped_;
+      return;
+    }
+    const bool surfaces = type == "MultiSurface" || type == "CompositeSurface";
+    if (!surfaces && type != "Solid" && type != "MultiSolid" && type != "CompositeSolid")
+      source_.refuse(objects_.offset, "a geometry of an unknown type");
+    if (geometry.boundaries.empty()) source_.refuse(objects_.offset, "a geometry without boundaries");
+    JsonCursor boundaries = geometry.boundaries.cursor();
+    const int depth = surfaces ? 0 : type == "Solid" ? 1 : 2;
+    if (geometry.values.empty() || geometry.surfaces.empty())
+      return boundaries_.read(boundaries, nullptr, depth, object, {});
+    const std::vector<uint32_t> drafts = read_surfaces(geometry, object);
+    JsonCursor values = geometry.values.cursor();
+    boundaries_.read(boundaries, &values, depth, object, drafts);
+  }
+
+  // Marks the semantic surfaces that are used: values are numbers, nulls and lists of them.
+  static void mark(JsonCursor& values, std::vector<bool>& used) {
+    switch (values.kind()) {
+      case JsonCursor::Kind::kArray:
+        for (values.begin_array(); values.next_element();) mark(values, used);
+        break;
+      case JsonCursor::Kind::kNumber:
+        if (const int64_t i = values.integer(); i >= 0 && static_cast<size_t>(i) < used.size())
+          used[static_cast<size_t>(i)] = true;
+        break;
+      default: values.skip();
+    }
+  }
+
+  // A draft for each semantic surface that has polygons; the object's own for others.
+  std::vector<uint32_t> read_surfaces(const GeometryText& geometry, uint32_t object) {
+    size_t count = 0;
+    JsonCursor counter = geometry.surfaces.cursor();
+    for (counter.begin_array(); counter.next_element(); ++count) counter.skip();
+    std::vector<bool> used(count, false);
+    JsonCursor values = geometry.values.cursor();
+    mark(values, used);
+    std::vector<uint32_t> drafts;
+    std::vector<int64_t> parents;
+    JsonCursor cursor = geometry.surfaces.cursor();
+    for (cursor.begin_array(); cursor.next_element();) {
+      int64_t parent = -1;
+      if (!used[drafts.size()]) cursor.skip();
+      drafts.push_back(used[drafts.size()] ? read_surface(cursor, object, parent) : object);
+      parents.push_back(parent);
+    }
+    for (size_t i = 0; i < drafts.size(); ++i)
+      if (parents[i] >= 0 && static_cast<size_t>(parents[i]) < drafts.size() && drafts[i] != object &&
+          drafts[static_cast<size_t>(parents[i])] != drafts[i])
+        tree_.at(drafts[i]).parent = drafts[static_cast<size_t>(parents[i])];
+    return drafts;
+  }
+
+  uint32_t read_surface(JsonCursor& cursor, uint32_t object, int64_t& parent) {
+    Draft draft;
+    std::string type;
+    draft.parent = object;
+    read_attributes(cursor, draft, [&](const std::string& name) {
+      if (name == "type") type = cursor.text();
+      else if (name == "parent" && cursor.kind() == JsonCursor::Kind::kNumber) parent = cursor.integer();
+      else return false;
+      return true;
+    });
+    const char* part_class = class_of_surface(type);
+    draft.is_opening = is_opening(part_class);
+    if (draft.part.part_class.empty()) draft.part.part_class = part_class;
+    if (draft.part.name.empty() && draft.number == kNoNumber) draft.part.name = name_from_file(type, "surface");
+    return tree_.add(std::move(draft));
+  }
+
+  const ByteSource& source_;
+  Task& task_;
+  std::string text_;
+  Piece transform_, metadata_, objects_, vertices_;
+  Vec3 scale_{1, 1, 1}, translate_;
+  Model model_;
+  Tree tree_;
+  Boundaries boundaries_;
+  size_t skipped_ = 0;
+};
+
+}  // namespace
+
+Model read_city(const ByteSource& source, const ParamSet&, Task& task) {
+  Span span(task, 0, 0.99, "reading CityJSON");
+  return CityReader(source, task).run();
+}
+
+}  // namespace jalon

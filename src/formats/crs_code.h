@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace jalon {
+
+/// EPSG code of a CRS text, for formats that name the system by its code: "EPSG:2154", OGC URNs and URLs, and WKT 1 and
+/// 2 by the identifier of the whole. 0 when it has none, or when its unit is not the metre: the library's coordinates
+/// are metres, and such a name would be wrong.
+uint32_t metric_epsg_code(std::string_view crs);
+
+}  // namespace jalon
