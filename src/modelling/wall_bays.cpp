@@ -18,6 +18,7 @@ constexpr double kLeastPier_m2 = 0.5, kPierHeight_m = 1, kPierFoot_m = 0.5;
 constexpr double kSameGap = 0.6;       // intersection over union of a gap in two rows: a bite in a pier is no end
 constexpr double kBite_m = 0.6;        // nor is one that leaves nothing of it, so high
 constexpr double kOnSide_spacings = 3; // a row agrees with a side from which its wall ends no farther
+constexpr size_t kRecentRows = 15;
 constexpr double kLintel = 0.5;        // share of the width that has wall above it
 constexpr double kSeenShare = 0.15;    // of a bay's cells with points behind it
 constexpr double kHeadQuantile = 0.995;  // of their levels: a few strays lie higher
@@ -79,12 +80,26 @@ Rows rows_of(const VectorPlane& wall) {
   return rows;
 }
 
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 /// A gap followed upward.
 struct Bay {
   size_t first = 0, end = 0;  ///< rows
   std::vector<size_t> rows;   ///< those that show it, with the ends of the wall on both sides
   std::vector<double> left, right;
-  Interval last() const { return {left.back(), right.back()}; }
+
+  /// Where its sides were of late: one row may show a bar or a bite.
+  Interval recent() const {
+    const auto of = [](const std::vector<double>& side) {
+      const auto n = static_cast<ptrdiff_t>(std::min(side.size(), kRecentRows));
+      return quantile({side.end() - n, side.end()}, 0.5);
+    };
+    return {of(left), of(right)};
+  }
 };
 
 Row gaps_of(const Row& solid, const NotchSetting& setting) {
@@ -104,9 +119,10 @@ std::vector<Bay> follow_gaps(const Rows& rows, const NotchSetting& setting) {
   for (size_t k = 0; k < rows.solid.size(); ++k) {
     for (const Interval& gap : gaps_of(rows.solid[k], setting)) {
       const auto same = [&](const Bay& bay) {
-        const Interval last = bay.last();
-        const double both = common(last, gap);
-        return bay.end <= k && both >= kSameGap * (last.length() + gap.length() - both);
+        if (bay.end > k) return false;
+        const Interval recent = bay.recent();
+        const double both = common(recent, gap);
+        return both >= kSameGap * (recent.length() + gap.length() - both);
       };
       auto it = std::find_if(open.begin(), open.end(), same);
       if (it == open.end()) it = open.insert(open.end(), Bay{k, k, {}, {}, {}});
@@ -122,12 +138,6 @@ std::vector<Bay> follow_gaps(const Rows& rows, const NotchSetting& setting) {
   }
   done.insert(done.end(), open.begin(), open.end());
   return done;
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 /// The median of each side; rows below and above that agree with neither (the place of a sign board over the piers) are
