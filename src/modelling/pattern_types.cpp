@@ -16,29 +16,38 @@ namespace {
 constexpr double kChord_m = 5e-4;       // of arcs: far below any spacing
 constexpr double kEdgeSigma = 0.3;      // of the spacing, for edges that tell none (the accuracy asked of vertices)
 constexpr double kSigmas = 3;           // of the difference of two sizes
-constexpr double kForm = 0.04;          // share of the box that the form fills: a round head costs 0.05-0.1 of it
-constexpr double kResidual = 0.5;       // of the spacing: border points scatter by so much about a true edge
+constexpr double kForm = 2;             // tolerances of size by which outlines of one form may differ anywhere
+constexpr double kResidual = 0.75;      // of the spacing: about a true edge border points scatter by 0.3-0.55
 
 /// What sets one opening beside another.
 struct Size {
-  double width_m, height_m, fill, sigma_m;
+  RingBox box;
+  std::vector<Vec2> outline;
+  double sigma_m;
 };
 
 Size size_of(const FacadeOpening& opening, double spacing_m) {
-  const std::vector<Vec2> points = outline_points(opening.outline);
-  const RingBox box = ring_box(opening.outline);
   double variance = 0;
   for (const VectorEdge& e : opening.outline.edges)
     variance = std::max(variance, std::isfinite(e.sigma_m) ? e.sigma_m * e.sigma_m
                                                            : std::pow(kEdgeSigma * spacing_m, 2));
-  const double area = box.width() * box.height();
-  return {box.width(), box.height(), area > 0 ? signed_area(points) / area : 0, std::sqrt(2 * variance)};
+  return {ring_box(opening.outline), outline_points(opening.outline), std::sqrt(2 * variance)};
 }
 
-bool is_like(const Size& a, const Size& b, double tolerance_m) {
+/// Farthest that a corner of one outline lies from the other, their boxes' middles on each other.
+double difference(const Size& a, const Size& b) {
+  const Vec2 shift = a.box.middle() - b.box.middle();
+  double worst = 0;
+  for (const Vec2& p : a.outline) worst = std::max(worst, border_distance(b.outline, p - shift));
+  for (const Vec2& p : b.outline) worst = std::max(worst, border_distance(a.outline, p + shift));
+  return worst;
+}
+
+bool is_like(const Size& a, const Size& b, double tolerance_m, double spacing_m) {
   const double tolerance = std::max(tolerance_m, kSigmas * std::hypot(a.sigma_m, b.sigma_m));
-  return std::fabs(a.width_m - b.width_m) <= tolerance && std::fabs(a.height_m - b.height_m) <= tolerance &&
-         std::fabs(a.fill - b.fill) <= kForm;
+  return std::fabs(a.box.width() - b.box.width()) <= tolerance &&
+         std::fabs(a.box.height() - b.box.height()) <= tolerance &&
+         difference(a, b) <= std::max(kForm * tolerance, spacing_m);
 }
 
 }  // namespace
@@ -70,14 +79,14 @@ std::vector<Pattern> find_patterns(const FacadeWall& wall, const PatternSetting&
   std::vector<Pattern> out;
   std::vector<Size> sizes;
   for (const size_t i : order) {
-    const Size size = size_of(wall.openings[i], wall.spacing_m);
+    Size size = size_of(wall.openings[i], wall.spacing_m);
     size_t p = 0;
     while (p < out.size() && !(wall.openings[out[p].best].kind == wall.openings[i].kind &&
-                               is_like(sizes[p], size, setting.size_tolerance_m)))
+                               is_like(sizes[p], size, setting.size_tolerance_m, wall.spacing_m)))
       ++p;
     if (p == out.size()) {
       out.push_back({i, {}, ring_box(wall.openings[i].outline)});
-      sizes.push_back(size);
+      sizes.push_back(std::move(size));
     }
     out[p].members.push_back(i);
   }

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kChordOfSpacing = 0.1;
 // Smaller pieces of the wall lie in the openings (shutters, posters) unless they stand on its foot as piers do.
-constexpr double kLeastPier_m2 = 0.5, kPierHeight_m = 1, kPierFoot_m = 0.5;
+constexpr double kLeastPier_m2 = 1, kPierHeight_m = 1, kPierFoot_m = 0.5;
 constexpr double kSameGap = 0.6;       // intersection over union of a gap in two rows: a bite in a pier is no end
-constexpr double kBite_m = 0.6;        // nor is one that leaves nothing of it, so high
+constexpr double kBite_m = 1.0;        // nor is one that leaves nothing of it, so high
 constexpr double kOnSide_spacings = 3; // a row agrees with a side from which its wall ends no farther
 constexpr size_t kRecentRows = 15;
 constexpr double kLintel = 0.5;        // share of the width that has wall above it
