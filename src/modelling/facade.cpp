@@ -26,6 +26,9 @@ constexpr std::array kFacadeRows{
     number_row("max_depth_m", 1, 0.01, 100, "m", "", "Largest depth of joinery behind the plane of its wall"),
     number_row("front_m", 0.30, 0, 10, "m", "",
                "What fills an opening may stand this far before the plane of the wall"),
+    bool_row("joints", true, "", "Edges near another plane are drawn to the line in which both planes meet"),
+    number_row("joint_gap_m", 0, 0, 100, "m", "",
+               "Largest gap between an edge and that line; 0 = two spacings of the sparser plane"),
     number_row("min_door_height_m", 1.5, 0.1, 100, "m", "",
                "Least height of a notch in the lower border of a wall that counts as an opening"),
 };
@@ -56,6 +59,8 @@ PlanSetting plan_setting(const ParamSet& params) {
   return s;
 }
 
+JointSetting joint_setting(const ParamSet& params) { return {params.flag("joints"), params.number("joint_gap_m")}; }
+
 Model run(const Segmentation& segmentation, const ParamSet& params, const AssemblySetting& setting, Task& task) {
   if (plane_count(segmentation.segments) == 0) return {};
   std::vector<VectorPlane> planes;
@@ -66,7 +71,9 @@ Model run(const Segmentation& segmentation, const ParamSet& params, const Assemb
   FacadePlan plan;
   {
     const Span span(task, 0.6, 0.9);
+    std::vector<SharedCorner> shared = join_planes(planes, segmentation.segments, joint_setting(params), task);
     plan = plan_facades(segmentation, std::move(planes), plan_setting(params), task);
+    plan.shared = std::move(shared);
   }
   const Span span(task, 0.9, 1, "putting faces together");
   return assemble_facades(segmentation, std::move(plan), setting, task);

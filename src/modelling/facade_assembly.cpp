@@ -50,12 +50,12 @@ class Assembly {
   Assembly(const Segmentation& segmentation, const FacadePlan& plan, const AssemblySetting& setting, Task& task)
       : segmentation_(segmentation), plan_(plan), setting_(setting), task_(task) {
     if (setting.solids) thicknesses_ = wall_thicknesses(plan, setting.thickness_m);
-    for (const VectorPlane& plane : plan.planes) vertices_.emplace_back(model_, plane.frame);
-    for (const SharedCorner& corner : plan.shared) {
-      const auto index = static_cast<uint32_t>(model_.vertices.size());
-      model_.vertices.push_back(corner.position);
-      for (const auto& use : corner.uses) vertices_[use.plane].share(use.place, index);
+    for (const VectorPlane& plane : plan.planes) vertices_.emplace_back(model_, shared_, plane.frame);
+    for (size_t s = 0; s < plan.shared.size(); ++s) {
+      shared_.positions.push_back(plan.shared[s].position);
+      for (const auto& use : plan.shared[s].uses) vertices_[use.plane].share(use.place, s);
     }
+    shared_.vertices.assign(plan.shared.size(), kNoVertex);
   }
 
   Model run() {
@@ -246,6 +246,7 @@ class Assembly {
   std::vector<double> thicknesses_;
   double thickness_m_ = 0;
   Model model_;
+  SharedVertices shared_;
   std::vector<PlaneVertices> vertices_;
   const PlannedFacade* facade_ = nullptr;
   FacadeShape shape_;

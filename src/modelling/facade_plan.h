@@ -8,20 +8,11 @@
 #include "modelling/facade_groups.h"
 #include "modelling/facade_parts.h"
 #include "modelling/patterns.h"
+#include "modelling/plane_joints.h"
 #include "modelling/wall_survey.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
-
-/// A vertex that several planes share, by its place in each.
-struct SharedCorner {
-  struct Use {
-    size_t plane = 0;
-    Vec2 place;
-  };
-  Vec3 position;
-  std::vector<Use> uses;
-};
 
 struct PlannedWall {
   size_t plane = 0;  ///< index in FacadePlan::planes

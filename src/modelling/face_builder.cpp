@@ -12,12 +12,15 @@ Vec3 PlaneVertices::lift(const Vec2& p, double w) const {
 }
 
 uint32_t PlaneVertices::at(const Vec2& p, double w) {
-  const auto [entry, is_new] = known_.try_emplace({p.u, p.v, w}, static_cast<uint32_t>(model_->vertices.size()));
-  if (is_new) {
-    if (model_->vertices.size() >= ~uint32_t{0}) fail(Status::kLimit, "a model holds at most 2^32 - 1 vertices");
-    model_->vertices.push_back(lift(p, w));
+  const auto share = w == 0 ? shares_.find({p.u, p.v}) : shares_.end();
+  uint32_t& vertex = share != shares_.end() ? shared_->vertices[share->second]
+                                            : known_.try_emplace({p.u, p.v, w}, kNoVertex).first->second;
+  if (vertex == kNoVertex) {
+    if (model_->vertices.size() >= kNoVertex) fail(Status::kLimit, "a model holds at most 2^32 - 1 vertices");
+    vertex = static_cast<uint32_t>(model_->vertices.size());
+    model_->vertices.push_back(share != shares_.end() ? shared_->positions[share->second] : lift(p, w));
   }
-  return entry->second;
+  return vertex;
 }
 
 PartRing part_ring(PlaneVertices& vertices, const VectorRing& ring, double w) {

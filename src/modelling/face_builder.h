@@ -12,21 +12,31 @@
 
 namespace jalon {
 
+/// Vertices that several planes use; each comes into the model when the first of them does use it.
+struct SharedVertices {
+  std::vector<Vec3> positions;
+  std::vector<uint32_t> vertices;  ///< of the model; kNoVertex: not yet
+};
+constexpr uint32_t kNoVertex = ~uint32_t{0};
+
 /// Vertices of the model that belong to one plane and what is parallel to it: equal (u, v, w) are one vertex.
 class PlaneVertices {
  public:
-  PlaneVertices(Model& model, const PlaneFrame& frame) : model_(&model), frame_(frame) {}
+  PlaneVertices(Model& model, SharedVertices& shared, const PlaneFrame& frame)
+      : model_(&model), shared_(&shared), frame_(frame) {}
 
   /// w: in front of the plane.
   uint32_t at(const Vec2& p, double w = 0);
-  /// The vertex at this place of the plane is one that another plane has already.
-  void share(const Vec2& p, uint32_t vertex) { known_[{p.u, p.v, 0.0}] = vertex; }
+  /// The vertex at this place of the plane is the shared one of this index.
+  void share(const Vec2& p, size_t index) { shares_[{p.u, p.v}] = index; }
   Vec3 lift(const Vec2& p, double w) const;
   const PlaneFrame& frame() const { return frame_; }
 
  private:
   Model* model_;
+  SharedVertices* shared_;
   PlaneFrame frame_;
+  std::map<std::pair<double, double>, size_t> shares_;
   std::map<std::tuple<double, double, double>, uint32_t> known_;
 };
 

@@ -37,10 +37,15 @@ struct Tally {
   }
 };
 
-Model assembled(RandomFacade& facade, const AssemblySetting& setting) {
+Model assembled(RandomFacade& facade, const AssemblySetting& setting, size_t& shared_corners) {
   Task task;
   const Segmentation segmentation = facade.segmentation();
-  return assemble_facades(segmentation, plan_facades(segmentation, facade.planes(), {}, task), setting, task);
+  std::vector<VectorPlane> planes = facade.planes();
+  std::vector<SharedCorner> shared = join_planes(planes, segmentation.segments, {}, task);
+  FacadePlan plan = plan_facades(segmentation, std::move(planes), {}, task);
+  shared_corners += shared.size();
+  plan.shared = std::move(shared);
+  return assemble_facades(segmentation, std::move(plan), setting, task);
 }
 
 }  // namespace
@@ -48,17 +53,19 @@ Model assembled(RandomFacade& facade, const AssemblySetting& setting) {
 TEST_CASE("facade: of 1000 random facades all faces are plane, no ring meets itself, all solids are closed") {
   const uint64_t count = std::getenv("JALON_SANITIZED") != nullptr ? 60 : 1000;
   Tally tally;
+  size_t shared = 0;
   for (uint64_t seed = 1; seed <= count; ++seed) {
     RandomFacade facade(seed);
     const AssemblySetting kinds[] = {{}, {true, false, 0.3}, {true, true, 0.2}};
-    const Model model = assembled(facade, kinds[seed % 3]);
+    const Model model = assembled(facade, kinds[seed % 3], shared);
     const size_t before = tally.faults;
     tally.add(model);
     if (tally.faults > before && before == 0) MESSAGE("facade " << seed << ": " << tally.first_fault);
   }
   MESSAGE("FIGURE random facades: " << count << ", " << tally.faces << " faces, " << tally.openings << " openings, "
                                     << tally.solids << " solids, " << tally.faults << " faults, out of plane at most "
-                                    << 1e12 * tally.flatness_m << " pm");
+                                    << 1e12 * tally.flatness_m << " pm, " << shared << " vertices of several planes");
+  CHECK(shared > count);
   CHECK(tally.faults == 0);
   CHECK(tally.flatness_m < 1e-9);
   CHECK(tally.openings > 2 * count);

@@ -181,6 +181,21 @@ TEST_CASE("facade: several facades stand under one building") {
   CHECK(parts_of(model, "facade").size() == 6);
   CHECK(parts_of(model, "wall").size() == 6);
   CHECK(parts_of(model, "window").size() == 8);
+  // The walls stand in a chain: at each of its five corners they share an upright edge.
+  size_t shared = 0;
+  for (const Edge& edge : find_edges(model)) {
+    if (edge.uses != 2) continue;
+    const Face &a = model.faces[edge.first_face], &b = model.faces[edge.second_face];
+    if (model.parts[a.part].part_class != "wall" || model.parts[b.part].part_class != "wall") continue;
+    ++shared;
+    const Vec3 corners[] = {{14, 0, 0}, {14 + 8 * std::sqrt(0.5), 8 * std::sqrt(0.5), 0}};
+    for (const Vec3& c : corners) {
+      const Vec3 d = model.vertices[edge.from] - c;
+      if (std::hypot(d.x, d.y) < 0.5) CHECK(std::hypot(d.x, d.y) < 0.005);
+    }
+  }
+  MESSAGE("FIGURE facade joints: " << shared << " of 5 corners of walls are shared edges");
+  CHECK(shared >= 4);
 }
 
 TEST_CASE("facade: the same bits for any number of threads") {
