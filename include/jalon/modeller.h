@@ -22,7 +22,8 @@ typedef struct jalon_modeller jalon_modeller;
  * - "facade": walls with windows and doors, their reveals and joinery, and the elements before and behind them, in a
  *   tree of parts. The tree: [building, when there are several facades ->] facade -> wall -> window, door or opening ->
  *   reveal, joinery; no_data under its wall; sill, cornice, string_course, base_course, post, ground, roof and element
- *   under their facade (Boulaassal 2010, 4.4.1). With "solids" the walls are closed solids of
+ *   under their facade (Boulaassal 2010, 4.4.1). Edges near another plane run along the line in which both planes meet,
+ *   and ends that meet there are one vertex; corners carry covariances. With "solids" the walls are closed solids of
  *   "thickness_m", by default the median depth of the facade's openings.
  * - "extrusion": the walls alone, extruded inward by that thickness, with the reveals of their openings (4.4.2).
  *   JALON_ERROR_INSUFFICIENT_DATA when no opening tells the depth and thickness_m is 0.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "model/part_classes.h"
+#include "modelling/corner_covariances.h"
 #include "modelling/face_builder.h"
 #include "modelling/opening_faces.h"
 #include "modelling/part_rules.h"
@@ -68,6 +69,7 @@ class Assembly {
       if (setting_.solids) thickness_m_ = thicknesses_[f];
       add_facade(plan_.facades[f], append_part(model_, name, part_class::kFacade, building, Evidence::kMeasured));
     }
+    add_covariances();
     return std::move(model_);
   }
 
@@ -226,6 +228,27 @@ class Assembly {
       for (const VectorRing& ring : e.face->openings) rings.push_back(part_ring(vertices_[e.plane], ring));
       append_face(model_, face_of(e.plane, part), rings);
     }
+  }
+
+  // Of the corners of all rings, and of the panes behind them.
+  void add_covariances() {
+    const auto add = [&](size_t plane, const VectorRing& ring, double w, double extra_sigma_m) {
+      RingVertices of{&ring, {}, extra_sigma_m};
+      for (const Vec2& p : ring.corners) {
+        const uint32_t vertex = vertices_[plane].find(p, w);
+        if (vertex == kNoVertex) return;
+        of.vertices.push_back(vertex);
+      }
+      set_covariances(model_, plan_.planes[plane].frame, face_of(plane, 0), of);
+    };
+    for (size_t p = 0; p < plan_.planes.size(); ++p)
+      for (const VectorFace& face : plan_.planes[p].faces) {
+        add(p, face.outline, 0, 0);
+        for (const VectorRing& ring : face.openings) add(p, ring, 0, 0);
+      }
+    for (const PlannedFacade& facade : plan_.facades)
+      for (const PlannedWall& wall : facade.walls)
+        for (const FacadeOpening& o : wall.wall.openings) add(wall.plane, o.outline, -o.depth_m, o.depth_sigma_m);
   }
 
   // From left to right, then from below; ties by index.

@@ -23,6 +23,13 @@ uint32_t PlaneVertices::at(const Vec2& p, double w) {
   return vertex;
 }
 
+uint32_t PlaneVertices::find(const Vec2& p, double w) const {
+  if (w == 0)
+    if (const auto share = shares_.find({p.u, p.v}); share != shares_.end()) return shared_->vertices[share->second];
+  const auto own = known_.find({p.u, p.v, w});
+  return own != known_.end() ? own->second : kNoVertex;
+}
+
 PartRing part_ring(PlaneVertices& vertices, const VectorRing& ring, double w) {
   PartRing out;
   for (size_t i = 0; i < ring.corners.size(); ++i)

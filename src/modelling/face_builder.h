@@ -27,6 +27,8 @@ class PlaneVertices {
 
   /// w: in front of the plane.
   uint32_t at(const Vec2& p, double w = 0);
+  /// kNoVertex when nothing has asked for this one yet.
+  uint32_t find(const Vec2& p, double w) const;
   /// The vertex at this place of the plane is the shared one of this index.
   void share(const Vec2& p, size_t index) { shares_[{p.u, p.v}] = index; }
   Vec3 lift(const Vec2& p, double w) const;

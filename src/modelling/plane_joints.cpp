@@ -82,7 +82,8 @@ void tell_source(std::span<const VectorPlane> planes, std::span<const Segment> s
     VectorEdge& edge = outline.edges[joint.edge];
     edge.source = EdgeSource::kPlanes;
     const PlaneFrame& frame = planes[joint.plane].frame;
-    const Vec2 middle = (outline.corners[joint.edge] + outline.corners[(joint.edge + 1) % outline.corners.size()]) * 0.5;
+    const size_t next = (joint.edge + 1) % outline.corners.size();
+    const Vec2 middle = (outline.corners[joint.edge] + outline.corners[next]) * 0.5;
     const PlaneFit& fit = segments[joint.other_plane].fit;
     const double sine = norm(cross(frame.normal, fit.plane.normal));
     edge.sigma_m = plane_at(fit.plane, fit.covariance, frame.lift(middle)).sigma_m / sine;

@@ -46,7 +46,9 @@ bool are_near(const Box3& a, const Box3& b, double gap_m) {
 }
 
 // Height of a point above a plane, about the plane's own origin: nothing is lost on a national grid.
-double height_above(const PlaneFrame& frame, const Vec3& p) { return dot(p - frame.origin, frame.normal) - frame.height; }
+double height_above(const PlaneFrame& frame, const Vec3& p) {
+  return dot(p - frame.origin, frame.normal) - frame.height;
+}
 
 // The line of both planes, p nearest to `near`. False when they are too flat to each other.
 bool line_of(const PlaneFrame& a, const PlaneFrame& b, const Vec3& near, PlaneLine& out) {

@@ -72,6 +72,35 @@ TEST_CASE("facade: of 1000 random facades all faces are plane, no ring meets its
   CHECK(tally.solids >= count / 2);
 }
 
+TEST_CASE("facade: corners carry the covariance of their edges and planes") {
+  // Edges of the random facades are certain to 3 mm, their planes to a tenth of a millimetre.
+  size_t corners = 0, known = 0, near = 0;
+  for (uint64_t seed = 1; seed <= 30; ++seed) {
+    RandomFacade facade(seed);
+    size_t shared = 0;
+    const Model model = assembled(facade, {}, shared);
+    REQUIRE(model.vertex_covariances.size() == model.vertices.size());
+    for (const Face& face : model.faces) {
+      if (model.parts[face.part].part_class != "wall") continue;
+      const Vec3 level = normalized(cross({0, 0, 1}, face.plane.normal));
+      for (uint64_t r = face.first_ring + 1; r < face.first_ring + face.ring_count; ++r)
+        for (uint64_t c = model.rings[r].first; c < model.rings[r].first + model.rings[r].count; ++c) {
+          ++corners;
+          const auto& k = model.vertex_covariances[model.corners[c]];
+          if (!std::isfinite(k[0])) continue;
+          ++known;
+          const double along =
+              level.x * (k[0] * level.x + k[1] * level.y) + level.y * (k[3] * level.x + k[4] * level.y);
+          near += std::fabs(std::sqrt(along) - 0.003) < 0.0003;
+        }
+    }
+  }
+  MESSAGE("FIGURE facade covariances: " << known << " of " << corners << " corners, " << near << " as their edges");
+  CHECK(corners > 500);
+  CHECK(known == corners);
+  CHECK(near > 0.9 * static_cast<double>(corners));
+}
+
 TEST_CASE("facade: the checks see a bent face, a ring that meets itself, an open solid") {
   Model model;
   model.parts.push_back({"wall", "wall", kNoParent});
