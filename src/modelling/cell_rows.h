@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,10 @@ struct CellRows {
   std::vector<uint32_t> order;   ///< point indices by cell, ascending within one
 
   uint64_t key_of(const Vec2& p) const;
+  /// First cell whose key is not below this, or keys.size().
+  size_t lower(uint64_t key) const {
+    return static_cast<size_t>(std::lower_bound(keys.begin(), keys.end(), key) - keys.begin());
+  }
   /// Cell of that key, or keys.size().
   size_t find(uint64_t key) const;
 };
@@ -28,5 +33,34 @@ CellRows sort_into_cells(std::span<const Vec2> points, double cell_m);
 
 /// 1 for marked cells whose eight neighbours are all marked. O(cells).
 std::vector<uint8_t> eroded(const CellRows& rows, std::span<const uint8_t> marked);
+
+/// Points that are looked up by boxes.
+struct PointRows {
+  std::vector<Vec2> points;
+  CellRows rows;
+
+  void sort(double cell_m) {
+    if (!points.empty()) rows = sort_into_cells(points, cell_m);
+  }
+  /// f(i) for the points of all cells that meet the box.
+  template <class F>
+  void visit(const Vec2& low, const Vec2& high, F&& f) const {
+    if (points.empty()) return;
+    const uint64_t left = number_of(low.u - rows.corner.u), right = number_of(high.u - rows.corner.u);
+    const uint64_t top = number_of(high.v - rows.corner.v);
+    for (uint64_t row = number_of(low.v - rows.corner.v); row <= top; ++row) {
+      size_t c = rows.lower(row << 32 | left);
+      for (const uint64_t end = row << 32 | right; c < rows.keys.size() && rows.keys[c] <= end; ++c)
+        for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k) f(rows.order[k]);
+    }
+  }
+
+ private:
+  uint64_t number_of(double offset_m) const {
+    constexpr double kMost = 0x1p31 - 2;
+    const double cell = offset_m / rows.cell_m;
+    return cell < 0 ? 0 : static_cast<uint64_t>(cell < kMost ? cell : kMost) + 1;
+  }
+};
 
 }  // namespace jalon

@@ -50,11 +50,11 @@ bool conflict(const Polygon& outline, const Polygon& opening, bool first_is_outl
 
 }  // namespace
 
-Polygons nested(std::span<const RingForms> rings) {
+std::vector<size_t> nested(std::span<const RingForms> rings) {
   std::vector<size_t> level(rings.size(), 0);
-  const auto form = [&](size_t i) -> const Polygon& { return rings[i].forms[level[i]]; };
+  const auto form = [&](size_t i) -> const Polygon& { return rings[i].flat[level[i]]; };
   const auto step_down = [&](size_t i) {
-    if (level[i] + 1 >= rings[i].forms.size()) return false;
+    if (level[i] + 1 >= rings[i].flat.size()) return false;
     ++level[i];
     return true;
   };
@@ -68,9 +68,7 @@ Polygons nested(std::span<const RingForms> rings) {
           changed = true;
         }
   }
-  Polygons out;
-  for (size_t i = 0; i < rings.size(); ++i) out.push_back(form(i));
-  return out;
+  return level;
 }
 
 }  // namespace jalon

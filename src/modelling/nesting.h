@@ -6,23 +6,24 @@
 #include <vector>
 
 #include "modelling/straighten.h"
+#include "modelling/vector_plane.h"
 
 namespace jalon {
 
-/// Outline first, then its openings.
-using Polygons = std::vector<Polygon>;
-
 /// Forms of one ring, the most wanted first, the chain it came from last.
 struct RingForms {
-  std::vector<Polygon> forms;
-  void add(Polygon form) {
-    if (form.size() >= 3) forms.push_back(std::move(form));
+  std::vector<VectorRing> rings;
+  std::vector<Polygon> flat;  ///< with chords for arcs
+  void add(VectorRing ring, double chord_error_m) {
+    if (ring.corners.size() < 2) return;
+    flat.push_back(flattened(ring, chord_error_m));
+    rings.push_back(std::move(ring));
   }
 };
 
-/// A form for each ring so that openings lie inside the outline and apart from each other: each ring takes its most
+/// Which form of each ring, so that openings lie inside the outline and apart from each other: each ring takes its most
 /// wanted form, and rings in conflict step down to the next until none is left. The chains themselves never conflict.
 /// rings[0] is the outline.
-Polygons nested(std::span<const RingForms> rings);
+std::vector<size_t> nested(std::span<const RingForms> rings);
 
 }  // namespace jalon

@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "modelling/contour.h"
+#include "modelling/edge_shape.h"
+#include "modelling/measured_rings.h"
 #include "modelling/nesting.h"
 #include "segment/label_groups.h"
 
@@ -14,41 +16,16 @@ namespace jalon {
 
 namespace {
 
-// Points of straight border end, on average, this share of the spacing inside it: 0.5 on a regular grid
-// (facade-modelling A3, failure 2), 0.2 measured on points scattered at random, whose contour follows the outermost.
-constexpr double kSetBack = 0.35;
 // Strip of a straight edge in triangle edges: cut corners are at most half an edge deep.
 constexpr double kToleranceOfEdge = 0.6;
+constexpr double kChordError = 0.05;  // spacings: chords for arcs in the tests of nesting
+constexpr double kParallel = 0.9;     // cosine: 26 degrees
 
 // Corner of the segment's box, in whole metres: moves with the cloud without rounding.
 Vec3 whole_metre_corner(const Cloud& cloud, std::span<const uint32_t> indices) {
   Box3 box;
   for (const uint32_t i : indices) box.add(cloud.point(i));
   return {std::floor(box.min.x), std::floor(box.min.y), std::floor(box.min.z)};
-}
-
-Polygons straight_polygons(const ContourPiece& piece, const Contour& contour, const VectoriseSetting& setting) {
-  StraightenSetting s = setting.straight;
-  s.max_edge_m = contour.max_edge_m;
-  if (s.tolerance_m == 0) s.tolerance_m = kToleranceOfEdge * contour.max_edge_m;
-  s.set_back_m = kSetBack * contour.spacing_m;
-  std::vector<RingForms> rings;
-  for (size_t k = 0; k <= piece.openings.size(); ++k) {
-    const Chain& chain = k == 0 ? piece.outline : piece.openings[k - 1];
-    RingForms forms;
-    if (k > 0 && s.rectangles) forms.add(fitted_rectangle(chain, s));
-    forms.add(straightened(chain, s));
-    forms.add(thinned(chain, s.tolerance_m));
-    forms.add(chain);
-    rings.push_back(std::move(forms));
-  }
-  return nested(rings);
-}
-
-Polygons raw_polygons(const ContourPiece& piece) {
-  Polygons out{piece.outline};
-  out.insert(out.end(), piece.openings.begin(), piece.openings.end());
-  return out;
 }
 
 VectorRing ring_of(Polygon polygon, const Chain& contour) {
@@ -65,8 +42,67 @@ VectorRing ring_of(Polygon polygon, const Chain& contour) {
   return ring;
 }
 
-VectorPlane vectorise_segment(const Cloud& cloud, const Segment& segment, std::span<const uint32_t> indices,
-                              const Vec3& facade_x, const VectoriseSetting& setting, Task& task) {
+// The forms a ring may take, so that it fits beside the others: as measured, or a polygon, at worst its contour.
+RingForms forms_of(VectorRing measured, const Chain& chain, bool is_opening, const Contour& contour,
+                   const VectoriseSetting& setting) {
+  StraightenSetting s = setting.straight;
+  s.max_edge_m = contour.max_edge_m;
+  if (s.tolerance_m == 0) s.tolerance_m = kToleranceOfEdge * contour.max_edge_m;
+  s.set_back_m = kSetBack * contour.spacing_m;
+  const double chord_error = kChordError * contour.spacing_m;
+  RingForms forms;
+  const auto add = [&](Polygon polygon) {
+    if (polygon.size() >= 3) forms.add(ring_of(std::move(polygon), chain), chord_error);
+  };
+  forms.add(std::move(measured), chord_error);
+  if (is_opening && s.rectangles) add(fitted_rectangle(chain, s));
+  add(straightened(chain, s));
+  add(thinned(chain, s.tolerance_m));
+  add(chain);
+  return forms;
+}
+
+VectorFace face_of(const ContourPiece& piece, std::span<VectorRing> measured, const Contour& contour,
+                   const VectoriseSetting& setting) {
+  std::vector<RingForms> rings;
+  rings.push_back(forms_of(std::move(measured[0]), piece.outline, false, contour, setting));
+  for (size_t k = 0; k < piece.openings.size(); ++k)
+    rings.push_back(forms_of(std::move(measured[k + 1]), piece.openings[k], true, contour, setting));
+  const auto chosen = nested(rings);
+  VectorFace face{std::move(rings[0].rings[chosen[0]]), {}};
+  for (size_t k = 1; k < rings.size(); ++k) face.openings.push_back(std::move(rings[k].rings[chosen[k]]));
+  return face;
+}
+
+VectorFace raw_face(const ContourPiece& piece) {
+  VectorFace face{ring_of(piece.outline, piece.outline), {}};
+  for (const Chain& opening : piece.openings) face.openings.push_back(ring_of(opening, opening));
+  return face;
+}
+
+// 1 for segments whose plane is parallel to that of segment s.
+std::vector<uint8_t> parallel_planes(const Segmentation& segmentation, size_t s) {
+  const Vec3& normal = segmentation.segments[s].fit.plane.normal;
+  std::vector<uint8_t> out;
+  for (const Segment& other : segmentation.segments)
+    out.push_back(other.has_plane() && std::fabs(dot(other.fit.plane.normal, normal)) > kParallel);
+  out[s] = 0;
+  return out;
+}
+
+// A cloud and the tools that its segments share.
+struct Vectoriser {
+  const Segmentation& segmentation;
+  const VectoriseSetting& setting;
+  std::shared_ptr<const Octree> tree;
+  Vec3 facade_x;
+
+  VectorPlane operator()(size_t s, std::span<const uint32_t> indices, Task& task) const;
+};
+
+VectorPlane Vectoriser::operator()(size_t s, std::span<const uint32_t> indices, Task& task) const {
+  const Cloud& cloud = *segmentation.cloud;
+  const Segment& segment = segmentation.segments[s];
   VectorPlane out;
   out.label = segment.label;
   if (!segment.has_plane() || indices.size() < 3) return out;
@@ -78,14 +114,23 @@ VectorPlane vectorise_segment(const Cloud& cloud, const Segment& segment, std::s
   const Contour contour = extract_contour(points, setting.contour, task);
   out.spacing_m = contour.spacing_m;
   out.max_edge_m = contour.max_edge_m;
-  // 3. Polygons (A5-A12).
+  if (contour.pieces.empty()) return out;
+  if (!setting.straighten) {
+    for (const ContourPiece& piece : contour.pieces) out.faces.push_back(raw_face(piece));
+    return out;
+  }
+  // 3. Edges and nodes where they are measured (A5-A11).
+  const auto near = [&](std::span<const std::vector<Vec2>> rings, const NearSetting& about) {
+    return points_near(segmentation, *tree, out.frame, rings, parallel_planes(segmentation, s), about);
+  };
+  auto rings = measured_rings({contour, segment.fit.sigma, near}, setting, task);
+  // 4. Polygons with holes (A12).
+  size_t first = 0;
   for (const ContourPiece& piece : contour.pieces) {
     task.checkpoint(0);
-    Polygons polygons = setting.straighten ? straight_polygons(piece, contour, setting) : raw_polygons(piece);
-    VectorFace face{ring_of(std::move(polygons[0]), piece.outline), {}};
-    for (size_t k = 1; k < polygons.size(); ++k)
-      face.openings.push_back(ring_of(std::move(polygons[k]), piece.openings[k - 1]));
-    out.faces.push_back(std::move(face));
+    const size_t count = piece.openings.size() + 1;
+    out.faces.push_back(face_of(piece, std::span(rings).subspan(first, count), contour, setting));
+    first += count;
   }
   return out;
 }
@@ -111,11 +156,14 @@ std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const Vecto
     const Span span(task, 0, 0.05, "sorting points by plane");
     return LabelGroups(segmentation.labels->values<uint32_t>(), count, task);
   }();
-  const Span span(task, 0.05, 1, "drawing outlines");
+  Vectoriser vectoriser{segmentation, setting, nullptr, facade_x};
+  if (setting.straighten) {
+    const Span span(task, 0.05, 0.1, "indexing points");
+    vectoriser.tree = segmentation.cloud->octree(task);
+  }
+  const Span span(task, 0.1, 1, "drawing outlines");
   parallel_for(task, count, 1, [&](size_t begin, size_t end) {
-    for (size_t s = begin; s < end; ++s)
-      out[s] = vectorise_segment(*segmentation.cloud, segmentation.segments[s],
-                                 groups.of(static_cast<uint32_t>(s + 1)), facade_x, setting, task);
+    for (size_t s = begin; s < end; ++s) out[s] = vectoriser(s, groups.of(static_cast<uint32_t>(s + 1)), task);
   });
   return out;
 }

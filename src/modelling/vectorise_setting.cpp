@@ -13,6 +13,9 @@ VectoriseSetting vectorise_setting(const ParamSet& params) {
   s.contour.min_opening_area_m2 = params.number("min_opening_area_m2");
   s.contour.min_opening_width_m = params.number("min_opening_width_m");
   s.straighten = params.flag("straighten");
+  s.arcs = params.flag("arcs");
+  s.direction_angle_rad = params.number("direction_angle_rad");
+  s.reveal_depth_m = params.number("reveal_depth_m");
   s.straight.tolerance_m = params.number("tolerance_m");
   s.straight.snap_angle_rad = params.number("snap_angle_rad");
   s.straight.rectangles = params.flag("rectangles");

@@ -16,6 +16,9 @@ struct VectoriseSetting {
   ContourSetting contour;
   StraightenSetting straight;
   bool straighten = true;
+  bool arcs = true;
+  double direction_angle_rad = 0.035;
+  double reveal_depth_m = 0.3;
 };
 
 /// Parameter rows of every modelling method that draws planes; a method's table joins them with its own (joined_rows).
@@ -33,11 +36,21 @@ inline constexpr std::array kVectoriseRows{
     number_row("min_opening_area_m2", 0.1, 0, 1e9, "m2", "", "Smallest area of an opening"),
     number_row("min_opening_width_m", 0.2, 0, 1e6, "m", "", "Smallest width (full, not half) of an opening"),
     bool_row("straighten", true, "", "Straight edges and corners; false = the contour points as they are"),
-    number_row("tolerance_m", 0, 0, 1000, "m", "",
-               "Half-width of the strip that counts as one straight edge; 0 = half the longest triangle edge"),
+    bool_row("arcs", true, "",
+             "Curved parts of a contour become arcs where they explain it better than lines; false = lines only."),
+    number_row("direction_angle_rad", 0.035, 0, 0.26, "rad", "",
+               "Edges this near to vertical or horizontal are of that direction class; short ones, which noise turns, "
+               "a little further."),
     number_row("snap_angle_rad", 0.05, 0, 0.26, "rad", "",
-               "Edges this near to horizontal or vertical are made exactly so; 0 = never"),
-    bool_row("rectangles", true, "", "Openings that fill an upright rectangle become one"),
+               "Edges this near to vertical or horizontal are made exactly so, unless an end would move by more than "
+               "the point spacing; 0 = never."),
+    number_row("reveal_depth_m", 0.3, 0, 10, "m", "",
+               "How far behind and in front of a plane (full length along its normal) points are searched for the "
+               "reveals that end at its edges; 0 = edges from the points of the plane alone."),
+    number_row("tolerance_m", 0, 0, 1000, "m", "",
+               "Half-width of the strip that counts as one straight edge where a contour is too ragged for straight "
+               "and curved parts; 0 = 0.6 of the widest gap."),
+    bool_row("rectangles", true, "", "Openings with a ragged contour that fill an upright rectangle become one."),
 };
 
 /// Reads them from a set whose table holds them.

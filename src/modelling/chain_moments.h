@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geometry/circle.h"
+#include "geometry/vec.h"
+#include "modelling/edge_line.h"
+
+namespace jalon {
+
+/// Least-squares lines and circles through any stretch of a closed chain in constant time, from running sums of the
+/// powers of its coordinates about their mean.
+class ChainMoments {
+ public:
+  explicit ChainMoments(std::span<const Vec2> chain);
+  size_t size() const { return count_; }
+
+  struct LineFit {
+    EdgeLine line;  ///< without sense: along either way
+    double squares = 0;  ///< sum of squared distances
+  };
+  /// Points first ... last of the chain walked round up to twice; first < last.
+  LineFit line(size_t first, size_t last) const;
+
+  struct ArcFit {
+    Circle circle;
+    double squares = INFINITY;  ///< sum of squared distances, to first order; infinite where there is no circle
+  };
+  /// Linear fit (facade-modelling A19).
+  ArcFit arc(size_t first, size_t last) const;
+
+ private:
+  static constexpr size_t kSums = 8;  ///< of u, v, uu, uv, vv, uz, vz, zz with z = uu + vv
+  using Sums = std::array<double, kSums>;
+  /// Means over the stretch, products about their means.
+  Sums central(size_t first, size_t last) const;
+
+  Vec2 reference_;
+  size_t count_ = 0;
+  std::vector<Sums> running_;
+};
+
+}  // namespace jalon

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/chain_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polygon2.h"
+#include "modelling/chain_moments.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+// Standard deviation of contour points about their line, in spacings: 0.29 on a grid, up to 0.5 measured on scattered
+// points, which are not independent of their neighbours either.
+constexpr double kNoise = 0.5;
+// Candidate corners: Douglas-Peucker with this tolerance in spacings, and no two further apart than so many points, for
+// the smooth passage of a line into an arc is no corner.
+constexpr double kCandidateTolerance = 0.8;
+constexpr size_t kCandidateStep = 16;
+constexpr size_t kLeastArcPoints = 8;
+constexpr double kLeastSagitta = 4, kLeastRadius = 4;  // spacings
+constexpr double kLeastTurn = 0.3, kMostTurn = 2 * kPi;
+constexpr double kLengthAgreement = 1.5;  // a chain zigzags: it is longer than its arc by up to this factor
+// A part that misses its points by so many sigma on average is not worth extending; looked at for some more candidates.
+constexpr double kHopeless = 36;
+constexpr int kPatience = 4;
+
+struct Splitter {
+  std::span<const Vec2> chain;
+  const PartsSetting& setting;
+  ChainMoments moments;
+  double variance, line_cost, arc_cost;
+
+  Splitter(std::span<const Vec2> points, const PartsSetting& s) : chain(points), setting(s), moments(points) {
+    variance = kNoise * kNoise * s.spacing_m * s.spacing_m;
+    // Schwarz: parameters x ln(n); a cut is one more.
+    const double log_n = std::log(static_cast<double>(std::max<size_t>(points.size(), 8)));
+    line_cost = 3 * log_n;
+    arc_cost = 4 * log_n;
+  }
+  const Vec2& at(size_t i) const { return chain[i % chain.size()]; }
+};
+
+// Angle swept about the centre from the first over the middle to the last point; sign by sense.
+double swept(const Splitter& s, const Circle& circle, size_t first, size_t last) {
+  const auto step = [&](size_t i, size_t j) {
+    const Vec2 a = s.at(i) - circle.centre, b = s.at(j) - circle.centre;
+    return std::atan2(cross(a, b), dot(a, b));
+  };
+  constexpr size_t kSteps = 8;
+  double angle = 0;
+  for (size_t k = 0; k < kSteps; ++k)
+    angle += step(first + (last - first) * k / kSteps, first + (last - first) * (k + 1) / kSteps);
+  return angle;
+}
+
+bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last, double& turn) {
+  const double spacing = s.setting.spacing_m;
+  if (circle.radius < kLeastRadius * spacing) return false;
+  turn = swept(s, circle, first, last);
+  const double angle = std::fabs(turn);
+  if (angle < kLeastTurn || angle > kMostTurn * 1.001) return false;
+  if (circle.radius * (1 - std::cos(angle / 2)) < kLeastSagitta * spacing) return false;
+  // Points spread along the arc, none of it empty: its length is theirs.
+  double length = 0;
+  for (size_t i = first; i < last; ++i) length += norm(s.at(i + 1) - s.at(i));
+  return length < kLengthAgreement * circle.radius * angle + 4 * spacing;
+}
+
+struct PartCost {
+  double cost = INFINITY;
+  bool is_arc = false;
+  bool is_hopeless = false;
+};
+
+PartCost cost_of(const Splitter& s, size_t first, size_t last) {
+  // Contour points stray together, as where a row of a grid ends beside an edge: nothing is gained by following them
+  // more closely than their standard deviation.
+  const double n = static_cast<double>(last - first + 1);
+  const double line = std::max(n, s.moments.line(first, last).squares / s.variance);
+  PartCost out{line + s.line_cost, false, line > kHopeless * n};
+  if (!s.setting.arcs || last - first + 1 < kLeastArcPoints) return out;
+  const auto fit = s.moments.arc(first, last);
+  const double arc = std::max(n, fit.squares / s.variance);
+  out.is_hopeless = out.is_hopeless && !(arc < kHopeless * n);
+  double turn;
+  if (arc + s.arc_cost < out.cost && is_arc(s, fit.circle, first, last, turn)) out = {arc + s.arc_cost, true, false};
+  return out;
+}
+
+// Where parts may end, ascending, from 0 to the chain's size (its first point again).
+std::vector<size_t> candidates(const Splitter& s) {
+  std::vector<size_t> out;
+  for (const uint32_t i : simplified(s.chain, kCandidateTolerance * s.setting.spacing_m, true)) {
+    if (!out.empty())
+      for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < i; k += kCandidateStep) out.push_back(k);
+    out.push_back(i);
+  }
+  for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < s.chain.size(); k += kCandidateStep)
+    out.push_back(k);
+  out.push_back(s.chain.size());
+  return out;
+}
+
+// Least total cost of the chain up to each candidate, and where its last part begins.
+std::vector<size_t> cheapest_cuts(const Splitter& s, const std::vector<size_t>& ends) {
+  const size_t n = ends.size();
+  std::vector<double> total(n, INFINITY);
+  std::vector<size_t> from(n, 0);
+  total[0] = 0;
+  for (size_t i = 0; i + 1 < n; ++i) {
+    int hopeless = 0;
+    for (size_t j = i + 1; j < n && hopeless < kPatience; ++j) {
+      const PartCost part = cost_of(s, ends[i], ends[j]);
+      hopeless = part.is_hopeless ? hopeless + 1 : 0;
+      if (!(total[i] + part.cost < total[j])) continue;
+      total[j] = total[i] + part.cost;
+      from[j] = i;
+    }
+  }
+  std::vector<size_t> cuts;
+  for (size_t j = n - 1; j > 0; j = from[j]) cuts.push_back(ends[j]);
+  cuts.push_back(ends[0]);
+  std::reverse(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+// Moves each inner cut to the point where its two parts cost least.
+void settle(const Splitter& s, std::vector<size_t>& cuts) {
+  constexpr size_t kSteps[] = {8, 4, 2, 1};
+  for (const size_t step : kSteps)
+    for (size_t k = 1; k + 1 < cuts.size(); ++k) {
+      const size_t low = cuts[k - 1] + 2, high = cuts[k + 1] - 2;
+      size_t best = cuts[k];
+      double least = cost_of(s, cuts[k - 1], best).cost + cost_of(s, best, cuts[k + 1]).cost;
+      for (const size_t trial : {cuts[k] - std::min(step, cuts[k]), cuts[k] + step}) {
+        if (trial < low || trial > high) continue;
+        const double cost = cost_of(s, cuts[k - 1], trial).cost + cost_of(s, trial, cuts[k + 1]).cost;
+        if (!(cost < least)) continue;
+        least = cost;
+        best = trial;
+      }
+      cuts[k] = best;
+    }
+}
+
+// Removes cuts whose two parts cost less as one.
+void join(const Splitter& s, std::vector<size_t>& cuts) {
+  for (size_t k = 1; k + 1 < cuts.size() && cuts.size() > 3;) {
+    const double two = cost_of(s, cuts[k - 1], cuts[k]).cost + cost_of(s, cuts[k], cuts[k + 1]).cost;
+    if (cost_of(s, cuts[k - 1], cuts[k + 1]).cost < two)
+      cuts.erase(cuts.begin() + static_cast<ptrdiff_t>(k));
+    else
+      ++k;
+  }
+}
+
+// The cut where the chain turns most is a corner whatever the start was.
+size_t sharpest(const Splitter& s, const std::vector<size_t>& cuts) {
+  size_t best = 0;
+  double most = -1;
+  for (size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const size_t before = k == 0 ? cuts[cuts.size() - 2] : cuts[k - 1];
+    const Vec2 in = s.at(cuts[k]) - s.at(before), out = s.at(cuts[k + 1]) - s.at(cuts[k]);
+    const double turn = std::fabs(std::atan2(cross(in, out), dot(in, out)));
+    if (turn <= most) continue;
+    most = turn;
+    best = cuts[k] % s.chain.size();
+  }
+  return best;
+}
+
+ChainPart make_part(const Splitter& s, size_t first, size_t last) {
+  ChainPart part{first, last - first + 1, cost_of(s, first, last).is_arc, {}, {}, 0};
+  if (part.is_arc) {
+    part.circle = s.moments.arc(first, last).circle;
+    part.turn = swept(s, part.circle, first, last) > 0 ? 1 : -1;
+  } else {
+    part.line = s.moments.line(first, last).line;
+    if (dot(part.line.direction, s.at(last) - s.at(first)) < 0) part.line.direction = part.line.direction * -1;
+  }
+  return part;
+}
+
+std::vector<size_t> cut(const Splitter& s) {
+  std::vector<size_t> cuts = cheapest_cuts(s, candidates(s));
+  settle(s, cuts);
+  join(s, cuts);
+  return cuts;
+}
+
+}  // namespace
+
+std::vector<ChainPart> split_chain(std::span<const Vec2> chain, const PartsSetting& setting) {
+  // 1. From any start, for a corner to start from.  2. From that corner.
+  std::vector<Vec2> turned(chain.begin(), chain.end());
+  const size_t start = [&] {
+    const Splitter first(chain, setting);
+    return sharpest(first, cut(first));
+  }();
+  std::rotate(turned.begin(), turned.begin() + static_cast<ptrdiff_t>(start), turned.end());
+  const Splitter s(turned, setting);
+  const auto cuts = cut(s);
+  std::vector<ChainPart> parts;
+  for (size_t k = 0; k + 1 < cuts.size(); ++k) {
+    parts.push_back(make_part(s, cuts[k], cuts[k + 1]));
+    parts.back().first = (parts.back().first + start) % chain.size();
+  }
+  // 3. A ring that is one circle is two arcs: a ring has corners.
+  if (parts.size() == 1 && parts[0].is_arc) {
+    ChainPart half = parts[0];
+    parts[0].count = chain.size() / 2 + 1;
+    half.first = (half.first + chain.size() / 2) % chain.size();
+    half.count = chain.size() - chain.size() / 2 + 1;
+    parts.push_back(half);
+  }
+  return parts;
+}
+
+}  // namespace jalon

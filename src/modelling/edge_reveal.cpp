@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/edge_reveal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kLeastPoints = 8, kMostSampled = 400;
+constexpr int kDraws = 64;          // half of the points on the surface: a clean pair is among 64 with 1 - 1e-8
+constexpr double kMostSlope = 0.6;  // 31 degrees: splayed embrasures
+constexpr double kLeastBase_m = 0.01, kLeastSpread_m = 0.006;  // heights of a pair, standard deviation of all
+// Noise of points across a surface seen nearly along it: millimetres, whatever the spacing.
+constexpr double kReach_m = 0.004, kReachOfSpacing = 0.12;
+constexpr double kOutlier = 3, kLeastSigma_m = 0.0003;
+// Walls and reveals are square within a degree or two; what the points say of the slope is weighed with that.
+constexpr double kSlopeSigma = 0.03;
+constexpr double kBins = 8, kLeastBinsHit = 3;
+constexpr double kTimesBackground = 2.5;
+
+struct CrossLine {
+  double offset_m = 0, slope = 0;
+  double residual(const RevealPoint& p) const { return p.d_m - offset_m - slope * p.height_m; }
+};
+
+// Step 1: the line with most points near it.
+bool draw_line(std::span<const RevealPoint> points, double reach_m, CrossLine& best) {
+  const size_t step = points.size() / kMostSampled + 1, count = (points.size() + step - 1) / step;
+  double best_score = 0;
+  for (int k = 0; k < kDraws; ++k) {
+    RandomStream random(1, static_cast<uint64_t>(k));
+    const RevealPoint &a = points[random.below(points.size())], &b = points[random.below(points.size())];
+    const double base = b.height_m - a.height_m;
+    if (std::fabs(base) < kLeastBase_m) continue;
+    CrossLine line;
+    line.slope = (b.d_m - a.d_m) / base;
+    if (std::fabs(line.slope) > kMostSlope) continue;
+    line.offset_m = a.d_m - line.slope * a.height_m;
+    double score = 0;
+    for (size_t i = 0; i < count; ++i) {
+      const double r = line.residual(points[i * step]) / reach_m;
+      score += std::max(0.0, 1 - r * r);
+    }
+    if (score <= best_score) continue;
+    best_score = score;
+    best = line;
+  }
+  return best_score > 0;
+}
+
+// Sums of a line fit, and its covariance.
+struct LineSums {
+  double n = 0, h = 0, hh = 0, d = 0, dh = 0;
+  void add(const RevealPoint& p) {
+    n += 1;
+    h += p.height_m;
+    hh += p.height_m * p.height_m;
+    d += p.d_m;
+    dh += p.d_m * p.height_m;
+  }
+  // Least squares with the slope's prior; prior: variance of a point over that of the slope.
+  CrossLine solve(double prior) const {
+    const double a = hh + prior, determinant = n * a - h * h;
+    return {(a * d - h * dh) / determinant, (n * dh - h * d) / determinant};
+  }
+  double offset_variance(double sigma2, double prior) const {
+    return sigma2 * (hh + prior) / (n * (hh + prior) - h * h);
+  }
+  double spread() const { return std::sqrt(std::max(0.0, hh / n - h * h / (n * n))); }
+};
+
+// Step 2: least squares on the points near it, their own spread deciding which.
+bool settle_line(std::span<const RevealPoint> points, double reach_m, CrossLine& line, double& sigma_m,
+                 std::vector<RevealPoint>& inliers, LineSums& sums) {
+  sigma_m = reach_m / kOutlier * 1.5;
+  for (int round = 0; round < 6; ++round) {
+    inliers.clear();
+    sums = {};
+    double squares = 0;
+    for (const RevealPoint& p : points) {
+      const double r = line.residual(p);
+      if (std::fabs(r) > kOutlier * sigma_m) continue;
+      inliers.push_back(p);
+      sums.add(p);
+      squares += r * r;
+    }
+    if (inliers.size() < kLeastPoints) return false;
+    const double n = static_cast<double>(inliers.size());
+    sigma_m = std::clamp(std::sqrt(squares / (n - 2)), kLeastSigma_m, reach_m / kOutlier * 1.5);
+    line = sums.solve(sigma_m * sigma_m / (kSlopeSigma * kSlopeSigma));
+  }
+  return sums.spread() >= kLeastSpread_m && std::fabs(line.slope) <= kMostSlope;
+}
+
+// Step 3: more points than the clutter beside the edge explains, along most of the edge.
+bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint> inliers, double sigma_m,
+                double length_m) {
+  double low = INFINITY, high = -INFINITY;
+  for (const RevealPoint& p : points) {
+    low = std::min(low, p.d_m);
+    high = std::max(high, p.d_m);
+  }
+  const double inside = 2 * kOutlier * sigma_m, rest = std::max(high - low - inside, inside);
+  const double n = static_cast<double>(inliers.size());
+  const double clutter = (static_cast<double>(points.size()) - n) * inside / rest;
+  if (n < kTimesBackground * clutter + 3 * std::sqrt(clutter)) return false;
+  std::vector<uint8_t> hit(static_cast<size_t>(kBins), 0);
+  for (const RevealPoint& p : inliers)
+    hit[static_cast<size_t>(std::clamp(p.t_m / length_m, 0.0, 0.999) * kBins)] = 1;
+  return std::count(hit.begin(), hit.end(), 1) >= static_cast<ptrdiff_t>(kLeastBinsHit);
+}
+
+// Step 4: the offset in bins along the edge.
+std::vector<EdgeOffset> binned(std::span<const RevealPoint> inliers, const CrossLine& line, double sigma_m,
+                               double length_m) {
+  struct Bin {
+    double n = 0, t = 0, d = 0;
+  };
+  std::vector<Bin> bins(static_cast<size_t>(kBins));
+  for (const RevealPoint& p : inliers) {
+    Bin& bin = bins[static_cast<size_t>(std::clamp(p.t_m / length_m, 0.0, 0.999) * kBins)];
+    bin.n += 1;
+    bin.t += p.t_m;
+    bin.d += p.d_m - line.slope * p.height_m;
+  }
+  std::vector<EdgeOffset> out;
+  for (const Bin& bin : bins)
+    if (bin.n > 0) out.push_back({bin.t / bin.n, bin.d / bin.n, bin.n / (sigma_m * sigma_m)});
+  return out;
+}
+
+}  // namespace
+
+bool find_reveal(std::span<const RevealPoint> points, double length_m, double spacing_m, Reveal& out) {
+  if (points.size() < kLeastPoints) return false;
+  const double reach = std::max(kReach_m, kReachOfSpacing * spacing_m);
+  CrossLine line;
+  if (!draw_line(points, reach, line)) return false;
+  std::vector<RevealPoint> inliers;
+  LineSums sums;
+  double sigma = 0;
+  if (!settle_line(points, reach, line, sigma, inliers, sums)) return false;
+  if (!is_surface(points, inliers, sigma, length_m)) return false;
+  double nearest = INFINITY, farthest = 0;
+  for (const RevealPoint& p : inliers) {
+    nearest = std::min(nearest, std::fabs(p.height_m));
+    farthest = std::max(farthest, std::fabs(p.height_m));
+  }
+  const double prior = sigma * sigma / (kSlopeSigma * kSlopeSigma), variance = sigma * sigma;
+  out.offset_m = line.offset_m;
+  out.slope = line.slope;
+  out.common_m2 = std::max(0.0, sums.offset_variance(variance, prior) - variance / sums.n);
+  out.per_metre2 = sums.n / (length_m * std::max(farthest - nearest, kLeastSpread_m));
+  out.offsets = binned(inliers, line, sigma, length_m);
+  return true;
+}
+
+}  // namespace jalon
