@@ -17,8 +17,8 @@ constexpr double kLeastSine = 0.1;
 // Chords of an arc this near to it decide whether a ring crosses itself, in spacings.
 constexpr double kChordError = 0.05;
 
-// Ends of neighbours nearer to each other than this are one node, in spacings.
-constexpr double kStep = 0.1;
+// Ends of neighbours nearer to each other than this are one node, in spacings; of arcs that go on each other more.
+constexpr double kStep = 0.1, kArcStep = 0.5;
 
 double squared(const Vec2& d) { return dot(d, d); }
 
@@ -57,10 +57,27 @@ bool meet(const EdgeShape& a, const EdgeShape& b, double tolerance_m, const Vec2
   return intersect(a.line, b.line, kLeastSine, out);
 }
 
+// Two arcs of one circle.
+bool go_on(const EdgeShape& a, const EdgeShape& b, double tolerance_m) {
+  return a.is_arc && b.is_arc && a.turn == b.turn && norm(a.circle.centre - b.circle.centre) <= tolerance_m &&
+         std::fabs(a.circle.radius - b.circle.radius) <= tolerance_m;
+}
+
 Vec2 foot_on(const EdgeShape& shape, const Vec2& p) {
   if (!shape.is_arc) return shape.line.foot(p);
   const Vec2 d = p - shape.circle.centre;
   return shape.circle.centre + d * (shape.circle.radius / norm(d));
+}
+
+std::vector<Vec2> nodes_between(const EdgeShape& a, const EdgeShape& b, double spacing_m, double reach_m) {
+  const bool is_one_circle = go_on(a, b, spacing_m);
+  Vec2 node;
+  if (!is_one_circle && meet(a, b, spacing_m, (a.last + b.first) * 0.5, node) &&
+      std::min(norm(node - a.last), norm(node - b.first)) <= reach_m)
+    return {node};
+  const Vec2 end = foot_on(a, a.last), start = foot_on(b, b.first);
+  if (norm(end - start) <= (is_one_circle ? kArcStep : kStep) * spacing_m) return {(end + start) * 0.5};
+  return {end, start};
 }
 
 VectorEdge edge_of(const EdgeShape& shape, const Vec2& from, const Vec2& to) {
@@ -80,6 +97,24 @@ bool runs_forward(const EdgeShape& shape, const Vec2& from, const Vec2& to) {
   return std::fabs(arc.length_m - shape.length_m) < shape.length_m / 2 + 0.1 * shape.circle.radius;
 }
 
+// A ring of two arcs, or of an arc and its chord, has no area by its corners alone: each arc becomes two.
+void halve_arcs(VectorRing& ring, std::span<const EdgeShape> edges) {
+  VectorRing out;
+  for (size_t i = 0; i < ring.corners.size(); ++i) {
+    const Vec2 from = ring.corners[i], to = ring.corners[(i + 1) % ring.corners.size()];
+    out.corners.push_back(from);
+    out.edges.push_back(ring.edges[i]);
+    if (ring.edges[i].sagitta_m == 0) continue;
+    EdgeShape arc = edges[i];
+    arc.set_ends(from, to);
+    const Vec2 middle = arc.circle.centre + arc.axis * arc.circle.radius;
+    out.edges.back() = edge_of(arc, from, middle);
+    out.corners.push_back(middle);
+    out.edges.push_back(edge_of(arc, middle, to));
+  }
+  ring = std::move(out);
+}
+
 }  // namespace
 
 bool join_edges(std::span<const EdgeShape> edges, double spacing_m, double reach_m, VectorRing& out) {
@@ -87,17 +122,7 @@ bool join_edges(std::span<const EdgeShape> edges, double spacing_m, double reach
   if (n < 2) return false;
   // 1. Nodes between edge i and the next: one, or two with a step between.
   std::vector<std::vector<Vec2>> nodes(n);
-  for (size_t i = 0; i < n; ++i) {
-    const EdgeShape &a = edges[i], &b = edges[(i + 1) % n];
-    const Vec2 near = (a.last + b.first) * 0.5;
-    Vec2 node;
-    if (meet(a, b, spacing_m, near, node) && std::min(norm(node - a.last), norm(node - b.first)) <= reach_m)
-      nodes[i] = {node};
-    else if (const Vec2 end = foot_on(a, a.last), start = foot_on(b, b.first); norm(end - start) <= kStep * spacing_m)
-      nodes[i] = {(end + start) * 0.5};
-    else
-      nodes[i] = {end, start};
-  }
+  for (size_t i = 0; i < n; ++i) nodes[i] = nodes_between(edges[i], edges[(i + 1) % n], spacing_m, reach_m);
   // 2. The ring.
   out.corners.clear();
   out.edges.clear();
@@ -110,6 +135,7 @@ bool join_edges(std::span<const EdgeShape> edges, double spacing_m, double reach
     out.corners.push_back(to);
     out.edges.push_back({});
   }
+  if (out.corners.size() == 2) halve_arcs(out, edges);
   const auto flat = flattened(out, kChordError * spacing_m);
   return flat.size() >= 3 && is_simple(flat);
 }

@@ -14,7 +14,8 @@ namespace jalon {
 /// spacing touches it. Neighbours that do not meet there are joined by a short edge across. reach_m: how far a node may
 /// lie from those points.
 ///
-/// False when an edge would run backwards or the ring would cross itself.
+/// The ring has three corners at least: of two edges the arcs are halved. False when an edge would run backwards or the
+/// ring would cross itself.
 bool join_edges(std::span<const EdgeShape> edges, double spacing_m, double reach_m, VectorRing& out);
 
 }  // namespace jalon
