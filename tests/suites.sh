@@ -10,5 +10,7 @@ suite cli bash tests/scenarios/cli.sh "$release/src/jalon"
 suite malformed bash tests/fuzz/malformed.sh "$release"
 suite laspy bash tests/fuzz/laspy.sh "$release"
 suite laspy_offline bash tests/fuzz/laspy_offline.sh
+suite validators bash tests/formats/validators.sh "$release"
+suite validators_offline bash tests/formats/validators_offline.sh
 suite accuracy "$release/tests/accuracy/accuracy"
 suite examples bash tests/scenarios/examples.sh "$release"

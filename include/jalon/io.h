@@ -29,7 +29,7 @@
  *   Coordinates are stored in steps of "city_scale_m". Read back: faces, holes, parts, solids, CRS; of several levels
  *   of detail the highest; geometry templates are JALON_ERROR_UNSUPPORTED.
  * - GeoJSON (geojson), written: a Feature for each face, 3D positions in the model's own system, which the member "crs"
- *   names (null when it is not known: the numbers are metres, never degrees).
+ *   names (a local one in metres when it is not known: the numbers are never degrees).
  * - OBJ (obj), written and read: faces as polygons and triangles, openings stay open; outlines as lines; the tree of
  *   parts in comments that other programs pass over, so that our own files come back with faces, holes, parts and
  *   solids. Files of others are meshes with groups as parts, or a face for each polygon ("polygons" = "faces").

@@ -17,8 +17,9 @@ namespace {
 constexpr size_t kTicks = 256;  // features between two looks at the task
 
 /// GeoJSON in the structure of RFC 7946. The coordinates are the model's own, in metres; RFC 7946 knows longitude and
-/// latitude alone, so their system is said in the member that tools look for: "crs" of the GeoJSON of 2008, null where
-/// it is not known. ("coordRefSys" of JSON-FG would have them look for the geometries elsewhere.)
+/// latitude alone, so their system is said in the member that tools look for: "crs" of the GeoJSON of 2008. Where it is
+/// not known that is a local system in metres: without one, or with null, tools take the numbers for degrees.
+/// ("coordRefSys" of JSON-FG would have them look for the geometries elsewhere.)
 class GeoJson {
  public:
   GeoJson(const Model& model, AtomicFile& file) : model_(model), file_(file) {}
@@ -41,14 +42,11 @@ class GeoJson {
 
  private:
   void add_crs() {
+    constexpr const char* kLocal = "LOCAL_CS[\"local, metres\",UNIT[\"metre\",1]]";
     const uint32_t code = metric_epsg_code(model_.crs.str());
-    json_.name("crs");
-    if (code == 0) {
-      json_.value(JsonValue{});
-      return;
-    }
-    json_.begin_object().name("type").value("name").name("properties").begin_object();
-    json_.name("name").value("urn:ogc:def:crs:EPSG::" + std::to_string(code)).end_object().end_object();
+    const std::string name = code != 0 ? "urn:ogc:def:crs:EPSG::" + std::to_string(code) : kLocal;
+    json_.name("crs").begin_object().name("type").value("name");
+    json_.name("properties").begin_object().name("name").value(name).end_object().end_object();
   }
 
   void add_position(const Vec3& p) { json_.begin_array().value(p.x).value(p.y).value(p.z).end_array(); }

@@ -135,7 +135,8 @@ class AsciiStl {
     const std::string keyword = lower(next_word(line).substr(0, 16));
     if (keyword == "vertex") return vertex(line);
     if (keyword == "solid") {
-      part_ = add_part(model_, line);
+      name_ = name_from_file(line, "mesh");
+      in_part_ = false;
     } else if (keyword == "facet") {
       if (corners_ != 0) refuse("a facet inside a facet");
     } else if (keyword == "endloop" || keyword == "endfacet") {
@@ -159,7 +160,8 @@ class AsciiStl {
     triangle_[corners_++] = vertices_.add(p);
     if (corners_ < 3) return;
     corners_ = 0;
-    if (model_.parts.empty()) part_ = add_part(model_, "mesh");
+    if (!in_part_) part_ = add_part(model_, name_);  // solids without facets are no parts
+    in_part_ = true;
     model_.triangles.push_back(triangle_);
     model_.triangle_faces.push_back(part_);
   }
@@ -171,6 +173,8 @@ class AsciiStl {
   Vertices vertices_;
   std::array<uint32_t, 3> triangle_{};
   size_t corners_ = 0;
+  std::string name_ = "mesh";
+  bool in_part_ = false;
   uint32_t part_ = 0;
 };
 

@@ -20,5 +20,9 @@ std::vector<File> las_files();
 std::vector<File> ply_files();
 std::vector<File> text_files();
 std::vector<File> obj_files();
+/// OBJ files with the notes of our own writer.
+std::vector<File> noted_obj_files();
+std::vector<File> stl_files();
+std::vector<File> city_files();
 
 }  // namespace malformed

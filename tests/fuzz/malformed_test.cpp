@@ -57,6 +57,13 @@ bool good_message(const std::string& path) {
          std::strstr(text, path.c_str()) != nullptr;
 }
 
+// Read as clouds these are always unsupported.
+bool holds_model(const malformed::File& file) {
+  for (const char* extension : {".obj", ".stl", ".json"})
+    if (file.name.ends_with(extension)) return true;
+  return false;
+}
+
 Verdict judge(const malformed::File& file, const std::string& folder, jalon_task* task) {
   const std::string path = folder + "/" + file.name;
   FILE* out = std::fopen(path.c_str(), "wb");
@@ -73,8 +80,7 @@ Verdict judge(const malformed::File& file, const std::string& folder, jalon_task
   verdict.bad_message = (verdict.status != JALON_OK && !good_message(path)) ||
                         (verdict.status == JALON_OK) != (cloud != nullptr);
   jalon_cloud_release(cloud);
-  const char kind = file.name[file.name.size() - 2];
-  if (kind == 'l' || kind == 'b') {  // ply, obj
+  if (file.name.ends_with(".ply") || holds_model(file)) {
     jalon_model* model = nullptr;
     verdict.model_status = jalon_model_read(path.c_str(), nullptr, task, &model);
     verdict.bad_message =
@@ -137,8 +143,7 @@ class Run {
   }
 
   void note(const malformed::File& file, size_t index, const Verdict& verdict) {
-    // An OBJ file holds a model; read as a cloud it is always unsupported.
-    ++statuses_[file.name.ends_with(".obj") ? verdict.model_status : verdict.status];
+    ++statuses_[holds_model(file) ? verdict.model_status : verdict.status];
     const auto allowed = [](int status) {
       return status == JALON_OK || status == JALON_ERROR_FORMAT ||
              status == JALON_ERROR_UNSUPPORTED || status == JALON_ERROR_LIMIT;
@@ -168,7 +173,10 @@ int main() {
   const bool good[] = {run.read_all("LAS", malformed::las_files(), 400),
                        run.read_all("PLY", malformed::ply_files(), 400),
                        run.read_all("text", malformed::text_files(), 100),
-                       run.read_all("OBJ", malformed::obj_files(), 100)};
+                       run.read_all("OBJ", malformed::obj_files(), 100),
+                       run.read_all("noted", malformed::noted_obj_files(), 100),
+                       run.read_all("STL", malformed::stl_files(), 300),
+                       run.read_all("city", malformed::city_files(), 400)};
   const std::string clean = "rm -rf '" + folder + "'";
   if (std::system(clean.c_str()) != 0) std::printf("%s stays behind\n", folder.c_str());
   size_t passed = 0;

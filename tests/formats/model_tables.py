@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+"""A model from the tables that house_files and scan_files write, with areas and arcs worked out anew."""
+
+import json
+
+import numpy
+
+CHORD_ERROR_M = 0.001  # the writers' default
+COPIED = 5             # JALON_EVIDENCE_COPIED
+NO_PART = 2**32 - 1
+
+
+def bulge_area(points, bulges):
+    """Signed area of a polygon of lines and arcs in a plane; bulge: tangent of a quarter of the angle (DXF)."""
+    x, y = points[:, 0], points[:, 1]
+    area = (x * numpy.roll(y, -1) - y * numpy.roll(x, -1)).sum() / 2
+    chords = numpy.hypot(numpy.roll(x, -1) - x, numpy.roll(y, -1) - y)
+    for c, b in zip(chords, bulges):
+        if b:
+            angle = 4 * numpy.arctan(abs(b))
+            radius = c * (1 + b * b) / (4 * abs(b))
+            area += numpy.sign(b) * radius**2 * (angle - numpy.sin(angle)) / 2
+    return area
+
+
+class Ring:
+    def __init__(self, index, points, sagittas, part, normal):
+        self.index, self.points, self.part = index, points, part
+        chords = numpy.linalg.norm(numpy.roll(points, -1, axis=0) - points, axis=1)
+        self.bulges = [2 * s / c if c > 0 else 0 for s, c in zip(sagittas, chords)]
+        self.drawn = len(points) >= (2 if any(self.bulges) else 3)
+        u = numpy.cross(normal, [1, 0, 0] if abs(normal[0]) < 0.6 else [0, 1, 0])
+        u /= numpy.linalg.norm(u)
+        local = points - points[0]
+        self.area = bulge_area(numpy.column_stack([local @ u, local @ numpy.cross(normal, u)]), self.bulges)
+        angles = 4 * numpy.arctan(numpy.abs(self.bulges))
+        lengths = [c if b == 0 else a * c * (1 + b * b) / (4 * abs(b)) for c, b, a in zip(chords, self.bulges, angles)]
+        self.length = sum(lengths)
+        self.arc_length = sum(l for l, b in zip(lengths, self.bulges) if b)
+        self.reach = max((abs(s) for s in sagittas), default=0)
+
+
+class Face:
+    def __init__(self, row, rings):
+        self.part, self.id, self.area_m2, self.rings = row[0], row[3], row[4], rings
+        self.normal = numpy.array(row[5:8])
+
+
+class Model:
+    def __init__(self, path):
+        with open(path, encoding="utf-8") as file:
+            tables = json.load(file)
+        self.vertices = numpy.array(tables["vertices"], float).reshape(-1, 3)
+        corners = numpy.array(tables["corners"], int)
+        sagittas = numpy.array(tables["sagittas"], float)
+        self.parts, self.solids = tables["parts"], tables["solids"]
+        self.faces, self.rings = [], []
+        for row in tables["faces"]:
+            rings = []
+            for index in range(row[1], row[1] + row[2]):
+                first, count, part = tables["rings"][index]
+                span = slice(first, first + count)
+                rings.append(Ring(index, self.vertices[corners[span]], sagittas[span], row[0] if not rings else part,
+                                  numpy.array(row[5:8])))
+            self.faces.append(Face(row, rings))
+            self.rings += rings
+        drawn = [r for r in self.rings if r.drawn]
+        self.arc_count = sum(b != 0 for r in self.rings for b in r.bulges)
+        self.area = sum(f.area_m2 for f in self.faces)
+        self.chord_area = CHORD_ERROR_M * sum(r.arc_length for r in drawn) + 1e-6  # the most that chords cut off
+        self.border_m = sum(r.length for r in drawn)
+        self.arc_reach_m = max((r.reach for r in drawn), default=0)
+
+    def class_of(self, part):
+        return self.parts[part][1] if part < len(self.parts) else None
+
+    def layer_of(self, ring):
+        if ring.part >= len(self.parts):
+            return "OPENING"
+        return (self.class_of(ring.part).upper() or "ELEMENT") + ("-COPIED" if self.parts[ring.part][2] == COPIED else "")
+
+    def wrong_areas(self):
+        for i, face in enumerate(self.faces):
+            area = sum(r.area for r in face.rings)
+            if abs(area - face.area_m2) > 1e-6 * (1 + face.area_m2):
+                yield "face %d: the table says %.9g m2, its rings %.9g" % (i, face.area_m2, area)

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+# Models in every format, read by programs that are not ours: validators.sh BUILD_FOLDER [SCAN ...]
+# Without scans: a house made by hand, and models of virtual scans on coordinates of a national grid.
+# ezdxf, trimesh, GDAL (pyogrio) and shapely come from PyPI into BUILD_FOLDER/validators, cjval from crates.io, once.
+# Without them the test is skipped (77), visibly; where CI is set that is a failure.
+set -uo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+build=${1:?usage: validators.sh BUILD_FOLDER [SCAN ...]}
+shift
+tools=$build/validators
+log=$build/validators_setup.log
+python=$tools/bin/python
+passed=0 failed=0 skipped=0
+
+# miss WHAT: says that a validator is not there; ends the test where nothing can be checked without it.
+miss() {
+  tail -n 3 "$log"
+  if [ -n "${CI:-}" ]; then
+    echo "not ok - $1 cannot be installed"
+    failed=$((failed + 1))
+  else
+    echo "skipped: $1 cannot be installed"
+    skipped=$((skipped + 1))
+  fi
+}
+finish() {
+  echo "$passed passed, $failed failed, $skipped skipped"
+  [ $failed -eq 0 ] || exit 1
+  [ $((passed + failed)) -gt 0 ] || exit 77
+  exit 0
+}
+
+has_python() { "$python" -c "import ezdxf, numpy, pyogrio, shapely, trimesh" 2>/dev/null; }
+if ! has_python; then
+  python3 -m venv "$tools" >"$log" 2>&1 &&
+    "$tools/bin/pip" install --disable-pip-version-check ezdxf numpy pyogrio shapely trimesh >>"$log" 2>&1
+  has_python || { miss "ezdxf, pyogrio, shapely or trimesh"; finish; }
+fi
+
+cjval=$(command -v cjval || echo "$tools/bin/cjval")
+if ! "$cjval" --version >/dev/null 2>&1; then
+  # A debug build: half the time to compile, and the files are small.
+  cargo install --debug --features build-binary --root "$tools" cjval >>"$log" 2>&1
+  "$cjval" --version >/dev/null 2>&1 || { cjval=; miss cjval; }
+fi
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# check NAME COMMAND ...: the command fills a folder with the files of a model, which are then looked at.
+check() {
+  local name=$1 folder=$work/$1 counts
+  shift
+  mkdir -p "$folder"
+  if ! "$@" "$folder"; then
+    failed=$((failed + 1)); echo "not ok - $name: no files"
+    return
+  fi
+  PYTHONWARNINGS=ignore "$python" "$here/check_files.py" "$name" "$folder" $cjval | tee "$work/counts"
+  counts=$(tail -n 1 "$work/counts")
+  if [[ $counts =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
+    passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
+  else
+    failed=$((failed + 1)); echo "not ok - $name: the checks did not end"
+  fi
+}
+
+programs=$build/tests/formats
+scanned() { "$programs/scan_files" "$1" "$2" "$3"; }
+if [ $# -gt 0 ]; then
+  for scan in "$@"; do
+    check "$(basename "$scan")" scanned "$scan" facade
+  done
+  finish
+fi
+
+check house "$programs/house_files"
+grid="shift_m=[652000,6861000,100]"
+"$build/src/jalon" scan --quiet --scene facade --scene-set "$grid" --scene-set rotation_rad=0.4 -o "$work/facade.las" &&
+  "$build/src/jalon" scan --quiet --scene arches --scene-set "$grid" -o "$work/arches.las" ||
+  { failed=$((failed + 1)); echo "not ok - no scans"; }
+check facade scanned "$work/facade.las" facade
+check arches scanned "$work/arches.las" facade
+check solids scanned "$work/facade.las" extrusion
+check outlines scanned "$work/arches.las" outlines
+finish
