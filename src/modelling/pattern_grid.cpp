@@ -155,4 +155,19 @@ OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, 
   return is_field && agreements >= kLeastAgreements ? grid : OpeningGrid{};
 }
 
+size_t pattern_at(std::span<const Pattern> patterns, const GridLine& row, const GridLine& column) {
+  size_t best = patterns.size(), most = 0;
+  for (size_t p = 0; p < patterns.size(); ++p) {
+    const auto& members = patterns[p].members;
+    const auto is_member = [&](size_t i) { return std::find(members.begin(), members.end(), i) != members.end(); };
+    const auto count = [&](const GridLine& line) {
+      return static_cast<size_t>(std::count_if(line.openings.begin(), line.openings.end(), is_member));
+    };
+    const size_t in_row = count(row), in_column = count(column);
+    const bool fits = in_row > 0 || (row.openings.empty() && in_column > 0);
+    if (fits && in_row + in_column > most) best = p, most = in_row + in_column;
+  }
+  return best;
+}
+
 }  // namespace jalon

@@ -37,4 +37,8 @@ double grid_reach_m(const FacadeWall& wall, const PatternSetting& setting);
 OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, std::span<const RingBox> boxes,
                       const PatternSetting& setting);
 
+/// The pattern that most of the row and the column show; it must be in the row, or in the column of a single one. Their
+/// number when there is none.
+size_t pattern_at(std::span<const Pattern> patterns, const GridLine& row, const GridLine& column);
+
 }  // namespace jalon

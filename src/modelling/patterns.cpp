@@ -5,22 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/polygon2.h"
 #include "modelling/pattern_grid.h"
 #include "modelling/pattern_place.h"
+#include "modelling/pattern_site.h"
 #include "modelling/pattern_types.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kSolidInside = 0.05;    // share of a copy's cells where points of the wall may lie: strays
-constexpr double kThroughBeside = 0.10;  // of a copy's cells, seen through beside it: then it has another form
 constexpr double kReach = 1.5;           // local spacings: border points farther from a side do not belong to it
 constexpr double kFit = 0.6;             // local spacings: root mean square distance of those that do
-constexpr double kAround_cells = 8;      // beside an opening, where its local spacing shows
-constexpr double kSolidWhereLit = 0.75;  // share of the wall's cells, one spacing wide, that have a point: 0.6-0.95
-constexpr double kLeastLit = 0.1;        // of it; a copy from fewer points is a guess
 constexpr double kSideSupport = 0.10;    // share of a side's length where border points must lie
 constexpr size_t kLeastSupport = 3;
 constexpr double kSideSigmas = 3;        // of the mean distance of a side's points
@@ -34,6 +29,12 @@ bool is_upright(const VectorRing& ring) {
   return std::any_of(ring.edges.begin(), ring.edges.end(), [](const VectorEdge& edge) {
     return edge.direction == EdgeDirection::kVertical || edge.direction == EdgeDirection::kHorizontal;
   });
+}
+
+/// Shifts to start from: both ends and the middle, or the middle alone where they are near each other.
+std::vector<double> starts(double low, double high, double reach_m) {
+  const double middle = (low + high) / 2;
+  return std::fabs(high - low) <= reach_m ? std::vector{middle} : std::vector{low, middle, high};
 }
 
 enum Side { kLeft, kRight, kLower, kUpper };
@@ -102,38 +103,28 @@ class Completion {
     patterns_[pattern].members.push_back(i);
   }
 
-  /// The pattern laid onto the border points of an opening, from each way its box can lie in that of the opening.
+  /// The pattern laid onto the border points of an opening, from each way its box can lie in that of the opening. The
+  /// hole in the wall's points is as large as the opening at least.
   Candidate best_placement(size_t p, size_t i) const {
     const FacadeOpening& opening = wall_.openings[i];
+    const double reach_m = kReach * spacing_beside(wall_, boxes_[i]);
+    if (opening.border_points.empty() || boxes_[i].width() < patterns_[p].box.width() - reach_m ||
+        boxes_[i].height() < patterns_[p].box.height() - reach_m)
+      return {};
     const std::vector<Vec2> form = outline_points(best_of(p).outline), border = thinned_border(opening);
     // Where leaves or glass thin the points out, the last ones stay farther from the edge.
-    const double spacing_m = local_spacing_m(i);
+    const double spacing_m = spacing_beside(wall_, boxes_[i]);
     const double set_back_m = mean_distance(form, thinned_border(best_of(p))) * spacing_m / wall_.spacing_m;
     const bool may_turn = !is_upright(best_of(p).outline);
     Candidate best;
     const Vec2 low = boxes_[i].low - patterns_[p].box.low, high = boxes_[i].high - patterns_[p].box.high;
-    for (int k = 0; k < 9; ++k) {
-      const Vec2 start{low.u + (high.u - low.u) * (k % 3) / 2, low.v + (high.v - low.v) * (k / 3) / 2};
-      const Placement placed = place_on_border(form, set_back_m, border, start, kReach * spacing_m, may_turn);
-      const Candidate c = judged(p, i, placed, spacing_m);
-      if (c.signs > 0 && (best.signs == 0 || c.cost_m2 < best.cost_m2)) best = c;
-    }
+    for (const double u : starts(low.u, high.u, reach_m))
+      for (const double v : starts(low.v, high.v, reach_m)) {
+        const Placement placed = place_on_border(form, set_back_m, border, {u, v}, reach_m, may_turn);
+        const Candidate c = judged(p, i, placed, spacing_m);
+        if (c.signs > 0 && (best.signs == 0 || c.cost_m2 < best.cost_m2)) best = c;
+      }
     return best;
-  }
-
-  /// Spacing of the wall's points beside an opening: that of the wall, more where only some of the cells have one.
-  double local_spacing_m(size_t i) const {
-    const double cell_m = wall_.map.cell_m;
-    const RingBox inner = boxes_[i].grown(cell_m), outer = boxes_[i].grown(kAround_cells * cell_m);
-    const auto in = [&](const RingBox& b) {
-      return count_cells(wall_.map, std::array{b.low, Vec2{b.high.u, b.low.v}, b.high, Vec2{b.low.u, b.high.v}}, 0);
-    };
-    const CellCount all = in(outer), hole = in(inner);
-    constexpr auto kSolid = static_cast<size_t>(WallCell::kSolid);
-    const auto solid = static_cast<double>(all.of[kSolid] - hole.of[kSolid]);
-    const auto cells = static_cast<double>(all.all() - hole.all());
-    const double lit = cells > 0 ? solid / cells / kSolidWhereLit : 1;
-    return wall_.spacing_m / std::sqrt(std::clamp(lit, kLeastLit, 1.0));
   }
 
   std::vector<Vec2> thinned_border(const FacadeOpening& opening) const {
@@ -199,14 +190,14 @@ class Completion {
     size_t copies = 0;
     for (const GridLine& row : grid_.rows)
       for (const GridLine& column : grid_.columns) {
-        const size_t p = pattern_for(row, column);
+        const size_t p = pattern_at(patterns_, row, column);
         if (p == patterns_.size()) continue;
         const Vec2 centre = patterns_[p].box.middle();
         const Motion2 motion{centre, Vec2{column.at, row.at} - centre, 0};
         if (!is_free(p, motion, wall_.openings.size())) continue;
         FacadeOpening copy = best_of(p);
         copy.outline = moved(copy.outline, motion);
-        copy.piece = piece_of(copy.outline);
+        copy.piece = piece_around(wall_, outline_points(copy.outline));
         copy.coverage = 0;
         copy.residual_m = std::numeric_limits<double>::quiet_NaN();
         copy.border_points.clear();
@@ -220,34 +211,6 @@ class Completion {
     return copies;
   }
 
-  /// The pattern that most of the row and the column show; it must be in the row, or in the column of a single one.
-  size_t pattern_for(const GridLine& row, const GridLine& column) const {
-    size_t best = patterns_.size(), most = 0;
-    for (size_t p = 0; p < patterns_.size(); ++p) {
-      const auto count = [&](const GridLine& line) {
-        return static_cast<size_t>(std::count_if(line.openings.begin(), line.openings.end(), [&](size_t i) {
-          const auto& members = patterns_[p].members;
-          return std::find(members.begin(), members.end(), i) != members.end();
-        }));
-      };
-      const size_t in_row = count(row), in_column = count(column);
-      const bool fits = in_row > 0 || (row.openings.empty() && in_column > 0);
-      if (fits && in_row + in_column > most) best = p, most = in_row + in_column;
-    }
-    return best;
-  }
-
-  /// The face of the wall that this outline lies in, or their number.
-  uint32_t piece_of(const VectorRing& outline) const {
-    const std::vector<Vec2> form = outline_points(outline);
-    for (size_t k = 0; k < wall_.outlines.size(); ++k) {
-      const std::vector<Vec2> face = outline_points(wall_.outlines[k]);
-      if (std::all_of(form.begin(), form.end(), [&](const Vec2& p) { return contains(face, p); }))
-        return static_cast<uint32_t>(k);
-    }
-    return static_cast<uint32_t>(wall_.outlines.size());
-  }
-
   /// Whether a copy may stand there instead of opening i (their number: of none): on the wall, apart from all others,
   /// where no points of the wall lie, and with nothing seen through beside it that the opening would have shown.
   bool is_free(size_t p, const Motion2& motion, size_t i) const {
@@ -257,23 +220,16 @@ class Completion {
       if (k != i && box.low.u < boxes_[k].high.u && boxes_[k].low.u < box.high.u && box.low.v < boxes_[k].high.v &&
           boxes_[k].low.v < box.high.v)
         return false;
-    if (piece_of(ring) == wall_.outlines.size()) return false;
     const std::vector<Vec2> form = outline_points(ring);
-    const CellCount cells = count_cells(wall_.map, form, wall_.map.cell_m);
-    if (cells.all() == 0 || cells.share(WallCell::kSolid) > kSolidInside) return false;
-    if (i == wall_.openings.size()) return true;
-    const std::vector<Vec2> hole = outline_points(wall_.openings[i].outline);
-    const auto through = static_cast<size_t>(WallCell::kThrough);
-    const size_t in_hole = count_cells(wall_.map, hole, wall_.map.cell_m).of[through];
-    const size_t beside = in_hole - std::min(in_hole, count_cells(wall_.map, form, 0).of[through]);
-    return static_cast<double>(beside) <= kThroughBeside * static_cast<double>(cells.all());
+    if (piece_around(wall_, form) == wall_.outlines.size() || shows_wall(wall_, form)) return false;
+    return i == wall_.openings.size() || !shows_more(wall_, wall_.openings[i].outline, form);
   }
 
   FacadeWall& wall_;
   const PatternSetting& setting_;
   std::vector<Pattern> patterns_;
-  std::vector<RingBox> boxes_;  ///< of wall_.openings
-  std::vector<bool> is_member_;    ///< of a pattern, or a copy
+  std::vector<RingBox> boxes_;   ///< of wall_.openings
+  std::vector<bool> is_member_;  ///< of a pattern, or a copy
   OpeningGrid grid_;
 };
 
