@@ -107,7 +107,8 @@ typedef struct jalon_model_evaluation jalon_model_evaluation;
  *
  * Of each pair: the five area indices (5.6.3.2, table 5.5; definitions by "formulas"), the two borders' distances both
  * ways (precision, recall and F1 at "contour_tolerance_m", Hausdorff distance and its 95 % form) and the planes' angle
- * and distance. Corners of paired faces are paired, the nearest first, up to "vertex_tolerance_m" (table 5.8). "mode" =
+ * and distance. Corners of paired faces (turns of "corner_angle_rad", ends of arcs) are paired, the nearest first, up
+ * to "vertex_tolerance_m" (table 5.8). "mode" =
  * relative moves the model by the medians of its vertices' deviations first and compares again. Classes of parts choose
  * what counts: "classes", "ignored_classes". Empty models are no error. O(pairs of near faces x corners), parallel.
  */
@@ -172,9 +173,9 @@ JALON_API JALON_CHECK jalon_status jalon_area_indices(const double* automatic_m2
                                           const double* intersection_m2, uint64_t count, const jalon_params* options,
                                           jalon_fields** rows, jalon_fields** totals);
 /**
- * The same of two regions of one plane (m): rings of corners u, v, packed one after the other, and the number of corners of
- * each ring. Anticlockwise rings are outlines, whose union is the region; clockwise ones are holes, cut out of all of
- * it. Corners are snapped to 0.1 mm. rows: one row; see jalon_area_indices. Operation "indices".
+ * The same of two regions of one plane (m): rings of corners u, v, packed one after the other, and the number of
+ * corners of each ring. Anticlockwise rings are outlines, whose union is the region; clockwise ones are holes, cut out
+ * of all of it. Corners are snapped to 0.1 mm. One row with the columns of jalon_area_indices. Operation "indices".
  * JALON_ERROR_INVALID_ARGUMENT for a coordinate that is not finite, JALON_ERROR_LIMIT for one beyond 13 km.
  * O((n + k) log n) for n corners and k crossings.
  */

@@ -59,11 +59,20 @@ void finish(ComparedFace& face) {
     for (const Vec2& p : polygon.outline) face.box.add(face.frame.lift(p));
 }
 
-void add_vertices(const Model& model, const Ring& ring, std::vector<uint32_t>& out) {
-  for (uint64_t i = 0; i < ring.count; ++i) out.push_back(model.corners[ring.first + i]);
+// Where a ring turns, or an arc begins or ends: what others would survey too. The joints of an arc drawn as chords are
+// nobody's corners.
+void add_vertices(const Model& model, const Ring& ring, double corner_angle_rad, std::vector<uint32_t>& out) {
+  for (uint64_t i = 0; i < ring.count; ++i) {
+    const uint64_t before = ring.first + (i + ring.count - 1) % ring.count, here = ring.first + i,
+                   after = ring.first + (i + 1) % ring.count;
+    const Vec3& p = model.vertices[model.corners[here]];
+    const Vec3 in = p - model.vertices[model.corners[before]], on = model.vertices[model.corners[after]] - p;
+    const bool turns = std::atan2(norm(cross(in, on)), dot(in, on)) >= corner_angle_rad;
+    if (turns || model.sagitta(before) != 0 || model.sagitta(here) != 0) out.push_back(model.corners[here]);
+  }
 }
 
-ComparedFace whole_face(const Model& model, size_t f, const Vec3& origin) {
+ComparedFace whole_face(const Model& model, size_t f, const Vec3& origin, double corner_angle_rad) {
   const Face& face = model.faces[f];
   ComparedFace out;
   out.face = static_cast<uint32_t>(f);
@@ -78,14 +87,14 @@ ComparedFace whole_face(const Model& model, size_t f, const Vec3& origin) {
       polygon.outline = std::move(corners);
     else
       polygon.holes.push_back(std::move(corners));
-    add_vertices(model, ring, out.vertices);
+    add_vertices(model, ring, corner_angle_rad, out.vertices);
   }
   out.region.push_back(std::move(polygon));
   finish(out);
   return out;
 }
 
-ComparedFace opening_face(const Model& model, size_t f, size_t r, const Vec3& origin) {
+ComparedFace opening_face(const Model& model, size_t f, size_t r, const Vec3& origin, double corner_angle_rad) {
   const Face& face = model.faces[f];
   const Ring& ring = model.rings[r];
   ComparedFace out;
@@ -97,7 +106,7 @@ ComparedFace opening_face(const Model& model, size_t f, size_t r, const Vec3& or
   out.frame = frame_of(corners, face.plane.normal);
   const bool mirrored = dot(out.frame.normal, face.plane.normal) < 0;
   out.region.push_back({chorded(model, ring, origin, out.frame, mirrored), {}});
-  add_vertices(model, ring, out.vertices);
+  add_vertices(model, ring, corner_angle_rad, out.vertices);
   finish(out);
   return out;
 }
@@ -197,8 +206,8 @@ std::vector<ComparedFace> compared_faces(const Model& model, const Vec3& origin,
     for (size_t i = begin; i < end; ++i) {
       const auto [f, r] = sources[i];
       faces[i] = is_mesh           ? triangle_face(model, f, origin)
-                 : choice.openings ? opening_face(model, f, r, origin)
-                                   : whole_face(model, f, origin);
+                 : choice.openings ? opening_face(model, f, r, origin, choice.corner_angle_rad)
+                                   : whole_face(model, f, origin, choice.corner_angle_rad);
     }
   });
   std::erase_if(faces, [&](const ComparedFace& face) {

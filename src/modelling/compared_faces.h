@@ -19,6 +19,7 @@ struct FaceChoice {
   bool by_plane = false;  ///< coplanar faces together are one
   double min_area_m2 = 0;
   double angle_rad = 0, distance_m = 0;  ///< within which planes are the same
+  double corner_angle_rad = 0;  ///< least turn of a ring at a corner that counts as a vertex
   std::vector<std::string> classes, ignored_classes;  ///< of the faces' parts; no classes: all
 };
 
@@ -30,7 +31,7 @@ struct ComparedFace {
   uint32_t merged = 1;             ///< how many faces it stands for
   PlaneFrame frame;                ///< about its middle
   std::vector<PolygonWithHoles> region;  ///< in the frame; arcs as chords within the polygons' grid
-  std::vector<uint32_t> vertices;  ///< of the model, in the order of the rings
+  std::vector<uint32_t> vertices;  ///< corners that count, of the model, in the order of the rings
   double area_m2 = 0;
   Box3 box;
   bool kept = true;                ///< false: too small

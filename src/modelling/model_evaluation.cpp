@@ -36,6 +36,7 @@ FaceChoice choice_of(const ParamSet& params) {
   choice.min_area_m2 = params.number("min_area_m2");
   choice.angle_rad = params.number("angle_tolerance_rad");
   choice.distance_m = params.number("distance_tolerance_m");
+  choice.corner_angle_rad = params.number("corner_angle_rad");
   choice.classes = words(params.text("classes"));
   choice.ignored_classes = words(params.text("ignored_classes"));
   return choice;
@@ -189,6 +190,9 @@ std::span<const ParamRow> model_evaluation_rows() {
                  "Distance up to which a place of a contour counts as right: a radius"),
       number_row("contour_step_m", 0.01, 1e-4, 1e6, "m", "", "Distance between the places of a contour looked at"),
       number_row("vertex_tolerance_m", 0.15, 0, 1e6, "m", "", "Largest distance of homologous vertices: a radius"),
+      number_row("corner_angle_rad", 0.35, 0, std::numbers::pi, "rad", "",
+                 "Least turn of a border at a corner that counts as a vertex; ends of arcs always do, and all "
+                 "corners of a mesh's triangles"),
   };
   return kRows;
 }

@@ -194,6 +194,26 @@ TEST_CASE("model_evaluation__knows_arcs") {
   CHECK(o.pairs[0].areas.automatic_m2 == doctest::Approx(1.2 * 1.6 + head).epsilon(1e-3));
 }
 
+TEST_CASE("model_evaluation__pairs_corners_but_no_joints_of_chords") {
+  // A wall with a corner too many on its upper border and a round corner drawn as chords.
+  Model drawn, arc;
+  Corners corners{{0, 0, 0}, {4, 0, 0}};
+  for (int k = 0; k <= 12; ++k) {
+    const double a = k * std::numbers::pi / 24;
+    corners.push_back({3 + std::cos(a), 0, 2 + std::sin(a)});
+  }
+  corners.push_back({1, 0, 3});
+  corners.push_back({0, 0, 3});
+  add(drawn, "wall", {corners});
+  add(arc, "wall", {{{0, 0, 0}, {4, 0, 0}, {4, 0, 2}, {3, 0, 3}, {0, 0, 3}}});
+  arc.sagittas = {0, 0, 1 - std::sqrt(0.5), 0, 0};
+  CHECK(evaluated(drawn, drawn).vertices.size() == 3);
+  CHECK(evaluated(arc, arc).vertices.size() == 5);
+  CHECK(evaluated(drawn, arc).vertices.size() == 3);
+  CHECK(evaluated(drawn, drawn, R"({"corner_angle_rad":0})").vertices.size() == corners.size());
+  CHECK(total(evaluated(drawn, arc), "total_quality") > 0.999);
+}
+
 TEST_CASE("model_evaluation__takes_empty_models_and_faces_without_area") {
   Model flat;
   add(flat, "wall", {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}});
