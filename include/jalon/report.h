@@ -19,9 +19,10 @@ JALON_BEGIN_C
  * type, W1 D1 O1 ...; copied ones are dashed, those in which nothing was seen crossed; parts of class no_data, and
  * holes of which nothing is known, are hatched. Around it: chains of dimensions in metres (columns of openings, their
  * axes, the ground floor where it differs, sills and heads, overall), height marks above the lowest ground, axes in
- * metres, legend, table of the types of openings, scale bar, plan of the view with north, title block. Chains whose
- * numbers have no room at the scale are left out. A model that names no openings shows plane numbers instead of
- * types. Operation "elevation"; JALON_ERROR_INVALID_ARGUMENT for a facade that the model does not have.
+ * metres, legend, table of the types of openings, scale bar, plan of the view with north, title block. Where numbers
+ * have no room at the scale the narrowest openings are left out of their chain. A model that names no openings shows
+ * plane numbers instead of types. Operation "elevation"; JALON_ERROR_INVALID_ARGUMENT for a facade that the model
+ * does not have.
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation,
                                                     const jalon_model* model, const char* path,

@@ -9,10 +9,7 @@ namespace jalon {
 
 namespace {
 
-struct Interval {
-  double from = 0, to = 0;
-  size_t count = 1;
-};
+using Interval = OpeningInterval;
 
 // Intervals whose ends agree within the tolerance become one, at their mean; ascending.
 std::vector<Interval> alike_joined(std::vector<Interval> intervals, double tolerance_m) {
@@ -50,27 +47,12 @@ std::vector<Interval> clear_of_each_other(std::vector<Interval> intervals) {
 }
 
 // Ascending places without those that fall on their neighbour.
-std::vector<double> chain(double from, const std::vector<double>& inner, double to, double tolerance_m) {
+std::vector<double> between(double from, const std::vector<double>& inner, double to, double tolerance_m) {
   std::vector<double> out{from};
   for (const double at : inner)
     if (at - out.back() > tolerance_m && to - at > tolerance_m) out.push_back(at);
   out.push_back(to);
   return out;
-}
-
-std::vector<double> ends_chain(const std::vector<Interval>& intervals, double from, double to, double tolerance_m) {
-  std::vector<double> inner;
-  for (const Interval& i : intervals) {
-    inner.push_back(i.from);
-    inner.push_back(i.to);
-  }
-  return chain(from, inner, to, tolerance_m);
-}
-
-std::vector<double> axes_chain(const std::vector<Interval>& intervals, double from, double to, double tolerance_m) {
-  std::vector<double> inner;
-  for (const Interval& i : intervals) inner.push_back((i.from + i.to) / 2);
-  return chain(from, inner, to, tolerance_m);
 }
 
 Interval across(const OpeningBox& box) { return {box.low.u, box.high.u}; }
@@ -111,6 +93,24 @@ std::vector<double> wanted_levels(const std::vector<Interval>& rows, std::span<c
 
 }  // namespace
 
+std::vector<double> OpeningChain::sides() const {
+  std::vector<double> inner;
+  for (const Interval& i : openings) inner.insert(inner.end(), {i.from, i.to});
+  return openings.empty() ? inner : between(from, inner, to, tolerance_m);
+}
+
+std::vector<double> OpeningChain::axes() const {
+  std::vector<double> inner;
+  for (const Interval& i : openings) inner.push_back((i.from + i.to) / 2);
+  return openings.empty() ? inner : between(from, inner, to, tolerance_m);
+}
+
+void OpeningChain::drop_narrowest() {
+  openings.erase(std::min_element(openings.begin(), openings.end(), [](const Interval& a, const Interval& b) {
+    return a.to - a.from < b.to - b.from;
+  }));
+}
+
 Dimensions find_dimensions(std::span<const OpeningBox> openings, std::span<const OpeningBox> long_boxes,
                            const OpeningBox& facade, double ground_m, double tolerance_m) {
   Dimensions out;
@@ -122,21 +122,18 @@ Dimensions find_dimensions(std::span<const OpeningBox> openings, std::span<const
       heights.push_back(upright(openings[i]));
     }
   }
-  const auto columns = [&](const std::vector<Interval>& from) {
-    return clear_of_each_other(alike_joined(from, tolerance_m));
+  const auto chain = [&](const std::vector<Interval>& of, double from, double to) {
+    return OpeningChain{clear_of_each_other(alike_joined(of, tolerance_m)), from, to, tolerance_m};
   };
-  const auto above = columns(upper.empty() ? lower : upper), below = columns(upper.empty() ? upper : lower);
-  const std::vector<Interval> all_rows = alike_joined(heights, tolerance_m);
-  if (!above.empty()) {
-    out.columns = ends_chain(above, facade.low.u, facade.high.u, tolerance_m);
-    out.axes = axes_chain(above, facade.low.u, facade.high.u, tolerance_m);
-    out.rows = ends_chain(clear_of_each_other(all_rows), facade.low.v, facade.high.v, tolerance_m);
-  }
-  const auto ground_floor = ends_chain(below, facade.low.u, facade.high.u, tolerance_m);
-  const bool is_new = std::any_of(ground_floor.begin(), ground_floor.end(),
-                                  [&](double at) { return !is_among(at, out.columns, tolerance_m); });
-  if (!below.empty() && is_new) out.ground_floor = ground_floor;
-  out.levels = wanted_levels(all_rows, long_boxes, facade, ground_m, tolerance_m);
+  const bool is_one_row = upper.empty();
+  out.columns = chain(is_one_row ? lower : upper, facade.low.u, facade.high.u);
+  out.axes = out.columns.axes();
+  out.rows = chain(heights, facade.low.v, facade.high.v);
+  const OpeningChain ground_floor = chain(is_one_row ? upper : lower, facade.low.u, facade.high.u);
+  const auto sides = ground_floor.sides(), known = out.columns.sides();
+  if (std::any_of(sides.begin(), sides.end(), [&](double at) { return !is_among(at, known, tolerance_m); }))
+    out.ground_floor = ground_floor;
+  out.levels = wanted_levels(alike_joined(heights, tolerance_m), long_boxes, facade, ground_m, tolerance_m);
   return out;
 }
 

@@ -15,14 +15,31 @@ struct OpeningBox {
   Vec2 low, high;
 };
 
-/// What a drawing dimensions: places along x or z, ascending, between which the distances are written. Empty: nothing
-/// to write.
+/// Where openings of one column or row begin and end, and how many share it.
+struct OpeningInterval {
+  double from = 0, to = 0;
+  size_t count = 1;
+};
+
+/// Openings clear of each other, ascending, between the ends of the facade.
+struct OpeningChain {
+  std::vector<OpeningInterval> openings;
+  double from = 0, to = 0;
+  double tolerance_m = 0;  ///< sides nearer to each other than this are one
+
+  /// Places between which the distances are written, from end to end; empty without openings.
+  std::vector<double> sides() const;
+  std::vector<double> axes() const;
+  void drop_narrowest();
+};
+
+/// What a drawing dimensions along x and z.
 struct Dimensions {
-  std::vector<double> columns;  ///< the sides of the openings, column by column, from end to end of the facade
-  std::vector<double> axes;     ///< the middles of these columns
-  std::vector<double> ground_floor;  ///< columns of the lowest row, where they are others
-  std::vector<double> rows;     ///< sills and heads
-  std::vector<double> levels;   ///< heights for marks, the most wanted first
+  OpeningChain columns;
+  OpeningChain ground_floor;   ///< columns of the lowest row, where they are others
+  OpeningChain rows;           ///< sills and heads
+  std::vector<double> axes;    ///< the middles of the columns
+  std::vector<double> levels;  ///< heights for marks, the most wanted first
 };
 
 /// Openings that stand above or beside each other share a column or row when their sides agree within the tolerance:

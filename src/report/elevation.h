@@ -46,7 +46,7 @@ struct ElevationDrawing {
 
 /// What the faces ask to be dimensioned; nothing when the setting says so.
 Dimensions dimensions_of(const ElevationFaces& faces, const ElevationSetting& setting);
-/// Takes off the chains whose numbers have no room at the sheet's scale.
+/// Takes off what has no room for its numbers at the sheet's scale: the narrowest openings first.
 void drop_illegible(Dimensions& dimensions, const Sheet& sheet);
 /// Room that dimensions take around the window.
 Margins_mm margins_for(const Dimensions& dimensions);

@@ -35,9 +35,9 @@ bool tells_more(const std::vector<double>& chain) { return chain.size() >= kFewe
 void draw_above(SvgWriter& svg, const ElevationDrawing& drawing) {
   const double from = drawing.sheet.view.y - 0.5;
   double y = drawing.sheet.view.y - kFirst_mm;
-  for (const auto* chain : {&drawing.dimensions.columns, &drawing.dimensions.axes}) {
-    if (!tells_more(*chain)) continue;
-    draw_dimension_line(svg, line_of(*chain, drawing, y, from, false));
+  for (const auto& chain : {drawing.dimensions.columns.sides(), drawing.dimensions.axes}) {
+    if (!tells_more(chain)) continue;
+    draw_dimension_line(svg, line_of(chain, drawing, y, from, false));
     y -= kDimensionStep_mm;
   }
   const ElevationFaces& faces = drawing.faces;
@@ -57,8 +57,9 @@ void draw_right(SvgWriter& svg, const ElevationDrawing& drawing) {
   draw_level_marks(svg, marks);
   const double from = marks.x_mm + kLevelMark_mm;
   double x = from + kFirst_mm - 1;
-  if (tells_more(drawing.dimensions.rows)) {
-    draw_dimension_line(svg, line_of(drawing.dimensions.rows, drawing, x, from, true));
+  const auto rows = drawing.dimensions.rows.sides();
+  if (tells_more(rows)) {
+    draw_dimension_line(svg, line_of(rows, drawing, x, from, true));
     x += kDimensionStep_mm;
   }
   draw_dimension_line(svg, line_of({drawing.faces.low.v, drawing.faces.high.v}, drawing, x, from, true));
@@ -88,29 +89,31 @@ Margins_mm margins_for(const Dimensions& d) {
   Margins_mm out;
   if (d.levels.empty()) return out;
   const auto steps = [](const std::vector<double>& chain) { return tells_more(chain) ? kDimensionStep_mm : 0; };
-  out.above += steps(d.columns) + steps(d.axes);
-  out.right += kMarkRoom_mm + kLevelMark_mm + steps(d.rows);
-  if (tells_more(d.ground_floor)) out.below += kFirst_mm + kBelowLine_mm;
+  out.above += steps(d.columns.sides()) + steps(d.axes);
+  out.right += kMarkRoom_mm + kLevelMark_mm + steps(d.rows.sides());
+  if (tells_more(d.ground_floor.sides())) out.below += kFirst_mm + kBelowLine_mm;
   return out;
 }
 
 void drop_illegible(Dimensions& d, const Sheet& sheet) {
-  const auto drop = [&](std::vector<double>& chain) {
+  const auto is_legible = [&](const std::vector<double>& at) {
     DimensionLine line;
-    for (size_t i = 0; i < chain.size(); ++i) {
-      line.at_mm.push_back(sheet.mm_of(chain[i] - chain[0]));
-      if (i > 0) line.values_m.push_back(chain[i] - chain[i - 1]);
+    for (size_t i = 0; i < at.size(); ++i) {
+      line.at_mm.push_back(sheet.mm_of(at[i] - at[0]));
+      if (i > 0) line.values_m.push_back(at[i] - at[i - 1]);
     }
-    if (!has_room(line)) chain.clear();
+    return has_room(line);
   };
-  for (auto* chain : {&d.columns, &d.axes, &d.ground_floor, &d.rows}) drop(*chain);
+  for (auto* chain : {&d.columns, &d.ground_floor, &d.rows})
+    while (!is_legible(chain->sides())) chain->drop_narrowest();
+  if (!is_legible(d.axes)) d.axes.clear();
 }
 
 void draw_dimensions(SvgWriter& svg, const ElevationDrawing& drawing) {
   draw_above(svg, drawing);
   draw_right(svg, drawing);
   const double bottom = drawing.sheet.view.bottom();
-  const auto& chain = drawing.dimensions.ground_floor;
+  const auto chain = drawing.dimensions.ground_floor.sides();
   if (tells_more(chain)) draw_dimension_line(svg, line_of(chain, drawing, bottom + kFirst_mm, bottom + 0.5, false));
 }
 

@@ -293,14 +293,14 @@ TEST_CASE("dimensions: what repeats is written once, at its mean; what overlaps 
     }
   boxes.push_back({{1.3, 4.2}, {2.9, 4.9}});  // overlaps the first column
   const Dimensions d = find_dimensions(boxes, {}, {{0, 0}, {10, 13}}, 0, 0.05);
-  REQUIRE(d.columns.size() == 8);
-  CHECK(d.columns[1] == doctest::Approx(1.0067).epsilon(1e-3));
+  REQUIRE(d.columns.sides().size() == 8);
+  CHECK(d.columns.sides()[1] == doctest::Approx(1.0067).epsilon(1e-3));
   REQUIRE(d.axes.size() == 5);
-  REQUIRE(d.rows.size() == 10);
-  CHECK(d.ground_floor.empty());  // the same columns
+  REQUIRE(d.rows.sides().size() == 10);
+  CHECK(d.ground_floor.sides().empty());  // the same columns
   CHECK(d.levels.front() == 0);
   const Dimensions none = find_dimensions({}, {}, {{0, 0}, {10, 13}}, -0.5, 0.05);
-  CHECK(none.columns.empty());
+  CHECK(none.columns.sides().empty());
   CHECK(none.levels == std::vector<double>{-0.5, 13, 0});
 }
 
