@@ -28,7 +28,7 @@ constexpr std::array kFacadeRows{
                "What fills an opening may stand this far before the plane of the wall"),
     bool_row("joints", true, "", "Edges near another plane are drawn to the line in which both planes meet"),
     number_row("joint_gap_m", 0, 0, 100, "m", "",
-               "Largest gap between an edge and that line; 0 = two spacings of the sparser plane"),
+               "Largest gap between an edge and that line; 0 = two spacings of the plane's points"),
     number_row("min_door_height_m", 1.5, 0.1, 100, "m", "",
                "Least height of a notch in the lower border of a wall that counts as an opening"),
 };

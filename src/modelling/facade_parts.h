@@ -31,6 +31,7 @@ struct FacadeOpening {
   double depth_m = std::numeric_limits<double>::quiet_NaN();
   double depth_sigma_m = std::numeric_limits<double>::quiet_NaN();
   uint32_t joinery_label = 0;  ///< segment the depth was measured on; 0: none
+  std::vector<uint32_t> standing_labels;  ///< segments in it before the joinery: parapets, mullions, surrounds
   /// Share of the outline's length along which points of the wall end and nothing in front hides the opening: 1 = seen
   /// all round, 0 = its place is a guess.
   double coverage = 0;

@@ -19,10 +19,14 @@ constexpr double kConsumedShare = 0.6;  // of a segment's points in openings: it
 constexpr double kChordOfSpacing = 0.1; // of arcs, where only soundness is asked
 
 // Points of each segment that lie in openings, no further before the wall than what is fixed there.
-void count_points(std::span<const int32_t> opening_of, const WallSurvey& survey, std::vector<uint64_t>& in_openings) {
+// What stands in an opening before its joinery is a part of its own.
+void count_points(std::span<const int32_t> opening_of, const WallSurvey& survey, const FacadeWall& wall,
+                  std::vector<uint64_t>& in_openings) {
   for (size_t h = 0; h < opening_of.size(); ++h) {
     if (opening_of[h] < 0) continue;
-    for (const HolePoint& p : survey.holes[h].points) ++in_openings[p.label];
+    const auto& standing = wall.openings[static_cast<size_t>(opening_of[h])].standing_labels;
+    for (const HolePoint& p : survey.holes[h].points)
+      if (std::find(standing.begin(), standing.end(), p.label) == standing.end()) ++in_openings[p.label];
   }
 }
 
@@ -132,7 +136,7 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
       end_at_sills(plan.planes, index, surveys[k], setting.survey.front_m, list.holes[k]);
       PlannedWall wall = planned_wall(segmentation, plan.planes[index], index);
       const auto opening_of = judge_holes(segmentation, list.holes[k], surveys[k], setting.survey, wall.wall);
-      count_points(opening_of, surveys[k], in_openings);
+      count_points(opening_of, surveys[k], wall.wall, in_openings);
       close_shadows(list.holes[k], opening_of, plan.planes[index], wall.wall);
       add_copies(setting.patterns, plan.planes[index], wall.wall);
       facade.walls.push_back(std::move(wall));

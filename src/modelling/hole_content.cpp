@@ -11,10 +11,7 @@ namespace {
 
 constexpr double kParallel = 0.985;     // 10 degrees, as walls of one facade
 constexpr double kUpright = 0.174;      // 10 degrees from upright to the wall
-constexpr double kNearShare = 0.5;      // of the largest filler's cells: enough for one before it to be the joinery
-constexpr double kFrameBefore_m = 0.1;  // a frame stands at most this far before its glass ...
-constexpr double kFrameShare = 0.1;     // ... and takes this share of it: 5 cm of a window of 2 m
-constexpr double kLeastShare = 0.1;     // of the hole's seen cells: less is a handle, a pot, a lamp
+constexpr uint32_t kBlock = 4;           // cells a side
 constexpr double kLowQuantile = 0.02;
 
 double quantile(std::vector<float>& values, double share) {
@@ -33,10 +30,15 @@ HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map) {
     depths.push_back(-p.w);
     heights.push_back(p.v);
     const auto column = static_cast<uint32_t>((p.u - map.origin.u) / map.cell_m);
-    cells.push_back(static_cast<uint32_t>((p.v - map.origin.v) / map.cell_m) * map.columns + column);
+    const auto row = static_cast<uint32_t>((p.v - map.origin.v) / map.cell_m);
+    cells.push_back(row * map.columns + column);
+    out.blocks.push_back(row / kBlock * map.columns + column / kBlock);
   }
-  std::sort(cells.begin(), cells.end());
-  out.cells = static_cast<uint32_t>(std::unique(cells.begin(), cells.end()) - cells.begin());
+  for (auto* list : {&cells, &out.blocks}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  out.cells = static_cast<uint32_t>(cells.size());
   out.depth_m = quantile(depths, 0.5);
   out.low_v = quantile(heights, kLowQuantile);
   return out;
@@ -66,26 +68,6 @@ HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segment
     std::stable_sort(fillers->begin(), fillers->end(),
                      [](const HoleFiller& a, const HoleFiller& b) { return a.cells > b.cells; });
   return out;
-}
-
-const HoleFiller* joinery_of(const HoleContent& content, double min_depth_m) {
-  const HoleFiller* best = nullptr;
-  double seen = 0;
-  for (const HoleFiller& f : content.parallel) {
-    if (f.depth_m < min_depth_m) continue;
-    seen += f.cells;
-    if (best == nullptr) best = &f;  // they come by falling cells
-  }
-  if (best == nullptr) return nullptr;
-  const double largest = best->cells;
-  for (const HoleFiller& f : content.parallel)
-    if (f.depth_m >= min_depth_m && f.depth_m < best->depth_m && f.cells >= kNearShare * largest) best = &f;
-  const double pane_m = best->depth_m, pane = best->cells;
-  for (const HoleFiller& f : content.parallel)
-    if (f.depth_m >= std::max(min_depth_m, pane_m - kFrameBefore_m) && f.depth_m < best->depth_m &&
-        f.cells >= kFrameShare * pane)
-      best = &f;
-  return best->cells >= kLeastShare * seen ? best : nullptr;
 }
 
 }  // namespace jalon

@@ -16,6 +16,7 @@ struct HoleFiller {
   size_t points = 0;
   double depth_m = 0;  ///< median, behind the wall
   double low_v = 0;    ///< 2 % quantile of the points' heights
+  std::vector<uint32_t> blocks;  ///< blocks of 4 x 4 cells with such points, ascending
 };
 
 /// Fillers parallel to the wall, upright to it (reveals, sills, soffits), and the rest; by falling cells.
@@ -26,10 +27,5 @@ struct HoleContent {
 /// own_label: the wall's points are left out.
 HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segmentation& segmentation, const Vec3& normal,
                        uint32_t own_label);
-
-/// The filler that closes the hole, the joinery (facade-modelling A14), among those min_depth_m and more behind the
-/// wall: the one with the most cells, or one well before it that has half as many (a pane before a curtain or a room),
-/// or the frame close before that. Null when there is none.
-const HoleFiller* joinery_of(const HoleContent& content, double min_depth_m);
 
 }  // namespace jalon

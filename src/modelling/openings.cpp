@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "modelling/border_evidence.h"
-#include "modelling/hole_content.h"
+#include "modelling/joinery.h"
 #include "modelling/ring_tools.h"
 #include "modelling/wall_bays.h"
 
@@ -120,7 +120,8 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     const HoleSurvey& seen = survey.holes[h];
     if (hole.is_bay && !fit_to_content(hole, seen, wall.map, survey.tolerance_m)) continue;
     const HoleContent content = content_of(seen, wall.map, segmentation, wall.frame.normal, wall.label);
-    const HoleFiller* joinery = joinery_of(content, setting.min_depth_m);
+    Joinery closing = joinery_of(content, setting.min_depth_m);
+    const HoleFiller* joinery = closing.filler;
     const Verdict verdict = judge(hole, seen, content, joinery, survey.tolerance_m);
     if (!verdict.is_opening) {
       wall.shadows.push_back({hole.outline, hole.piece, hole.is_notch});
@@ -133,6 +134,8 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     opening.ends_at_sill = hole.ends_at_sill;
     opening.evidence = verdict.evidence;
     measure_depth(content, joinery, segmentation, seen, survey.tolerance_m, opening);
+    opening.standing_labels = std::move(closing.standing);
+    std::erase(opening.standing_labels, opening.joinery_label);
     measure_border(wall, seen, opening);
     const double foot = ring_box(wall.outlines[hole.piece]).low.v;
     if (hole.is_notch) lower_to_foot(joinery, opening.outline);

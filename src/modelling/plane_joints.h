@@ -13,7 +13,7 @@ namespace jalon {
 
 struct JointSetting {
   bool enabled = true;
-  double gap_m = 0;  ///< edges this near to another plane are drawn to it; 0: two spacings of the sparser plane
+  double gap_m = 0;  ///< edges this near to another plane are drawn to it; 0: two spacings of its points
 };
 
 /// A vertex that several planes share, by its place in each.

@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kGapOfSpacing = 2;     // an edge misses the line by its last spacing, and that of the other plane
+constexpr double kGapOfSpacing = 2;  // an edge misses the line by its last spacing and as much by noise and beam width
 constexpr double kFlattest = 0.94;      // |cos| of 20 degrees: flatter planes have no useful line
 constexpr double kEdgeAlong = 0.996;    // 5 degrees between edge and line
 constexpr double kChord_m = 0.01;       // of arcs, where only "near or not" is asked
@@ -68,7 +68,7 @@ bool is_there(const VectorPlane& plane, const FaceAt& face, const Vec3& p, doubl
 // Edges of face a along the line, where face b is.
 void find_edges(const std::vector<VectorPlane>& planes, const FaceAt& a, const FaceAt& b, const PlaneLine& line,
                 std::vector<EdgeJoint>& out) {
-  const double gap_m = std::max(a.gap_m, b.gap_m);
+  const double gap_m = a.gap_m;
   const VectorPlane& plane = planes[a.plane];
   const VectorRing& ring = plane.faces[a.face].outline;
   for (size_t e = 0; e < ring.corners.size(); ++e) {
@@ -81,7 +81,7 @@ void find_edges(const std::vector<VectorPlane>& planes, const FaceAt& a, const F
       continue;
     int there = 0;
     for (int k = 0; k < kProbes; ++k)
-      there += is_there(planes[b.plane], b, line.p + line.d * (t0 + (t1 - t0) * (k + 0.5) / kProbes), gap_m);
+      there += is_there(planes[b.plane], b, line.p + line.d * (t0 + (t1 - t0) * (k + 0.5) / kProbes), b.gap_m);
     if (there >= kNeeded) out.push_back({a.plane, a.face, e, b.plane, b.face, line, (d0 + d1) / 2, gap_m});
   }
 }
