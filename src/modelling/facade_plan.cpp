@@ -50,9 +50,15 @@ struct WallList {
 };
 
 // The holes of a wall's faces, and the bays between its pieces.
-std::vector<WallHole> interruptions_of(const VectorPlane& wall, const NotchSetting& setting) {
-  std::vector<WallHole> out = holes_of(wall, setting);
-  const std::vector<WallHole> bays = bays_of(wall, out, setting);
+std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, size_t wall, const FacadeGroup& group,
+                                       const PlanSetting& setting) {
+  std::vector<WallHole> out = holes_of(planes[wall], setting.group.notch);
+  std::vector<WallHole> bays = bays_of(planes[wall], out, setting.group.notch);
+  std::erase_if(bays, [&](const WallHole& bay) {
+    return std::any_of(group.walls.begin(), group.walls.end(), [&](size_t other) {
+      return other != wall && is_walled_up(bay, planes[wall], planes[other], setting.survey.max_depth_m);
+    });
+  });
   out.insert(out.end(), bays.begin(), bays.end());
   return out;
 }
@@ -61,7 +67,7 @@ WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan, co
   WallList out;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)
-      out.holes.push_back(interruptions_of(plan.planes[plane], setting.group.notch));
+      out.holes.push_back(interruptions_of(plan.planes, plane, facade.group, setting));
   size_t k = 0;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)

@@ -28,14 +28,15 @@ constexpr double kWindowLeast_m = 0.25, kWindowMost_m = 5;
 // By shape alone: the share of its upright box that an opening fills (a semicircle fills pi / 4 of its own).
 constexpr double kBoxShare = 0.75;
 constexpr size_t kMostCorners = 8;
+constexpr double kMostSlender = 4;  // longer side in shorter ones: strips are gutters and boards that were cut out
 // The foot of a door lies this much below the wall's border before it is drawn there.
 constexpr double kFootStep_m = 0.05;
 
 bool has_shape_of_opening(const VectorRing& outline) {
   const RingBox box = ring_box(outline);
-  const double least = std::min(box.width(), box.height());
+  const double least = std::min(box.width(), box.height()), most = std::max(box.width(), box.height());
   return outline.corners.size() <= kMostCorners && least >= kWindowLeast_m &&
-         std::max(box.width(), box.height()) <= kWindowMost_m &&
+         most <= std::min(kWindowMost_m, kMostSlender * least) &&
          signed_area(outline) >= kBoxShare * box.width() * box.height();
 }
 
@@ -140,7 +141,8 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     const double foot = ring_box(wall.outlines[hole.piece]).low.v;
     if (hole.is_notch) lower_to_foot(joinery, opening.outline);
     const RingBox box = ring_box(opening.outline);
-    opening.kind = kind_of(box, hole.is_notch || box.low.v <= foot + kDoorFoot_m, opening);
+    const bool is_below = hole.is_notch && !hole.is_bay;  // nothing of the wall is
+    opening.kind = kind_of(box, is_below || box.low.v <= foot + kDoorFoot_m, opening);
     opening_of[h] = static_cast<int32_t>(wall.openings.size());
     wall.openings.push_back(std::move(opening));
   }

@@ -151,6 +151,18 @@ Placement place_on_border(std::span<const Vec2> form, double set_back_m, std::sp
   return out;
 }
 
+double cost_in_place(std::span<const Vec2> form, std::span<const Vec2> border, double reach_m) {
+  std::vector<double> distances;
+  for (const Vec2& p : border) distances.push_back(foot_on(form, p).distance_m);
+  if (distances.empty()) return reach_m * reach_m;
+  const auto middle = distances.begin() + static_cast<ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  const double set_back_m = *middle;
+  double sum = 0;
+  for (const double d : distances) sum += std::min(std::pow(d - set_back_m, 2), reach_m * reach_m);
+  return sum / static_cast<double>(distances.size());
+}
+
 double mean_distance(std::span<const Vec2> form, std::span<const Vec2> points) {
   double sum = 0;
   for (const Vec2& p : points) sum += foot_on(form, p).distance_m;

@@ -40,6 +40,10 @@ struct Placement {
 Placement place_on_border(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border,
                           const Vec2& start, double reach_m, bool may_turn);
 
+/// Mean square distance of border points from where the form itself, moved nowhere, says that they should lie at the
+/// set-back that suits them best; at most the reach of each.
+double cost_in_place(std::span<const Vec2> form, std::span<const Vec2> border, double reach_m);
+
 /// Mean signed distance of points outside (positive) and inside the form.
 double mean_distance(std::span<const Vec2> form, std::span<const Vec2> points);
 

@@ -44,10 +44,12 @@ double difference(const Size& a, const Size& b) {
 }
 
 bool is_like(const Size& a, const Size& b, double tolerance_m, double spacing_m) {
-  const double tolerance = std::max(tolerance_m, kSigmas * std::hypot(a.sigma_m, b.sigma_m));
+  // A short edge may tell a large sigma; sizes that differ by more than the spacing are seen to differ.
+  const double sigmas = std::min(kSigmas * std::hypot(a.sigma_m, b.sigma_m), spacing_m);
+  const double tolerance = std::max(tolerance_m, sigmas);
   return std::fabs(a.box.width() - b.box.width()) <= tolerance &&
          std::fabs(a.box.height() - b.box.height()) <= tolerance &&
-         difference(a, b) <= std::max(kForm * tolerance, spacing_m);
+         difference(a, b) <= kForm * tolerance;
 }
 
 }  // namespace

@@ -16,12 +16,14 @@ namespace {
 
 constexpr double kReach = 1.5;           // local spacings: border points farther from a side do not belong to it
 constexpr double kFit = 0.6;             // local spacings: root mean square distance of those that do
+constexpr double kExplained = 0.65;      // share of an opening's border points that belong to the sides of a copy
 constexpr double kSideSupport = 0.10;    // share of a side's length where border points must lie
 constexpr size_t kLeastSupport = 3;
 constexpr double kSideSigmas = 3;        // of the mean distance of a side's points
 // Sides seen and lines of the grid agreed with. Three sides prove one size; a form seen once needs row and column as
 // well: among many single openings one that agrees by chance in one size is soon found.
 constexpr size_t kLeastSigns = 3, kLeastSignsOfOne = 4;
+constexpr double kLeastCost_m2 = 1e-8;     // 0.1 mm squared: exact data
 constexpr size_t kMostBorderPoints = 400;  // of a fit; more are thinned evenly
 
 /// Whether any of its edges stands upright or lies level: then all of its kind do.
@@ -84,7 +86,8 @@ class Completion {
       const Candidate c = best_placement(p, i);
       if (c.signs > 0 && (best.signs == 0 || c.cost_m2 < best.cost_m2)) best = c;
     }
-    if (best.signs == 0) return 0;
+    if (best.signs == 0) best = at_crossing(i);
+    if (best.signs == 0 || explains_itself_better(i, best.cost_m2)) return 0;
     FacadeOpening& opening = wall_.openings[i];
     const FacadeOpening& source = best_of(best.pattern);
     opening.outline = moved(source.outline, best.motion);
@@ -93,6 +96,38 @@ class Completion {
     opening.residual_m = best.residual_m;
     mark(i, best.pattern);
     return 1;
+  }
+
+  /// The pattern of the grid's crossing that lies in a hole, where its border is too torn to place it.
+  Candidate at_crossing(size_t i) const {
+    Candidate best;
+    const std::vector<Vec2> border = thinned_border(wall_.openings[i]);
+    for (const GridLine& row : grid_.rows)
+      for (const GridLine& column : grid_.columns) {
+        const Vec2 centre{column.at, row.at};
+        const size_t p = boxes_[i].holds(centre) ? pattern_at(patterns_, row, column) : patterns_.size();
+        if (p == patterns_.size()) continue;
+        const Motion2 motion{patterns_[p].box.middle(), centre - patterns_[p].box.middle(), 0};
+        if (!is_free(p, motion, i)) continue;
+        const std::vector<Vec2> form = outline_points(moved(best_of(p).outline, motion));
+        const double cost_m2 = cost_in_place(form, border, kReach * spacing_beside(wall_, boxes_[i]));
+        if (best.signs == 0 || cost_m2 < best.cost_m2) best = {p, motion, 2, std::sqrt(cost_m2), cost_m2};
+      }
+    return best;
+  }
+
+  /// Whether the opening's own outline says so much more about its border that its many parameters are worth it
+  /// (Schwarz 1978): a copy has two.
+  bool explains_itself_better(size_t i, double cost_m2) const {
+    const FacadeOpening& opening = wall_.openings[i];
+    const std::vector<Vec2> border = thinned_border(opening);
+    const double reach_m = kReach * spacing_beside(wall_, boxes_[i]);
+    const double own_m2 = cost_in_place(outline_points(opening.outline), border, reach_m);
+    double parameters = 0;  // a place and a direction an edge; arcs, and edges in a class, have one more or less
+    for (const VectorEdge& edge : opening.outline.edges)
+      parameters += edge.sagitta_m != 0 ? 3 : edge.direction == EdgeDirection::kInclined ? 2 : 1;
+    const auto n = static_cast<double>(border.size());
+    return n * std::log(cost_m2 / std::max(own_m2, kLeastCost_m2)) > (parameters - 2) * std::log(n);
   }
 
   void mark(size_t i, size_t pattern) {
@@ -145,6 +180,8 @@ class Completion {
       seen[s] = placed.sides[s] >= std::max(kLeastSupport, std::min(wanted, kMostBorderPoints / 20));
     }
     Candidate out{p, placed.motion, 0, placed.residual_m, placed.cost_m2};
+    const auto border = static_cast<double>(wall_.openings[i].border_points.size());
+    if (static_cast<double>(placed.support) < kExplained * std::min<double>(border, kMostBorderPoints)) return out;
     if (placed.residual_m > kFit * spacing_m || !is_of_size(placed, seen, spacing_m)) return out;
     size_t signs = static_cast<size_t>(std::count(seen.begin(), seen.end(), true));
     const double reach_m = 2 * grid_reach_m(wall_, setting_);

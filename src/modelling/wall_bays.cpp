@@ -20,6 +20,7 @@ constexpr double kBite_m = 1.0;        // nor is one that leaves nothing of it, 
 constexpr double kOnSide_spacings = 3; // a row agrees with a side from which its wall ends no farther
 constexpr size_t kRecentRows = 15;
 constexpr double kLintel = 0.5;        // share of the width that has wall above it
+constexpr double kWalledUp = 0.5;      // of a bay with another wall behind it
 constexpr double kSeenShare = 0.15;    // of a bay's cells with points behind it
 constexpr double kHeadQuantile = 0.995;  // of their levels: a few strays lie higher
 constexpr size_t kMostRows = 20000;
@@ -219,6 +220,24 @@ std::vector<WallHole> bays_of(const VectorPlane& wall, std::span<const WallHole>
     return a.outline.corners[0].u < b.outline.corners[0].u;
   });
   return out;
+}
+
+bool is_walled_up(const WallHole& bay, const VectorPlane& wall, const VectorPlane& other, double max_depth_m) {
+  const RingBox box = ring_box(bay.outline);
+  for (const VectorFace& face : other.faces) {
+    RingBox place;
+    double depth_m = 0;
+    for (const Vec2& corner : face.outline.corners) {
+      const Vec3 at = other.frame.lift(corner);
+      place.add(wall.frame.project(at));
+      depth_m -= dot(at - wall.frame.origin, wall.frame.normal) - wall.frame.height;
+    }
+    depth_m /= static_cast<double>(face.outline.corners.size());
+    const double u = common({box.low.u, box.high.u}, {place.low.u, place.high.u});
+    const double v = common({box.low.v, box.high.v}, {place.low.v, place.high.v});
+    if (depth_m > 0 && depth_m <= max_depth_m && u * v > kWalledUp * box.width() * box.height()) return true;
+  }
+  return false;
 }
 
 bool fit_to_content(WallHole& bay, const HoleSurvey& survey, const WallMap& map, double tolerance_m) {

@@ -17,6 +17,9 @@ namespace jalon {
 /// Their outlines start at the left foot as those of notches do. From left to right. O(rows x corners).
 std::vector<WallHole> bays_of(const VectorPlane& wall, std::span<const WallHole> holes, const NotchSetting& setting);
 
+/// Whether another wall, this far behind at most, stands in the bay: then it is no opening.
+bool is_walled_up(const WallHole& bay, const VectorPlane& wall, const VectorPlane& other, double max_depth_m);
+
 /// What is seen behind a bay tells how far up it goes: above may be what hid the piers' tops. False: too little is
 /// seen, and it may be a way between two houses as well.
 bool fit_to_content(WallHole& bay, const HoleSurvey& survey, const WallMap& map, double tolerance_m);
