@@ -141,7 +141,7 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
       task.checkpoint(0.8);
       end_at_sills(plan.planes, index, surveys[k], setting.survey.front_m, list.holes[k]);
       PlannedWall wall = planned_wall(segmentation, plan.planes[index], index);
-      const auto opening_of = judge_holes(segmentation, list.holes[k], surveys[k], setting.survey, wall.wall);
+      const auto opening_of = judge_holes(segmentation, list.holes[k], surveys[k], setting.survey, wall.wall, task);
       count_points(opening_of, surveys[k], wall.wall, in_openings);
       close_shadows(list.holes[k], opening_of, plan.planes[index], wall.wall);
       add_copies(setting.patterns, plan.planes[index], wall.wall);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace jalon {
 
@@ -20,7 +21,7 @@ double quantile(std::vector<float>& values, double share) {
   return *at;
 }
 
-HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map) {
+HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map, Task& task) {
   HoleFiller out;
   out.label = points.front().label;
   out.points = points.size();
@@ -35,6 +36,7 @@ HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map) {
     out.blocks.push_back(row / kBlock * map.columns + column / kBlock);
   }
   for (auto* list : {&cells, &out.blocks}) {
+    task.checkpoint(0);
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
@@ -47,18 +49,14 @@ HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map) {
 }  // namespace
 
 HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segmentation& segmentation, const Vec3& normal,
-                       uint32_t own_label) {
+                       uint32_t own_label, Task& task) {
   HoleContent out;
-  std::vector<HolePoint> points;
+  std::map<uint32_t, std::vector<HolePoint>> by_label;
   for (const HolePoint& p : hole.points)
-    if (p.label != own_label) points.push_back(p);
-  std::stable_sort(points.begin(), points.end(),
-                   [](const HolePoint& a, const HolePoint& b) { return a.label < b.label; });
-  for (size_t first = 0; first < points.size();) {
-    size_t end = first;
-    while (end < points.size() && points[end].label == points[first].label) ++end;
-    const HoleFiller filler = filler_of({points.data() + first, end - first}, map);
-    first = end;
+    if (p.label != own_label) by_label[p.label].push_back(p);
+  for (const auto& [label, points] : by_label) {
+    task.checkpoint(0);
+    const HoleFiller filler = filler_of(points, map, task);
     const Segment* segment = filler.label == 0 ? nullptr : &segmentation.segments[filler.label - 1];
     const double cosine =
         segment != nullptr && segment->has_plane() ? std::fabs(dot(segment->fit.plane.normal, normal)) : 0.5;

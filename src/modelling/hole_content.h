@@ -26,6 +26,6 @@ struct HoleContent {
 
 /// own_label: the wall's points are left out.
 HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segmentation& segmentation, const Vec3& normal,
-                       uint32_t own_label);
+                       uint32_t own_label, Task& task);
 
 }  // namespace jalon

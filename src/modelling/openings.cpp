@@ -113,14 +113,15 @@ void lower_to_foot(const HoleFiller* joinery, VectorRing& outline) {
 }  // namespace
 
 std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<const WallHole> holes, WallSurvey& survey,
-                                 const SurveySetting& setting, FacadeWall& wall) {
+                                 const SurveySetting& setting, FacadeWall& wall, Task& task) {
   wall.map = std::move(survey.map);
   std::vector<int32_t> opening_of(holes.size(), -1);
   for (size_t h = 0; h < holes.size(); ++h) {
+    task.checkpoint(0);
     WallHole hole = holes[h];
     const HoleSurvey& seen = survey.holes[h];
     if (hole.is_bay && !fit_to_content(hole, seen, wall.map, survey.tolerance_m)) continue;
-    const HoleContent content = content_of(seen, wall.map, segmentation, wall.frame.normal, wall.label);
+    const HoleContent content = content_of(seen, wall.map, segmentation, wall.frame.normal, wall.label, task);
     Joinery closing = joinery_of(content, setting.min_depth_m);
     const HoleFiller* joinery = closing.filler;
     const Verdict verdict = judge(hole, seen, content, joinery, survey.tolerance_m);

@@ -20,6 +20,6 @@ namespace jalon {
 /// things in front hide it, and when nothing is known and its shape is none.
 /// Gives for each hole its index in wall.openings, or -1 for a shadow. wall.outlines must be set.
 std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<const WallHole> holes, WallSurvey& survey,
-                                 const SurveySetting& setting, FacadeWall& wall);
+                                 const SurveySetting& setting, FacadeWall& wall, Task& task);
 
 }  // namespace jalon

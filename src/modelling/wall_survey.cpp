@@ -78,7 +78,7 @@ WallCell cell_of(uint8_t seen) {
   return (seen & kBefore) != 0 ? WallCell::kHidden : WallCell::kUnknown;
 }
 
-WallSurvey result_of(Survey&& survey) {
+WallSurvey result_of(Survey&& survey, Task& task) {
   WallSurvey out;
   out.tolerance_m = survey.tolerance_m;
   out.holes.resize(survey.wall.holes.size());
@@ -86,6 +86,7 @@ WallSurvey result_of(Survey&& survey) {
   out.map = {raster.origin, raster.cell_m, raster.columns, raster.rows, {}};
   out.map.cells.resize(survey.seen.size());
   for (size_t k = 0; k < survey.seen.size(); ++k) {
+    if (k % kPointsPerChunk == 0) task.checkpoint(1);
     out.map.cells[k] = cell_of(survey.seen[k]);
     if (raster.hole[k] == kNoHole) continue;
     HoleSurvey& hole = out.holes[raster.hole[k]];
@@ -135,10 +136,13 @@ std::vector<WallSurvey> survey_walls(const Segmentation& segmentation, std::span
     }
   });
   std::vector<WallSurvey> out;
-  for (Survey& survey : surveys) out.push_back(result_of(std::move(survey)));
-  for (const auto& chunk : found)
+  for (Survey& survey : surveys) out.push_back(result_of(std::move(survey), task));
+  for (auto& chunk : found) {
+    task.checkpoint(1);
     for (size_t s = 0; s < out.size(); ++s)
       for (const HolePoint& p : chunk[s]) out[s].holes[p.hole].points.push_back(p);
+    chunk = {};
+  }
   return out;
 }
 

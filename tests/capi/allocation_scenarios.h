@@ -176,6 +176,11 @@ static jalon_status segmented(jalon_cloud** cloud, jalon_segmentation** segmenta
   TRY(jalon_segmenter_create("ransac", &segmenter));
   TRY(jalon_segmenter_run(segmenter, *cloud, small_task, segmentation));
   if (model != NULL) {
+    jalon_model* facade = NULL;
+    TRY(jalon_modeller_create("facade", &modeller));
+    TRY(jalon_modeller_run(modeller, *cloud, *segmentation, small_task, &facade));
+    jalon_model_release(facade);
+    jalon_modeller_release(modeller), modeller = NULL;
     TRY(jalon_modeller_create("outlines", &modeller));
     TRY(jalon_modeller_run(modeller, *cloud, *segmentation, small_task, model));
   }

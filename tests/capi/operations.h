@@ -154,6 +154,21 @@ static inline jalon_status op_labels(const jalon_cloud* cloud, jalon_task* task,
   release_made(&parts);
   return status;
 }
+/* Walls and openings of those components; its vertices are the result. */
+static inline jalon_status op_facade(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  made parts = {NULL, NULL, NULL};
+  jalon_modeller* modeller = NULL;
+  jalon_model* model = NULL;
+  jalon_status status = op_labels(cloud, NULL, &parts);
+  if (status == JALON_OK) status = jalon_segmentation_cloud(parts.segmentation, &parts.cloud);
+  if (status == JALON_OK) status = jalon_modeller_create("facade", &modeller);
+  if (status == JALON_OK) status = jalon_modeller_run(modeller, parts.cloud, parts.segmentation, task, &model);
+  if (status == JALON_OK) status = jalon_model_vertices(model, &out->fields);
+  jalon_model_release(model);
+  jalon_modeller_release(modeller);
+  release_made(&parts);
+  return status;
+}
 static inline jalon_status op_append(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return jalon_cloud_append(cloud, cloud, task, &out->cloud);
 }
@@ -185,6 +200,7 @@ static const struct {
     {"segment", op_segment},     {"region growing", op_grow},     {"append", op_append},
     {"crop", op_crop},           {"from labels", op_labels},      {"primitives", op_primitives},
     {"pick", op_pick},           {"fit", op_fit},                 {"covariances", op_covariances},
+    {"facade model", op_facade},
 };
 enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
 

@@ -42,6 +42,10 @@ static void for_each_row(row_visit visit) {
   visit_set("segmenter", params, visit);
   MUST(jalon_modeller_params(modeller, &params));
   visit_set("modeller", params, visit);
+  jalon_modeller_release(modeller);
+  MUST(jalon_modeller_create("facade", &modeller));
+  MUST(jalon_modeller_params(modeller, &params));
+  visit_set("modeller", params, visit);
   MUST(jalon_scanner_params(scanner, &params));
   visit_set("scanner", params, visit);
   jalon_segmenter_release(segmenter);

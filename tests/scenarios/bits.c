@@ -102,6 +102,16 @@ static void model_and_files(const jalon_cloud* cloud, uint64_t seed, jalon_task*
   jalon_model_evaluation_release(judged);
   jalon_model_release(model);
   jalon_modeller_release(modeller);
+  MUST(jalon_modeller_create("facade", &modeller));
+  MUST(jalon_modeller_run(modeller, cloud, out.segmentation, task, &model));
+  MUST(jalon_model_vertices(model, &fields));
+  tell("facade vertices", seed, hash_and_release(fields));
+  MUST(jalon_model_corners(model, &fields));
+  tell("facade corners", seed, hash_and_release(fields));
+  MUST(jalon_model_parts(model, &fields));
+  tell("facade parts", seed, hash_and_release(fields));
+  jalon_model_release(model);
+  jalon_modeller_release(modeller);
   release_made(&out);
 }
 
