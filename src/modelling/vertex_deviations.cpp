@@ -9,7 +9,7 @@
 
 #include "base/distributions.h"
 #include "base/table_columns.h"
-#include "geometry/cholesky.h"
+#include "geometry/symmetric_eigen.h"
 #include "modelling/area_indices.h"
 
 namespace jalon {
@@ -17,6 +17,8 @@ namespace jalon {
 namespace {
 
 constexpr size_t kVerticesPerCheckpoint = 1024;
+constexpr double kFlat = 1e-12;     // variance against the largest: none, to rounding
+constexpr double kOnFlat_m = 1e-9;  // a deviation of nothing, to rounding
 
 struct Candidate {
   double distance_m;
@@ -92,11 +94,16 @@ std::vector<VertexPair> homologous_vertices(std::span<const Vec3> automatic, std
 double normalised_deviation(const Vec3& e, const std::array<double, 9>& c) {
   for (const double value : c)
     if (!std::isfinite(value)) return VertexPair::kUnknown;
-  if (e == Vec3{}) return 0;
-  Cholesky<3> factor;
-  if (!factor.factor(c)) return std::numeric_limits<double>::infinity();
-  const Coefficients<3> x = factor.solve({e.x, e.y, e.z});
-  return std::sqrt(e.x * x[0] + e.y * x[1] + e.z * x[2]);
+  const Eigen3 eigen = symmetric_eigen({c[0], c[1], c[2], c[4], c[5], c[8]});
+  double sum = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const double along = dot(eigen.vectors[i], e);
+    if (eigen.values[i] > kFlat * eigen.values[2])
+      sum += along * along / eigen.values[i];
+    else if (std::fabs(along) > kOnFlat_m)
+      return std::numeric_limits<double>::infinity();
+  }
+  return std::sqrt(sum);
 }
 
 FieldTable vertex_pair_table(std::span<const VertexPair> pairs) {

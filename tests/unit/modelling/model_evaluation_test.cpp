@@ -270,6 +270,9 @@ TEST_CASE("model_evaluation__holds_deviations_against_the_vertices_covariances")
   CHECK(total(e, "within_95") < 0.965);
   CHECK(std::isnan(normalised_deviation({1, 0, 0}, {std::nan(""), 0, 0, 0, 0, 0, 0, 0, 0})));
   CHECK(normalised_deviation({0.02, 0, 0}, {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4}) == doctest::Approx(2));
+  // A flat ellipsoid: what lies in it is measured, what leaves it cannot be.
+  CHECK(normalised_deviation({0.02, 0, 0}, {1e-4, 0, 0, 0, 0, 0, 0, 0, 1e-4}) == doctest::Approx(2));
+  CHECK(std::isinf(normalised_deviation({0.02, 0.001, 0}, {1e-4, 0, 0, 0, 0, 0, 0, 0, 1e-4})));
 }
 
 TEST_CASE("vertex_deviations__pair_the_nearest_first_and_one_to_one") {
