@@ -13,7 +13,8 @@ constexpr ParamRow kElevationRows[] = {
     string_row("source", "", "", "What the drawing was made from, for the title block; empty = left out"),
     string_row("date", "", "", "Date for the title block; empty = left out"),
     choice_row("paper", "auto", "auto|A4|A3|A2|A1|A0", "",
-               "Paper, landscape; auto = A3, or A4 where it holds the same scale"),
+               "Paper, landscape, or upright from A3 on where that fits better; auto = A3, or A4 where it holds the "
+               "same scale"),
     integer_row("scale", 0, 0, 1e9, "1", "",
                 "Denominator of the scale (100 = 1:100); 0 = the largest usual one that fits"),
     integer_row("facade", 0, 0, 1e9, "1", "",

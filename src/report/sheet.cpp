@@ -3,6 +3,7 @@
 #include "report/sheet.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace jalon {
 
@@ -12,10 +13,17 @@ constexpr double kMargin = 8, kStrip = 30, kLegend = 50;
 constexpr double kFigureWidth = 170;
 
 struct Paper {
+  std::string_view size;
   const char* name;
-  double width, height;  // landscape, mm (ISO 216)
+  double width, height;  // mm (ISO 216)
 };
-constexpr Paper kPapers[] = {{"A4", 297, 210}, {"A3", 420, 297}, {"A2", 594, 420}, {"A1", 841, 594}, {"A0", 1189, 841}};
+// Small before large, landscape before upright. An upright A4 has no room for the title block.
+constexpr Paper kPapers[] = {
+    {"A4", "A4", 297, 210},   {"A3", "A3", 420, 297}, {"A3", "A3 upright", 297, 420},
+    {"A2", "A2", 594, 420},   {"A2", "A2 upright", 420, 594}, {"A1", "A1", 841, 594},
+    {"A1", "A1 upright", 594, 841}, {"A0", "A0", 1189, 841}, {"A0", "A0 upright", 841, 1189},
+};
+constexpr std::string_view kOfficePaper = "A3";  // the largest that an office printer takes
 
 // Usual scales (ISO 5455 and the surveyor's 1:25 and 1:250), decade by decade.
 int64_t usual_scale(int i) {
@@ -49,7 +57,7 @@ int64_t largest_scale(const Paper& paper, const Need& need) {
   return usual_scale(kScales - 1);
 }
 
-Sheet place(double width, double height, const char* name, int64_t denominator, const Need& need) {
+Sheet place(double width, double height, const std::string& name, int64_t denominator, const Need& need) {
   Sheet s;
   s.paper = name;
   s.denominator = denominator;
@@ -70,21 +78,24 @@ Sheet place(double width, double height, const char* name, int64_t denominator, 
 Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, int64_t denominator,
                     const Margins_mm& margins) {
   const Need need{width_m, height_m, margins};
-  const Paper* first = &kPapers[0];
-  const Paper* last = &kPapers[4];
-  for (const Paper& p : kPapers)
-    if (paper == p.name) first = last = &p;
-  if (denominator == 0) {
-    if (first != last) last = &kPapers[1];  // what an office printer takes
-    denominator = largest_scale(*last, need);
+  const bool is_auto = paper == "auto";
+  if (denominator == 0)
+    for (const Paper& p : kPapers)
+      if (p.size == (is_auto ? kOfficePaper : std::string_view(paper))) {
+        const int64_t scale = largest_scale(p, need);
+        denominator = denominator == 0 ? scale : std::min(denominator, scale);
+      }
+  const Paper* largest = &kPapers[0];  // landscape
+  for (const Paper& p : kPapers) {
+    if (!is_auto && p.size != paper) continue;
+    if (fits(p, need, denominator)) return place(p.width, p.height, p.name, denominator, need);
+    if (p.width > p.height) largest = &p;
   }
-  for (const Paper* p = first; p <= last; ++p)
-    if (fits(*p, need, denominator)) return place(p->width, p->height, p->name, denominator, need);
   // No such paper: one of its own size (a roll), so that the scale asked for holds.
   const double mm = 1000 / static_cast<double>(denominator);
   const Box_mm none = free_box(0, 0, margins);
-  const double width = std::max(last->width, width_m * mm - none.width);
-  const double height = std::max(last->height, height_m * mm - none.height);
+  const double width = std::max(largest->width, width_m * mm - none.width);
+  const double height = std::max(largest->height, height_m * mm - none.height);
   return place(width, height, "own size", denominator, need);
 }
 

@@ -15,7 +15,7 @@ struct Box_mm {
 
 /// Layout of a drawing sheet; everything in millimetres from the top left corner of the paper.
 struct Sheet {
-  std::string paper;      ///< "A3", or "" for a drawing embedded in a page
+  std::string paper;      ///< "A3", "A3 upright", or "" for a drawing embedded in a page
   int64_t denominator = 100;  ///< scale 1 : denominator
   double width = 0, height = 0;
   Box_mm frame;           ///< border line
@@ -29,8 +29,9 @@ struct Margins_mm {
   double left = 17, below = 14, above = 12, right = 11;
 };
 
-/// The sheet for a window of width x height metres. paper: "auto", "A4" ... "A0"; denominator 0 = the largest usual
-/// scale that fits (auto: on A3, and then A4 if it fits there too). A scale that is asked for and fits no paper gives a
+/// The sheet for a window of width x height metres. paper: "auto", "A4" ... "A0", landscape, or upright from A3
+/// on where that fits better; denominator 0 = the largest usual scale that fits (auto: on A3, and then A4 if it fits
+/// there too). A scale that is asked for and fits no paper gives a
 /// sheet of its own size.
 Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, int64_t denominator,
                     const Margins_mm& margins = {});

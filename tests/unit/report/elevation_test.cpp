@@ -162,6 +162,17 @@ TEST_CASE("elevation: more than a hundred openings stay legible at every scale")
   CHECK(has_text(drawing_of(m), "111"));  // windows of the first type in the table
 }
 
+TEST_CASE("elevation: a tower stands on upright paper, at a larger scale than landscape holds") {
+  named_facade::Setting s;
+  s.columns = 3;
+  s.rows = 9;
+  const std::string svg = drawing_of(named_facade::make(s));
+  check_layout(svg);
+  CHECK(has_text(svg, "1:100  (A3 upright)"));
+  CHECK(markup::tags(svg)[0].attribute("width") == "297mm");
+  CHECK(has_text(drawing_of(named_facade::make(s), R"({"paper": "A4"})"), "1:500  (A4)"));
+}
+
 TEST_CASE("elevation: colours by side, by depth or none") {
   const Model m = named_facade::make({});
   const auto fills = [&](const char* json) {
