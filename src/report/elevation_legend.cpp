@@ -71,7 +71,7 @@ void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces, cons
 }
 
 void add_types(std::vector<LegendItem>& items, const ElevationFaces& faces) {
-  if (!faces.has_named_openings) return;
+  if (!faces.has_named_openings || faces.openings.empty()) return;
   items.push_back({Sign::kGap, "", "", "", ""});
   items.push_back({Sign::kHeading, "", "Openings", "", ""});
   items.push_back({Sign::kNote, "", "width x height (m), number", "", ""});

@@ -234,6 +234,17 @@ TEST_CASE("elevation: each facade alone, seen from its own front") {
   CHECK_THROWS_AS(drawing_of(m, R"({"facade": 3})"), Error);
 }
 
+TEST_CASE("elevation: a facade without openings has no table of them") {
+  named_facade::Setting s;
+  s.rows = 1;
+  s.columns = 1;
+  Model m = named_facade::make(s);  // a door alone
+  CHECK(has_text(drawing_of(m), "Openings"));
+  for (Part& p : m.parts)
+    if (p.part_class == part_class::kDoor) p.parent = kNoParent, p.part_class = part_class::kElement;
+  CHECK(!has_text(drawing_of(m), "Openings"));
+}
+
 TEST_CASE("elevation: without stations the front of a facade is the side from which its joinery lies behind") {
   Model m = named_facade::make({});
   for (Face& f : m.faces) f.plane.normal = -f.plane.normal;  // the normals point into the building
