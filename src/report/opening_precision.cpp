@@ -13,6 +13,8 @@ namespace {
 
 // Corners this near to a side of the box hold it.
 constexpr double kOnSide_m = 0.002;
+// A corner of the wall and the one behind it, in the plane of the wall: no joinery is that far out of its opening.
+constexpr double kSameCorner_m = 0.02;
 
 // Variance of a vertex along a unit direction.
 double variance_along(const Model& model, uint32_t vertex, const Vec3& d) {
@@ -28,31 +30,46 @@ struct Corner {
   uint32_t vertex;
 };
 
-// Of the corners farthest along d (times sign): mean of their variances along it.
+// Of the corners farthest along d: mean of their variances along the axis, of those that have one; NaN for none.
 double side_variance(const Model& model, const std::vector<Corner>& corners, const Vec3& axis, const Vec2& d) {
   double most = -INFINITY;
   for (const Corner& c : corners) most = std::max(most, dot(c.at, d));
   double sum = 0;
   size_t n = 0;
   for (const Corner& c : corners) {
-    if (dot(c.at, d) < most - kOnSide_m) continue;
-    sum += variance_along(model, c.vertex, axis);
+    const double variance = variance_along(model, c.vertex, axis);
+    if (dot(c.at, d) < most - kOnSide_m || !std::isfinite(variance)) continue;
+    sum += variance;
     ++n;
   }
   return sum / static_cast<double>(n);
 }
 
-void set_box_precision(OpeningRow& row, const Model& model) {
-  const Face& face = model.faces[row.contour.front().face];
-  const PlaneFrame frame = frame_of(model, face);
-  std::vector<Corner> corners;
-  for (const FaceRing& at : row.contour) {
-    const Ring& ring = model.rings[at.ring];
-    for (uint64_t i = 0; i < ring.count; ++i) {
-      const uint32_t vertex = model.corners[ring.first + i];
-      corners.push_back({frame.project(model.vertices[vertex]), vertex});
-    }
+void append_corners(std::vector<Corner>& out, const Model& model, const Ring& ring, const PlaneFrame& frame) {
+  for (uint64_t i = 0; i < ring.count; ++i) {
+    const uint32_t vertex = model.corners[ring.first + i];
+    out.push_back({frame.project(model.vertices[vertex]), vertex});
   }
+}
+
+// What closes a notch of the wall has its corners behind those of the wall, and these are the ones that were measured.
+void move_to_wall(std::vector<Corner>& corners, const OpeningRow& row, const Model& model, const PlaneFrame& frame) {
+  std::vector<Corner> outline;
+  append_corners(outline, model, model.rings[model.faces[row.wall].first_ring], frame);
+  for (Corner& corner : corners) {
+    const auto nearest = std::min_element(outline.begin(), outline.end(), [&](const Corner& a, const Corner& b) {
+      return norm(a.at - corner.at) < norm(b.at - corner.at);
+    });
+    if (nearest != outline.end() && norm(nearest->at - corner.at) <= kSameCorner_m) corner = *nearest;
+  }
+}
+
+void set_box_precision(OpeningRow& row, const Model& model) {
+  const PlaneFrame frame = frame_of(model, model.faces[row.wall]);
+  std::vector<Corner> corners;
+  for (const FaceRing& at : row.contour) append_corners(corners, model, model.rings[at.ring], frame);
+  if (row.wall != row.contour.front().face && model.faces[row.wall].ring_count > 0)
+    move_to_wall(corners, row, model, frame);
   const auto sigma_across = [&](const Vec3& axis, const Vec2& d) {
     return std::sqrt(side_variance(model, corners, axis, d) + side_variance(model, corners, axis, d * -1.0));
   };

@@ -291,6 +291,14 @@ TEST_CASE("openings: types by class, form and size; standard deviations from cor
   CHECK(list.rows[0].sigma_depth_m > std::sqrt(2.0) * 0.001);
   CHECK(list.rows[0].sigma_depth_m < 2 * std::sqrt(2.0) * 0.001);
   CHECK(std::isnan(list_openings(named_facade::make({}), 0.05).rows[0].sigma_width_m));
+  // The corners of a door's leaf are not measured, those of the notch that it closes are.
+  Model m = named_facade::make(s);
+  for (const Face& face : m.faces)
+    for (uint64_t i = 0; face.id == 11 && i < m.rings[face.first_ring].count; ++i)
+      m.vertex_covariances[m.corners[m.rings[face.first_ring].first + i]].fill(NAN);
+  const OpeningRow door = list_openings(m, kTypeTolerance_m).rows.back();
+  CHECK(door.part_class == part_class::kDoor);
+  CHECK(door.sigma_width_m == doctest::Approx(std::sqrt(2.0) * 0.002));
 }
 
 TEST_CASE("openings: a model without names gives its holes, a person's size or larger") {
