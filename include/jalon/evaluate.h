@@ -103,7 +103,8 @@ typedef struct jalon_model_evaluation jalon_model_evaluation;
  * reference, arcs as chords of 0.1 mm error, coordinates on a grid of 0.1 mm. Those pairs are chosen, one to one, whose
  * shared areas have the largest sum (optimal assignment, Kuhn 1955), among pairs whose planes agree within
  * "angle_tolerance_rad" and "distance_tolerance_m" and whose intersection over union reaches "min_iou". With "group" =
- * plane all faces of a plane are one polygon; so are the coplanar triangles of a model without faces.
+ * plane all faces of a plane are one polygon; so are the coplanar triangles of a model without faces, and then both
+ * models go by plane.
  *
  * Of each pair: the five area indices (5.6.3.2, table 5.5; definitions by "formulas"), the two borders' distances both
  * ways (precision, recall and F1 at "contour_tolerance_m", Hausdorff distance and its 95 % form) and the planes' angle

@@ -42,6 +42,8 @@ FaceChoice choice_of(const ParamSet& params) {
   return choice;
 }
 
+bool is_mesh(const Model& model) { return model.faces.empty() && !model.triangles.empty(); }
+
 // Whole metres near the models: national grids lose nothing.
 Vec3 local_origin(const Model& automatic, const Model& reference) {
   const Model& model = reference.vertices.empty() ? automatic : reference;
@@ -175,8 +177,8 @@ std::span<const ParamRow> model_evaluation_rows() {
       choice_row("compare", "faces", "faces|openings", "",
                  "faces with their openings taken off, or the openings alone, each a polygon"),
       choice_row("group", "face", "face|plane", "",
-                 "face: one to one; plane: all faces of a plane together, for models that cut it differently. A mesh "
-                 "always goes by plane."),
+                 "face: one to one; plane: all faces of a plane together, for models that cut it differently. A mesh, "
+                 "and what it is compared with, always goes by plane."),
       string_row("classes", "", "", "Classes of parts whose faces count, separated by commas; empty: all"),
       string_row("ignored_classes", "no_data", "", "Classes of parts whose faces are left out, separated by commas"),
       number_row("min_area_m2", 0, 0, 1e9, "m2", "", "Smaller faces are left out, on both sides"),
@@ -200,7 +202,8 @@ std::span<const ParamRow> model_evaluation_rows() {
 // 1. polygons; 2. pairs; 3. relative: the common shift off, pairs anew; 4. vertices; 5. contours; 6. what is left over.
 ModelEvaluation evaluate_model(const Model& automatic_model, const Model& reference_model, const ParamSet& params,
                                Task& task) {
-  const FaceChoice choice = choice_of(params);
+  FaceChoice choice = choice_of(params);
+  if (is_mesh(automatic_model) || is_mesh(reference_model)) choice.by_plane = true;
   const double min_iou = params.number("min_iou"), vertex_tolerance_m = params.number("vertex_tolerance_m");
   const Vec3 origin = local_origin(automatic_model, reference_model);
   const auto side_of = [&](const Model& model, double from, double to) {

@@ -170,6 +170,8 @@ TEST_CASE("model_evaluation__goes_by_plane_where_a_wall_is_cut_differently") {
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   mesh.triangle_faces = {0, 1};
   CHECK(total(evaluated(mesh, truth), "total_quality") == doctest::Approx(1));
+  CHECK(total(evaluated(mesh, halves), "total_quality") == doctest::Approx(1));
+  CHECK(total(evaluated(halves, mesh), "total_quality") == doctest::Approx(1));
 }
 
 TEST_CASE("model_evaluation__knows_arcs") {
