@@ -12,6 +12,8 @@ namespace jalon {
 
 namespace {
 
+constexpr size_t kStepsPerTick = 8192;  // values between two ticks: about a millisecond
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 void append_utf8(std::string& out, uint32_t code) {
@@ -33,13 +35,12 @@ void append_utf8(std::string& out, uint32_t code) {
 
 }  // namespace
 
-JsonCursor::JsonCursor(std::string_view text, Refusal refusal, const void* context)
-    : text_(text), refusal_(refusal), context_(context) {
+JsonCursor::JsonCursor(std::string_view text, const JsonListener& listener) : text_(text), listener_(listener) {
   if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
 }
 
 void JsonCursor::refuse(const char* expected) const {
-  refusal_(context_, at_, expected);
+  listener_.refuse(at_, expected);
   fail(Status::kInternal, "a JSON refusal returned");
 }
 
@@ -80,6 +81,7 @@ void JsonCursor::open(char bracket) {
 
 // Behind the last value of an object or array; a comma stands between two.
 bool JsonCursor::next(char closing) {
+  if (++steps_ % kStepsPerTick == 0) listener_.tick();
   skip_space();
   if (take(closing)) {
     --depth_;

@@ -8,6 +8,16 @@
 
 namespace jalon {
 
+/// What a JsonCursor tells on its way.
+class JsonListener {
+ public:
+  virtual ~JsonListener() = default;
+  /// Must throw: "a number was expected at byte 12".
+  virtual void refuse(uint64_t byte, const char* expected) const = 0;
+  /// Called about every millisecond's work.
+  virtual void tick() const {}
+};
+
 /// Walks through a JSON text (RFC 8259) value by value and keeps nothing, for files too large to hold as values. The
 /// caller takes each value by its kind or skips it:
 ///
@@ -16,14 +26,12 @@ namespace jalon {
 ///   cursor.begin_object();
 ///   for (std::string name; cursor.next_member(name);) name == "type" ? use(cursor.text()) : cursor.skip();
 ///
-/// Whatever is no JSON, or another kind than asked for, ends in the refusal: "a number was expected at byte 12".
+/// Whatever is no JSON, or another kind than asked for, ends in the listener's refusal.
 class JsonCursor {
  public:
   enum class Kind { kNull, kBool, kNumber, kText, kArray, kObject };
-  /// Must throw. context: what was given with it.
-  using Refusal = void (*)(const void* context, uint64_t byte, const char* expected);
-
-  JsonCursor(std::string_view text, Refusal refusal, const void* context);
+  /// Both must outlive the cursor.
+  JsonCursor(std::string_view text, const JsonListener& listener);
 
   Kind kind();  ///< of the value that comes next
   void begin_object();
@@ -56,9 +64,8 @@ class JsonCursor {
   uint32_t hex4();
 
   std::string_view text_;
-  Refusal refusal_;
-  const void* context_;
-  size_t at_ = 0;
+  const JsonListener& listener_;
+  size_t at_ = 0, steps_ = 0;
   int depth_ = 0;
   bool fresh_ = false;  ///< nothing taken yet from the open object or array
 };

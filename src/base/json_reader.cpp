@@ -14,14 +14,17 @@ namespace {
 
 constexpr size_t kMaxBytes = size_t{16} << 20;
 
-void refuse(const void*, uint64_t byte, const char* expected) {
-  fail(Status::kInvalidArgument, "no JSON: %s was expected at byte %llu", expected,
-       static_cast<unsigned long long>(byte));
-}
+class Refusal : public JsonListener {
+ public:
+  void refuse(uint64_t byte, const char* expected) const override {
+    fail(Status::kInvalidArgument, "no JSON: %s was expected at byte %llu", expected,
+         static_cast<unsigned long long>(byte));
+  }
+};
 
 class Reader {
  public:
-  explicit Reader(std::string_view text) : cursor_(text, refuse, nullptr) {}
+  explicit Reader(std::string_view text) : cursor_(text, refusal_) {}
 
   std::vector<JsonValue> read() {
     value({});
@@ -71,6 +74,7 @@ class Reader {
     out.kind = whole && parse_integer(out.text, out.integer) ? JsonValue::Kind::kInteger : JsonValue::Kind::kNumber;
   }
 
+  Refusal refusal_;
   JsonCursor cursor_;
   std::vector<JsonValue> values_;
 };

@@ -14,12 +14,14 @@ namespace jalon::city {
 
 namespace {
 
+constexpr size_t kTicks = 1024;                // faces or triangles between two looks at the task
 constexpr double kMaxSteps = 9007199254740992.0;  // 2^53: whole numbers that every JSON reader keeps
 
 /// Sorts the surfaces of a model into the objects they belong to.
 class Arranger {
  public:
-  Arranger(const Model& model, Grid& grid) : model_(model), grid_(grid), openings_(find_openings(model)) {
+  Arranger(const Model& model, Grid& grid, Task& task)
+      : model_(model), grid_(grid), task_(task), openings_(find_openings(model)) {
     city_.closing.assign(model.parts.size(), 0);
     city_.faces_of_part.resize(model.parts.size());
   }
@@ -29,11 +31,15 @@ class Arranger {
     std::vector<uint8_t> in_solid(model_.faces.size(), 0);
     for (const Solid& solid : model_.solids) add_solid(solid, in_solid);
     for (uint32_t f = 0; f < model_.faces.size(); ++f) {
+      if (f % kTicks == 0) task_.checkpoint(0.1);
       if (in_solid[f] == 0) add_face(surfaces_of(model_.faces[f].part), f);
       add_closings(model_.faces[f]);
     }
     const bool by_part = is_mesh_by_part(model_);
-    for (const uint32_t t : loose_triangles(model_)) add_triangle(t, by_part ? model_.triangle_faces[t] : kNoPart);
+    for (const uint32_t t : loose_triangles(model_)) {
+      if (t % kTicks == 0) task_.checkpoint(0.1);
+      add_triangle(t, by_part ? model_.triangle_faces[t] : kNoPart);
+    }
     city_.wall_of_opening = std::move(openings_.wall);
     return std::move(city_);
   }
@@ -128,6 +134,7 @@ class Arranger {
 
   const Model& model_;
   Grid& grid_;
+  Task& task_;
   Openings openings_;
   City city_;
 };
@@ -170,6 +177,6 @@ size_t Grid::Hash::operator()(const std::array<int64_t, 3>& s) const {
   return h;
 }
 
-City arrange(const Model& model, Grid& grid) { return Arranger(model, grid).run(); }
+City arrange(const Model& model, Grid& grid, Task& task) { return Arranger(model, grid, task).run(); }
 
 }  // namespace jalon::city

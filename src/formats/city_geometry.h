@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/task.h"
 #include "model/model.h"
 
 namespace jalon::city {
@@ -63,6 +64,6 @@ struct City {
 };
 
 /// The faces, triangles and solids of a model without arcs, sorted into buildings.
-City arrange(const Model& model, Grid& grid);
+City arrange(const Model& model, Grid& grid, Task& task);
 
 }  // namespace jalon::city

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/text_number.h"
 #include "formats/city_boundaries.h"
 #include "formats/city_parts.h"
+#include "formats/city_text.h"
 #include "formats/city_tree.h"
 #include "formats/crs_code.h"
 #include "formats/readers.h"
@@ -19,50 +19,20 @@ namespace {
 
 using namespace city;
 
-constexpr size_t kTicks = 4096;  // vertices between two looks at the task
-
-/// A piece of the file; cursors on it refuse with the file's name and the byte in the file.
-struct Piece {
-  const ByteSource* source = nullptr;
-  std::string_view text;
-  uint64_t offset = 0;
-
-  bool empty() const { return text.empty(); }
-  JsonCursor cursor() const { return {text, refuse, this}; }
-  static void refuse(const void* context, uint64_t byte, const char* expected) {
-    const auto* piece = static_cast<const Piece*>(context);
-    piece->source->refuse(piece->offset + byte, "no CityJSON: %s was expected", expected);
-  }
-  /// The value at a cursor of this piece.
-  Piece value(JsonCursor& cursor) const {
-    cursor.kind();  // moves past the blanks
-    const uint64_t at = cursor.byte();
-    return {source, cursor.skip(), offset + at};
-  }
-};
-
-/// The members of a geometry.
-struct GeometryText {
-  std::string type;
-  double lod = -1;
-  Piece boundaries, surfaces, values;
-};
-
 class CityReader {
  public:
   CityReader(const ByteSource& source, Task& task) : source_(source), task_(task), boundaries_(model_, tree_) {}
 
   Model run() {
-    text_.resize(source_.size());
-    source_.read(0, text_.data(), text_.size());
-    read_top();
+    read_whole();
+    file_ = read_file_text(source_, task_, text_);
     read_transform();
     read_vertices();
     read_crs();
     read_objects();
     std::vector<uint32_t> new_index;
     if (!tree_.build(model_.parts, new_index))
-      source_.refuse(objects_.offset, "the parts are no tree of at most 64 levels");
+      source_.refuse(file_.objects.offset(), "the parts are no tree of at most 64 levels");
     boundaries_.finish(new_index);
     if (boundaries_.dropped() != 0)
       task_.log(Task::kWarning, "%s: %zu surfaces without area left out", source_.path().c_str(),
@@ -73,27 +43,13 @@ class CityReader {
   }
 
  private:
-  void read_top() {
-    const Piece whole{&source_, text_, 0};
-    JsonCursor cursor = whole.cursor();
-    std::string type, version;
-    cursor.begin_object();
-    for (std::string name; cursor.next_member(name);) {
-      if (name == "type") type = cursor.text();
-      else if (name == "version") version = cursor.text();
-      else if (name == "transform") transform_ = whole.value(cursor);
-      else if (name == "metadata") metadata_ = whole.value(cursor);
-      else if (name == "CityObjects") objects_ = whole.value(cursor);
-      else if (name == "vertices") vertices_ = whole.value(cursor);
-      else cursor.skip();
+  void read_whole() {
+    constexpr size_t kBlock = size_t{4} << 20;
+    text_.resize(source_.size());
+    for (size_t at = 0; at < text_.size(); at += kBlock) {
+      task_.checkpoint(0.2 * static_cast<double>(at) / static_cast<double>(text_.size()));
+      source_.read(at, text_.data() + at, std::min(kBlock, text_.size() - at));
     }
-    cursor.end();
-    if (type == "CityJSONFeature")
-      fail(Status::kUnsupported, "%s: CityJSON text sequences are not supported", source_.path().c_str());
-    if (type != "CityJSON") source_.refuse(0, "the type is not CityJSON");
-    if (version != "2.0" && version != "1.1" && version != "1.0")
-      fail(Status::kUnsupported, "%s: CityJSON of another version than 1.0, 1.1 and 2.0", source_.path().c_str());
-    if (objects_.empty() || vertices_.empty()) source_.refuse(0, "CityObjects or vertices are missing");
   }
 
   static Vec3 read_triple(JsonCursor& cursor) {
@@ -108,8 +64,8 @@ class CityReader {
   }
 
   void read_transform() {
-    if (transform_.empty()) return;
-    JsonCursor cursor = transform_.cursor();
+    if (file_.transform.empty()) return;
+    JsonCursor cursor = file_.transform.cursor();
     cursor.begin_object();
     for (std::string name; cursor.next_member(name);) {
       if (name == "scale") scale_ = read_triple(cursor);
@@ -120,13 +76,13 @@ class CityReader {
 
   void read_vertices() {
     size_t count = 0;
-    JsonCursor counter = vertices_.cursor();
+    JsonCursor counter = file_.vertices.cursor();
     for (counter.begin_array(); counter.next_element(); ++count) counter.skip();
-    if (count > std::numeric_limits<uint32_t>::max()) source_.refuse(vertices_.offset, "more than 2^32 vertices");
+    if (count > std::numeric_limits<uint32_t>::max())
+      source_.refuse(file_.vertices.offset(), "more than 2^32 vertices");
     model_.vertices.reserve(count);
-    JsonCursor cursor = vertices_.cursor();
+    JsonCursor cursor = file_.vertices.cursor();
     for (cursor.begin_array(); cursor.next_element();) {
-      if (model_.vertices.size() % kTicks == 0) task_.checkpoint(0.4);
       const Vec3 p = read_triple(cursor);
       model_.vertices.push_back(
           {p.x * scale_.x + translate_.x, p.y * scale_.y + translate_.y, p.z * scale_.z + translate_.z});
@@ -135,8 +91,8 @@ class CityReader {
   }
 
   void read_crs() {
-    if (metadata_.empty()) return;
-    JsonCursor cursor = metadata_.cursor();
+    if (file_.metadata.empty()) return;
+    JsonCursor cursor = file_.metadata.cursor();
     cursor.begin_object();
     for (std::string name; cursor.next_member(name);) {
       if (name != "referenceSystem" || cursor.kind() != JsonCursor::Kind::kText) {
@@ -151,7 +107,7 @@ class CityReader {
 
   /// One CityObject: its part, if it is one, and then its geometry.
   void read_objects() {
-    JsonCursor cursor = objects_.cursor();
+    JsonCursor cursor = file_.objects.cursor();
     std::map<std::string, uint32_t> drafts;
     std::vector<std::pair<uint32_t, std::string>> parents;
     cursor.begin_object();
@@ -164,7 +120,7 @@ class CityReader {
       read_attributes(cursor, draft, [&](const std::string& name) {
         if (name == "type") type = cursor.text();
         else if (name == "attributes") read_object_attributes(cursor, draft);
-        else if (name == "geometry") geometry = objects_.value(cursor);
+        else if (name == "geometry") geometry = file_.objects.value(cursor);
         else if (name == "parents") parent = first_text(cursor);
         else return false;
         return true;
@@ -212,59 +168,23 @@ class CityReader {
     for (const bool choosing : {true, false}) {
       JsonCursor cursor = list.cursor();
       for (cursor.begin_array(); cursor.next_element();) {
-        const GeometryText geometry = read_geometry(list, cursor);
+        GeometryText geometry = read_geometry_text(list, cursor);
         if (choosing) best = std::max(best, geometry.lod);
-        else if (geometry.lod == best) add_geometry(geometry, object);
+        if (choosing || geometry.lod != best) continue;
+        classify(geometry, source_, list);
+        if (geometry.has_surfaces) add_geometry(geometry, object);
+        else ++skipped_;
       }
     }
-  }
-
-  GeometryText read_geometry(const Piece& list, JsonCursor& cursor) const {
-    GeometryText out;
-    cursor.begin_object();
-    for (std::string name; cursor.next_member(name);) {
-      if (name == "type") {
-        out.type = cursor.text();
-      } else if (name == "lod") {
-        double lod = -1;
-        if (cursor.kind() == JsonCursor::Kind::kNumber) lod = cursor.number();
-        else if (!parse_number(cursor.text(), lod) || !std::isfinite(lod)) lod = -1;
-        out.lod = std::max(lod, -1.0);
-      } else if (name == "boundaries") {
-        out.boundaries = list.value(cursor);
-      } else if (name == "semantics" && cursor.kind() == JsonCursor::Kind::kObject) {
-        cursor.begin_object();
-        for (std::string member; cursor.next_member(member);) {
-          if (member == "surfaces") out.surfaces = list.value(cursor);
-          else if (member == "values") out.values = list.value(cursor);
-          else cursor.skip();
-        }
-      } else {
-        cursor.skip();
-      }
-    }
-    return out;
   }
 
   void add_geometry(const GeometryText& geometry, uint32_t object) {
-    const std::string& type = geometry.type;
-    if (type == "GeometryInstance")
-      fail(Status::kUnsupported, "%s: geometry templates of CityJSON are not supported", source_.path().c_str());
-    if (type == "MultiPoint" || type == "MultiLineString") {
-      ++skipped_;
-      return;
-    }
-    const bool surfaces = type == "MultiSurface" || type == "CompositeSurface";
-    if (!surfaces && type != "Solid" && type != "MultiSolid" && type != "CompositeSolid")
-      source_.refuse(objects_.offset, "a geometry of an unknown type");
-    if (geometry.boundaries.empty()) source_.refuse(objects_.offset, "a geometry without boundaries");
     JsonCursor boundaries = geometry.boundaries.cursor();
-    const int depth = surfaces ? 0 : type == "Solid" ? 1 : 2;
     if (geometry.values.empty() || geometry.surfaces.empty())
-      return boundaries_.read(boundaries, nullptr, depth, object, {});
+      return boundaries_.read(boundaries, nullptr, geometry.depth, object, {});
     const std::vector<uint32_t> drafts = read_surfaces(geometry, object);
     JsonCursor values = geometry.values.cursor();
-    boundaries_.read(boundaries, &values, depth, object, drafts);
+    boundaries_.read(boundaries, &values, geometry.depth, object, drafts);
   }
 
   // Marks the semantic surfaces that are used: values are numbers, nulls and lists of them.
@@ -325,7 +245,7 @@ class CityReader {
   const ByteSource& source_;
   Task& task_;
   std::string text_;
-  Piece transform_, metadata_, objects_, vertices_;
+  FileText file_;
   Vec3 scale_{1, 1, 1}, translate_;
   Model model_;
   Tree tree_;

@@ -35,8 +35,8 @@ struct Semantics {
 /// there are no openings. Attributes of the surfaces keep what the model knows of its parts.
 class CityFile {
  public:
-  CityFile(const Model& model, double scale_m, AtomicFile& file)
-      : model_(model), file_(file), grid_(model, scale_m), city_(arrange(model, grid_)) {
+  CityFile(const Model& model, double scale_m, AtomicFile& file, Task& task)
+      : model_(model), file_(file), grid_(model, scale_m), city_(arrange(model, grid_, task)) {
     used_.assign(model.parts.size(), 0);
     UniqueNames unique;
     for (const auto& [part, object] : city_.objects) {
@@ -251,8 +251,8 @@ void write_city(const Model& model, const std::string& path, const ParamSet& opt
   validate(model);
   AtomicFile file(path);
   const double scale_m = options.number("city_scale_m");
-  if (has_arcs(model)) CityFile(with_chords(model, options.number("chord_error_m")), scale_m, file).write(task);
-  else CityFile(model, scale_m, file).write(task);
+  if (has_arcs(model)) CityFile(with_chords(model, options.number("chord_error_m")), scale_m, file, task).write(task);
+  else CityFile(model, scale_m, file, task).write(task);
   task.checkpoint(1);
   file.commit();
 }

@@ -14,6 +14,7 @@ namespace {
 constexpr double kEdgeOn = 0.1;       // cosine to the view below which a face is a line: seen at 6 degrees or less
 constexpr double kUpright = 0.5;      // |z| of the normal of what may be the front of a facade
 constexpr double kFlatArc = 0.99995;  // cosine (0.6 degrees) up to which an arc of 5 m stays within 0.25 mm of a circle
+constexpr double kSameDepth_m = 0.005;  // steps in which depths are told apart for the order of drawing
 constexpr double kGap_m = 2;          // between two facades side by side
 constexpr uint32_t kNoFacade = ~uint32_t{0};
 
@@ -60,6 +61,23 @@ std::vector<uint8_t> faces_of_solids(const Model& model) {
   return out;
 }
 
+// What lies in front is drawn last, so that joinery does not hide the opening before it.
+void sort_by_depth(Drawing& drawing, size_t first, const View& view) {
+  const auto depth = [&](const Polyline& line) {
+    double sum = 0;
+    for (const Vec3& p : line.corners) sum += dot(p - view.origin, view.towards);
+    return sum / static_cast<double>(line.corners.size());
+  };
+  std::vector<std::pair<double, Polyline>> lines;
+  for (size_t i = first; i < drawing.polylines.size(); ++i)
+    lines.emplace_back(depth(drawing.polylines[i]), std::move(drawing.polylines[i]));
+  // Rounding must not shuffle what lies in one plane.
+  std::ranges::stable_sort(lines, [](const auto& a, const auto& b) {
+    return std::floor(a.first / kSameDepth_m) < std::floor(b.first / kSameDepth_m);
+  });
+  for (size_t i = 0; i < lines.size(); ++i) drawing.polylines[first + i] = std::move(lines[i].second);
+}
+
 void flatten(Polyline& line, const View& view, double chord_error_m) {
   const double facing = dot(line.normal, view.towards);
   Polyline flat = line;
@@ -95,6 +113,7 @@ double add_facade(Drawing& drawing, const Model& model, const std::vector<uint32
     for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
       add_ring(drawing, model, face, r, normal);
   }
+  sort_by_depth(drawing, first, view);
   Box3 box;
   for (size_t i = first; i < drawing.polylines.size(); ++i) {
     flatten(drawing.polylines[i], view, chord_error_m);

@@ -16,39 +16,34 @@ constexpr size_t kTicks = 256;                   // entities between two looks a
 
 uint64_t handles_before_entities(const Drawing& drawing) { return kFirstFree + drawing.layers.all().size(); }
 
-/// How many handles the entities take: as add_polyline and add_triangle give them out.
-class Entities {
- public:
-  Entities(const Drawing& drawing, const Model& model, Version version)
-      : drawing_(drawing), model_(model), text_(version), next_handle_(handles_before_entities(drawing)) {}
+/// The first handle behind those of the entities, or one beyond: a polyline takes one for itself, each vertex and its
+/// end.
+uint64_t handles_end(const Drawing& drawing) {
+  uint64_t end = handles_before_entities(drawing) + drawing.triangles.size();
+  for (const Polyline& line : drawing.polylines) end += line.corners.size() + 2;
+  return end;
+}
 
-  template <class Put>
-  uint64_t write(Put&& put, Task& task) {
-    text_.group(0, "SECTION").group(2, "ENTITIES");
-    const std::vector<Layer>& layers = drawing_.layers.all();
-    const size_t lines = drawing_.polylines.size(), total = lines + drawing_.triangles.size();
-    for (size_t i = 0; i < total; ++i) {
-      if (i % kTicks == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(total));
-      if (i < lines) {
-        add_polyline(text_, drawing_.polylines[i], layers[drawing_.polylines[i].layer], model_, next_handle_);
-      } else {
-        std::array<Vec3, 3> corners;
-        for (size_t k = 0; k < 3; ++k) corners[k] = model_.vertices[drawing_.triangles[i - lines][k]];
-        add_triangle(text_, corners, layers[drawing_.triangle_layers[i - lines]], next_handle_);
-      }
-      if (text_.size() >= kPieceBytes) put(text_.take());
+void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model, Version version, Task& task) {
+  Text text(version);
+  text.group(0, "SECTION").group(2, "ENTITIES");
+  const std::vector<Layer>& layers = drawing.layers.all();
+  const size_t lines = drawing.polylines.size(), total = lines + drawing.triangles.size();
+  uint64_t next_handle = handles_before_entities(drawing);
+  for (size_t i = 0; i < total; ++i) {
+    if (i % kTicks == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(total));
+    if (i < lines) {
+      add_polyline(text, drawing.polylines[i], layers[drawing.polylines[i].layer], model, next_handle);
+    } else {
+      std::array<Vec3, 3> corners;
+      for (size_t k = 0; k < 3; ++k) corners[k] = model.vertices[drawing.triangles[i - lines][k]];
+      add_triangle(text, corners, layers[drawing.triangle_layers[i - lines]], next_handle);
     }
-    text_.group(0, "ENDSEC");
-    put(text_.take());
-    return next_handle_;
+    if (text.size() >= kPieceBytes) file.write(text.take());
   }
-
- private:
-  const Drawing& drawing_;
-  const Model& model_;
-  Text text_;
-  uint64_t next_handle_;
-};
+  text.group(0, "ENDSEC");
+  file.write(text.take());
+}
 
 }  // namespace
 
@@ -59,17 +54,14 @@ void write_dxf(const Model& model, const std::string& path, const ParamSet& opti
   const Drawing drawing = options.text("dxf_view") == "elevation"
                               ? draw_elevation(model, options.number("chord_error_m"), task)
                               : draw_world(model, task);
-  // The header tells the first free handle: at most three an entity and corner, so it stands before them.
-  uint64_t handles_end = handles_before_entities(drawing) + drawing.triangles.size();
-  for (const Polyline& line : drawing.polylines) handles_end += line.corners.size() + 2;
   AtomicFile file(path);
   Text text(version);
-  add_header(text, drawing, handles_end);
+  add_header(text, drawing, handles_end(drawing));
   if (!text.is_r12()) add_classes(text);
   add_tables(text, drawing);
   add_blocks(text);
   file.write(text.take());
-  Entities(drawing, model, version).write([&](const std::string& piece) { file.write(piece); }, task);
+  write_entities(file, drawing, model, version, task);
   if (!text.is_r12()) add_objects(text, drawing);
   text.group(0, "EOF");
   file.write(text.take());
