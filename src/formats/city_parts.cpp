@@ -54,6 +54,8 @@ const char* class_of_surface(std::string_view type) {
 }
 
 std::string class_of_object(std::string_view type) {
+  if (type == "BuildingPart") return part_class::kBuilding;  // it stands below its building
+  if (type.starts_with('+')) type.remove_prefix(1);          // of an extension
   std::string out;
   for (const char c : type) {
     if (c >= 'A' && c <= 'Z') {

@@ -14,6 +14,8 @@ namespace jalon::obj {
 
 namespace {
 
+constexpr size_t kMaxCrsBytes = 65536;  // far more than any WKT has
+
 std::string_view next_word(std::string_view& text) {
   const size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
   const size_t end = std::min(text.find_first_of(" \t", begin), text.size());
@@ -50,6 +52,11 @@ void append_known(std::string& out, const char* key, double value) {
 }
 
 }  // namespace
+
+void append_crs_note(std::string& out, const std::string& crs) {
+  if (!crs.empty() && crs.find_first_of("\r\n") == std::string::npos && crs.size() < kMaxCrsBytes)
+    out.append(kNote).append(" crs ").append(crs).append("\n");
+}
 
 void append_part_note(std::string& out, const Model& model, uint32_t index) {
   const Part& part = model.parts[index];
@@ -118,6 +125,10 @@ bool Notes::read_part(std::string_view text) {
 bool Notes::read(std::string_view text, size_t triangles_so_far) {
   const std::string_view what = next_word(text);
   if (what == "part") return read_part(text);
+  if (what == "crs") {
+    crs_ = valid_utf8(text.substr(std::min(text.find_first_not_of(' '), text.size())));
+    return true;
+  }
   if (what == "mesh") {
     mesh_from_ = triangles_so_far;
     return true;
@@ -178,6 +189,7 @@ bool Notes::build(Model& model) {
     if (ring.part >= parts_.size()) ring.part = kNoPart;
   for (const Solid& solid : solids_)
     if (solid.first_face > faces_.size() || solid.face_count > faces_.size() - solid.first_face) return false;
+  model.crs = std::move(crs_);
   model.parts = std::move(parts_);
   model.rings = std::move(rings_);
   model.corners = std::move(corners_);

@@ -11,6 +11,7 @@
 // OBJ knows triangles, polygons without holes and lines. What else a model has stands in comments "#: ...", which other
 // programs pass over; with them a file comes back as the model it was:
 //
+//   #: crs EPSG:2154                            of the coordinates
 //   #: part 3 of 1 class window evidence measured width 1.2 height 2.1 depth 0.2 name window 5
 //   #: face part 2 id 5 class 1 sigma 0.003      the next line "l" is its outline
 //   #: hole part 3                               the next "l" is a hole of it
@@ -20,6 +21,8 @@ namespace jalon::obj {
 
 inline constexpr std::string_view kNote = "#:";
 
+/// Nothing when the CRS is not known, or longer than a line.
+void append_crs_note(std::string& out, const std::string& crs);
 void append_part_note(std::string& out, const Model& model, uint32_t part);
 void append_face_note(std::string& out, const Face& face);
 void append_hole_note(std::string& out, const Ring& ring);
@@ -42,6 +45,7 @@ class Notes {
  private:
   static constexpr size_t kNone = ~size_t{0};
   bool read_part(std::string_view text);
+  std::string crs_;
   std::vector<Part> parts_;
   std::vector<Face> faces_;
   std::vector<Ring> rings_;

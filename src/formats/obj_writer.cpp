@@ -147,8 +147,10 @@ void write_obj(const Model& given, const std::string& path, const ParamSet& opti
   const Model& model = chords.vertices.empty() ? given : chords;
   AtomicFile file(path);
   std::string head = "# Jalon, coordinates in metres\n";
-  if (!model.faces.empty())
+  if (!model.faces.empty()) {
+    obj::append_crs_note(head, model.crs);
     for (uint32_t p = 0; p < model.parts.size(); ++p) obj::append_part_note(head, model, p);
+  }
   file.write(head);
   {
     Span span(task, 0, 0.4);

@@ -243,12 +243,21 @@ static jalon_status scenario_model(void) {
   TRY(jalon_model_triangles(model, &f[4]));
   TRY(jalon_model_write(model, small_path("a.obj"), NULL, small_task));
   TRY(jalon_model_read(small_path("a.obj"), NULL, small_task, &back));
+  jalon_model_release(back), back = NULL;
+  TRY(jalon_model_write(model, small_path("a.dxf"), NULL, small_task));
+  TRY(jalon_model_write(model, small_path("a.geojson"), NULL, small_task));
+  TRY(jalon_model_write(model, small_path("a.stl"), NULL, small_task));
+  TRY(jalon_model_read(small_path("a.stl"), NULL, small_task, &back));
+  jalon_model_release(back), back = NULL;
+  TRY(jalon_model_write(model, small_path("a.city.json"), NULL, small_task));
+  TRY(jalon_model_read(small_path("a.city.json"), NULL, small_task, &back));
   for (int i = 0; i < 5; ++i) jalon_fields_release(f[i]);
   jalon_model_release(model);
   jalon_model_release(back);
   jalon_segmentation_release(segmentation);
   jalon_cloud_release(cloud);
-  remove(small_path("a.obj"));
+  static const char* const names[] = {"a.obj", "a.dxf", "a.geojson", "a.stl", "a.city.json"};
+  for (int i = 0; i < 5; ++i) remove(small_path(names[i]));
   return status;
 }
 

@@ -305,6 +305,25 @@ static void model__comes_back_from_every_format(void** state) {
     jalon_model_release(back);
     remove(path);
   }
+  const char* const others[] = {"m.stl", "m.city.json", "m.dxf", "m.geojson"};
+  for (int i = 0; i < 4; ++i) {
+    const char* path = temporary(others[i]);
+    jalon_model* back = NULL;
+    jalon_fields* fields = NULL;
+    double xyz[9];
+    MUST(jalon_model_write(model, path, NULL, NULL));
+    if (i >= 2) { /* these are written only */
+      REFUSED(JALON_ERROR_UNSUPPORTED, jalon_model_read(path, NULL, NULL, &back));
+    } else {
+      MUST(jalon_model_read(path, NULL, NULL, &back));
+      MUST(jalon_model_vertices(back, &fields));
+      MUST(jalon_fields_copy(fields, "xyz", JALON_FLOAT64, xyz, 9));
+      for (int k = 0; k < 9; ++k) assert_true(fabs(xyz[k] - vertices[k]) < 5.1e-5);
+      jalon_fields_release(fields);
+      jalon_model_release(back);
+    }
+    remove(path);
+  }
   REFUSED(JALON_ERROR_UNSUPPORTED, jalon_model_write(model, "/tmp/m.las", NULL, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_write(NULL, "/tmp/m.obj", NULL, NULL));
   jalon_model_release(model);

@@ -6,8 +6,9 @@
 
 #include <locale.h>
 
-enum { kPoints = 500, kTexts = 8 };
-static const char* const kFiles[] = {"out.xyz", "out.csv", "out.ply", "out.las", "out.obj", "out.svg", "report.json"};
+enum { kPoints = 500, kModels = 7, kTexts = 12, kJson = kTexts - 1 };
+static const char* const kFiles[kJson] = {"out.xyz", "out.csv", "out.ply", "out.las", "out.obj", "out.svg",
+                                          "report.json", "out.dxf", "out.city.json", "out.geojson", "out.stl"};
 
 static int use_comma(void) {
   static const char* const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8"};
@@ -43,6 +44,8 @@ static char* make_texts(void) {
   MUST(jalon_report_write_json(segmentation, model, "{\"title\": \"t\", \"times\": {\"read\": 1.5}}",
                                temporary(kFiles[6]), NULL, NULL));
   MUST(jalon_segmenter_params(segmenter, &params));
+  MUST(jalon_params_from_json(ascii, "{\"stl_format\": \"ascii\"}"));
+  for (int f = kModels; f < kJson; ++f) MUST(jalon_model_write(model, temporary(kFiles[f]), ascii, NULL));
   MUST(jalon_params_from_json(params, "{\"distance_tolerance_m\": 0.0125}"));
   MUST(jalon_params_to_json(params, &json));
   char* copy = strcpy(malloc(strlen(json) + 1), json);
@@ -65,9 +68,9 @@ static void locale__text_is_the_same_with_a_decimal_comma(void** state) {
     else assert_true(use_comma());
     snprintf(probe, sizeof probe, "%.1f", 1.5);
     assert_string_equal(probe, turn == 0 ? "1.5" : "1,5"); /* the host really is in that locale */
-    texts[turn][7] = make_texts();
-    sizes[turn][7] = strlen(texts[turn][7]);
-    for (int f = 0; f < 7; ++f) {
+    texts[turn][kJson] = make_texts();
+    sizes[turn][kJson] = strlen(texts[turn][kJson]);
+    for (int f = 0; f < kJson; ++f) {
       texts[turn][f] = content_of(temporary(kFiles[f]), &sizes[turn][f]);
       assert_non_null(texts[turn][f]);
       assert_true(sizes[turn][f] > 20);
@@ -78,7 +81,7 @@ static void locale__text_is_the_same_with_a_decimal_comma(void** state) {
   }
   for (int f = 0; f < kTexts; ++f) {
     if (sizes[0][f] != sizes[1][f] || memcmp(texts[0][f], texts[1][f], sizes[0][f]) != 0)
-      fail_msg("%s depends on the locale", f < 7 ? kFiles[f] : "the JSON of the parameters");
+      fail_msg("%s depends on the locale", f < kJson ? kFiles[f] : "the JSON of the parameters");
     free(texts[0][f]);
     free(texts[1][f]);
   }
@@ -104,6 +107,24 @@ static void locale__text_is_read_with_a_decimal_comma_about(void** state) {
   const double one[3] = {0.5, -1.25, 1e-3};
   assert_memory_equal(xyz.data, one, sizeof one);
   jalon_cloud_release(cloud);
+  static const char* const models[] = {
+      "solid\nfacet normal 0 0 1\nouter loop\nvertex 0.5 0 0\nvertex 1.25 0 0\nvertex 0 2.75 0\nendloop\nendfacet\n",
+      "{\"type\":\"CityJSON\",\"version\":\"1.0\",\"CityObjects\":{},\"vertices\":"
+      "[[0.5,0,0],[1.25,0,0],[0,2.75,0]]}"};
+  for (int f = 0; f < 2; ++f) {
+    const char* path = temporary(f == 0 ? "in.stl" : "in.json");
+    jalon_model* model;
+    jalon_fields* vertices;
+    double xyz[9];
+    write_text(path, models[f]);
+    MUST(jalon_model_read(path, NULL, NULL, &model));
+    MUST(jalon_model_vertices(model, &vertices));
+    MUST(jalon_fields_copy(vertices, "xyz", JALON_FLOAT64, xyz, 9));
+    assert_true(xyz[0] == 0.5 && xyz[3] == 1.25 && xyz[7] == 2.75);
+    jalon_fields_release(vertices);
+    jalon_model_release(model);
+    remove(path);
+  }
   remove(temporary("in.xyz"));
   remove(temporary("in.ply"));
   setlocale(LC_ALL, "");

@@ -80,6 +80,10 @@ static void model_and_files(const jalon_cloud* cloud, uint64_t seed, jalon_task*
   tell("model faces", seed, hash_and_release(fields));
   MUST(jalon_model_write(model, temporary("m.obj"), NULL, task));
   tell("model.obj", seed, hash_file("m.obj"));
+  MUST(jalon_model_write(model, temporary("m.dxf"), NULL, task));
+  tell("model.dxf", seed, hash_file("m.dxf"));
+  MUST(jalon_model_write(model, temporary("m.city.json"), NULL, task));
+  tell("model.city.json", seed, hash_file("m.city.json"));
   MUST(jalon_report_write_elevation(out.segmentation, model, temporary("e.svg"), NULL, task));
   tell("elevation.svg", seed, hash_file("e.svg"));
   MUST(jalon_segmentation_cloud(out.segmentation, &out.cloud));

@@ -152,13 +152,14 @@ TEST_CASE("city__files_of_others_are_read_by_their_semantics") {
   std::map<std::string, int> classes;
   for (const Face& face : model.faces) ++classes[model.parts[face.part].part_class];
   CHECK(classes == std::map<std::string, int>{{"building", 1}, {"ground", 1}, {"roof", 1}, {"wall", 2}, {"window", 1}});
-  uint32_t window = 0, building_part = 0;
+  uint32_t window = 0, building_part = 0;  // the latter has the name of its object
   for (uint32_t p = 0; p < model.parts.size(); ++p) {
     if (model.parts[p].part_class == "window") window = p;
-    if (model.parts[p].part_class == "building_part") building_part = p;
+    if (model.parts[p].name == "p") building_part = p;
   }
   CHECK(model.parts[model.parts[window].parent].part_class == "wall");
-  CHECK(model.parts[model.parts[building_part].parent].part_class == "building");
+  CHECK(model.parts[building_part].part_class == "building");
+  CHECK(model.parts[model.parts[building_part].parent].name == "b");
   for (const Part& part : model.parts) CHECK(part.part_class != "door");  // no polygon has it
   Json old = cube();
   old["version"] = "1.0";

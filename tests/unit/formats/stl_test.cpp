@@ -101,6 +101,7 @@ TEST_CASE("obj__a_model_comes_back_with_faces_holes_parts_and_solids") {
   }
   for (size_t v = 0; v < model.vertices.size(); ++v) CHECK(back.vertices[v] == model.vertices[v]);
   CHECK(back.triangles.empty());
+  CHECK(back.crs == "EPSG:2154");
   REQUIRE(back.solids.size() == 1);
   CHECK(back.solids[0].first_face == model.solids[0].first_face);
   CHECK(back.solids[0].face_count == 6);
