@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "modelling/arc_tangency.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace jalon {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kParallel = 0.02;  // sine: a degree
 constexpr double kSigmas = 4, kSpacings = 0.5;
+constexpr double kBetter = 0.7;  // a jamb that the arc fixes so much better has its place from there
 // The arc starts and ends near the jambs' own direction: within 25 degrees.
 const double kTangent = std::cos(25 * 3.14159265358979323846 / 180);
 
@@ -18,35 +20,60 @@ Vec2 tangent(const EdgeShape& arc, double t) {
   return Vec2{-r.v, r.u} * arc.turn;
 }
 
+bool is_between(const EdgeShape& before, const EdgeShape& arc, const EdgeShape& after) {
+  if (before.is_arc || after.is_arc || !arc.is_arc) return false;
+  const Vec2 &up = before.line.direction, &down = after.line.direction;
+  return std::fabs(cross(up, down)) <= kParallel && dot(up, down) < 0 && dot(tangent(arc, 0), up) >= kTangent &&
+         dot(tangent(arc, arc.length_m), down) >= kTangent;
+}
+
+// A jamb as an observation of the circle: its distance from the centre is the radius.
+struct Touch {
+  EdgeShape& jamb;
+  double side;  ///< 1: the centre lies to the left
+  Coefficients<3> row;
+  double misfit_m;
+
+  Touch(EdgeShape& j, const Circle& circle) : jamb(j) {
+    const double distance = jamb.line.distance(circle.centre);
+    side = distance < 0 ? -1 : 1;
+    const Vec2& d = jamb.line.direction;
+    row = {-side * d.v, side * d.u, -1};
+    misfit_m = circle.radius - side * distance;
+  }
+  void settle(const Circle& circle, const Cholesky<3>& factor, EdgeSource source) {
+    jamb.shift(jamb.line.distance(circle.centre) - side * circle.radius);
+    const auto column = factor.solve(row);
+    const double sigma = std::sqrt(row[0] * column[0] + row[1] * column[1] + row[2] * column[2]);
+    if (sigma < kBetter * jamb.sigma_m) jamb.source = source;
+    jamb.sigma_m = std::min(jamb.sigma_m, sigma);
+  }
+};
+
 }  // namespace
 
-bool touch_jambs(const EdgeShape& before, const EdgeShape& after, const EdgeInformation& information, double spacing_m,
-                 EdgeShape& arc) {
-  if (before.is_arc || after.is_arc || !arc.is_arc) return false;
-  const Vec2 along = before.line.direction;
-  if (std::fabs(cross(along, after.line.direction)) > kParallel || dot(along, after.line.direction) > 0) return false;
-  if (dot(tangent(arc, 0), along) < kTangent || dot(tangent(arc, arc.length_m), after.line.direction) < kTangent)
-    return false;
-  // 1. The circle between the jambs.
-  const Vec2& centre = arc.circle.centre;
-  const double to_before = before.line.distance(centre), to_after = after.line.distance(centre);
-  const double radius = std::fabs(to_before + to_after) / 2;
-  const Vec2 left{-along.v, along.u};
-  const double aside = (to_after - to_before) / 2, wider = radius - arc.circle.radius;
-  const double sigma = std::sqrt(before.sigma_m * before.sigma_m + after.sigma_m * after.sigma_m +
-                                 arc.sigma_m * arc.sigma_m);
-  const double allowed = kSigmas * sigma + kSpacings * spacing_m;
-  if (std::fabs(aside) > allowed || std::fabs(wider) > allowed) return false;
-  // 2. Along the jambs: the least change of the arc's weighted squares.
-  const Coefficients<3> fixed{left.u * aside, left.v * aside, wider}, free{along.u, along.v, 0};
-  double numerator = 0, denominator = 0;
-  for (size_t i = 0; i < 3; ++i)
-    for (size_t j = 0; j < 3; ++j) {
-      numerator += free[i] * information[3 * i + j] * fixed[j];
-      denominator += free[i] * information[3 * i + j] * free[j];
+bool touch_jambs(const EdgeInformation& information, double spacing_m, EdgeShape& before, EdgeShape& arc,
+                 EdgeShape& after) {
+  if (!is_between(before, arc, after)) return false;
+  Touch touches[] = {{before, arc.circle}, {after, arc.circle}};
+  // 1. The arc's own measurements and the jambs'.
+  EdgeInformation matrix = information;
+  Coefficients<3> right{};
+  for (const Touch& t : touches) {
+    const double sigma = std::hypot(t.jamb.sigma_m, arc.sigma_m);
+    if (std::fabs(t.misfit_m) > kSigmas * sigma + kSpacings * spacing_m) return false;
+    const double weight = 1 / (t.jamb.sigma_m * t.jamb.sigma_m);
+    for (size_t i = 0; i < 3; ++i) {
+      right[i] += weight * t.row[i] * t.misfit_m;
+      for (size_t j = 0; j < 3; ++j) matrix[3 * i + j] += weight * t.row[i] * t.row[j];
     }
-  if (!(denominator > 0)) return false;
-  arc.circle = {centre + left * aside - along * (numerator / denominator), radius};
+  }
+  Cholesky<3> factor;
+  if (!factor.factor(matrix)) return false;
+  const auto x = factor.solve(right);
+  arc.circle = {arc.circle.centre + Vec2{x[0], x[1]}, arc.circle.radius + x[2]};
+  // 2. The jambs touch it.
+  for (Touch& t : touches) t.settle(arc.circle, factor, arc.source);
   // 3. Half a circle, from jamb to jamb.
   arc.set_ends(before.line.foot(arc.circle.centre), after.line.foot(arc.circle.centre));
   return true;

@@ -138,7 +138,7 @@ EdgeEvidence reveal_evidence(const EdgeSetting& setting, const MeasuredEdge& edg
   if (!setting.reveals) return best;
   for (const auto* points : {&edge.behind, &edge.before}) {
     Reveal reveal;
-    if (!find_reveal(*points, edge.shape.length_m, setting.spacing_m, reveal)) continue;
+    if (!find_reveal(*points, {edge.shape.length_m, setting.spacing_m, setting.sigma_m}, reveal)) continue;
     extra_per_m += reveal.per_metre2 * setting.window_m;
     EdgeEvidence found{std::move(reveal.offsets), reveal.common_m2};
     found.summarise();

@@ -9,6 +9,7 @@ namespace jalon {
 
 struct EdgeSetting {
   double spacing_m = 0.01;
+  double sigma_m = 0.003;  ///< noise of the points across the plane
   double window_m = 0.01;  ///< half-thickness of what counts as on the plane
   bool reveals = true;     ///< look for surfaces that meet the plane at the edge
   double snap_rad = 0.05;  ///< lines that turn out this near to vertical or horizontal become so

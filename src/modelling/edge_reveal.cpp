@@ -14,7 +14,14 @@ namespace {
 constexpr size_t kLeastPoints = 8, kMostSampled = 400;
 constexpr int kDraws = 64;          // half of the points on the surface: a clean pair is among 64 with 1 - 1e-8
 constexpr double kMostSlope = 0.6;  // 31 degrees: splayed embrasures
-constexpr double kLeastBase_m = 0.01, kLeastSpread_m = 0.006;  // heights of a pair, standard deviation of all
+constexpr double kLeastBase_m = 0.01;  // between the heights of a pair
+// Heights of the middle four fifths of a surface's points: those of a plane parallel to this one differ by 2.6 sigma.
+constexpr double kLeastSpan_m = 0.012, kLeastSpanSigmas = 6;
+// What fills an opening ends at its reveals: points in the opening, further from the edge than this many spacings or
+// reaches, tell how far behind, the nearest tenth of them left out as mixed pixels.
+constexpr double kFilling = 0.4, kFillingReaches = 2, kMixedShare = 0.1;
+constexpr size_t kLeastFilling = 6;
+constexpr double kBeforeFilling_m = 0.006, kBeforeFillingSigmas = 3;
 // Noise of points across a surface seen nearly along it: millimetres, whatever the spacing.
 constexpr double kReach_m = 0.004, kReachOfSpacing = 0.12;
 constexpr double kOutlier = 3, kLeastSigma_m = 0.0003;
@@ -28,7 +35,28 @@ struct CrossLine {
   double residual(const RevealPoint& p) const { return p.d_m - offset_m - slope * p.height_m; }
 };
 
-// Step 1: the line with most points near it.
+double quantile(std::vector<double>& values, double share) {
+  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// Step 1: without the pane or leaf that ends at the reveal, whose points would bend the line.
+std::vector<RevealPoint> before_filling(std::span<const RevealPoint> points, double reach_m, const RevealSetting& s) {
+  std::vector<double> filling;
+  const double outside = std::max(kFilling * s.spacing_m, kFillingReaches * reach_m);
+  for (const RevealPoint& p : points)
+    if (p.d_m < -outside) filling.push_back(std::fabs(p.height_m));
+  double limit = INFINITY;
+  if (filling.size() >= kLeastFilling)
+    limit = quantile(filling, kMixedShare) - std::max(kBeforeFilling_m, kBeforeFillingSigmas * s.sigma_m);
+  std::vector<RevealPoint> out;
+  for (const RevealPoint& p : points)
+    if (std::fabs(p.height_m) < limit) out.push_back(p);
+  return out;
+}
+
+// Step 2: the line with most points near it.
 bool draw_line(std::span<const RevealPoint> points, double reach_m, CrossLine& best) {
   const size_t step = points.size() / kMostSampled + 1, count = (points.size() + step - 1) / step;
   double best_score = 0;
@@ -71,10 +99,9 @@ struct LineSums {
   double offset_variance(double sigma2, double prior) const {
     return sigma2 * (hh + prior) / (n * (hh + prior) - h * h);
   }
-  double spread() const { return std::sqrt(std::max(0.0, hh / n - h * h / (n * n))); }
 };
 
-// Step 2: least squares on the points near it, their own spread deciding which.
+// Step 3: least squares on the points near it, their own spread deciding which.
 bool settle_line(std::span<const RevealPoint> points, double reach_m, CrossLine& line, double& sigma_m,
                  std::vector<RevealPoint>& inliers, LineSums& sums) {
   sigma_m = reach_m / kOutlier * 1.5;
@@ -94,12 +121,16 @@ bool settle_line(std::span<const RevealPoint> points, double reach_m, CrossLine&
     sigma_m = std::clamp(std::sqrt(squares / (n - 2)), kLeastSigma_m, reach_m / kOutlier * 1.5);
     line = sums.solve(sigma_m * sigma_m / (kSlopeSigma * kSlopeSigma));
   }
-  return sums.spread() >= kLeastSpread_m && std::fabs(line.slope) <= kMostSlope;
+  return std::fabs(line.slope) <= kMostSlope;
 }
 
-// Step 3: more points than the clutter beside the edge explains, along most of the edge.
+// Step 4: more points than the clutter beside the edge explains, along most of the edge.
 bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint> inliers, double sigma_m,
-                double length_m) {
+                const RevealSetting& setting) {
+  std::vector<double> heights;
+  for (const RevealPoint& p : inliers) heights.push_back(p.height_m);
+  const double span = quantile(heights, 0.9) - quantile(heights, 0.1);
+  if (span < std::max(kLeastSpan_m, kLeastSpanSigmas * setting.sigma_m)) return false;
   double low = INFINITY, high = -INFINITY;
   for (const RevealPoint& p : points) {
     low = std::min(low, p.d_m);
@@ -111,11 +142,11 @@ bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint
   if (n < kTimesBackground * clutter + 3 * std::sqrt(clutter)) return false;
   std::vector<uint8_t> hit(static_cast<size_t>(kBins), 0);
   for (const RevealPoint& p : inliers)
-    hit[static_cast<size_t>(std::clamp(p.t_m / length_m, 0.0, 0.999) * kBins)] = 1;
+    hit[static_cast<size_t>(std::clamp(p.t_m / setting.length_m, 0.0, 0.999) * kBins)] = 1;
   return std::count(hit.begin(), hit.end(), 1) >= static_cast<ptrdiff_t>(kLeastBinsHit);
 }
 
-// Step 4: the offset in bins along the edge.
+// Step 5: the offset in bins along the edge.
 std::vector<EdgeOffset> binned(std::span<const RevealPoint> inliers, const CrossLine& line, double sigma_m,
                                double length_m) {
   struct Bin {
@@ -136,16 +167,16 @@ std::vector<EdgeOffset> binned(std::span<const RevealPoint> inliers, const Cross
 
 }  // namespace
 
-bool find_reveal(std::span<const RevealPoint> points, double length_m, double spacing_m, Reveal& out) {
-  if (points.size() < kLeastPoints) return false;
-  const double reach = std::max(kReach_m, kReachOfSpacing * spacing_m);
+bool find_reveal(std::span<const RevealPoint> points, const RevealSetting& setting, Reveal& out) {
+  const double reach = std::max(kReach_m, kReachOfSpacing * setting.spacing_m);
+  const auto used = before_filling(points, reach, setting);
   CrossLine line;
-  if (!draw_line(points, reach, line)) return false;
+  if (used.size() < kLeastPoints || !draw_line(used, reach, line)) return false;
   std::vector<RevealPoint> inliers;
   LineSums sums;
   double sigma = 0;
-  if (!settle_line(points, reach, line, sigma, inliers, sums)) return false;
-  if (!is_surface(points, inliers, sigma, length_m)) return false;
+  if (!settle_line(used, reach, line, sigma, inliers, sums)) return false;
+  if (!is_surface(used, inliers, sigma, setting)) return false;
   double nearest = INFINITY, farthest = 0;
   for (const RevealPoint& p : inliers) {
     nearest = std::min(nearest, std::fabs(p.height_m));
@@ -155,8 +186,8 @@ bool find_reveal(std::span<const RevealPoint> points, double length_m, double sp
   out.offset_m = line.offset_m;
   out.slope = line.slope;
   out.common_m2 = std::max(0.0, sums.offset_variance(variance, prior) - variance / sums.n);
-  out.per_metre2 = sums.n / (length_m * std::max(farthest - nearest, kLeastSpread_m));
-  out.offsets = binned(inliers, line, sigma, length_m);
+  out.per_metre2 = sums.n / (setting.length_m * (farthest - nearest));
+  out.offsets = binned(inliers, line, sigma, setting.length_m);
   return true;
 }
 

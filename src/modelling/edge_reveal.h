@@ -18,9 +18,15 @@ struct Reveal {
   std::vector<EdgeOffset> offsets;  ///< along the edge
 };
 
+struct RevealSetting {
+  double length_m = 1;       ///< of the edge
+  double spacing_m = 0.01;
+  double sigma_m = 0.003;    ///< noise of the points across the plane
+};
+
 /// Looks for a surface in the points beside an edge, all on one side of its plane: the most points near one line across
-/// the edge (random draws, then least squares), spread along the edge and in height, and more of them than a cloud
-/// without that surface would put there. False when there is none.
-bool find_reveal(std::span<const RevealPoint> points, double length_m, double spacing_m, Reveal& out);
+/// the edge (random draws, then least squares), in front of what fills the opening, spread along the edge and in height,
+/// and more of them than a cloud without that surface would put there. False when there is none.
+bool find_reveal(std::span<const RevealPoint> points, const RevealSetting& setting, Reveal& out);
 
 }  // namespace jalon

@@ -90,7 +90,7 @@ std::vector<Vec2> polyline(const Draft& draft) {
 
 // Step 3.
 void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows& contours, double min_height_m,
-             double sigma_m, const EdgeSetting& adjust, Task& task) {
+             const EdgeSetting& adjust, Task& task) {
   for (int pass = 0; pass < kPasses; ++pass) {
     std::array<std::vector<const MeasuredEdge*>, kClasses> classes;
     for (Draft& draft : drafts)
@@ -100,7 +100,7 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
         classes[static_cast<size_t>(edge.shape.direction)].push_back(&edge);
       }
     std::array<CountingVariance, kClasses> variance;
-    for (size_t c = 0; c < kClasses; ++c) variance[c] = counting_variance(classes[c], adjust.spacing_m, sigma_m);
+    for (size_t c = 0; c < kClasses; ++c) variance[c] = counting_variance(classes[c], adjust.spacing_m, adjust.sigma_m);
     for (Draft& draft : drafts)
       for (size_t i = 0; i < draft.edges.size(); ++i) {
         MeasuredEdge& edge = draft.edges[i];
@@ -115,7 +115,7 @@ VectorRing draw(const Draft& draft, const Contour& contour) {
   std::vector<EdgeShape> shapes;
   for (const MeasuredEdge& edge : draft.edges) shapes.push_back(edge.shape);
   for (size_t i = 0; i < n && n > 2; ++i)
-    touch_jambs(shapes[(i + n - 1) % n], shapes[(i + 1) % n], draft.information[i], contour.spacing_m, shapes[i]);
+    touch_jambs(draft.information[i], contour.spacing_m, shapes[(i + n - 1) % n], shapes[i], shapes[(i + 1) % n]);
   VectorRing ring;
   const double reach = kChamfer * contour.max_edge_m + 2 * contour.spacing_m;
   if (!join_edges(shapes, contour.spacing_m, reach, ring)) return {};
@@ -147,8 +147,8 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   const NearPoints near = source.near(rings, about);
   task.checkpoint(0);
   const PointRows others = contour_points(chains, contour.spacing_m);
-  measure(drafts, near, others, kOffPlane * sigma, sigma,
-          {contour.spacing_m, about.window_m, setting.reveal_depth_m > 0, setting.straight.snap_angle_rad},
+  measure(drafts, near, others, kOffPlane * sigma,
+          {contour.spacing_m, sigma, about.window_m, setting.reveal_depth_m > 0, setting.straight.snap_angle_rad},
           task);
   std::vector<VectorRing> out;
   for (const Draft& draft : drafts) out.push_back(draw(draft, contour));
