@@ -16,6 +16,10 @@ constexpr double kPi = 3.14159265358979323846;
 // Standard deviation of contour points about their line, in spacings: 0.29 on a grid, up to 0.5 measured on scattered
 // points, which are not independent of their neighbours either.
 constexpr double kNoise = 0.5;
+// Where contour points lie further apart than this many spacings, they stray in proportion.
+constexpr double kStep = 2;
+// A part costs as much as on a ring of so many points at most: what a window's corner is worth on a window.
+constexpr size_t kMostRing = 100;
 // Candidate corners: Douglas-Peucker with this tolerance in spacings, and no two further apart than so many points, for
 // the smooth passage of a line into an arc is no corner.
 constexpr double kCandidateTolerance = 0.8;
@@ -28,16 +32,28 @@ constexpr double kLengthAgreement = 1.5;  // a chain zigzags: it is longer than 
 constexpr double kHopeless = 36;
 constexpr int kPatience = 4;
 
+std::vector<double> weights_of(std::span<const Vec2> chain, double spacing_m) {
+  const size_t n = chain.size();
+  std::vector<double> out(n);
+  for (size_t i = 0; i < n; ++i) {
+    const double step = (norm(chain[(i + 1) % n] - chain[i]) + norm(chain[i] - chain[(i + n - 1) % n])) / 2;
+    const double share = kStep * spacing_m / std::max(step, kStep * spacing_m);
+    out[i] = share * share;
+  }
+  return out;
+}
+
 struct Splitter {
   std::span<const Vec2> chain;
   const PartsSetting& setting;
   ChainMoments moments;
   double variance, line_cost, arc_cost;
 
-  Splitter(std::span<const Vec2> points, const PartsSetting& s) : chain(points), setting(s), moments(points) {
+  Splitter(std::span<const Vec2> points, const PartsSetting& s)
+      : chain(points), setting(s), moments(points, weights_of(points, s.spacing_m)) {
     variance = kNoise * kNoise * s.spacing_m * s.spacing_m;
     // Schwarz: parameters x ln(n); a cut is one more.
-    const double log_n = std::log(static_cast<double>(std::max<size_t>(points.size(), 8)));
+    const double log_n = std::log(static_cast<double>(std::clamp<size_t>(points.size(), 8, kMostRing)));
     line_cost = 3 * log_n;
     arc_cost = 4 * log_n;
   }

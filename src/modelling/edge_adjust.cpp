@@ -13,6 +13,8 @@ namespace {
 
 // Standard deviation of a provisional edge, in spacings: the set-back of contour points is 0.2 to 0.5.
 constexpr double kContourSigma = 0.35;
+// An edge that is measured less well than this stays near its contour, in spacings.
+constexpr double kPoor = 0.5;
 // And of what the contour says of an edge's slope (rad) and an arc's centre (spacings): weak, for edges with few
 // offsets.
 constexpr double kSlopeSigma = 0.1, kCentreSigma = 3;
@@ -184,10 +186,19 @@ EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& 
     return all.matrix;
   }
   const auto row = unknowns.row(shape.length_m / 2);
-  const auto column = factor.solve(row);
-  shape.sigma_m = std::sqrt(row[0] * column[0] + row[1] * column[1] + row[2] * column[2]);
+  const auto sigma = [&] {
+    const auto column = factor.solve(row);
+    return std::sqrt(row[0] * column[0] + row[1] * column[1] + row[2] * column[2]);
+  };
+  shape.sigma_m = sigma();
+  if (shape.sigma_m > kPoor * p) {
+    all.add(row, unknowns.value(-edge.moved_m), 1 / (kPoor * p * kPoor * p));
+    if (factor.factor(all.matrix)) shape.sigma_m = sigma();
+  }
   shape.source = reveal.variance_m2 < density.variance_m2 ? EdgeSource::kReveal : EdgeSource::kDensity;
-  move(shape, factor.solve(all.right));
+  const auto x = factor.solve(all.right);
+  move(shape, x);
+  edge.moved_m += shape.is_arc ? -shape.turn * (row[0] * x[0] + row[1] * x[1] + x[2]) : x[0];
   const double slope_sigma = std::sqrt(factor.solve({0, 1, 0})[1]);
   if (unknowns.is_turned() && !shape.is_arc) shape.snap(setting.snap_rad, kSnapSigmas * slope_sigma, p);
   return all.matrix;

@@ -31,6 +31,7 @@ struct RevealPoint {
 /// An edge and all that was measured about it.
 struct MeasuredEdge {
   EdgeShape shape;
+  double moved_m = 0;  ///< from its contour's place, into the solid
   std::vector<EdgeBlock> blocks;
   std::vector<RevealPoint> behind, before;  ///< the plane
 };

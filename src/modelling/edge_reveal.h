@@ -25,8 +25,8 @@ struct RevealSetting {
 };
 
 /// Looks for a surface in the points beside an edge, all on one side of its plane: the most points near one line across
-/// the edge (random draws, then least squares), in front of what fills the opening, spread along the edge and in height,
-/// and more of them than a cloud without that surface would put there. False when there is none.
+/// the edge (random draws, then least squares), in front of what fills the opening, spread along the edge and in
+/// height, and more of them than a cloud without that surface would put there. False when there is none.
 bool find_reveal(std::span<const RevealPoint> points, const RevealSetting& setting, Reveal& out);
 
 }  // namespace jalon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "modelling/measured_rings.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,12 +21,16 @@ namespace {
 constexpr double kOnPlane = 3, kOffPlane = 4, kLeastSigma_m = 0.001;
 // A corner cut by the triangulation is a run of at most a gap between two edges; a little more for noise.
 constexpr double kChamfer = 1.3;
+constexpr double kAgainst = -0.95, kLeastEnd = 1.5;  // cosine; spacings
+constexpr double kArcSigma = 0.5;  // spacings
+constexpr double kShadowLength = 24, kShadowShare = 0.4;  // spacings; of the shorter edge beside it
 constexpr int kPasses = 2;  // the second counts from where the first put the edge
 constexpr double kPolylineStep = 0.3;  // rad
 constexpr size_t kClasses = 4;
 
 struct Draft {
   const Chain* chain;
+  bool is_opening;
   std::vector<MeasuredEdge> edges;
   std::vector<EdgeInformation> information;
 };
@@ -46,6 +51,51 @@ void drop_chamfers(std::vector<EdgeShape>& shapes, double reach_m) {
   }
 }
 
+// Shadows beside an opening's corner (of a sill's ends, say) take solid away: up to three short parts that leave two
+// upright edges and come back to them, none of them inside both, give way to the corner of those edges.
+bool is_shadowed_corner(const EdgeShape& a, std::span<const EdgeShape> between, const EdgeShape& c, double spacing_m) {
+  if (a.is_arc || c.is_arc || a.direction == c.direction || a.direction == EdgeDirection::kInclined ||
+      c.direction == EdgeDirection::kInclined)
+    return false;
+  double length = 0;
+  for (const EdgeShape& b : between) {
+    length += b.length_m;
+    for (const Vec2& p : {b.first, b.last})
+      if (b.is_arc || std::max(a.line.distance(p), c.line.distance(p)) < -spacing_m) return false;
+  }
+  return length <= std::min(kShadowLength * spacing_m, kShadowShare * std::min(a.length_m, c.length_m));
+}
+
+void close_shadowed_corners(std::vector<EdgeShape>& shapes, double spacing_m) {
+  for (size_t i = 0; i < shapes.size(); ++i)
+    for (size_t count = std::min<size_t>(3, shapes.size() - std::min<size_t>(shapes.size(), 3)); count > 0; --count) {
+      const size_t n = shapes.size();
+      std::vector<EdgeShape> between;
+      for (size_t k = 1; k <= count; ++k) between.push_back(shapes[(i + k) % n]);
+      if (!is_shadowed_corner(shapes[i], between, shapes[(i + count + 1) % n], spacing_m)) continue;
+      std::rotate(shapes.begin(), shapes.begin() + static_cast<ptrdiff_t>(i), shapes.end());
+      shapes.erase(shapes.begin() + 1, shapes.begin() + 1 + static_cast<ptrdiff_t>(count));
+      i = 0;
+      break;
+    }
+}
+
+// A post ends between its sides: two lines that run against each other get the edge across that joins them.
+void insert_ends(std::vector<EdgeShape>& shapes, double spacing_m) {
+  for (size_t i = 0; i < shapes.size() && shapes.size() > 2; ++i) {
+    const EdgeShape &a = shapes[i], &b = shapes[(i + 1) % shapes.size()];
+    if (a.is_arc || b.is_arc || dot(a.line.direction, b.line.direction) > kAgainst) continue;
+    const Vec2 along = a.line.direction;
+    const double end = std::max(dot(along, a.last - a.first), dot(along, b.first - a.first)) + kSetBack * spacing_m;
+    const Vec2 from = a.at(end, 0);
+    Vec2 to = b.line.foot(from);
+    if (along.u == 0) to.v = from.v;  // to the last bit
+    if (along.v == 0) to.u = from.u;
+    if (norm(to - from) < kLeastEnd * spacing_m) continue;
+    shapes.insert(shapes.begin() + static_cast<ptrdiff_t>(i + 1), straight_shape(from, to));
+  }
+}
+
 // Four sides for an opening whose ragged contour fills an upright rectangle.
 std::vector<EdgeShape> rectangle_shapes(const Chain& chain, double max_edge_m, double spacing_m) {
   StraightenSetting s;
@@ -60,9 +110,10 @@ std::vector<EdgeShape> rectangle_shapes(const Chain& chain, double max_edge_m, d
 }
 
 // Step 1.
-Draft make_draft(const Chain& chain, bool is_opening, const Contour& contour, const VectoriseSetting& setting) {
+Draft make_draft(const Chain& chain, bool is_opening, bool arcs, const Contour& contour,
+                 const VectoriseSetting& setting) {
   const double p = contour.spacing_m;
-  const auto parts = split_chain(chain, {p, setting.arcs});
+  const auto parts = split_chain(chain, {p, arcs});
   std::vector<EdgeShape> shapes;
   bool has_arc = false;
   for (const ChainPart& part : parts) {
@@ -70,10 +121,13 @@ Draft make_draft(const Chain& chain, bool is_opening, const Contour& contour, co
     has_arc = has_arc || part.is_arc;
   }
   drop_chamfers(shapes, kChamfer * contour.max_edge_m);
+  if (is_opening) close_shadowed_corners(shapes, p);
+  insert_ends(shapes, p);
   if (is_opening && setting.straight.rectangles && !has_arc && shapes.size() != 4)
     if (auto sides = rectangle_shapes(chain, contour.max_edge_m, p); !sides.empty()) shapes = std::move(sides);
-  Draft draft{&chain, std::vector<MeasuredEdge>(shapes.size()), std::vector<EdgeInformation>(shapes.size())};
-  for (size_t i = 0; i < shapes.size(); ++i) draft.edges[i].shape = shapes[i];
+  const size_t n = shapes.size();
+  Draft draft{&chain, is_opening, std::vector<MeasuredEdge>(n), std::vector<EdgeInformation>(n)};
+  for (size_t i = 0; i < n; ++i) draft.edges[i].shape = shapes[i];
   return draft;
 }
 
@@ -109,6 +163,14 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
   }
 }
 
+// An arc that nothing but a ragged contour speaks for.
+bool has_doubtful_arc(const Draft& draft, double spacing_m) {
+  return std::any_of(draft.edges.begin(), draft.edges.end(), [&](const MeasuredEdge& edge) {
+    const EdgeShape& s = edge.shape;
+    return s.is_arc && (s.source == EdgeSource::kContour || !(s.sigma_m <= kArcSigma * spacing_m));
+  });
+}
+
 // Steps 4 and 5.
 VectorRing draw(const Draft& draft, const Contour& contour) {
   const size_t n = draft.edges.size();
@@ -117,7 +179,7 @@ VectorRing draw(const Draft& draft, const Contour& contour) {
   for (size_t i = 0; i < n && n > 2; ++i)
     touch_jambs(draft.information[i], contour.spacing_m, shapes[(i + n - 1) % n], shapes[i], shapes[(i + 1) % n]);
   VectorRing ring;
-  const double reach = kChamfer * contour.max_edge_m + 2 * contour.spacing_m;
+  const double reach = std::max(kChamfer * contour.max_edge_m, kShadowLength * contour.spacing_m);
   if (!join_edges(shapes, contour.spacing_m, reach, ring)) return {};
   // The area that the contour encloses, give or take its distance from the true edge.
   const double area = signed_area(ring), wanted = signed_area(*draft.chain);
@@ -137,7 +199,7 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
     for (size_t k = 0; k <= piece.openings.size(); ++k) {
       task.checkpoint(0);
       const Chain& chain = k == 0 ? piece.outline : piece.openings[k - 1];
-      drafts.push_back(make_draft(chain, k > 0, contour, setting));
+      drafts.push_back(make_draft(chain, k > 0, setting.arcs, contour, setting));
       rings.push_back(polyline(drafts.back()));
       chains.push_back(chain);
     }
@@ -147,9 +209,17 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   const NearPoints near = source.near(rings, about);
   task.checkpoint(0);
   const PointRows others = contour_points(chains, contour.spacing_m);
-  measure(drafts, near, others, kOffPlane * sigma,
-          {contour.spacing_m, sigma, about.window_m, setting.reveal_depth_m > 0, setting.straight.snap_angle_rad},
-          task);
+  const EdgeSetting edges{contour.spacing_m, sigma, about.window_m, setting.reveal_depth_m > 0,
+                          setting.straight.snap_angle_rad};
+  measure(drafts, near, others, kOffPlane * sigma, edges, task);
+  std::vector<Draft> again;
+  for (Draft& draft : drafts) {
+    if (!has_doubtful_arc(draft, contour.spacing_m)) continue;
+    draft = make_draft(*draft.chain, draft.is_opening, false, contour, setting);
+    again.assign(1, std::move(draft));
+    measure(again, near, others, kOffPlane * sigma, edges, task);
+    draft = std::move(again[0]);
+  }
   std::vector<VectorRing> out;
   for (const Draft& draft : drafts) out.push_back(draw(draft, contour));
   return out;
