@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <string_view>
 
 #include "model/part_classes.h"
 #include "modelling/corner_covariances.h"
@@ -203,15 +204,20 @@ class Assembly {
     };
     std::vector<Element> elements;
     std::vector<Box3> boxes;
-    for (const size_t plane : facade_->elements)
+    for (const size_t plane : facade_->elements) {
+      const char* largest = nullptr;
       for (const VectorFace& face : plan_.planes[plane].faces) {
         const FacadeFrame& frame = facade_->group.frame;
         const Vec3& n = plan_.planes[plane].frame.normal;
         const Box3 box = box_in(frame, plan_.planes[plane].frame, face.outline);
         const ElementShape shape{box, {dot(n, frame.along), dot(n, frame.outward), n.z}, area(face)};
-        elements.push_back({plane, &face, box, class_of_element(shape, shape_)});
+        // Small pieces of the ground beside cars and tripods are ground.
+        const char* own = class_of_element(shape, shape_);
+        if (largest == nullptr) largest = own;
+        elements.push_back({plane, &face, box, largest == std::string_view(part_class::kGround) ? largest : own});
         boxes.push_back(box);
       }
+    }
     std::map<std::string, size_t> numbers;
     for (const size_t k : by_place(boxes)) {
       task_.checkpoint(0);

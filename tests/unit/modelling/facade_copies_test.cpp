@@ -24,7 +24,8 @@ Segmentation seen_past_a_screen(const Vec3& shift) {
   std::vector<walls::Rectangle> windows;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 2; ++j) windows.push_back({1 + 2.7 * i, 1 + 3.0 * j, 2.1 + 2.7 * i, 2.6 + 3.0 * j});
-  const walls::Rectangle screen{8.13, 3.46, 9.11, 4.74};  // in the plane y = -3.5, between the eye and the window (3, 1)
+  // In the plane y = -3.5, between the eye and the fourth window of the upper row.
+  const walls::Rectangle screen{8.13, 3.46, 9.11, 4.74};
   const auto sees = [&](const Vec3& p) {
     const Vec3 q = eye + (p - eye) * ((-3.5 - eye.y) / (p.y - eye.y));
     return !screen.contains(q.x, q.z);
