@@ -53,12 +53,16 @@ Vec3 middle_of(const Model& model, uint64_t ring) {
   return sum;
 }
 
-// How many more openings of the faces shown have their joinery behind the wall, when seen against this normal, than
+// |cos| between a wall and the view: other walls say nothing about its front.
+constexpr double kSameWay = 0.7;
+
+// How many more openings of the walls shown have their joinery behind the wall, when seen against this normal, than
 // before it.
 int64_t front_votes(const Model& model, const ElevationView& view, const OpeningList& openings, const Vec3& outward) {
   int64_t votes = 0;
   for (const OpeningRow& row : openings.rows) {
     if (row.contour.empty() || row.joinery.empty() || !view.shows(row.contour.front().face)) continue;
+    if (std::fabs(dot(model.faces[row.wall].plane.normal, normalized(outward))) < kSameWay) continue;
     const Vec3 inward = middle_of(model, model.faces[row.joinery.front()].first_ring) -
                         middle_of(model, row.contour.front().ring);
     const double behind = -dot(inward, outward);
@@ -80,6 +84,15 @@ Vec3 front_of(const Segmentation& segmentation, const Model& model, const Elevat
   return is_away ? -normal : normal;
 }
 
+// The facade frame of a segmentation without stations may look at the back of its main facade.
+Transform whole_view(const Segmentation& segmentation, const Model& model, const ElevationView& view,
+                     const OpeningList& openings) {
+  const Transform& frame = segmentation.T_facade_world;
+  const Vec3 outward{-frame.m[4], -frame.m[5], -frame.m[6]};
+  const bool is_front = has_station_poses(segmentation) || front_votes(model, view, openings, outward) >= 0;
+  return is_front ? frame : Transform{{-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0}} * frame;
+}
+
 }  // namespace
 
 double ElevationView::azimuth_rad() const { return std::atan2(T_view_world.m[4], T_view_world.m[5]); }
@@ -94,7 +107,7 @@ std::vector<uint32_t> facade_parts(const Model& model) {
 ElevationView elevation_view(const Segmentation& segmentation, const Model& model, const OpeningList& openings,
                              int64_t facade) {
   ElevationView view;
-  view.T_view_world = segmentation.T_facade_world;
+  view.T_view_world = whole_view(segmentation, model, view, openings);
   if (facade == 0) return view;
   const auto facades = facade_parts(model);
   if (facade < 0 || static_cast<uint64_t>(facade) > facades.size())

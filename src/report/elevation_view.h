@@ -34,7 +34,7 @@ std::vector<uint32_t> facade_parts(const Model& model);
 
 /// facade 0: the whole model from the front of the segmentation's main facade. k = 1 ...: the k-th facade alone, and
 /// what belongs to no facade, against the mean normal of its walls. Where no station is known normals may point either
-/// way: then most of its joinery lies behind the walls, or else it is seen from where the main facade is. Throws
+/// way: then most joinery lies behind its walls; a facade without is seen from where the main facade is. Throws
 /// kInvalidArgument when there are fewer facades.
 ElevationView elevation_view(const Segmentation& segmentation, const Model& model, const OpeningList& openings,
                              int64_t facade);

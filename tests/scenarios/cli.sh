@@ -138,6 +138,16 @@ import json
 d=json.load(open(\"scanner/report.json\"))
 assert d[\"scanner\"][\"sigma_range_m\"]==0.002 and len(d[\"scanner\"])==3, d[\"scanner\"]
 assert 0.5<d[\"planes\"][0][\"variance_factor\"]<5, d[\"planes\"][0]'"
+check "scan of a building of several facades" "$jalon" scan --scene lycee -o lycee.las --quiet --set horizontal_step_rad=0.003 --set vertical_step_rad=0.003
+check "each of several facades has its drawing, in the report too" bash -c "'$jalon' model lycee.las -o lycee --json | python3 -c '
+import json,re,sys
+d=json.load(sys.stdin)
+n=d[\"model\"][\"parts\"][\"facade\"]
+assert n>1 and all(\"elevation_%d.svg\" % k in d[\"files\"] for k in range(1,n+1)) and \"elevation_%d.svg\" % (n+1) not in d[\"files\"], d[\"files\"]
+page=open(\"lycee/report.html\").read()
+assert all(page.count(\"facade %d</\" % k) for k in range(1,n+1))
+ids=re.findall(r\"id=.([a-z-]+[0-9]*)\",page)
+assert len(ids)==len(set(ids)) and len(ids)>=2*(n+1), ids'"
 check "rsvg draws the elevation" rsvg-convert model/elevation.svg -o picture.png
 
 sha256sum result/* >before
