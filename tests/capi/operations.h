@@ -7,6 +7,8 @@
 
 #include "support.h"
 
+#include <math.h>
+
 typedef struct made {
   jalon_cloud* cloud;
   jalon_fields* fields;
@@ -177,11 +179,14 @@ static inline jalon_status op_crop(const jalon_cloud* cloud, jalon_task* task, m
   return jalon_cloud_crop_box(cloud, &box, NULL, task, &out->cloud, NULL);
 }
 
-/* Seen from a tripod in front of it all. */
+/* Seen from a tripod in front of it all, which moves with the cloud by whole metres. */
 static inline jalon_status op_covariances(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  const jalon_transform pose = {{1, 0, 0, 10, 0, 1, 0, -25, 0, 0, 1, 1.7}};
   jalon_cloud* own = NULL;
-  jalon_status status = own_handle(cloud, &own);
+  jalon_array_view xyz;
+  jalon_status status = jalon_cloud_points(cloud, &xyz);
+  const double* first = xyz.data;
+  const jalon_transform pose = {{1, 0, 0, floor(first[0]), 0, 1, 0, floor(first[1]) - 25, 0, 0, 1, 1.5}};
+  if (status == JALON_OK) status = own_handle(cloud, &own);
   if (status == JALON_OK) status = jalon_cloud_set_station(own, "tripod", &pose);
   if (status == JALON_OK) status = jalon_cloud_compute_covariances(own, NULL, task);
   if (status == JALON_OK) out->cloud = own;
