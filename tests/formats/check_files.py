@@ -243,6 +243,16 @@ def obj_vertices(path):
 
 # ---- all of them
 
+def gathered(problems):
+    """The problems as a list; a program that cannot read a file at all has one too."""
+    found = []
+    try:
+        found.extend(problems)
+    except Exception as error:  # whatever a foreign reader throws
+        found.append("%s: %s" % (type(error).__name__, error))
+    return found
+
+
 def main():
     name, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     model = Model(folder / "model.json")
@@ -261,7 +271,7 @@ def main():
         checks.append(("trimesh: %s has our area and extent" % file, mesh_against(model, folder / file)))
     passed = failed = 0
     for title, problems in checks:
-        problems = list(problems)
+        problems = gathered(problems)
         passed, failed = passed + (not problems), failed + bool(problems)
         print("%s - %s: %s" % ("not ok" if problems else "ok", name, title))
         for problem in problems[:5]:
