@@ -67,7 +67,8 @@ TEST_CASE("propagated_planes__covariance_covers_the_true_plane") {
   const Vec3 corner = shift + Vec3{12, 0, 6};  // where the wall ends, seen flattest
   for (int k = 0; k < draws; ++k) {
     Task task;
-    const auto planes = propagate_planes(scanned_wall(static_cast<uint64_t>(k), shift), precision(), task);
+    const Segmentation wall = scanned_wall(static_cast<uint64_t>(k), shift);
+    const auto planes = propagate_planes(wall, precision(), task);
     REQUIRE(planes.size() == 1);
     const PropagatedPlane& p = planes[0];
     factor += p.variance_factor / draws;
@@ -79,8 +80,8 @@ TEST_CASE("propagated_planes__covariance_covers_the_true_plane") {
       for (size_t j = 0; j < 4; ++j) variance += g[i] * p.covariance[4 * i + j] * g[j];
     covered += error * error < chi_square_quantile(1, 0.95) * variance;
     weighted += error * error;
-    const PlaneFit& fit = scanned_wall(static_cast<uint64_t>(k), shift).segments[0].fit;
-    plain += fit.plane.distance(corner) * fit.plane.distance(corner);
+    const Plane& unweighted = wall.segments[0].fit.plane;
+    plain += unweighted.distance(corner) * unweighted.distance(corner);
   }
   MESSAGE("FIGURE planes from point covariances: variance factor ", factor, ", 95 % covers ", 100.0 * covered / draws,
           " %, rms at a corner ", 1000 * std::sqrt(weighted / draws), " mm against ", 1000 * std::sqrt(plain / draws),
