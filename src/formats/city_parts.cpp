@@ -56,14 +56,13 @@ const char* class_of_surface(std::string_view type) {
 std::string class_of_object(std::string_view type) {
   if (type == "BuildingPart") return part_class::kBuilding;  // it stands below its building
   if (type.starts_with('+')) type.remove_prefix(1);          // of an extension
+  const auto is_capital = [&](size_t i) { return i < type.size() && type[i] >= 'A' && type[i] <= 'Z'; };
   std::string out;
-  for (const char c : type) {
-    if (c >= 'A' && c <= 'Z') {
-      if (!out.empty()) out += '_';
-      out += static_cast<char>(c - 'A' + 'a');
-    } else {
-      out += c;
-    }
+  for (size_t i = 0; i < type.size(); ++i) {
+    // A word begins where a capital follows a small letter or goes before one: "TINRelief" has two.
+    const bool begins = i > 0 && is_capital(i) && (!is_capital(i - 1) || (i + 1 < type.size() && !is_capital(i + 1)));
+    if (begins) out += '_';
+    out += is_capital(i) ? static_cast<char>(type[i] - 'A' + 'a') : type[i];
   }
   return out;
 }

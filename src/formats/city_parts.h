@@ -18,7 +18,7 @@ namespace jalon::city {
 const char* surface_type(const Model& model, uint32_t part);
 /// Class of a part that a semantic surface becomes; kElement for types that have no counterpart.
 const char* class_of_surface(std::string_view type);
-/// "Building" and "BuildingPart" -> "building", "SolitaryVegetationObject" -> "solitary_vegetation_object".
+/// "Building" and "BuildingPart" -> "building", "TINRelief" -> "tin_relief".
 std::string class_of_object(std::string_view type);
 
 bool is_opening(const std::string& part_class);  ///< window, door, or opening of unknown kind

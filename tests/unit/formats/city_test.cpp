@@ -161,6 +161,10 @@ TEST_CASE("city__files_of_others_are_read_by_their_semantics") {
   CHECK(model.parts[building_part].part_class == "building");
   CHECK(model.parts[model.parts[building_part].parent].name == "b");
   for (const Part& part : model.parts) CHECK(part.part_class != "door");  // no polygon has it
+  Json relief = cube();
+  relief["CityObjects"]["p"]["type"] = "+TINRelief";
+  for (const Part& part : read_text(relief.dump()).parts)
+    if (part.name == "p") CHECK(part.part_class == "tin_relief");
   Json old = cube();
   old["version"] = "1.0";
   old.erase("transform");
