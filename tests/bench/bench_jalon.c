@@ -17,6 +17,8 @@ typedef struct Bench {
   double* xyz;
   uint64_t count;
   jalon_cloud* indexed; /* the cloud of the last "index": knn16 asks it */
+  jalon_cloud* segmented; /* the cloud of the first modelling operation, with its planes */
+  jalon_segmentation* planes;
   uint32_t* neighbours;
   float* squared;
 } Bench;
@@ -226,6 +228,46 @@ static Result run_region_growing(Bench* bench, jalon_task* task, FILE* sample) {
   return run_segmenter(bench, "region_growing", task, sample);
 }
 
+/* From planes to a drawing: the segmentation is not timed; count: the faces. dxf: also written. */
+static Result run_modeller(Bench* bench, const char* method, int dxf, jalon_task* task) {
+  Result result;
+  double start;
+  char path[LINE_BYTES];
+  jalon_modeller* modeller = NULL;
+  jalon_model* model = NULL;
+  jalon_fields* faces = NULL;
+  jalon_array_view ids;
+  if (bench->planes == NULL) {
+    jalon_segmenter* segmenter = NULL;
+    bench->segmented = fresh_cloud(bench);
+    check(jalon_segmenter_create("ransac", &segmenter));
+    check(jalon_segmenter_run(segmenter, bench->segmented, task, &bench->planes));
+    jalon_segmenter_release(segmenter);
+  }
+  snprintf(path, sizeof path, "%s_model.dxf", bench->prefix);
+  check(jalon_modeller_create(method, &modeller));
+  start = now();
+  check(jalon_modeller_run(modeller, bench->segmented, bench->planes, task, &model));
+  if (dxf) check(jalon_model_write(model, path, NULL, task));
+  result.seconds = now() - start;
+  check(jalon_model_faces(model, &faces));
+  check(jalon_fields_view(faces, "id", &ids));
+  result.count = ids.count;
+  jalon_fields_release(faces);
+  jalon_model_release(model);
+  jalon_modeller_release(modeller);
+  return result;
+}
+
+static Result run_outlines(Bench* bench, jalon_task* task, FILE* sample) {
+  (void)sample;
+  return run_modeller(bench, "outlines", 0, task);
+}
+static Result run_facade_dxf(Bench* bench, jalon_task* task, FILE* sample) {
+  (void)sample;
+  return run_modeller(bench, "facade", 1, task);
+}
+
 typedef struct Operation {
   const char* name;
   Result (*run)(Bench* bench, jalon_task* task, FILE* sample);
@@ -235,7 +277,8 @@ static const Operation kOperations[] = {{"index", run_index},         {"knn16", 
                                         {"normals16", run_normals16}, {"voxel5cm", run_voxel5cm},
                                         {"las0", run_las0},           {"las3", run_las3},
                                         {"planes", run_planes},
-                                        {"region_growing", run_region_growing}};
+                                        {"region_growing", run_region_growing},
+                                        {"outlines", run_outlines},   {"facade_dxf", run_facade_dxf}};
 enum { OPERATIONS = sizeof kOperations / sizeof kOperations[0] };
 
 static int serve(Bench* bench) {
@@ -269,10 +312,13 @@ int main(int argc, char** argv) {
   memset(&bench, 0, sizeof bench);
   bench.prefix = argv[1];
   load(&bench);
-  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3,planes,region_growing\n");
+  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3,planes,region_growing,"
+         "outlines,facade_dxf\n");
   fflush(stdout);
   code = serve(&bench);
   jalon_cloud_release(bench.indexed);
+  jalon_segmentation_release(bench.planes);
+  jalon_cloud_release(bench.segmented);
   free(bench.neighbours);
   free(bench.squared);
   free(bench.xyz);

@@ -70,8 +70,8 @@ def same_work(drivers, operations, prefix):
     with tempfile.TemporaryDirectory() as folder:
         for operation in operations:
             for driver in drivers:
-                if operation not in driver.operations:
-                    continue
+                if operation not in driver.operations or operation in ("outlines", "facade_dxf"):
+                    continue  # models are compared with the truth in tests/accuracy
                 path = os.path.join(folder, "sample")
                 _, count = driver.run(operation, path)
                 sample = np.fromfile(path) if os.path.exists(path) else np.zeros(0)
