@@ -34,11 +34,22 @@ struct Deviations {
 enum Axis { kAlong, kUp, kOut, kWider, kTaller, kAxes };
 constexpr const char* kAxisNames[kAxes] = {"along", "up", "out", "wider", "taller"};
 
+using AxisDeviations = std::array<Deviations, kAxes>;
+inline void add(AxisDeviations& sum, const AxisDeviations& more) {
+  for (size_t a = 0; a < kAxes; ++a) sum[a] += more[a];
+}
+
 struct WallFigures {
   size_t openings = 0, found = 0, invented = 0, copied = 0;
   Areas walls, fillings;  ///< a: the model's, b: the truth's
   size_t corners = 0, paired = 0;
-  std::array<Deviations, kAxes> corner_deviations_m;  ///< model - truth; wider, taller: away from the ring's middle
+  /// Model - truth of the corners of openings and of the walls' outlines; wider, taller: away from the ring's middle.
+  AxisDeviations openings_m, outlines_m;
+  AxisDeviations vertices_m() const {
+    AxisDeviations all = openings_m;
+    add(all, outlines_m);
+    return all;
+  }
   size_t heads = 0, arcs = 0;
   Deviations centre_m, radius_m;
   std::string notes;  ///< openings missed and invented
@@ -55,7 +66,8 @@ struct WallFigures {
     openings += o.openings, found += o.found, invented += o.invented, copied += o.copied;
     walls += o.walls, fillings += o.fillings;
     corners += o.corners, paired += o.paired;
-    for (size_t a = 0; a < kAxes; ++a) corner_deviations_m[a] += o.corner_deviations_m[a];
+    add(openings_m, o.openings_m);
+    add(outlines_m, o.outlines_m);
     heads += o.heads, arcs += o.arcs;
     centre_m += o.centre_m, radius_m += o.radius_m;
     notes += o.notes;
@@ -73,7 +85,7 @@ inline std::string text_of_extent(const Region& region) {
 
 /// Corners one to one, the nearest pairs first, at most this far apart.
 inline void compare_corners(const std::vector<const Drawn*>& found, const Drawn& truth, double reach_m,
-                            WallFigures& out) {
+                            AxisDeviations& deviations_m, WallFigures& out) {
   struct Candidate {
     double distance_m;
     size_t mine, ring, corner;
@@ -96,11 +108,11 @@ inline void compare_corners(const std::vector<const Drawn*>& found, const Drawn&
     taken[c.mine] = used[c.ring][c.corner] = true;
     ++out.paired;
     const Vec2 t = truth.corners[c.mine], d = found[c.ring]->corners[c.corner] - t;
-    out.corner_deviations_m[kAlong].add(d.u);
-    out.corner_deviations_m[kUp].add(d.v);
-    out.corner_deviations_m[kOut].add(found[c.ring]->heights_m[c.corner]);
-    out.corner_deviations_m[kWider].add(t.u > (box.low.u + box.high.u) / 2 ? d.u : -d.u);
-    out.corner_deviations_m[kTaller].add(t.v > (box.low.v + box.high.v) / 2 ? d.v : -d.v);
+    deviations_m[kAlong].add(d.u);
+    deviations_m[kUp].add(d.v);
+    deviations_m[kOut].add(found[c.ring]->heights_m[c.corner]);
+    deviations_m[kWider].add(t.u > (box.low.u + box.high.u) / 2 ? d.u : -d.u);
+    deviations_m[kTaller].add(t.v > (box.low.v + box.high.v) / 2 ? d.v : -d.v);
   }
 }
 
@@ -125,7 +137,7 @@ inline WallFigures compare_wall(const Wall& found, const Wall& truth, const Regi
   std::vector<bool> is_true(found.openings.size(), false);
   std::vector<const Drawn*> outlines;
   for (const Drawn& o : found.outlines) outlines.push_back(&o);
-  for (const Drawn& o : truth.outlines) compare_corners(outlines, o, reach_m, out);
+  for (const Drawn& o : truth.outlines) compare_corners(outlines, o, reach_m, out.outlines_m, out);
   for (const Drawn& opening : truth.openings) {
     const Extent2 place = extent_of(opening.region);
     Areas best{};
@@ -139,7 +151,7 @@ inline WallFigures compare_wall(const Wall& found, const Wall& truth, const Regi
     out.fillings.b_m2 += areas(opening.region, opening.region, kOpeningRow_m).a_m2;
     if (best.iou() < kFoundIou) {
       out.notes += "\n  missed " + text_of_extent(opening.region) + ", IoU " + std::to_string(best.iou());
-      compare_corners({}, opening, reach_m, out);
+      compare_corners({}, opening, reach_m, out.openings_m, out);
       out.heads += opening.arcs.size();
       continue;
     }
@@ -147,7 +159,7 @@ inline WallFigures compare_wall(const Wall& found, const Wall& truth, const Regi
     is_true[which] = true;
     out.copied += found.openings[which].evidence == Evidence::kCopied;
     out.fillings.both_m2 += best.both_m2;
-    compare_corners({&found.openings[which]}, opening, reach_m, out);
+    compare_corners({&found.openings[which]}, opening, reach_m, out.openings_m, out);
     compare_head(found.openings[which], opening, out);
   }
   for (size_t i = 0; i < found.openings.size(); ++i) {
@@ -169,9 +181,14 @@ inline std::string text_of(const WallFigures& f, double spacing_m) {
   out << f.found << " of " << f.openings << " openings (" << f.copied << " copied), " << f.invented
       << " invented; completeness " << f.completeness() << ", correctness " << f.correctness() << "; " << f.paired
       << " of " << f.corners << " vertices, in spacings of " << 1000 * spacing_m << " mm:";
-  for (size_t a = 0; a < kAxes; ++a)
-    out << " " << kAxisNames[a] << " RMS " << f.corner_deviations_m[a].rms() / spacing_m << " bias "
-        << f.corner_deviations_m[a].bias() / spacing_m << (a + 1 < kAxes ? "," : ";");
+  const auto tell = [&](const char* what, const AxisDeviations& d) {
+    out << what;
+    for (size_t a = 0; a < kAxes; ++a)
+      out << " " << kAxisNames[a] << " RMS " << d[a].rms() / spacing_m << " bias " << d[a].bias() / spacing_m
+          << (a + 1 < kAxes ? "," : ";");
+  };
+  tell(" all", f.vertices_m());
+  tell(" openings alone", f.openings_m);
   out << " " << f.arcs << " of " << f.heads << " heads as arcs, centre RMS " << f.centre_m.rms() / spacing_m
       << " worst " << f.centre_m.worst / spacing_m << ", radius RMS " << f.radius_m.rms() / spacing_m << " worst "
       << f.radius_m.worst / spacing_m << f.notes;
