@@ -19,7 +19,7 @@ namespace {
 double widest_gap(std::span<const Vec2> points, double spacing_m, const ContourSetting& setting, Task& task) {
   if (setting.max_edge_m > 0) return setting.max_edge_m;
   if (setting.mode == ContourMode::kAlpha) return 2 * setting.alpha_factor * spacing_m;  // a circle's diameter
-  const ContourBand band = contour_band(points, kMostSpacings * spacing_m / 2);
+  const ContourBand band = contour_band(points, kMostSpacings * spacing_m / 2, spacing_m);
   return long_edge_threshold(edge_lengths(band.points, all_triangles(band, task)), spacing_m);
 }
 
@@ -61,7 +61,7 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
   if (out.spacing_m == 0) out.spacing_m = out.max_edge_m / (2 * setting.alpha_factor);
   task.checkpoint(0);
   // 2. Points near a contour: cells of half a gap, so that neighbours in the plane are neighbours in the raster.
-  const ContourBand band = contour_band(points, out.max_edge_m / 2);
+  const ContourBand band = contour_band(points, out.max_edge_m / 2, out.spacing_m);
   task.checkpoint(0);
   // 3. Triangles that span no gap.
   const bool is_local = setting.max_edge_m == 0;

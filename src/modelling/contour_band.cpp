@@ -15,6 +15,8 @@ namespace {
 // Local spacings count from 0.7 to 2 times the typical one: scattered points vary by so much among 25 cells, and a few
 // stray points must not join far things.
 constexpr double kLeastLocal = 0.7, kMostLocal = 2;
+// Two rows of points have a standard deviation of half a spacing across them.
+constexpr double kStringOfSpacing = 0.3;
 
 // Spacing about a cell: the occupied ones of the 5 x 5 cells around it.
 float spacing_about(const CellRows& rows, size_t cell) {
@@ -31,6 +33,48 @@ float spacing_about(const CellRows& rows, size_t cell) {
   return static_cast<float>(rows.cell_m * std::sqrt(static_cast<double>(cells) / static_cast<double>(points)));
 }
 
+// Sums over the points of a cell, about a place near them.
+struct CellMoments {
+  double n = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
+  void add(const Vec2& d) {
+    n += 1;
+    u += d.u, v += d.v;
+    uu += d.u * d.u, uv += d.u * d.v, vv += d.v * d.v;
+  }
+  void add(const CellMoments& o) {
+    n += o.n, u += o.u, v += o.v;
+    uu += o.uu, uv += o.uv, vv += o.vv;
+  }
+  /// Standard deviation across the line that fits best.
+  double thickness() const {
+    const double a = uu / n - u * u / (n * n), b = uv / n - u * v / (n * n), c = vv / n - v * v / (n * n);
+    const double least = (a + c) / 2 - std::hypot((a - c) / 2, b);
+    return std::sqrt(std::max(0.0, least));
+  }
+};
+
+// Cells whose points, with those of the cells around them, lie in a line: where another surface crosses the plane it
+// leaves a string of its points there, and a string bounds nothing.
+std::vector<uint8_t> strings_of(const CellRows& rows, std::span<const Vec2> points, std::span<const uint8_t> deep,
+                                double spacing_m) {
+  std::vector<CellMoments> moments(rows.keys.size());
+  for (size_t c = 0; c < rows.keys.size(); ++c)
+    for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k) moments[c].add(points[rows.order[k]] - rows.corner);
+  std::vector<uint8_t> out(rows.keys.size(), 0);
+  for (size_t c = 0; c < rows.keys.size(); ++c) {
+    if (deep[c] != 0) continue;
+    const uint64_t row = rows.keys[c] >> 32, column = rows.keys[c] & 0xffffffffu;
+    CellMoments sum;
+    for (uint64_t r = row > 1 ? row - 1 : 0; r <= row + 1; ++r) {
+      const uint64_t from = r << 32 | (column > 1 ? column - 1 : 0), to = r << 32 | (column + 1);
+      auto i = static_cast<size_t>(std::lower_bound(rows.keys.begin(), rows.keys.end(), from) - rows.keys.begin());
+      for (; i < rows.keys.size() && rows.keys[i] <= to; ++i) sum.add(moments[i]);
+    }
+    out[c] = sum.n >= 2 && sum.thickness() < kStringOfSpacing * spacing_m;
+  }
+  return out;
+}
+
 bool is_inner(const ContourBand& band, const Triangle2& t) {
   return band.is_inner[t[0]] && band.is_inner[t[1]] && band.is_inner[t[2]];
 }
@@ -39,13 +83,14 @@ double squared(const Vec2& d) { return dot(d, d); }
 
 }  // namespace
 
-ContourBand contour_band(std::span<const Vec2> points, double cell_m) {
+ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m) {
   const CellRows rows = sort_into_cells(points, cell_m);
   const std::vector<uint8_t> occupied(rows.keys.size(), 1);
   const auto inner = eroded(rows, occupied), deep = eroded(rows, inner);
+  const auto strings = strings_of(rows, points, deep, spacing_m);
   ContourBand band;
   for (size_t c = 0; c < rows.keys.size(); ++c) {
-    if (deep[c] != 0) continue;
+    if (deep[c] != 0 || strings[c] != 0) continue;
     const float spacing = spacing_about(rows, c);
     for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k) {
       band.points.push_back(points[rows.order[k]]);

@@ -19,7 +19,7 @@ struct ContourBand {
 };
 
 /// Leaves out the points of cells that are inner and have only inner neighbours. points: not empty.
-ContourBand contour_band(std::span<const Vec2> points, double cell_m);
+ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m);
 
 /// Delaunay triangles of the band. Those among inner cells span the points left out: the functions below keep them
 /// whatever their size.
