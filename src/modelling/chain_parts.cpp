@@ -25,8 +25,11 @@ constexpr size_t kMostRing = 100;
 constexpr double kCandidateTolerance = 0.8;
 constexpr size_t kCandidateStep = 16;
 constexpr size_t kLeastArcPoints = 8;
-constexpr double kLeastSagitta = 4, kLeastRadius = 4;  // spacings
-constexpr double kLeastTurn = 0.3, kMostTurn = 2 * kPi;
+// Spacings. The triangulation bridges up to four of them, so that a corner it cuts looks like an arc of that size; one
+// twice as large is a curve that was built.
+constexpr double kLeastSagitta = 4, kLeastRadius = 8;
+// Round heads turn by half a circle at most (a little more for noise); what turns by more is a whole circle.
+constexpr double kLeastTurn = 0.3, kMostTurn = 1.15 * kPi, kWholeTurn = 1.8 * kPi;
 constexpr double kLengthAgreement = 1.5;  // a chain zigzags: it is longer than its arc by up to this factor
 // A part that misses its points by so many sigma on average is not worth extending; looked at for some more candidates.
 constexpr double kHopeless = 36;
@@ -78,7 +81,7 @@ bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last, 
   if (circle.radius < kLeastRadius * spacing) return false;
   turn = swept(s, circle, first, last);
   const double angle = std::fabs(turn);
-  if (angle < kLeastTurn || angle > kMostTurn * 1.001) return false;
+  if (angle < kLeastTurn || (angle > kMostTurn && angle < kWholeTurn)) return false;
   if (circle.radius * (1 - std::cos(angle / 2)) < kLeastSagitta * spacing) return false;
   // Points spread along the arc, none of it empty: its length is theirs.
   double length = 0;

@@ -15,6 +15,7 @@ namespace {
 constexpr double kChordOfSpacing = 0.1;
 // Smaller pieces of the wall lie in the openings (shutters, posters) unless they stand on its foot as piers do.
 constexpr double kLeastPier_m2 = 1, kPierHeight_m = 1, kPierFoot_m = 0.5;
+constexpr double kPierWidth_spacings = 3;  // on average: a string of points is no pier
 constexpr double kSameGap = 0.6;       // intersection over union of a gap in two rows: a bite in a pier is no end
 constexpr double kBite_m = 1.0;        // nor is one that leaves nothing of it, so high
 constexpr double kOnSide_spacings = 3; // a row agrees with a side from which its wall ends no farther
@@ -60,9 +61,11 @@ void add_outline(const std::vector<Vec2>& ring, Rows& rows) {
   }
 }
 
-bool is_pier(const VectorRing& outline, double foot_v) {
+bool is_pier(const VectorRing& outline, double foot_v, double spacing_m) {
   const RingBox box = ring_box(outline);
-  return signed_area(outline) >= kLeastPier_m2 || (box.height() >= kPierHeight_m && box.low.v <= foot_v + kPierFoot_m);
+  const double area = signed_area(outline);
+  return area >= kLeastPier_m2 || (box.height() >= kPierHeight_m && box.low.v <= foot_v + kPierFoot_m &&
+                                   area >= kPierWidth_spacings * spacing_m * box.height());
 }
 
 Rows rows_of(const VectorPlane& wall) {
@@ -74,7 +77,7 @@ Rows rows_of(const VectorPlane& wall) {
   rows.low_v = box.low.v;
   rows.solid.resize(static_cast<size_t>(std::ceil(box.height() / rows.step_m)));
   for (const VectorFace& face : wall.faces)
-    if (is_pier(face.outline, box.low.v))
+    if (is_pier(face.outline, box.low.v, wall.spacing_m))
       add_outline(flattened(face.outline, kChordOfSpacing * wall.spacing_m), rows);
   for (Row& row : rows.solid)
     std::sort(row.begin(), row.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
