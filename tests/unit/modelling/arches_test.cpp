@@ -150,6 +150,7 @@ TEST_CASE("vectorise__reveals_fix_the_edges_that_end_at_them") {
                                           << 1000 * unseen.rms() << " mm");
   CHECK(seen.rms() < 0.001);
   CHECK(std::fabs(seen.mean()) < 0.0005);
+  if (trials() < 20) return;  // too few to say how far errors scatter
   CHECK(scaled.rms() > 0.5);
   CHECK(scaled.rms() < 1.5);
 }

@@ -70,9 +70,11 @@ TEST_CASE("vectorise__edges_are_unbiased_and_their_sigmas_honest") {
     }
     MESSAGE("FIGURE edges, " << std::string(name_of(sampling)) << ": bias " << errors.mean() << " spacings, RMS "
                              << errors.rms() << ", worst " << errors.worst << "; error / sigma RMS " << scaled.rms());
+    if (trials() < 20) continue;  // too few to say how far errors scatter
     CHECK(std::fabs(errors.mean()) <= 0.05);
     CHECK(errors.rms() <= 0.3);
   }
+  if (trials() < 20) return;
   for (const Errors& scaled : {gridded, random_points}) {
     CHECK(scaled.rms() >= 0.8);
     CHECK(scaled.rms() <= 1.2);
