@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/text_number.h"
 #include "modelling/contour.h"
 #include "modelling/edge_shape.h"
 #include "modelling/measured_rings.h"
@@ -165,6 +166,10 @@ std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const Vecto
   parallel_for(task, count, 1, [&](size_t begin, size_t end) {
     for (size_t s = begin; s < end; ++s) out[s] = vectoriser(s, groups.of(static_cast<uint32_t>(s + 1)), task);
   });
+  for (const VectorPlane& plane : out)
+    if (!plane.faces.empty())
+      task.log(Task::kDebug, "plane %u: points %s m apart, gaps up to %s m are surface", plane.label,
+               text_of(plane.spacing_m).c_str(), text_of(plane.max_edge_m).c_str());
   return out;
 }
 
