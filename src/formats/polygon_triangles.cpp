@@ -10,6 +10,8 @@ namespace jalon {
 
 namespace {
 
+constexpr double kAreaShare = 1e-9;       // by which triangles may miss their polygon's area
+constexpr double kApart = 1e-9;           // of the polygon's size, between rings that touch
 constexpr size_t kMaxClippedCorners = 512;  // of a polygon in a mesh file; larger ones become fans
 
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
@@ -18,6 +20,56 @@ double area2(const std::vector<Vec2>& ring) {
   double sum = 0;
   for (size_t i = 2; i < ring.size(); ++i) sum += turn(ring[0], ring[i - 1], ring[i]);
   return sum;
+}
+
+/// Twice the area of the outline without its openings.
+double area2_of(const std::vector<std::vector<Vec2>>& rings) {
+  double sum = 0;
+  for (size_t r = 0; r < rings.size(); ++r) sum += (r == 0 ? 1 : -1) * std::fabs(area2(rings[r]));
+  return sum;
+}
+
+/// Twice the area of triangles whose corners count through all rings; what lies the wrong way round counts too.
+double covered2(const std::vector<std::vector<Vec2>>& rings, const std::vector<std::array<uint32_t, 3>>& triangles) {
+  std::vector<Vec2> corners;
+  for (const auto& ring : rings) corners.insert(corners.end(), ring.begin(), ring.end());
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) sum += std::fabs(turn(corners[a], corners[b], corners[c]));
+  return sum;
+}
+
+/// The rings with every corner of an opening that lies on another ring's corner moved a little into its opening, so
+/// that no two rings touch: a bridge could not tell the two sides of such a corner.
+std::vector<std::vector<Vec2>> kept_apart(const std::vector<std::vector<Vec2>>& rings) {
+  struct Place {
+    Vec2 p;
+    size_t ring, corner;
+  };
+  std::vector<Place> places;
+  double size = 0;
+  for (size_t r = 0; r < rings.size(); ++r)
+    for (size_t i = 0; i < rings[r].size(); ++i) {
+      places.push_back({rings[r][i], r, i});
+      size = std::max(size, norm(rings[r][i] - rings[0][0]));
+    }
+  std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return a.p.u != b.p.u ? a.p.u < b.p.u : a.p.v < b.p.v;
+  });
+  auto out = rings;
+  for (size_t k = 0; k < places.size(); ++k) {
+    const Place& place = places[k];
+    const bool as_before = k > 0 && places[k - 1].p == place.p;
+    const bool as_after = k + 1 < places.size() && places[k + 1].p == place.p;
+    if (place.ring == 0 || !(as_before || as_after)) continue;
+    const std::vector<Vec2>& ring = rings[place.ring];
+    const size_t n = ring.size();
+    const Vec2 &before = ring[(place.corner + n - 1) % n], &after = ring[(place.corner + 1) % n];
+    const Vec2 a = before - place.p, b = after - place.p;
+    const Vec2 middle = a * (1 / std::max(norm(a), 1e-300)) + b * (1 / std::max(norm(b), 1e-300));
+    const bool is_convex = (turn(before, place.p, after) > 0) == (area2(ring) > 0);
+    out[place.ring][place.corner] = place.p + middle * ((is_convex ? kApart : -kApart) * size);
+  }
+  return out;
 }
 
 bool in_triangle(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -217,7 +269,26 @@ class Chain {
 }  // namespace
 
 std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<std::vector<Vec2>>& rings) {
-  return Chain(rings).cut();
+  // Openings that touch the outline or each other in a corner can lead a bridge astray, as can corners on nearly one
+  // line. The triangles then cover more than the polygon: the rings are kept apart and other directions of the bridges
+  // tried.
+  if (rings.empty() || rings[0].size() < 3) return {};
+  const auto first = Chain(rings).cut();
+  const double wanted = area2_of(rings), step = 2.399963229728653;  // the golden angle: no direction comes twice
+  const auto fits = [&](const auto& triangles) {
+    return std::fabs(covered2(rings, triangles) - wanted) <= kAreaShare * wanted;
+  };
+  if (fits(first)) return first;
+  constexpr int kDirections = 12;
+  for (int k = 0; k < kDirections; ++k) {
+    const double c = std::cos(k * step), s = std::sin(k * step);
+    auto turned = kept_apart(rings);
+    for (auto& ring : turned)
+      for (Vec2& p : ring) p = {c * p.u - s * p.v, s * p.u + c * p.v};
+    auto triangles = Chain(turned).cut();
+    if (fits(triangles)) return triangles;
+  }
+  return first;
 }
 
 PlaneAxes axes_of(const Vec3& normal) {

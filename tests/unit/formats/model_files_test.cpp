@@ -85,6 +85,21 @@ TEST_CASE("triangulate__keeps_openings_open_and_covers_the_rest") {
   CHECK(area(aligned, triangulate(aligned)) == doctest::Approx(96));
 }
 
+TEST_CASE("triangulate__openings_may_touch_the_outline_and_each_other_in_a_corner") {
+  const std::vector<std::vector<Vec2>> rings{{{0, 0}, {10, 0}, {10, 10}, {5, 8}, {0, 10}},
+                                             {{5, 8}, {6, 5}, {4, 5}},
+                                             {{4, 5}, {3, 2}, {2, 4}},
+                                             {{6, 5}, {8, 4}, {7, 2}},
+                                             {{3, 2}, {7, 2}, {5, 1}}};
+  for (int turns = 0; turns < 24; ++turns) {
+    const double c = std::cos(0.26 * turns), s = std::sin(0.26 * turns);
+    auto turned = rings;
+    for (auto& ring : turned)
+      for (Vec2& p : ring) p = {c * p.u - s * p.v, s * p.u + c * p.v};
+    CHECK(area(turned, triangulate(turned)) == doctest::Approx(90 - 3 - 2.5 - 2.5 - 2).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("triangulate__stars_and_combs_have_their_area_and_crossed_polygons_end") {
   std::vector<std::vector<Vec2>> comb(1);
   for (int i = 0; i < 200; ++i) {
