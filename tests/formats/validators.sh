@@ -58,7 +58,8 @@ check() {
     failed=$((failed + 1)); echo "not ok - $name: no files"
     return
   fi
-  PYTHONWARNINGS=ignore "$python" "$here/check_files.py" "$name" "$folder" $cjval | tee "$work/counts"
+  PYTHONWARNINGS=ignore "$python" "$here/check_files.py" "$name" "$folder" $cjval >"$work/counts"
+  sed -E 's/^[0-9]+ passed, /  &/' "$work/counts" # indented: the sum at the end is what counts
   counts=$(tail -n 1 "$work/counts")
   if [[ $counts =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
     passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
