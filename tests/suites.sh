@@ -9,8 +9,8 @@ suite bits bash tests/scenarios/bits.sh "$release"
 suite cli bash tests/scenarios/cli.sh "$release/src/jalon"
 suite malformed bash tests/fuzz/malformed.sh "$release"
 suite laspy bash tests/fuzz/laspy.sh "$release"
-suite laspy_offline bash tests/fuzz/laspy_offline.sh
+suite laspy_offline bash tests/offline.sh tests/fuzz/laspy.sh laspy
 suite validators bash tests/formats/validators.sh "$release"
-suite validators_offline bash tests/formats/validators_offline.sh
+suite validators_offline bash tests/offline.sh tests/formats/validators.sh 'ezdxf.*'
 suite accuracy "$release/tests/accuracy/accuracy"
 suite examples bash tests/scenarios/examples.sh "$release"

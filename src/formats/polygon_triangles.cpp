@@ -279,10 +279,11 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<std::vector<V
     return std::fabs(covered2(rings, triangles) - wanted) <= kAreaShare * wanted;
   };
   if (fits(first)) return first;
+  const auto apart = kept_apart(rings);
   constexpr int kDirections = 12;
   for (int k = 0; k < kDirections; ++k) {
     const double c = std::cos(k * step), s = std::sin(k * step);
-    auto turned = kept_apart(rings);
+    auto turned = apart;
     for (auto& ring : turned)
       for (Vec2& p : ring) p = {c * p.u - s * p.v, s * p.u + c * p.v};
     auto triangles = Chain(turned).cut();

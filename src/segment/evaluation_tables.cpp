@@ -2,20 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <span>
 
+#include "base/table_columns.h"
 #include "segment/evaluation.h"
 
 namespace jalon {
 
 namespace {
-
-// A column of one element a row; value(row).
-template <class T, class Rows, class F>
-void add(FieldTable& table, const Rows& rows, const char* name, const char* unit, const char* meaning, F&& value) {
-  auto column = std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), 1, unit, meaning}, rows.size());
-  const auto out = column->template values<T>();
-  for (size_t i = 0; i < rows.size(); ++i) out[i] = static_cast<T>(value(rows[i]));
-  table.set(column);
-}
 
 // One row a segment of a side; other: what the other side is called.
 FieldTable side_table(const std::vector<SegmentVerdict>& side, std::span<const int64_t> source) {
@@ -27,17 +19,19 @@ FieldTable side_table(const std::vector<SegmentVerdict>& side, std::span<const i
   std::vector<Row> rows;
   for (size_t s = 0; s < side.size(); ++s) rows.push_back({static_cast<uint32_t>(s + 1), source[s], &side[s]});
   FieldTable t;
-  add<uint32_t>(t, rows, "label", "", "label of the segment", [](const Row& r) { return r.label; });
-  add<int64_t>(t, rows, "source_label", "", "its value in the field it was made from",
-               [](const Row& r) { return r.source; });
-  add<uint64_t>(t, rows, "points", "points", "number of its points", [](const Row& r) { return r.verdict->points; });
-  add<uint8_t>(t, rows, "kept", "", "1; 0 = left out, too small", [](const Row& r) { return r.verdict->kept ? 1 : 0; });
-  add<uint32_t>(t, rows, "partner", "", "label of its pair on the other side; 0 = unmatched",
-                [](const Row& r) { return r.verdict->partner; });
-  add<uint32_t>(t, rows, "parts", "", "segments of the other side that lie mostly in it",
-                [](const Row& r) { return r.verdict->parts; });
-  add<uint64_t>(t, rows, "covered", "points", "its points that segments of the other side hold",
-                [](const Row& r) { return r.verdict->covered; });
+  add_column<uint32_t>(t, rows, "label", "", "label of the segment", [](const Row& r) { return r.label; });
+  add_column<int64_t>(t, rows, "source_label", "", "its value in the field it was made from",
+                      [](const Row& r) { return r.source; });
+  add_column<uint64_t>(t, rows, "points", "points", "number of its points",
+                       [](const Row& r) { return r.verdict->points; });
+  add_column<uint8_t>(t, rows, "kept", "", "1; 0 = left out, too small",
+                      [](const Row& r) { return r.verdict->kept ? 1 : 0; });
+  add_column<uint32_t>(t, rows, "partner", "", "label of its pair on the other side; 0 = unmatched",
+                       [](const Row& r) { return r.verdict->partner; });
+  add_column<uint32_t>(t, rows, "parts", "", "segments of the other side that lie mostly in it",
+                       [](const Row& r) { return r.verdict->parts; });
+  add_column<uint64_t>(t, rows, "covered", "points", "its points that segments of the other side hold",
+                       [](const Row& r) { return r.verdict->covered; });
   return t;
 }
 
@@ -47,21 +41,26 @@ FieldTable pair_table(const Evaluation& e) {
   using P = SegmentPair;
   FieldTable t;
   const auto& rows = e.pairs;
-  add<uint32_t>(t, rows, "automatic", "", "label of the automatic segment A", [](const P& p) { return p.automatic; });
-  add<uint32_t>(t, rows, "reference", "", "label of the reference segment SR", [](const P& p) { return p.reference; });
-  add<uint64_t>(t, rows, "card_automatic", "points", "Card A", [](const P& p) { return p.card_automatic; });
-  add<uint64_t>(t, rows, "card_reference", "points", "Card SR", [](const P& p) { return p.card_reference; });
-  add<uint64_t>(t, rows, "intersection", "points", "I: points of both", [](const P& p) { return p.intersection; });
-  add<uint64_t>(t, rows, "commission", "points", "D+: points of A alone", [](const P& p) { return p.commission(); });
-  add<uint64_t>(t, rows, "omission", "points", "D-: points of SR alone", [](const P& p) { return p.omission(); });
-  add<double>(t, rows, "tdr", "1", "detection rate I / Card SR", [](const P& p) { return p.tdr(); });
-  add<double>(t, rows, "tda", "1", "detection accuracy I / Card A", [](const P& p) { return p.tda(); });
-  add<double>(t, rows, "iou", "1", "intersection over union", [](const P& p) { return p.iou(); });
-  add<double>(t, rows, "angle", "rad", "between the normals", [](const P& p) { return p.angle_rad; });
-  add<double>(t, rows, "distance", "m", "mean distance of A's points from SR's plane",
-              [](const P& p) { return p.distance_m; });
-  add<double>(t, rows, "offset_difference", "m", "A's centroid beyond SR's plane, along SR's normal",
-              [](const P& p) { return p.offset_m; });
+  add_column<uint32_t>(t, rows, "automatic", "", "label of the automatic segment A",
+                       [](const P& p) { return p.automatic; });
+  add_column<uint32_t>(t, rows, "reference", "", "label of the reference segment SR",
+                       [](const P& p) { return p.reference; });
+  add_column<uint64_t>(t, rows, "card_automatic", "points", "Card A", [](const P& p) { return p.card_automatic; });
+  add_column<uint64_t>(t, rows, "card_reference", "points", "Card SR", [](const P& p) { return p.card_reference; });
+  add_column<uint64_t>(t, rows, "intersection", "points", "I: points of both",
+                       [](const P& p) { return p.intersection; });
+  add_column<uint64_t>(t, rows, "commission", "points", "D+: points of A alone",
+                       [](const P& p) { return p.commission(); });
+  add_column<uint64_t>(t, rows, "omission", "points", "D-: points of SR alone",
+                       [](const P& p) { return p.omission(); });
+  add_column<double>(t, rows, "tdr", "1", "detection rate I / Card SR", [](const P& p) { return p.tdr(); });
+  add_column<double>(t, rows, "tda", "1", "detection accuracy I / Card A", [](const P& p) { return p.tda(); });
+  add_column<double>(t, rows, "iou", "1", "intersection over union", [](const P& p) { return p.iou(); });
+  add_column<double>(t, rows, "angle", "rad", "between the normals", [](const P& p) { return p.angle_rad; });
+  add_column<double>(t, rows, "distance", "m", "mean distance of A's points from SR's plane",
+                     [](const P& p) { return p.distance_m; });
+  add_column<double>(t, rows, "offset_difference", "m", "A's centroid beyond SR's plane, along SR's normal",
+                     [](const P& p) { return p.offset_m; });
   return t;
 }
 
@@ -72,10 +71,10 @@ FieldTable totals_table(const Evaluation& e) {
   FieldTable t;
   const std::span<const EvaluationTotals> row(&e.totals, 1);
   const auto count = [&](const char* name, const char* unit, const char* meaning, uint64_t value) {
-    add<uint64_t>(t, row, name, unit, meaning, [&](const EvaluationTotals&) { return value; });
+    add_column<uint64_t>(t, row, name, unit, meaning, [&](const EvaluationTotals&) { return value; });
   };
   const auto number = [&](const char* name, const char* unit, const char* meaning, double value) {
-    add<double>(t, row, name, unit, meaning, [&](const EvaluationTotals&) { return value; });
+    add_column<double>(t, row, name, unit, meaning, [&](const EvaluationTotals&) { return value; });
   };
   const EvaluationTotals& v = e.totals;
   count("pairs", "", "segments matched one to one", v.pairs);

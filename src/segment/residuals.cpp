@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/parallel.h"
+#include "base/table_columns.h"
 
 namespace jalon {
 
@@ -100,13 +101,6 @@ void fit_normal(const Selection& selection, Residuals& out, Task& task) {
   out.excess_kurtosis = central.fourth / n / (variance * variance) - 3;
 }
 
-template <class T>
-void add_column(FieldTable& table, const char* name, const char* unit, const char* meaning, const std::vector<T>& values) {
-  auto column = std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), 1, unit, meaning}, values.size());
-  std::copy(values.begin(), values.end(), column->template values<T>().begin());
-  table.set(column);
-}
-
 }  // namespace
 
 double Residuals::expected(double value_m) const {
@@ -154,22 +148,23 @@ FieldTable residual_bins_table(const Residuals& r) {
     expected.push_back(r.expected(lower.back() + width / 2));
   }
   FieldTable table;
-  add_column(table, "lower", "m", "lower limit of the bin", lower);
-  add_column(table, "upper", "m", "upper limit of the bin", upper);
-  add_column(table, "count", "points", "points in the bin", r.bins);
-  add_column(table, "expected", "points", "the same if the distances were normal", expected);
+  const auto same = [](auto value) { return value; };
+  add_column<double>(table, lower, "lower", "m", "lower limit of the bin", same);
+  add_column<double>(table, upper, "upper", "m", "upper limit of the bin", same);
+  add_column<uint64_t>(table, r.bins, "count", "points", "points in the bin", same);
+  add_column<double>(table, expected, "expected", "points", "the same if the distances were normal", same);
   return table;
 }
 
 FieldTable residual_normal_table(const Residuals& r) {
   FieldTable table;
-  add_column<uint64_t>(table, "count", "points", "points with a plane", {r.count});
-  add_column<double>(table, "mean", "m", "mean distance", {r.mean_m});
-  add_column<double>(table, "sigma", "m", "standard deviation", {r.sigma_m});
-  add_column<double>(table, "skewness", "", "0 for a normal distribution", {r.skewness});
-  add_column<double>(table, "excess_kurtosis", "", "0 for a normal distribution", {r.excess_kurtosis});
-  add_column<uint64_t>(table, "below", "points", "below the first bin", {r.below});
-  add_column<uint64_t>(table, "above", "points", "above the last bin", {r.above});
+  add_value<uint64_t>(table, "count", "points", "points with a plane", r.count);
+  add_value<double>(table, "mean", "m", "mean distance", r.mean_m);
+  add_value<double>(table, "sigma", "m", "standard deviation", r.sigma_m);
+  add_value<double>(table, "skewness", "", "0 for a normal distribution", r.skewness);
+  add_value<double>(table, "excess_kurtosis", "", "0 for a normal distribution", r.excess_kurtosis);
+  add_value<uint64_t>(table, "below", "points", "below the first bin", r.below);
+  add_value<uint64_t>(table, "above", "points", "above the last bin", r.above);
   return table;
 }
 
