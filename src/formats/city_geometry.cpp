@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "formats/city_parts.h"
-#include "formats/polygon_triangles.h"
 #include "model/part_classes.h"
+#include "model/polygon_triangles.h"
 
 namespace jalon::city {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "formats/polygon_triangles.h"
 #include "model/chords.h"
 #include "model/part_classes.h"
+#include "model/polygon_triangles.h"
 
 namespace jalon::dxf {
 

@@ -6,9 +6,9 @@
 #include "base/json_writer.h"
 #include "formats/atomic_file.h"
 #include "formats/crs_code.h"
-#include "formats/polygon_triangles.h"
 #include "formats/readers.h"
 #include "model/chords.h"
+#include "model/polygon_triangles.h"
 
 namespace jalon {
 

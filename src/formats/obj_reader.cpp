@@ -11,9 +11,9 @@
 #include "formats/fast_number.h"
 #include "formats/line_reader.h"
 #include "formats/obj_notes.h"
-#include "formats/polygon_triangles.h"
 #include "formats/readers.h"
 #include "formats/utf8.h"
+#include "model/polygon_triangles.h"
 
 namespace jalon {
 

@@ -3,10 +3,10 @@
 #include "formats/atomic_file.h"
 #include "formats/number_text.h"
 #include "formats/obj_notes.h"
-#include "formats/polygon_triangles.h"
 #include "formats/readers.h"
 #include "formats/utf8.h"
 #include "model/chords.h"
+#include "model/polygon_triangles.h"
 
 namespace jalon {
 

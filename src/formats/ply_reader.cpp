@@ -6,9 +6,9 @@
 #include "base/parallel.h"
 #include "formats/large_pages.h"
 #include "formats/ply_cursor.h"
-#include "formats/polygon_triangles.h"
 #include "formats/readers.h"
 #include "formats/utf8.h"
+#include "model/polygon_triangles.h"
 
 namespace jalon {
 

@@ -9,11 +9,11 @@
 #include "formats/atomic_file.h"
 #include "formats/endian.h"
 #include "formats/number_text.h"
-#include "formats/polygon_triangles.h"
 #include "formats/readers.h"
 #include "formats/stl_layout.h"
 #include "formats/utf8.h"
 #include "model/chords.h"
+#include "model/polygon_triangles.h"
 
 namespace jalon {
 

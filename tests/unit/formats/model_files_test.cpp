@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "fixtures.h"
-#include "formats/polygon_triangles.h"
 #include "formats/svg_writer.h"
+#include "model/polygon_triangles.h"
 
 using namespace jalon;
 using namespace jalon::test;

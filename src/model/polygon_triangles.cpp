@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "formats/polygon_triangles.h"
+#include "model/polygon_triangles.h"
 
 #include <algorithm>
 #include <cmath>
