@@ -25,6 +25,7 @@
 #include <jalon/evaluate.h>
 #include <jalon/precision.h>
 #include <jalon/modeller.h>
+#include <jalon/comparer.h>
 #include <jalon/scanner.h>
 #include <jalon/io.h>
 #include <jalon/report.h>

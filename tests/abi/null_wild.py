@@ -26,6 +26,8 @@ HANDLES = {
     "jalon_evaluation": ("fx_evaluation", []),
     "jalon_model_evaluation": ("fx_model_evaluation", []),
     "jalon_modeller": ("fx_modeller", []),
+    "jalon_comparer": ("fx_comparer", []),
+    "jalon_comparison": ("fx_comparison", []),
     "jalon_scanner": ("fx_scanner", []),
     "jalon_task": ("fx_task", []),
     "jalon_params": ("fx_options(\"normals\")", []),

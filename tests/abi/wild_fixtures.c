@@ -20,6 +20,8 @@ jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;
 jalon_evaluation* fx_evaluation;
 jalon_model_evaluation* fx_model_evaluation;
 jalon_modeller* fx_modeller;
+jalon_comparer* fx_comparer;
+jalon_comparison* fx_comparison;
 jalon_scanner* fx_scanner;
 jalon_task *fx_task, *fx_task_own;
 jalon_params* fx_typed[7];
@@ -177,6 +179,8 @@ static void make_workers(void) {
   jalon_cloud_release(nothing);
   MUST(jalon_segmentation_start(fx_cloud, NULL, &fx_start));
   MUST(jalon_segmentation_evaluate(fx_segmentation, fx_segmentation, NULL, NULL, &fx_evaluation));
+  MUST(jalon_comparer_create(NULL, &fx_comparer));
+  MUST(jalon_comparer_run(fx_comparer, fx_cloud, fx_cloud, NULL, &fx_comparison));
   MUST(jalon_modeller_create(NULL, &fx_modeller));
   MUST(jalon_modeller_run(fx_modeller, fx_cloud, fx_segmentation, NULL, &fx_model));
   MUST(jalon_model_evaluate(fx_model, fx_model, NULL, NULL, &fx_model_evaluation));
@@ -234,6 +238,8 @@ void fx_end(void) {
   jalon_evaluation_release(fx_evaluation);
   jalon_model_evaluation_release(fx_model_evaluation);
   jalon_modeller_release(fx_modeller);
+  jalon_comparison_release(fx_comparison);
+  jalon_comparer_release(fx_comparer);
   jalon_scanner_release(fx_scanner);
   jalon_task_release(fx_task);
   jalon_task_release(fx_task_own);

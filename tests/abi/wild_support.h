@@ -26,6 +26,8 @@ extern jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;
 extern jalon_evaluation* fx_evaluation;
 extern jalon_model_evaluation* fx_model_evaluation;
 extern jalon_modeller* fx_modeller;
+extern jalon_comparer* fx_comparer;
+extern jalon_comparison* fx_comparison;
 extern jalon_scanner* fx_scanner;
 extern jalon_task *fx_task, *fx_task_own;
 extern jalon_params* fx_typed[7];     /* a set with a row of each type ... */

@@ -1,0 +1,73 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file comparer.h
+ * Comparison: a reference (cloud or model) and a compared cloud in; a distance a point, what became of each point, and
+ * the changes out. A comparison has a direction: its rows belong to the compared points and tell how far these are
+ * from the reference (Girardeau-Montaut 2006, chapters 2 and 3).
+ *
+ * A comparer holds parameters and no data; one thread at a time sets them, several may run it once set. A comparison is
+ * immutable, retains the points its rows belong to, and may be read by many threads.
+ */
+#ifndef JALON_COMPARER_H
+#define JALON_COMPARER_H
+
+#include <jalon/cloud.h>
+#include <jalon/model.h>
+
+JALON_BEGIN_C
+
+typedef struct jalon_comparer jalon_comparer;
+typedef struct jalon_comparison jalon_comparison;
+
+/** What became of a compared point; 0 to 3 are the labels of the visibility test, the best known first. */
+enum {
+  JALON_COMPARED = 0,       /**< it has a distance */
+  JALON_HIDDEN = 1,         /**< behind what the reference's scanners saw */
+  JALON_OUT_OF_RANGE = 2,   /**< farther than they reach */
+  JALON_OUT_OF_FIELD = 3,   /**< outside their field of view */
+  JALON_NOTHING_NEAR = 4,   /**< no reference within max_distance_m */
+  JALON_TOO_FEW_POINTS = 5  /**< too few points around it for a value */
+};
+
+/**
+ * method, NULL = "distance":
+ * - "distance": from each compared point to the nearest of the reference: point of a cloud (Girardeau-Montaut 2006,
+ *   2.3.1). Exact; O(n log n).
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
+JALON_API jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer);
+JALON_API void jalon_comparer_release(jalon_comparer* comparer);
+/** The comparer's own parameter set: setting it changes the comparer. The caller releases it. */
+JALON_API JALON_CHECK jalon_status jalon_comparer_params(jalon_comparer* comparer, jalon_params** out);
+/**
+ * Compares a cloud with a reference cloud. JALON_ERROR_INSUFFICIENT_DATA when either is empty;
+ * JALON_ERROR_INVALID_ARGUMENT when both have a CRS and these differ. Points without a value have the distance NaN and
+ * a status that says why; when that is so for all of them, the call still succeeds.
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comparer, const jalon_cloud* reference,
+                                          const jalon_cloud* compared, jalon_task* task,
+                                          jalon_comparison** out);
+
+JALON_API jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison);
+JALON_API void jalon_comparison_release(jalon_comparison* comparison);
+/**
+ * One row a point: "distance" (float64, m; NaN without a value), "status" (uint8, JALON_COMPARED ...), and of method
+ * "distance" "nearest" (uint32: the nearest reference point; UINT32_MAX = none).
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_fields** out);
+/**
+ * One row: "points", "compared", "hidden", "out_of_range", "out_of_field", "nothing_near", "too_few_points" (uint64:
+ * how many have each status), "mean", "rms", "sigma", "minimum", "maximum" (float64, m; of the compared points; NaN
+ * without any). "maximum" of unsigned distances is the directed Hausdorff distance (2.2 of the source).
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out);
+/** A new cloud handle: the points of the rows with the columns attached as fields, ready to be written; shares the
+ * coordinates. */
+JALON_API JALON_CHECK jalon_status jalon_comparison_cloud(const jalon_comparison* comparison, jalon_cloud** out);
+/** The parameters the comparison was made with as JSON. Valid as long as the handle. */
+JALON_API JALON_CHECK jalon_status jalon_comparison_parameters(const jalon_comparison* comparison, const char** out);
+
+JALON_END_C
+
+#endif

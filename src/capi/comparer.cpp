@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "jalon/comparer.h"
+
+#include "capi/comparison_handles.h"
+#include "capi/guard.h"
+
+using namespace jalon;
+using namespace jalon::capi;
+
+namespace {
+
+struct Method {
+  const char* name;
+  const char* owner;  ///< of its parameters
+  std::span<const ParamRow> (*rows)();
+  Comparison (*run)(const CloudPtr& reference, const CloudPtr& compared, const ParamSet&, Task&);
+};
+constexpr Method kMethods[] = {{"distance", "comparer distance", distance_rows, compare_distance}};
+
+const Method& method_of(const std::string& name) {
+  for (const Method& method : kMethods)
+    if (name == method.name) return method;
+  fail(Status::kNotFound, "no comparison method \"%.100s\"; there are: distance", name.c_str());
+}
+
+void require_same_crs(const SharedText& reference, const SharedText& compared) {
+  if (!reference.empty() && !compared.empty() && reference != compared)
+    fail(Status::kInvalidArgument, "the CRS of the reference (%.60s) and of the compared cloud (%.60s) differ",
+         reference.c_str(), compared.c_str());
+}
+
+// A handle of what a method made, with the parameters it was made with.
+std::unique_ptr<jalon_comparison> handle_of(Comparison made, const ParamSet& values) {
+  auto handle = std::make_unique<jalon_comparison>();
+  made.parameters_json = values.to_json();
+  handle->comparison = std::make_shared<const Comparison>(std::move(made));
+  return handle;
+}
+
+}  // namespace
+
+jalon_status jalon_comparer_create(const char* method, jalon_comparer** out) {
+  return guard([&] {
+    require(out, "out");
+    const std::string name = method != nullptr ? require_text(method, "method") : "distance";
+    const Method& found = method_of(name);
+    auto handle = std::make_unique<jalon_comparer>();
+    handle->method = name;
+    handle->values = std::make_shared<ParamSet>(found.owner, found.rows());
+    *out = handle.release();
+  });
+}
+
+jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer) { return retain(comparer); }
+void jalon_comparer_release(jalon_comparer* comparer) { release(comparer); }
+
+jalon_status jalon_comparer_params(jalon_comparer* comparer, jalon_params** out) {
+  return guard([&] {
+    require(comparer, "comparer");
+    require(out, "out");
+    auto handle = std::make_unique<jalon_params>();
+    handle->operation = "comparer " + comparer->method;
+    handle->values = comparer->values;
+    *out = handle.release();
+  });
+}
+
+jalon_status jalon_comparer_run(const jalon_comparer* comparer, const jalon_cloud* reference,
+                                const jalon_cloud* compared, jalon_task* task, jalon_comparison** out) {
+  return guard([&] {
+    require(comparer, "comparer");
+    require(reference, "reference");
+    require(compared, "compared");
+    require(out, "out");
+    require_same_crs(reference->cloud->crs, compared->cloud->crs);
+    const ParamSet values = *comparer->values;  // a progress callback may set the next run's
+    const Method& method = method_of(comparer->method);
+    *out = with_task(task, [&](Task& t) {
+             return handle_of(method.run(reference->cloud, compared->cloud, values, t), values);
+           }).release();
+  });
+}
+
+jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison) { return retain(comparison); }
+void jalon_comparison_release(jalon_comparison* comparison) { release(comparison); }
+
+jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_fields** out) {
+  return guard([&] {
+    require(comparison, "comparison");
+    require(out, "out");
+    *out = new_fields(comparison->comparison->points);
+  });
+}
+
+jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out) {
+  return guard([&] {
+    require(comparison, "comparison");
+    require(out, "out");
+    *out = new_fields(comparison->comparison->summary);
+  });
+}
+
+jalon_status jalon_comparison_cloud(const jalon_comparison* comparison, jalon_cloud** out) {
+  return guard([&] {
+    require(comparison, "comparison");
+    require(out, "out");
+    Cloud cloud = *comparison->comparison->cloud;
+    for (const ColumnPtr& column : comparison->comparison->points) cloud.fields.set(column);
+    *out = new_cloud(std::move(cloud));
+  });
+}
+
+jalon_status jalon_comparison_parameters(const jalon_comparison* comparison, const char** out) {
+  return guard([&] {
+    require(comparison, "comparison");
+    require(out, "out");
+    *out = comparison->comparison->parameters_json.c_str();
+  });
+}

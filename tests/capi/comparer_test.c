@@ -1,0 +1,96 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+#include "support.h"
+
+#include <math.h>
+
+static jalon_cloud* line_of(double shift, uint64_t n) {
+  double xyz[300] = {0};
+  for (uint64_t i = 0; i < n; ++i) {
+    xyz[3 * i] = (double)i;
+    xyz[3 * i + 1] = shift;
+    xyz[3 * i + 2] = 0;
+  }
+  jalon_cloud* cloud = NULL;
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, n, 0, 0, &cloud));
+  return cloud;
+}
+
+static void comparison__gives_distance_nearest_point_and_status_of_each_point(void** state) {
+  (void)state;
+  jalon_cloud* reference = line_of(0, 10);
+  jalon_cloud* compared = line_of(0.25, 20);
+  jalon_comparer* comparer = NULL;
+  MUST(jalon_comparer_create(NULL, &comparer));
+  jalon_params* params = NULL;
+  MUST(jalon_comparer_params(comparer, &params));
+  MUST(jalon_params_set_double(params, "max_distance_m", 2));
+  jalon_comparison* comparison = NULL;
+  MUST(jalon_comparer_run(comparer, reference, compared, NULL, &comparison));
+  jalon_params_release(params);
+  jalon_comparer_release(comparer);
+  jalon_cloud_release(reference);
+  jalon_fields* points = NULL;
+  MUST(jalon_comparison_points(comparison, &points));
+  double distance[20];
+  uint8_t status[20];
+  uint32_t nearest[20];
+  MUST(jalon_fields_copy(points, "distance", JALON_FLOAT64, distance, 20));
+  MUST(jalon_fields_copy(points, "status", JALON_UINT8, status, 20));
+  MUST(jalon_fields_copy(points, "nearest", JALON_UINT32, nearest, 20));
+  for (int i = 0; i < 20; ++i) {
+    if (i < 11) {
+      assert_int_equal(status[i], JALON_COMPARED);
+      assert_int_equal(nearest[i], i < 10 ? i : 9);
+      assert_true(fabs(distance[i] - (i < 10 ? 0.25 : sqrt(1.0625))) < 1e-15);
+    } else {
+      assert_int_equal(status[i], JALON_NOTHING_NEAR);
+      assert_true(isnan(distance[i]));
+      assert_int_equal(nearest[i], UINT32_MAX);
+    }
+  }
+  jalon_fields_release(points);
+  jalon_cloud* coloured = NULL;
+  MUST(jalon_comparison_cloud(comparison, &coloured));
+  jalon_fields* fields = NULL;
+  MUST(jalon_cloud_fields(coloured, &fields));
+  jalon_array_view view;
+  MUST(jalon_fields_view(fields, "distance", &view));
+  assert_int_equal(view.count, 20);
+  jalon_fields_release(fields);
+  jalon_cloud_release(coloured);
+  jalon_comparison_release(comparison);
+  jalon_cloud_release(compared);
+}
+
+static void comparer__refuses_empty_clouds_and_two_different_crs(void** state) {
+  (void)state;
+  jalon_cloud* one = line_of(0, 1);
+  jalon_cloud* other = line_of(1, 1);
+  jalon_cloud* empty = line_of(0, 0);
+  jalon_comparer* comparer = NULL;
+  MUST(jalon_comparer_create("distance", &comparer));
+  jalon_comparison* comparison = NULL;
+  assert_int_equal(jalon_comparer_run(comparer, empty, one, NULL, &comparison), JALON_ERROR_INSUFFICIENT_DATA);
+  assert_int_equal(jalon_comparer_run(comparer, one, empty, NULL, &comparison), JALON_ERROR_INSUFFICIENT_DATA);
+  MUST(jalon_cloud_set_crs(one, "EPSG:2154"));
+  MUST(jalon_comparer_run(comparer, one, other, NULL, &comparison));
+  jalon_comparison_release(comparison);
+  comparison = NULL;
+  MUST(jalon_cloud_set_crs(other, "EPSG:2056"));
+  assert_int_equal(jalon_comparer_run(comparer, one, other, NULL, &comparison), JALON_ERROR_INVALID_ARGUMENT);
+  assert_null(comparison);
+  assert_int_equal(jalon_comparer_create("nonsense", &comparer), JALON_ERROR_NOT_FOUND);
+  jalon_comparer_release(comparer);
+  jalon_cloud_release(one);
+  jalon_cloud_release(other);
+  jalon_cloud_release(empty);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(comparison__gives_distance_nearest_point_and_status_of_each_point),
+      cmocka_unit_test(comparer__refuses_empty_clouds_and_two_different_crs),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
