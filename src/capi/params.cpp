@@ -7,6 +7,7 @@
 #include "capi/guard.h"
 #include "capi/operations.h"
 #include "cloud/operations.h"
+#include "compare/regions.h"
 #include "cloud/precision.h"
 #include "formats/formats.h"
 #include "modelling/model_evaluation.h"
@@ -24,6 +25,7 @@ namespace jalon::capi {
 std::span<const Operation> operations() {
   static constexpr Operation kOperations[] = {
       {"normals", normals_rows},     {"features", features_rows},   {"components", components_rows},
+      {"regions", regions_rows},
       {"outliers", outliers_rows},   {"subsample", subsample_rows}, {"interest", interest_rows},
       {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
       {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},

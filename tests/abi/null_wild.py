@@ -49,6 +49,7 @@ OPERATION = {
     "jalon_polygon_indices": "indices",
     "jalon_precision_budget": "precision", "jalon_cloud_compute_covariances": "precision",
     "jalon_segmentation_plane_covariances": "precision",
+    "jalon_comparison_regions": "regions",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
 NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world", "T_prism_world", "method", "face_ids",
@@ -59,6 +60,7 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_model_part.parent", "jalon_model_rename_part.name", "jalon_model_rename_part.part_class", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
             "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
             "rows", "vertical_rad", "incidence_rad",
+            "jalon_comparison_regions.out_points", "jalon_comparison_regions.out_regions",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compare/comparison.h"
+
+namespace jalon {
+
+/// One byte a point: 1 where the comparison, read by the options of operation "regions", says that something changed.
+std::vector<uint8_t> changed_points(const Comparison& comparison, const ParamSet& options, Task& task);
+
+}  // namespace jalon

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compare/comparison.h"
+#include "geometry/plane.h"
+
+namespace jalon {
+
+/// Connected changed points: an object, a part of one, or several that touch (Girardeau-Montaut 2006, 3.2.4).
+struct Region {
+  uint32_t label = 0;              ///< 1 = most points
+  std::vector<uint32_t> indices;   ///< its points, ascending
+  double area_m2 = 0;              ///< of the surface that the points sample
+  double mean_m = 0, rms_m = 0;    ///< distances
+  double extreme_m = 0;            ///< the distance of largest size, with its sign
+  Box3 box;
+  Vec3 centroid;
+  Eigen3 axes;                     ///< of the points' covariance about the centroid
+};
+
+struct Regions {
+  std::vector<uint8_t> changed;    ///< one a point of the comparison
+  std::vector<uint32_t> labels;    ///< the same: 0 = in no region
+  std::vector<Region> regions;     ///< labels 1, 2 ...
+  double cell_m = 0;               ///< edge of the grid that connected them
+  double spacing_m = 0;            ///< sqrt(A / (N pi)) of the changed points (eq. 2.6), median
+};
+
+/// Parameter table of operation "regions".
+std::span<const ParamRow> regions_rows();
+/// 1. Which points are changed; 2. their connected components on a grid (A19); 3. what each measures.
+Regions change_regions(const Comparison& comparison, const ParamSet& options, Task& task);
+
+/// Columns "changed" (uint8) and "region" (uint32) of the comparison's points.
+FieldTable region_points_table(const Regions& regions);
+/// One row a region.
+FieldTable regions_table(const Regions& regions);
+
+/// Radius of the disc that each of these points stands for, sqrt(A / (N pi)) (eq. 2.6), from the distance to its k-th
+/// neighbour in the whole cloud: among the points of a region alone it would be too large at the region's border.
+std::vector<float> point_radii(const Cloud& cloud, std::span<const uint64_t> rows, Task& task);
+
+}  // namespace jalon
