@@ -21,6 +21,7 @@ constexpr double kLeastSpan_m = 0.012, kLeastSpanSigmas = 6;
 // reaches, tell how far behind, the nearest tenth of them left out as mixed pixels.
 constexpr double kFilling = 0.4, kFillingReaches = 2, kMixedShare = 0.1;
 constexpr size_t kLeastFilling = 6;
+constexpr double kAstray[] = {0.6, 1.1};  // spacings: half of one and noise, and where no point shows the edge
 constexpr double kBeforeFilling_m = 0.006, kBeforeFillingSigmas = 3;
 // Noise of points across a surface seen nearly along it: millimetres, whatever the spacing.
 constexpr double kReach_m = 0.004, kReachOfSpacing = 0.12;
@@ -41,12 +42,14 @@ double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
-// Step 1: without the pane or leaf that ends at the reveal, whose points would bend the line.
-std::vector<RevealPoint> before_filling(std::span<const RevealPoint> points, double reach_m, const RevealSetting& s) {
+// Step 1: without the pane or leaf that ends at the reveal, whose points would bend the line. assumed_m: where the
+// reveal may lie, into the solid.
+std::vector<RevealPoint> before_filling(std::span<const RevealPoint> points, double assumed_m, double reach_m,
+                                        const RevealSetting& s) {
   std::vector<double> filling;
   const double outside = std::max(kFilling * s.spacing_m, kFillingReaches * reach_m);
   for (const RevealPoint& p : points)
-    if (p.d_m < -outside) filling.push_back(std::fabs(p.height_m));
+    if (p.d_m < assumed_m - outside) filling.push_back(std::fabs(p.height_m));
   double limit = INFINITY;
   if (filling.size() >= kLeastFilling)
     limit = quantile(filling, kMixedShare) - std::max(kBeforeFilling_m, kBeforeFillingSigmas * s.sigma_m);
@@ -165,17 +168,16 @@ std::vector<EdgeOffset> binned(std::span<const RevealPoint> inliers, const Cross
   return out;
 }
 
-}  // namespace
-
-bool find_reveal(std::span<const RevealPoint> points, const RevealSetting& setting, Reveal& out) {
-  const double reach = std::max(kReach_m, kReachOfSpacing * setting.spacing_m);
-  const auto used = before_filling(points, reach, setting);
+// Steps 1 to 5.
+bool find_about(std::span<const RevealPoint> points, double assumed_m, const RevealSetting& setting, Reveal& out) {
+  const double reach_m = std::max(kReach_m, kReachOfSpacing * setting.spacing_m);
+  const auto used = before_filling(points, assumed_m, reach_m, setting);
   CrossLine line;
-  if (used.size() < kLeastPoints || !draw_line(used, reach, line)) return false;
+  if (used.size() < kLeastPoints || !draw_line(used, reach_m, line)) return false;
   std::vector<RevealPoint> inliers;
   LineSums sums;
   double sigma = 0;
-  if (!settle_line(used, reach, line, sigma, inliers, sums)) return false;
+  if (!settle_line(used, reach_m, line, sigma, inliers, sums)) return false;
   if (!is_surface(used, inliers, sigma, setting)) return false;
   double nearest = INFINITY, farthest = 0;
   for (const RevealPoint& p : inliers) {
@@ -189,6 +191,21 @@ bool find_reveal(std::span<const RevealPoint> points, const RevealSetting& setti
   out.per_metre2 = sums.n / (setting.length_m * (farthest - nearest));
   out.offsets = binned(inliers, line, sigma, setting.length_m);
   return true;
+}
+
+}  // namespace
+
+bool find_reveal(std::span<const RevealPoint> points, const RevealSetting& setting, Reveal& out) {
+  if (find_about(points, 0, setting, out)) return true;
+  // An edge between two columns of points may be assumed so far in the solid that the reveal itself looks like what
+  // fills the opening. Once it is found, it tells what does.
+  for (const double astray : kAstray)
+    if (find_about(points, -astray * setting.spacing_m, setting, out)) {
+      Reveal again;
+      if (find_about(points, out.offset_m, setting, again)) out = std::move(again);
+      return true;
+    }
+  return false;
 }
 
 }  // namespace jalon
