@@ -70,6 +70,9 @@ struct Octree::Impl {
   /// Sorted positions of the k <= 256 nearest points of a point, itself included, filled up with kNoPoint.
   void nearest_of_point(size_t position, uint32_t k, uint32_t* neighbours) const;
 
+  /// The sorted position of the point nearest to a place, of equally near ones that of the smallest index.
+  uint32_t nearest_position(const Vec3& q) const;
+
   void sort_points(Task& task);             ///< fills x, y, z, order, leaf_first (octree_sort.cpp)
   void build_boxes(Task& task);             ///< fills levels (octree_boxes.cpp)
 };

@@ -125,6 +125,11 @@ void Octree::Impl::nearest_of_point(size_t position, uint32_t k, uint32_t* neigh
   for (size_t j = 0; j < k; ++j) neighbours[j] = j < found ? heap[j].position : kNoPoint;
 }
 
+uint32_t Octree::Impl::nearest_position(const Vec3& q) const {
+  Found found;
+  return nearest(*this, q, 1, &found) == 0 ? kNoPoint : found.position;
+}
+
 size_t Octree::knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
   constexpr size_t kOnStack = 64;
   Found small[kOnStack];
