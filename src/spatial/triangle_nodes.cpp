@@ -62,10 +62,10 @@ struct Split {
 
 class Builder {
  public:
-  Builder(std::span<const FloatBox> boxes, std::vector<uint32_t>& order, Task& task)
-      : boxes_(boxes), order_(order), task_(task) {}
+  Builder(std::span<const FloatBox> boxes, uint32_t leaf_size, std::vector<uint32_t>& order, Task& task)
+      : boxes_(boxes), leaf_size_(leaf_size), order_(order), task_(task) {}
 
-  /// Node of a range of more than kLeafSize triangles with all below it; gives its index in nodes. With jobs, ranges
+  /// Node of a range of more than a leaf's triangles with all below it; gives its index in nodes. With jobs, ranges
   /// of at most kSubtreeSize are put there instead of being built.
   uint32_t build(const Range& range, int depth, std::vector<Node>& nodes, std::vector<Job>* jobs) {
     Range parts[kWidth];
@@ -82,11 +82,11 @@ class Builder {
       if (i < width) {
         child = parts[i].first;
         count = parts[i].count;
-        if (count > kLeafSize && jobs != nullptr && count <= kSubtreeSize) {
+        if (count > leaf_size_ && jobs != nullptr && count <= kSubtreeSize) {
           child = static_cast<uint32_t>(jobs->size());
           count = kSubtreeMark;
           jobs->push_back({parts[i], depth + 1});
-        } else if (count > kLeafSize) {
+        } else if (count > leaf_size_) {
           child = build(parts[i], depth + 1, nodes, jobs);
           count = 0;
         }
@@ -114,7 +114,7 @@ class Builder {
     while (width < kWidth) {
       uint32_t chosen = kWidth;
       for (uint32_t i = 0; i < width; ++i)
-        if (parts[i].count > kLeafSize &&
+        if (parts[i].count > leaf_size_ &&
             (chosen == kWidth || parts[i].box.half_area() > parts[chosen].box.half_area()))
           chosen = i;
       if (chosen == kWidth) break;
@@ -216,6 +216,7 @@ class Builder {
   }
 
   std::span<const FloatBox> boxes_;
+  const uint32_t leaf_size_;
   std::vector<uint32_t>& order_;
   Task& task_;
 };
@@ -250,13 +251,13 @@ void build_subtrees(Builder& builder, std::vector<Node>& nodes, std::span<const 
 
 }  // namespace
 
-Nodes build_nodes(std::span<const FloatBox> boxes, Task& task) {
+Nodes build_nodes(std::span<const FloatBox> boxes, uint32_t leaf_size, Task& task) {
   Nodes out;
   if (boxes.empty()) return out;
   const auto n = static_cast<uint32_t>(boxes.size());
   out.order.resize(n);
   std::iota(out.order.begin(), out.order.end(), 0u);
-  Builder builder(boxes, out.order, task);
+  Builder builder(boxes, leaf_size, out.order, task);
   std::vector<Job> jobs;
   const Range all = builder.range_of(0, n);
   {

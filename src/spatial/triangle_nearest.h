@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+
+#include "base/task.h"
+#include "geometry/vec.h"
+
+namespace jalon {
+
+/// What of a triangle is closest to a point.
+enum class TriangleFeature : uint8_t { kFace, kSide, kCorner };
+
+/// The triangle nearest to a point.
+struct TriangleAnswer {
+  double distance = std::numeric_limits<double>::quiet_NaN();  ///< not negative
+  uint32_t triangle = ~uint32_t{0};                            ///< caller's number
+  TriangleFeature feature = TriangleFeature::kFace;
+  bool is_behind = false;  ///< on the side from which its corners run clockwise
+  Vec3 foot;               ///< the closest point
+};
+
+/// Nearest triangle of a set, exact in doubles: the least distance, then the least number; triangles that share a side
+/// or a corner tie exactly there. Triangles without area count as their longest side, or as a point. Immutable; any
+/// number of threads may ask.
+///
+/// Corners are kept as doubles relative to a whole metre, so that map coordinates lose nothing and a shift by whole
+/// metres changes no bit. A tree of four boxes a node with leaves of four triangles (Wald 2007), descended nearest box
+/// first; the answer of one point bounds the search of the next.
+///
+/// Sides are told by the angle-weighted pseudo-normal at the closest point (Baerentzen & Aanaes 2005, Signed distance
+/// computation using the angle weighted pseudonormal): of all triangles that touch it, each by the angle that it fills
+/// there. Right everywhere about a closed surface whose triangles run one way around, also where corners of some meet
+/// sides of others; at the border of an open one it is the side of the surface as continued.
+class NearestTriangles {
+ public:
+  /// vertices and indices as of TriangleTree. kInvalidArgument names the first vertex in use that is not finite.
+  static std::shared_ptr<const NearestTriangles> build(std::span<const Vec3> vertices,
+                                                       std::span<const std::array<uint32_t, 3>> triangles, Task& task);
+  ~NearestTriangles();
+
+  size_t size() const;
+  size_t memory_bytes() const;
+
+  /// visit(item, answer) for every item of order (indices of the points: 3 doubles each), in chunks that run in
+  /// parallel; neighbours in the order should be neighbours in space. Without a triangle within max_distance
+  /// (inclusive) the answer has distance NaN and no triangle. with_sides: also is_behind; the rest is always there.
+  template <class F>
+  void for_each(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance, bool with_sides,
+                Task& task, F&& visit) const {
+    ask(xyz, order, max_distance, with_sides, task,
+        [](void* p, uint32_t item, const TriangleAnswer& answer) {
+          (*static_cast<std::remove_reference_t<F>*>(p))(item, answer);
+        },
+        &visit);
+  }
+  /// The same for one point.
+  TriangleAnswer nearest(const Vec3& point, double max_distance = std::numeric_limits<double>::infinity()) const;
+
+ private:
+  using Visit = void (*)(void* context, uint32_t item, const TriangleAnswer& answer);
+  NearestTriangles();
+  void ask(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance, bool with_sides,
+           Task& task, Visit visit, void* context) const;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace jalon
