@@ -19,7 +19,7 @@ namespace {
 double widest_gap(std::span<const Vec2> points, double spacing_m, const ContourSetting& setting, Task& task) {
   if (setting.max_edge_m > 0) return setting.max_edge_m;
   if (setting.mode == ContourMode::kAlpha) return 2 * setting.alpha_factor * spacing_m;  // a circle's diameter
-  const ContourBand band = contour_band(points, kMostSpacings * spacing_m / 2, spacing_m);
+  const ContourBand band = contour_band(points, kMostSpacings * spacing_m / 2, spacing_m, {});
   return long_edge_threshold(edge_lengths(band.points, all_triangles(band, task)), spacing_m);
 }
 
@@ -51,7 +51,8 @@ double equivalent_width(double area_m2, double perimeter_m) {
   return discriminant > 0 ? quarter - std::sqrt(discriminant) : std::sqrt(area_m2);
 }
 
-Contour extract_contour(std::span<const Vec2> points, const ContourSetting& setting, Task& task) {
+Contour extract_contour(std::span<const Vec2> points, const ContourSetting& setting, Task& task,
+                        const ForeignTest& foreign) {
   Contour out;
   if (points.size() < 3) return out;
   // 1. Spacing and the widest gap that still joins neighbours.
@@ -61,7 +62,10 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
   if (out.spacing_m == 0) out.spacing_m = out.max_edge_m / (2 * setting.alpha_factor);
   task.checkpoint(0);
   // 2. Points near a contour: cells of half a gap, so that neighbours in the plane are neighbours in the raster.
-  const ContourBand band = contour_band(points, out.max_edge_m / 2, out.spacing_m);
+  std::function<bool(uint32_t)> is_foreign;
+  if (foreign) is_foreign = [&](uint32_t point) { return foreign(point, out.spacing_m); };
+  const ContourBand band = contour_band(points, out.max_edge_m / 2, out.spacing_m, is_foreign);
+  if (band.points.empty()) return out;
   task.checkpoint(0);
   // 3. Triangles that span no gap.
   const bool is_local = setting.max_edge_m == 0;

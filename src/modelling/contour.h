@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -49,7 +50,10 @@ struct Contour {
 /// a border point.
 ///
 /// kAlpha lets the gap grow with the local spacing where the points lie up to twice as far apart as is typical.
-Contour extract_contour(std::span<const Vec2> points, const ContourSetting& setting, Task& task);
+/// foreign: tells points, by index and with the spacing found, that bound nothing; asked of border points only.
+using ForeignTest = std::function<bool(uint32_t point, double spacing_m)>;
+Contour extract_contour(std::span<const Vec2> points, const ContourSetting& setting, Task& task,
+                        const ForeignTest& foreign = {});
 
 /// Shorter side of the rectangle with this area and perimeter; of rounder shapes the side of the square.
 double equivalent_width(double area_m2, double perimeter_m);

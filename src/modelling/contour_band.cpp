@@ -54,7 +54,7 @@ struct CellMoments {
 };
 
 // Cells whose points, with those of the cells around them, lie in a line: where another surface crosses the plane it
-// leaves a string of its points there, and a string bounds nothing.
+// leaves a string of its points there, and a string bounds nothing; no more does a point far from all others.
 std::vector<uint8_t> strings_of(const CellRows& rows, std::span<const Vec2> points, std::span<const uint8_t> deep,
                                 double spacing_m) {
   std::vector<CellMoments> moments(rows.keys.size());
@@ -70,7 +70,7 @@ std::vector<uint8_t> strings_of(const CellRows& rows, std::span<const Vec2> poin
       auto i = static_cast<size_t>(std::lower_bound(rows.keys.begin(), rows.keys.end(), from) - rows.keys.begin());
       for (; i < rows.keys.size() && rows.keys[i] <= to; ++i) sum.add(moments[i]);
     }
-    out[c] = sum.n >= 2 && sum.thickness() < kStringOfSpacing * spacing_m;
+    out[c] = sum.thickness() < kStringOfSpacing * spacing_m;
   }
   return out;
 }
@@ -83,7 +83,8 @@ double squared(const Vec2& d) { return dot(d, d); }
 
 }  // namespace
 
-ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m) {
+ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m,
+                         const std::function<bool(uint32_t)>& foreign) {
   const CellRows rows = sort_into_cells(points, cell_m);
   const std::vector<uint8_t> occupied(rows.keys.size(), 1);
   const auto inner = eroded(rows, occupied), deep = eroded(rows, inner);
@@ -93,6 +94,7 @@ ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spa
     if (deep[c] != 0 || strings[c] != 0) continue;
     const float spacing = spacing_about(rows, c);
     for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k) {
+      if (foreign && foreign(rows.order[k])) continue;
       band.points.push_back(points[rows.order[k]]);
       band.is_inner.push_back(inner[c]);
       band.spacing_m.push_back(spacing);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,10 @@ struct ContourBand {
   std::vector<float> spacing_m;    ///< of the points about it: root of the occupied area a point
 };
 
-/// Leaves out the points of cells that are inner and have only inner neighbours. points: not empty.
-ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m);
+/// Leaves out the points of cells that are inner and have only inner neighbours, and those that are `foreign` (by index
+/// in points; empty: none). points: not empty.
+ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m,
+                         const std::function<bool(uint32_t)>& foreign);
 
 /// Delaunay triangles of the band. Those among inner cells span the points left out: the functions below keep them
 /// whatever their size.

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/text_number.h"
 #include "modelling/contour.h"
+#include "modelling/crossing_points.h"
 #include "modelling/edge_shape.h"
 #include "modelling/measured_rings.h"
 #include "modelling/nesting.h"
@@ -20,6 +21,7 @@ namespace {
 // Strip of a straight edge in triangle edges: cut corners are at most half an edge deep.
 constexpr double kToleranceOfEdge = 0.6;
 constexpr double kChordError = 0.05;  // spacings: chords for arcs in the tests of nesting
+constexpr double kCrossingReach = 3;  // spacings: about 28 points of each of two planes
 constexpr double kParallel = 0.9;     // cosine: 26 degrees
 
 // Corner of the segment's box, in whole metres: moves with the cloud without rounding.
@@ -112,7 +114,12 @@ VectorPlane Vectoriser::operator()(size_t s, std::span<const uint32_t> indices, 
   std::vector<Vec2> points(indices.size());
   for (size_t i = 0; i < indices.size(); ++i) points[i] = out.frame.project(cloud.point(indices[i]));
   // 2. Contours (A2-A3).
-  const Contour contour = extract_contour(points, setting.contour, task);
+  ForeignTest foreign;
+  if (setting.straighten)
+    foreign = [&, crossing = CrossingPoints(segmentation, *tree, s)](uint32_t i, double spacing_m) {
+      return crossing.holds(indices[i], kCrossingReach * spacing_m);
+    };
+  const Contour contour = extract_contour(points, setting.contour, task, foreign);
   out.spacing_m = contour.spacing_m;
   out.max_edge_m = contour.max_edge_m;
   if (contour.pieces.empty()) return out;
