@@ -53,13 +53,19 @@ JALON_API jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison
 JALON_API void jalon_comparison_release(jalon_comparison* comparison);
 /**
  * One row a point: "distance" (float64, m; NaN without a value), "status" (uint8, JALON_COMPARED ...), and of method
- * "distance" "nearest" (uint32: the nearest reference point; UINT32_MAX = none).
+ * "distance" "nearest" (uint32: the nearest reference point, of equally near ones the first; UINT32_MAX = none), with
+ * its parameter "differences" also "difference_x", "_y", "_z" (float64, m: from the foot on the reference to the
+ * point), with "sampling_error" also that (float32, m: the root mean square distance that the sampling of the reference
+ * around it would make on an unchanged plane, 2.5 of the source).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_fields** out);
 /**
  * One row: "points", "compared", "hidden", "out_of_range", "out_of_field", "nothing_near", "too_few_points" (uint64:
  * how many have each status), "mean", "rms", "sigma", "minimum", "maximum" (float64, m; of the compared points; NaN
- * without any). "maximum" of unsigned distances is the directed Hausdorff distance (2.2 of the source).
+ * without any). "maximum" of unsigned distances is the directed Hausdorff distance (2.2 of the source). Method
+ * "distance" with "hausdorff": "hausdorff_forward" (of the compared points from the reference points),
+ * "hausdorff_reverse" and the larger of both, "hausdorff" (2.3), whatever max_distance_m; with "sampling_error":
+ * "sampling_rms" and "sampling_mean" (float64, m), what sampling alone would make of "rms" and "mean".
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out);
 /** A new cloud handle: the points of the rows with the columns attached as fields, ready to be written; shares the

@@ -1,67 +1,95 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
+
+// Method "distance": from each compared point to the nearest reference point (Girardeau-Montaut 2006, 2.3.1).
+
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
-#include "base/parallel.h"
+#include "base/table_columns.h"
 #include "compare/comparison.h"
+#include "compare/distance_columns.h"
+#include "compare/distance_setting.h"
+#include "compare/hausdorff.h"
+#include "compare/sampling_error.h"
 #include "compare/summary.h"
+#include "spatial/nearest.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr ParamRow kRows[] = {
-    number_row("max_distance_m", 0, 0, 1e9, "m", "",
-               "Radius beyond which a point counts as without reference (status nothing near); 0 = no limit."),
+struct Trees {
+  std::shared_ptr<const Octree> reference, compared;
 };
 
-struct Columns {
-  std::shared_ptr<Column> distance, nearest, status;
-};
-
-Columns make_columns(size_t n) {
-  return {std::make_shared<Column>(FieldInfo{"distance", ElementType::kFloat64, 1, "m", "from the reference"}, n),
-          std::make_shared<Column>(
-              FieldInfo{"nearest", ElementType::kUint32, 1, "", "nearest reference point; 4294967295 = none"}, n),
-          std::make_shared<Column>(
-              FieldInfo{"status", ElementType::kUint8, 1, "", "0 compared, 4 nothing within max_distance_m"}, n)};
+Trees trees_of(const Cloud& reference, const Cloud& compared, Task& task) {
+  Trees trees;
+  {
+    Span span(task, 0, 0.5, "index of the reference");
+    trees.reference = reference.octree(task);
+  }
+  Span span(task, 0.5, 1, "index of the compared cloud");
+  trees.compared = compared.octree(task);
+  return trees;
 }
 
-void fill(const Cloud& compared, const Octree& tree, double limit_m, const Columns& columns, Task& task) {
-  const auto distance = columns.distance->values<double>();
-  const auto nearest = columns.nearest->values<uint32_t>();
-  const auto status = columns.status->values<uint8_t>();
-  parallel_for(task, compared.size(), 1 << 12, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      std::array<Neighbour, 1> found{};
-      tree.knn(compared.point(i), 1, found);
-      const double d = std::sqrt(found[0].squared_distance);
-      const bool is_near = d <= limit_m;
-      distance[i] = is_near ? d : std::numeric_limits<double>::quiet_NaN();
-      nearest[i] = is_near ? found[0].index : kNoPoint;
-      status[i] = static_cast<uint8_t>(is_near ? CompareStatus::kCompared : CompareStatus::kNothingNear);
+void nearest_points(const Cloud& reference, const Cloud& compared, const Trees& trees, double max_distance_m,
+                    const DistanceColumns& columns, Task& task) {
+  const auto reference_order = trees.reference->order(), order = trees.compared->order();
+  for_each_nearest(*trees.reference, *trees.compared, max_distance_m, task, [&](const NearestBatch& batch) {
+    for (size_t j = 0; j < batch.count; ++j) {
+      const size_t i = order[batch.first + j];
+      const bool found = batch.nearest[j] != kNoPoint;
+      const uint32_t nearest = found ? reference_order[batch.nearest[j]] : kNoPoint;
+      constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+      columns.distances[i] = found ? std::sqrt(batch.squared[j]) : kNaN;
+      columns.nearests[i] = nearest;
+      columns.statuses[i] = static_cast<uint8_t>(found ? CompareStatus::kCompared : CompareStatus::kNothingNear);
+      if (columns.differences[0] != nullptr)
+        columns.set_difference(i, found ? compared.point(i) - reference.point(nearest) : Vec3{kNaN, kNaN, kNaN});
     }
   });
 }
 
-}  // namespace
+void add_sampling_error(const Octree& reference, const DistanceColumns& columns, Comparison& made, Task& task) {
+  const SamplingError error =
+      predict_sampling_error(reference, {columns.nearests, columns.nearest->count()}, task);
+  made.points.set(error.column);
+  add_value<double>(made.summary, "sampling_rms", "m", "root mean square distance that sampling alone would make",
+                    error.rms_m);
+  add_value<double>(made.summary, "sampling_mean", "m", "mean distance that sampling alone would make", error.mean_m);
+}
 
-std::span<const ParamRow> distance_rows() { return kRows; }
+}  // namespace
 
 Comparison compare_distance(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
   if (reference->size() == 0) fail(Status::kInsufficientData, "the reference cloud is empty");
   if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
-  const double limit_m = params.number("max_distance_m");
-  const auto tree = reference->octree(task);
-  const Columns columns = make_columns(compared->size());
-  fill(*compared, *tree, limit_m > 0 ? limit_m : std::numeric_limits<double>::infinity(), columns, task);
+  const DistanceSetting setting = distance_setting(params);
+  Trees trees;
+  {
+    Span span(task, 0, 0.3);
+    trees = trees_of(*reference, *compared, task);
+  }
+  const DistanceColumns columns(compared->size(), setting.differences);
   Comparison made;
   made.cloud = compared;
-  for (const auto& column : {columns.distance, columns.nearest, columns.status}) made.points.set(column);
+  {
+    Span span(task, 0.3, 0.6, "nearest points");
+    nearest_points(*reference, *compared, trees, setting.max_distance_m, columns, task);
+  }
+  columns.attach(made.points);
   made.summary = summarise(columns.distance->values<double>(), columns.status->values<uint8_t>(), task);
+  if (setting.sampling_error) {
+    Span span(task, 0.8, 0.9, "sampling error");
+    add_sampling_error(*trees.reference, columns, made, task);
+  }
+  if (setting.hausdorff) {
+    Span span(task, 0.9, 1);
+    add_hausdorff(*trees.reference, *trees.compared, task, made.summary);
+  }
   return made;
 }
 
