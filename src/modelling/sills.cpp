@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "modelling/bar_edge.h"
 #include "modelling/ring_tools.h"
 
 namespace jalon {
@@ -24,6 +25,8 @@ constexpr double kEdgeSigma = 0.3;       // spacings, of an edge drawn from its 
 constexpr size_t kLeastPoints = 10;      // of a front without a plane of its own
 constexpr double kStrays = 0.02;         // share of them that may lie beyond either edge
 constexpr double kColumns = 0.6;         // share of the hole's width, in columns of two spacings, where they lie
+constexpr double kReach_spacings = 1.5;  // of an edge, from where it was taken to be
+constexpr double kEdgeNoise = 0.05;      // spacings: of the edge itself and of points along the wall
 constexpr double kSetBack_spacings = 0.35;  // of the last row of points from the edge: 0.5 on grids, 0.2 at random
 
 /// The front of a sill in the wall's coordinates.
@@ -97,6 +100,34 @@ std::optional<Sill> sill_of_points(const RingBox& hole, const HoleSurvey& survey
   return Sill{{{hole.low.u, foot}, {hole.high.u, top + kSetBack_spacings * spacing_m}}, kEdgeSigma * spacing_m};
 }
 
+/// Points of the sill's front before the hole: those at the middle one's distance from the wall.
+std::vector<Vec2> front_points(const RingBox& hole, const HoleSurvey& survey, double tolerance_m, double front_m,
+                               double spacing_m, const Sill& sill) {
+  std::vector<float> heights;
+  std::vector<const HolePoint*> near;
+  for (const HolePoint& p : survey.points)
+    if (p.w > tolerance_m && p.w <= front_m && p.v > sill.box.low.v - spacing_m &&
+        p.v < sill.box.high.v + kReach_spacings * spacing_m && p.u > hole.low.u && p.u < hole.high.u) {
+      near.push_back(&p);
+      heights.push_back(p.w);
+    }
+  if (near.size() < kLeastPoints) return {};
+  const auto middle = heights.begin() + static_cast<ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  std::vector<Vec2> front;
+  for (const HolePoint* p : near)
+    if (std::fabs(p->w - *middle) <= tolerance_m / 2) front.push_back({p->u, p->v});
+  return front;
+}
+
+/// The upper edge from the points of the front, where they tell it better.
+void refine(std::span<const Vec2> front, double spacing_m, Sill& sill) {
+  const auto edge = upper_edge(front, spacing_m, kEdgeNoise * spacing_m);
+  if (!edge || edge->sigma_m >= sill.sigma_m) return;
+  sill.box.high.v = edge->at_m;
+  sill.sigma_m = edge->sigma_m;
+}
+
 /// Where a jamb that goes up from a to b, prolonged, crosses the level.
 double foot_of(const Vec2& a, const Vec2& b, double level) {
   const Vec2 d = b - a;
@@ -146,6 +177,7 @@ void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, const WallSurve
     auto sill = sill_of(box, sills);
     if (!sill) sill = sill_of_points(box, survey.holes[h], survey.tolerance_m, front_m, spacing_m);
     if (!sill) continue;
+    refine(front_points(box, survey.holes[h], survey.tolerance_m, front_m, spacing_m, *sill), spacing_m, *sill);
     const auto ended = ended_at(hole.outline, sill->box.high.v, kFlare_spacings * spacing_m, sill->sigma_m);
     if (!ended || !is_simple(*ended, spacing_m)) continue;
     const VectorRing before = reversed(hole.outline);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "octree_fixture.h"
+#include "spatial/ball_kernel.h"
 #include "spatial/knn_kernel.h"
 #include "spatial/octree.h"
 #include "spatial/octree_impl.h"
@@ -210,4 +211,52 @@ TEST_CASE("radius__equals_brute_force_for_queries_and_for_all_points") {
       for (size_t i = 0; i < all.size(); i += 13) REQUIRE(all[i] == expect(point(xyz, i)));
     }
   }
+}
+
+TEST_CASE("ball__vector_kernels_give_the_same_bits_and_batches_any_number_of_threads") {
+  const auto xyz = street(20000);
+  const auto tree = build(xyz);
+  const auto balls = [&](unsigned count) {
+    std::vector<std::vector<uint32_t>> all(tree->size());
+    Task task(threads(count));
+    tree->for_each_ball(0.7, task, [&](const Octree::BallBatch& b) {
+      for (size_t i = 0; i < b.count; ++i)
+        all[b.first + i].assign(b.neighbours + b.offsets[i], b.neighbours + b.offsets[i + 1]);
+    });
+    return all;
+  };
+  CHECK(balls(1) == balls(7));
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx2")) {
+    MESSAGE("skipped: this processor has no AVX2");
+    return;
+  }
+  const OctreeView& view = tree->impl().view;
+  constexpr size_t kRoom = 3000;
+  std::vector<int32_t> x(kRoom + 16), y = x, z = x;
+  std::vector<uint32_t> position(kRoom + 16), inside = position, other = position;
+  std::vector<float> squared(kRoom + 16), other_squared = squared;
+  RandomStream random(8, 1);
+  for (int n = 0; n < 100; ++n) {
+    BallCandidates c{x.data(), y.data(), z.data(), position.data(), 0, kRoom};
+    const size_t at = random.below(tree->size());
+    const int32_t p[3] = {view.x[at], view.y[at], view.z[at]};
+    constexpr int32_t kReach = 1 << 25;
+    GridBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.lo[axis] = std::max(0, p[axis] - kReach);
+      box.hi[axis] = std::min(0x7fffffff - kReach, p[axis]) + kReach;
+    }
+    REQUIRE(gather_ball_candidates_avx2(view, box, c));
+    const Ball ball{p[0], p[1], p[2], 0x1p48f, 0x1p49f};
+    size_t unsure = 0, other_unsure = 0;
+    const size_t count = points_in_ball_avx2(c, ball, inside.data(), squared.data(), unsure);
+    c.count = 0;
+    REQUIRE(gather_ball_candidates_baseline(view, box, c));
+    REQUIRE(count == points_in_ball_baseline(c, ball, other.data(), other_squared.data(), other_unsure));
+    REQUIRE(unsure == other_unsure);
+    REQUIRE(std::equal(inside.begin(), inside.begin() + static_cast<ptrdiff_t>(count), other.begin()));
+    REQUIRE(std::memcmp(squared.data(), other_squared.data(), count * sizeof(float)) == 0);
+  }
+#endif
 }
