@@ -33,7 +33,7 @@ enum {
 /**
  * method, NULL = "distance":
  * - "distance": from each compared point to the nearest of the reference: point of a cloud (Girardeau-Montaut 2006,
- *   2.3.1). Exact; O(n log n).
+ *   2.3.1), face or triangle of a model (2.2; jalon_comparer_run_model). Exact; O(n log n).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
 JALON_API jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer);
@@ -48,6 +48,32 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_params(jalon_comparer* compare
 JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comparer, const jalon_cloud* reference,
                                           const jalon_cloud* compared, jalon_task* task,
                                           jalon_comparison** out);
+
+/**
+ * Compares a cloud with a reference model by method "distance"; other methods are JALON_ERROR_UNSUPPORTED. A point's
+ * distance is that from the nearest face (its openings are open; arcs are chords at most chord_error_m off) or from the
+ * nearest triangle of the mesh that stands for no face. Triangles without area count as what is left of them, a segment
+ * or a point. Errors as of jalon_comparer_run; JALON_ERROR_INSUFFICIENT_DATA too for a model without any surface.
+ *
+ * Distances are negative behind the surface, the side from which its corners run clockwise: the inside of a closed
+ * mesh. At edges and corners the side is told by the angle-weighted pseudo-normal (Baerentzen & Aanaes 2005), which is
+ * right all around a closed surface whose triangles run one way around. Elsewhere the column "side" tells it: a point
+ * nearest to a border of an open surface gets the side of the surface as continued, one nearest to where neighbouring
+ * triangles run opposite ways around the side of the nearest of them.
+ *
+ * Columns of the points besides "distance" and "status": "face" (uint32: row of jalon_model_faces; UINT32_MAX = a
+ * triangle of the mesh), "triangle" (uint32: row of jalon_model_triangles; UINT32_MAX = a face), "part" (uint32: row of
+ * jalon_model_parts, UINT32_MAX = none), "side" (uint8, when signed: 0 certain, 1 at a border, 2 inconsistent), and
+ * with tolerance_m > 0 "within_tolerance" (uint8: 1 yes, 0 no, 2 no distance). Ties go to the first face, then to the first
+ * triangle. Of the summary: "maximum_absolute" (float64, m), "at_border", "inconsistent" (uint64, when signed),
+ * "within_tolerance" (uint64), "tolerance_share" (float64).
+ *
+ * O((n + m) log m) for n points and m triangles; about 120 B a triangle while it runs. To compare a model with a model,
+ * take points on one of them with jalon_model_sample.
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparer_run_model(const jalon_comparer* comparer,
+                                                const jalon_model* reference, const jalon_cloud* compared,
+                                                jalon_task* task, jalon_comparison** out);
 
 JALON_API jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison);
 JALON_API void jalon_comparison_release(jalon_comparison* comparison);
@@ -68,6 +94,13 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_compariso
  * "sampling_rms" and "sampling_mean" (float64, m), what sampling alone would make of "rms" and "mean".
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out);
+/**
+ * The check of a reference model part by part: one row a part of it (names: jalon_model_part), for the points whose
+ * nearest surface is of the part: "part" (uint32), "points" (uint64), "mean", "sigma", "minimum", "maximum",
+ * "maximum_absolute" (float64, m; NaN without points), and with tolerance_m > 0 "within_tolerance" (uint64),
+ * "tolerance_share" (float64). A comparison with a cloud has no columns here.
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparison_parts(const jalon_comparison* comparison, jalon_fields** out);
 /** A new cloud handle: the points of the rows with the columns attached as fields, ready to be written; shares the
  * coordinates. */
 JALON_API JALON_CHECK jalon_status jalon_comparison_cloud(const jalon_comparison* comparison, jalon_cloud** out);

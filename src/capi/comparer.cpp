@@ -4,6 +4,8 @@
 
 #include "capi/comparison_handles.h"
 #include "capi/guard.h"
+#include "capi/model_handles.h"
+#include "compare/model_distance.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -15,8 +17,9 @@ struct Method {
   const char* owner;  ///< of its parameters
   std::span<const ParamRow> (*rows)();
   Comparison (*run)(const CloudPtr& reference, const CloudPtr& compared, const ParamSet&, Task&);
+  Comparison (*run_model)(const ModelPtr& reference, const CloudPtr& compared, const ParamSet&, Task&);  ///< or nullptr
 };
-constexpr Method kMethods[] = {{"distance", "comparer distance", distance_rows, compare_distance}};
+constexpr Method kMethods[] = {{"distance", "comparer distance", distance_rows, compare_distance, compare_with_model}};
 
 const Method& method_of(const std::string& name) {
   for (const Method& method : kMethods)
@@ -82,6 +85,24 @@ jalon_status jalon_comparer_run(const jalon_comparer* comparer, const jalon_clou
   });
 }
 
+jalon_status jalon_comparer_run_model(const jalon_comparer* comparer, const jalon_model* reference,
+                                      const jalon_cloud* compared, jalon_task* task, jalon_comparison** out) {
+  return guard([&] {
+    require(comparer, "comparer");
+    require(reference, "reference");
+    require(compared, "compared");
+    require(out, "out");
+    require_same_crs(reference->model->crs, compared->cloud->crs);
+    const ParamSet values = *comparer->values;  // a progress callback may set the next run's
+    const Method& method = method_of(comparer->method);
+    if (method.run_model == nullptr)
+      fail(Status::kUnsupported, "method \"%s\" compares clouds only; use \"distance\"", method.name);
+    *out = with_task(task, [&](Task& t) {
+             return handle_of(method.run_model(reference->model, compared->cloud, values, t), values);
+           }).release();
+  });
+}
+
 jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison) { return retain(comparison); }
 void jalon_comparison_release(jalon_comparison* comparison) { release(comparison); }
 
@@ -98,6 +119,14 @@ jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_
     require(comparison, "comparison");
     require(out, "out");
     *out = new_fields(comparison->comparison->summary);
+  });
+}
+
+jalon_status jalon_comparison_parts(const jalon_comparison* comparison, jalon_fields** out) {
+  return guard([&] {
+    require(comparison, "comparison");
+    require(out, "out");
+    *out = new_fields(comparison->comparison->parts);
   });
 }
 

@@ -3,6 +3,7 @@
 #include "compare/distance_setting.h"
 
 #include "compare/comparison.h"
+#include "compare/model_distance.h"
 
 namespace jalon {
 
@@ -11,6 +12,9 @@ namespace {
 constexpr ParamRow kRows[] = {
     number_row("max_distance_m", 0, 0, 1e9, "m", "",
                "Radius beyond which a point counts as without reference (status nothing near); 0 = no limit."),
+    kSignedRow,
+    kToleranceRow,
+    kChordErrorRow,
     bool_row("differences", false, "",
              "Also gives the columns difference_x, _y, _z: from the foot on the reference to the compared point."),
     bool_row("sampling_error", false, "",

@@ -200,7 +200,11 @@ TriangleAnswer NearestTriangles::Impl::answer_of(const NearestOfBlocks& found, c
   answer.triangle = found.triangle;
   answer.feature = closest.feature;
   answer.foot = origin + closest.foot;
-  if (with_side) answer.is_behind = jalon::is_behind(view(), block, lane, closest, span_m);
+  answer.from_foot = closest.above;
+  if (!with_side) return answer;
+  const SideOfSurface side = side_of_surface(view(), block, lane, closest, span_m);
+  answer.is_behind = side.is_behind;
+  answer.side = side.basis;
   return answer;
 }
 

@@ -16,13 +16,22 @@ namespace jalon {
 /// What of a triangle is closest to a point.
 enum class TriangleFeature : uint8_t { kFace, kSide, kCorner };
 
+/// What the surface is like at the closest point, as far as its side is concerned.
+enum class TriangleSide : uint8_t {
+  kCertain = 0,      ///< inside a triangle, or all around it triangles that run one way around
+  kBorder = 1,       ///< at a border of the surface: the side is that of the surface as continued
+  kInconsistent = 2  ///< triangles beside each other run opposite ways around: the side of the nearest one
+};
+
 /// The triangle nearest to a point.
 struct TriangleAnswer {
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< not negative
   uint32_t triangle = ~uint32_t{0};                            ///< caller's number
   TriangleFeature feature = TriangleFeature::kFace;
-  bool is_behind = false;  ///< on the side from which its corners run clockwise
+  bool is_behind = false;  ///< on the side from which the surface's corners run clockwise
+  TriangleSide side = TriangleSide::kCertain;
   Vec3 foot;               ///< the closest point
+  Vec3 from_foot;          ///< from there to the point
 };
 
 /// Nearest triangle of a set, exact in doubles: the least distance, then the least number; triangles that share a side
@@ -49,7 +58,7 @@ class NearestTriangles {
 
   /// visit(item, answer) for every item of order (indices of the points: 3 doubles each), in chunks that run in
   /// parallel; neighbours in the order should be neighbours in space. Without a triangle within max_distance
-  /// (inclusive) the answer has distance NaN and no triangle. with_sides: also is_behind; the rest is always there.
+  /// (inclusive) the answer has distance NaN and no triangle. is_behind and side are told with_sides only.
   template <class F>
   void for_each(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance, bool with_sides,
                 Task& task, F&& visit) const {

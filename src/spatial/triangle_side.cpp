@@ -40,32 +40,89 @@ Vec3 unit_normal(const Corners& corners, bool is_turned) {
   return normalized(is_turned ? -n : n);
 }
 
-/// The angle that a triangle fills at a point which it touches: all around inside of it, half of that on a side.
-double angle_at(const Corners& corners, const Vec3& at, double tolerance) {
-  for (size_t k = 0; k < 3; ++k)
-    if (norm(corners[k] - at) <= tolerance) {
-      const Vec3 a = corners[(k + 1) % 3] - corners[k], b = corners[(k + 2) % 3] - corners[k];
-      return std::atan2(norm(cross(a, b)), dot(a, b));
-    }
-  const ClosestResult<double> closest = closest_to(corners, at);
-  const double nearest2 = std::min({closest.ab.squared, closest.ac.squared, closest.bc.squared});
-  return nearest2 <= tolerance * tolerance ? std::numbers::pi : 2 * std::numbers::pi;
-}
+/// What touches a point of a surface: the sum of normals times angles, and the sides that leave it.
+class Surroundings {
+ public:
+  Surroundings(const Vec3& at, double tolerance) : at_(at), tolerance_(tolerance) {}
 
-/// Sum over the triangles that touch the point of their normals times their angles.
-Vec3 pseudo_normal(const TriangleBlocks& tree, const Vec3& at, double tolerance) {
+  /// A triangle that touches the point; one without a plane says nothing.
+  void add(const Corners& corners, bool is_turned) {
+    const Vec3 normal = unit_normal(corners, is_turned);
+    if (normal == Vec3{}) return;
+    // 1. At a corner: two sides leave it. Walked anticlockwise, the triangle is to the left of the one to the next.
+    for (size_t k = 0; k < 3; ++k) {
+      if (!(norm(corners[k] - at_) <= tolerance_)) continue;
+      const Vec3 a = corners[(k + 1) % 3] - corners[k], b = corners[(k + 2) % 3] - corners[k];
+      normals_ += normal * std::atan2(norm(cross(a, b)), dot(a, b));
+      add_spoke(a, is_turned ? -1 : 1);
+      add_spoke(b, is_turned ? 1 : -1);
+      return;
+    }
+    // 2. On a side, which leaves it both ways.
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3 a = corners[k] - at_, b = corners[(k + 1) % 3] - at_, along = corners[(k + 1) % 3] - corners[k];
+      if (!(norm(cross(a, along)) <= tolerance_ * norm(along))) continue;
+      normals_ += normal * std::numbers::pi;
+      add_spoke(b, is_turned ? -1 : 1);
+      add_spoke(a, is_turned ? 1 : -1);
+      return;
+    }
+    // 3. Inside of it.
+    normals_ += normal * (2 * std::numbers::pi);
+  }
+  const Vec3& normals() const { return normals_; }
+  /// Around a point of a surface that runs one way around, each side has as many triangles to its left as to its right.
+  TriangleSide basis() const {
+    bool has_border = false;
+    for (size_t i = 0; i < spokes_; ++i) {
+      if (spoke_[i].triangles % 2 != 0)
+        has_border = true;
+      else if (spoke_[i].balance != 0)
+        return TriangleSide::kInconsistent;
+    }
+    return has_border ? TriangleSide::kBorder : TriangleSide::kCertain;
+  }
+
+ private:
+  // Sides in one direction: the cosine of 1e-5, or a hundred times the angle of a gap.
+  static constexpr double kSameDirection = 1 - 5e-11;
+  static constexpr size_t kMaxSpokes = 64;  // more: the sides of the first ones are judged
+
+  struct Spoke {
+    Vec3 direction;
+    int balance, triangles;
+  };
+
+  void add_spoke(const Vec3& side, int left_or_right) {
+    const Vec3 direction = normalized(side);
+    for (size_t i = 0; i < spokes_; ++i)
+      if (dot(spoke_[i].direction, direction) >= kSameDirection) {
+        spoke_[i].balance += left_or_right;
+        ++spoke_[i].triangles;
+        return;
+      }
+    if (spokes_ < kMaxSpokes) spoke_[spokes_++] = {direction, left_or_right, 1};
+  }
+
+  Vec3 at_;
+  double tolerance_;
+  Vec3 normals_;
+  std::array<Spoke, kMaxSpokes> spoke_;
+  size_t spokes_ = 0;
+};
+
+Surroundings surroundings(const TriangleBlocks& tree, const Vec3& at, double tolerance) {
+  Surroundings found(at, tolerance);
   const double p[3] = {at.x, at.y, at.z}, limit2 = tolerance * tolerance;
-  Vec3 sum;
   descend(tree.nodes, p, limit2, [&](uint32_t child) {
     const TriangleBlock& block = tree.blocks[child];
     for (uint32_t lane = 0; lane < block.count; ++lane) {
       const Corners corners = corners_of(block, lane);
-      if (closest_to(corners, at).squared > limit2) continue;
-      sum += angle_at(corners, at, tolerance) * unit_normal(corners, (block.turned >> lane & 1) != 0);
+      if (closest_to(corners, at).squared <= limit2) found.add(corners, (block.turned >> lane & 1) != 0);
     }
     return limit2;
   });
-  return sum;
+  return found;
 }
 
 double longest_side(const Corners& corners) {
@@ -89,15 +146,17 @@ ClosestOfTriangle closest_of(const TriangleBlock& block, uint32_t lane, const Ve
   return {TriangleFeature::kCorner, corners[side.at_from ? from : to], above};
 }
 
-bool is_behind(const TriangleBlocks& tree, const TriangleBlock& block, uint32_t lane, const ClosestOfTriangle& closest,
-               double span_m) {
+SideOfSurface side_of_surface(const TriangleBlocks& tree, const TriangleBlock& block, uint32_t lane,
+                              const ClosestOfTriangle& closest, double span_m) {
   const Corners corners = corners_of(block, lane);
-  const Vec3 own = unit_normal(corners, (block.turned >> lane & 1) != 0);
-  if (closest.feature == TriangleFeature::kFace) return dot(closest.above, own) < 0;
+  const bool behind_own = dot(closest.above, unit_normal(corners, (block.turned >> lane & 1) != 0)) < 0;
+  if (closest.feature == TriangleFeature::kFace) return {behind_own, TriangleSide::kCertain};
   const double gap = kGapShare * std::min(longest_side(corners), norm(closest.above));
-  const double side = dot(closest.above, pseudo_normal(tree, closest.foot, gap + kRoundingShare * span_m));
-  // Normals that cancel (a sheet folded onto itself, triangles that run both ways around): that of the triangle itself.
-  return side != 0 ? side < 0 : dot(closest.above, own) < 0;
+  const Surroundings found = surroundings(tree, closest.foot, gap + kRoundingShare * span_m);
+  const TriangleSide basis = found.basis();
+  const double side = dot(closest.above, found.normals());
+  // Where triangles run both ways around, or normals cancel (a sheet folded onto itself), the nearest one decides.
+  return {basis == TriangleSide::kInconsistent || side == 0 ? behind_own : side < 0, basis};
 }
 
 }  // namespace jalon

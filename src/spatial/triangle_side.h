@@ -18,8 +18,12 @@ struct ClosestOfTriangle {
 /// Of one triangle of a leaf.
 ClosestOfTriangle closest_of(const TriangleBlock& block, uint32_t lane, const Vec3& point);
 
-/// Whether the point is behind the surface at the closest point of its nearest triangle. span_m: of the whole mesh.
-bool is_behind(const TriangleBlocks& tree, const TriangleBlock& block, uint32_t lane, const ClosestOfTriangle& closest,
-               double span_m);
+struct SideOfSurface {
+  bool is_behind;
+  TriangleSide basis;
+};
+/// Of a point, at the closest point of its nearest triangle. span_m: of the whole mesh.
+SideOfSurface side_of_surface(const TriangleBlocks& tree, const TriangleBlock& block, uint32_t lane,
+                              const ClosestOfTriangle& closest, double span_m);
 
 }  // namespace jalon

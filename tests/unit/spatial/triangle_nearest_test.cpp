@@ -199,13 +199,15 @@ template <class Inside>
 void check_signs(const std::string& name, const Mesh& mesh, Inside inside, double from_m = 0) {
   const std::vector<Vec3> points = points_around(mesh, 31);
   const auto found = answers(*tree_of(mesh), points);
-  size_t wrong = 0, within = 0;
+  size_t wrong = 0, within = 0, doubtful = 0;
   for (size_t i = 0; i < points.size(); ++i) {
     if (found[i].distance < from_m) continue;
     const bool is_inside = inside(points[i]);
     wrong += found[i].is_behind != is_inside ? 1 : 0;
     within += is_inside ? 1 : 0;
+    doubtful += found[i].side != TriangleSide::kCertain ? 1 : 0;
   }
+  if (from_m == 0) CHECK(doubtful == 0);
   MESSAGE("FIGURE signs about a ", name, ": ", wrong, " wrong of ", points.size(), " (", within, " inside)");
   CHECK(wrong == 0);
 }
@@ -297,9 +299,22 @@ TEST_CASE("triangle_nearest__measures_to_the_border_of_a_hole") {
   CHECK(middle.distance == doctest::Approx(0.15).epsilon(1e-14));
   CHECK(middle.feature == TriangleFeature::kSide);
   CHECK(middle.foot.y == 0.75);
+  CHECK(middle.side == TriangleSide::kBorder);
+  CHECK(tree->nearest({0.1, 0.1, 1}).side == TriangleSide::kCertain);  // above the joint of two strips
   CHECK_FALSE(tree->nearest({0.5, 0.6, 0.1}).is_behind);
   CHECK(tree->nearest({0.5, 0.6, -0.1}).is_behind);
   CHECK(tree->nearest({-0.5, 1.6, -0.1}).is_behind);
+}
+
+TEST_CASE("triangle_nearest__says_where_triangles_run_opposite_ways_around") {
+  Mesh mesh = cube(4);
+  std::swap(mesh.triangles[2][1], mesh.triangles[2][2]);  // one half of the wall x = 4
+  const auto tree = tree_of(mesh);
+  const TriangleAnswer corner = tree->nearest({5, 5, 5}), face = tree->nearest({2, 2, 5});
+  CHECK(corner.side == TriangleSide::kInconsistent);
+  CHECK(face.side == TriangleSide::kCertain);
+  CHECK_FALSE(face.is_behind);
+  CHECK(tree->nearest({5, 3, 1}).is_behind);
 }
 
 TEST_CASE("triangle_nearest__the_limit_is_inclusive_and_nothing_near_is_no_failure") {
