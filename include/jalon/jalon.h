@@ -26,6 +26,7 @@
 #include <jalon/precision.h>
 #include <jalon/modeller.h>
 #include <jalon/comparer.h>
+#include <jalon/visibility.h>
 #include <jalon/changes.h>
 #include <jalon/scanner.h>
 #include <jalon/io.h>

@@ -77,6 +77,10 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scan
  *   (a shelf along a wall).
  * - Chapters 4 and 5: insa_surveyed, residence (the same with balconies), lycee (six facades, eight arched windows,
  *   two trees before them), arches (two walls with square and arched windows).
+ * - After Girardeau-Montaut (2006), 2.3.3: earthworks (60 x 40 m of rolling ground with two walls of 8 m and a free one
+ *   of 6 x 0.3 x 3 m, on four days: a heap of 3 x 1 m on day 2; on day 3 a pit of 8 x 5 x 1.2 m, 40.6 m3, and an
+ *   excavator; on day 4 that has moved 6 m and turned by 40 degrees, and the free wall is gone). Ids on all days:
+ *   ground 1, heap 2, pit 3, back and side wall 4 and 5, free wall 6 to 10, excavator from 11 on.
  *
  * options may be NULL for the defaults. The model carries the true planes as faces with their openings in a tree of
  * parts with classes (wall, post, band, mullion, glass, curtain, sill, joinery, tree, car, ghost ...), and the

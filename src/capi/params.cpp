@@ -9,6 +9,7 @@
 #include "cloud/operations.h"
 #include "compare/regions.h"
 #include "cloud/precision.h"
+#include "compare/visibility.h"
 #include "formats/formats.h"
 #include "modelling/model_evaluation.h"
 #include "report/picture.h"
@@ -31,7 +32,7 @@ std::span<const Operation> operations() {
       {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},
       {"labels", labels_rows},       {"evaluation", evaluation_rows}, {"confusion", confusion_rows},
       {"primitive", primitive_rows}, {"pick", pick_rows},           {"model_evaluation", model_evaluation_rows},
-      {"indices", indices_rows},     {"precision", precision_rows},
+      {"indices", indices_rows},     {"precision", precision_rows}, {"visibility", visibility_rows},
   };
   return kOperations;
 }

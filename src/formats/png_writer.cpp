@@ -67,6 +67,7 @@ std::string png_of(const IndexedImage& image) {
   std::string out = "\x89PNG\r\n\x1a\n";
   add_chunk(out, "IHDR", header);
   add_chunk(out, "PLTE", palette);
+  if (!image.description.empty()) add_chunk(out, "tEXt", std::string("Description\0", 12) + image.description);
   add_chunk(out, "IDAT", zlib_of(rows, image.width + size_t{1}));
   add_chunk(out, "IEND", {});
   return out;

@@ -22,6 +22,7 @@ struct IndexedImage {
   uint32_t width = 0, height = 0;
   std::vector<uint8_t> pixels;
   std::vector<Rgb> palette;
+  std::string description = {};  ///< Latin text of the file's chunk "Description"; "": none
 };
 
 /// The picture as a PNG file (ISO/IEC 15948, colour type 3). Even areas shrink to little; nothing takes more than 9

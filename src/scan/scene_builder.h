@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,6 +70,9 @@ class SceneBuilder {
   /// Curved surfaces: triangles of one id, without a face.
   void cylinder(const Vec3& foot, double radius_m, double height_m, int facets);
   void sphere(const Vec3& centre, double radius_m, int facets);
+  /// A ground: two triangles a cell of columns x rows, with the corner (i, j) and the id of cell (i, j) as told.
+  void relief(uint32_t columns, uint32_t rows, const std::function<Vec3(uint32_t, uint32_t)>& corner,
+              const std::function<uint32_t(uint32_t, uint32_t)>& cell_id);
   /// A ball of loose triangular leaves: light gets through, in part.
   void crown(const Vec3& centre, double radius_m, int leaves, double leaf_m, RandomStream random);
 

@@ -33,6 +33,18 @@ void SceneBuilder::sphere(const Vec3& centre, double radius_m, int facets) {
   });
 }
 
+void SceneBuilder::relief(uint32_t columns, uint32_t rows, const std::function<Vec3(uint32_t, uint32_t)>& corner,
+                          const std::function<uint32_t(uint32_t, uint32_t)>& cell_id) {
+  const auto first = static_cast<uint32_t>(model_.vertices.size()), width = columns + 1;
+  for (uint32_t j = 0; j <= rows; ++j)
+    for (uint32_t i = 0; i <= columns; ++i) vertex(corner(i, j));
+  for (uint32_t j = 0; j < rows; ++j)
+    for (uint32_t i = 0; i < columns; ++i) {
+      const uint32_t a = first + j * width + i;
+      quad(a, a + 1, a + 1 + width, a + width, cell_id(i, j));
+    }
+}
+
 void SceneBuilder::triangle(const Vec3& a, const Vec3& b, const Vec3& c, uint32_t id) {
   const uint32_t first = vertex(a);
   vertex(b);

@@ -37,6 +37,7 @@ const Scene& find_scene(const std::string& name) {
       {"lycee", build_lycee},
       {"arches", build_arches},
       {"residence", build_residence},
+      {"earthworks", build_earthworks},
   };
   for (const Scene& scene : kScenes)
     if (name == scene.name) return scene;
@@ -49,7 +50,7 @@ std::span<const ParamRow> scene_rows() {
   static constexpr ParamRow kRows[] = {
       choice_row("name", "facade",
                  "facade|street|room|box|surrounds|strips|insa|insa_surveyed|unwanted|std|normal|patches|sills|robbery|"
-                 "lycee|arches|residence",
+                 "lycee|arches|residence|earthworks",
                  "",
                  "facade: a town house with doors, windows, plinth, cornice and ground; street: 60 m, six facades, "
                  "columns, gutters, boxes, a sphere (the panes of one facade share an id); room: six walls from "
@@ -59,7 +60,8 @@ std::span<const ParamRow> scene_rows() {
                  "balconies; unwanted: surrounds behind trees, cars and pedestrians, furniture behind the glass; "
                  "std: ten planes; normal: one plane; patches: two of one plane; sills: a wall and two sills; "
                  "robbery: a wall and a shelf; lycee: six facades, eight arched windows, two trees; arches: two "
-                 "walls, square and arched windows"),
+                 "walls, square and arched windows; earthworks: rolling ground of 60 x 40 m between walls, on four "
+                 "days"),
       number_row("rotation_rad", 0, -10, 10, "rad", "", "turns the scene about the vertical axis through its origin"),
       doubles_row("shift_m", "0 0 0", -1e9, 1e9, "m", "", "three numbers added to all coordinates after the turn"),
       number_row("width_m", 22, 2, 1000, "m", "facade", "width of the facade"),
@@ -76,6 +78,9 @@ std::span<const ParamRow> scene_rows() {
       integer_row(
           "epoch", 1, 1, 2, "1", "street",
           "2: one box gone, one box and one pole new, five patches of the walls moved by 5, 20, 100, -20 and 5 mm"),
+      integer_row("day", 1, 1, 4, "1", "earthworks",
+                  "2: a heap of earth is new; 3: an excavator, and a pit is dug; 4: the excavator has moved, a free "
+                  "wall is gone"),
       number_row("glass_m", 0, 0, 1, "m", "surrounds", "distance of the glass behind the joinery; 0: no glass"),
       number_row("gap_m", 0, 0, 1, "m", "sills", "gap between the sills and the wall"),
       number_row("depth_m", 0.25, 0.01, 5, "m", "robbery", "depth of the shelf along the wall"),

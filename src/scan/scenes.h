@@ -38,4 +38,9 @@ void build_lycee(const ParamSet& params, SceneBuilder& out);          ///< DS2: 
 void build_arches(const ParamSet& params, SceneBuilder& out);         ///< DS3: two walls with eight windows
 void build_residence(const ParamSet& params, SceneBuilder& out);      ///< DS4: DS1 with balconies
 
+// distances-and-change 3
+/// S2: 60 x 40 m of rolling ground with two high walls and a free one, on days 1 to 4. Ids: ground 1, heap 2, pit 3,
+/// back wall 4, side wall 5, free wall 6 to 10, excavator from 11 on.
+void build_earthworks(const ParamSet& params, SceneBuilder& out);
+
 }  // namespace jalon

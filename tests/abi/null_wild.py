@@ -50,6 +50,8 @@ OPERATION = {
     "jalon_precision_budget": "precision", "jalon_cloud_compute_covariances": "precision",
     "jalon_segmentation_plane_covariances": "precision",
     "jalon_comparison_regions": "regions",
+    "jalon_cloud_compute_visibility": "visibility", "jalon_cloud_depth_map": "visibility",
+    "jalon_cloud_write_depth_map": "visibility",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
 NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world", "T_prism_world", "method", "face_ids",
@@ -61,6 +63,7 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
             "rows", "vertical_rad", "incidence_rad",
             "jalon_comparison_regions.out_points", "jalon_comparison_regions.out_regions",
+            "jalon_cloud_depth_map.rows", "jalon_cloud_depth_map.columns",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
@@ -94,6 +97,7 @@ BASE = {
     "jalon_cloud_read.path": 'fx_path("scan.las")', "jalon_cloud_write.path": 'fx_path("out.las")',
     "jalon_model_read.path": 'fx_path("model.obj")', "jalon_model_write.path": 'fx_path("out.obj")',
     "jalon_report_write_elevation.path": 'fx_path("out.svg")', "jalon_report_write_html.path": 'fx_path("out.html")',
+    "jalon_cloud_write_depth_map.path": 'fx_path("depth.png")',
     "jalon_report_write_picture.path": 'fx_path("picture.svg")', "jalon_report_write_json.path": 'fx_path("out.json")', "jalon_params_set_string.value": "fx_text_value",
     "jalon_area_indices.automatic_m2": "fx_areas", "jalon_area_indices.reference_m2": "fx_areas",
     "jalon_area_indices.intersection_m2": "fx_areas",
@@ -179,7 +183,7 @@ def scalar(function, p):
             return Case("8", wild)
         if n == "stride_bytes":
             return Case("0", wild_values(["1", "7", "UINT64_MAX", "(uint64_t)1 << 63"], INVALID))
-        if n == "i":
+        if n in ("i", "station"):
             return Case("0", wild_values(["UINT64_MAX", "1000000", "(uint64_t)1 << 63"], INVALID))
         if n == "code":
             return Case("0", wild_values(["UINT64_MAX", "(uint64_t)1 << 63", "12345678901"]))

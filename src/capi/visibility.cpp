@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "jalon/visibility.h"
+
+#include "capi/guard.h"
+#include "compare/depth_table.h"
+#include "compare/visibility.h"
+#include "formats/atomic_file.h"
+#include "report/depth_picture.h"
+
+using namespace jalon;
+using namespace jalon::capi;
+
+namespace {
+
+DepthMap map_of(const jalon_cloud* reference, uint64_t station, const ParamSet& options, Task& task) {
+  return station_depth_map(*reference->cloud, station, DepthSettings::from(options), task);
+}
+
+}  // namespace
+
+jalon_status jalon_cloud_compute_visibility(jalon_cloud* cloud, const jalon_cloud* reference,
+                                            const jalon_params* options, jalon_task* task) {
+  return guard([&] {
+    require(cloud, "cloud");
+    require(reference, "reference");
+    const ParamSet chosen = options_or_default(options, "visibility");
+    auto changed = with_task(task, [&](Task& t) {
+      return std::make_shared<const Cloud>(with_visibility(*reference->cloud, *cloud->cloud, chosen, t));
+    });
+    cloud->cloud = std::move(changed);
+  });
+}
+
+jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t station, const jalon_params* options,
+                                   jalon_task* task, jalon_fields** out, uint64_t* rows, uint64_t* columns) {
+  return guard([&] {
+    require(reference, "reference");
+    require(out, "out");
+    const ParamSet chosen = options_or_default(options, "visibility");
+    AngularGrid grid;
+    *out = with_task(task, [&](Task& t) {
+             const DepthMap map = map_of(reference, station, chosen, t);
+             grid = map.grid();
+             return own(new_fields(depth_table(map)));
+           }).release();
+    if (rows != nullptr) *rows = grid.rows;
+    if (columns != nullptr) *columns = grid.columns;
+  });
+}
+
+jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t station, const char* path,
+                                         const jalon_params* options, jalon_task* task) {
+  return guard([&] {
+    require(reference, "reference");
+    const std::string target = require_text(path, "path");
+    const ParamSet chosen = options_or_default(options, "visibility");
+    with_task(task, [&](Task& t) {
+      AtomicFile file(target);
+      file.write(depth_png(map_of(reference, station, chosen, t)));
+      file.commit();
+    });
+  });
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/params.h"
+
+// The rows that DepthSettings::from reads, for the operation "visibility" and the comparer's method "distance".
+
+namespace jalon {
+
+constexpr ParamRow kDepthHorizontalStepRow =
+    number_row("depth_horizontal_step_rad", 0, 0, 1, "rad", "",
+               "horizontal angular step of the reference's stations; 0: estimated from the points of each");
+constexpr ParamRow kDepthVerticalStepRow = number_row("depth_vertical_step_rad", 0, 0, 1, "rad", "",
+                                                      "vertical angular step; 0: estimated from the points of each");
+constexpr ParamRow kDepthCellFactorRow =
+    number_row("depth_cell_factor", 1.5, 0.5, 20, "1", "",
+               "cell of a depth map over the angular step; 1 to 2 is usual");
+constexpr ParamRow kDepthRuleRow =
+    choice_row("depth_rule", "mean", "min|max|mean", "",
+               "which range a cell with several points keeps: that of the nearest, of the farthest, or the mean");
+constexpr ParamRow kDepthFillPassesRow =
+    integer_row("depth_fill_passes", 2, 0, 100, "1", "",
+                "how often cells without a point take the mean of their neighbours where four of the eight have one");
+constexpr ParamRow kDepthEmptyRow = choice_row(
+    "depth_empty", "auto", "auto|hides|free", "",
+    "a cell that stays empty hides everything behind the scanner's window (hides) or nothing (free: the sky); auto: "
+    "free when max_range_m is known, else hides");
+constexpr ParamRow kDepthMarginRow =
+    number_row("depth_margin_m", 0.1, 0, 1e6, "m", "",
+               "how far behind the seen surface a point still counts as visible: registration and measurement errors, "
+               "and the recession that counts as a change; 0.03 to 0.1 m indoors, 0.1 to 1 m outdoors");
+constexpr ParamRow kDepthMarginFactorRow =
+    number_row("depth_margin_factor", 1.002, 1, 10, "1", "", "the seen range times this is added to before");
+constexpr ParamRow kMaxRangeRow = number_row("max_range_m", 0, 0, 1e9, "m", "",
+                                             "from this distance on the scanner sees nothing; 0: unknown");
+constexpr ParamRow kSecondCentreRow =
+    doubles_row("second_centre_m", "0 0 0", -1e3, 1e3, "m", "",
+                "receiver of a triangulation scanner in its own frame: points must be seen from both; 0 0 0: none");
+
+}  // namespace jalon
