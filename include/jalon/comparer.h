@@ -34,6 +34,10 @@ enum {
  * method, NULL = "distance":
  * - "distance": from each compared point to the nearest of the reference: point of a cloud (Girardeau-Montaut 2006,
  *   2.3.1), face or triangle of a model (2.2; jalon_comparer_run_model). Exact; O(n log n).
+ * - "m3c2": at core points the distance between two clouds along the local normal, compared minus reference, with its
+ *   level of detection (Lague, Brodu & Leroux 2013): normals of the points within normal_radius_m; the points of both
+ *   clouds in a cylinder along the normal; the surfaces they lie on; their medians or means. O(n log n + c m), c core
+ *   points with m points around each.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
 JALON_API jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer);
@@ -74,15 +78,28 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comp
 JALON_API JALON_CHECK jalon_status jalon_comparer_run_model(const jalon_comparer* comparer,
                                                 const jalon_model* reference, const jalon_cloud* compared,
                                                 jalon_task* task, jalon_comparison** out);
+/**
+ * As jalon_comparer_run, at given core points: the places where distances are measured, of any origin; the rows of the
+ * comparison are theirs. Method "m3c2"; others are JALON_ERROR_UNSUPPORTED.
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparer_run_core(const jalon_comparer* comparer, const jalon_cloud* reference,
+                                               const jalon_cloud* compared, const jalon_cloud* core,
+                                               jalon_task* task, jalon_comparison** out);
 
 JALON_API jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison);
 JALON_API void jalon_comparison_release(jalon_comparison* comparison);
 /**
- * One row a point: "distance" (float64, m; NaN without a value), "status" (uint8, JALON_COMPARED ...), and of method
- * "distance" "nearest" (uint32: the nearest reference point, of equally near ones the first; UINT32_MAX = none), with
- * its parameter "differences" also "difference_x", "_y", "_z" (float64, m: from the foot on the reference to the
- * point), with "sampling_error" also that (float32, m: the root mean square distance that the sampling of the reference
- * around it would make on an unchanged plane, 2.5 of the source).
+ * One row a point: "distance" (float64, m; NaN without a value), "status" (uint8, JALON_COMPARED ...), and
+ * - of method "distance": "nearest" (uint32: the nearest reference point, of equally near ones the first; UINT32_MAX =
+ *   none), with its parameter "differences" also "difference_x", "_y", "_z" (float64, m: from the foot on the reference
+ *   to the point), with "sampling_error" also that (float32, m: the root mean square distance that the sampling of the
+ *   reference around it would make on an unchanged plane, 2.5 of the source);
+ * - of method "m3c2", one row a core point: "lod" (float64, m: the level of detection; of unchanged places the share
+ *   "confidence" has |distance| up to it), "significant" (uint8: 1 where |distance| > lod), "normal" (float64 x 3;
+ *   NaN where three points do not span a plane), "normal_radius" (float64, m; 0 if none), "count_reference",
+ *   "count_compared" (uint32: points of the surfaces compared), "spread_reference", "spread_compared" (float64, m:
+ *   their standard deviations along the normal; with medians the interquartile range / 1.349). JALON_NOTHING_NEAR: one
+ *   of the clouds has no point in the cylinder.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_fields** out);
 /**
@@ -91,7 +108,8 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_compariso
  * without any). "maximum" of unsigned distances is the directed Hausdorff distance (2.2 of the source). Method
  * "distance" with "hausdorff": "hausdorff_forward" (of the compared points from the reference points),
  * "hausdorff_reverse" and the larger of both, "hausdorff" (2.3), whatever max_distance_m; with "sampling_error":
- * "sampling_rms" and "sampling_mean" (float64, m), what sampling alone would make of "rms" and "mean".
+ * "sampling_rms" and "sampling_mean" (float64, m), what sampling alone would make of "rms" and "mean". Method "m3c2":
+ * "significant" (uint64) and "mean_lod" (float64, m).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out);
 /**

@@ -10,5 +10,7 @@ double normal_cdf(double x);
 double normal_quantile(double p);
 /// x with P(X <= x) = p of the chi-square distribution; dof >= 1 (need not be whole), 0 <= p < 1.
 double chi_square_quantile(double dof, double p);
+/// x with P(X <= x) = p of Student's distribution; dof >= 1 (need not be whole), 0.5 <= p < 1.
+double student_quantile(double dof, double p);
 
 }  // namespace jalon

@@ -5,6 +5,7 @@
 #include "capi/comparison_handles.h"
 #include "capi/guard.h"
 #include "capi/model_handles.h"
+#include "compare/m3c2.h"
 #include "compare/model_distance.h"
 
 using namespace jalon;
@@ -18,13 +19,19 @@ struct Method {
   std::span<const ParamRow> (*rows)();
   Comparison (*run)(const CloudPtr& reference, const CloudPtr& compared, const ParamSet&, Task&);
   Comparison (*run_model)(const ModelPtr& reference, const CloudPtr& compared, const ParamSet&, Task&);  ///< or nullptr
+  /// At given core points, or nullptr.
+  Comparison (*run_core)(const CloudPtr& reference, const CloudPtr& compared, const CloudPtr& core, const ParamSet&,
+                         Task&);
 };
-constexpr Method kMethods[] = {{"distance", "comparer distance", distance_rows, compare_distance, compare_with_model}};
+constexpr Method kMethods[] = {
+    {"distance", "comparer distance", distance_rows, compare_distance, compare_with_model, nullptr},
+    {"m3c2", "comparer m3c2", m3c2_rows, compare_m3c2, nullptr, compare_m3c2_core},
+};
 
 const Method& method_of(const std::string& name) {
   for (const Method& method : kMethods)
     if (name == method.name) return method;
-  fail(Status::kNotFound, "no comparison method \"%.100s\"; there are: distance", name.c_str());
+  fail(Status::kNotFound, "no comparison method \"%.100s\"; there are: distance, m3c2", name.c_str());
 }
 
 void require_same_crs(const SharedText& reference, const SharedText& compared) {
@@ -99,6 +106,27 @@ jalon_status jalon_comparer_run_model(const jalon_comparer* comparer, const jalo
       fail(Status::kUnsupported, "method \"%s\" compares clouds only; use \"distance\"", method.name);
     *out = with_task(task, [&](Task& t) {
              return handle_of(method.run_model(reference->model, compared->cloud, values, t), values);
+           }).release();
+  });
+}
+
+jalon_status jalon_comparer_run_core(const jalon_comparer* comparer, const jalon_cloud* reference,
+                                     const jalon_cloud* compared, const jalon_cloud* core, jalon_task* task,
+                                     jalon_comparison** out) {
+  return guard([&] {
+    require(comparer, "comparer");
+    require(reference, "reference");
+    require(compared, "compared");
+    require(core, "core");
+    require(out, "out");
+    const Method& method = method_of(comparer->method);
+    if (method.run_core == nullptr)
+      fail(Status::kUnsupported, "method \"%s\" has no core points; use \"m3c2\"", method.name);
+    require_same_crs(reference->cloud->crs, compared->cloud->crs);
+    require_same_crs(reference->cloud->crs, core->cloud->crs);
+    const ParamSet values = *comparer->values;  // a progress callback may set the next run's
+    *out = with_task(task, [&](Task& t) {
+             return handle_of(method.run_core(reference->cloud, compared->cloud, core->cloud, values, t), values);
            }).release();
   });
 }

@@ -21,6 +21,7 @@ jalon_evaluation* fx_evaluation;
 jalon_model_evaluation* fx_model_evaluation;
 jalon_modeller* fx_modeller;
 jalon_comparer* fx_comparer;
+jalon_comparer* fx_m3c2;
 jalon_comparison* fx_comparison;
 jalon_scanner* fx_scanner;
 jalon_task *fx_task, *fx_task_own;
@@ -180,6 +181,7 @@ static void make_workers(void) {
   MUST(jalon_segmentation_start(fx_cloud, NULL, &fx_start));
   MUST(jalon_segmentation_evaluate(fx_segmentation, fx_segmentation, NULL, NULL, &fx_evaluation));
   MUST(jalon_comparer_create(NULL, &fx_comparer));
+  MUST(jalon_comparer_create("m3c2", &fx_m3c2));
   MUST(jalon_comparer_run(fx_comparer, fx_cloud, fx_cloud, NULL, &fx_comparison));
   MUST(jalon_modeller_create(NULL, &fx_modeller));
   MUST(jalon_modeller_run(fx_modeller, fx_cloud, fx_segmentation, NULL, &fx_model));
@@ -240,6 +242,7 @@ void fx_end(void) {
   jalon_modeller_release(fx_modeller);
   jalon_comparison_release(fx_comparison);
   jalon_comparer_release(fx_comparer);
+  jalon_comparer_release(fx_m3c2);
   jalon_scanner_release(fx_scanner);
   jalon_task_release(fx_task);
   jalon_task_release(fx_task_own);

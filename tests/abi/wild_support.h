@@ -27,6 +27,7 @@ extern jalon_evaluation* fx_evaluation;
 extern jalon_model_evaluation* fx_model_evaluation;
 extern jalon_modeller* fx_modeller;
 extern jalon_comparer* fx_comparer;
+extern jalon_comparer* fx_m3c2;
 extern jalon_comparison* fx_comparison;
 extern jalon_scanner* fx_scanner;
 extern jalon_task *fx_task, *fx_task_own;

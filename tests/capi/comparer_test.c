@@ -87,10 +87,72 @@ static void comparer__refuses_empty_clouds_and_two_different_crs(void** state) {
   jalon_cloud_release(empty);
 }
 
+// A level grid of points at 50 mm with a little of everything in z, at the height given.
+static jalon_cloud* floor_at(double z) {
+  enum { kSide = 40 };
+  static double xyz[3 * kSide * kSide];
+  for (int i = 0; i < kSide * kSide; ++i) {
+    xyz[3 * i] = 0.05 * (i % kSide);
+    xyz[3 * i + 1] = 0.05 * (i / kSide);
+    xyz[3 * i + 2] = z + 0.002 * sin(12.9898 * i);
+  }
+  jalon_cloud* cloud = NULL;
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, kSide * kSide, 0, 0, &cloud));
+  return cloud;
+}
+
+static void comparer_m3c2__measures_at_given_core_points_along_the_normal(void** state) {
+  (void)state;
+  jalon_cloud* reference = floor_at(0);
+  jalon_cloud* compared = floor_at(0.03);
+  const double at[6] = {1, 1, 0, 50, 50, 0};
+  jalon_cloud* core = NULL;
+  MUST(jalon_cloud_create(at, JALON_FLOAT64, 2, 0, 0, &core));
+  jalon_comparer* comparer = NULL;
+  MUST(jalon_comparer_create("m3c2", &comparer));
+  jalon_comparison* comparison = NULL;
+  MUST(jalon_comparer_run_core(comparer, reference, compared, core, NULL, &comparison));
+  jalon_fields* points = NULL;
+  MUST(jalon_comparison_points(comparison, &points));
+  double distance[2], lod[2], normal[6];
+  uint8_t significant[2], status[2];
+  MUST(jalon_fields_copy(points, "distance", JALON_FLOAT64, distance, 2));
+  MUST(jalon_fields_copy(points, "lod", JALON_FLOAT64, lod, 2));
+  MUST(jalon_fields_copy(points, "normal", JALON_FLOAT64, normal, 6));
+  MUST(jalon_fields_copy(points, "significant", JALON_UINT8, significant, 2));
+  MUST(jalon_fields_copy(points, "status", JALON_UINT8, status, 2));
+  assert_true(fabs(distance[0] - 0.03) < 0.0005);
+  assert_true(lod[0] > 0 && lod[0] < 0.005);
+  assert_true(normal[2] > 0.999);
+  assert_int_equal(significant[0], 1);
+  assert_int_equal(status[0], JALON_COMPARED);
+  assert_true(isnan(distance[1]) && isnan(lod[1]) && isnan(normal[3]));
+  assert_int_equal(significant[1], 0);
+  assert_int_equal(status[1], JALON_TOO_FEW_POINTS);
+  jalon_fields_release(points);
+  jalon_comparison_release(comparison);
+  comparison = NULL;
+  // Core points of another CRS, and a method that has none.
+  MUST(jalon_cloud_set_crs(reference, "EPSG:2154"));
+  MUST(jalon_cloud_set_crs(core, "EPSG:2056"));
+  assert_int_equal(jalon_comparer_run_core(comparer, reference, compared, core, NULL, &comparison),
+                   JALON_ERROR_INVALID_ARGUMENT);
+  jalon_comparer_release(comparer);
+  MUST(jalon_comparer_create("distance", &comparer));
+  assert_int_equal(jalon_comparer_run_core(comparer, compared, compared, compared, NULL, &comparison),
+                   JALON_ERROR_UNSUPPORTED);
+  assert_null(comparison);
+  jalon_comparer_release(comparer);
+  jalon_cloud_release(core);
+  jalon_cloud_release(compared);
+  jalon_cloud_release(reference);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(comparison__gives_distance_nearest_point_and_status_of_each_point),
       cmocka_unit_test(comparer__refuses_empty_clouds_and_two_different_crs),
+      cmocka_unit_test(comparer_m3c2__measures_at_given_core_points_along_the_normal),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

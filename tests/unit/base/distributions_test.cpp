@@ -28,3 +28,15 @@ TEST_CASE("quantiles invert their distributions") {
   CHECK(normal_quantile(0.975) == doctest::Approx(1.959963984540054).epsilon(1e-14));
   CHECK(chi_square_quantile(7, 0) == 0);
 }
+
+TEST_CASE("student_quantile__agrees_with_the_tables_and_tends_to_the_normal_distribution") {
+  // Abramowitz & Stegun (1964), table 26.10; one degree of freedom is Cauchy's distribution, two have a closed form.
+  CHECK(student_quantile(1, 0.975) == doctest::Approx(std::tan(0.475 * 3.14159265358979324)).epsilon(1e-12));
+  CHECK(student_quantile(2, 0.975) == doctest::Approx(0.95 * std::sqrt(2 / 0.0975)).epsilon(1e-12));
+  CHECK(student_quantile(1, 0.9999) == doctest::Approx(3183.0987570987).epsilon(1e-9));
+  CHECK(std::fabs(student_quantile(10, 0.975) - 2.228139) < 5e-7);
+  CHECK(std::fabs(student_quantile(30, 0.995) - 2.749996) < 5e-7);
+  CHECK(std::fabs(student_quantile(120, 0.95) - 1.657651) < 5e-7);
+  CHECK(student_quantile(1e9, 0.975) == doctest::Approx(normal_quantile(0.975)).epsilon(1e-8));
+  CHECK(student_quantile(5, 0.5) == 0);
+}
