@@ -68,8 +68,8 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comp
  * Columns of the points besides "distance" and "status": "face" (uint32: row of jalon_model_faces; UINT32_MAX = a
  * triangle of the mesh), "triangle" (uint32: row of jalon_model_triangles; UINT32_MAX = a face), "part" (uint32: row of
  * jalon_model_parts, UINT32_MAX = none), "side" (uint8, when signed: 0 certain, 1 at a border, 2 inconsistent), and
- * with tolerance_m > 0 "within_tolerance" (uint8: 1 yes, 0 no, 2 no distance). Ties go to the first face, then to the first
- * triangle. Of the summary: "maximum_absolute" (float64, m), "at_border", "inconsistent" (uint64, when signed),
+ * with tolerance_m > 0 "within_tolerance" (uint8: 1 yes, 0 no, 2 no distance). Ties go to the first face, then to the
+ * first triangle. Of the summary: "maximum_absolute" (float64, m), "at_border", "inconsistent" (uint64, when signed),
  * "within_tolerance" (uint64), "tolerance_share" (float64).
  *
  * O((n + m) log m) for n points and m triangles; about 120 B a triangle while it runs. To compare a model with a model,
@@ -93,7 +93,10 @@ JALON_API void jalon_comparison_release(jalon_comparison* comparison);
  * - of method "distance": "nearest" (uint32: the nearest reference point, of equally near ones the first; UINT32_MAX =
  *   none), with its parameter "differences" also "difference_x", "_y", "_z" (float64, m: from the foot on the reference
  *   to the point), with "sampling_error" also that (float32, m: the root mean square distance that the sampling of the
- *   reference around it would make on an unchanged plane, 2.5 of the source);
+ *   reference around it would make on an unchanged plane, 2.5 of the source); with "visibility" = stations points that
+ *   the reference's scanners could not have seen (see visibility.h) have no distance, and with "hidden" other than
+ *   leave "recovered" (uint8, JALON_NOT_RECOVERED ...) and "height" or "shape_residual" (float64, m) tell of hidden
+ *   ones;
  * - of method "m3c2", one row a core point: "lod" (float64, m: the level of detection; of unchanged places the share
  *   "confidence" has |distance| up to it), "significant" (uint8: 1 where |distance| > lod), "normal" (float64 x 3;
  *   NaN where three points do not span a plane), "normal_radius" (float64, m; 0 if none), "count_reference",

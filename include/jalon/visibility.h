@@ -25,6 +25,15 @@ JALON_BEGIN_C
 /** Label of a point that a scanner could have seen; the others are JALON_HIDDEN, _OUT_OF_RANGE, _OUT_OF_FIELD. */
 enum { JALON_VISIBLE = 0 };
 
+/** How a hidden point came to what is known of it: column "recovered" (uint8) of a comparison. */
+enum {
+  JALON_NOT_RECOVERED = 0,
+  JALON_RECOVERED_VERTICAL = 1,     /**< hidden = vertical: column "height" has its sign, "distance" its size */
+  JALON_RECOVERED_OCCLUDER = 2,     /**< hidden = occluders: its zone fits what hides it; "shape_residual" tells how */
+  JALON_PROBABLY_UNCHANGED = 3,     /**< no distance, but the same before and after */
+  JALON_CHANGED_MEANWHILE = 4       /**< no distance, and not the same before and after: when is open */
+};
+
 /**
  * Gives the cloud the field "visibility" (uint8), as the stations of the reference see its points: JALON_VISIBLE when
  * the range is at most depth_margin_factor times that of the surface seen there plus depth_margin_m, else
@@ -54,6 +63,18 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_depth_map(const jalon_cloud* refe
 JALON_API JALON_CHECK jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t station,
                                                    const char* path, const jalon_params* options,
                                                    jalon_task* task);
+
+/**
+ * A third epoch for what was hidden: of two comparisons of the same points, "hidden" with epoch t as the reference and
+ * "across" with the epoch beyond it, a new one like "hidden" whose column "recovered" says of each point that is
+ * JALON_HIDDEN at t and compared across: JALON_PROBABLY_UNCHANGED when its distance across is at most tolerance_m
+ * (m), else JALON_CHANGED_MEANWHILE. Distances and status stay. With the points of t - 1 compared with t and t + 1 (or
+ * of t + 1 with t and t - 1) it tells what most probably did not move behind the obstacles of t.
+ * JALON_ERROR_INVALID_ARGUMENT when the two are of different points. O(n).
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparison_third_epoch(const jalon_comparison* hidden,
+                                                    const jalon_comparison* across, double tolerance_m,
+                                                    jalon_task* task, jalon_comparison** out);
 
 JALON_END_C
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/visibility.h"
 
+#include "capi/comparison_handles.h"
 #include "capi/guard.h"
 #include "compare/depth_table.h"
+#include "compare/recovery.h"
 #include "compare/visibility.h"
 #include "formats/atomic_file.h"
 #include "report/depth_picture.h"
@@ -60,5 +62,20 @@ jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t 
       file.write(depth_png(map_of(reference, station, chosen, t)));
       file.commit();
     });
+  });
+}
+
+jalon_status jalon_comparison_third_epoch(const jalon_comparison* hidden, const jalon_comparison* across,
+                                          double tolerance_m, jalon_task* task, jalon_comparison** out) {
+  return guard([&] {
+    require(hidden, "hidden");
+    require(across, "across");
+    require(out, "out");
+    *out = with_task(task, [&](Task& t) {
+             auto handle = std::make_unique<jalon_comparison>();
+             handle->comparison = std::make_shared<const Comparison>(
+                 with_third_epoch(*hidden->comparison, *across->comparison, tolerance_m, t));
+             return handle;
+           }).release();
   });
 }

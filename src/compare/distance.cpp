@@ -14,6 +14,7 @@
 #include "compare/hausdorff.h"
 #include "compare/sampling_error.h"
 #include "compare/summary.h"
+#include "compare/visible_comparison.h"
 #include "spatial/nearest.h"
 
 namespace jalon {
@@ -62,11 +63,7 @@ void add_sampling_error(const Octree& reference, const DistanceColumns& columns,
   add_value<double>(made.summary, "sampling_mean", "m", "mean distance that sampling alone would make", error.mean_m);
 }
 
-}  // namespace
-
-Comparison compare_distance(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
-  if (reference->size() == 0) fail(Status::kInsufficientData, "the reference cloud is empty");
-  if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
+Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
   const DistanceSetting setting = distance_setting(params);
   Trees trees;
   {
@@ -91,6 +88,15 @@ Comparison compare_distance(const CloudPtr& reference, const CloudPtr& compared,
     add_hausdorff(*trees.reference, *trees.compared, task, made.summary);
   }
   return made;
+}
+
+}  // namespace
+
+Comparison compare_distance(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
+  if (reference->size() == 0) fail(Status::kInsufficientData, "the reference cloud is empty");
+  if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
+  if (params.text("visibility") == "none") return compare_all(reference, compared, params, task);
+  return compare_visible(reference, compared, params, compare_all, task);
 }
 
 }  // namespace jalon

@@ -4,6 +4,7 @@
 
 #include "compare/comparison.h"
 #include "compare/model_distance.h"
+#include "compare/visibility_params.h"
 
 namespace jalon {
 
@@ -21,6 +22,22 @@ constexpr ParamRow kRows[] = {
              "Also predicts, from the density of the reference, the distance that sampling alone makes."),
     bool_row("hausdorff", false, "",
              "Also measures from the reference to the compared cloud, for the symmetric Hausdorff distance."),
+    kVisibilityRow,
+    kDepthHorizontalStepRow,
+    kDepthVerticalStepRow,
+    kDepthCellFactorRow,
+    kDepthRuleRow,
+    kDepthFillPassesRow,
+    kDepthEmptyRow,
+    kDepthMarginRow,
+    kDepthMarginFactorRow,
+    kMaxRangeRow,
+    kSecondCentreRow,
+    kHiddenRow,
+    kHiddenDirectionRow,
+    kHiddenRadiusRow,
+    kHiddenZoneRow,
+    kHiddenShapeRatioRow,
 };
 
 }  // namespace

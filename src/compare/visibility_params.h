@@ -38,4 +38,27 @@ constexpr ParamRow kSecondCentreRow =
     doubles_row("second_centre_m", "0 0 0", -1e3, 1e3, "m", "",
                 "receiver of a triangulation scanner in its own frame: points must be seen from both; 0 0 0: none");
 
+// And those of a comparison alone.
+constexpr ParamRow kVisibilityRow =
+    choice_row("visibility", "none", "none|stations", "",
+               "stations: points that the stations of the reference cloud could not have seen get no distance, and say "
+               "why; none: every point is compared");
+constexpr ParamRow kHiddenRow =
+    choice_row("hidden", "leave", "leave|vertical|occluders", "",
+               "what becomes of hidden points. leave: no value; vertical: their height over the surface of the "
+               "reference along hidden_direction; occluders: their distance from the points that hide them, where "
+               "both have the same shape");
+constexpr ParamRow kHiddenDirectionRow =
+    doubles_row("hidden_direction", "0 0 1", -1e9, 1e9, "1", "", "direction for hidden = vertical, of any length");
+constexpr ParamRow kHiddenRadiusRow =
+    number_row("hidden_radius_m", 2, 1e-3, 1e6, "m", "",
+               "for hidden = vertical: longest edge in plan of the triangles between reference points");
+constexpr ParamRow kHiddenZoneRow = number_row("hidden_zone_m", 0.5, 1e-3, 1e6, "m", "",
+                                               "for hidden = occluders: cell of the grid that joins hidden points to "
+                                               "zones, fitted one by one");
+constexpr ParamRow kHiddenShapeRatioRow =
+    number_row("hidden_shape_ratio", 2, 0, 1e6, "1", "",
+               "for hidden = occluders: a zone has the shape of what hides it when a rigid fit leaves at most this "
+               "many spacings of the hiding points");
+
 }  // namespace jalon
