@@ -85,4 +85,15 @@ double student_quantile(double dof, double p) {
   return x;
 }
 
+double chi_square_tail(double dof, double x) {
+  if (!(dof >= 1)) fail(Status::kInternal, "chi_square_tail: dof below 1");
+  return x > 0 ? boost::math::gamma_q(dof / 2, x / 2, Quiet()) : 1;
+}
+
+double chi_square_upper_quantile(double dof, double q) {
+  if (!(dof >= 1 && q > 0 && q <= 1))
+    fail(Status::kInternal, "chi_square_upper_quantile: dof below 1 or the probability not within (0, 1]");
+  return 2 * boost::math::gamma_q_inv(dof / 2, q, Quiet());
+}
+
 }  // namespace jalon

@@ -12,5 +12,9 @@ double normal_quantile(double p);
 double chi_square_quantile(double dof, double p);
 /// x with P(X <= x) = p of Student's distribution; dof >= 1 (need not be whole), 0.5 <= p < 1.
 double student_quantile(double dof, double p);
+/// P(X >= x) of the chi-square distribution, and x with P(X >= x) = q, 0 < q <= 1: without the digits that 1 - p would
+/// lose.
+double chi_square_tail(double dof, double x);
+double chi_square_upper_quantile(double dof, double q);
 
 }  // namespace jalon

@@ -10,6 +10,15 @@
 #include "compare/regions.h"
 #include "cloud/precision.h"
 #include "compare/visibility.h"
+#include "compare/chamfer.h"
+#include "compare/chi_square.h"
+#include "compare/fast_marching.h"
+#include "compare/field_arithmetic.h"
+#include "compare/gradient.h"
+#include "compare/histogram.h"
+#include "compare/propagation.h"
+#include "compare/smoothing.h"
+#include "compare/two_means.h"
 #include "formats/formats.h"
 #include "modelling/model_evaluation.h"
 #include "report/picture.h"
@@ -33,6 +42,10 @@ std::span<const Operation> operations() {
       {"labels", labels_rows},       {"evaluation", evaluation_rows}, {"confusion", confusion_rows},
       {"primitive", primitive_rows}, {"pick", pick_rows},           {"model_evaluation", model_evaluation_rows},
       {"indices", indices_rows},     {"precision", precision_rows}, {"visibility", visibility_rows},
+      {"noise_law", noise_law_rows}, {"histogram", histogram_rows}, {"chi_square", chi_square_rows},
+      {"classes", classes_rows},     {"gradient", gradient_rows},   {"field_filter", field_filter_rows},
+      {"field_arithmetic", field_arithmetic_rows}, {"geodesic", geodesic_rows}, {"propagation", propagation_rows},
+      {"distance_map", distance_map_rows},
   };
   return kOperations;
 }

@@ -30,6 +30,7 @@ HANDLES = {
     "jalon_comparison": ("fx_comparison", []),
     "jalon_scanner": ("fx_scanner", []),
     "jalon_task": ("fx_task", []),
+    "jalon_noise_law": ("fx_law", []),
     "jalon_params": ("fx_options(\"normals\")", []),
 }
 # Which typed parameter set and row name a params function works on.
@@ -52,6 +53,12 @@ OPERATION = {
     "jalon_comparison_regions": "regions",
     "jalon_cloud_compute_visibility": "visibility", "jalon_cloud_depth_map": "visibility",
     "jalon_cloud_write_depth_map": "visibility",
+    "jalon_noise_law_fit": "noise_law", "jalon_cloud_field_histogram": "histogram",
+    "jalon_cloud_compute_chi_square": "chi_square", "jalon_cloud_classify_field": "classes",
+    "jalon_cloud_compute_gradient": "gradient", "jalon_cloud_filter_field": "field_filter",
+    "jalon_cloud_compute_field": "field_arithmetic", "jalon_cloud_compute_geodesic": "geodesic",
+    "jalon_cloud_segment_propagation": "propagation", "jalon_cloud_compute_map_distance": "distance_map",
+    "jalon_cloud_distance_map": "distance_map",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
 NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world", "T_prism_world", "method", "face_ids",
@@ -64,6 +71,8 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "rows", "vertical_rad", "incidence_rad",
             "jalon_comparison_regions.out_points", "jalon_comparison_regions.out_regions",
             "jalon_cloud_depth_map.rows", "jalon_cloud_depth_map.columns",
+            "rows", "vertical_rad", "incidence_rad", "density", "cumulative", "bins", "other",
+            "jalon_cloud_field_histogram.law", "jalon_cloud_field_histogram.summary",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
@@ -78,6 +87,7 @@ ARRAYS = {"xyz": "count", "picks": "count", "x": "count", "y": "count", "z": "co
           "automatic_uv": "automatic_ring_count", "reference_uv": "reference_ring_count", "automatic_m2": "count",
           "reference_m2": "count", "intersection_m2": "count", "automatic_xyz": "count",
           "reference_xyz": "count", "ranges_m": "count", "measured_m": "count", "known_m": "count",
+          "seeds": "count", "probabilities": "count",
           "wavelengths_m": "count", "remainders_m": "count", "vertices": "count_vertices", "triangles": "count_triangles"}
 # Baselines that need another handle or value than the tables give.
 BASE = {
@@ -85,6 +95,8 @@ BASE = {
     "jalon_cloud_fit_circle.cloud": "fx_ball", "jalon_segmentation_pick.segmentation": "fx_start",
     "jalon_segmentation_pick.picks": "fx_picks",
     "jalon_segmentation_write_primitives.path": 'fx_path("out.txt")',
+    "jalon_noise_law_fit.field": '"deviation"',
+    "jalon_noise_law_from_json.json": r'"{\"law\":\"gauss\",\"mean\":0,\"sigma\":1}"',
     "jalon_cloud_set_field.cloud": "fx_small", "jalon_cloud_set_field.count": "12",
     "jalon_cloud_knn_all.cloud": "fx_small", "jalon_cloud_builder_seal.builder": "fx_builder_ready",
     "jalon_cloud_builder_append_field.name": '"extra"', "jalon_cloud_builder_declare_field.name": '"another"',
@@ -204,7 +216,7 @@ def scalar(function, p):
 
 def text(function, p):
     null = null_expectation(function, p.name)
-    base = {"crs": '"EPSG:2154"', "name": '"intensity"', "unit": '"m"', "meaning": '"a meaning"', "field": '"intensity"',
+    base = {"crs": '"EPSG:2154"', "name": '"intensity"', "unit": '"m"', "meaning": '"a meaning"', "field": '"intensity"', "other": "NULL", "gradient_field": '"intensity"',
             "label_field": '"intensity"', "class_field": '"intensity"', "reference_field": '"intensity"',
             "part_class": '"wall"', "method": "NULL", "operation": '"normals"', "json": '"{}"', "notes_json": r'"{\"title\":\"t\"}"',
             "value": "fx_text_value", "path": 'fx_path("out.xyz")'}.get(p.name)

@@ -23,6 +23,7 @@ jalon_modeller* fx_modeller;
 jalon_comparer* fx_comparer;
 jalon_comparer* fx_m3c2;
 jalon_comparison* fx_comparison;
+jalon_noise_law* fx_law;
 jalon_scanner* fx_scanner;
 jalon_task *fx_task, *fx_task_own;
 jalon_params* fx_typed[7];
@@ -127,13 +128,15 @@ static void make_clouds(void) {
   for (int i = 0; i < 50; ++i)
     for (int j = 1; j < 20; ++j)
       fx_xyz[3 * n] = 0.1 * i, fx_xyz[3 * n + 1] = -0.1 * j, fx_xyz[3 * n + 2] = noise(n), ++n;
-  static float intensity[kArrayItems];
+  static float intensity[kArrayItems], deviation[kArrayItems];
   for (int i = 0; i < n; ++i) intensity[i] = (float)(i % 2);
+  for (int i = 0; i < n; ++i) deviation[i] = (float)(i % 7 + 1);
   fx_cloud = cloud_of(fx_xyz, n);
   const jalon_transform pose = {{1, 0, 0, 2.5, 0, 1, 0, -6, 0, 0, 1, 1.7}};
   MUST(jalon_cloud_set_station(fx_cloud, "tripod", &pose));
   MUST(jalon_cloud_set_crs(fx_cloud, "EPSG:2154"));
   MUST(jalon_cloud_set_field(fx_cloud, "intensity", intensity, JALON_FLOAT32, 1, n, 0, NULL, NULL));
+  MUST(jalon_cloud_set_field(fx_cloud, "deviation", deviation, JALON_FLOAT32, 1, n, 0, NULL, NULL));
   MUST(jalon_cloud_compute_normals(fx_cloud, NULL, NULL));
   MUST(jalon_cloud_fields(fx_cloud, &fx_fields));
   fx_small = cloud_of(fx_xyz, 12);
@@ -183,6 +186,7 @@ static void make_workers(void) {
   MUST(jalon_comparer_create(NULL, &fx_comparer));
   MUST(jalon_comparer_create("m3c2", &fx_m3c2));
   MUST(jalon_comparer_run(fx_comparer, fx_cloud, fx_cloud, NULL, &fx_comparison));
+  MUST(jalon_noise_law_from_json("{\"law\":\"weibull\",\"shape\":2,\"scale\":3}", &fx_law));
   MUST(jalon_modeller_create(NULL, &fx_modeller));
   MUST(jalon_modeller_run(fx_modeller, fx_cloud, fx_segmentation, NULL, &fx_model));
   MUST(jalon_model_evaluate(fx_model, fx_model, NULL, NULL, &fx_model_evaluation));
@@ -240,6 +244,7 @@ void fx_end(void) {
   jalon_evaluation_release(fx_evaluation);
   jalon_model_evaluation_release(fx_model_evaluation);
   jalon_modeller_release(fx_modeller);
+  jalon_noise_law_release(fx_law);
   jalon_comparison_release(fx_comparison);
   jalon_comparer_release(fx_comparer);
   jalon_comparer_release(fx_m3c2);

@@ -29,6 +29,7 @@ extern jalon_modeller* fx_modeller;
 extern jalon_comparer* fx_comparer;
 extern jalon_comparer* fx_m3c2;
 extern jalon_comparison* fx_comparison;
+extern jalon_noise_law* fx_law;
 extern jalon_scanner* fx_scanner;
 extern jalon_task *fx_task, *fx_task_own;
 extern jalon_params* fx_typed[7];     /* a set with a row of each type ... */
