@@ -33,7 +33,8 @@ enum {
 /**
  * method, NULL = "distance":
  * - "distance": from each compared point to the nearest of the reference: point of a cloud (Girardeau-Montaut 2006,
- *   2.3.1), face or triangle of a model (2.2; jalon_comparer_run_model). Exact; O(n log n).
+ *   2.3.1), or a local surface through the reference points around that (parameter "local_model", 2.3.2); face or
+ *   triangle of a model (2.2; jalon_comparer_run_model). Exact, a local surface to the cube's edge / 2^31; O(n log n).
  * - "m3c2": at core points the distance between two clouds along the local normal, compared minus reference, with its
  *   level of detection (Lague, Brodu & Leroux 2013): normals of the points within normal_radius_m; the points of both
  *   clouds in a cylinder along the normal; the surfaces they lie on; their medians or means. O(n log n + c m), c core
@@ -111,7 +112,8 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_compariso
  * without any). "maximum" of unsigned distances is the directed Hausdorff distance (2.2 of the source). Method
  * "distance" with "hausdorff": "hausdorff_forward" (of the compared points from the reference points),
  * "hausdorff_reverse" and the larger of both, "hausdorff" (2.3), whatever max_distance_m; with "sampling_error":
- * "sampling_rms" and "sampling_mean" (float64, m), what sampling alone would make of "rms" and "mean". Method "m3c2":
+ * "sampling_rms" and "sampling_mean" (float64, m), what sampling alone would make of "rms" and "mean"; with a local
+ * model: "modelled" (uint64), how many distances are to a local surface and not to a point. Method "m3c2":
  * "significant" (uint64) and "mean_lod" (float64, m).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out);

@@ -19,6 +19,7 @@ struct NeighbourPlane {
   const double* normal;      ///< null when the neighbours do not span a plane
   double variation;          ///< lambda_0 / (lambda_0 + lambda_1 + lambda_2)
   double squared_offset;     ///< of the neighbours' centroid from the point, grid steps^2
+  Vec3 offset;               ///< the centroid itself, grid steps from the point
   const Symmetric3* scatter; ///< sums of products about the centroid, grid steps^2
   size_t count;              ///< of the neighbours
 };
@@ -51,6 +52,7 @@ class NeighbourPlanes {
     count_[filled_] = count;
     position_[filled_] = centre;
     squared_offset_[filled_] = (sx * sx + sy * sy + sz * sz) * inverse * inverse;
+    offset_[filled_] = {sx * inverse, sy * inverse, sz * inverse};
     if (++filled_ == 4) flush();
   }
 
@@ -79,7 +81,7 @@ class NeighbourPlanes {
     write(i, normal, std::max(0.0, e.values[0]) / (e.values[0] + e.values[1] + e.values[2]));
   }
   void write(int i, const double* normal, double variation) {
-    write_(NeighbourPlane{position_[i], normal, variation, squared_offset_[i], &covariance_[i], count_[i]});
+    write_(NeighbourPlane{position_[i], normal, variation, squared_offset_[i], offset_[i], &covariance_[i], count_[i]});
   }
 
   const int32_t *x_, *y_, *z_;
@@ -88,6 +90,7 @@ class NeighbourPlanes {
   Symmetric3 covariance_[4];
   size_t count_[4], position_[4];
   double squared_offset_[4];
+  Vec3 offset_[4];
   int filled_ = 0;
 };
 

@@ -3,6 +3,7 @@
 
 // Method "distance": from each compared point to the nearest reference point (Girardeau-Montaut 2006, 2.3.1).
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,7 @@
 #include "compare/distance_columns.h"
 #include "compare/distance_setting.h"
 #include "compare/hausdorff.h"
+#include "compare/local_models.h"
 #include "compare/sampling_error.h"
 #include "compare/summary.h"
 #include "compare/visible_comparison.h"
@@ -36,10 +38,12 @@ Trees trees_of(const Cloud& reference, const Cloud& compared, Task& task) {
   return trees;
 }
 
+// positions, if any: for each sorted position of the compared points that of the nearest reference point.
 void nearest_points(const Cloud& reference, const Cloud& compared, const Trees& trees, double max_distance_m,
-                    const DistanceColumns& columns, Task& task) {
+                    const DistanceColumns& columns, std::span<uint32_t> positions, Task& task) {
   const auto reference_order = trees.reference->order(), order = trees.compared->order();
   for_each_nearest(*trees.reference, *trees.compared, max_distance_m, task, [&](const NearestBatch& batch) {
+    if (!positions.empty()) std::copy_n(batch.nearest, batch.count, positions.data() + batch.first);
     for (size_t j = 0; j < batch.count; ++j) {
       const size_t i = order[batch.first + j];
       const bool found = batch.nearest[j] != kNoPoint;
@@ -73,12 +77,25 @@ Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared, cons
   const DistanceColumns columns(compared->size(), setting.differences);
   Comparison made;
   made.cloud = compared;
+  const bool with_model = setting.model != LocalModelKind::kNone;
+  uint64_t modelled = 0;
   {
-    Span span(task, 0.3, 0.6, "nearest points");
-    nearest_points(*reference, *compared, trees, setting.max_distance_m, columns, task);
+    Span span(task, 0.3, 0.8);
+    Buffer<uint32_t> positions(with_model ? compared->size() : 0);
+    {
+      Span part(task, 0, with_model ? 0.3 : 1, "nearest points");
+      nearest_points(*reference, *compared, trees, setting.max_distance_m, columns,
+                     {positions.data(), positions.size()}, task);
+    }
+    Span part(task, with_model ? 0.3 : 1, 1, "local models");
+    if (with_model)
+      modelled = apply_local_models(*trees.reference, *trees.compared, *compared, {positions.data(), positions.size()},
+                                    setting, columns, task);
   }
   columns.attach(made.points);
   made.summary = summarise(columns.distance->values<double>(), columns.status->values<uint8_t>(), task);
+  if (with_model)
+    add_value<uint64_t>(made.summary, "modelled", "", "points whose distance is to a local surface", modelled);
   if (setting.sampling_error) {
     Span span(task, 0.8, 0.9, "sampling error");
     add_sampling_error(*trees.reference, columns, made, task);

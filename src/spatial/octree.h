@@ -69,6 +69,9 @@ class Octree {
   size_t knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const;
   /// The points in the closed ball, in ascending index order.
   void radius(const Vec3& q, double radius, std::vector<Neighbour>& out) const;
+  /// The same two with sorted positions in the place of the caller's indices; those of the ball ascend.
+  size_t knn_positions(const Vec3& q, uint32_t k, std::span<Neighbour> out) const;
+  void radius_positions(const Vec3& q, double radius, std::vector<Neighbour>& out) const;
 
   /// For every point in sorted order its k nearest (itself included) by the fast batch path: visit(chunk, Batch),
   /// chunks of consecutive sorted positions, in parallel. k <= 256. Fewer than k points in the tree: kNoPoint fills up.

@@ -130,28 +130,62 @@ uint32_t Octree::Impl::nearest_position(const Vec3& q) const {
   return nearest(*this, q, 1, &found) == 0 ? kNoPoint : found.position;
 }
 
-size_t Octree::knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
+namespace {
+
+// take(Found) for each of the k nearest, nearest first.
+template <class Take>
+size_t for_each_of_nearest(const Octree::Impl& tree, const Vec3& q, uint32_t k, Take take) {
   constexpr size_t kOnStack = 64;
   Found small[kOnStack];
-  std::vector<Found> large(k > kOnStack ? std::min<size_t>(k, size()) : 0);
+  std::vector<Found> large(k > kOnStack ? std::min<size_t>(k, tree.count) : 0);
   Found* heap = k > kOnStack ? large.data() : small;
-  const size_t found = nearest(*impl_, q, k, heap);
-  for (size_t j = 0; j < found; ++j) out[j] = {heap[j].squared, heap[j].index};
+  const size_t found = nearest(tree, q, k, heap);
+  for (size_t j = 0; j < found; ++j) take(j, heap[j]);
   return found;
 }
 
-void Octree::radius(const Vec3& q, double radius, std::vector<Neighbour>& out) const {
-  out.clear();
+// found(position, exact squared distance) for the points in the ball.
+template <class Take>
+void for_each_in_ball(const Octree::Impl& tree, const Vec3& q, double radius, Take take) {
   if (!(radius >= 0)) return;
-  const Impl& tree = *impl_;
   const Vec3 q_grid = to_grid(tree, q);
   const double squared_radius = radius * radius, limit = limit_of(tree, squared_radius);
   const auto bound = [&] { return limit; };
   const auto found = [&](size_t position, double squared) {
-    if (squared <= squared_radius) out.push_back({squared, tree.order[position]});
+    if (squared <= squared_radius) take(position, squared);
   };
   walk(tree, q_grid, bound, [&](size_t leaf) { scan_leaf(tree, leaf, q, q_grid, bound, found); });
-  std::sort(out.begin(), out.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
+}
+
+void sort_by_index(std::vector<Neighbour>& points) {
+  std::sort(points.begin(), points.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
+}
+
+}  // namespace
+
+size_t Octree::knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
+  return for_each_of_nearest(*impl_, q, k,
+                             [&](size_t j, const Found& f) { out[j] = {f.squared, f.index}; });
+}
+
+size_t Octree::knn_positions(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
+  return for_each_of_nearest(*impl_, q, k,
+                             [&](size_t j, const Found& f) { out[j] = {f.squared, f.position}; });
+}
+
+void Octree::radius(const Vec3& q, double radius, std::vector<Neighbour>& out) const {
+  out.clear();
+  for_each_in_ball(*impl_, q, radius,
+                   [&](size_t position, double squared) { out.push_back({squared, impl_->order[position]}); });
+  sort_by_index(out);
+}
+
+void Octree::radius_positions(const Vec3& q, double radius, std::vector<Neighbour>& out) const {
+  out.clear();
+  for_each_in_ball(*impl_, q, radius, [&](size_t position, double squared) {
+    out.push_back({squared, static_cast<uint32_t>(position)});
+  });
+  sort_by_index(out);
 }
 
 }  // namespace jalon
