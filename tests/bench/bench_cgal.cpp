@@ -17,6 +17,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -146,6 +147,33 @@ int main(int argc, char** argv) {
     }
     return result;
   };
+  std::vector<Point> second;
+  std::vector<double> nearest;
+  const auto c2c = [&](int threads, bool with_sample) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<size_t>(threads));
+    if (second.empty()) {
+      const std::vector<double> xyz = bench::load_second_scan(argv[1]);
+      for (size_t i = 0; i < xyz.size(); i += 3) second.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+      nearest.assign(second.size(), 0.0);
+    }
+    using Plain = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;  // distances need no numbers
+    const bench::Stopwatch watch;
+    Plain::Tree fresh(points.begin(), points.end());
+    if (threads > 1) {
+      fresh.build<CGAL::Parallel_tag>();
+    } else {
+      fresh.build();
+    }
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, second.size(), 4096),
+                      [&](const tbb::blocked_range<size_t>& range) {
+                        for (size_t i = range.begin(); i < range.end(); ++i) {
+                          const Plain search(fresh, second[i], 1);
+                          nearest[i] = std::sqrt(search.begin()->second);
+                        }
+                      });
+    return bench::distances(watch, nearest, with_sample);
+  };
   const auto normals = [&](int threads, bool with_sample) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<size_t>(threads));
@@ -185,5 +213,6 @@ int main(int argc, char** argv) {
                        {"knn16", knn},
                        {"normals16", normals},
                        {"voxel5cm", voxel},
+                       {"c2c", c2c},
                        {"planes", planes}});
 }

@@ -16,6 +16,8 @@ typedef struct Bench {
   const char* prefix;
   double* xyz;
   uint64_t count;
+  double* second; /* the scan that is compared with the scene; loaded when first needed */
+  uint64_t second_count;
   jalon_cloud* indexed; /* the cloud of the last "index": knn16 asks it */
   jalon_cloud* segmented; /* the cloud of the first modelling operation, with its planes */
   jalon_segmentation* planes;
@@ -40,21 +42,24 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static void load(Bench* bench) {
+/* The coordinates in PREFIX + suffix. */
+static double* load(const Bench* bench, const char* suffix, uint64_t* count) {
   char path[LINE_BYTES];
+  double* xyz;
   FILE* file;
   long bytes;
-  snprintf(path, sizeof path, "%s.f64", bench->prefix);
+  snprintf(path, sizeof path, "%s%s", bench->prefix, suffix);
   file = fopen(path, "rb");
   if (file == NULL || fseek(file, 0, SEEK_END) != 0 || (bytes = ftell(file)) <= 0) {
     fprintf(stderr, "cannot read %s\n", path);
     exit(1);
   }
   rewind(file);
-  bench->count = (uint64_t)bytes / 24;
-  bench->xyz = malloc((size_t)bytes);
-  if (bench->xyz == NULL || fread(bench->xyz, 24, bench->count, file) != bench->count) exit(1);
+  *count = (uint64_t)bytes / 24;
+  xyz = malloc((size_t)bytes);
+  if (xyz == NULL || fread(xyz, 24, *count, file) != *count) exit(1);
   fclose(file);
+  return xyz;
 }
 
 static jalon_cloud* fresh_cloud(const Bench* bench) {
@@ -228,6 +233,54 @@ static Result run_region_growing(Bench* bench, jalon_task* task, FILE* sample) {
   return run_segmenter(bench, "region_growing", task, sample);
 }
 
+/* Distances of the second scan from the scene, the index of both clouds included; model: NULL or a local model. */
+static Result run_comparer(Bench* bench, const char* model, jalon_task* task, FILE* sample) {
+  Result result;
+  double start;
+  jalon_cloud *reference = fresh_cloud(bench), *compared = NULL;
+  jalon_comparer* comparer = NULL;
+  jalon_params* params = NULL;
+  jalon_comparison* comparison = NULL;
+  if (bench->second == NULL) bench->second = load(bench, "_second.f64", &bench->second_count);
+  check(jalon_cloud_create(bench->second, JALON_FLOAT64, bench->second_count, 0, 0, &compared));
+  check(jalon_comparer_create("distance", &comparer));
+  check(jalon_comparer_params(comparer, &params));
+  if (model != NULL) {
+    check(jalon_params_set_string(params, "local_model", model));
+    check(jalon_params_set_double(params, "radius_m", 0.15));
+  }
+  start = now();
+  check(jalon_comparer_run(comparer, reference, compared, task, &comparison));
+  result.seconds = now() - start;
+  result.count = bench->second_count;
+  if (sample != NULL) {
+    jalon_fields* points = NULL;
+    jalon_array_view view;
+    uint64_t i;
+    check(jalon_comparison_points(comparison, &points));
+    check(jalon_fields_view(points, "distance", &view));
+    for (i = 0; i < view.count; i += sample_step(view.count))
+      fwrite((const double*)view.data + i, sizeof(double), 1, sample);
+    jalon_fields_release(points);
+  }
+  jalon_comparison_release(comparison);
+  jalon_params_release(params);
+  jalon_comparer_release(comparer);
+  jalon_cloud_release(reference);
+  jalon_cloud_release(compared);
+  return result;
+}
+
+static Result run_c2c(Bench* bench, jalon_task* task, FILE* sample) {
+  return run_comparer(bench, NULL, task, sample);
+}
+static Result run_c2c_plane(Bench* bench, jalon_task* task, FILE* sample) {
+  return run_comparer(bench, "plane", task, sample);
+}
+static Result run_c2c_quadric(Bench* bench, jalon_task* task, FILE* sample) {
+  return run_comparer(bench, "quadric", task, sample);
+}
+
 /* From planes to a drawing: the segmentation is not timed; count: the faces. dxf: also written. */
 static Result run_modeller(Bench* bench, const char* method, int dxf, jalon_task* task) {
   Result result;
@@ -276,6 +329,9 @@ typedef struct Operation {
 static const Operation kOperations[] = {{"index", run_index},         {"knn16", run_knn16},
                                         {"normals16", run_normals16}, {"voxel5cm", run_voxel5cm},
                                         {"las0", run_las0},           {"las3", run_las3},
+                                        {"c2c", run_c2c},
+                                        {"c2c_plane", run_c2c_plane},
+                                        {"c2c_quadric", run_c2c_quadric},
                                         {"planes", run_planes},
                                         {"region_growing", run_region_growing},
                                         {"outlines", run_outlines},   {"facade_dxf", run_facade_dxf}};
@@ -311,8 +367,9 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   memset(&bench, 0, sizeof bench);
   bench.prefix = argv[1];
-  load(&bench);
-  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3,planes,region_growing,"
+  bench.xyz = load(&bench, ".f64", &bench.count);
+  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3,c2c,c2c_plane,c2c_quadric,"
+         "planes,region_growing,"
          "outlines,facade_dxf\n");
   fflush(stdout);
   code = serve(&bench);
@@ -322,5 +379,6 @@ int main(int argc, char** argv) {
   free(bench.neighbours);
   free(bench.squared);
   free(bench.xyz);
+  free(bench.second);
   return code;
 }

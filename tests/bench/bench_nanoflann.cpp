@@ -6,6 +6,7 @@
 
 #include <omp.h>
 
+#include <cmath>
 #include <memory>
 #include <nanoflann.hpp>
 
@@ -64,7 +65,27 @@ int run(const char* peer, const char* prefix) {
     }
     return result;
   };
-  return bench::serve(peer, n, {{"index", build}, {"knn16", knn}});
+  std::vector<T> second;
+  std::vector<double> nearest;
+  const auto c2c = [&](int threads, bool with_sample) {
+    if (second.empty()) {
+      const std::vector<double> xyz = bench::load_second_scan(prefix);
+      second.assign(xyz.begin(), xyz.end());
+      nearest.assign(second.size() / 3, 0.0);
+    }
+    const bench::Stopwatch watch;
+    const auto fresh = std::make_unique<Tree>(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize));
+    fresh->buildIndex();
+#pragma omp parallel for schedule(dynamic, 4096) num_threads(threads)
+    for (size_t i = 0; i < nearest.size(); ++i) {
+      uint32_t index = 0;
+      T squared = 0;
+      fresh->knnSearch(&second[3 * i], 1, &index, &squared);
+      nearest[i] = std::sqrt(static_cast<double>(squared));
+    }
+    return bench::distances(watch, nearest, with_sample);
+  };
+  return bench::serve(peer, n, {{"index", build}, {"knn16", knn}, {"c2c", c2c}});
 }
 
 }  // namespace

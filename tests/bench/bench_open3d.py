@@ -22,7 +22,7 @@ positions = o3d.core.Tensor(xyz.astype(np.float32)) if tensor else None
 legacy = None if tensor else o3d.geometry.PointCloud(o3d.utility.Vector3dVector(xyz))
 if not tensor:
     del xyz
-index = None
+index = second = None
 
 
 def timed(work):
@@ -76,7 +76,26 @@ def run_voxel5cm():
     return seconds, len(thinned.points), None
 
 
-operations = {"index": run_index, "normals16": run_normals16, "voxel5cm": run_voxel5cm}
+def run_c2c():
+    global second
+    if second is None:
+        other = np.fromfile(prefix + "_second.f64").reshape(-1, 3)
+        if tensor:
+            second = o3d.core.Tensor(other.astype(np.float32))
+        else:
+            second = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(other))
+    if tensor:
+        def work():
+            _, squared = build_tensor().knn_search(second, 1)
+            return np.sqrt(squared.numpy())
+    else:
+        def work():
+            return np.asarray(second.compute_point_cloud_distance(legacy))
+    seconds, distances = timed(work)
+    return seconds, n, lambda: sampled(distances)
+
+
+operations = {"c2c": run_c2c, "index": run_index, "normals16": run_normals16, "voxel5cm": run_voxel5cm}
 if tensor:
     operations["knn16"] = (
         run_knn16  # the legacy tree has no batch form: one Python call a point would measure Python

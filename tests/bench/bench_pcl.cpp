@@ -15,6 +15,7 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/region_growing.h>
 
+#include <cmath>
 #include <memory>
 
 #include "driver.h"
@@ -90,6 +91,31 @@ int main(int argc, char** argv) {
     }
     return result;
   };
+  Cloud second;
+  std::vector<double> nearest;
+  const auto c2c = [&](int threads, bool with_sample) {
+    if (second.empty()) {
+      const std::vector<double> xyz = bench::load_second_scan(argv[1]);
+      for (size_t i = 0; i < xyz.size(); i += 3)
+        second.emplace_back(static_cast<float>(xyz[i]), static_cast<float>(xyz[i + 1]),
+                            static_cast<float>(xyz[i + 2]));
+      nearest.assign(second.size(), 0.0);
+    }
+    const bench::Stopwatch watch;
+    Tree fresh;
+    fresh.setInputCloud(cloud);
+#pragma omp parallel num_threads(threads)
+    {
+      std::vector<int> found(1);
+      std::vector<float> squared(1);
+#pragma omp for schedule(dynamic, 4096)
+      for (size_t i = 0; i < nearest.size(); ++i) {
+        fresh.nearestKSearch(second[i], 1, found, squared);
+        nearest[i] = std::sqrt(static_cast<double>(squared[0]));
+      }
+    }
+    return bench::distances(watch, nearest, with_sample);
+  };
   using SearchTree = pcl::search::KdTree<pcl::PointXYZ>;
   const auto estimate = [&](int threads, const SearchTree::Ptr& search, pcl::PointCloud<pcl::Normal>& field) {
     pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(static_cast<unsigned>(threads));
@@ -145,5 +171,6 @@ int main(int argc, char** argv) {
                        {"knn16", knn},
                        {"normals16", normals},
                        {"voxel5cm", voxel},
+                       {"c2c", c2c},
                        {"region_growing", grow}});
 }

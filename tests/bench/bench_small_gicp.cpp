@@ -4,6 +4,7 @@
 // bench_small_gicp PREFIX: small_gicp's C++ headers, each operation in its form for OpenMP when it
 // runs on more than one thread.
 
+#include <cmath>
 #include <memory>
 #include <small_gicp/ann/kdtree_omp.hpp>
 #include <small_gicp/points/point_cloud.hpp>
@@ -82,7 +83,26 @@ int main(int argc, char** argv) {
                              : small_gicp::voxelgrid_sampling_omp(cloud, bench::kVoxel_m, threads);
     return bench::Result{watch.seconds(), thinned->size(), {}};
   };
+  std::vector<Eigen::Vector4d> second;
+  std::vector<double> nearest;
+  const auto c2c = [&](int threads, bool with_sample) {
+    if (second.empty()) {
+      const std::vector<double> xyz = bench::load_second_scan(argv[1]);
+      for (size_t i = 0; i < xyz.size(); i += 3) second.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2], 1.0);
+      nearest.assign(second.size(), 0.0);
+    }
+    const bench::Stopwatch watch;
+    const auto fresh = built(cloud, threads);
+#pragma omp parallel for schedule(dynamic, 4096) num_threads(threads)
+    for (size_t i = 0; i < nearest.size(); ++i) {
+      size_t index = 0;
+      double squared = 0;
+      fresh->nearest_neighbor_search(second[i], &index, &squared);
+      nearest[i] = std::sqrt(squared);
+    }
+    return bench::distances(watch, nearest, with_sample);
+  };
   return bench::serve(
       "small_gicp", n,
-      {{"index", build}, {"knn16", knn}, {"normals16", normals}, {"voxel5cm", voxel}});
+      {{"index", build}, {"knn16", knn}, {"normals16", normals}, {"voxel5cm", voxel}, {"c2c", c2c}});
 }

@@ -17,6 +17,8 @@ GRID_STEPS = 2.0**31
 # a hundred may differ.
 NORMAL_TOLERANCE_DEG, NORMAL_SHARE = 0.5, 0.99
 LAS_STEP_M = 0.0001
+# Of a distance to the nearest point: exact but for the last bits; peers that work in floats differ by more.
+NEAREST_TOLERANCE = 1e-9
 # Of a true plane found: CGAL's epsilon; less than half of what lies between any two of them.
 PLANE_TOLERANCE_DEG, PLANE_TOLERANCE_M = 1.0, 0.015
 
@@ -52,6 +54,38 @@ def truth(xyz):
     return step, np.array(squared), np.array(normals)
 
 
+# Models and local models are compared with the truth in tests/accuracy and tests/unit/compare.
+UNCHECKED = ("outlines", "facade_dxf", "c2c_plane", "c2c_quadric")
+
+
+def nearest_by_force(xyz, queries):
+    """Distances of the queries from their nearest points."""
+    squared = []
+    for query in queries:
+        radius = 0.25
+        while True:
+            near = xyz[np.abs(xyz - query).max(axis=1) <= radius]
+            least = ((near - query) ** 2).sum(axis=1).min(initial=np.inf)
+            if least <= radius * radius:
+                break
+            radius *= 4
+        squared.append(least)
+    return np.sqrt(squared)
+
+
+def compare_distances(prefix, xyz, sample):
+    second = np.fromfile(f"{prefix}_second.f64").reshape(-1, 3)
+    rows = np.arange(0, len(second), max(1, len(second) // SAMPLES))
+    if len(sample) != len(rows):
+        return f"{len(sample)} numbers in the sample", False
+    step = max(1, len(rows) // BRUTE_FORCE_QUERIES)
+    truth_m = nearest_by_force(xyz, second[rows[::step]])
+    error = np.abs(sample[::step] - truth_m) / np.maximum(truth_m, 1e-6)
+    return f"distances within {error.max():.1e} of brute force", bool(
+        error.max() <= NEAREST_TOLERANCE
+    )
+
+
 def angles_deg(a, b):
     norms = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)
     cosines = np.abs((a * b).sum(axis=1)) / np.where(norms > 0, norms, np.nan)
@@ -70,13 +104,15 @@ def same_work(drivers, operations, prefix):
     with tempfile.TemporaryDirectory() as folder:
         for operation in operations:
             for driver in drivers:
-                if operation not in driver.operations or operation in ("outlines", "facade_dxf"):
-                    continue  # models are compared with the truth in tests/accuracy
+                if operation not in driver.operations or operation in UNCHECKED:
+                    continue
                 path = os.path.join(folder, "sample")
                 _, count = driver.run(operation, path)
                 sample = np.fromfile(path) if os.path.exists(path) else np.zeros(0)
                 if operation in ("planes", "region_growing"):
                     text, good = compare_planes(sample, planes)
+                elif operation == "c2c":
+                    text, good = compare_distances(prefix, xyz, sample)
                 else:
                     text, good = compare(
                         operation, sample, xyz, rows, step, squared, normals, count

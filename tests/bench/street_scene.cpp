@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// street_scene PREFIX COUNT [SEED]: the street of street_points.h as files.
+// street_scene PREFIX COUNT [SEED [points]]: the street of street_points.h as files, with "points" the first only.
 //   PREFIX.f64      x y z as doubles
 //   PREFIX_pf0.las  LAS 1.2, point format 0
 //   PREFIX_pf3.las  the same points with time and colour (point format 3)
@@ -30,7 +30,7 @@ bool write_doubles(const std::string& path, const std::vector<double>& values) {
 int main(int argc, char** argv) {
   const size_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
   if (count == 0 || count > 0xffffffffu) {
-    std::fprintf(stderr, "usage: street_scene PREFIX COUNT [SEED]\n");
+    std::fprintf(stderr, "usage: street_scene PREFIX COUNT [SEED [points]]\n");
     return 2;
   }
   const std::string prefix = argv[1];
@@ -38,9 +38,11 @@ int main(int argc, char** argv) {
   const bench::Street street;
   const std::vector<bench::Sample> samples = bench::scan_street(street, count, seed);
   const std::vector<double> xyz = bench::coordinates(samples);
-  const bool good = write_doubles(prefix + ".f64", xyz) && bench::write_las(prefix + "_pf0.las", 0, xyz) &&
-                    bench::write_las(prefix + "_pf3.las", 3, xyz) &&
-                    write_doubles(prefix + ".planes", bench::true_planes(street, samples));
+  bool good = write_doubles(prefix + ".f64", xyz);
+  if (argc <= 4) {
+    good = good && bench::write_las(prefix + "_pf0.las", 0, xyz) && bench::write_las(prefix + "_pf3.las", 3, xyz) &&
+           write_doubles(prefix + ".planes", bench::true_planes(street, samples));
+  }
   if (!good) {
     std::fprintf(stderr, "street_scene: cannot write %s.*\n", prefix.c_str());
     return 1;
