@@ -87,6 +87,20 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_run_core(const jalon_comparer*
                                                const jalon_cloud* compared, const jalon_cloud* core,
                                                jalon_task* task, jalon_comparison** out);
 
+/**
+ * Sets the parameters of method "m3c2" (others: JALON_ERROR_UNSUPPORTED) from a parameter file of CloudCompare's M3C2
+ * plug-in: key=value lines, M3C2VER among them. Its scales are diameters and become radii (NormalScale, SearchScale,
+ * NormalMinScale ...); SearchDepth is max_depth_m, SubsampleRadius core_spacing_m (the edge of a cell instead of a
+ * least distance), NormalPreferedOri 0 to 5 the axes +x -x +y -y +z -z (CloudCompare 2.10 and later), 11 the station.
+ * The parameter "surfaces" becomes "all", what that program does. Parameters whose keys are absent stay.
+ *
+ * A key that is not known is a warning in the task's log. A setting that would change the distances and has no
+ * counterpart (PositiveSearchOnly, UsePrecisionMaps, other NormalPreferedOri) is JALON_ERROR_UNSUPPORTED; a file of
+ * another kind or with a value that is no number JALON_ERROR_FORMAT; the parameters are unchanged then.
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparer_read_m3c2_file(jalon_comparer* comparer, const char* path,
+                                                     jalon_task* task);
+
 JALON_API jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison);
 JALON_API void jalon_comparison_release(jalon_comparison* comparison);
 /**

@@ -42,6 +42,7 @@ class CylinderComparer {
     ShapeSearch search;
     SurfaceFinder finder;
     std::vector<double> along_m;  ///< ascending
+    std::vector<double> work_m;
     std::span<const ShapeSearch::Along> points;
     std::span<const CylinderSurface> surfaces;
     PropagatedVariance variances;

@@ -21,10 +21,20 @@ struct GridShape {
   bool is_ball;
 };
 
-/// Writes the sorted positions of the points that may lie in the shape to out, in ascending order, and sets count.
-/// False when there is no room for all of them: capacity must exceed their number by 32.
-bool gather_shape_baseline(const OctreeView& tree, const GridShape& shape, uint32_t* out, size_t capacity,
-                           size_t& count);
-bool gather_shape_avx2(const OctreeView& tree, const GridShape& shape, uint32_t* out, size_t capacity, size_t& count);
+/// Points taken out of a tree, in curve order; the arrays have room for capacity.
+struct ShapePoints {
+  int32_t *x, *y, *z;
+  uint32_t* position;  ///< in the tree's order
+  size_t capacity, count;
+};
+
+/// Takes the points that may lie in the shape. False when there is no room for all of them: capacity must exceed their
+/// number by 32.
+bool gather_shape_baseline(const OctreeView& tree, const GridShape& shape, ShapePoints& out);
+bool gather_shape_avx2(const OctreeView& tree, const GridShape& shape, ShapePoints& out);
+/// The positions of those of them that may lie in another shape, in the same order, to out, which has room for 32 more
+/// than there are points. Returns how many. The arrays are readable for 32 elements behind the points.
+size_t filter_shape_baseline(const ShapePoints& points, const GridShape& shape, uint32_t* out);
+size_t filter_shape_avx2(const ShapePoints& points, const GridShape& shape, uint32_t* out);
 
 }  // namespace jalon

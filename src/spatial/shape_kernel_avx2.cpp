@@ -5,9 +5,11 @@
 
 namespace jalon {
 
-bool gather_shape_avx2(const OctreeView& tree, const GridShape& shape, uint32_t* out, size_t capacity,
-                     size_t& count) {
-  return gather_shape(tree, shape, out, capacity, count);
+bool gather_shape_avx2(const OctreeView& tree, const GridShape& shape, ShapePoints& out) {
+  return gather_shape(tree, shape, out);
+}
+size_t filter_shape_avx2(const ShapePoints& points, const GridShape& shape, uint32_t* out) {
+  return filter_shape(points, shape, out);
 }
 
 }  // namespace jalon

@@ -3,18 +3,21 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "geometry/vec.h"
 #include "spatial/octree.h"
+#include "spatial/shape_kernel.h"
 
 namespace jalon {
 
 /// Points of a tree in balls and cylinders about many places, one after the other: it keeps its memory between them.
-/// One a thread. The grid and float vectors rule points out; who is in is settled in doubles between the caller's own
-/// coordinates, relative to the centre, so that answers equal brute force and are the same wherever the cloud lies.
+/// One a thread. Searches near each other are cheap: it takes a wider shape out of the tree than asked for and looks
+/// there first (with the same answer, in the same order).
+///
+/// The grid and float vectors rule points out; who is in is settled in doubles between the caller's own coordinates,
+/// relative to the centre, so that answers equal brute force and are the same wherever the cloud lies.
 class ShapeSearch {
  public:
   /// The tree must outlive it.
@@ -33,15 +36,26 @@ class ShapeSearch {
   std::span<const Along> cylinder(const Vec3& centre, const Vec3& axis, double radius_m, double half_length_m);
 
   /// Sorted positions of what ball() gave last, in the same order.
-  std::span<const uint32_t> ball_positions() const { return {candidates_.get(), offsets_.size()}; }
+  std::span<const uint32_t> ball_positions() const { return {candidates_.data(), offsets_.size()}; }
 
  private:
-  size_t gather(const Vec3& centre, const Vec3* axis, double radius_m, double half_length_m);
+  struct Shape {
+    Vec3 centre, axis;
+    double radius_m = 0, half_length_m = 0;
+    bool is_ball = true;
+  };
+  size_t search(const Shape& shape);
+  static bool covers(const Shape& wide, const Shape& shape);
+  void take(const Shape& shape);
+  GridShape grid_shape(const Shape& shape) const;
 
   const Octree& tree_;
   bool avx2_;
-  size_t capacity_ = 0;
-  std::unique_ptr<uint32_t[]> candidates_;
+  bool taken_ = false;
+  Shape wide_;           ///< whose points stand in taken_points_
+  ShapePoints points_{};
+  std::vector<int32_t> coordinates_;
+  std::vector<uint32_t> positions_, candidates_;
   std::vector<Vec3> offsets_;
   std::vector<Along> along_;
 };

@@ -116,7 +116,8 @@ BASE = {
     "jalon_precision_budget.ranges_m": "fx_ranges", "jalon_precision_budget.vertical_rad": "NULL",
     "jalon_precision_budget.incidence_rad": "NULL", "jalon_angular_precision.ranges_m": "fx_ranges",
     "jalon_phase_range.wavelengths_m": "fx_ranges", "jalon_phase_range.remainders_m": "fx_areas",
-    "jalon_comparer_run_core.comparer": "fx_m3c2",
+    "jalon_comparer_run_core.comparer": "fx_m3c2", "jalon_comparer_read_m3c2_file.comparer": "fx_m3c2",
+    "jalon_comparer_read_m3c2_file.path": 'fx_path("m3c2.txt")',
     "jalon_cloud_remove_field.name": '"intensity"', "jalon_fields_view.name": '"intensity"',
     "jalon_fields_copy.name": '"intensity"', "jalon_cloud_invert_normals.cloud": "fx_cloud",
 }

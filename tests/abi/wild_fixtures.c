@@ -202,6 +202,8 @@ static void make_files(void) {
   if (mkdtemp(folder) == NULL) must(-1, "no temporary folder");
   MUST(jalon_cloud_write(fx_cloud, fx_path("scan.las"), NULL, NULL));
   MUST(jalon_model_write(fx_mesh, fx_path("model.obj"), NULL, NULL));
+  FILE* m3c2 = fopen(fx_path("m3c2.txt"), "wb");
+  if (m3c2 == NULL || fputs("M3C2VER=1\n", m3c2) < 0 || fclose(m3c2) != 0) exit(1);
 }
 
 void fx_begin(void) {

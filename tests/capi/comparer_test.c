@@ -148,11 +148,50 @@ static void comparer_m3c2__measures_at_given_core_points_along_the_normal(void**
   jalon_cloud_release(reference);
 }
 
+static void count_warning(int32_t level, const char* text, void* user) {
+  if (level == JALON_LOG_WARNING && strstr(text, "NewIdea") != NULL) ++*(int*)user;
+}
+
+static void comparer_m3c2__reads_parameter_files_of_cloudcompare(void** state) {
+  (void)state;
+  const char* path = temporary("m3c2_params.txt");
+  FILE* file = fopen(path, "wb");
+  assert_non_null(file);
+  fputs("[General]\nM3C2VER=1\nNormalScale=0.5\nSearchScale=0.3\nSearchDepth=0.8\nNewIdea=7\n", file);
+  fclose(file);
+  jalon_comparer* comparer = NULL;
+  jalon_params* params = NULL;
+  jalon_task* task = NULL;
+  int warnings = 0;
+  double value = 0;
+  MUST(jalon_task_create(&task));
+  MUST(jalon_task_set_log(task, count_warning, &warnings));
+  MUST(jalon_comparer_create("m3c2", &comparer));
+  MUST(jalon_comparer_read_m3c2_file(comparer, path, task));
+  assert_int_equal(warnings, 1);
+  MUST(jalon_comparer_params(comparer, &params));
+  MUST(jalon_params_get_double(params, "normal_radius_m", &value));
+  assert_true(value == 0.25);
+  MUST(jalon_params_get_double(params, "cylinder_radius_m", &value));
+  assert_true(value == 0.15);
+  MUST(jalon_params_get_double(params, "max_depth_m", &value));
+  assert_true(value == 0.8);
+  assert_int_equal(remove(path), 0);
+  REFUSED(JALON_ERROR_NOT_FOUND, jalon_comparer_read_m3c2_file(comparer, path, task));
+  jalon_params_release(params);
+  jalon_comparer_release(comparer);
+  MUST(jalon_comparer_create("distance", &comparer));
+  REFUSED(JALON_ERROR_UNSUPPORTED, jalon_comparer_read_m3c2_file(comparer, path, task));
+  jalon_comparer_release(comparer);
+  jalon_task_release(task);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(comparison__gives_distance_nearest_point_and_status_of_each_point),
       cmocka_unit_test(comparer__refuses_empty_clouds_and_two_different_crs),
       cmocka_unit_test(comparer_m3c2__measures_at_given_core_points_along_the_normal),
+      cmocka_unit_test(comparer_m3c2__reads_parameter_files_of_cloudcompare),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
