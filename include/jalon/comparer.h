@@ -39,6 +39,10 @@ enum {
  *   level of detection (Lague, Brodu & Leroux 2013): normals of the points within normal_radius_m; the points of both
  *   clouds in a cylinder along the normal; the surfaces they lie on; their medians or means. O(n log n + c m), c core
  *   points with m points around each.
+ * - "preview": a quick look, cell by cell of one octree around both clouds: one value for all compared points of a cell
+ *   (Girardeau-Montaut et al. 2005, 3.2). Rough at the borders of cells; points of cells without any reference have
+ *   the status JALON_NOTHING_NEAR. With "measure" "plane_angle" its column is "plane_angle" (float64, rad) in the place
+ *   of "distance", and the summary's numbers are "angle_mean" and so on. O(n log n).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
 JALON_API jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer);
@@ -141,6 +145,15 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_parts(const jalon_comparison
 /** A new cloud handle: the points of the rows with the columns attached as fields, ready to be written; shares the
  * coordinates. */
 JALON_API JALON_CHECK jalon_status jalon_comparison_cloud(const jalon_comparison* comparison, jalon_cloud** out);
+/**
+ * The set of closest points: the reference points that are nearest to a point of the comparison, each once, in their
+ * order, with their fields. reference: the cloud that the comparison (method "distance") was made with;
+ * JALON_ERROR_NOT_FOUND for a comparison without "nearest", JALON_ERROR_INVALID_ARGUMENT for a cloud with fewer points
+ * than it names.
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparison_closest_points(const jalon_comparison* comparison,
+                                                       const jalon_cloud* reference, jalon_task* task,
+                                                       jalon_cloud** out);
 /** The parameters the comparison was made with as JSON. Valid as long as the handle. */
 JALON_API JALON_CHECK jalon_status jalon_comparison_parameters(const jalon_comparison* comparison, const char** out);
 

@@ -5,8 +5,10 @@
 #include "capi/comparison_handles.h"
 #include "capi/guard.h"
 #include "capi/model_handles.h"
+#include "compare/closest_points.h"
 #include "compare/m3c2.h"
 #include "compare/model_distance.h"
+#include "compare/preview.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -26,12 +28,13 @@ struct Method {
 constexpr Method kMethods[] = {
     {"distance", "comparer distance", distance_rows, compare_distance, compare_with_model, nullptr},
     {"m3c2", "comparer m3c2", m3c2_rows, compare_m3c2, nullptr, compare_m3c2_core},
+    {"preview", "comparer preview", preview_rows, compare_preview, nullptr, nullptr},
 };
 
 const Method& method_of(const std::string& name) {
   for (const Method& method : kMethods)
     if (name == method.name) return method;
-  fail(Status::kNotFound, "no comparison method \"%.100s\"; there are: distance, m3c2", name.c_str());
+  fail(Status::kNotFound, "no comparison method \"%.100s\"; there are: distance, m3c2, preview", name.c_str());
 }
 
 void require_same_crs(const SharedText& reference, const SharedText& compared) {
@@ -173,5 +176,17 @@ jalon_status jalon_comparison_parameters(const jalon_comparison* comparison, con
     require(comparison, "comparison");
     require(out, "out");
     *out = comparison->comparison->parameters_json.c_str();
+  });
+}
+
+jalon_status jalon_comparison_closest_points(const jalon_comparison* comparison, const jalon_cloud* reference,
+                                             jalon_task* task, jalon_cloud** out) {
+  return guard([&] {
+    require(comparison, "comparison");
+    require(reference, "reference");
+    require(out, "out");
+    *out = with_task(task, [&](Task& t) {
+      return new_cloud(closest_points(*comparison->comparison, *reference->cloud, t));
+    });
   });
 }

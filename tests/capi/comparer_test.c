@@ -101,6 +101,29 @@ static jalon_cloud* floor_at(double z) {
   return cloud;
 }
 
+static void comparer_preview__and_closest_points_of_a_line(void** state) {
+  (void)state;
+  jalon_cloud *reference = line_of(0, 10), *compared = line_of(0.25, 4), *closest = NULL;
+  jalon_comparer* comparer = NULL;
+  jalon_comparison* comparison = NULL;
+  MUST(jalon_comparer_create("preview", &comparer));
+  MUST(jalon_comparer_run(comparer, reference, compared, NULL, &comparison));
+  jalon_comparer_release(comparer);
+  assert_int_equal(jalon_comparison_closest_points(comparison, reference, NULL, &closest), JALON_ERROR_NOT_FOUND);
+  jalon_comparison_release(comparison);
+  MUST(jalon_comparer_create("distance", &comparer));
+  MUST(jalon_comparer_run(comparer, reference, compared, NULL, &comparison));
+  jalon_comparer_release(comparer);
+  MUST(jalon_comparison_closest_points(comparison, reference, NULL, &closest));
+  uint64_t count = 0;
+  MUST(jalon_cloud_count(closest, &count));
+  assert_int_equal(count, 4);
+  jalon_cloud_release(closest);
+  jalon_comparison_release(comparison);
+  jalon_cloud_release(reference);
+  jalon_cloud_release(compared);
+}
+
 static void comparer_m3c2__measures_at_given_core_points_along_the_normal(void** state) {
   (void)state;
   jalon_cloud* reference = floor_at(0);
@@ -190,6 +213,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(comparison__gives_distance_nearest_point_and_status_of_each_point),
       cmocka_unit_test(comparer__refuses_empty_clouds_and_two_different_crs),
+      cmocka_unit_test(comparer_preview__and_closest_points_of_a_line),
       cmocka_unit_test(comparer_m3c2__measures_at_given_core_points_along_the_normal),
       cmocka_unit_test(comparer_m3c2__reads_parameter_files_of_cloudcompare),
   };

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "compare/comparison.h"
+
+namespace jalon {
+
+/// Parameter table of method "preview".
+std::span<const ParamRow> preview_rows();
+/// Quick look at what changed, cell by cell of one octree around both clouds (Girardeau-Montaut et al. 2005, 3.2): all
+/// compared points of a cell get one value, from the reference points of the same cell; those of a cell without any
+/// have the status kNothingNear.
+Comparison compare_preview(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task);
+
+}  // namespace jalon
