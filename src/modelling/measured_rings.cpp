@@ -25,6 +25,8 @@ constexpr double kAgainst = -0.95, kLeastEnd = 1.5;  // cosine; spacings
 constexpr double kArcSigma = 0.5;  // spacings
 constexpr double kShadowLength = 24, kShadowShare = 0.4;  // spacings; of the shorter edge beside it
 constexpr int kPasses = 2;  // the second counts from where the first put the edge
+constexpr int kArcPasses = 6;  // more, of arcs only, until they move by less than
+constexpr double kSettled = 0.05;  // spacings
 constexpr double kPolylineStep = 0.3;  // rad
 constexpr size_t kClasses = 4;
 
@@ -142,25 +144,52 @@ std::vector<Vec2> polyline(const Draft& draft) {
   return out;
 }
 
+// Largest distance of the edge's ends and middle from where it was before.
+double distance_m(const EdgeShape& before, const EdgeShape& now) {
+  double worst = 0;
+  for (const double share : {0.0, 0.5, 1.0})
+    worst = std::max(worst, std::fabs(now.local(before.at(share * before.length_m, 0)).v));
+  return worst;
+}
+
+// The reveal of an arc drawn too flat or too round is seen only in part: it shows more of itself from each better place.
+template <class F>
+void settle_arcs(std::vector<Draft>& drafts, double spacing_m, F&& adjust) {
+  for (Draft& draft : drafts)
+    for (size_t i = 0; i < draft.edges.size(); ++i)
+      for (int pass = 0; pass < kArcPasses && draft.edges[i].shape.is_arc; ++pass) {
+        const EdgeShape before = draft.edges[i].shape;
+        draft.information[i] = adjust(draft.edges[i]);
+        if (distance_m(before, draft.edges[i].shape) <= kSettled * spacing_m) break;
+      }
+}
+
 // Step 3.
 void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows& contours, double min_height_m,
              const EdgeSetting& adjust, Task& task) {
+  std::array<CountingVariance, kClasses> variance;
+  const auto collect = [&](MeasuredEdge& edge) {
+    task.checkpoint(0);
+    collect_blocks(near, contours, adjust.spacing_m, min_height_m, edge);
+  };
+  const auto adjusted = [&](MeasuredEdge& edge) {
+    return adjust_edge(adjust, variance[static_cast<size_t>(edge.shape.direction)], edge);
+  };
   for (int pass = 0; pass < kPasses; ++pass) {
     std::array<std::vector<const MeasuredEdge*>, kClasses> classes;
     for (Draft& draft : drafts)
       for (MeasuredEdge& edge : draft.edges) {
-        task.checkpoint(0);
-        collect_blocks(near, contours, adjust.spacing_m, min_height_m, edge);
+        collect(edge);
         classes[static_cast<size_t>(edge.shape.direction)].push_back(&edge);
       }
-    std::array<CountingVariance, kClasses> variance;
     for (size_t c = 0; c < kClasses; ++c) variance[c] = counting_variance(classes[c], adjust.spacing_m, adjust.sigma_m);
     for (Draft& draft : drafts)
-      for (size_t i = 0; i < draft.edges.size(); ++i) {
-        MeasuredEdge& edge = draft.edges[i];
-        draft.information[i] = adjust_edge(adjust, variance[static_cast<size_t>(edge.shape.direction)], edge);
-      }
+      for (size_t i = 0; i < draft.edges.size(); ++i) draft.information[i] = adjusted(draft.edges[i]);
   }
+  settle_arcs(drafts, adjust.spacing_m, [&](MeasuredEdge& edge) {
+    collect(edge);
+    return adjusted(edge);
+  });
 }
 
 // An arc that nothing but a ragged contour speaks for.

@@ -154,3 +154,41 @@ TEST_CASE("vectorise__reveals_fix_the_edges_that_end_at_them") {
   CHECK(scaled.rms() > 0.5);
   CHECK(scaled.rms() < 1.5);
 }
+
+TEST_CASE("vectorise__the_soffit_of_a_segmental_arch_fixes_its_radius") {
+  Errors radius, centre;
+  for (size_t k = 0; k < trials(); ++k) {
+    RandomStream random(k, 9);
+    const Arched window = window_of(random, 0.2);
+    SampledWall wall = wall_with(window, Sampling::kTurnedGrid, k + 1);
+    wall.spacing = 0.026;
+    auto points = wall.points();
+    // The soffit, 0.2 m deep behind the wall, as rows of a scan from below.
+    std::vector<Vec3> soffit;
+    for (double depth = 0.05 * random.uniform(); depth < 0.2; depth += 0.05)
+      for (double u = window.left + 0.015 * random.uniform(); u < window.right; u += 0.026) {
+        const Vec2 c = window.centre();
+        const double r = window.radius() + 0.002 * random.normal();
+        const Vec3 p{u, depth + 0.003 * random.normal(), c.v + std::sqrt(r * r - (u - c.u) * (u - c.u))};
+        (p.y < 0.01 ? points : soffit).push_back(p);
+      }
+    const VectorPlane plane = vectorised(segmentation_of({points, soffit}));
+    REQUIRE(plane.faces.size() == 1);
+    REQUIRE(plane.faces[0].openings.size() == 1);
+    const VectorRing& ring = plane.faces[0].openings[0];
+    const size_t n = ring.corners.size();
+    for (size_t i = 0; i < n; ++i) {
+      if (ring.edges[i].sagitta_m == 0) continue;
+      CHECK(ring.edges[i].source == EdgeSource::kReveal);
+      const Vec2 a = on_wall(plane, ring.corners[i]), b = on_wall(plane, ring.corners[(i + 1) % n]);
+      const Arc2 arc = arc_of(a, b, ring.edges[i].sagitta_m);
+      radius.add((arc.radius - window.radius()) / wall.spacing);
+      centre.add(norm(arc.centre - window.centre()) / wall.spacing);
+    }
+  }
+  MESSAGE("FIGURE segmental arches with a soffit: radius RMS " << radius.rms() << " worst " << radius.worst
+                                                               << " spacings, centre worst " << centre.worst);
+  CHECK(radius.n == static_cast<double>(trials()));
+  CHECK(radius.worst <= 0.5);
+  CHECK(centre.worst <= 0.5);
+}
