@@ -23,10 +23,11 @@ struct Step {
   Vec2 point;
 };
 
-std::vector<Step> steps_along(const VectorRing& outline, const WallMap& map) {
-  const std::vector<Vec2> ring = flattened(outline, kChordOfCell * map.cell_m);
+// The upper edge of a sill is left out: no point of the wall lies below it.
+std::vector<Step> steps_along(const FacadeOpening& opening, const WallMap& map) {
+  const std::vector<Vec2> ring = flattened(opening.outline, kChordOfCell * map.cell_m);
   std::vector<Step> out;
-  for (size_t i = 0; i < ring.size(); ++i) {
+  for (size_t i = opening.ends_at_sill ? 1 : 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], d = ring[(i + 1) % ring.size()] - a;
     const double length = norm(d);
     const int count = std::max(1, static_cast<int>(std::lround(length / map.cell_m)));
@@ -80,7 +81,7 @@ void give_points(const HoleSurvey& survey, uint32_t own_label, const WallMap& ma
 }  // namespace
 
 void measure_border(const FacadeWall& wall, const HoleSurvey& survey, FacadeOpening& opening) {
-  std::vector<Step> steps = steps_along(opening.outline, wall.map);
+  std::vector<Step> steps = steps_along(opening, wall.map);
   give_points(survey, wall.label, wall.map, steps);
   double sum = 0, squares = 0;
   for (const Step& step : steps) {

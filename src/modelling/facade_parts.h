@@ -32,8 +32,8 @@ struct FacadeOpening {
   double depth_sigma_m = std::numeric_limits<double>::quiet_NaN();
   uint32_t joinery_label = 0;  ///< segment the depth was measured on; 0: none
   std::vector<uint32_t> standing_labels;  ///< segments in it before the joinery: parapets, mullions, surrounds
-  /// Share of the outline's length along which points of the wall end and nothing in front hides the opening: 1 = seen
-  /// all round, 0 = its place is a guess.
+  /// Share of the outline's length, less that at a sill, along which points of the wall end and nothing in front hides
+  /// the opening: 1 = seen all round, 0 = its place is a guess.
   double coverage = 0;
   /// Root mean square distance of border_points to the outline, less the wall's set-back; NaN without such points.
   double residual_m = std::numeric_limits<double>::quiet_NaN();

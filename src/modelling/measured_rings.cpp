@@ -152,7 +152,8 @@ double distance_m(const EdgeShape& before, const EdgeShape& now) {
   return worst;
 }
 
-// The reveal of an arc drawn too flat or too round is seen only in part: it shows more of itself from each better place.
+// The reveal of an arc drawn too flat or too round is seen only in part: it shows more of itself from each better
+// place.
 template <class F>
 void settle_arcs(std::vector<Draft>& drafts, double spacing_m, F&& adjust) {
   for (Draft& draft : drafts)

@@ -116,6 +116,21 @@ bool fill_pitch(std::vector<GridLine>& lines, double reach_m, const PatternSetti
   return true;
 }
 
+// What is known of builders before a wall is looked at: windows stand to half of the tolerance of sizes on their lines,
+// which counts as much as two openings more than lines.
+constexpr double kPriorOfTolerance = 0.5, kPriorFreedom = 2;
+
+double scatter_about(const OpeningGrid& grid, std::span<const RingBox> boxes, double tolerance_m) {
+  const double prior_m = kPriorOfTolerance * tolerance_m;
+  double squares_m2 = kPriorFreedom * prior_m * prior_m, freedom = kPriorFreedom;
+  for (int axis = 0; axis < 2; ++axis)
+    for (const GridLine& line : axis == 0 ? grid.columns : grid.rows) {
+      for (const size_t i : line.openings) squares_m2 += std::pow(along(boxes[i].middle(), axis) - line.at, 2);
+      freedom += static_cast<double>(std::max<size_t>(1, line.openings.size()) - 1);
+    }
+  return std::sqrt(squares_m2 / freedom);
+}
+
 }  // namespace
 
 const GridLine* OpeningGrid::near(const std::vector<GridLine>& lines, double at, double reach_m) {
@@ -134,7 +149,7 @@ OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, 
                       const PatternSetting& setting) {
   // 1. Lines of equal centres.
   const double reach_m = grid_reach_m(wall, setting);
-  OpeningGrid grid{lines_of(openings, boxes, 1, reach_m), lines_of(openings, boxes, 0, reach_m)};
+  OpeningGrid grid{lines_of(openings, boxes, 1, reach_m), lines_of(openings, boxes, 0, reach_m), 0};
 
   // 2. Those whose crossings are mostly taken where they can be seen.
   Crossings crossings(grid.rows.size());
@@ -146,6 +161,7 @@ OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, 
   for (const auto& line : crossings)
     for (const Crossing c : line) all.add(c);
   if (all.share() < setting.least_occupancy) return {};
+  grid.sigma_m = scatter_about(grid, boxes, setting.size_tolerance_m);
 
   // 3. Enough of them: a field of two rows and columns, or one line with equal distances.
   if (grid.rows.size() == 1 && fill_pitch(grid.columns, reach_m, setting)) return grid;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,12 @@ struct GridLine {
 /// not.
 struct OpeningGrid {
   std::vector<GridLine> rows, columns;
+  double sigma_m = 0;  ///< standard deviation of its openings' middles about their lines
+
+  /// Variance of where an opening of that line has its middle.
+  double variance_m2(const GridLine& line) const {
+    return sigma_m * sigma_m * (1 + 1 / static_cast<double>(std::max<size_t>(1, line.openings.size())));
+  }
 
   /// The line within reach, or null.
   const GridLine* row_near(double v, double reach_m) const { return near(rows, v, reach_m); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modelling/pattern_candidate.h"
 #include "modelling/pattern_grid.h"
 #include "modelling/pattern_place.h"
 #include "modelling/pattern_site.h"
@@ -23,7 +24,7 @@ constexpr double kSideSigmas = 3;        // of the mean distance of a side's poi
 // Sides seen and lines of the grid agreed with. Three sides prove one size; a form seen once needs row and column as
 // well: among many single openings one that agrees by chance in one size is soon found.
 constexpr size_t kLeastSigns = 3, kLeastSignsOfOne = 4;
-constexpr double kLeastCost_m2 = 1e-8;     // 0.1 mm squared: exact data
+constexpr double kOddOne = 2;              // parameters that a window unlike the others of its row must be worth
 constexpr size_t kMostBorderPoints = 400;  // of a fit; more are thinned evenly
 
 /// Whether any of its edges stands upright or lies level: then all of its kind do.
@@ -38,16 +39,6 @@ std::vector<double> starts(double low, double high, double reach_m) {
   const double middle = (low + high) / 2;
   return std::fabs(high - low) <= reach_m ? std::vector{middle} : std::vector{low, middle, high};
 }
-
-enum Side { kLeft, kRight, kLower, kUpper };
-
-/// Where a copy could go.
-struct Candidate {
-  size_t pattern = 0;
-  Motion2 motion;
-  size_t signs = 0;  ///< sides seen and lines of the grid agreed with; 0: it is not there
-  double residual_m = 0, cost_m2 = 0;
-};
 
 class Completion {
  public:
@@ -83,11 +74,11 @@ class Completion {
   size_t replace(size_t i) {
     Candidate best;
     for (size_t p = 0; p < patterns_.size(); ++p) {
-      const Candidate c = best_placement(p, i);
-      if (c.signs > 0 && (best.signs == 0 || c.cost_m2 < best.cost_m2)) best = c;
+      Candidate c = best_placement(p, i);
+      if (c.is_likelier_than(best)) best = std::move(c);
     }
     if (best.signs == 0) best = at_crossing(i);
-    if (best.signs == 0 || explains_itself_better(i, best.cost_m2)) return 0;
+    if (best.signs == 0 || explains_itself_better(i, best)) return 0;
     FacadeOpening& opening = wall_.openings[i];
     const FacadeOpening& source = best_of(best.pattern);
     opening.outline = moved(source.outline, best.motion);
@@ -101,33 +92,32 @@ class Completion {
   /// The pattern of the grid's crossing that lies in a hole, where its border is too torn to place it.
   Candidate at_crossing(size_t i) const {
     Candidate best;
-    const std::vector<Vec2> border = thinned_border(wall_.openings[i]);
     for (const GridLine& row : grid_.rows)
       for (const GridLine& column : grid_.columns) {
         const Vec2 centre{column.at, row.at};
         const size_t p = boxes_[i].holds(centre) ? pattern_at(patterns_, row, column) : patterns_.size();
         if (p == patterns_.size()) continue;
-        const Motion2 motion{patterns_[p].box.middle(), centre - patterns_[p].box.middle(), 0};
-        if (!is_free(p, motion, i)) continue;
+        Motion2 motion{patterns_[p].box.middle(), centre - patterns_[p].box.middle(), 0};
+        const double spacing_m = spacing_beside(wall_, boxes_[i]);
+        if (!settle_on_sill(p, i, spacing_m, motion) || !is_free(p, motion, i)) continue;
         const std::vector<Vec2> form = outline_points(moved(best_of(p).outline, motion));
-        const double cost_m2 = cost_in_place(form, border, kReach * spacing_beside(wall_, boxes_[i]));
-        if (best.signs == 0 || cost_m2 < best.cost_m2) best = {p, motion, 2, std::sqrt(cost_m2), cost_m2};
+        std::vector<Vec2> border = border_of(p, motion, i, spacing_m);
+        const double cost_m2 = cost_in_place(form, border, kReach * spacing_m);
+        Candidate c{p, motion, 2, std::sqrt(cost_m2), cost_m2, std::move(border), 0};
+        if (c.is_likelier_than(best)) best = std::move(c);
       }
     return best;
   }
 
-  /// Whether the opening's own outline says so much more about its border that its many parameters are worth it
-  /// (Schwarz 1978): a copy has two.
-  bool explains_itself_better(size_t i, double cost_m2) const {
+  /// Whether the opening's own outline tells so much more about its border than the copy.
+  bool explains_itself_better(size_t i, const Candidate& copy) const {
     const FacadeOpening& opening = wall_.openings[i];
-    const std::vector<Vec2> border = thinned_border(opening);
     const double reach_m = kReach * spacing_beside(wall_, boxes_[i]);
-    const double own_m2 = cost_in_place(outline_points(opening.outline), border, reach_m);
+    const double own_m2 = cost_in_place(outline_points(opening.outline), copy.border, reach_m);
     double parameters = 0;  // a place and a direction an edge; arcs, and edges in a class, have one more or less
     for (const VectorEdge& edge : opening.outline.edges)
       parameters += edge.sagitta_m != 0 ? 3 : edge.direction == EdgeDirection::kInclined ? 2 : 1;
-    const auto n = static_cast<double>(border.size());
-    return n * std::log(cost_m2 / std::max(own_m2, kLeastCost_m2)) > (parameters - 2) * std::log(n);
+    return is_better_explained(copy, own_m2, parameters);
   }
 
   void mark(size_t i, size_t pattern) {
@@ -155,9 +145,13 @@ class Completion {
     const Vec2 low = boxes_[i].low - patterns_[p].box.low, high = boxes_[i].high - patterns_[p].box.high;
     for (const double u : starts(low.u, high.u, reach_m))
       for (const double v : starts(low.v, high.v, reach_m)) {
-        const Placement placed = place_on_border(form, set_back_m, border, {u, v}, reach_m, may_turn);
-        const Candidate c = judged(p, i, placed, spacing_m);
-        if (c.signs > 0 && (best.signs == 0 || c.cost_m2 < best.cost_m2)) best = c;
+        Placement placed = place_on_border(form, set_back_m, border, {u, v}, reach_m, may_turn);
+        std::vector<Vec2> own = border_of(p, placed.motion, i, spacing_m);
+        if (own.size() < border.size())
+          placed = place_on_border(form, set_back_m, own, placed.motion.shift, reach_m, may_turn);
+        Candidate c = judged(p, i, placed, own.size(), spacing_m);
+        c.border = std::move(own);
+        if (c.is_likelier_than(best)) best = std::move(c);
       }
     return best;
   }
@@ -169,9 +163,19 @@ class Completion {
     return out;
   }
 
+  /// Border points of an opening that a copy there can explain: where a sill must hide the wall at its foot, but was
+  /// not told, those there are the sill's.
+  std::vector<Vec2> border_of(size_t p, const Motion2& motion, size_t i, double spacing_m) const {
+    std::vector<Vec2> out = thinned_border(wall_.openings[i]);
+    if (!best_of(p).ends_at_sill || wall_.openings[i].ends_at_sill) return out;
+    const double foot_v = motion.point(patterns_[p].box.low).v;
+    std::erase_if(out, [&](const Vec2& b) { return b.v < foot_v + spacing_m; });
+    return out;
+  }
+
   /// Counts the sides that are seen and the lines of the grid that the placement agrees with, and takes from the grid
   /// what the sides leave open. No signs: not there.
-  Candidate judged(size_t p, size_t i, const Placement& placed, double spacing_m) const {
+  Candidate judged(size_t p, size_t i, const Placement& placed, size_t border_points, double spacing_m) const {
     const RingBox& box = patterns_[p].box;
     std::array<bool, 4> seen{};
     for (size_t s = 0; s < 4; ++s) {
@@ -179,35 +183,41 @@ class Completion {
       const auto wanted = static_cast<size_t>(kSideSupport * length_m / spacing_m);
       seen[s] = placed.sides[s] >= std::max(kLeastSupport, std::min(wanted, kMostBorderPoints / 20));
     }
-    Candidate out{p, placed.motion, 0, placed.residual_m, placed.cost_m2};
-    const auto border = static_cast<double>(wall_.openings[i].border_points.size());
-    if (static_cast<double>(placed.support) < kExplained * std::min<double>(border, kMostBorderPoints)) return out;
+    Candidate out{p, placed.motion, 0, placed.residual_m, placed.cost_m2, {}, 2};
+    const auto border = static_cast<double>(border_points);
+    if (static_cast<double>(placed.support) < kExplained * border) return out;
     if (placed.residual_m > kFit * spacing_m || !is_of_size(placed, seen, spacing_m)) return out;
     size_t signs = static_cast<size_t>(std::count(seen.begin(), seen.end(), true));
     const double reach_m = 2 * grid_reach_m(wall_, setting_);
-    if (wall_.openings[i].ends_at_sill) {
-      // The sill hides the wall below and is measured better than any border.
-      const double rise = boxes_[i].low.v - out.motion.point(box.low).v;
-      if (std::fabs(rise) > kReach * spacing_m) return out;
-      out.motion.shift.v += rise;
-      if (!seen[kLower]) seen[kLower] = true, ++signs;
-    }
+    if (!settle_on_sill(p, i, spacing_m, out.motion)) return out;
+    if (wall_.openings[i].ends_at_sill && !seen[kLower]) seen[kLower] = true, ++signs;
     const Vec2 centre = out.motion.point(box.middle());
     const GridLine* row = grid_.row_near(centre.v, reach_m);
     const GridLine* column = grid_.column_near(centre.u, reach_m);
-    if (!seen[kLower] && !seen[kUpper]) {
-      if (row == nullptr) return out;
-      out.motion.shift.v += row->at - centre.v;
-    }
-    if (!seen[kLeft] && !seen[kRight]) {
-      if (column == nullptr) return out;
-      out.motion.shift.u += column->at - centre.u;
-    }
+    if (row == nullptr && !seen[kLower] && !seen[kUpper]) return out;
+    if (column == nullptr && !seen[kLeft] && !seen[kRight]) return out;
+    const double across_m2 = variance_across(placed, seen, kLeft, kRight, spacing_m);
+    const double up_m2 = variance_across(placed, seen, kLower, kUpper, spacing_m);
+    out.motion.shift.u += step_to_line(grid_, column, centre.u, across_m2);
+    if (!wall_.openings[i].ends_at_sill) out.motion.shift.v += step_to_line(grid_, row, centre.v, up_m2);
     const bool is_single = patterns_[p].members.size() < 2;
     if (is_single && (row == nullptr || column == nullptr)) return out;
-    signs += static_cast<size_t>(row != nullptr) + static_cast<size_t>(column != nullptr);
+    const size_t lines = static_cast<size_t>(row != nullptr) + static_cast<size_t>(column != nullptr);
+    signs += lines;
+    out.parameters -= static_cast<double>(lines);
+    if (lines == 2 && pattern_at(patterns_, *row, *column) != p) out.parameters += kOddOne;
     if (signs >= (is_single ? kLeastSignsOfOne : kLeastSigns) && is_free(p, out.motion, i)) out.signs = signs;
     return out;
+  }
+
+  /// Puts the copy's foot onto the sill that the opening ends at: it hides the wall below and is measured better than
+  /// any border. False when it lies elsewhere.
+  bool settle_on_sill(size_t p, size_t i, double spacing_m, Motion2& motion) const {
+    if (!wall_.openings[i].ends_at_sill) return true;
+    const double rise = boxes_[i].low.v - motion.point(patterns_[p].box.low).v;
+    if (std::fabs(rise) > kReach * spacing_m) return false;
+    motion.shift.v += rise;
+    return true;
   }
 
   /// Whether the border lies where the form says on every side that is seen, within the tolerance of sizes.

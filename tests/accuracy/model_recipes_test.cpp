@@ -136,6 +136,9 @@ TEST_CASE("DS2_lycee__openings_areas_vertices_and_round_heads_are_true") {
     CHECK(f.openings == 8);
     expect_openings(f);
     expect_areas(f);
+    CHECK(f.paired == f.corners);
+    expect_vertices(f.vertices_m(), spacing_m);
+    expect_arcs(f, spacing_m);
     // Windows 5, 7 and 8 stand behind the trees; 6 is the only one of their form that does not.
     std::string copies;
     for (const Part& part : job.model.parts)

@@ -65,8 +65,8 @@ TEST_CASE("bar_edge__is_known_to_half_a_row_along_level_rows_and_better_across_t
     CAPTURE(std::string(c.name));
     const Errors e = errors_of(c.least_rise, c.most_rise, c.hidden);
     const double rms_m = std::sqrt(e.squares / e.n), bias_m = e.sum / e.n, scaled = std::sqrt(e.scaled / e.n);
-    MESSAGE("FIGURE upper edge of a bar, " << std::string(c.name) << ": bias " << 1000 * bias_m << " mm, RMS " << 1000 * rms_m
-                                           << " mm; error / sigma RMS " << scaled);
+    MESSAGE("FIGURE upper edge of a bar, " << std::string(c.name) << ": bias " << 1000 * bias_m << " mm, RMS "
+                                           << 1000 * rms_m << " mm; error / sigma RMS " << scaled);
     CHECK(rms_m <= c.most_rms_m);
     CHECK(std::fabs(bias_m) <= 0.05 * kSpacing_m);
     CHECK(scaled >= 0.4);

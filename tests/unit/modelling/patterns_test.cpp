@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modelling/pattern_candidate.h"
 #include "pattern_walls.h"
 
 using namespace jalon;
@@ -131,6 +132,47 @@ TEST_CASE("patterns__windows_shaded_by_half_and_more_take_the_form_of_the_best_o
 
 // Sizes and places of their own: nothing repeats but by chance. Two of twelve windows agree in both sizes in one facade
 // of twenty; where a third is half hidden and agrees in the size that is seen, no point contradicts a copy: 1 in 1000.
+TEST_CASE("patterns__a_shaded_window_whose_sill_was_not_told_ends_at_it_like_the_others") {
+  constexpr double kSill_m = 0.15;
+  double worst_m = 0;
+  for (uint64_t seed = 1; seed <= 50; ++seed) {
+    CAPTURE(seed);
+    DrawnWall drawn = regular_wall(seed);
+    const size_t which = RandomStream(seed, 9).below(drawn.truth.size());
+    const Rectangle truth = drawn.truth[which];
+    drawn.shade({{truth.low.u + 0.3, truth.low.v + 0.5}, {truth.size.u + 0.2, truth.size.v}});
+    FacadeWall wall = drawn.wall();
+    for (size_t i = 0; i < wall.openings.size(); ++i) {
+      FacadeOpening& opening = wall.openings[i];
+      std::erase_if(opening.border_points, [&](const Vec2& p) { return p.v < drawn.truth[i].low.v; });
+      opening.ends_at_sill = i != which;
+      if (i != which) continue;
+      // The hole goes down to the underside of the sill, and the wall's points end there.
+      for (double u = truth.low.u; u < truth.low.u + truth.size.u; u += 0.03)
+        opening.border_points.push_back({u, truth.low.v - kSill_m - 0.01});
+      opening.outline.corners[0].v -= kSill_m;
+      opening.outline.corners[1].v -= kSill_m;
+    }
+    REQUIRE(complete_patterns(wall, {}) == 1);
+    CHECK(wall.openings[which].evidence == Evidence::kCopied);
+    worst_m = std::max(worst_m, distance(wall.openings[which].outline, truth));
+  }
+  MESSAGE("FIGURE shaded windows with a sill not told: corners within " << 1000 * worst_m << " mm");
+  CHECK(worst_m < 0.03);
+}
+
+TEST_CASE("patterns__a_copy_lies_where_its_border_and_the_lines_of_the_grid_say") {
+  OpeningGrid grid{{}, {{10, {1, 2, 3}}}, 0.005};
+  const GridLine* line = &grid.columns[0];
+  const double line_m2 = grid.variance_m2(*line);
+  CHECK(line_m2 == doctest::Approx(0.005 * 0.005 * 4 / 3));
+  CHECK(step_to_line(grid, line, 9.99, line_m2) == doctest::Approx(0.005));
+  CHECK(step_to_line(grid, line, 9.99, 3 * line_m2) == doctest::Approx(0.0075));
+  CHECK(step_to_line(grid, line, 9.9, line_m2) == 0);  // they contradict each other
+  CHECK(step_to_line(grid, line, 9.9, INFINITY) == doctest::Approx(0.1));
+  CHECK(step_to_line(grid, nullptr, 9.9, INFINITY) == 0);
+}
+
 TEST_CASE("patterns__irregular_facades_get_no_copies") {
   size_t with_copies = 0, added = 0, openings = 0;
   for (uint64_t seed = 1; seed <= 1000; ++seed) {
