@@ -19,6 +19,8 @@ NORMAL_TOLERANCE_DEG, NORMAL_SHARE = 0.5, 0.99
 LAS_STEP_M = 0.0001
 # Of a distance to the nearest point: exact but for the last bits; peers that work in floats differ by more.
 NEAREST_TOLERANCE = 1e-9
+# Of the distances between two scans of 3 mm noise where nothing moved; outliers have none.
+M3C2_TOLERANCE_MM, M3C2_SHARE = 1.5, 0.9
 # Of a true plane found: CGAL's epsilon; less than half of what lies between any two of them.
 PLANE_TOLERANCE_DEG, PLANE_TOLERANCE_M = 1.0, 0.015
 
@@ -86,6 +88,17 @@ def compare_distances(prefix, xyz, sample):
     )
 
 
+def compare_surfaces(sample):
+    """Nothing moved between the two scans, so the distances themselves are what they are off."""
+    finite = np.abs(sample[np.isfinite(sample)])
+    if len(finite) == 0:
+        return "no distances", False
+    median, high = 1000 * np.median(finite), 1000 * np.percentile(finite, 95)
+    share = len(finite) / len(sample)
+    text = f"{median:.2f} mm off (95 %: {high:.1f} mm), {100 * share:.1f} % of the core points have a distance"
+    return text, bool(median <= M3C2_TOLERANCE_MM and share >= M3C2_SHARE)
+
+
 def angles_deg(a, b):
     norms = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)
     cosines = np.abs((a * b).sum(axis=1)) / np.where(norms > 0, norms, np.nan)
@@ -111,6 +124,8 @@ def same_work(drivers, operations, prefix):
                 sample = np.fromfile(path) if os.path.exists(path) else np.zeros(0)
                 if operation in ("planes", "region_growing"):
                     text, good = compare_planes(sample, planes)
+                elif operation.startswith("m3c2"):
+                    text, good = compare_surfaces(sample)
                 elif operation == "c2c":
                     text, good = compare_distances(prefix, xyz, sample)
                 else:

@@ -23,8 +23,9 @@ import checks
 READING = ["las0", "las3"]
 SEGMENTING = ["planes", "region_growing"]
 COMPARING = ["c2c", "c2c_plane", "c2c_quadric"]  # no peer here has local models
+M3C2 = ["m3c2_100k", "m3c2_1m"]  # with drivers of their own
 MODELLING = ["outlines", "facade_dxf"]  # no peer does them
-OPERATIONS = READING + ["index", "knn16", "normals16", "voxel5cm"] + COMPARING + SEGMENTING + MODELLING
+OPERATIONS = READING + ["index", "knn16", "normals16", "voxel5cm"] + COMPARING + M3C2 + SEGMENTING + MODELLING
 # What Jalon must reach, as fastest peer / Jalon: at least as fast, LAS no slower than 1.5 times
 # LASzip; and the goals: twice as fast, LAS 0.15 s where LASzip takes 0.22 s, planes 1.5 s where CGAL
 # takes 3.2 s, region growing 1.5 s where PCL takes 4.3 s.
@@ -51,6 +52,21 @@ def peer_commands(build, prefix):
         "LASzip": [folder / "bench_laszip", prefix],
         "LASzip-all": [folder / "bench_laszip", prefix, "all"],
     }
+    return runnable(commands)
+
+
+def m3c2_commands(build, prefix):
+    """The same of the drivers that compare surfaces."""
+    here = pathlib.Path(__file__).resolve().parent
+    commands = {"Jalon": [build / "tests/bench/bench_m3c2", prefix]}
+    python = build / "peers/venv/bin/python"
+    if next(build.glob("peers/venv/lib/python*/site-packages/py4dgeo"), None):
+        commands["py4dgeo"] = [python, here / "bench_py4dgeo.py", prefix]
+        commands["py4dgeo-median"] = [python, here / "bench_py4dgeo.py", prefix, "median"]
+    return runnable(commands)
+
+
+def runnable(commands):
     return {
         name: [str(part) for part in command]
         for name, command in commands.items()
@@ -142,10 +158,11 @@ def verdict(operation, times):
 
 
 def measure(arguments, operations, build, prefix, size, threads, cpus):
-    """The rows of some operations, all of them reading or none."""
+    """The rows of some operations of one group."""
     wanted = arguments.peers.split(",") if arguments.peers else None
     drivers = []
-    for name, command in peer_commands(build, prefix).items():
+    commands = m3c2_commands if operations[0] in M3C2 else peer_commands
+    for name, command in commands(build, prefix).items():
         reads = name.startswith("LASzip")
         if name != "Jalon" and (reads != (operations[0] in READING) or (wanted and name not in wanted)):
             continue
@@ -308,9 +325,10 @@ def main():
         )
     sizes = [int(float(text)) for text in arguments.sizes.split(",")]
     threads_wanted = [int(text) for text in arguments.threads.split(",")]
+    group_of = {operation: 0 for operation in READING} | {operation: 2 for operation in M3C2}
     groups = [
-        [operation for operation in arguments.operations if (operation in READING) == reading]
-        for reading in (True, False)
+        [operation for operation in arguments.operations if group_of.get(operation, 1) == group]
+        for group in range(3)
     ]
     for operations in filter(None, groups):
         for size in sizes:

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # setup.sh FOLDER: gets the peers of the benchmarks on Debian 12. Packages from apt (only the missing
-# ones; by sudo when not root), the rest from PyPI into FOLDER: a Python environment with Open3D, and
+# ones; by sudo when not root), the rest from PyPI into FOLDER: a Python environment with Open3D and py4dgeo, and
 # the sources of small_gicp (C++ headers) and LASzip (inside those of the Python package laszip).
 # Never needed by the library, its tests or CI. Does nothing twice.
 set -euo pipefail
@@ -19,6 +19,9 @@ if [[ ! -x venv/bin/python ]]; then python3 -m venv venv; fi
 # Open3D has wheels for Python up to 3.12; Debian 12 has 3.11.
 if ! venv/bin/python -c 'import numpy, open3d' 2>/dev/null; then
   venv/bin/python -m pip install --quiet numpy open3d
+fi
+if ! venv/bin/python -c 'import py4dgeo' 2>/dev/null; then
+  venv/bin/python -m pip install --quiet py4dgeo==1.2.0
 fi
 for peer in small_gicp==1.0.1 laszip==0.3.0; do
   name=${peer%%==*}
