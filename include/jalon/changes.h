@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file changes.h
- * From distances to changes: connected regions of changed points with what they measure.
+ * From distances to changes: connected regions of changed points with what they measure, and from the comparison in
+ * both directions what happened to each object.
  */
 #ifndef JALON_CHANGES_H
 #define JALON_CHANGES_H
@@ -25,6 +26,41 @@ JALON_BEGIN_C
 JALON_API JALON_CHECK jalon_status jalon_comparison_regions(const jalon_comparison* comparison,
                                                 const jalon_params* options, jalon_task* task,
                                                 jalon_fields** out_points, jalon_fields** out_regions);
+
+/** What happened to an object (Girardeau-Montaut 2006, 1.1 and annex B). */
+enum {
+  JALON_CHANGE_APPEARANCE = 1,
+  JALON_CHANGE_DISAPPEARANCE = 2,
+  JALON_CHANGE_DISPLACEMENT = 3,         /**< moved as a whole, clear of where it was */
+  JALON_CHANGE_DISPLACEMENT_OVERLAP = 4, /**< the same, within the volume that it took before */
+  JALON_CHANGE_DEFORMATION = 5,          /**< no rigid motion explains it; clear of where it was */
+  JALON_CHANGE_DEFORMATION_OVERLAP = 6
+};
+
+/**
+ * What happened, from the comparison in both directions (3.5 of the source): forward has the later cloud compared with
+ * the earlier one, reverse the earlier with the later, both by method "distance" and best with the visibility filter.
+ * options: operation "diagnosis" (criterion, threshold_m ...).
+ *
+ * Changed regions of both are made whole: what hangs together with them, without the planes that go on beyond them.
+ * An object changed in both epochs is laid onto itself by a rigid motion (point to plane, Chen & Medioni 1992): where
+ * that explains 85 % of the points that could be seen it was displaced, else deformed. An object changed in one epoch
+ * only is deformed when its distances grow from nothing, displaced when the other epoch has its twin, and else
+ * appeared or disappeared.
+ *
+ * out_forward, out_reverse: one row a point of the comparison: "changed" (uint8), "region" (uint32), "change" (uint32:
+ * row of out_changes counted from 1, unchanged parts of the object too; 0 = none). out_changes: one row a change:
+ * "change" (uint32), "class" (uint8, JALON_CHANGE_...), "confidence" (float64, 0 to 1), "points_before", "points_after"
+ * (uint64), "area_before", "area_after" (float64, m2: of the changed surface), "centroid_before", "centroid_after",
+ * "box_min", "box_max" (float64 x 3, m), and of displacements "displacement" (float64 x 3, m: of the centroid before),
+ * "rotation" (float64 x 3, rad: rotation vector), "covariance" (float64 x 36: of rotation and displacement); NaN for
+ * the others. Each output may be NULL. JALON_ERROR_INVALID_ARGUMENT for comparisons without the column "nearest".
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparison_diagnose(const jalon_comparison* forward,
+                                                 const jalon_comparison* reverse,
+                                                 const jalon_params* options, jalon_task* task,
+                                                 jalon_fields** out_forward, jalon_fields** out_reverse,
+                                                 jalon_fields** out_changes);
 
 JALON_END_C
 

@@ -4,7 +4,7 @@
 
 #include "capi/comparison_handles.h"
 #include "capi/guard.h"
-#include "compare/regions.h"
+#include "compare/diagnosis.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -20,5 +20,26 @@ jalon_status jalon_comparison_regions(const jalon_comparison* comparison, const 
     });
     if (out_points != nullptr) *out_points = tables.first.release();
     if (out_regions != nullptr) *out_regions = tables.second.release();
+  });
+}
+
+jalon_status jalon_comparison_diagnose(const jalon_comparison* forward, const jalon_comparison* reverse,
+                                       const jalon_params* options, jalon_task* task, jalon_fields** out_forward,
+                                       jalon_fields** out_reverse, jalon_fields** out_changes) {
+  return guard([&] {
+    require(forward, "forward");
+    require(reverse, "reverse");
+    const ParamSet set = options_or_default(options, "diagnosis");
+    struct Tables {
+      Owned<jalon_fields> forward, reverse, changes;
+    };
+    Tables made = with_task(task, [&](Task& t) {
+      const Diagnosis found = diagnose(*forward->comparison, *reverse->comparison, set, t);
+      return Tables{own(new_fields(diagnosis_points_table(found, true))),
+                    own(new_fields(diagnosis_points_table(found, false))), own(new_fields(changes_table(found)))};
+    });
+    if (out_forward != nullptr) *out_forward = made.forward.release();
+    if (out_reverse != nullptr) *out_reverse = made.reverse.release();
+    if (out_changes != nullptr) *out_changes = made.changes.release();
   });
 }

@@ -7,7 +7,7 @@
 #include "capi/guard.h"
 #include "capi/operations.h"
 #include "cloud/operations.h"
-#include "compare/regions.h"
+#include "compare/diagnosis.h"
 #include "cloud/precision.h"
 #include "compare/visibility.h"
 #include "compare/chamfer.h"
@@ -35,7 +35,7 @@ namespace jalon::capi {
 std::span<const Operation> operations() {
   static constexpr Operation kOperations[] = {
       {"normals", normals_rows},     {"features", features_rows},   {"components", components_rows},
-      {"regions", regions_rows},
+      {"regions", regions_rows},     {"diagnosis", diagnosis_rows},
       {"outliers", outliers_rows},   {"subsample", subsample_rows}, {"interest", interest_rows},
       {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
       {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},

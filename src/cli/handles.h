@@ -29,6 +29,8 @@ struct Release {
   }
 };
 using Cloud = std::unique_ptr<jalon_cloud, Release<jalon_cloud_release>>;
+using Comparer = std::unique_ptr<jalon_comparer, Release<jalon_comparer_release>>;
+using Comparison = std::unique_ptr<jalon_comparison, Release<jalon_comparison_release>>;
 using Evaluation = std::unique_ptr<jalon_evaluation, Release<jalon_evaluation_release>>;
 using Fields = std::unique_ptr<jalon_fields, Release<jalon_fields_release>>;
 using Model = std::unique_ptr<jalon_model, Release<jalon_model_release>>;

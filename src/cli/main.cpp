@@ -22,6 +22,7 @@ Examples:
   jalon info scan.las
   jalon facade scan.las -o result
   jalon model segments.las -o result --labels label
+  jalon compare before.las after.las -o result
   jalon scan --scene facade -o sample.las
 Help on a command: jalon facade --help)";
 
@@ -55,6 +56,7 @@ int run(int argc, char** argv) {
   add_model(app);
   add_evaluate(app);
   add_evaluate_model(app);
+  add_compare(app);
   add_scan(app);
   try {
     app.parse(argc, argv);

@@ -19,12 +19,7 @@ constexpr double kPixelsPerSpacing = 2;    // a point is 3 pixels wide then: sur
 constexpr double kLeastExtent_m = 0.01;
 constexpr int kClosingNeighbours = 5;      // of 8: a hole of one pixel in a surface
 
-struct Projection {
-  Vec3 origin, right, up, into;
-  Vec2 shift;  ///< picture coordinates of the origin
-  Vec2 flat(const Vec3& p) const { return {dot(p - origin, right) + shift.u, dot(p - origin, up) + shift.v}; }
-  double depth(const Vec3& p) const { return dot(p - origin, into); }
-};
+using Labels = std::span<const uint32_t>;
 
 // Front: along the facade and the height Z of the data, the eye at the station side. Plan: X and Y, the eye above.
 Projection projection_of(const Segmentation& s, PictureView view, Task& task) {
@@ -51,27 +46,26 @@ struct Extent {
   }
 };
 
-Extent extent_of(const Segmentation& s, const Projection& projection, bool noise_too, Task& task) {
-  const auto labels = s.labels->values<uint32_t>();
+Extent extent_of(const Cloud& cloud, Labels labels, const Projection& projection, bool noise_too, Task& task) {
   return parallel_reduce(task, labels.size(), kPointsPerChunk, Extent{}, [&](size_t begin, size_t end) {
     Extent part;
     for (size_t i = begin; i < end; ++i)
-      if (noise_too || labels[i] != 0) part.add(projection.flat(s.cloud->point(i)));
+      if (noise_too || labels[i] != 0) part.add(projection.flat(cloud.point(i)));
     return part;
   });
 }
 
 // Spacing of the points on the picture, from the part of it that they cover.
-double spacing_of(const Segmentation& s, const Projection& projection, const Extent& box, Task& task) {
+double spacing_of(const Cloud& cloud, const Projection& projection, const Extent& box, Task& task) {
   const double width = box.high.u - box.low.u, height = box.high.v - box.low.v;
   const double n = static_cast<double>(std::max<uint64_t>(1, box.n));
   const double cell = std::max(std::max({width, height, kLeastExtent_m}) / kCoarseCells,
                                std::sqrt(kPointsPerCell * width * height / n));
   const auto side = static_cast<size_t>(kCoarseCells) + 1;
   std::vector<uint8_t> covered(side * side, 0);
-  for (size_t i = 0; i < s.cloud->size(); ++i) {
-    if (i % kPointsPerChunk == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(s.cloud->size()));
-    const Vec2 p = projection.flat(s.cloud->point(i));
+  for (size_t i = 0; i < cloud.size(); ++i) {
+    if (i % kPointsPerChunk == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(cloud.size()));
+    const Vec2 p = projection.flat(cloud.point(i));
     const double u = (p.u - box.low.u) / cell, v = (p.v - box.low.v) / cell;
     if (u >= 0 && v >= 0 && u < static_cast<double>(side) && v < static_cast<double>(side))
       covered[static_cast<size_t>(v) * side + static_cast<size_t>(u)] = 1;
@@ -96,13 +90,13 @@ LabelRaster frame(const Extent& box, double spacing) {
 }
 
 // Every point as a square of (2 radius + 1) pixels; the nearest one stays, noise goes where no segment is.
-void draw_points(const Segmentation& s, const Projection& projection, int64_t radius, LabelRaster& out, Task& task) {
-  const auto labels = s.labels->values<uint32_t>();
+void draw_points(const Cloud& cloud, Labels labels, const Projection& projection, int64_t radius, LabelRaster& out,
+                 Task& task) {
   std::vector<float> nearest(out.labels.size(), INFINITY);
   const int64_t columns = out.columns, rows = out.rows;
   for (size_t i = 0; i < labels.size(); ++i) {
     if (i % kPointsPerChunk == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(labels.size()));
-    const Vec3 p = s.cloud->point(i);
+    const Vec3 p = cloud.point(i);
     const Vec2 flat = projection.flat(p);
     const double u = (flat.u - out.low.u) / out.pixel_m, v = (flat.v - out.low.v) / out.pixel_m;
     if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns) && v < static_cast<double>(rows))) continue;
@@ -140,21 +134,24 @@ void close_holes(LabelRaster& raster) {
 
 }  // namespace
 
-LabelRaster rasterise_labels(const Segmentation& s, PictureView view, Task& task) {
-  const Projection projection = projection_of(s, view, task);
-  Extent box = extent_of(s, projection, false, task);
-  if (box.n == 0) box = extent_of(s, projection, true, task);
+LabelRaster rasterise_points(const Cloud& cloud, Labels labels, const Projection& projection, Task& task) {
+  Extent box = extent_of(cloud, labels, projection, false, task);
+  if (box.n == 0) box = extent_of(cloud, labels, projection, true, task);
   LabelRaster out;
   if (box.n == 0 || !std::isfinite(box.high.u - box.low.u) || !std::isfinite(box.high.v - box.low.v)) return out;
   const double spacing = [&] {
     Span span(task, 0, 0.3);
-    return spacing_of(s, projection, box, task);
+    return spacing_of(cloud, projection, box, task);
   }();
   out = frame(box, spacing);
   Span span(task, 0.3, 1);
-  draw_points(s, projection, out.pixel_m < 1.2 * spacing ? 1 : 0, out, task);
+  draw_points(cloud, labels, projection, out.pixel_m < 1.2 * spacing ? 1 : 0, out, task);
   close_holes(out);
   return out;
+}
+
+LabelRaster rasterise_labels(const Segmentation& s, PictureView view, Task& task) {
+  return rasterise_points(*s.cloud, s.labels->values<uint32_t>(), projection_of(s, view, task), task);
 }
 
 }  // namespace jalon

@@ -50,7 +50,6 @@ OPERATION = {
     "jalon_polygon_indices": "indices",
     "jalon_precision_budget": "precision", "jalon_cloud_compute_covariances": "precision",
     "jalon_segmentation_plane_covariances": "precision",
-    "jalon_comparison_regions": "regions",
     "jalon_cloud_compute_visibility": "visibility", "jalon_cloud_depth_map": "visibility",
     "jalon_cloud_write_depth_map": "visibility",
     "jalon_noise_law_fit": "noise_law", "jalon_cloud_field_histogram": "histogram",
@@ -59,6 +58,7 @@ OPERATION = {
     "jalon_cloud_compute_field": "field_arithmetic", "jalon_cloud_compute_geodesic": "geodesic",
     "jalon_cloud_segment_propagation": "propagation", "jalon_cloud_compute_map_distance": "distance_map",
     "jalon_cloud_distance_map": "distance_map",
+    "jalon_comparison_regions": "regions", "jalon_comparison_diagnose": "diagnosis",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
 NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world", "T_prism_world", "method", "face_ids",
@@ -68,11 +68,12 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_format_info.abilities", "jalon_model_part.name", "jalon_model_part.part_class",
             "jalon_model_part.parent", "jalon_model_rename_part.name", "jalon_model_rename_part.part_class", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
             "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
-            "rows", "vertical_rad", "incidence_rad",
             "jalon_comparison_regions.out_points", "jalon_comparison_regions.out_regions",
             "jalon_cloud_depth_map.rows", "jalon_cloud_depth_map.columns",
             "rows", "vertical_rad", "incidence_rad", "density", "cumulative", "bins", "other",
             "jalon_cloud_field_histogram.law", "jalon_cloud_field_histogram.summary",
+            "jalon_comparison_diagnose.out_forward", "jalon_comparison_diagnose.out_reverse",
+            "jalon_comparison_diagnose.out_changes",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
