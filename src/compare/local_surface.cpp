@@ -71,12 +71,13 @@ bool LocalSurface::set_triangles(std::span<const Vec3> points) {
   }
   triangles_ = {};
   if (size > 0) triangles_ = delaunay_.run(flat_, size * kGridShare);
-  boxes_.clear();
-  for (const auto& t : triangles_) {
-    const Vec2 &a = flat_[t[0]], &b = flat_[t[1]], &c = flat_[t[2]];
-    boxes_.push_back({{std::min({a.u, b.u, c.u}), std::min({a.v, b.v, c.v})},
-                      {std::max({a.u, b.u, c.u}), std::max({a.v, b.v, c.v})}});
-  }
+  sides_.resize(triangles_.size());
+  away_.resize(triangles_.size());
+  for (size_t i = 0; i < triangles_.size(); ++i)
+    for (size_t side = 0; side < 3; ++side) {
+      const Vec2 &from = flat_[triangles_[i][side]], along = flat_[triangles_[i][side == 2 ? 0 : side + 1]] - from;
+      sides_[i][side] = {from, along, 1 / dot(along, along)};
+    }
   return !triangles_.empty();
 }
 
@@ -104,20 +105,25 @@ bool LocalSurface::foot_on_quadric(const Vec3& p, Vec3& foot) const {
   return within_reach(foot);
 }
 
-// No triangle is nearer than the box of its projection. Those below or above the point come first: one of them is
-// mostly the nearest, and then no other has to be looked at.
+// No triangle is nearer than its projection, and that no nearer than the line of a side that the point lies beyond
+// (they are anticlockwise). The one below or above the point comes first: it is mostly the nearest, and then no other
+// has to be looked at.
 bool LocalSurface::foot_on_triangles(const Vec3& p, double limit_m, Vec3& foot) const {
-  const Vec3 at = p - centroid_;
-  const double u = dot(at, u_), v = dot(at, v_);
+  const Vec3 in_plane = p - centroid_;
+  const Vec2 at{dot(in_plane, u_), dot(in_plane, v_)};
+  for (size_t i = 0; i < triangles_.size(); ++i) {
+    double most = 0;
+    for (const Side& side : sides_[i]) {
+      const double beyond = std::min(0.0, cross(side.along, at - side.from));
+      most = std::max(most, beyond * beyond * side.inverse_squared_length);
+    }
+    away_[i] = most;
+  }
   double least = limit_m * limit_m;
   bool found = false;
   for (const bool below : {true, false})
     for (size_t i = 0; i < triangles_.size(); ++i) {
-      const FlatBox& box = boxes_[i];
-      const double du = std::max({box.low.u - u, u - box.high.u, 0.0}),
-                   dv = std::max({box.low.v - v, v - box.high.v, 0.0});
-      const double away = du * du + dv * dv;
-      if ((away == 0) != below || !(away < least)) continue;
+      if ((away_[i] == 0) != below || !(away_[i] < least)) continue;
       const auto& t = triangles_[i];
       double squared = 0;
       const Vec3 rest = rest_of(p, corners_[t[0]], corners_[t[1]], corners_[t[2]], squared);

@@ -42,10 +42,12 @@ class LocalSurface {
   std::vector<Vec2> flat_;
   Delaunay delaunay_;
   std::span<const std::array<uint32_t, 3>> triangles_;
-  struct FlatBox {
-    Vec2 low, high;
+  struct Side {
+    Vec2 from, along;
+    double inverse_squared_length;
   };
-  std::vector<FlatBox> boxes_;  ///< of the triangles, on the plane
+  std::vector<std::array<Side, 3>> sides_;  ///< of the triangles' projections
+  mutable std::vector<double> away_;        ///< of the triangles from the point asked for
 };
 
 }  // namespace jalon
