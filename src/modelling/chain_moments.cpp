@@ -36,6 +36,19 @@ ChainMoments::LineFit ChainMoments::line(size_t first, size_t last) const {
           smaller * c[8]};
 }
 
+Vec2 ChainMoments::mean(size_t first, size_t last) const {
+  const Sums c = central(first, last);
+  return reference_ + Vec2{c[0], c[1]};
+}
+
+double ChainMoments::squares_about(const EdgeLine& line, size_t first, size_t last) const {
+  const Sums c = central(first, last);
+  const Vec2 left{-line.direction.v, line.direction.u};
+  const double off = line.distance(reference_ + Vec2{c[0], c[1]});
+  const double spread = c[2] * left.u * left.u + 2 * c[3] * left.u * left.v + c[4] * left.v * left.v;
+  return (std::max(0.0, spread) + off * off) * c[8];
+}
+
 ChainMoments::ArcFit ChainMoments::arc(size_t first, size_t last) const {
   constexpr double kFlat = 1e-12;  // smaller over larger variance of points on a line
   const Sums c = central(first, last);

@@ -27,6 +27,9 @@ class ChainMoments {
   };
   /// Points first ... last of the chain walked round up to twice; first < last.
   LineFit line(size_t first, size_t last) const;
+  Vec2 mean(size_t first, size_t last) const;
+  /// Weighted sum of squared distances to a given line.
+  double squares_about(const EdgeLine& line, size_t first, size_t last) const;
 
   struct ArcFit {
     Circle circle;

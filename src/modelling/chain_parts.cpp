@@ -24,6 +24,7 @@ constexpr size_t kMostRing = 100;
 // the smooth passage of a line into an arc is no corner.
 constexpr double kCandidateTolerance = 0.8;
 constexpr size_t kCandidateStep = 16;
+constexpr size_t kBesideCorner = 3;
 constexpr size_t kLeastArcPoints = 8;
 // Spacings. The triangulation bridges up to four of them, so that a corner it cuts looks like an arc of that size; one
 // twice as large is a curve that was built.
@@ -34,6 +35,12 @@ constexpr double kLengthAgreement = 1.5;  // a chain zigzags: it is longer than 
 // A part that misses its points by so many sigma on average is not worth extending; looked at for some more candidates.
 constexpr double kHopeless = 36;
 constexpr int kPatience = 4;
+// A part whose middle or ends are further than this from a guide does not lie on it; a step longer than this cuts a
+// corner. In spacings.
+constexpr double kNearGuide = 1, kEndOff = 2, kBridge = 1.5;
+// Slanted edges are rare on facades (facade-modelling A6): a short one costs so many cuts more. In spacings; a tangent.
+constexpr double kOdd = 2, kShort = 12, kSlanted = 0.25;
+constexpr double kLeastSine = 0.3;  // of the angle of a corner that is cut
 
 std::vector<double> weights_of(std::span<const Vec2> chain, double spacing_m) {
   const size_t n = chain.size();
@@ -50,13 +57,14 @@ struct Splitter {
   std::span<const Vec2> chain;
   const PartsSetting& setting;
   ChainMoments moments;
-  double variance, line_cost, arc_cost;
+  double variance, line_cost, arc_cost, cut_cost;
 
   Splitter(std::span<const Vec2> points, const PartsSetting& s)
       : chain(points), setting(s), moments(points, weights_of(points, s.spacing_m)) {
     variance = kNoise * kNoise * s.spacing_m * s.spacing_m;
     // Schwarz: parameters x ln(n); a cut is one more.
     const double log_n = std::log(static_cast<double>(std::clamp<size_t>(points.size(), 8, kMostRing)));
+    cut_cost = log_n;
     line_cost = 3 * log_n;
     arc_cost = 4 * log_n;
   }
@@ -93,21 +101,81 @@ struct PartCost {
   double cost = INFINITY;
   bool is_arc = false;
   bool is_hopeless = false;
+  bool is_guided = false;
+  EdgeLine guide;  ///< moved in to the contour points
 };
+
+// A long part has so many points that a few of another part at its end would cost it nothing.
+bool misses_ends(const Splitter& s, const EdgeLine& line, size_t first, size_t last) {
+  if (s.setting.guides == nullptr) return false;
+  const double off = std::max(std::fabs(line.distance(s.at(first))), std::fabs(line.distance(s.at(last))));
+  return off > kEndOff * s.setting.spacing_m;
+}
+
+// The guide that fits a straight part best, if any costs less than a line of its own.
+void try_guides(const Splitter& s, size_t first, size_t last, PartCost& out) {
+  if (s.setting.guides == nullptr) return;
+  const double n = static_cast<double>(last - first + 1);
+  const Vec2 chord = s.at(last) - s.at(first), mean = s.moments.mean(first, last);
+  s.setting.guides->visit(mean, kNearGuide * s.setting.spacing_m + s.setting.set_back_m, [&](EdgeLine line) {
+    if (!(dot(line.direction, chord) > 0)) return;
+    line.point = line.point + Vec2{-line.direction.v, line.direction.u} * s.setting.set_back_m;
+    if (misses_ends(s, line, first, last)) return;
+    const double cost = std::max(n, s.moments.squares_about(line, first, last) / s.variance) + s.cut_cost;
+    if (cost < out.cost) out = {cost, false, false, true, line};
+  });
+}
+
+// A single long step between two parts: the triangulation's way across a corner.
+bool is_bridge(const Splitter& s, size_t first, size_t last) {
+  if (s.setting.guides == nullptr || last - first != 1) return false;
+  const double step = norm(s.at(last) - s.at(first));
+  return step > kBridge * s.setting.spacing_m && step <= s.setting.bridge_m;
+}
+
+// A short part that is neither upright nor level where there are lines to follow.
+bool is_odd(const Splitter& s, size_t first, size_t last) {
+  if (s.setting.guides == nullptr) return false;
+  const Vec2 chord = s.at(last) - s.at(first);
+  const double most = std::max(std::fabs(chord.u), std::fabs(chord.v));
+  return most < kShort * s.setting.spacing_m && std::min(std::fabs(chord.u), std::fabs(chord.v)) > kSlanted * most;
+}
 
 PartCost cost_of(const Splitter& s, size_t first, size_t last) {
   // Contour points stray together, as where a row of a grid ends beside an edge: nothing is gained by following them
   // more closely than their standard deviation.
   const double n = static_cast<double>(last - first + 1);
-  const double line = std::max(n, s.moments.line(first, last).squares / s.variance);
-  PartCost out{line + s.line_cost, false, line > kHopeless * n};
+  const auto fit = s.moments.line(first, last);
+  const double line = std::max(n, fit.squares / s.variance);
+  PartCost out{line + s.line_cost, false, line > kHopeless * n, false, {}};
+  if (misses_ends(s, fit.line, first, last)) out.cost = INFINITY;
+  if (is_odd(s, first, last)) out.cost += kOdd * s.cut_cost;
+  if (is_bridge(s, first, last)) out.cost = n + s.cut_cost;
+  try_guides(s, first, last, out);
   if (!s.setting.arcs || last - first + 1 < kLeastArcPoints) return out;
-  const auto fit = s.moments.arc(first, last);
-  const double arc = std::max(n, fit.squares / s.variance);
+  const auto curve = s.moments.arc(first, last);
+  const double arc = std::max(n, curve.squares / s.variance);
   out.is_hopeless = out.is_hopeless && !(arc < kHopeless * n);
   double turn;
-  if (arc + s.arc_cost < out.cost && is_arc(s, fit.circle, first, last, turn)) out = {arc + s.arc_cost, true, false};
+  if (arc + s.arc_cost < out.cost && is_arc(s, curve.circle, first, last, turn))
+    out = {arc + s.arc_cost, true, false, false, {}};
   return out;
+}
+
+// Where corners follow closely on each other every point may be one.
+void add_corner_points(std::vector<size_t>& ends) {
+  std::vector<size_t> out;
+  for (size_t k = 0; k < ends.size(); ++k) {
+    const size_t low = k == 0 ? 0 : ends[k - 1] + 1, gap = ends[k] + 1 - low;
+    const size_t from = gap <= 2 * kBesideCorner ? low : ends[k] - kBesideCorner;
+    for (size_t i = from; k > 0 && i < ends[k]; ++i) out.push_back(i);
+    out.push_back(ends[k]);
+    if (k + 1 == ends.size() || ends[k + 1] - ends[k] <= 2 * kBesideCorner) continue;
+    for (size_t i = 1; i <= kBesideCorner; ++i) out.push_back(ends[k] + i);
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  ends = std::move(out);
 }
 
 // Where parts may end, ascending, from 0 to the chain's size (its first point again).
@@ -121,6 +189,7 @@ std::vector<size_t> candidates(const Splitter& s) {
   for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < s.chain.size(); k += kCandidateStep)
     out.push_back(k);
   out.push_back(s.chain.size());
+  if (s.setting.guides != nullptr) add_corner_points(out);
   return out;
 }
 
@@ -193,15 +262,35 @@ size_t sharpest(const Splitter& s, const std::vector<size_t>& cuts) {
 }
 
 ChainPart make_part(const Splitter& s, size_t first, size_t last) {
-  ChainPart part{first, last - first + 1, cost_of(s, first, last).is_arc, {}, {}, 0};
+  const PartCost cost = cost_of(s, first, last);
+  ChainPart part{first, last - first + 1, cost.is_arc, cost.is_guided, cost.guide, {}, 0};
   if (part.is_arc) {
     part.circle = s.moments.arc(first, last).circle;
     part.turn = swept(s, part.circle, first, last) > 0 ? 1 : -1;
-  } else {
+  } else if (!part.is_guided) {
     part.line = s.moments.line(first, last).line;
     if (dot(part.line.direction, s.at(last) - s.at(first)) < 0) part.line.direction = part.line.direction * -1;
   }
   return part;
+}
+
+// Steps across corners give way to the corners, where the parts beside them meet near by.
+void drop_bridges(const Splitter& s, std::vector<ChainPart>& parts) {
+  for (size_t i = 0; i < parts.size() && parts.size() > 3;) {
+    const size_t n = parts.size(), first = parts[i].first, last = first + parts[i].count - 1;
+    const ChainPart &a = parts[(i + n - 1) % n], &c = parts[(i + 1) % n];
+    Vec2 corner;
+    const bool is_cut = is_bridge(s, first, last) && !parts[i].is_guided && !a.is_arc && !c.is_arc &&
+                        intersect(a.line, c.line, kLeastSine, corner) &&
+                        norm(corner - s.at(first)) <= s.setting.bridge_m &&
+                        norm(corner - s.at(last)) <= s.setting.bridge_m &&
+                        dot(a.line.direction, corner - s.at(a.first)) > 0 &&
+                        dot(c.line.direction, s.at(c.first + c.count - 1) - corner) > 0;
+    if (is_cut)
+      parts.erase(parts.begin() + static_cast<ptrdiff_t>(i));
+    else
+      ++i;
+  }
 }
 
 std::vector<size_t> cut(const Splitter& s) {
@@ -224,10 +313,9 @@ std::vector<ChainPart> split_chain(std::span<const Vec2> chain, const PartsSetti
   const Splitter s(turned, setting);
   const auto cuts = cut(s);
   std::vector<ChainPart> parts;
-  for (size_t k = 0; k + 1 < cuts.size(); ++k) {
-    parts.push_back(make_part(s, cuts[k], cuts[k + 1]));
-    parts.back().first = (parts.back().first + start) % chain.size();
-  }
+  for (size_t k = 0; k + 1 < cuts.size(); ++k) parts.push_back(make_part(s, cuts[k], cuts[k + 1]));
+  drop_bridges(s, parts);
+  for (ChainPart& part : parts) part.first = (part.first + start) % chain.size();
   // 3. A ring that is one circle is two arcs: a ring has corners.
   if (parts.size() == 1 && parts[0].is_arc) {
     ChainPart half = parts[0];

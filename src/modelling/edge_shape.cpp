@@ -66,6 +66,7 @@ EdgeShape shape_of(std::span<const Vec2> chain, const ChainPart& part, double sp
                    double snap_rad) {
   EdgeShape shape;
   shape.is_arc = part.is_arc;
+  shape.is_guided = part.is_guided;
   shape.line = part.line;
   shape.circle = part.circle;
   shape.turn = part.turn;

@@ -16,6 +16,7 @@ namespace jalon {
 /// contour point, d across it to the left, into the solid.
 struct EdgeShape {
   bool is_arc = false;
+  bool is_guided = false;  ///< of few points, on a line that others lie on
   EdgeLine line;
   Circle circle;
   double turn = 0;        ///< arcs: 1 = anticlockwise (the solid inside the circle), -1 = clockwise

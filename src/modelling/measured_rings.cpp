@@ -10,7 +10,9 @@
 #include "modelling/arc_tangency.h"
 #include "modelling/chain_parts.h"
 #include "modelling/edge_adjust.h"
+#include "modelling/edge_alignment.h"
 #include "modelling/edge_blocks.h"
+#include "modelling/guided_steps.h"
 #include "modelling/ring_nodes.h"
 
 namespace jalon {
@@ -21,7 +23,9 @@ namespace {
 constexpr double kOnPlane = 3, kOffPlane = 4, kLeastSigma_m = 0.001;
 // A corner cut by the triangulation is a run of at most a gap between two edges; a little more for noise.
 constexpr double kChamfer = 1.3;
+constexpr double kBridge = 2;  // the gap grows with the local spacing: contour_band.cpp
 constexpr double kAgainst = -0.95, kLeastEnd = 1.5;  // cosine; spacings
+constexpr double kWeak = 12;  // spacings: shorter edges may lie on a line of others
 constexpr double kArcSigma = 0.5;  // spacings
 constexpr double kShadowLength = 24, kShadowShare = 0.4;  // spacings; of the shorter edge beside it
 constexpr int kPasses = 2;  // the second counts from where the first put the edge
@@ -43,9 +47,11 @@ void drop_chamfers(std::vector<EdgeShape>& shapes, double reach_m) {
     const size_t n = shapes.size();
     const EdgeShape &a = shapes[(i + n - 1) % n], &b = shapes[i], &c = shapes[(i + 1) % n];
     Vec2 corner;
-    const bool is_cut = !a.is_arc && !b.is_arc && !c.is_arc && b.length_m <= reach_m && a.length_m > b.length_m &&
-                        c.length_m > b.length_m && intersect(a.line, c.line, 0.3, corner) &&
-                        norm(corner - b.first) <= reach_m && norm(corner - b.last) <= reach_m;
+    const bool is_cut = !a.is_arc && !b.is_arc && !b.is_guided && !c.is_arc && b.length_m <= reach_m &&
+                        a.length_m > b.length_m && c.length_m > b.length_m &&
+                        intersect(a.line, c.line, 0.3, corner) && norm(corner - b.first) <= reach_m &&
+                        norm(corner - b.last) <= reach_m && dot(a.line.direction, corner - a.first) > 0 &&
+                        dot(c.line.direction, c.last - corner) > 0;
     if (is_cut)
       shapes.erase(shapes.begin() + static_cast<ptrdiff_t>(i));
     else
@@ -83,7 +89,7 @@ void close_shadowed_corners(std::vector<EdgeShape>& shapes, double spacing_m) {
 }
 
 // A post ends between its sides: two lines that run against each other get the edge across that joins them.
-void insert_ends(std::vector<EdgeShape>& shapes, double spacing_m) {
+void insert_ends(std::vector<EdgeShape>& shapes, double spacing_m, const GuideLines* guides) {
   for (size_t i = 0; i < shapes.size() && shapes.size() > 2; ++i) {
     const EdgeShape &a = shapes[i], &b = shapes[(i + 1) % shapes.size()];
     if (a.is_arc || b.is_arc || dot(a.line.direction, b.line.direction) > kAgainst) continue;
@@ -94,7 +100,9 @@ void insert_ends(std::vector<EdgeShape>& shapes, double spacing_m) {
     if (along.u == 0) to.v = from.v;  // to the last bit
     if (along.v == 0) to.u = from.u;
     if (norm(to - from) < kLeastEnd * spacing_m) continue;
-    shapes.insert(shapes.begin() + static_cast<ptrdiff_t>(i + 1), straight_shape(from, to));
+    EdgeShape end_shape = straight_shape(from, to);
+    if (guides != nullptr) follow_guide(*guides, spacing_m, a, b, end_shape);
+    shapes.insert(shapes.begin() + static_cast<ptrdiff_t>(i + 1), end_shape);
   }
 }
 
@@ -113,9 +121,9 @@ std::vector<EdgeShape> rectangle_shapes(const Chain& chain, double max_edge_m, d
 
 // Step 1.
 Draft make_draft(const Chain& chain, bool is_opening, bool arcs, const Contour& contour,
-                 const VectoriseSetting& setting) {
+                 const VectoriseSetting& setting, const GuideLines* guides) {
   const double p = contour.spacing_m;
-  const auto parts = split_chain(chain, {p, arcs});
+  const auto parts = split_chain(chain, {p, arcs, guides, kSetBack * p, kBridge * contour.max_edge_m});
   std::vector<EdgeShape> shapes;
   bool has_arc = false;
   for (const ChainPart& part : parts) {
@@ -124,13 +132,31 @@ Draft make_draft(const Chain& chain, bool is_opening, bool arcs, const Contour& 
   }
   drop_chamfers(shapes, kChamfer * contour.max_edge_m);
   if (is_opening) close_shadowed_corners(shapes, p);
-  insert_ends(shapes, p);
+  insert_ends(shapes, p, guides);
+  if (guides != nullptr) guide_steps(*guides, p, shapes);
   if (is_opening && setting.straight.rectangles && !has_arc && shapes.size() != 4)
     if (auto sides = rectangle_shapes(chain, contour.max_edge_m, p); !sides.empty()) shapes = std::move(sides);
   const size_t n = shapes.size();
   Draft draft{&chain, is_opening, std::vector<MeasuredEdge>(n), std::vector<EdgeInformation>(n)};
   for (size_t i = 0; i < n; ++i) draft.edges[i].shape = shapes[i];
   return draft;
+}
+
+// Short edges lie on the lines of others where that explains their points (guide_lines.h).
+void follow_guides(std::vector<Draft>& drafts, std::span<const Chain> chains, const RingSource& source,
+                   const VectoriseSetting& setting) {
+  const Contour& contour = source.contour;
+  std::vector<EdgeShape> shapes;
+  for (const Draft& draft : drafts)
+    for (const MeasuredEdge& edge : draft.edges) shapes.push_back(edge.shape);
+  const GuideLines guides(shapes, source.joints(), chains, contour.spacing_m);
+  if (guides.empty()) return;
+  for (Draft& draft : drafts) {
+    const bool is_weak = std::any_of(draft.edges.begin(), draft.edges.end(), [&](const MeasuredEdge& edge) {
+      return !edge.shape.is_arc && (edge.shape.length_m < kWeak * contour.spacing_m || edge.shape.upright_angle() > 0);
+    });
+    if (is_weak) draft = make_draft(*draft.chain, draft.is_opening, setting.arcs, contour, setting, &guides);
+  }
 }
 
 // Step 2: where to look.
@@ -229,10 +255,11 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
     for (size_t k = 0; k <= piece.openings.size(); ++k) {
       task.checkpoint(0);
       const Chain& chain = k == 0 ? piece.outline : piece.openings[k - 1];
-      drafts.push_back(make_draft(chain, k > 0, setting.arcs, contour, setting));
-      rings.push_back(polyline(drafts.back()));
+      drafts.push_back(make_draft(chain, k > 0, setting.arcs, contour, setting, nullptr));
       chains.push_back(chain);
     }
+  follow_guides(drafts, chains, source, setting);
+  for (const Draft& draft : drafts) rings.push_back(polyline(draft));
   const double sigma = std::max(source.sigma_m, kLeastSigma_m);
   const NearSetting about{(kStripInward + 1) * contour.spacing_m, std::max(setting.reveal_depth_m, kOnPlane * sigma),
                           kOnPlane * sigma};
@@ -245,11 +272,15 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   std::vector<Draft> again;
   for (Draft& draft : drafts) {
     if (!has_doubtful_arc(draft, contour.spacing_m)) continue;
-    draft = make_draft(*draft.chain, draft.is_opening, false, contour, setting);
+    draft = make_draft(*draft.chain, draft.is_opening, false, contour, setting, nullptr);
     again.assign(1, std::move(draft));
     measure(again, near, others, kOffPlane * sigma, edges, task);
     draft = std::move(again[0]);
   }
+  std::vector<MeasuredEdge*> all;
+  for (Draft& draft : drafts)
+    for (MeasuredEdge& edge : draft.edges) all.push_back(&edge);
+  align_edges(all, contour.spacing_m);
   std::vector<VectorRing> out;
   for (const Draft& draft : drafts) out.push_back(draw(draft, contour));
   return out;

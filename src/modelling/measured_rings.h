@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "modelling/contour.h"
+#include "modelling/edge_line.h"
 #include "modelling/near_points.h"
 #include "modelling/vectorise_setting.h"
 #include "modelling/vector_plane.h"
@@ -18,6 +19,8 @@ struct RingSource {
   double sigma_m = 0;  ///< of the plane's points across it
   /// The points of the cloud near these rings (polylines in the plane).
   std::function<NearPoints(std::span<const std::vector<Vec2>>, const NearSetting&)> near;
+  /// Lines in which other planes meet this one.
+  std::function<std::vector<EdgeLine>()> joints;
 };
 
 /// Rings with straight edges, arcs and nodes at their measured places (facade-modelling A5-A11), one a contour chain:

@@ -126,14 +126,25 @@ class Sharing {
     return planes_[joint.plane].frame.lift(face.face.outline.corners[corner]);
   }
 
+  // What the place of a corner along the line is worth: 1 / variance of the edge that ends there.
+  static double weight(const EdgeJoint& joint, const Joined& face, size_t corner) {
+    const auto& edges = face.face.outline.edges;
+    const size_t crossing = corner == joint.edge ? (corner + edges.size() - 1) % edges.size() : corner;
+    const double sigma = edges[crossing].sigma_m > 0 ? edges[crossing].sigma_m : joint.reach_m;
+    return 1 / (sigma * sigma);
+  }
+
   void share(const EdgeJoint& a, Joined& fa, size_t ca, const EdgeJoint& b, Joined& fb, size_t cb) {
     const Vec3 pa = place(a, fa, ca), pb = place(b, fb, cb);
-    const double ta = a.line.at(pa), tb = a.line.at(pb), reach_m = std::max(a.reach_m, b.reach_m);
+    const double ta = a.line.at(pa), tb = a.line.at(pb);
+    // A corner moves no further than its own plane's gap allows, whatever the spacing of the other one.
+    const double reach_m = fa.is_fixed[ca] ? b.reach_m : fb.is_fixed[cb] ? a.reach_m : a.reach_m + b.reach_m;
     if (std::fabs(ta - tb) > reach_m) return;
     const CornerKey ka{a.plane, a.face, ca}, kb{b.plane, b.face, cb};
     // A corner on two lines stays; where both do, they must be the same point already: faces are never bent.
     if (fa.is_fixed[ca] && fb.is_fixed[cb] && norm(pa - pb) > kSamePoint_m) return;
-    const double t = fa.is_fixed[ca] ? ta : fb.is_fixed[cb] ? tb : (ta + tb) / 2;
+    const double wa = weight(a, fa, ca), wb = weight(b, fb, cb);
+    const double t = fa.is_fixed[ca] ? ta : fb.is_fixed[cb] ? tb : (wa * ta + wb * tb) / (wa + wb);
     const Vec3 position = a.line.p + a.line.d * t;
     if (!fa.is_fixed[ca]) fa.face.outline.corners[ca] = planes_[a.plane].frame.project(position);
     if (!fb.is_fixed[cb]) fb.face.outline.corners[cb] = planes_[b.plane].frame.project(position);

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/text_number.h"
 #include "modelling/contour.h"
+#include "modelling/crossing_lines.h"
 #include "modelling/crossing_points.h"
 #include "modelling/edge_shape.h"
 #include "modelling/measured_rings.h"
@@ -100,10 +101,13 @@ struct Vectoriser {
   std::shared_ptr<const Octree> tree;
   Vec3 facade_x;
 
-  VectorPlane operator()(size_t s, std::span<const uint32_t> indices, Task& task) const;
+  const LabelGroups& groups;
+
+  VectorPlane operator()(size_t s, Task& task) const;
 };
 
-VectorPlane Vectoriser::operator()(size_t s, std::span<const uint32_t> indices, Task& task) const {
+VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
+  const auto indices = groups.of(static_cast<uint32_t>(s + 1));
   const Cloud& cloud = *segmentation.cloud;
   const Segment& segment = segmentation.segments[s];
   VectorPlane out;
@@ -131,7 +135,10 @@ VectorPlane Vectoriser::operator()(size_t s, std::span<const uint32_t> indices, 
   const auto near = [&](std::span<const std::vector<Vec2>> rings, const NearSetting& about) {
     return points_near(segmentation, *tree, out.frame, rings, parallel_planes(segmentation, s), about);
   };
-  auto rings = measured_rings({contour, segment.fit.sigma, near}, setting, task);
+  const auto joints = [&] {
+    return crossing_lines(segmentation, groups, s, out.frame, kCrossingReach * contour.spacing_m);
+  };
+  auto rings = measured_rings({contour, segment.fit.sigma, near, joints}, setting, task);
   // 4. Polygons with holes (A12).
   size_t first = 0;
   for (const ContourPiece& piece : contour.pieces) {
@@ -164,14 +171,14 @@ std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const Vecto
     const Span span(task, 0, 0.05, "sorting points by plane");
     return LabelGroups(segmentation.labels->values<uint32_t>(), count, task);
   }();
-  Vectoriser vectoriser{segmentation, setting, nullptr, facade_x};
+  Vectoriser vectoriser{segmentation, setting, nullptr, facade_x, groups};
   if (setting.straighten) {
     const Span span(task, 0.05, 0.1, "indexing points");
     vectoriser.tree = segmentation.cloud->octree(task);
   }
   const Span span(task, 0.1, 1, "drawing outlines");
   parallel_for(task, count, 1, [&](size_t begin, size_t end) {
-    for (size_t s = begin; s < end; ++s) out[s] = vectoriser(s, groups.of(static_cast<uint32_t>(s + 1)), task);
+    for (size_t s = begin; s < end; ++s) out[s] = vectoriser(s, task);
   });
   for (const VectorPlane& plane : out)
     if (!plane.faces.empty())
