@@ -159,7 +159,11 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_invert_normals(jalon_cloud* cloud
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_features(jalon_cloud* cloud, const jalon_params* options,
                                                     jalon_task* task);
-/** Field "component" (uint32, 1 = largest, 0 = too small). Operation "components". *out = number of components. */
+/**
+ * Field "component" (uint32, 1 = largest, 0 = too small or left out). Operation "components": cell_m or level,
+ * connectivity 6 | 18 | 26, min_points; field and value connect only the points with that value, such as those that a
+ * filter marked "changed" (Girardeau-Montaut 2006, 3.2.4). *out = number of components.
+ */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_components(jalon_cloud* cloud, const jalon_params* options,
                                                       jalon_task* task, uint64_t* out);
 

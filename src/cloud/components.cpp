@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/error.h"
 #include "cloud/operations.h"
 
 namespace jalon {
@@ -20,7 +21,33 @@ constexpr ParamRow kRows[] = {
     choice_row("connectivity", "26", "6|18|26", "",
                "Neighbours of a cell: those that share a face (6), also an edge (18), also a corner (26)"),
     integer_row("min_points", 10, 1, 1e15, "points", "", "Components of fewer points get the number 0"),
+    string_row("field", "", "",
+               "Connect only the points whose field of this name has the value below (\"changed\" and 1 for those that "
+               "a filter found); the others get the number 0; empty = all points"),
+    number_row("value", 1, -1e300, 1e300, "", "", "The value that the field must have"),
 };
+
+/// The points that take part, ascending, and their coordinates.
+struct Chosen {
+  std::vector<uint64_t> points;
+  std::vector<double> xyz;
+};
+
+Chosen points_with_value(const Cloud& cloud, const std::string& field, double value) {
+  const Column& column = cloud.fields.require(field);
+  if (column.info().components != 1)
+    fail(Status::kInvalidArgument, "field \"%s\" has %u components; one is needed", field.c_str(),
+         column.info().components);
+  Chosen out;
+  visit(column.info().type, [&](auto zero) {
+    const auto values = column.values<decltype(zero)>();
+    for (size_t i = 0; i < values.size(); ++i)
+      if (static_cast<double>(values[i]) == value) out.points.push_back(i);
+  });
+  for (const uint64_t i : out.points) out.xyz.insert(out.xyz.end(), cloud.xyz().begin() + static_cast<ptrdiff_t>(3 * i),
+                                                     cloud.xyz().begin() + static_cast<ptrdiff_t>(3 * i + 3));
+  return out;
+}
 
 }  // namespace
 
@@ -40,8 +67,18 @@ Cloud with_components(const Cloud& cloud, const ParamSet& options, Task& task, u
   const Connectivity3 connectivity = text == "6"    ? Connectivity3::k6
                                      : text == "18" ? Connectivity3::k18
                                                     : Connectivity3::k26;
-  const Components components = connected_components(cloud.xyz(), cube.origin, cell_m, connectivity,
-                                                     static_cast<uint64_t>(options.integer("min_points")), task);
+  const std::string& field = options.text("field");
+  const auto least = static_cast<uint64_t>(options.integer("min_points"));
+  Components components;
+  if (field.empty()) {
+    components = connected_components(cloud.xyz(), cube.origin, cell_m, connectivity, least, task);
+  } else {
+    const Chosen chosen = points_with_value(cloud, field, options.number("value"));
+    components = connected_components(chosen.xyz, cube.origin, cell_m, connectivity, least, task);
+    std::vector<uint32_t> labels(cloud.size(), 0);
+    for (size_t i = 0; i < chosen.points.size(); ++i) labels[chosen.points[i]] = components.labels[i];
+    components.labels = std::move(labels);
+  }
   Cloud out = cloud;
   out.fields.set(make_column<uint32_t>(
       {"component", ElementType::kUint32, 1, "", "connected component, 1 = largest, 0 = too small"},

@@ -19,7 +19,7 @@ constexpr size_t kGrain = 1 << 14;
 constexpr uint32_t kFewestValues = 9;  // three classes of three
 constexpr uint32_t kMostClasses = 32;  // reached at 1 024 values
 constexpr double kLeastExpected = 1e-3;  // floor of n P_i in relaxed classes: no overflow, a wide range for the cut
-constexpr double kShareForSingles = 0.25;  // fewer points than this in the second pass are searched one by one
+constexpr double kShareForSingles = 0.03;  // of the points: a search by itself costs some 30 of a batch
 
 constexpr ParamRow kRows[] = {
     choice_row("method", "chi_square", "chi_square|kolmogorov", "",

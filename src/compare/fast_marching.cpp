@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
+
 namespace jalon {
 
 void FrontQueue::push(double time, uint32_t node) {
@@ -45,6 +47,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr uint32_t kNone = 0xffffffffu;
+constexpr size_t kGrain = 1 << 14;
 constexpr int kStraightSteps = 3;
 
 /// The front of surface_distances.
@@ -152,16 +155,20 @@ class SurfaceFront {
 std::vector<double> surface_distances(std::span<const double> xyz, const SurfaceCells& cells,
                                       std::span<const uint32_t> seeds, double most_m, Task& task) {
   std::vector<uint32_t> cell_of(xyz.size() / 3);
-  for (uint32_t c = 0; c < cells.size(); ++c)
-    for (const uint32_t i : cells.points(c)) cell_of[i] = c;
+  parallel_for(task, cells.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c)
+      for (const uint32_t i : cells.points(static_cast<uint32_t>(c))) cell_of[i] = static_cast<uint32_t>(c);
+  });
   SurfaceFront front(xyz, cells);
   for (const uint32_t seed : seeds) front.start(seed, cell_of[seed]);
   front.run(most_m, task);
   std::vector<double> out(cell_of.size());
-  for (uint32_t i = 0; i < out.size(); ++i) {
-    const double distance = front.at(cell_of[i], i);
-    out[i] = distance <= most_m ? distance : kInfinity;
-  }
+  parallel_for(task, out.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const double distance = front.at(cell_of[i], static_cast<uint32_t>(i));
+      out[i] = distance <= most_m ? distance : kInfinity;
+    }
+  });
   return out;
 }
 

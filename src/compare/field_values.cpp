@@ -60,27 +60,6 @@ std::vector<double> finite_values(std::span<const double> values) {
   return out;
 }
 
-std::vector<double> sorted_values(std::vector<double> values, Task& task) {
-  const size_t n = values.size();
-  {
-    Span span(task, 0, 0.5);
-    parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
-      std::sort(values.begin() + static_cast<ptrdiff_t>(begin), values.begin() + static_cast<ptrdiff_t>(end));
-    });
-  }
-  Span span(task, 0.5, 1);
-  std::vector<double> merged(n);
-  for (size_t run = kGrain; run < n; run *= 2) {
-    parallel_for(task, n, 2 * run, [&](size_t begin, size_t end) {
-      const double* from = values.data();
-      const size_t middle = std::min(end, begin + run);
-      std::merge(from + begin, from + middle, from + middle, from + end, merged.data() + begin);
-    });
-    values.swap(merged);
-  }
-  return values;
-}
-
 MeanAndVariance mean_and_variance(std::span<const double> values, Task& task) {
   if (values.empty()) return {0, kNoValue, kNoValue};
   MeanAndVariance out;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -10,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/params.h"
 #include "cloud/cloud.h"
 
@@ -23,8 +26,33 @@ constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 std::vector<double> scalar_values(const Cloud& cloud, std::string_view name, Task& task);
 /// Those that are finite, in order.
 std::vector<double> finite_values(std::span<const double> values);
-/// Ascending, in parallel.
-std::vector<double> sorted_values(std::vector<double> values, Task& task);
+/// In the order of less, in parallel: chunks are sorted, then merged two by two. Equal elements keep no order.
+template <class T, class Less>
+std::vector<T> sorted_in_chunks(std::vector<T> values, Less less, Task& task) {
+  constexpr size_t kChunk = 1 << 15;
+  const size_t n = values.size();
+  {
+    Span span(task, 0, 0.5);
+    parallel_for(task, n, kChunk, [&](size_t begin, size_t end) {
+      std::sort(values.data() + begin, values.data() + end, less);
+    });
+  }
+  Span span(task, 0.5, 1);
+  std::vector<T> merged(n);
+  for (size_t run = kChunk; run < n; run *= 2) {
+    parallel_for(task, n, 2 * run, [&](size_t begin, size_t end) {
+      const T* from = values.data();
+      const size_t middle = std::min(end, begin + run);
+      std::merge(from + begin, from + middle, from + middle, from + end, merged.data() + begin, less);
+    });
+    values.swap(merged);
+  }
+  return values;
+}
+/// Ascending.
+inline std::vector<double> sorted_values(std::vector<double> values, Task& task) {
+  return sorted_in_chunks(std::move(values), std::less<>(), task);
+}
 
 struct MeanAndVariance {
   uint64_t count = 0;

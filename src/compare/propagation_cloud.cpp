@@ -90,15 +90,24 @@ std::vector<Found> all_fronts(const Nodes& nodes, const PropagationSettings& set
   std::vector<uint32_t> order;
   for (uint32_t i = 0; i < nodes.points.size(); ++i)
     if (nodes.deviations[i] >= minimum_seed) order.push_back(i);
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+  const auto higher = [&](uint32_t a, uint32_t b) {
     return nodes.deviations[a] != nodes.deviations[b] ? nodes.deviations[a] > nodes.deviations[b] : a < b;
-  });
+  };
+  {
+    Span span(task, 0, 0.2);
+    order = sorted_in_chunks(std::move(order), higher, task);
+  }
+  Span span(task, 0.2, 1);
   Propagation propagation(nodes.cells, nodes.gradient, settings);
   std::vector<Found> out;
+  size_t taken = 0;  // cells
   for (const uint32_t seed : order) {
     if (propagation.is_taken(nodes.cell_of[seed])) continue;
+    Span front(task, static_cast<double>(taken) / static_cast<double>(nodes.cells.size()), 1);
+    task.checkpoint(0);
     Found found{propagation.spread(nodes.cell_of[seed], task), seed};
     for (const Arrival& a : found.front.arrivals) found.points += nodes.cells.points(a.cell).size();
+    taken += found.front.arrivals.size();
     out.push_back(std::move(found));
   }
   return out;

@@ -194,6 +194,62 @@ static inline jalon_status op_covariances(const jalon_cloud* cloud, jalon_task* 
   return status;
 }
 
+/* On a field that the points' places give: heights of a ripple, which no whole-metre shift changes. */
+static inline jalon_status with_ripple(const jalon_cloud* cloud, jalon_cloud** out) {
+  jalon_array_view xyz;
+  jalon_status status = jalon_cloud_points(cloud, &xyz);
+  if (status != JALON_OK) return status;
+  const double* p = xyz.data;
+  double* values = malloc((size_t)xyz.count * 8 + 8);
+  if (values == NULL) return JALON_ERROR_OUT_OF_MEMORY;
+  for (uint64_t i = 0; i < xyz.count; ++i) {
+    const double u = p[3 * i] - floor(p[3 * i]), v = p[3 * i + 2] - floor(p[3 * i + 2]);
+    values[i] = 0.01 * u * (1 - u) + 0.02 * v * v;
+  }
+  status = own_handle(cloud, out);
+  if (status == JALON_OK)
+    status = jalon_cloud_set_field(*out, "ripple", values, JALON_FLOAT64, 1, xyz.count, 0, "m", NULL);
+  free(values);
+  return status;
+}
+static inline jalon_status op_chi_square(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  jalon_cloud* own = NULL;
+  jalon_noise_law* law = NULL;
+  jalon_status status = with_ripple(cloud, &own);
+  if (status == JALON_OK)
+    status = jalon_noise_law_from_json("{\"law\": \"weibull\", \"shape\": 2, \"scale\": 0.005}", &law);
+  if (status == JALON_OK) status = jalon_cloud_compute_chi_square(own, "ripple", law, NULL, task, &out->fields);
+  jalon_noise_law_release(law);
+  if (status == JALON_OK) out->cloud = own;
+  else jalon_cloud_release(own);
+  return status;
+}
+static inline jalon_status op_propagation(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  jalon_cloud* own = NULL;
+  jalon_status status = with_ripple(cloud, &own);
+  if (status == JALON_OK) status = jalon_cloud_segment_propagation(own, "ripple", "ripple", NULL, task, &out->fields);
+  if (status == JALON_OK) out->cloud = own;
+  else jalon_cloud_release(own);
+  return status;
+}
+static inline jalon_status op_gaussian(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  jalon_cloud* own = NULL;
+  jalon_status status = with_ripple(cloud, &own);
+  if (status == JALON_OK) status = jalon_cloud_filter_field(own, "ripple", NULL, task);
+  if (status == JALON_OK) out->cloud = own;
+  else jalon_cloud_release(own);
+  return status;
+}
+static inline jalon_status op_geodesic(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  const uint64_t seed = 0;
+  jalon_cloud* own = NULL;
+  jalon_status status = own_handle(cloud, &own);
+  if (status == JALON_OK) status = jalon_cloud_compute_geodesic(own, &seed, 1, NULL, task);
+  if (status == JALON_OK) out->cloud = own;
+  else jalon_cloud_release(own);
+  return status;
+}
+
 static const struct {
   const char* name;
   operation run;
@@ -205,7 +261,8 @@ static const struct {
     {"segment", op_segment},     {"region growing", op_grow},     {"append", op_append},
     {"crop", op_crop},           {"from labels", op_labels},      {"primitives", op_primitives},
     {"pick", op_pick},           {"fit", op_fit},                 {"covariances", op_covariances},
-    {"facade model", op_facade},
+    {"facade model", op_facade},   {"chi-square", op_chi_square}, {"propagation", op_propagation},
+    {"gaussian", op_gaussian},     {"geodesic", op_geodesic},
 };
 enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
 

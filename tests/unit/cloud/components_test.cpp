@@ -105,6 +105,36 @@ TEST_CASE("components__a_million_points_of_a_street__figures") {
   CHECK(best < 5);
 }
 
+TEST_CASE("components__of_the_points_with_a_value__the_others_0_and_no_bridge") {
+  // Two blobs, and a string of points of another value between them.
+  std::vector<Vec3> points;
+  std::vector<uint8_t> changed;
+  for (int i = 0; i < 60; ++i) {
+    points.push_back({0.5 * i, 0.5, 0.5});
+    changed.push_back(i < 20 || i >= 45);
+  }
+  Cloud cloud = cloud_of(points);
+  cloud.fields.set(make_column<uint8_t>({"changed", ElementType::kUint8, 1, "", ""}, changed));
+  ParamSet set = options("components", components_rows());
+  set.set_number("cell_m", 1);
+  Task task;
+  uint64_t count = 0;
+  CHECK(with_components(cloud, set, task, count).size() == 60);
+  CHECK(count == 1);
+  set.set_text("field", "changed");
+  const Cloud out = with_components(cloud, set, task, count);
+  CHECK(count == 2);
+  const auto labels = out.fields.require("component").values<uint32_t>();
+  CHECK(labels[0] == 1);
+  CHECK(labels[30] == 0);
+  CHECK(labels[59] == 2);
+  set.set_number("value", 7);
+  CHECK(with_components(cloud, set, task, count).size() == 60);
+  CHECK(count == 0);
+  set.set_text("field", "no such");
+  CHECK(status_of([&] { with_components(cloud, set, task, count); }) == Status::kNotFound);
+}
+
 TEST_CASE("components__by_level_threads_and_shift__the_same_labels") {
   const auto points = random_points(50000, 20, 9);
   ParamSet set = options("components", components_rows());

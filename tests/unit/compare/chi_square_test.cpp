@@ -220,19 +220,42 @@ TEST_CASE("chi_square__too_little__a_status") {
   CHECK(filter_changes(none.cloud, std::vector<double>(100, 1.0), law, set, task).changed_count == 100);
 }
 
-TEST_CASE("chi_square__threads_shift_and_the_way_of_the_search__the_same_bits") {
+TEST_CASE("chi_square__second_pass__the_test_of_more_neighbours_on_the_scale_of_the_first") {
+  const NoiseLaw law = weibull(1.5, 0.003);
+  const Plate p = plate(30000, law, 0.006, 9);
+  Task task;
+  ParamSet set = filter_options();
+  set.set_integer("passes", 1);
+  const ChangeFilter first = filter_changes(p.cloud, p.values, law, set, task);
+  set.set_integer("neighbours", 36);
+  const ChangeFilter more = filter_changes(p.cloud, p.values, law, set, task);
+  const double to_first = first.threshold / more.threshold;
+  for (const double band_low : {0.1, 0.9}) {  // in one go, or point by point
+    set = filter_options();
+    set.set_number("band_low", band_low);
+    const ChangeFilter both = filter_changes(p.cloud, p.values, law, set, task);
+    uint64_t again = 0;
+    for (size_t i = 0; i < p.values.size(); ++i) {
+      const bool in_band = first.distance[i] >= band_low * first.threshold && first.distance[i] <= 3 * first.threshold;
+      again += in_band;
+      CHECK(both.distance[i] == (in_band ? more.distance[i] * to_first : first.distance[i]));
+    }
+    CHECK(both.second_pass == again);
+    CHECK((100 * again < 3 * p.values.size()) == (band_low > 0.5));
+  }
+}
+
+TEST_CASE("chi_square__threads__the_same_bits") {
   const NoiseLaw law = weibull(1.5, 0.003);
   Plate p = plate(20000, law, 0.006, 8);
   Task one(threads(1)), seven(threads(7));
   ParamSet set = filter_options();
   for (const double radius_m : {0.0, 0.15}) {
-    for (const double band_low : {0.2, 0.9}) {  // most points again, or few
+    for (const double band_low : {0.2, 0.98}) {
       set.set_number("radius_m", radius_m);
       set.set_number("band_low", band_low);
       const ChangeFilter a = filter_changes(p.cloud, p.values, law, set, one);
       const ChangeFilter b = filter_changes(p.cloud, p.values, law, set, seven);
-      std::vector<Vec3> points;
-      for (size_t i = 0; i < p.cloud.size(); ++i) points.push_back(p.cloud.point(i));
       CHECK(a.changed == b.changed);
       CHECK(std::memcmp(a.distance.data(), b.distance.data(), 8 * a.distance.size()) == 0);
       CHECK(a.second_pass == b.second_pass);
