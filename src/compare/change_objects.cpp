@@ -114,7 +114,12 @@ class Grower {
     add_unchanged(before_, in_before, unchanged);
     add_unchanged(after_, in_after, unchanged);
     out.supports = find_supports(unchanged, change, tolerance_m_, 0);
-    Indices from_before = seeds_before, from_after = seeds_after;
+    grow_both(in_before, in_after, seeds_before, seeds_after, out);
+    while (drop_own_faces(out)) grow_both(in_before, in_after, seeds_before, seeds_after, out);
+  }
+
+  void grow_both(const Indices& in_before, const Indices& in_after, Indices from_before, Indices from_after,
+                 ChangedObject& out) {
     out.before.clear();
     out.after.clear();
     for (int turn = 0; turn < kTurns; ++turn) {
@@ -125,6 +130,14 @@ class Grower {
       add_counterparts(before_, out.before, from_after);
       if (out.before.size() + out.after.size() == had) break;
     }
+  }
+
+  // A plane that does not go on beyond the whole object, as it did beyond its change, is one of its own faces.
+  bool drop_own_faces(ChangedObject& object) const {
+    Box3 box;
+    for (const uint32_t i : object.before) box.add(before_.local(i));
+    for (const uint32_t i : object.after) box.add(after_.local(i));
+    return !box.empty() && std::erase_if(object.supports, [&](const Support& s) { return !s.goes_beyond(box); }) > 0;
   }
 
   const Epoch &before_, &after_;

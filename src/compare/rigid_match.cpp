@@ -19,7 +19,8 @@ constexpr int kIterations = 40;
 constexpr double kShrink = 0.8;         // of the reach, each iteration (A1's schedule)
 constexpr double kDiscs = 4;            // points within so many of their discs' radii belong to one surface
 constexpr double kDamping = 1e-6;       // keeps directions that nothing fixes where they are
-constexpr double kEqual = 0.02;         // shares that differ by less are equal: then the smaller motion counts
+constexpr double kEqual = 0.02;  // shares that differ by less are chance: a box turned half round fits as well
+constexpr double kJudged = 0.7;         // share of the points that must have been in sight of the other scanners
 constexpr int kRefinements = 4;
 constexpr size_t kLeastPairs = 12;      // two for each unknown
 
@@ -105,6 +106,11 @@ double explained_by(const Transform& motion, const std::vector<Vec3>& of_before,
                     const MatchSurface& before, const MatchSurface& after, const MatchSetting& setting, Task& task) {
   const Share forth = share_on(of_before, motion, after, setting.seen_after, setting.tolerance_m, task);
   const Share back = share_on(of_after, inverse(motion), before, setting.seen_before, setting.tolerance_m, task);
+  // Where most of it could not have been seen, nothing says that it is there.
+  const auto is_judged = [](const Share& share, size_t n) {
+    return static_cast<double>(share.all) >= kJudged * static_cast<double>(n);
+  };
+  if (!is_judged(forth, of_before.size()) || !is_judged(back, of_after.size())) return 0;
   // A large part of one that lies on a small part of the other is no match: the worse direction counts.
   return std::min(forth.value(), back.value());
 }
@@ -128,7 +134,8 @@ void adjust_motion(const MatchSurface& before, const MatchSurface& after, const 
     }
     if (pairs.size() < kLeastPairs) return;
     MotionModel next = model;
-    if (!adjust<MotionModel>(pairs, {setting.tolerance_m, true}, task, next, adjusted)) return;
+    // Without a reach: the pairs are within it, and a sharp end would keep the steps from getting small.
+    if (!adjust<MotionModel>(pairs, {}, task, next, adjusted)) return;
     model = next;
   }
   match.motion = model.motion();

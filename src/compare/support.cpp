@@ -59,16 +59,22 @@ double extent(const Box3& box, const Vec3& direction) {
   return std::abs(size.x * direction.x) + std::abs(size.y * direction.y) + std::abs(size.z * direction.z);
 }
 
-bool goes_beyond(const PlaneFit& fit, std::span<const Vec3> inliers, const Box3& change) {
+bool lies_outside(std::span<const Vec3> inliers, const Box3& change) {
   const auto outside = static_cast<double>(
       std::count_if(inliers.begin(), inliers.end(), [&](const Vec3& p) { return !change.contains(p); }));
-  if (outside < kBeyond * static_cast<double>(inliers.size())) return false;
-  for (const Vec3& axis : {fit.axis_u, fit.axis_v})
-    if (extent(inliers, axis) < kReach * extent(change, axis)) return false;
-  return true;
+  return outside >= kBeyond * static_cast<double>(inliers.size());
+}
+
+Support support_of(const PlaneFit& fit, std::span<const Vec3> inliers, double tolerance_m) {
+  return {fit.plane, std::clamp(kSigmas * fit.sigma, 0.2 * tolerance_m, tolerance_m), fit.axis_u, fit.axis_v,
+          extent(inliers, fit.axis_u), extent(inliers, fit.axis_v)};
 }
 
 }  // namespace
+
+bool Support::goes_beyond(const Box3& thing) const {
+  return width_u_m >= kReach * extent(thing, axis_u) && width_v_m >= kReach * extent(thing, axis_v);
+}
 
 std::vector<Support> find_supports(std::span<const Vec3> unchanged, const Box3& change, double tolerance_m,
                                    uint64_t seed) {
@@ -85,8 +91,8 @@ std::vector<Support> find_supports(std::span<const Vec3> unchanged, const Box3& 
     const std::span<const Vec3> inliers(split, rest.end());
     PlaneFit fit;
     if (inliers.size() < least || !fit_plane(inliers, fit)) break;
-    if (goes_beyond(fit, inliers, change))
-      out.push_back({fit.plane, std::clamp(kSigmas * fit.sigma, 0.2 * tolerance_m, tolerance_m)});
+    const Support found = support_of(fit, inliers, tolerance_m);
+    if (lies_outside(inliers, change) && found.goes_beyond(change)) out.push_back(found);
     rest.erase(split, rest.end());
   }
   return out;

@@ -13,6 +13,10 @@ namespace jalon {
 struct Support {
   Plane plane;
   double tolerance_m = 0;  ///< half-thickness of what belongs to it
+  Vec3 axis_u, axis_v;     ///< in the plane
+  double width_u_m = 0, width_v_m = 0;
+  /// Larger than a thing along both its axes.
+  bool goes_beyond(const Box3& thing) const;
   bool holds(const Vec3& p) const { return std::abs(plane.distance(p)) <= tolerance_m; }
 };
 
