@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 #include "geometry/vec.h"
 
@@ -18,17 +19,19 @@ inline double small_arc_tangent(double t) {
   return t * sum;
 }
 
-/// atan2 to 1e-10 rad, a thousandth of the finest scanner's step over a thousand: two to three times as fast as the
-/// C library's, and the same bits on every processor. (0, 0) gives 0.
+/// atan2 to 1e-10 rad, a thousandth of the finest scanner's step over a thousand. Without branches, so that loops over
+/// it become vector code: three times as fast as the C library's, and the same bits on every processor. (0, 0) gives 0.
 inline double arc_tangent2(double y, double x) {
   constexpr double kTanEighth = 0.41421356237309503;  // tan(pi / 8)
   const double a = std::abs(x), b = std::abs(y);
   const double high = a > b ? a : b, low = a > b ? b : a;
-  if (high == 0) return 0;
-  const double t = low / high;
-  double angle = t > kTanEighth ? std::numbers::pi / 4 + small_arc_tangent((t - 1) / (t + 1)) : small_arc_tangent(t);
-  if (b > a) angle = std::numbers::pi / 2 - angle;
-  if (x < 0) angle = std::numbers::pi - angle;
+  // tan(angle - pi / 4) = (t - 1) / (t + 1) above pi / 8.
+  const double turned = low > kTanEighth * high ? 1.0 : 0.0;
+  const double below = high + turned * low;
+  double angle =
+      small_arc_tangent((low - turned * high) / (below > 0 ? below : 1.0)) + turned * (std::numbers::pi / 4);
+  angle = b > a ? std::numbers::pi / 2 - angle : angle;
+  angle = x < 0 ? std::numbers::pi - angle : angle;
   return y < 0 ? -angle : angle;
 }
 
@@ -43,6 +46,16 @@ inline Sighting sighting_of(const Vec3& p) {
   const double flat = p.x * p.x + p.y * p.y;
   return {arc_tangent2(p.x, p.y), arc_tangent2(p.z, std::sqrt(flat)), std::sqrt(flat + p.z * p.z)};
 }
+
+/// Sightings of up to kPoints points, column by column.
+struct SightingBlock {
+  static constexpr size_t kPoints = 256;
+  double horizontal_rad[kPoints], vertical_rad[kPoints], range_m[kPoints];
+  Sighting operator[](size_t i) const { return {horizontal_rad[i], vertical_rad[i], range_m[i]}; }
+};
+/// Of the points of the world xyz (3 a point); axes turns the world's directions to the scanner's. The same bits as
+/// sighting_of one by one.
+void sight(std::span<const double> xyz, const Vec3& centre, const Transform& axes, SightingBlock& out);
 
 /// A regular grid over the two angles; a closed one runs round the whole circle.
 struct AngularGrid {

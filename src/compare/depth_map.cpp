@@ -72,10 +72,13 @@ DepthMap DepthMap::build(const Cloud& cloud, const Station& station, const Vec3&
   {
     const Span span(task, 0, 0.4, "depth map");
     parallel_for(task, seen.size(), kGrain, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const Sighting s = map.sighting(cloud.point(station.first + i));
-        seen[i] = {static_cast<float>(s.horizontal_rad), static_cast<float>(s.vertical_rad),
-                   static_cast<float>(s.range_m)};
+      SightingBlock block;
+      for (size_t first = begin; first < end; first += SightingBlock::kPoints) {
+        const size_t n = std::min(end - first, SightingBlock::kPoints);
+        map.sight(cloud.xyz().subspan(3 * (station.first + first), 3 * n), block);
+        for (size_t i = 0; i < n; ++i)
+          seen[first + i] = {static_cast<float>(block.horizontal_rad[i]), static_cast<float>(block.vertical_rad[i]),
+                             static_cast<float>(block.range_m[i])};
       }
     });
   }

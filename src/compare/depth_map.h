@@ -65,6 +65,7 @@ class DepthMap {
 
   /// A point of the world from the optical centre.
   Sighting sighting(const Vec3& p) const { return sighting_of(axes_.direction(p - centre_)); }
+  void sight(std::span<const double> xyz, SightingBlock& out) const { jalon::sight(xyz, centre_, axes_, out); }
   /// Range of the surface in this direction; 0 for an empty cell.
   double surface_range_m(const AngularGrid::Place& place) const;
 

@@ -21,7 +21,9 @@ class Windows {
  public:
   Windows(const AngularField& field, size_t points)
       : field_(field),
-        side_(std::clamp<size_t>(static_cast<size_t>(std::sqrt(static_cast<double>(points) / 16)), 1, 64)) {}
+        side_(std::clamp<size_t>(static_cast<size_t>(std::sqrt(static_cast<double>(points) / 16)), 1, 64)),
+        per_horizontal_(per(field.horizontal_extent_rad)),
+        per_vertical_(per(field.vertical_extent_rad)) {}
   size_t size() const { return side_ * side_; }
   double area() const {
     return field_.horizontal_extent_rad * field_.vertical_extent_rad / static_cast<double>(size());
@@ -29,17 +31,15 @@ class Windows {
   size_t of(const Seen& p) const {
     double around = p.horizontal_rad - field_.horizontal_from_rad;
     if (around < 0) around += kTurn_rad;
-    return part(p.vertical_rad - field_.vertical_from_rad, field_.vertical_extent_rad) * side_ +
-           part(around, field_.horizontal_extent_rad);
+    return part((p.vertical_rad - field_.vertical_from_rad) * per_vertical_) * side_ + part(around * per_horizontal_);
   }
 
  private:
-  size_t part(double along, double extent) const {
-    const double k = extent > 0 ? along / extent * static_cast<double>(side_) : 0;
-    return static_cast<size_t>(std::clamp(k, 0.0, static_cast<double>(side_ - 1)));
-  }
+  double per(double extent) const { return extent > 0 ? static_cast<double>(side_) / extent : 0; }
+  size_t part(double k) const { return static_cast<size_t>(std::clamp(k, 0.0, static_cast<double>(side_ - 1))); }
   AngularField field_;
   size_t side_;
+  double per_horizontal_, per_vertical_;  ///< windows a radian
 };
 
 template <class T>

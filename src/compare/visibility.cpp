@@ -45,8 +45,7 @@ VisibilityTest::VisibilityTest(const Cloud& reference, const DepthSettings& sett
   }
 }
 
-Visibility VisibilityTest::from_map(const DepthMap& map, const Vec3& p, uint32_t* occluder) const {
-  const Sighting s = map.sighting(p);
+Visibility VisibilityTest::from_map(const DepthMap& map, const Sighting& s, uint32_t* occluder) const {
   AngularGrid::Place place;
   if (!map.grid().locate(s, place)) return Visibility::kOutOfField;
   if (settings_.max_range_m > 0 && s.range_m >= settings_.max_range_m) return Visibility::kOutOfRange;
@@ -66,9 +65,9 @@ Visibility VisibilityTest::label(const Vec3& p, uint32_t* occluder) const {
   for (size_t m = 0; m < maps_.size(); m += maps_each_) {
     // Both optical centres must see it.
     uint32_t hides = kNoPoint;
-    Visibility here = from_map(maps_[m], p, &hides);
+    Visibility here = from_map(maps_[m], maps_[m].sighting(p), &hides);
     for (size_t k = 1; k < maps_each_ && here == Visibility::kVisible; ++k)
-      here = std::max(here, from_map(maps_[m + k], p, &hides));
+      here = std::max(here, from_map(maps_[m + k], maps_[m + k].sighting(p), &hides));
     if (here < best) {
       best = here;
       if (occluder != nullptr) *occluder = hides;
@@ -78,10 +77,27 @@ Visibility VisibilityTest::label(const Vec3& p, uint32_t* occluder) const {
   return best;
 }
 
+void VisibilityTest::label(std::span<const double> xyz, std::span<uint8_t> out) const {
+  std::fill(out.begin(), out.end(), static_cast<uint8_t>(Visibility::kOutOfField));
+  SightingBlock blocks[2];
+  for (size_t m = 0; m < maps_.size(); m += maps_each_) {
+    for (size_t k = 0; k < maps_each_; ++k) maps_[m + k].sight(xyz, blocks[k]);
+    for (size_t i = 0; i < out.size(); ++i) {
+      if (out[i] == static_cast<uint8_t>(Visibility::kVisible)) continue;
+      Visibility here = from_map(maps_[m], blocks[0][i], nullptr);
+      if (maps_each_ == 2 && here == Visibility::kVisible) here = from_map(maps_[m + 1], blocks[1][i], nullptr);
+      out[i] = std::min(out[i], static_cast<uint8_t>(here));
+    }
+  }
+}
+
 std::vector<uint8_t> visibility_labels(const VisibilityTest& test, const Cloud& cloud, Task& task) {
   std::vector<uint8_t> labels(cloud.size());
   parallel_for(task, labels.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) labels[i] = static_cast<uint8_t>(test.label(cloud.point(i)));
+    for (size_t first = begin; first < end; first += SightingBlock::kPoints) {
+      const size_t n = std::min(end - first, SightingBlock::kPoints);
+      test.label(cloud.xyz().subspan(3 * first, 3 * n), std::span(labels).subspan(first, n));
+    }
   });
   return labels;
 }

@@ -22,10 +22,12 @@ class VisibilityTest {
 
   /// What hides a point: an index of the reference, kNoPoint where no single one does.
   Visibility label(const Vec3& p, uint32_t* occluder = nullptr) const;
+  /// Labels of up to SightingBlock::kPoints points, 3 coordinates each.
+  void label(std::span<const double> xyz, std::span<uint8_t> out) const;
   std::span<const DepthMap> maps() const { return maps_; }
 
  private:
-  Visibility from_map(const DepthMap& map, const Vec3& p, uint32_t* occluder) const;
+  Visibility from_map(const DepthMap& map, const Sighting& s, uint32_t* occluder) const;
   DepthSettings settings_;
   size_t maps_each_ = 1;  ///< optical centres of a station
   std::vector<DepthMap> maps_;
