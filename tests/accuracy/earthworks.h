@@ -24,9 +24,11 @@ constexpr uint32_t kGround = 1, kHeap = 2, kPit = 3, kBackWall = 4, kFreeWall = 
 /// One day of the site.
 struct SiteDay {
   std::shared_ptr<const TriangleTree> tree;
+  std::vector<uint32_t> faces;  ///< of the triangles
   Transform pose;  ///< T_world_scanner
   CloudPtr cloud;
 
+  uint32_t face(uint32_t triangle) const { return faces[triangle]; }
   bool is_in_field(const Vec3& p, double border_rad = 0) const {
     const Vec3 q = inverse(pose).point(p);
     const double h = std::atan2(q.x, q.y), v = std::atan2(q.z, std::hypot(q.x, q.y));
@@ -80,6 +82,7 @@ inline SiteDay site_day(int day) {
   const Model model = scene("earthworks", {{"day", static_cast<double>(day)}});
   SiteDay out;
   out.tree = TriangleTree::build(model.vertices, model.triangles, task);
+  out.faces = model.triangle_faces;
   out.pose = site_pose(day);
   const ScanStation stations[] = {{"day " + std::to_string(day), out.pose}};
   const auto seed = static_cast<uint64_t>(100 + day);
