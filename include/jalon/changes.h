@@ -14,7 +14,8 @@ JALON_BEGIN_C
 
 /**
  * The changed points of a comparison and their connected regions (Girardeau-Montaut 2006, 3.2.4). options: operation
- * "regions" (criterion automatic | threshold | significance | field; threshold_m; cell_m, connectivity, min_points).
+ * "regions" (criterion automatic | threshold | significance | field; threshold_m, to which spacing_share times the
+ * comparison's column "reference_spacing" is added where it has one; cell_m, connectivity, min_points).
  * JALON_ERROR_INVALID_ARGUMENT when the criterion needs a column that the comparison does not have. A comparison
  * without changes gives JALON_OK and a table without rows. O(n log n).
  *

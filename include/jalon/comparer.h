@@ -115,7 +115,7 @@ JALON_API void jalon_comparison_release(jalon_comparison* comparison);
  *   reference around it would make on an unchanged plane, 2.5 of the source); with "visibility" = stations points that
  *   the reference's scanners could not have seen (see visibility.h) have no distance, and with "hidden" other than
  *   leave "recovered" (uint8, JALON_NOT_RECOVERED ...) and "height" or "shape_residual" (float64, m) tell of hidden
- *   ones;
+ *   ones; with "reference_spacing" also that (float32, m: of the reference's points, along grazing rays, across edges);
  * - of method "m3c2", one row a core point: "lod" (float64, m: the level of detection; of unchanged places the share
  *   "confidence" has |distance| up to it), "significant" (uint8: 1 where |distance| > lod), "normal" (float64 x 3;
  *   NaN where three points do not span a plane), "normal_radius" (float64, m; 0 if none), "count_reference",

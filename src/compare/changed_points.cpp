@@ -33,9 +33,17 @@ std::vector<uint8_t> where(size_t n, Task& task, F&& is_changed) {
   return changed;
 }
 
-std::vector<uint8_t> beyond(const Comparison& comparison, double threshold_m, Task& task) {
+/// Where the reference's points lie far apart, under grazing rays and across edges in depth, so may unchanged ones.
+std::vector<uint8_t> beyond(const Comparison& comparison, double threshold_m, double spacing_share, Task& task) {
   const auto distance = comparison.points.require("distance").values<double>();
-  return where(distance.size(), task, [&](size_t i) { return std::abs(distance[i]) > threshold_m; });
+  const Column* column = comparison.points.find("reference_spacing");
+  if (column == nullptr)
+    return where(distance.size(), task, [&](size_t i) { return std::abs(distance[i]) > threshold_m; });
+  const auto spacing = column->values<float>();
+  return where(distance.size(), task, [&](size_t i) {
+    const double apart = spacing[i] > 0 ? double{spacing[i]} : 0.0;
+    return std::abs(distance[i]) > threshold_m + spacing_share * apart;
+  });
 }
 
 std::vector<uint8_t> set_in(const Comparison& comparison, const std::string& name, Task& task) {
@@ -56,7 +64,7 @@ std::vector<uint8_t> changed_points(const Comparison& comparison, const ParamSet
     fail(Status::kInvalidArgument, "this comparison has no level of detection; method m3c2 gives one");
   if (criterion == "significance" || (criterion == "automatic" && has_level))
     return set_in(comparison, "significant", task);
-  return beyond(comparison, options.number("threshold_m"), task);
+  return beyond(comparison, options.number("threshold_m"), options.number("spacing_share"), task);
 }
 
 }  // namespace jalon

@@ -98,6 +98,7 @@ DepthMap DepthMap::build(const Cloud& cloud, const Station& station, const Vec3&
     if (!(steps.vertical_rad > 0)) steps.vertical_rad = found.vertical_rad;
   }
   map.grid_ = grid_over(field, steps, settings.cell_factor);
+  map.cell_factor_ = settings.cell_factor;
 
   // 3. One range a cell; holes from their neighbours.
   const Span span(task, 0.6, 1);
@@ -184,6 +185,21 @@ double DepthMap::surface_range_m(const AngularGrid::Place& place) const {
   // A surface does not run away to more than twice its range within a cell.
   const double here = 1 / double{cell.range_m};
   return 1 / std::max(here + across * (place.u - cell.u) + up * (place.v - cell.v), here / 2);
+}
+
+double DepthMap::spacing_m(const AngularGrid::Place& place) const {
+  const Cell& cell = cells_[grid_.index(place)];
+  if (!(cell.range_m > 0)) return 0;
+  const double across = cell.range_m * grid_.horizontal_step_rad, up = cell.range_m * grid_.vertical_step_rad;
+  double widest = std::max(across, up);
+  const auto widen = [&](const Cell* other, double aside) {
+    if (other != nullptr) widest = std::max(widest, std::hypot(aside, double{other->range_m} - cell.range_m));
+  };
+  widen(neighbour(place, -1, 0), across);
+  widen(neighbour(place, 1, 0), across);
+  widen(neighbour(place, 0, -1), up);
+  widen(neighbour(place, 0, 1), up);
+  return widest / cell_factor_;
 }
 
 }  // namespace jalon

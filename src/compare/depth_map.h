@@ -68,6 +68,9 @@ class DepthMap {
   void sight(std::span<const double> xyz, SightingBlock& out) const { jalon::sight(xyz, centre_, axes_, out); }
   /// Range of the surface in this direction; 0 for an empty cell.
   double surface_range_m(const AngularGrid::Place& place) const;
+  /// Distance between the station's points there, to the farthest of the four next: under grazing rays along them, at
+  /// an edge in depth across it. 0 for an empty cell.
+  double spacing_m(const AngularGrid::Place& place) const;
 
  private:
   void accumulate(std::span<const Seen> seen, uint64_t first, CellRule rule, Task& task);
@@ -77,6 +80,7 @@ class DepthMap {
   Vec3 centre_;     ///< of the optics, in the world
   Transform axes_;  ///< the world's directions to the scanner's
   AngularGrid grid_;
+  double cell_factor_ = 1;
   std::vector<Cell> cells_;
   std::vector<uint32_t> counts_;
 };

@@ -45,6 +45,7 @@ constexpr ParamRow kRows[] = {
     bool_row("hausdorff", false, "",
              "Also measures from the reference to the compared cloud, for the symmetric Hausdorff distance."),
     kVisibilityRow,
+    kReferenceSpacingRow,
     kDepthHorizontalStepRow,
     kDepthVerticalStepRow,
     kDepthCellFactorRow,

@@ -23,6 +23,9 @@ constexpr ParamRow kRows[] = {
                "Which points are changed: beyond threshold_m, beyond their level of detection, or those whose field is "
                "not 0; automatic: by the level of detection where there is one, else by the threshold"),
     number_row("threshold_m", 0.05, 0, 1e9, "m", "", "Distance (of either sign) above which a point is changed"),
+    number_row("spacing_share", 0.6, 0, 100, "1", "",
+               "For the threshold: how much of the column reference_spacing, where there is one, is added to it: half, "
+               "the way from a row of points to the middle between two, and a fifth more"),
     string_row("field", "changed", "", "Name of the field for criterion field: of the comparison or of its cloud"),
     number_row("cell_m", 0, 0, 1e6, "m", "",
                "Edge length of the grid cells that connect changed points; 0 = from their density"),

@@ -3,6 +3,8 @@
 #include "compare/visibility.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -75,6 +77,18 @@ Visibility VisibilityTest::label(const Vec3& p, uint32_t* occluder) const {
     if (best == Visibility::kVisible) break;
   }
   return best;
+}
+
+double VisibilityTest::spacing_m(const Vec3& p) const {
+  double best = std::numeric_limits<double>::infinity();
+  for (size_t m = 0; m < maps_.size(); m += maps_each_) {
+    const Sighting s = maps_[m].sighting(p);
+    AngularGrid::Place place;
+    if (from_map(maps_[m], s, nullptr) != Visibility::kVisible || !maps_[m].grid().locate(s, place)) continue;
+    const double spacing = maps_[m].spacing_m(place);
+    if (spacing > 0) best = std::min(best, spacing);
+  }
+  return std::isinf(best) ? std::numeric_limits<double>::quiet_NaN() : best;
 }
 
 void VisibilityTest::label(std::span<const double> xyz, std::span<uint8_t> out) const {

@@ -22,6 +22,9 @@ class VisibilityTest {
 
   /// What hides a point: an index of the reference, kNoPoint where no single one does.
   Visibility label(const Vec3& p, uint32_t* occluder = nullptr) const;
+  /// Distance between the reference's points where a visible point is seen (m, see DepthMap::spacing_m), by the station
+  /// with the least; NaN where none sees it or the cell is empty.
+  double spacing_m(const Vec3& p) const;
   /// Labels of up to SightingBlock::kPoints points, 3 coordinates each.
   void label(std::span<const double> xyz, std::span<uint8_t> out) const;
   std::span<const DepthMap> maps() const { return maps_; }

@@ -43,6 +43,10 @@ constexpr ParamRow kVisibilityRow =
     choice_row("visibility", "none", "none|stations", "",
                "stations: points that the stations of the reference cloud could not have seen get no distance, and say "
                "why; none: every point is compared");
+constexpr ParamRow kReferenceSpacingRow =
+    bool_row("reference_spacing", false, "",
+             "With visibility: also tells how far apart the reference's points lie where each point is seen, along "
+             "grazing rays and across edges in depth: a distance up to half of that is no sign of a change");
 constexpr ParamRow kHiddenRow =
     choice_row("hidden", "leave", "leave|vertical|occluders", "",
                "what becomes of hidden points. leave: no value; vertical: their height over the surface of the "

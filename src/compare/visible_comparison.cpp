@@ -84,6 +84,17 @@ FieldTable whole_summary(const FieldTable& points, const FieldTable& of_visible,
   return out;
 }
 
+ColumnPtr spacing_column(const VisibilityTest& test, const Cloud& cloud, Task& task) {
+  auto column = std::make_shared<Column>(FieldInfo{"reference_spacing", ElementType::kFloat32, 1, "m",
+                                                   "of the reference's points where this one is seen"},
+                                         cloud.size());
+  const auto out = column->values<float>();
+  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) out[i] = static_cast<float>(test.spacing_m(cloud.point(i)));
+  });
+  return column;
+}
+
 }  // namespace
 
 Comparison compare_visible(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, CompareRun run,
@@ -111,6 +122,7 @@ Comparison compare_visible(const CloudPtr& reference, const CloudPtr& compared, 
   }
   made.cloud = compared;
   made.points = all_rows(made.points, visible, labels);
+  if (params.flag("reference_spacing")) made.points.set(spacing_column(test, *compared, task));
   // 3. Hidden points.
   const Span span(task, 0.8, 1, "hidden points");
   const HiddenRule rule = HiddenRule::from(params);
