@@ -139,7 +139,7 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparis
  * The check of a reference model part by part: one row a part of it (names: jalon_model_part), for the points whose
  * nearest surface is of the part: "part" (uint32), "points" (uint64), "mean", "sigma", "minimum", "maximum",
  * "maximum_absolute" (float64, m; NaN without points), and with tolerance_m > 0 "within_tolerance" (uint64),
- * "tolerance_share" (float64). A comparison with a cloud has no columns here.
+ * "tolerance_share" (float64). A comparison with a cloud, or with a model without parts, has no columns here.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_parts(const jalon_comparison* comparison, jalon_fields** out);
 /** A new cloud handle: the points of the rows with the columns attached as fields, ready to be written; shares the

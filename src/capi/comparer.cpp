@@ -37,12 +37,6 @@ const Method& method_of(const std::string& name) {
   fail(Status::kNotFound, "no comparison method \"%.100s\"; there are: distance, m3c2, preview", name.c_str());
 }
 
-void require_same_crs(const SharedText& reference, const SharedText& compared) {
-  if (!reference.empty() && !compared.empty() && reference != compared)
-    fail(Status::kInvalidArgument, "the CRS of the reference (%.60s) and of the compared cloud (%.60s) differ",
-         reference.c_str(), compared.c_str());
-}
-
 // A handle of what a method made, with the parameters it was made with.
 std::unique_ptr<jalon_comparison> handle_of(Comparison made, const ParamSet& values) {
   auto handle = std::make_unique<jalon_comparison>();

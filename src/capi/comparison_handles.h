@@ -5,7 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "base/error.h"
 #include "base/params.h"
+#include "base/shared_text.h"
 #include "capi/handles.h"
 #include "compare/comparison.h"
 
@@ -17,3 +19,14 @@ struct jalon_comparer : jalon::capi::Counted {
 struct jalon_comparison : jalon::capi::Counted {
   jalon::ComparisonPtr comparison;
 };
+
+namespace jalon::capi {
+
+/// Where both are known.
+inline void require_same_crs(const SharedText& reference, const SharedText& compared) {
+  if (!reference.empty() && !compared.empty() && reference != compared)
+    fail(Status::kInvalidArgument, "the CRS of the reference (%.60s) and of the compared data (%.60s) differ",
+         reference.c_str(), compared.c_str());
+}
+
+}  // namespace jalon::capi

@@ -9,6 +9,7 @@
 #include "cloud/operations.h"
 #include "compare/diagnosis.h"
 #include "cloud/precision.h"
+#include "compare/model_sample.h"
 #include "compare/visibility.h"
 #include "compare/chamfer.h"
 #include "compare/chi_square.h"
@@ -19,6 +20,7 @@
 #include "compare/propagation.h"
 #include "compare/smoothing.h"
 #include "compare/two_means.h"
+#include "compare/volume.h"
 #include "formats/formats.h"
 #include "modelling/model_evaluation.h"
 #include "report/picture.h"
@@ -35,7 +37,8 @@ namespace jalon::capi {
 std::span<const Operation> operations() {
   static constexpr Operation kOperations[] = {
       {"normals", normals_rows},     {"features", features_rows},   {"components", components_rows},
-      {"regions", regions_rows},     {"diagnosis", diagnosis_rows},
+      {"regions", regions_rows},     {"diagnosis", diagnosis_rows}, {"volume", volume_rows},
+      {"model_sample", model_sample_rows},
       {"outliers", outliers_rows},   {"subsample", subsample_rows}, {"interest", interest_rows},
       {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
       {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},

@@ -110,7 +110,8 @@ uint64_t count_of(std::span<const uint8_t> values, uint8_t value, Task& task) {
 /// Step 3.
 void measure(const ModelSurface& surface, const NearestTriangles& tree, const Cloud& compared, const Octree& octree,
              const ModelSetting& setting, ModelColumns& columns, Task& task) {
-  tree.for_each(compared.xyz(), octree.order(), setting.max_distance_m, setting.is_signed, task,
+  tree.for_each(compared.xyz(), octree.order(), setting.max_distance_m,
+                {setting.is_signed, setting.differences}, task,
                 [&](uint32_t i, const TriangleAnswer& answer) { columns.set(i, answer, surface); });
 }
 
@@ -151,7 +152,9 @@ void sum_up(const ModelColumns& columns, const Model& model, const ModelSetting&
                     std::max(std::abs(least), std::abs(most)));
   if (setting.is_signed) add_sides(columns, made.summary, task);
   if (setting.tolerance_m > 0) judge(columns, setting.tolerance_m, made, task);
-  made.parts = part_statistics(columns.distances(), columns.parts(), model.parts.size(), setting.tolerance_m, task);
+  if (!model.parts.empty())
+    made.parts =
+        part_statistics(columns.distances(), columns.parts(), model.parts.size(), setting.tolerance_m, task);
 }
 
 }  // namespace

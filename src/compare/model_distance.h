@@ -13,10 +13,10 @@ constexpr ParamRow kSignedRow =
              "Of a model: distances are negative behind its surfaces, where their corners run clockwise.");
 constexpr ParamRow kToleranceRow =
     number_row("tolerance_m", 0, 0, 1e9, "m", "",
-               "Of a model: also judges each point by whether it is at most so far from it; 0 = no judgement.");
+               "Of a model: distance up to which a point is judged to be within tolerance; 0 = no judgement.");
 constexpr ParamRow kChordErrorRow =
     number_row("chord_error_m", 1e-4, 1e-7, 1, "m", "",
-               "Of a model: how far chords may be from the arcs they stand for.");
+               "Of a model: largest distance of chords from the arcs they stand for.");
 
 /// Distance of every compared point from a model: from the faces (Girardeau-Montaut 2006, 2.2) and from the triangles
 /// that stand for no face. Exact, but for the chords of arcs.

@@ -22,19 +22,19 @@ using triangle_tree::Node;
 constexpr float kRounding = 1 + 0x1p-20f;
 constexpr float kLeast = 0x1p-120f;  // more than any rounding of squares that underflow
 
-/// A point in floats, rounded down and up.
+/// A point in floats, not above and not below the true one.
 struct FloatPoint {
   float below[3], above[3];
-};
 
-inline float rounded_down(double v) {
-  const auto f = static_cast<float>(v);
-  return static_cast<double>(f) > v ? __builtin_nextafterf(f, -__builtin_inff()) : f;
-}
-inline float rounded_up(double v) {
-  const auto f = static_cast<float>(v);
-  return static_cast<double>(f) < v ? __builtin_nextafterf(f, __builtin_inff()) : f;
-}
+  explicit FloatPoint(const double* p) {
+    for (int i = 0; i < 3; ++i) {
+      const auto f = static_cast<float>(p[i]);
+      const float step = __builtin_fabsf(f) * 0x1p-23f + kLeast;  // two roundings of f
+      below[i] = f - step;
+      above[i] = f + step;
+    }
+  }
+};
 
 #if defined(__SSE2__)
 inline Float4 larger(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
@@ -69,11 +69,7 @@ inline float box_limit(double squared) { return static_cast<float>(squared) * (k
 /// leaf(child) for the leaves whose box is no farther than limit, the nearest first; it gives the new limit.
 template <class F>
 [[gnu::always_inline]] inline void descend(const Node* nodes, const double* p, double limit2, F&& leaf) {
-  FloatPoint point;
-  for (int i = 0; i < 3; ++i) {
-    point.below[i] = rounded_down(p[i]);
-    point.above[i] = rounded_up(p[i]);
-  }
+  const FloatPoint point(p);
   PendingBox stack[kStackSize];
   size_t size = 0;
   stack[size++] = {0, 0, 0};

@@ -111,7 +111,8 @@ struct NearestTriangles::Impl {
                   std::span<const uint32_t> order) const;
   void make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all, std::span<const uint32_t> order,
                    Task& task);
-  TriangleAnswer answer_of(const NearestOfBlocks& found, const Vec3& local, double max_distance, bool with_side) const;
+  TriangleAnswer answer_of(const NearestOfBlocks& found, const Vec3& local, double max_distance,
+                           const TriangleQuestions& questions) const;
 };
 
 void NearestTriangles::Impl::fill_block(TriangleBlock& block, std::span<const Vec3> vertices,
@@ -188,20 +189,23 @@ std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const 
 }
 
 TriangleAnswer NearestTriangles::Impl::answer_of(const NearestOfBlocks& found, const Vec3& local,
-                                                 double max_distance, bool with_side) const {
+                                                 double max_distance, const TriangleQuestions& questions) const {
   TriangleAnswer answer;
   if (found.triangle == kNoTriangle) return answer;
-  const TriangleBlock& block = blocks[found.place / kWidth];
-  const uint32_t lane = found.place % kWidth;
-  const ClosestOfTriangle closest = closest_of(block, lane, local);
   const double distance = std::sqrt(found.squared);
   if (distance > max_distance) return answer;
   answer.distance = distance;
   answer.triangle = found.triangle;
+  const TriangleBlock& block = blocks[found.place / kWidth];
+  const uint32_t lane = found.place % kWidth;
+  // Above a face, as most points are, the search has seen the side already.
+  answer.is_behind = questions.sides && found.height != 0 && (found.height < 0) != ((block.turned >> lane & 1) != 0);
+  if (!questions.feet && (found.height != 0 || !questions.sides)) return answer;
+  const ClosestOfTriangle closest = closest_of(block, lane, local);
   answer.feature = closest.feature;
   answer.foot = origin + closest.foot;
   answer.from_foot = closest.above;
-  if (!with_side) return answer;
+  if (!questions.sides || found.height != 0) return answer;
   const SideOfSurface side = side_of_surface(view(), block, lane, closest, span_m);
   answer.is_behind = side.is_behind;
   answer.side = side.basis;
@@ -209,7 +213,7 @@ TriangleAnswer NearestTriangles::Impl::answer_of(const NearestOfBlocks& found, c
 }
 
 void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance,
-                           bool with_sides, Task& task, Visit visit, void* context) const {
+                           const TriangleQuestions& questions, Task& task, Visit visit, void* context) const {
   const Impl& impl = *impl_;
   const TriangleBlocks tree = impl.view();
   const auto search = use_avx2() ? nearest_triangles_avx2 : nearest_triangles_baseline;
@@ -222,13 +226,13 @@ void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t
       for (size_t i = 0; i < count; ++i) {
         const double* p = xyz.data() + 3 * size_t{order[first + i]};
         for (int axis = 0; axis < 3; ++axis) local[3 * i + static_cast<size_t>(axis)] = p[axis] - impl.origin[axis];
-        found[i] = {limit2, kNoTriangle, 0};
+        found[i] = {limit2, kNoTriangle, 0, 0};
       }
       if (impl.triangles > 0) search(tree, local, count, found);
       for (size_t i = 0; i < count; ++i)
         visit(context, order[first + i],
               impl.answer_of(found[i], {local[3 * i], local[3 * i + 1], local[3 * i + 2]}, max_distance,
-                             with_sides));
+                             questions));
     }
   });
 }
@@ -236,9 +240,9 @@ void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t
 TriangleAnswer NearestTriangles::nearest(const Vec3& point, double max_distance) const {
   const Vec3 local = point - impl_->origin;
   const double xyz[3] = {local.x, local.y, local.z};
-  NearestOfBlocks found = {limit_of(max_distance), kNoTriangle, 0};
+  NearestOfBlocks found = {limit_of(max_distance), kNoTriangle, 0, 0};
   if (impl_->triangles > 0) nearest_triangles_baseline(impl_->view(), xyz, 1, &found);
-  return impl_->answer_of(found, local, max_distance, true);
+  return impl_->answer_of(found, local, max_distance, {true, true});
 }
 
 }  // namespace jalon

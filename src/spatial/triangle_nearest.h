@@ -23,6 +23,12 @@ enum class TriangleSide : uint8_t {
   kInconsistent = 2  ///< triangles beside each other run opposite ways around: the side of the nearest one
 };
 
+/// What is asked besides distance and triangle; either costs some time.
+struct TriangleQuestions {
+  bool sides = false;  ///< is_behind and side
+  bool feet = false;   ///< feature, foot and from_foot
+};
+
 /// The triangle nearest to a point.
 struct TriangleAnswer {
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< not negative
@@ -58,24 +64,24 @@ class NearestTriangles {
 
   /// visit(item, answer) for every item of order (indices of the points: 3 doubles each), in chunks that run in
   /// parallel; neighbours in the order should be neighbours in space. Without a triangle within max_distance
-  /// (inclusive) the answer has distance NaN and no triangle. is_behind and side are told with_sides only.
+  /// (inclusive) the answer has distance NaN and no triangle.
   template <class F>
-  void for_each(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance, bool with_sides,
-                Task& task, F&& visit) const {
-    ask(xyz, order, max_distance, with_sides, task,
+  void for_each(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance,
+                const TriangleQuestions& questions, Task& task, F&& visit) const {
+    ask(xyz, order, max_distance, questions, task,
         [](void* p, uint32_t item, const TriangleAnswer& answer) {
           (*static_cast<std::remove_reference_t<F>*>(p))(item, answer);
         },
         &visit);
   }
-  /// The same for one point.
+  /// All of it for one point.
   TriangleAnswer nearest(const Vec3& point, double max_distance = std::numeric_limits<double>::infinity()) const;
 
  private:
   using Visit = void (*)(void* context, uint32_t item, const TriangleAnswer& answer);
   NearestTriangles();
-  void ask(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance, bool with_sides,
-           Task& task, Visit visit, void* context) const;
+  void ask(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance,
+           const TriangleQuestions& questions, Task& task, Visit visit, void* context) const;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -26,11 +26,13 @@ struct TriangleBlocks {
   const TriangleBlock* blocks;
 };
 
-/// The best so far: squared distance, caller's number and place (4 x block + lane) of the triangle.
+/// The best so far: squared distance, caller's number and place (4 x block + lane) of the triangle, and the height
+/// above its plane (any unit; corners anticlockwise in their order) where the point is above its face, else 0.
 struct NearestOfBlocks {
   double squared;
   uint32_t triangle;
   uint32_t place;
+  double height;
 };
 constexpr uint32_t kNoTriangle = ~uint32_t{0};
 

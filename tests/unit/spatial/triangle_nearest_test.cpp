@@ -61,7 +61,8 @@ std::shared_ptr<const NearestTriangles> tree_of(const Mesh& mesh, unsigned threa
 }
 
 std::vector<TriangleAnswer> answers(const NearestTriangles& tree, const std::vector<Vec3>& points, unsigned threads = 0,
-                                    double max_distance = std::numeric_limits<double>::infinity()) {
+                                    double max_distance = std::numeric_limits<double>::infinity(),
+                                    bool with_feet = true) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
@@ -70,7 +71,8 @@ std::vector<TriangleAnswer> answers(const NearestTriangles& tree, const std::vec
   std::vector<uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
   std::vector<TriangleAnswer> out(points.size());
-  tree.for_each(xyz, order, max_distance, true, task, [&](uint32_t i, const TriangleAnswer& a) { out[i] = a; });
+  tree.for_each(xyz, order, max_distance, {true, with_feet}, task,
+                [&](uint32_t i, const TriangleAnswer& a) { out[i] = a; });
   return out;
 }
 
@@ -352,6 +354,10 @@ TEST_CASE("triangle_nearest__same_bits_for_any_threads_instructions_and_whole_me
     const auto again = answers(*tree_of(mesh, threads), points, threads);
     for (size_t i = 0; i < points.size(); ++i) REQUIRE(same(again[i], reference[i]));
   }
+  const auto without_feet = answers(*tree, points, 2, std::numeric_limits<double>::infinity(), false);
+  for (size_t i = 0; i < points.size(); ++i)
+    REQUIRE((without_feet[i].distance == reference[i].distance && without_feet[i].is_behind == reference[i].is_behind &&
+             without_feet[i].side == reference[i].side));
   // One by one the baseline's instructions answer, and no answer bounds the next.
   for (size_t i = 0; i < points.size(); i += 7) REQUIRE(same(tree->nearest(points[i]), reference[i]));
   const Vec3 by{652000, 6861000, -40};
