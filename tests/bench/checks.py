@@ -88,6 +88,40 @@ def compare_distances(prefix, xyz, sample):
     )
 
 
+def triangle_distances(point, corners):
+    """Distances of a point from triangles (n x 3 x 3): from their sides and, where it is above them, their planes."""
+    best = np.full(len(corners), np.inf)
+    for k in range(3):
+        side = corners[:, (k + 1) % 3] - corners[:, k]
+        to = point - corners[:, k]
+        length2 = (side**2).sum(axis=1)
+        t = np.clip((to * side).sum(axis=1) / np.where(length2 > 0, length2, 1), 0, 1)
+        best = np.minimum(best, np.linalg.norm(to - t[:, None] * side, axis=1))
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    length = np.linalg.norm(normal, axis=1)
+    above = length > 0
+    for k in range(3):
+        left = np.cross(corners[:, (k + 1) % 3] - corners[:, k], point - corners[:, k])
+        above &= (left * normal).sum(axis=1) > 0
+    height = np.abs(((point - corners[:, 0]) * normal).sum(axis=1)) / np.where(above, length, 1)
+    return np.where(above, np.minimum(best, height), best)
+
+
+def compare_triangles(prefix, xyz, rows, step, operation, sample):
+    """Distances from triangles beside brute force over those whose box is near."""
+    if len(sample) != len(rows):
+        return f"{len(sample)} numbers in the sample", False
+    corners = np.fromfile(f"{prefix}_mesh{operation[4:]}.f64").reshape(-1, 3, 3)
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    error = 0.0
+    for found, point in zip(sample[::step], xyz[rows[::step]]):
+        reach = found * 1.01 + 1e-3
+        near = ((low <= point + reach) & (high >= point - reach)).all(axis=1)
+        truth_m = triangle_distances(point, corners[near]).min(initial=np.inf)
+        error = max(error, abs(found - truth_m) / max(truth_m, 1e-6))
+    return f"distances within {error:.1e} of brute force", error <= NEAREST_TOLERANCE
+
+
 def compare_surfaces(sample):
     """Nothing moved between the two scans, so the distances themselves are what they are off."""
     finite = np.abs(sample[np.isfinite(sample)])
@@ -126,6 +160,8 @@ def same_work(drivers, operations, prefix):
                     text, good = compare_planes(sample, planes)
                 elif operation.startswith("m3c2"):
                     text, good = compare_surfaces(sample)
+                elif operation.startswith("c2m"):
+                    text, good = compare_triangles(prefix, xyz, rows, step, operation, sample)
                 elif operation == "c2c":
                     text, good = compare_distances(prefix, xyz, sample)
                 else:

@@ -24,8 +24,10 @@ READING = ["las0", "las3"]
 SEGMENTING = ["planes", "region_growing"]
 COMPARING = ["c2c", "c2c_plane", "c2c_quadric"]  # no peer here has local models
 M3C2 = ["m3c2_100k", "m3c2_1m"]  # with drivers of their own
+MESH = ["c2m_13k", "c2m_1m"]  # the same; name -> sides of the triangles below
+MESH_CELLS_M = {"mesh13k": 1.2, "mesh1m": 0.081}
 MODELLING = ["outlines", "facade_dxf"]  # no peer does them
-OPERATIONS = READING + ["index", "knn16", "normals16", "voxel5cm"] + COMPARING + M3C2 + SEGMENTING + MODELLING
+OPERATIONS = READING + ["index", "knn16", "normals16", "voxel5cm"] + COMPARING + M3C2 + MESH + SEGMENTING + MODELLING
 # What Jalon must reach, as fastest peer / Jalon: at least as fast, LAS no slower than 1.5 times
 # LASzip; and the goals: twice as fast, LAS 0.15 s where LASzip takes 0.22 s, planes 1.5 s where CGAL
 # takes 3.2 s, region growing 1.5 s where PCL takes 4.3 s.
@@ -63,6 +65,17 @@ def m3c2_commands(build, prefix):
     if next(build.glob("peers/venv/lib/python*/site-packages/py4dgeo"), None):
         commands["py4dgeo"] = [python, here / "bench_py4dgeo.py", prefix]
         commands["py4dgeo-median"] = [python, here / "bench_py4dgeo.py", prefix, "median"]
+    return runnable(commands)
+
+
+def mesh_commands(build, prefix):
+    """The same of the drivers that measure distances from triangles."""
+    here = pathlib.Path(__file__).resolve().parent
+    commands = {
+        "Jalon": [build / "tests/bench/bench_mesh", prefix],
+        "CGAL": [build / "tests/bench/bench_cgal_mesh", prefix],
+        "Open3D": [build / "peers/venv/bin/python", here / "bench_open3d_mesh.py", prefix],
+    }
     return runnable(commands)
 
 
@@ -126,6 +139,13 @@ def scene(build, data, size):
             check=True,
             stdout=sys.stderr,
         )
+    for name, cell_m in MESH_CELLS_M.items():
+        if not (data / f"street_{size}_{name}.f64").exists():
+            subprocess.run(
+                [str(build / "tests/bench/street_mesh"), f"{prefix}_{name}", str(cell_m)],
+                check=True,
+                stdout=sys.stderr,
+            )
     return prefix
 
 
@@ -161,7 +181,8 @@ def measure(arguments, operations, build, prefix, size, threads, cpus):
     """The rows of some operations of one group."""
     wanted = arguments.peers.split(",") if arguments.peers else None
     drivers = []
-    commands = m3c2_commands if operations[0] in M3C2 else peer_commands
+    own_drivers = {**dict.fromkeys(M3C2, m3c2_commands), **dict.fromkeys(MESH, mesh_commands)}
+    commands = own_drivers.get(operations[0], peer_commands)
     for name, command in commands(build, prefix).items():
         reads = name.startswith("LASzip")
         if name != "Jalon" and (reads != (operations[0] in READING) or (wanted and name not in wanted)):
@@ -326,9 +347,10 @@ def main():
     sizes = [int(float(text)) for text in arguments.sizes.split(",")]
     threads_wanted = [int(text) for text in arguments.threads.split(",")]
     group_of = {operation: 0 for operation in READING} | {operation: 2 for operation in M3C2}
+    group_of |= {operation: 3 for operation in MESH}
     groups = [
         [operation for operation in arguments.operations if group_of.get(operation, 1) == group]
-        for group in range(3)
+        for group in range(4)
     ]
     for operations in filter(None, groups):
         for size in sizes:
