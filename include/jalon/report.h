@@ -7,6 +7,7 @@
 #ifndef JALON_REPORT_H
 #define JALON_REPORT_H
 
+#include <jalon/comparer.h>
 #include <jalon/modeller.h>
 
 JALON_BEGIN_C
@@ -55,6 +56,33 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_json(const jalon_segmentat
                                                const jalon_model* model, const char* notes_json,
                                                const char* path, const jalon_params* options,
                                                jalon_task* task);
+
+/**
+ * The points of a comparison in the colours of their distances: signed ones from blue over white to red, others from
+ * pale yellow to dark red; hidden points pink, those without a value grey where nothing else lies. A path that ends in
+ * ".png" gives the points alone, any other an SVG figure with axes in metres, scale bar and colour scale. Operation
+ * "deviation_picture". O(n).
+ */
+JALON_API JALON_CHECK jalon_status jalon_report_write_deviations(const jalon_comparison* comparison, const char* path,
+                                                     const jalon_params* options, jalon_task* task);
+/**
+ * Histogram of the distances as SVG with the noise law of those below the threshold (Weibull, Girardeau-Montaut 2006,
+ * 3.4; of signed ones normal) and the threshold. Operation "comparison_report" (bins, threshold_m, limit_m).
+ */
+JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comparison* comparison, const char* path,
+                                                    const jalon_params* options, jalon_task* task);
+/**
+ * One self-contained HTML page on a comparison: summary of both directions, their pictures side by side on one colour
+ * scale, histograms with noise law and threshold, the table of regions or changes, what the method tells of sampling
+ * error and levels of detection, parameters, times. reverse may be NULL: one direction. changes: what
+ * jalon_comparison_regions or jalon_comparison_diagnose gave, or NULL. notes_json as in jalon_report_write_html.
+ * Operation "comparison_report".
+ */
+JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(const jalon_comparison* forward,
+                                                     const jalon_comparison* reverse,
+                                                     const jalon_fields* changes, const char* notes_json,
+                                                     const char* path, const jalon_params* options,
+                                                     jalon_task* task);
 
 JALON_END_C
 

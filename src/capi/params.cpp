@@ -23,6 +23,8 @@
 #include "compare/volume.h"
 #include "formats/formats.h"
 #include "modelling/model_evaluation.h"
+#include "report/comparison_report.h"
+#include "report/deviation_picture.h"
 #include "report/picture.h"
 #include "report/report.h"
 #include "scan/scanner.h"
@@ -39,6 +41,8 @@ std::span<const Operation> operations() {
       {"normals", normals_rows},     {"features", features_rows},   {"components", components_rows},
       {"regions", regions_rows},     {"diagnosis", diagnosis_rows}, {"volume", volume_rows},
       {"model_sample", model_sample_rows},
+      {"deviation_picture", deviation_picture_rows},
+      {"comparison_report", comparison_report_rows},
       {"outliers", outliers_rows},   {"subsample", subsample_rows}, {"interest", interest_rows},
       {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
       {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/report.h"
 
-#include <algorithm>
-
 #include "capi/guard.h"
 #include "capi/model_handles.h"
+#include "capi/report_files.h"
 #include "capi/worker_handles.h"
-#include "formats/atomic_file.h"
 #include "report/picture.h"
 #include "report/report.h"
 
@@ -16,28 +14,10 @@ using namespace jalon::capi;
 
 namespace {
 
-constexpr size_t kMaxNotesBytes = size_t{1} << 20;
-
 // A segmentation alone, without outlines, is reported too.
 ModelPtr model_or_none(const jalon_segmentation* segmentation, const jalon_model* model) {
   require(segmentation, "segmentation");
   return model != nullptr ? model->model : std::make_shared<const Model>();
-}
-
-bool is_png(const std::string& path) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  const std::string end = path.size() >= 4 ? path.substr(path.size() - 4) : "";
-  return end.size() == 4 && std::equal(end.begin(), end.end(), ".png", [&](char a, char b) { return lower(a) == b; });
-}
-
-std::string notes_text(const char* notes_json) {
-  return notes_json != nullptr ? require_text(notes_json, "notes_json", kMaxNotesBytes) : std::string();
-}
-
-void write_whole(const std::string& path, const std::string& text) {
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kMethods[] = {"distance"};
+constexpr const char* kMethods[] = {"distance", "m3c2", "preview"};
 constexpr const char* kClasses[] = {"", "appearance", "disappearance", "displacement", "displacement with overlap",
                                     "deformation", "deformation with overlap"};
 
@@ -71,6 +71,24 @@ struct Compare {
     }
     for (const char* extension : {".las", ".ply"})
       must(jalon_cloud_write(cloud.get(), folder.path(std::string(name) + extension).c_str(), nullptr, console.task()));
+  }
+
+  void write_report(const Console& console, OutputFolder& folder, const Direction& forward, const Direction& reverse,
+                    const Fields& changes, const Params& change_options, const Json& times) const {
+    double threshold = 0;
+    must(jalon_params_get_double(change_options.get(), "threshold_m", &threshold));
+    const Params options = make_params("comparison_report");
+    must(jalon_params_set_double(options.get(), "threshold_m", threshold));
+    const Json notes{{"title", "Comparison"},
+                     {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},
+                     {"times", times}};
+    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
+    must(jalon_report_write_comparison(forward.comparison.get(), reverse.comparison.get(), changes.get(), text.c_str(),
+                                       folder.path("report.html").c_str(), options.get(), console.task()));
+    must(jalon_report_write_histogram(forward.comparison.get(), folder.path("histogram.svg").c_str(), options.get(),
+                                      console.task()));
+    must(jalon_report_write_deviations(forward.comparison.get(), folder.path("distances.svg").c_str(), nullptr,
+                                       console.task()));
   }
 
   static void say_summary(const Console& console, const char* name, const Table& summary) {
@@ -137,6 +155,7 @@ struct Compare {
       must(jalon_comparison_regions(forward.comparison.get(), options.get(), console.task(), Out(forward.points),
                                     Out(found)));
     times["changes"] = console.seconds();
+    const Fields table(jalon_fields_retain(found.get()));
     const Table changes(std::move(found));
     console.step("writing");
     OutputFolder folder(output);
@@ -153,11 +172,13 @@ struct Compare {
     if (both) result["reverse_summary"] = reverse.summary->object(0);
     result[list] = changes.list();
     write_text_file(folder.path("comparison.json"), result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_report(console, folder, forward, reverse, table, options, times);
     folder.commit();
     say_summary(console, both ? "compared with the reference" : "compared", *forward.summary);
     if (both) say_summary(console, "reference with the compared", *reverse.summary);
     both ? list_changes(console, changes) : list_regions(console, changes);
-    console.say("wrote " + output + ": comparison.json, " + list + ".csv, compared.las, compared.ply" +
+    console.say("wrote " + output + ": report.html, comparison.json, histogram.svg, distances.svg, " +
+                list + ".csv, compared.las, compared.ply" +
                 (both ? ", reference.las, reference.ply" : ""));
     console.result(result);
   }

@@ -145,11 +145,11 @@ class Grower {
   Task& task_;
 };
 
-// Labels of the regions that an object holds; they are then done with.
+// Labels of the regions that an object holds and no object before it did; they are then done with.
 std::vector<uint32_t> labels_in(const Epoch& epoch, const Indices& points, std::vector<uint8_t>& done) {
   std::vector<uint32_t> out;
   for (const uint32_t i : points)
-    if (const uint32_t label = epoch.regions.labels[i]; label > 0) out.push_back(label);
+    if (const uint32_t label = epoch.regions.labels[i]; label > 0 && done[label - 1] == 0) out.push_back(label);
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   for (const uint32_t label : out) done[label - 1] = 1;
@@ -163,6 +163,27 @@ void take(const Epoch& before, const Epoch& after, ChangedObject& object, std::v
 }
 
 }  // namespace
+
+std::vector<ChangedObject> single_regions(const Epoch& before, const Epoch& after, const ChangedObject& object,
+                                          double cell_m) {
+  std::vector<ChangedObject> out;
+  const auto add = [&](const Epoch& epoch, const Indices& points, const std::vector<uint32_t>& labels, bool is_after) {
+    for (const uint32_t label : labels) {
+      const Region& region = epoch.regions.regions[label - 1];
+      const Box3 beside = widened({region.box.min - epoch.origin, region.box.max - epoch.origin}, 2 * cell_m);
+      ChangedObject& one = out.emplace_back();
+      one.supports = object.supports;
+      (is_after ? one.regions_after : one.regions_before) = {label};
+      Indices& own = is_after ? one.after : one.before;
+      for (const uint32_t i : points)
+        if (epoch.regions.labels[i] == label || (epoch.regions.changed[i] == 0 && beside.contains(epoch.local(i))))
+          own.push_back(i);
+    }
+  };
+  add(before, object.before, object.regions_before, false);
+  add(after, object.after, object.regions_after, true);
+  return out;
+}
 
 double changed_area(const Epoch& epoch, const std::vector<uint32_t>& labels) {
   double sum = 0;

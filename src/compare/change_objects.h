@@ -36,6 +36,11 @@ struct ChangedObject {
   std::vector<Support> supports;
 };
 
+/// The regions of an object as objects of their own, each with the unchanged points beside it: for what did not move as
+/// a whole.
+std::vector<ChangedObject> single_regions(const Epoch& before, const Epoch& after, const ChangedObject& object,
+                                          double cell_m);
+
 /// Whole objects from changed regions (Girardeau-Montaut 2006, 3.5.4: "segmentation of the whole object"): 1. what
 /// stands unchanged and goes on beyond a region is taken away; 2. what hangs together with the region's points is the
 /// object; 3. where its unchanged points lie in the other epoch, the object of that epoch begins; both until nothing is

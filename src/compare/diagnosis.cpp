@@ -88,6 +88,15 @@ Change moved_or_deformed(const Job& job, ChangedObject object) {
   return out;
 }
 
+// Did no part of it move by more than the threshold? Then small things changed on something large that stayed.
+bool stayed(const Job& job, const Change& change) {
+  if (!change.match.found) return false;
+  Box3 box;
+  for (const uint32_t i : change.object.before) box.add(job.before.local(i));
+  return norm(change.match.displacement) + norm(change.match.rotation) * norm(box.max - box.min) / 2 <
+         job.threshold_m;
+}
+
 // Could one be the other, moved? Extents of the upright boxes, largest first.
 bool is_twin(const Job& job, const ChangedObject& gone, const ChangedObject& come) {
   const StandingBox a = standing_box(job.before_of(gone), up_of(gone));
@@ -193,6 +202,9 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse, const P
   for (const Comparison* c : {&forward, &reverse})
     if (c->points.find("nearest") == nullptr)
       fail(Status::kInvalidArgument, "the diagnosis needs two comparisons of method distance between clouds");
+  const double threshold_m = options.number("threshold_m");
+  if (!(threshold_m > 0))
+    fail(Status::kInvalidArgument, "threshold_m is 0; half of it is the tolerance of the diagnosis");
   Diagnosis out;
   out.after.comparison = &forward;
   out.before.comparison = &reverse;
@@ -202,7 +214,6 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse, const P
     out.before.regions = change_regions(reverse, options, task);
     out.after.origin = out.before.origin = local_origin(*forward.cloud, task);
   }
-  const double threshold_m = options.number("threshold_m");
   const double cell_m = std::max({out.before.regions.cell_m, out.after.regions.cell_m, 1e-6});
   for (Epoch* epoch : {&out.before, &out.after}) drop_shadow_rims(*epoch, threshold_m, cell_m);
   const Job job{out.before, out.after, kToleranceShare * threshold_m, threshold_m, cell_m,
@@ -217,10 +228,17 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse, const P
   for (ChangedObject& object : objects) {
     const double gone_m2 = changed_area(out.before, object.regions_before);
     const double come_m2 = changed_area(out.after, object.regions_after);
-    if (std::min(gone_m2, come_m2) > kSideShare * std::max(gone_m2, come_m2))
-      out.changes.push_back(moved_or_deformed(job, std::move(object)));
-    else
+    if (std::min(gone_m2, come_m2) <= kSideShare * std::max(gone_m2, come_m2)) {
       (gone_m2 < come_m2 ? sides.come : sides.gone).push_back(std::move(object));
+      continue;
+    }
+    Change change = moved_or_deformed(job, object);
+    if (!stayed(job, change)) {
+      out.changes.push_back(std::move(change));
+      continue;
+    }
+    for (ChangedObject& one : single_regions(out.before, out.after, object, cell_m))
+      (one.regions_before.empty() ? sides.come : sides.gone).push_back(std::move(one));
   }
   pair_twins(job, sides, out.changes);
   pair_places(job, sides, out.changes);

@@ -31,7 +31,7 @@ struct Diagnosis {
   std::vector<Change> changes;
 };
 
-/// Parameter table of operation "diagnosis".
+/// Parameter table of operation "diagnosis": that of the regions it starts from.
 std::span<const ParamRow> diagnosis_rows();
 /// What happened, from the comparison in both directions (3.5): forward compares the cloud after with that before,
 /// reverse the other way round. 1. Changed regions of both; 2. whole objects; 3. objects changed in both epochs moved

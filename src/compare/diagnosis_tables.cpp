@@ -7,18 +7,6 @@ namespace jalon {
 
 namespace {
 
-constexpr ParamRow kRows[] = {
-    choice_row("criterion", "automatic", "automatic|threshold|significance|field", "",
-               "Which points are changed: as in operation regions"),
-    number_row("threshold_m", 0.05, 1e-9, 1e9, "m", "",
-               "Distance above which a point is changed; half of it is what surfaces may differ by and be the same"),
-    string_row("field", "changed", "", "Name of the field for criterion field"),
-    number_row("cell_m", 0, 0, 1e6, "m", "",
-               "Edge length of the grid cells that connect points of one object; 0 = from the density of the changed"),
-    choice_row("connectivity", "26", "6|18|26", "", "Neighbours of a cell"),
-    integer_row("min_points", 10, 1, 1e15, "points", "", "Regions of fewer points are dropped"),
-};
-
 struct Row {
   const Diagnosis* diagnosis;
   const Change* change;
@@ -73,7 +61,7 @@ void add_motion(FieldTable& table, const std::vector<Row>& rows) {
 
 }  // namespace
 
-std::span<const ParamRow> diagnosis_rows() { return kRows; }
+std::span<const ParamRow> diagnosis_rows() { return regions_rows(); }
 
 FieldTable diagnosis_points_table(const Diagnosis& diagnosis, bool is_after) {
   const Epoch& epoch = is_after ? diagnosis.after : diagnosis.before;

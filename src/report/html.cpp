@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/json_reader.h"
-#include "base/json_writer.h"
 #include "base/text_number.h"
 #include "model/part_classes.h"
 #include "report/elevation_view.h"
+#include "report/html_frame.h"
 #include "report/html_model.h"
 #include "report/notes.h"
 #include "report/orientation_name.h"
@@ -26,24 +25,6 @@ constexpr ParamRow kReportRows[] = {
 };
 
 constexpr size_t kMostDrawings = 24;  // of single facades: a page that still opens at once
-
-// Dark on white, one column, prints without surprises. No scripts, no fonts or pictures from elsewhere.
-constexpr const char* kStyle =
-    "body{font-family:Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:64rem;margin:2rem auto;"
-    "padding:0 1rem;"
-    "line-height:1.4}"
-    "h1{font-size:1.7rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2rem 0 .5rem;border-bottom:1px solid #bbb;"
-    "padding-bottom:.2rem}"
-    ".lead{font-size:1.05rem;color:#333}"
-    ".scroll{overflow-x:auto;margin:0 0 1rem}"
-    "table{border-collapse:collapse;font-size:.88rem}th,td{padding:.22rem .6rem;text-align:left;vertical-align:top;"
-    "border-bottom:1px solid #e2e2e2}"
-    "thead th{border-bottom:2px solid #777;white-space:nowrap}"
-    ".n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}"
-    "td bdi{overflow-wrap:anywhere}"
-    "svg{width:100%;height:auto;max-height:60rem}"
-    ".note{color:#555;font-size:.85rem}"
-    "@media print{body{margin:0;max-width:none}h2{break-after:avoid}tr,svg{break-inside:avoid}}";
 
 uint64_t labelled(const Segmentation& segmentation) {
   uint64_t n = 0;
@@ -87,38 +68,6 @@ void add_input(Page& page, const Segmentation& segmentation, const Notes& notes)
   auto pairs = notes.input;
   pairs.emplace_back("points", std::to_string(segmentation.cloud->size()));
   if (!segmentation.cloud->crs.empty()) pairs.emplace_back("coordinate system", segmentation.cloud->crs);
-  add_pairs(page, pairs);
-}
-
-void add_times(Page& page, const Notes& notes) {
-  if (notes.times_s.empty()) return;
-  page.heading("Times");
-  auto& html = page.html();
-  html.open("table").open("tbody");
-  double sum = 0;
-  const auto row = [&](const std::string& name, double seconds) {
-    html.open("tr");
-    page.foreign("th", name);
-    page.number(text_of(seconds, 3) + " s");
-    html.close();
-  };
-  for (const auto& [name, seconds] : notes.times_s) {
-    row(name, seconds);
-    sum += seconds;
-  }
-  row("together", sum);
-  html.close().close();
-}
-
-void add_parameters(Page& page, const Segmentation& segmentation) {
-  if (segmentation.parameters_json.empty()) return;
-  std::vector<std::pair<std::string, std::string>> pairs;
-  const std::vector<JsonValue> parameters = read_json(segmentation.parameters_json);
-  for (const JsonValue& value : JsonChildren(parameters[0]))
-    pairs.emplace_back(value.name,
-                       value.kind == JsonValue::Kind::kText ? value.text : JsonWriter().value(value).take());
-  if (pairs.empty()) return;
-  page.heading("Parameters");
   add_pairs(page, pairs);
 }
 
@@ -224,14 +173,7 @@ std::string report_html(const Segmentation& segmentation, const Model& model, st
   const Notes notes = read_notes(notes_json);
   const Residuals residuals = bin_residuals(segmentation, 0, static_cast<size_t>(options.integer("bins")), task);
   Page page;
-  auto& html = page.html();
-  html.raw("<!DOCTYPE html>\n");
-  html.open("html", {{"lang", "en"}}).open("head");
-  html.leaf("meta", {{"charset", "utf-8"}});
-  html.leaf("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-  html.element("title", {}, notes.title);
-  html.open("style").raw(kStyle).close();
-  html.close().open("body");
+  open_page(page, notes.title);
   const OpeningList openings = list_openings(model, kTypeTolerance_m);
   add_summary(page, segmentation, notes, residuals, model_text(model, openings));
   if (options.flag("drawing") && !model.faces.empty()) add_drawings(page, segmentation, model, notes, task);
@@ -243,10 +185,10 @@ std::string report_html(const Segmentation& segmentation, const Model& model, st
   add_parts(page, model);
   add_residuals(page, residuals);
   add_input(page, segmentation, notes);
-  add_parameters(page, segmentation);
+  add_parameters(page, segmentation.parameters_json);
   add_times(page, notes);
   page.note("Written by Jalon.");
-  return html.take();
+  return page.html().take();
 }
 
 }  // namespace jalon

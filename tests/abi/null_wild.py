@@ -59,6 +59,8 @@ OPERATION = {
     "jalon_cloud_compute_field": "field_arithmetic", "jalon_cloud_compute_geodesic": "geodesic",
     "jalon_cloud_segment_propagation": "propagation", "jalon_cloud_compute_map_distance": "distance_map",
     "jalon_cloud_distance_map": "distance_map",
+    "jalon_report_write_deviations": "deviation_picture", "jalon_report_write_histogram": "comparison_report",
+    "jalon_report_write_comparison": "comparison_report",
     "jalon_comparison_regions": "regions", "jalon_comparison_diagnose": "diagnosis",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
@@ -70,6 +72,7 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_model_part.parent", "jalon_model_rename_part.name", "jalon_model_rename_part.part_class", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
             "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
             "out_summary", "out_cells",
+            "jalon_report_write_comparison.reverse", "jalon_report_write_comparison.changes",
             "jalon_comparison_regions.out_points", "jalon_comparison_regions.out_regions",
             "jalon_cloud_depth_map.rows", "jalon_cloud_depth_map.columns",
             "rows", "vertical_rad", "incidence_rad", "density", "cumulative", "bins", "other",
@@ -113,6 +116,9 @@ BASE = {
     "jalon_model_read.path": 'fx_path("model.obj")', "jalon_model_write.path": 'fx_path("out.obj")',
     "jalon_report_write_elevation.path": 'fx_path("out.svg")', "jalon_report_write_html.path": 'fx_path("out.html")',
     "jalon_cloud_write_depth_map.path": 'fx_path("depth.png")',
+    "jalon_report_write_deviations.path": 'fx_path("distances.svg")',
+    "jalon_report_write_histogram.path": 'fx_path("histogram.svg")',
+    "jalon_report_write_comparison.path": 'fx_path("comparison.html")', "jalon_report_write_comparison.changes": "NULL",
     "jalon_report_write_picture.path": 'fx_path("picture.svg")', "jalon_report_write_json.path": 'fx_path("out.json")', "jalon_params_set_string.value": "fx_text_value",
     "jalon_area_indices.automatic_m2": "fx_areas", "jalon_area_indices.reference_m2": "fx_areas",
     "jalon_area_indices.intersection_m2": "fx_areas",

@@ -209,10 +209,68 @@ static void comparer_m3c2__reads_parameter_files_of_cloudcompare(void** state) {
   jalon_task_release(task);
 }
 
+/* A plate of 2 x 2 m with points every 2 cm, lifted by 10 cm where up is set, within 0.6 ... 1.4 m. */
+static jalon_cloud* plate(int up) {
+  static double xyz[3 * 101 * 101];
+  double* p = xyz;
+  for (int i = 0; i <= 100; ++i)
+    for (int k = 0; k <= 100; ++k, p += 3) {
+      p[0] = 0.02 * i + (up ? 0.003 : 0);
+      p[1] = 0.02 * k;
+      p[2] = up && i >= 30 && i <= 70 && k >= 30 && k <= 70 ? 0.1 : 0.001 * ((i * 7 + k * 3) % 5);
+    }
+  jalon_cloud* cloud = NULL;
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, 101 * 101, 0, 0, &cloud));
+  return cloud;
+}
+
+static void changes__of_a_lifted_square_are_found_told_and_reported(void** state) {
+  (void)state;
+  jalon_cloud *before = plate(0), *after = plate(1);
+  jalon_comparer* comparer = NULL;
+  MUST(jalon_comparer_create("distance", &comparer));
+  jalon_comparison *forward = NULL, *reverse = NULL;
+  MUST(jalon_comparer_run(comparer, before, after, NULL, &forward));
+  MUST(jalon_comparer_run(comparer, after, before, NULL, &reverse));
+  jalon_fields *points = NULL, *regions = NULL, *changes = NULL;
+  MUST(jalon_comparison_regions(forward, NULL, NULL, &points, &regions));
+  double area[1], mean[1];
+  MUST(jalon_fields_copy(regions, "area", JALON_FLOAT64, area, 1));
+  MUST(jalon_fields_copy(regions, "mean", JALON_FLOAT64, mean, 1));
+  assert_true(fabs(area[0] - 0.82 * 0.82) < 0.05);
+  assert_true(fabs(mean[0] - 0.1) < 0.005);
+  MUST(jalon_comparison_diagnose(forward, reverse, NULL, NULL, NULL, NULL, &changes));
+  jalon_array_view classes;
+  MUST(jalon_fields_view(changes, "class", &classes));
+  assert_true(classes.count >= 1);
+  const char* page = temporary("comparison.html");
+  MUST(jalon_report_write_comparison(forward, reverse, changes, "{\"title\": \"<Plate>\"}", page, NULL, NULL));
+  char* text = content_of(page, NULL);
+  assert_non_null(strstr(text, "&lt;Plate&gt;"));
+  assert_non_null(strstr(text, "Weibull"));
+  free(text);
+  remove(page);
+  const char* picture = temporary("distances.png");
+  MUST(jalon_report_write_deviations(forward, picture, NULL, NULL));
+  text = content_of(picture, NULL);
+  assert_true(memcmp(text, "\x89PNG", 4) == 0);
+  free(text);
+  remove(picture);
+  jalon_fields_release(points);
+  jalon_fields_release(regions);
+  jalon_fields_release(changes);
+  jalon_comparison_release(forward);
+  jalon_comparison_release(reverse);
+  jalon_comparer_release(comparer);
+  jalon_cloud_release(before);
+  jalon_cloud_release(after);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(comparison__gives_distance_nearest_point_and_status_of_each_point),
       cmocka_unit_test(comparer__refuses_empty_clouds_and_two_different_crs),
+      cmocka_unit_test(changes__of_a_lifted_square_are_found_told_and_reported),
       cmocka_unit_test(comparer_preview__and_closest_points_of_a_line),
       cmocka_unit_test(comparer_m3c2__measures_at_given_core_points_along_the_normal),
       cmocka_unit_test(comparer_m3c2__reads_parameter_files_of_cloudcompare),

@@ -31,7 +31,7 @@ refuses() {
 }
 
 check "--help shows examples and exit codes" bash -c "'$jalon' --help | grep -q 'jalon facade scan.las' && '$jalon' --help | grep -q 'Exit codes'"
-for command in info convert clean normals facade model scan segment evaluate-segmentation evaluate-model; do
+for command in info convert clean normals facade model scan segment evaluate-segmentation evaluate-model compare; do
   check "$command --help shows an example" bash -c "'$jalon' $command --help | grep -q 'jalon $command'"
 done
 check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
@@ -71,6 +71,16 @@ check "segment writes its seven files" "$jalon" segment sample.las -o segments
 for file in report.html segments.svg segments.csv segments.json segments.las segments.ply primitives.txt; do check "segment made $file" test -s segments/$file; done
 check "segment leaves no private folder" bash -c "[ \$(ls -A segments | wc -l) -eq 7 ]"
 check "segment by another method, --json" bash -c "'$jalon' segment sample.las -o grown --method region_growing --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"segments\"])>5 and d[\"method\"]==\"region_growing\", d'"
+for epoch in 1 2; do check "scan of the street, epoch $epoch" "$jalon" scan --scene street --scene-set epoch=$epoch --method sample --set points=100000 --set seed=$epoch -o street$epoch.ply --quiet; done
+check "compare both ways" bash -c "'$jalon' compare street1.ply street2.ply -o both --threshold 0.3 --json | python3 -c '
+import json, sys
+d = json.load(sys.stdin)
+assert d[\"summary\"][\"points\"] == 100000 and d[\"reverse_summary\"][\"points\"] == 100000, d[\"summary\"]
+assert len(d[\"changes\"]) > 0 and all(0 < c[\"class\"] < 7 for c in d[\"changes\"]), d[\"changes\"]'"
+for file in report.html distances.svg histogram.svg comparison.json changes.csv compared.las compared.ply reference.las reference.ply; do check "compare made $file" test -s both/$file; done
+check "compare one way lists regions" bash -c "'$jalon' compare street1.ply street2.ply -o one --one-way --threshold 0.3 | grep -q '^region ' && test -s one/regions.csv"
+check "compare by m3c2" bash -c "'$jalon' compare street1.ply street2.ply -o m3c2 --method m3c2 --set normal_radius_m=1 --set cylinder_radius_m=0.5 --set core_spacing_m=1 --quiet && grep -q points m3c2/comparison.json"
+refuses "compare refuses an unknown method" 3 "no comparison method" "$jalon" compare street1.ply street2.ply -o no --method nonsense
 check "scan of the arches" "$jalon" scan --scene arches -o arches.las --quiet
 check "segment finds the soffits of the arches as cylinders" bash -c "'$jalon' segment arches.las -o arches --set primitives=all --json | python3 -c '
 import json,sys

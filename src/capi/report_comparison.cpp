@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "capi/comparison_handles.h"
+#include "capi/guard.h"
+#include "capi/report_files.h"
+#include "jalon/report.h"
+#include "report/comparison_report.h"
+#include "report/deviation_picture.h"
+
+using namespace jalon;
+using namespace jalon::capi;
+
+jalon_status jalon_report_write_deviations(const jalon_comparison* comparison, const char* path,
+                                           const jalon_params* options, jalon_task* task) {
+  return guard([&] {
+    require(comparison, "comparison");
+    const std::string target = require_text(path, "path");
+    const ParamSet set = options_or_default(options, "deviation_picture");
+    with_task(task, [&](Task& t) {
+      const Comparison* one[] = {comparison->comparison.get()};
+      const DeviationScale scale = deviation_scale(one, set.number("limit_m"));
+      const auto draw = is_png(target) ? deviation_png : deviation_svg;
+      write_whole(target, draw(*one[0], scale, set, t));
+    });
+  });
+}
+
+jalon_status jalon_report_write_histogram(const jalon_comparison* comparison, const char* path,
+                                          const jalon_params* options, jalon_task* task) {
+  return guard([&] {
+    require(comparison, "comparison");
+    const std::string target = require_text(path, "path");
+    const ParamSet set = options_or_default(options, "comparison_report");
+    with_task(task, [&](Task& t) { write_whole(target, comparison_histogram(*comparison->comparison, set, t)); });
+  });
+}
+
+jalon_status jalon_report_write_comparison(const jalon_comparison* forward, const jalon_comparison* reverse,
+                                           const jalon_fields* changes, const char* notes_json, const char* path,
+                                           const jalon_params* options, jalon_task* task) {
+  return guard([&] {
+    require(forward, "forward");
+    const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
+    const ParamSet set = options_or_default(options, "comparison_report");
+    const Comparison* other = reverse != nullptr ? reverse->comparison.get() : nullptr;
+    const FieldTable table = changes != nullptr ? changes->table : FieldTable();
+    with_task(task, [&](Task& t) {
+      write_whole(target, comparison_html(*forward->comparison, other, table, notes, set, t));
+    });
+  });
+}
