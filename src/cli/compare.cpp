@@ -24,6 +24,14 @@ struct Compare {
   double threshold_m = 0;  ///< 0 = the operation's default
   bool is_one_way = false;
 
+  // Files that hold a model and no points.
+  bool is_model() const {
+    const std::string& path = reference.path;
+    for (const std::string end : {".obj", ".stl", ".json", ".OBJ", ".STL", ".JSON"})
+      if (path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0) return true;
+    return false;
+  }
+
   // What one direction gave.
   struct Direction {
     Comparison comparison;
@@ -46,9 +54,23 @@ struct Compare {
     return options;
   }
 
+  Direction run_model(const Console& console, const Comparer& worker, const Cloud& to) const {
+    Model model;
+    must(jalon_model_read(reference.path.c_str(), nullptr, console.task(), Out(model)));
+    Comparison made;
+    must(jalon_comparer_run_model(worker.get(), model.get(), to.get(), console.task(), Out(made)));
+    return direction_of(std::move(made));
+  }
+
   static Direction run_one(const Console& console, const Comparer& worker, const Cloud& from, const Cloud& to) {
+    Comparison made;
+    must(jalon_comparer_run(worker.get(), from.get(), to.get(), console.task(), Out(made)));
+    return direction_of(std::move(made));
+  }
+
+  static Direction direction_of(Comparison made) {
     Direction out;
-    must(jalon_comparer_run(worker.get(), from.get(), to.get(), console.task(), Out(out.comparison)));
+    out.comparison = std::move(made);
     Fields summary;
     must(jalon_comparison_summary(out.comparison.get(), Out(summary)));
     out.summary = std::make_unique<Table>(std::move(summary));
@@ -136,14 +158,15 @@ struct Compare {
     Console console(common);
     Params params;
     const Comparer worker = comparer(params);  // wrong parameters are told before a long read
-    const bool both = !is_one_way && method == "distance";
+    const bool both = !is_one_way && method == "distance" && !is_model();
     const Params options = change_options(both ? "diagnosis" : "regions");
     console.step("reading");
-    Console& reader = console;
-    const Cloud before = reference.read(reader), after = compared.read(reader);
+    const Cloud after = compared.read(console);
+    const Cloud before = is_model() ? Cloud() : reference.read(console);
     Json times{{"read", console.seconds()}};
     console.step("comparing");
-    Direction forward = run_one(console, worker, before, after), reverse;
+    Direction forward = is_model() ? run_model(console, worker, after) : run_one(console, worker, before, after);
+    Direction reverse;
     if (both) reverse = run_one(console, worker, after, before);
     times["compare"] = console.seconds();
     console.step("changes");
@@ -199,9 +222,10 @@ std::string tables() {
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  auto* command = app.add_subcommand("compare", "Two scans: distances, what changed between them, and how");
+  auto* command = app.add_subcommand("compare", "Two scans, or a scan and a model: distances, what changed, and how");
   auto state = std::make_shared<Compare>();
-  command->add_option("reference", state->reference.path, "The scan that distances are taken from (before)")
+  command->add_option("reference", state->reference.path,
+                      "The scan (before) or the model (.obj, .stl, .city.json) that distances are taken from")
       ->required()
       ->type_name("REFERENCE");
   command->add_option("compared", state->compared.path, "The scan whose points get them (after)")
@@ -234,7 +258,9 @@ void add_compare(CLI::App& app) {
   command->footer([] {
     return tables() +
            "Examples:\n  jalon compare march.las april.las -o changes\n"
-           "  jalon compare march.las april.las -o changes --one-way --threshold 0.02 --set max_distance_m=1";
+           "  jalon compare march.las april.las -o changes --one-way --threshold 0.02 --set max_distance_m=1\n"
+           "  jalon compare model.city.json scan.las -o as_built --set tolerance_m=0.01\n"
+           "  jalon compare march.las april.las -o creep --method m3c2 --set core_spacing_m=0.5";
   });
   command->callback([state] { state->run(); });
 }

@@ -79,6 +79,7 @@ assert d[\"summary\"][\"points\"] == 100000 and d[\"reverse_summary\"][\"points\
 assert len(d[\"changes\"]) > 0 and all(0 < c[\"class\"] < 7 for c in d[\"changes\"]), d[\"changes\"]'"
 for file in report.html distances.svg histogram.svg comparison.json changes.csv compared.las compared.ply reference.las reference.ply; do check "compare made $file" test -s both/$file; done
 check "compare one way lists regions" bash -c "'$jalon' compare street1.ply street2.ply -o one --one-way --threshold 0.3 | grep -q '^region ' && test -s one/regions.csv"
+check "compare with a model" bash -c "'$jalon' compare result/model.obj sample.las -o as_built --set tolerance_m=0.02 --quiet && test -s as_built/report.html && test -s as_built/regions.csv"
 check "compare by m3c2" bash -c "'$jalon' compare street1.ply street2.ply -o m3c2 --method m3c2 --set normal_radius_m=1 --set cylinder_radius_m=0.5 --set core_spacing_m=1 --quiet && grep -q points m3c2/comparison.json"
 refuses "compare refuses an unknown method" 3 "no comparison method" "$jalon" compare street1.ply street2.ply -o no --method nonsense
 check "scan of the arches" "$jalon" scan --scene arches -o arches.las --quiet
