@@ -17,4 +17,4 @@ need_packages() {
 }
 
 # What the library and its command line tool are built with.
-build_packages=(g++ cmake ninja-build libeigen3-dev libboost-dev nlohmann-json3-dev libcli11-dev)
+build_packages=(g++ cmake ninja-build libeigen3-dev libboost-dev nlohmann-json3-dev libcli11-dev libfcl-dev libccd-dev)

@@ -4,6 +4,7 @@
 suite style python3 tests/style/check.py "$release"
 suite abi bash tests/abi/check.sh "$release"
 suite install bash tests/install/check.sh "$release"
+suite libccd bash tests/install/single_ccd.sh
 suite comma_locale bash tests/capi/comma_locale.sh "$release"
 suite bits bash tests/scenarios/bits.sh "$release"
 suite cli bash tests/scenarios/cli.sh "$release/src/jalon"

@@ -28,6 +28,7 @@
 #include <jalon/comparer.h>
 #include <jalon/visibility.h>
 #include <jalon/changes.h>
+#include <jalon/clearance.h>
 #include <jalon/field_tools.h>
 #include <jalon/volumes.h>
 #include <jalon/scanner.h>

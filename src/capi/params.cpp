@@ -7,6 +7,7 @@
 #include "capi/guard.h"
 #include "capi/operations.h"
 #include "cloud/operations.h"
+#include "compare/clearance.h"
 #include "compare/diagnosis.h"
 #include "cloud/precision.h"
 #include "compare/model_sample.h"
@@ -53,6 +54,7 @@ std::span<const Operation> operations() {
       {"classes", classes_rows},     {"gradient", gradient_rows},   {"field_filter", field_filter_rows},
       {"field_arithmetic", field_arithmetic_rows}, {"geodesic", geodesic_rows}, {"propagation", propagation_rows},
       {"distance_map", distance_map_rows},
+      {"clearance", clearance_rows},
   };
   return kOperations;
 }

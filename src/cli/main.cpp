@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
   add_evaluate(app);
   add_evaluate_model(app);
   add_compare(app);
+  add_clearance(app);
   add_scan(app);
   try {
     app.parse(argc, argv);

@@ -57,6 +57,7 @@ void add_model(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_evaluate_model(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_clearance(CLI::App& app);
 void add_scan(CLI::App& app);
 
 }  // namespace jalon::cli

@@ -99,9 +99,10 @@ def hardening(library):
         yield "a run path of the build machine"
 
 
-def needed(library):
+def needed(library, with_fcl):
+    """FCL and libccd, an option of the build, are the only needs beside the C++ library's own."""
     for name in re.findall(r"\(NEEDED\).*\[(.+)\]", run("readelf", "-dW", library)):
-        if not SYSTEM_LIBRARIES.match(name):
+        if not SYSTEM_LIBRARIES.match(name) and not (with_fcl and re.match(r"lib(fcl|ccd)\.so", name)):
             yield name
 
 
@@ -192,7 +193,9 @@ def main():
     else:
         tally.check("abi: no writable data beyond the committed list",
                     (d for d in difference(writable_globals(library), lines_of("globals.txt"), "globals.txt") if d[0] == "+"))
-        tally.check("abi: needs libc, libm, libpthread, libstdc++ and libgcc_s only", needed(library))
+        with_fcl = "JALON_WITH_FCL:BOOL=ON" in cache
+        tally.check("abi: needs libc, libm, libpthread, libstdc++ and libgcc_s only" + (", FCL and libccd" if with_fcl else ""),
+                    needed(library, with_fcl))
         tally.check("abi: full RELRO, no executable stack, no text relocations, no build path", hardening(library))
     types(tally)
     tally.close()

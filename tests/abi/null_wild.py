@@ -48,6 +48,8 @@ OPERATION = {
     "jalon_report_write_html": "report", "jalon_report_write_json": "report",
     "jalon_model_evaluate": "model_evaluation", "jalon_area_indices": "indices",
     "jalon_polygon_indices": "indices",
+    "jalon_model_clearance": "clearance", "jalon_model_clearance_to_model": "clearance",
+    "jalon_gauge_sweep": "clearance", "jalon_gauge_sweep_model": "clearance",
     "jalon_precision_budget": "precision", "jalon_cloud_compute_covariances": "precision",
     "jalon_segmentation_plane_covariances": "precision",
     "jalon_cloud_volume": "volume", "jalon_model_volume": "volume", "jalon_model_sample": "model_sample",
@@ -73,6 +75,9 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
             "out_summary", "out_cells",
             "jalon_report_write_comparison.reverse", "jalon_report_write_comparison.changes",
+            "jalon_model_clearance.summary", "jalon_model_clearance_to_model.summary",
+            "near_points", "near_faces", "places", "intervals", "jalon_gauge_sweep.cloud",
+            "jalon_gauge_sweep.model", "jalon_gauge_sweep_model.cloud", "jalon_gauge_sweep_model.model",
             "jalon_comparison_regions.out_points", "jalon_comparison_regions.out_regions",
             "jalon_cloud_depth_map.rows", "jalon_cloud_depth_map.columns",
             "rows", "vertical_rad", "incidence_rad", "density", "cumulative", "bins", "other",
@@ -80,7 +85,7 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_comparison_diagnose.out_forward", "jalon_comparison_diagnose.out_reverse",
             "jalon_comparison_diagnose.out_changes",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
-NOT_NULLABLE = {"jalon_scanner_add_station.pose"}
+NOT_NULLABLE = {"jalon_model_clearance_to_model.other", "jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
         "jalon_cloud_radius_search.neighbours", "jalon_cloud_builder_begin_station.name",
         "jalon_cloud_set_station.name", "jalon_report_write_elevation.model", "jalon_report_write_elevation.options"}
@@ -94,9 +99,12 @@ ARRAYS = {"xyz": "count", "picks": "count", "x": "count", "y": "count", "z": "co
           "reference_m2": "count", "intersection_m2": "count", "automatic_xyz": "count",
           "reference_xyz": "count", "ranges_m": "count", "measured_m": "count", "known_m": "count",
           "seeds": "count", "probabilities": "count",
-          "wavelengths_m": "count", "remainders_m": "count", "vertices": "count_vertices", "triangles": "count_triangles"}
+          "wavelengths_m": "count", "remainders_m": "count", "vertices": "count_vertices",
+          "pieces": "piece_count", "hull_points": "hull_point_count", "poses": "pose_count", "triangles": "count_triangles"}
 # Baselines that need another handle or value than the tables give.
 BASE = {
+    "jalon_gauge_sweep_model.gauge": "fx_block", "jalon_gauge_sweep.cloud": "fx_small",
+    "jalon_gauge_sweep_model.cloud": "fx_small",
     "jalon_cloud_fit_sphere.cloud": "fx_ball", "jalon_cloud_fit_cylinder.cloud": "fx_ball",
     "jalon_cloud_fit_circle.cloud": "fx_ball", "jalon_segmentation_pick.segmentation": "fx_start",
     "jalon_segmentation_pick.picks": "fx_picks",
@@ -208,6 +216,9 @@ def scalar(function, p):
             return Case("0", wild_values(["1", "7", "UINT64_MAX", "(uint64_t)1 << 63"], INVALID))
         if n in ("i", "station"):
             return Case("0", wild_values(["UINT64_MAX", "1000000", "(uint64_t)1 << 63"], INVALID))
+        if n in ("part", "other_part"):
+            return Case("JALON_WHOLE_MODEL", wild_values(["UINT64_MAX - 1", "(uint64_t)1 << 63"], INVALID)
+                        + wild_values(["0", "1"]))
         if n == "code":
             return Case("0", wild_values(["UINT64_MAX", "(uint64_t)1 << 63", "12345678901"]))
         if n == "capacity_elements":
@@ -251,6 +262,9 @@ def text(function, p):
 
 def pointer_in(function, p):
     null = null_expectation(function, p.name)
+    records = {"const jalon_gauge_piece*": "fx_pieces", "const jalon_transform*": "fx_poses"}
+    if p.type in records and p.name in ARRAYS:
+        return Case(records[p.type], wild_values(["fx_wild_" + p.name], INVALID), INVALID)
     structs = {
         "const jalon_transform*": ("&fx_identity", ["&fx_nan_transform", "&fx_inf_transform"],
                                    ["&fx_zero", "&fx_big_transform"]),

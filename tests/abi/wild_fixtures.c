@@ -14,7 +14,7 @@ jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_co
 jalon_cloud* fx_clouds[3];
 jalon_cloud_builder *fx_builder, *fx_builder_ready;
 jalon_fields* fx_fields;
-jalon_model *fx_model, *fx_mesh, *fx_bare;
+jalon_model *fx_model, *fx_mesh, *fx_bare, *fx_block;
 jalon_segmenter* fx_segmenter;
 jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;
 jalon_evaluation* fx_evaluation;
@@ -42,6 +42,17 @@ const jalon_transform fx_zero = {{0}};
 const jalon_transform fx_nan_transform = {{1, 0, 0, NAN, 0, 1, 0, 0, 0, 0, 1, 0}};
 const jalon_transform fx_inf_transform = {{INFINITY, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
 const jalon_transform fx_big_transform = {{1e300, 0, 0, 0, 0, 1e300, 0, 0, 0, 0, 1e300, 0}};
+#define IDENTITY {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}
+const jalon_transform fx_poses[8] = {{IDENTITY}, {IDENTITY}, {IDENTITY}, {IDENTITY}, {IDENTITY},
+                                     {{0.96, -0.28, 0, 0.5, 0.28, 0.96, 0, 0, 0, 0, 1, 0}},
+                                     {{1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0}}, {{1, 0, 0, 1e6, 0, 1, 0, 0, 0, 0, 1, 0}}};
+const jalon_transform fx_wild_poses[8] = {{IDENTITY}, {IDENTITY}, {{2, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0}}, {{0}}};
+#define BOX {JALON_GAUGE_BOX, 0, {IDENTITY}, {1, 2, 3}, 0, 0}
+const jalon_gauge_piece fx_pieces[8] = {BOX, BOX, BOX, BOX, BOX, BOX,
+                                        {JALON_GAUGE_SPHERE, 0, {IDENTITY}, {1, 0, 0}, 0, 0},
+                                        {JALON_GAUGE_CYLINDER, 0, {IDENTITY}, {1, 0, 2}, 0, 0}};
+const jalon_gauge_piece fx_wild_pieces[8] = {BOX, BOX, {JALON_GAUGE_HULL, 0, {IDENTITY}, {0, 0, 0}, UINT64_MAX, 5},
+                                             {99, 0, {IDENTITY}, {1, 2, 3}, 0, 0}};
 const jalon_box fx_box = {{-50, -50, -50}, {50, 50, 50}}, fx_reversed_box = {{1, 1, 1}, {-1, -1, -1}};
 const jalon_box fx_nan_box = {{NAN, -1, -1}, {1, 1, 1}};
 const jalon_vec3 fx_foot = {0, 0, -5}, fx_top = {0, 0, 5}, fx_nan_vec = {0, NAN, 0}, fx_inf_vec = {0, 0, INFINITY};
@@ -192,6 +203,9 @@ static void make_workers(void) {
   MUST(jalon_model_evaluate(fx_model, fx_model, NULL, NULL, &fx_model_evaluation));
   const double corners[12] = {-2, 3, -2, 2, 3, -2, 2, 3, 2, -2, 3, 2};
   MUST(jalon_model_create_mesh(corners, JALON_FLOAT64, 4, 0, fx_triangles, 2, NULL, &fx_mesh));
+  const double block[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const uint32_t block_sides[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  MUST(jalon_model_create_mesh(block, JALON_FLOAT64, 4, 0, block_sides, 4, NULL, &fx_block));
   MUST(jalon_model_create_mesh(NULL, JALON_FLOAT64, 0, 0, NULL, 0, NULL, &fx_bare));
   MUST(jalon_scanner_create(NULL, &fx_scanner));
   MUST(jalon_scanner_add_station(fx_scanner, "tripod", &fx_identity));
@@ -239,6 +253,7 @@ void fx_end(void) {
   jalon_model_release(fx_model);
   jalon_model_release(fx_mesh);
   jalon_model_release(fx_bare);
+  jalon_model_release(fx_block);
   jalon_segmenter_release(fx_segmenter);
   jalon_segmentation_release(fx_segmentation);
   jalon_segmentation_release(fx_no_segments);

@@ -20,7 +20,7 @@ extern jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal,
 extern jalon_cloud* fx_clouds[3];
 extern jalon_cloud_builder *fx_builder, *fx_builder_ready;
 extern jalon_fields* fx_fields;
-extern jalon_model *fx_model, *fx_mesh, *fx_bare;
+extern jalon_model *fx_model, *fx_mesh, *fx_bare, *fx_block;
 extern jalon_segmenter* fx_segmenter;
 extern jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;
 extern jalon_evaluation* fx_evaluation;
@@ -42,6 +42,8 @@ extern uint64_t fx_indices[kArrayItems];
 extern uint32_t fx_triangles[kArrayItems];
 extern const double fx_square[8], fx_picks[24], fx_areas[8], fx_ranges[8];
 extern const jalon_transform fx_identity, fx_zero, fx_nan_transform, fx_inf_transform, fx_big_transform;
+extern const jalon_transform fx_poses[8], fx_wild_poses[8];
+extern const jalon_gauge_piece fx_pieces[8], fx_wild_pieces[8];
 extern const jalon_box fx_box, fx_reversed_box, fx_nan_box;
 extern const jalon_vec3 fx_foot, fx_top, fx_nan_vec, fx_inf_vec;
 extern char* fx_long_text;  /* 70 000 letters */

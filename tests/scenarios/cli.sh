@@ -31,7 +31,7 @@ refuses() {
 }
 
 check "--help shows examples and exit codes" bash -c "'$jalon' --help | grep -q 'jalon facade scan.las' && '$jalon' --help | grep -q 'Exit codes'"
-for command in info convert clean normals facade model scan segment evaluate-segmentation evaluate-model compare; do
+for command in info convert clean normals facade model scan segment evaluate-segmentation evaluate-model compare clearance; do
   check "$command --help shows an example" bash -c "'$jalon' $command --help | grep -q 'jalon $command'"
 done
 check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
@@ -239,5 +239,33 @@ if [ -d "$data/facades" ]; then
 else
   echo "skipped: real facades (shared data absent)" && skipped=$((skipped + 1))
 fi
+# A tunnel of radius 3 m along x, one point of it bulged inward; a gauge of two boxes through it.
+python3 - <<'END'
+import math
+with open("tunnel.xyz", "w") as f:
+    for i in range(401):
+        for k in range(60):
+            r = 2.2 if (i, k) == (200, 5) else 3.0
+            f.write("%.4f %.4f %.4f\n" % (0.1 * i, r * math.cos(k * math.pi / 30), r * math.sin(k * math.pi / 30)))
+with open("track.txt", "w") as f:
+    f.write("x y z\n" + "".join("%g 0 0\n" % x for x in (2, 12, 22, 32)))
+with open("gauge.json", "w") as f:
+    f.write('{"pieces": [{"type": "box", "size": [2, 3.6, 2.4]}, {"type": "box", "size": [1, 2, 3.4]}]}')
+END
+check "clearance of a gauge along a track: touches between two far poses" bash -c "'$jalon' clearance tunnel.xyz --gauge gauge.json --trajectory track.txt -o swept --json | python3 -c '
+import json,math,sys
+d=json.load(sys.stdin)
+depth=2.2*math.sin(math.pi/6)-1.2
+side=2.2*math.cos(math.pi/6)-1.8
+truth=math.hypot(max(side,0),max(depth,0)) if max(side,depth)>0 else max(side,depth)
+least=d[\"least\"]
+assert abs(least[\"clearance\"]-truth)<1e-6 and least[\"interval\"]==1 and abs(least[\"parameter\"]-1.8)<0.11, d
+assert d[\"poses\"]==4 and d[\"places\"]==1 and d[\"intervals_within_margin\"]==1, d'"
+for file in places.csv intervals.csv clearance.svg clearance.json; do check "clearance made $file" test -s swept/$file; done
+check "rsvg draws the clearance" rsvg-convert swept/clearance.svg -o swept.png
+check "clearance of a model from a cloud" bash -c "'$jalon' clearance result/model.obj sample.las -o measured --set margin_m=0.005 | grep -q 'within the margin' && test -s measured/near.csv"
+refuses "a gauge without a trajectory" 2 'go together' "$jalon" clearance tunnel.xyz --gauge gauge.json
+printf '{"pieces": [{"type": "cone"}]}' >cone.json
+refuses "a gauge of an unknown piece" 3 'cone' "$jalon" clearance tunnel.xyz --gauge cone.json --trajectory track.txt
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/clearance_inputs.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+namespace jalon::cli {
+
+namespace {
+
+using Json = nlohmann::json;
+using Vector = std::array<double, 3>;
+
+[[noreturn]] void malformed(const std::string& path, const std::string& why) {
+  throw Failure{JALON_ERROR_FORMAT, path + ": " + why};
+}
+
+std::string whole_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Failure{JALON_ERROR_NOT_FOUND, "cannot read " + path};
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+// False for no direction at all.
+bool normalise(Vector& v) {
+  const double n = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  if (!(n > 0) || !std::isfinite(n)) return false;
+  for (double& c : v) c /= n;
+  return true;
+}
+
+jalon_transform pose_of(const Vector& x, const Vector& y, const Vector& z, const Vector& at) {
+  jalon_transform t;
+  for (size_t i = 0; i < 3; ++i) {
+    t.m[4 * i] = x[i], t.m[4 * i + 1] = y[i], t.m[4 * i + 2] = z[i], t.m[4 * i + 3] = at[i];
+  }
+  return t;
+}
+
+// The frame whose z is given: any turn about it serves a cylinder.
+jalon_transform along(Vector z, const Vector& at) {
+  if (!normalise(z)) z = {0, 0, 1};
+  Vector x = std::abs(z[0]) < 0.9 ? cross({1, 0, 0}, z) : cross({0, 1, 0}, z);
+  normalise(x);
+  return pose_of(x, cross(z, x), z, at);
+}
+
+void add_piece(const Json& json, Gauge& gauge) {
+  jalon_gauge_piece piece{};
+  const std::string type = json.at("type").get<std::string>();
+  const auto at = json.value("at", Vector{0, 0, 0});
+  piece.frame = json.contains("axis") ? along(json.at("axis").get<Vector>(), at)
+                                      : pose_of({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, at);
+  if (type == "box") {
+    const auto size = json.at("size").get<Vector>();
+    piece.kind = JALON_GAUGE_BOX, piece.size = {size[0], size[1], size[2]};
+  } else if (type == "sphere") {
+    piece.kind = JALON_GAUGE_SPHERE, piece.size.x = json.at("radius").get<double>();
+  } else if (type == "cylinder") {
+    piece.kind = JALON_GAUGE_CYLINDER;
+    piece.size = {json.at("radius").get<double>(), 0, json.at("length").get<double>()};
+  } else if (type == "hull") {
+    piece.kind = JALON_GAUGE_HULL, piece.first = gauge.hull_points.size() / 3;
+    for (const Json& point : json.at("points"))
+      for (const double c : point.get<Vector>()) gauge.hull_points.push_back(c);
+    piece.count = gauge.hull_points.size() / 3 - piece.first;
+  } else {
+    throw Failure{JALON_ERROR_FORMAT, "\"" + type + "\" is no type of piece: box, sphere, cylinder, hull"};
+  }
+  gauge.pieces.push_back(piece);
+}
+
+// The numbers of a line; empty for a comment or a heading.
+std::vector<double> numbers_of(std::string line) {
+  line.resize(std::min(line.size(), line.find('#')));
+  std::vector<double> out;
+  const char *at = line.data(), *end = at + line.size();
+  while (true) {
+    while (at != end && (*at == ' ' || *at == '\t' || *at == ',' || *at == ';' || *at == '\r')) ++at;
+    if (at == end) return out;
+    double value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc()) return {};
+    out.push_back(value);
+    at = next;
+  }
+}
+
+jalon_transform turned_pose(const double* v, const std::string& path) {
+  double x = v[3], y = v[4], z = v[5], w = v[6];
+  const double n = std::sqrt(x * x + y * y + z * z + w * w);
+  if (!(n > 0)) malformed(path, "a quaternion of zeros");
+  x /= n, y /= n, z /= n, w /= n;
+  return {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), v[0],
+           2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x), v[1],
+           2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y), v[2]}};
+}
+
+// x along the path, y level, z up.
+std::vector<jalon_transform> along_path(const std::vector<Vector>& places) {
+  std::vector<jalon_transform> poses;
+  Vector x{1, 0, 0}, y{0, 1, 0};
+  for (size_t i = 0; i < places.size(); ++i) {
+    Vector ahead = minus(places[std::min(i + 1, places.size() - 1)], places[i > 0 ? i - 1 : 0]);
+    if (normalise(ahead)) x = ahead;
+    Vector level = cross({0, 0, 1}, x);
+    if (normalise(level)) y = level;  // straight up: as it was
+    poses.push_back(pose_of(x, y, cross(x, y), places[i]));
+  }
+  return poses;
+}
+
+}  // namespace
+
+Gauge read_gauge(const std::string& path) {
+  const Json json = Json::parse(whole_file(path), nullptr, false);
+  if (!json.is_object() || !json.contains("pieces")) malformed(path, "no JSON object with \"pieces\"");
+  Gauge gauge;
+  try {
+    for (const Json& piece : json.at("pieces")) add_piece(piece, gauge);
+  } catch (const Json::exception& error) {
+    malformed(path, "piece " + std::to_string(gauge.pieces.size()) + ": " + error.what());
+  } catch (const Failure& failure) {
+    malformed(path, failure.text);
+  }
+  return gauge;
+}
+
+std::vector<jalon_transform> read_trajectory(const std::string& path) {
+  const std::string text = whole_file(path);
+  std::vector<jalon_transform> poses;
+  std::vector<Vector> places;
+  size_t width = 0;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    const std::vector<double> v = numbers_of(text.substr(at, end - at));
+    at = end + 1;
+    if (v.empty()) continue;
+    if (width == 0) width = v.size();
+    if (v.size() != width || (width != 3 && width != 7 && width != 8 && width != 12))
+      malformed(path, "a line of " + std::to_string(v.size()) + " numbers; all have 3, 7, 8 or 12");
+    if (width == 3) places.push_back({v[0], v[1], v[2]});
+    if (width == 7 || width == 8) poses.push_back(turned_pose(v.data() + (width - 7), path));
+    if (width == 12) {
+      jalon_transform pose;
+      std::copy(v.begin(), v.end(), pose.m);
+      poses.push_back(pose);
+    }
+  }
+  if (width == 3) poses = along_path(places);
+  if (poses.empty()) malformed(path, "no pose");
+  return poses;
+}
+
+}  // namespace jalon::cli

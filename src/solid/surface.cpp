@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solid/surface.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace jalon {
+
+namespace {
+
+using Triangles = std::vector<std::array<uint32_t, 3>>;
+
+/// Corners of a volume that is tried for convexity: every corner against every triangle.
+constexpr size_t kMostConvexCorners = 512;
+/// Of the extent: flat sides of several triangles are flat only this far.
+constexpr double kFlat = 1e-9;
+
+// For each vertex the first that has the same place.
+std::vector<uint32_t> merged(const std::vector<Vec3>& vertices) {
+  std::vector<uint32_t> order(vertices.size()), first(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](uint32_t i) { return std::tie(vertices[i].x, vertices[i].y, vertices[i].z); };
+  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+    return key(a) < key(b) || (key(a) == key(b) && a < b);
+  });
+  for (size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
+  return first;
+}
+
+bool encloses(const std::vector<Vec3>& vertices, const Triangles& triangles) {
+  const std::vector<uint32_t> corner = merged(vertices);
+  std::vector<std::pair<uint32_t, uint32_t>> sides;
+  for (const auto& t : triangles) {
+    const std::array<uint32_t, 3> c{corner[t[0]], corner[t[1]], corner[t[2]]};
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+    for (size_t k = 0; k < 3; ++k) sides.emplace_back(c[k], c[(k + 1) % 3]);
+  }
+  std::sort(sides.begin(), sides.end());
+  if (sides.empty() || std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
+  return std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
+    return std::binary_search(sides.begin(), sides.end(), std::pair{side.second, side.first});
+  });
+}
+
+double volume(const std::vector<Vec3>& vertices, const Triangles& triangles) {
+  double sum = 0;
+  const Vec3 origin = vertices[triangles[0][0]];
+  for (const auto& t : triangles)
+    sum += dot(vertices[t[0]] - origin, cross(vertices[t[1]] - origin, vertices[t[2]] - origin)) / 6;
+  return sum;
+}
+
+// The hull of a closed surface whose corners all lie behind all of its triangles.
+std::optional<ConvexPiece> convex_of(const std::vector<Vec3>& vertices, const Triangles& triangles) {
+  std::vector<Vec3> corners;
+  std::vector<uint32_t> used;
+  for (const auto& t : triangles) used.insert(used.end(), t.begin(), t.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  if (used.size() > kMostConvexCorners) return std::nullopt;
+  Box3 box;
+  for (const uint32_t v : used) {
+    corners.push_back(vertices[v]);
+    box.add(vertices[v]);
+  }
+  const double flat = kFlat * norm(box.max - box.min);
+  for (const auto& t : triangles) {
+    const Vec3 a = vertices[t[0]], normal = normalized(cross(vertices[t[1]] - a, vertices[t[2]] - a));
+    for (const Vec3& p : corners)
+      if (dot(normal, p - a) > flat) return std::nullopt;
+  }
+  return ConvexPiece::hull(corners);
+}
+
+}  // namespace
+
+PartSurface::PartSurface(std::vector<Vec3> vertices, Triangles triangles, Task& task) {
+  closed_ = encloses(vertices, triangles);
+  if (closed_) {
+    const double inside = volume(vertices, triangles);
+    closed_ = inside != 0;
+    if (inside < 0)
+      for (auto& t : triangles) std::swap(t[1], t[2]);
+  }
+  if (closed_) convex_ = convex_of(vertices, triangles);
+  nearest_ = NearestTriangles::build(vertices, triangles, task);
+  boxes_ = std::make_unique<const TriangleBoxes>(std::move(vertices), std::move(triangles));
+}
+
+}  // namespace jalon

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solid/surface_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "spatial/octree_walk.h"
+
+namespace jalon {
+
+namespace {
+
+/// Corners of the surface whose nearest point bounds the search from above.
+constexpr size_t kProbes = 256;
+constexpr double kRounding_m = 1e-9;
+
+// Step 1: some point is at most this far from the surface.
+double first_bound(const PartSurface& surface, const Octree& octree) {
+  const std::span<const std::array<uint32_t, 3>> triangles = surface.boxes().triangles();
+  const size_t step = std::max<size_t>(1, triangles.size() / kProbes);
+  double best = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < triangles.size(); i += step) {
+    Neighbour nearest;
+    octree.knn(surface.boxes().vertices()[triangles[i][0]], 1, {&nearest, 1});
+    best = std::min(best, std::sqrt(nearest.squared_distance));
+  }
+  return best;
+}
+
+// Step 2: the points of all leaves that may hold one within the limit, or one inside.
+std::vector<uint32_t> candidates(const PartSurface& surface, const Octree& octree, double limit, const Task& task) {
+  std::vector<uint32_t> out;
+  const std::span<const uint32_t> order = octree.order();
+  walk_octree(
+      octree,
+      [&](const BoundingBall& ball, double& key) {
+        if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
+        const TriangleAnswer answer = surface.nearest().nearest(ball.centre);
+        key = answer.distance;
+        return answer.distance <= limit + ball.radius_m || (surface.is_closed() && answer.is_behind);
+      },
+      [&](size_t first, size_t last) { out.insert(out.end(), order.begin() + first, order.begin() + last); });
+  return out;
+}
+
+bool precedes(const NearPoint& a, const NearPoint& b) {
+  return a.distance_m < b.distance_m || (a.distance_m == b.distance_m && a.point < b.point);
+}
+
+}  // namespace
+
+PointClearance clearance_of_points(const PartSurface& surface, const Octree& octree, std::span<const double> xyz,
+                                   double margin_m, Task& task) {
+  const double limit = std::max(margin_m, first_bound(surface, octree)) + kRounding_m;
+  const std::vector<uint32_t> order = candidates(surface, octree, limit, task);
+
+  // Step 3: their distances.
+  const bool closed = surface.is_closed();
+  std::vector<NearPoint> found(order.size());
+  std::vector<uint32_t> place(order.size());
+  Buffer<double> picked(3 * order.size());
+  for (uint32_t i = 0; i < order.size(); ++i) {
+    place[i] = i;
+    std::copy_n(xyz.data() + 3 * static_cast<size_t>(order[i]), 3, picked.data() + 3 * static_cast<size_t>(i));
+  }
+  surface.nearest().for_each(picked, place, std::numeric_limits<double>::infinity(), {closed, true}, task,
+                             [&](uint32_t item, const TriangleAnswer& answer) {
+                               const bool inside = closed && answer.is_behind;
+                               found[item] = {order[item], answer.triangle, inside ? -answer.distance : answer.distance,
+                                              answer.foot};
+                             });
+
+  PointClearance result;
+  result.least = *std::min_element(found.begin(), found.end(), precedes);
+  for (const NearPoint& near : found) {
+    if (near.distance_m < 0) ++result.inside;
+    if (near.distance_m <= margin_m) result.near.push_back(near);
+  }
+  std::sort(result.near.begin(), result.near.end(),
+            [](const NearPoint& a, const NearPoint& b) { return a.point < b.point; });
+  return result;
+}
+
+}  // namespace jalon
