@@ -182,7 +182,8 @@ void add_histograms(Page& page, const Comparison& forward, const Comparison* rev
 std::span<const ParamRow> comparison_report_rows() {
   static constexpr ParamRow kRows[] = {
       integer_row("bins", 80, 5, 400, "1", "", "Bins of the histograms"),
-      number_row("threshold_m", 0, 0, 1e9, "m", "", "Distance marked in the histograms, up to which they are noise; 0 = none"),
+      number_row("threshold_m", 0, 0, 1e9, "m", "",
+                 "Distance marked in the histograms, up to which they are noise; 0 = none"),
       number_row("limit_m", 0, 0, 1e9, "m", "", "Distance at the end of the colour scale; 0 = 98 % lie within"),
       bool_row("picture", true, "", "With the pictures of the points"),
   };
