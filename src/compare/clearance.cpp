@@ -76,10 +76,10 @@ void require_one_crs(const SharedText& a, const SharedText& b) {
 
 std::span<const ParamRow> clearance_rows() {
   static constexpr ParamRow kRows[] = {
-      number_row("margin_m", 0.1, 0, 1e6, "m", "", "what comes this close, or closer, is listed"),
+      number_row("margin_m", 0.1, 0, 1e6, "m", "", "distance: what comes this close, or closer, is listed"),
       number_row("reach_m", 1, 0, 1e6, "m", "sweep",
                  "the least clearance of each pose interval is found up to this distance"),
-      number_row("chord_m", 0.001, 1e-6, 1, "m", "", "arcs of faces become chords at most this far from them"),
+      number_row("chord_m", 0.001, 1e-6, 1, "m", "", "arcs of faces become chords at most this distance from them"),
       number_row("depth_tolerance_m", 0.005, 1e-5, 1, "m", "model",
                  "the depth in a closed surface that is not convex is at most this much too small"),
   };
