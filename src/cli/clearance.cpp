@@ -150,7 +150,7 @@ struct Clearance {
       console.say("least clearance " + fixed(clearances[worst], 4) + " m at pose " +
                   fixed(intervals.number("parameter", worst), 3));
     console.say(grouped(below) + " of " + grouped(intervals.rows()) + " pose intervals within the margin, " +
-                grouped(touching) + " touch; " + grouped(places.rows()) + " places");
+                grouped(touching) + " touch; " + grouped(places.rows()) + (places.rows() == 1 ? " place" : " places"));
     write(console, result, {{"places.csv", places.csv()}, {"intervals.csv", intervals.csv()},
                             {"clearance.svg", clearance_drawing(clearances, margin, reach)}});
   }

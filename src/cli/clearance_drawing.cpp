@@ -93,12 +93,11 @@ std::string clearance_drawing(const std::vector<double>& clearances, double marg
                     fixed(kHeight, 0) + "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                     "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   svg += label(kLeft, 20, "start", "Least clearance of the gauge from each pose to the next; blank: above " +
-                                       fixed(scale.high, 2) + " m");
+                                       fixed(scale.high, 2) + " m; dashed: the margin, " + fixed(margin_m, 3) + " m");
   svg += axes(clearances.size(), scale) + bars(clearances, margin_m, scale);
   svg += line(kLeft, scale.y(0), kWidth - kRight, scale.y(0), "stroke=\"#333333\"");
   const double y = scale.y(margin_m);
   svg += line(kLeft, y, kWidth - kRight, y, "stroke=\"#c0392b\" stroke-dasharray=\"6 4\"");
-  svg += label(kWidth - kRight - 4, y - 5, "end", "margin " + fixed(margin_m, 3) + " m");
   return svg + "</svg>\n";
 }
 

@@ -28,12 +28,15 @@ Table::Table(Fields fields) : fields_(std::move(fields)) {
     jalon_field_info info{};
     info.struct_size = sizeof info;
     must(jalon_fields_info(fields_.get(), i, &info));
-    Column column{info.name, info.components, info.type < JALON_FLOAT32, {}, {}};
+    Column column{info.name, info.components, info.type < JALON_FLOAT32, false, {}, {}};
     rows_ = info.count;
     const uint64_t elements = info.count * info.components;
     if (column.is_integer) {
       column.integers.resize(elements);
-      must(jalon_fields_copy(fields_.get(), info.name, JALON_INT64, column.integers.data(), elements));
+      // UINT64_MAX, which stands for none, becomes -1; no count is so large that it would be negative too.
+      const int32_t type = info.type == JALON_UINT64 ? JALON_UINT64 : JALON_INT64;
+      column.may_be_none = info.type == JALON_UINT64;
+      must(jalon_fields_copy(fields_.get(), info.name, type, column.integers.data(), elements));
     } else {
       column.numbers.resize(elements);
       must(jalon_fields_copy(fields_.get(), info.name, JALON_FLOAT64, column.numbers.data(), elements));
@@ -60,7 +63,8 @@ nlohmann::ordered_json Table::object(uint64_t row) const {
     auto values = nlohmann::ordered_json::array();
     for (uint32_t k = 0; k < c.components; ++k) {
       const uint64_t at = row * c.components + k;
-      if (c.is_integer) values.push_back(c.integers[at]);
+      if (c.is_none(at)) values.push_back(nullptr);
+      else if (c.is_integer) values.push_back(c.integers[at]);
       else values.push_back(c.numbers[at]);
     }
     out[c.name] = c.components == 1 ? values[0] : values;
@@ -87,7 +91,8 @@ std::string Table::csv() const {
     for (const Column& c : columns_)
       for (uint32_t k = 0; k < c.components; ++k, separator = ",") {
         const uint64_t at = row * c.components + k;
-        out += separator + (c.is_integer ? std::to_string(c.integers[at]) : text_of(c.numbers[at]));
+        out += separator;
+        if (!c.is_none(at)) out += c.is_integer ? std::to_string(c.integers[at]) : text_of(c.numbers[at]);
       }
     out += '\n';
   }

@@ -31,8 +31,10 @@ class Table {
     std::string name;
     uint32_t components;
     bool is_integer;
+    bool may_be_none;                ///< UINT64_MAX stands for none: null, and nothing in CSV
     std::vector<double> numbers;     ///< of floating columns
     std::vector<int64_t> integers;   ///< of the others
+    bool is_none(uint64_t at) const { return may_be_none && integers[at] == -1; }
   };
   const Column& column(const char* name) const;
   Fields fields_;

@@ -245,8 +245,8 @@ import math
 with open("tunnel.xyz", "w") as f:
     for i in range(401):
         for k in range(60):
-            r = 2.2 if (i, k) == (200, 5) else 3.0
-            f.write("%.4f %.4f %.4f\n" % (0.1 * i, r * math.cos(k * math.pi / 30), r * math.sin(k * math.pi / 30)))
+            r = 2.0 if (i, k) == (200, 5) else 3.0
+            f.write("%.9f %.9f %.9f\n" % (0.1 * i, r * math.cos(k * math.pi / 30), r * math.sin(k * math.pi / 30)))
 with open("track.txt", "w") as f:
     f.write("x y z\n" + "".join("%g 0 0\n" % x for x in (2, 12, 22, 32)))
 with open("gauge.json", "w") as f:
@@ -255,8 +255,8 @@ END
 check "clearance of a gauge along a track: touches between two far poses" bash -c "'$jalon' clearance tunnel.xyz --gauge gauge.json --trajectory track.txt -o swept --json | python3 -c '
 import json,math,sys
 d=json.load(sys.stdin)
-depth=2.2*math.sin(math.pi/6)-1.2
-side=2.2*math.cos(math.pi/6)-1.8
+depth=2.0*math.sin(math.pi/6)-1.2
+side=2.0*math.cos(math.pi/6)-1.8
 truth=math.hypot(max(side,0),max(depth,0)) if max(side,depth)>0 else max(side,depth)
 least=d[\"least\"]
 assert abs(least[\"clearance\"]-truth)<1e-6 and least[\"interval\"]==1 and abs(least[\"parameter\"]-1.8)<0.11, d
