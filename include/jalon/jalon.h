@@ -29,6 +29,7 @@
 #include <jalon/visibility.h>
 #include <jalon/changes.h>
 #include <jalon/clearance.h>
+#include <jalon/registrar.h>
 #include <jalon/field_tools.h>
 #include <jalon/volumes.h>
 #include <jalon/scanner.h>

@@ -28,6 +28,8 @@ HANDLES = {
     "jalon_modeller": ("fx_modeller", []),
     "jalon_comparer": ("fx_comparer", []),
     "jalon_comparison": ("fx_comparison", []),
+    "jalon_registrar": ("fx_registrar", []),
+    "jalon_registration": ("fx_registration", []),
     "jalon_scanner": ("fx_scanner", []),
     "jalon_task": ("fx_task", []),
     "jalon_noise_law": ("fx_law", []),
@@ -84,13 +86,14 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_cloud_field_histogram.law", "jalon_cloud_field_histogram.summary",
             "jalon_comparison_diagnose.out_forward", "jalon_comparison_diagnose.out_reverse",
             "jalon_comparison_diagnose.out_changes",
+            "jalon_registrar_run.start",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_model_clearance_to_model.other", "jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
         "jalon_cloud_radius_search.neighbours", "jalon_cloud_builder_begin_station.name",
         "jalon_cloud_set_station.name", "jalon_report_write_elevation.model", "jalon_report_write_elevation.options"}
-# Functions that refuse even the baseline: no part of the fixtures' models is a copy.
-REFUSED = {"jalon_model_remove_copy"}
+# Functions that refuse even the baseline: no part of the fixtures' models is a copy; the registrar is one of targets.
+REFUSED = {"jalon_model_remove_copy", "jalon_registrar_run"}
 # Arrays and the parameter that counts them.
 ARRAYS = {"xyz": "count", "picks": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
           "polygon_uv": "count", "values": "count", "queries": "count", "clouds": "count",
@@ -100,7 +103,7 @@ ARRAYS = {"xyz": "count", "picks": "count", "x": "count", "y": "count", "z": "co
           "reference_xyz": "count", "ranges_m": "count", "measured_m": "count", "known_m": "count",
           "seeds": "count", "probabilities": "count",
           "wavelengths_m": "count", "remainders_m": "count", "vertices": "count_vertices",
-          "pieces": "piece_count", "hull_points": "hull_point_count", "poses": "pose_count", "triangles": "count_triangles"}
+          "pieces": "piece_count", "hull_points": "hull_point_count", "poses": "pose_count", "reference": "reference_count", "moving": "moving_count", "triangles": "count_triangles"}
 # Baselines that need another handle or value than the tables give.
 BASE = {
     "jalon_gauge_sweep_model.gauge": "fx_block", "jalon_gauge_sweep.cloud": "fx_small",
@@ -133,6 +136,7 @@ BASE = {
     "jalon_precision_budget.ranges_m": "fx_ranges", "jalon_precision_budget.vertical_rad": "NULL",
     "jalon_precision_budget.incidence_rad": "NULL", "jalon_angular_precision.ranges_m": "fx_ranges",
     "jalon_phase_range.wavelengths_m": "fx_ranges", "jalon_phase_range.remainders_m": "fx_areas",
+    "jalon_comparer_use_registration.comparer": "fx_m3c2",
     "jalon_comparer_run_core.comparer": "fx_m3c2", "jalon_comparer_read_m3c2_file.comparer": "fx_m3c2",
     "jalon_comparer_read_m3c2_file.path": 'fx_path("m3c2.txt")',
     "jalon_cloud_remove_field.name": '"intensity"', "jalon_fields_view.name": '"intensity"',
@@ -262,9 +266,10 @@ def text(function, p):
 
 def pointer_in(function, p):
     null = null_expectation(function, p.name)
-    records = {"const jalon_gauge_piece*": "fx_pieces", "const jalon_transform*": "fx_poses"}
+    records = {"const jalon_gauge_piece*": "fx_pieces", "const jalon_transform*": "fx_poses",
+               "const jalon_target*": "fx_targets"}
     if p.type in records and p.name in ARRAYS:
-        return Case(records[p.type], wild_values(["fx_wild_" + p.name], INVALID), INVALID)
+        return Case(records[p.type], wild_values([records[p.type].replace("fx_", "fx_wild_")], INVALID), INVALID)
     structs = {
         "const jalon_transform*": ("&fx_identity", ["&fx_nan_transform", "&fx_inf_transform"],
                                    ["&fx_zero", "&fx_big_transform"]),
@@ -377,7 +382,8 @@ def emit(function):
     out += ["static void wild_%s(void) {" % function.name, '  function_begin("%s");' % function.name]
     add = lambda label, expectation, changes: out.append(  # noqa: E731
         "  CASE(%s, %s, %s, %s);" % (c_text(label), expectation, after, call(changes)))
-    add("valid arguments", INVALID if function.name in REFUSED else PASS, {})
+    refused = function.name in REFUSED
+    add("valid arguments", FAIL if refused else PASS, {})
     pointers = {p.name: "NULL" for p in function.parameters if cases[p.name].null is not None}
     if pointers:
         strict = any(cases[n].null == INVALID for n in pointers if n != "clouds")  # no clouds at all share what they have
@@ -386,7 +392,7 @@ def emit(function):
     for p in function.parameters:
         case = cases[p.name]
         if case.null is not None:
-            add("%s = NULL" % p.name, case.null, {p.name: "NULL"})
+            add("%s = NULL" % p.name, FAIL if refused else case.null, {p.name: "NULL"})
         for label, value, expectation, others in case.wild:
             suffix = "".join(", %s = %s" % item for item in others.items())
             add("%s = %s%s" % (p.name, label, suffix), expectation, {p.name: value, **others})

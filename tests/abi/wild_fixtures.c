@@ -23,6 +23,8 @@ jalon_modeller* fx_modeller;
 jalon_comparer* fx_comparer;
 jalon_comparer* fx_m3c2;
 jalon_comparison* fx_comparison;
+jalon_registrar* fx_registrar;
+jalon_registration* fx_registration;
 jalon_noise_law* fx_law;
 jalon_scanner* fx_scanner;
 jalon_task *fx_task, *fx_task_own;
@@ -53,6 +55,12 @@ const jalon_gauge_piece fx_pieces[8] = {BOX, BOX, BOX, BOX, BOX, BOX,
                                         {JALON_GAUGE_CYLINDER, 0, {IDENTITY}, {1, 0, 2}, 0, 0}};
 const jalon_gauge_piece fx_wild_pieces[8] = {BOX, BOX, {JALON_GAUGE_HULL, 0, {IDENTITY}, {0, 0, 0}, UINT64_MAX, 5},
                                              {99, 0, {IDENTITY}, {1, 2, 3}, 0, 0}};
+#define TARGET(name, x, y, z) {name, {x, y, z}, {0}}
+const jalon_target fx_targets[8] = {TARGET("a", 0, 0, 0), TARGET("b", 5, 0, 0), TARGET("c", 0, 5, 0),
+                                    TARGET("d", 0, 0, 5), TARGET("e", 5, 5, 0), TARGET("f", 5, 0, 4),
+                                    TARGET("g", 9, 5, 1), TARGET("h", 1, 2, 7)};
+const jalon_target fx_wild_targets[8] = {TARGET("a", 0, 0, 0), TARGET("a", NAN, 0, 0), TARGET(NULL, 0, INFINITY, 0),
+                                         {"\xff\xfe", {1, 2, 3}, {-1, NAN, 0}}};
 const jalon_box fx_box = {{-50, -50, -50}, {50, 50, 50}}, fx_reversed_box = {{1, 1, 1}, {-1, -1, -1}};
 const jalon_box fx_nan_box = {{NAN, -1, -1}, {1, 1, 1}};
 const jalon_vec3 fx_foot = {0, 0, -5}, fx_top = {0, 0, 5}, fx_nan_vec = {0, NAN, 0}, fx_inf_vec = {0, 0, INFINITY};
@@ -197,6 +205,8 @@ static void make_workers(void) {
   MUST(jalon_comparer_create(NULL, &fx_comparer));
   MUST(jalon_comparer_create("m3c2", &fx_m3c2));
   MUST(jalon_comparer_run(fx_comparer, fx_cloud, fx_cloud, NULL, &fx_comparison));
+  MUST(jalon_registrar_create("targets", &fx_registrar));
+  MUST(jalon_registrar_run_targets(fx_registrar, fx_targets, 8, fx_targets, 8, NULL, &fx_registration));
   MUST(jalon_noise_law_from_json("{\"law\":\"weibull\",\"shape\":2,\"scale\":3}", &fx_law));
   MUST(jalon_modeller_create(NULL, &fx_modeller));
   MUST(jalon_modeller_run(fx_modeller, fx_cloud, fx_segmentation, NULL, &fx_model));
@@ -263,6 +273,8 @@ void fx_end(void) {
   jalon_modeller_release(fx_modeller);
   jalon_noise_law_release(fx_law);
   jalon_comparison_release(fx_comparison);
+  jalon_registrar_release(fx_registrar);
+  jalon_registration_release(fx_registration);
   jalon_comparer_release(fx_comparer);
   jalon_comparer_release(fx_m3c2);
   jalon_scanner_release(fx_scanner);

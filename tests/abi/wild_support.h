@@ -29,6 +29,8 @@ extern jalon_modeller* fx_modeller;
 extern jalon_comparer* fx_comparer;
 extern jalon_comparer* fx_m3c2;
 extern jalon_comparison* fx_comparison;
+extern jalon_registrar* fx_registrar;
+extern jalon_registration* fx_registration;
 extern jalon_noise_law* fx_law;
 extern jalon_scanner* fx_scanner;
 extern jalon_task *fx_task, *fx_task_own;
@@ -44,6 +46,7 @@ extern const double fx_square[8], fx_picks[24], fx_areas[8], fx_ranges[8];
 extern const jalon_transform fx_identity, fx_zero, fx_nan_transform, fx_inf_transform, fx_big_transform;
 extern const jalon_transform fx_poses[8], fx_wild_poses[8];
 extern const jalon_gauge_piece fx_pieces[8], fx_wild_pieces[8];
+extern const jalon_target fx_targets[8], fx_wild_targets[8];
 extern const jalon_box fx_box, fx_reversed_box, fx_nan_box;
 extern const jalon_vec3 fx_foot, fx_top, fx_nan_vec, fx_inf_vec;
 extern char* fx_long_text;  /* 70 000 letters */

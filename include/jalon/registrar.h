@@ -1,0 +1,111 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file registrar.h
+ * Registration: the pose that lays a moving cloud, or targets measured in it, onto a reference, and what that pose is
+ * worth.
+ *
+ * A registrar holds parameters and no data; one thread at a time sets them, several may run it once set. A registration
+ * is immutable and may be read by many threads. That a registration has not converged, stands on too little or is
+ * ambiguous is a result that says so, not a failure; data from which nothing can be computed are one.
+ */
+#ifndef JALON_REGISTRAR_H
+#define JALON_REGISTRAR_H
+
+#include <jalon/cloud.h>
+#include <jalon/comparer.h>
+
+JALON_BEGIN_C
+
+typedef struct jalon_registrar jalon_registrar;
+typedef struct jalon_registration jalon_registration;
+
+/** Why a registration stopped. */
+enum {
+  JALON_STOPPED_CONVERGED = 1,
+  JALON_STOPPED_ITERATION_LIMIT = 2,
+  JALON_STOPPED_TOO_FEW_PAIRS = 3, /**< what both have in common does not carry the pose */
+  JALON_STOPPED_AMBIGUOUS = 4,     /**< a clearly different pose fits about as well */
+  JALON_STOPPED_NOTHING_FOUND = 5  /**< no pose explains both */
+};
+
+/** A point known in one frame: a measured target or a control point. Frozen. */
+typedef struct jalon_target {
+  const char* name;     /**< UTF-8; NULL = unnamed */
+  jalon_vec3 xyz;       /**< m; finite */
+  double covariance[9]; /**< m2, row-major, symmetric; all 0 = the parameter "sigma_m" on each axis */
+} jalon_target;
+
+/**
+ * method, NULL = "targets":
+ * - "targets": the rigid motion from three or more targets known in both frames (Arun, Huang & Blostein 1987).
+ */
+JALON_API JALON_CHECK jalon_status jalon_registrar_create(const char* method, jalon_registrar** out);
+JALON_API jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar);
+JALON_API void jalon_registrar_release(jalon_registrar* registrar);
+/** The registrar's own parameter set: setting it changes the registrar. The caller releases it. */
+JALON_API JALON_CHECK jalon_status jalon_registrar_params(jalon_registrar* registrar, jalon_params** out);
+/**
+ * Registers a cloud. start: T_reference_moving to begin with, rigid within 1e-6; NULL = as they lie. Method "targets"
+ * is JALON_ERROR_UNSUPPORTED. JALON_ERROR_INSUFFICIENT_DATA for clouds too small to register,
+ * JALON_ERROR_INVALID_ARGUMENT when both have a CRS and these differ.
+ */
+JALON_API JALON_CHECK jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_cloud* reference,
+                                           const jalon_cloud* moving, const jalon_transform* start,
+                                           jalon_task* task, jalon_registration** out);
+/**
+ * Registers targets by method "targets" (others: JALON_ERROR_UNSUPPORTED): those of the same name in both sets are
+ * pairs. Georeferencing is this with control points as the reference. JALON_ERROR_INSUFFICIENT_DATA for fewer than
+ * three pairs, JALON_ERROR_DEGENERATE for pairs along one line, JALON_ERROR_INVALID_ARGUMENT for two of one name or
+ * coordinates that are not finite. O(count).
+ */
+JALON_API JALON_CHECK jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar,
+                                                   const jalon_target* reference, uint64_t reference_count,
+                                                   const jalon_target* moving, uint64_t moving_count,
+                                                   jalon_task* task, jalon_registration** out);
+
+JALON_API jalon_registration* jalon_registration_retain(jalon_registration* registration);
+JALON_API void jalon_registration_release(jalon_registration* registration);
+/** T_reference_moving; of a similarity with the scale in its matrix. */
+JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registration* registration,
+                                               jalon_transform* T_reference_moving);
+/**
+ * One row: "converged" (uint8), "stopped" (uint8, JALON_STOPPED_...), "iterations", "pairs" (uint64), "rms" (float64,
+ * m: of the residuals of the pairs), "scale" (float64), "unobservable" (uint64: directions that nothing fixes),
+ * "centre" (float64 x 3, m), "covariance" (float64 x 36, row-major: of the rotation vector (rad) about the centre, then of the
+ * shift (m) of the centre, in the reference frame; NaN where it is not known), "extent" (float64, m: radius of gyration
+ * of what carries the pose).
+ */
+JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_registration* registration,
+                                                  jalon_fields** out);
+/** The log of the iterations, one row each. Without columns for methods that make none. */
+JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_registration* registration,
+                                                     jalon_fields** out);
+/** One row a pair. Method "targets": "residual" (float64 x 3, m: moved minus reference). */
+JALON_API JALON_CHECK jalon_status jalon_registration_residuals(const jalon_registration* registration,
+                                                    jalon_fields** out);
+/**
+ * The six principal directions of the pose, the weakest first: "direction" (float64 x 6: turn about the centre (rad),
+ * shift (m); a step of 1 m by the extent), "sigma" (float64, m), "observable" (uint8: 0 = the data do not fix it; the
+ * pose keeps the start there).
+ */
+JALON_API JALON_CHECK jalon_status jalon_registration_directions(const jalon_registration* registration,
+                                                     jalon_fields** out);
+/** The parameters it was made with, as JSON; lives as long as the registration. */
+JALON_API JALON_CHECK jalon_status jalon_registration_parameters(const jalon_registration* registration,
+                                                     const char** out);
+/** A new cloud: the cloud moved by the pose, as jalon_cloud_transform; one without a CRS gets the reference's. */
+JALON_API JALON_CHECK jalon_status jalon_registration_apply(const jalon_registration* registration,
+                                                const jalon_cloud* cloud, jalon_task* task,
+                                                jalon_cloud** out);
+/**
+ * What the alignment of the clouds is worth flows into the level of detection: sets "registration_covariance" and
+ * "registration_centre" of a comparer of method "m3c2" (others: JALON_ERROR_UNSUPPORTED). In directions that nothing
+ * fixes there is no covariance: JALON_ERROR_DEGENERATE, and the parameters stay.
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparer_use_registration(jalon_comparer* comparer,
+                                                       const jalon_registration* registration);
+
+JALON_END_C
+
+#endif

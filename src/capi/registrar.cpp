@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "jalon/registrar.h"
+
+#include <cmath>
+#include <vector>
+
+#include "capi/comparison_handles.h"
+#include "capi/guard.h"
+#include "capi/registration_handles.h"
+#include "registration/targets.h"
+
+using namespace jalon;
+using namespace jalon::capi;
+
+namespace {
+
+struct Method {
+  const char* name;
+  const char* owner;  ///< of its parameters
+  std::span<const ParamRow> (*rows)();
+  /// Of clouds, or nullptr.
+  Registration (*run)(const CloudPtr& reference, const CloudPtr& moving, const Transform& start, const ParamSet&,
+                      Task&);
+  /// Of targets, or nullptr.
+  Registration (*run_targets)(std::span<const Target> reference, std::span<const Target> moving, const ParamSet&,
+                              Task&);
+};
+constexpr Method kMethods[] = {
+    {"targets", "registrar targets", targets_rows, nullptr, register_targets},
+};
+
+const Method& method_of(const std::string& name) {
+  for (const Method& method : kMethods)
+    if (name == method.name) return method;
+  fail(Status::kNotFound, "no registration method \"%.100s\"; there are: targets", name.c_str());
+}
+
+// A handle of what a method made, with the parameters it was made with.
+std::unique_ptr<jalon_registration> handle_of(Registration made, const ParamSet& values, const SharedText& crs) {
+  auto handle = std::make_unique<jalon_registration>();
+  made.parameters_json = values.to_json();
+  handle->registration = std::make_shared<const Registration>(std::move(made));
+  handle->crs = crs;
+  return handle;
+}
+
+// Lengths and right angles kept within 1e-6, and no mirror.
+void require_rigid(const Transform& pose) {
+  constexpr double kTolerance = 1e-6;
+  for (size_t i = 0; i < 3; ++i)
+    for (size_t j = 0; j <= i; ++j) {
+      double product = 0;
+      for (size_t k = 0; k < 3; ++k) product += pose.m[4 * i + k] * pose.m[4 * j + k];
+      if (!(std::abs(product - (i == j)) <= kTolerance))
+        fail(Status::kInvalidArgument, "the start is not a rigid motion");
+    }
+  if (pose.determinant() < 0) fail(Status::kInvalidArgument, "the start is a mirror, not a rigid motion");
+}
+
+std::vector<Target> targets_from(const jalon_target* targets, uint64_t count, const char* what) {
+  constexpr uint64_t kMost = 1'000'000;
+  if (count > 0) require(targets, what);
+  if (count > kMost)
+    fail(Status::kLimit, "%llu %s targets; at most a million", static_cast<unsigned long long>(count), what);
+  std::vector<Target> out(static_cast<size_t>(count));
+  for (size_t i = 0; i < out.size(); ++i) {
+    if (targets[i].name != nullptr) out[i].name = require_text(targets[i].name, "name");
+    out[i].xyz = from_c(targets[i].xyz);
+    if (!is_finite(out[i].xyz))
+      fail(Status::kInvalidArgument, "%s target %zu has a coordinate that is not finite", what, i);
+    for (size_t k = 0; k < 9; ++k) {
+      if (!std::isfinite(targets[i].covariance[k]))
+        fail(Status::kInvalidArgument, "%s target %zu has a covariance that is not finite", what, i);
+      out[i].covariance[k] = targets[i].covariance[k];
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+jalon_status jalon_registrar_create(const char* method, jalon_registrar** out) {
+  return guard([&] {
+    require(out, "out");
+    const std::string name = method != nullptr ? require_text(method, "method") : kMethods[0].name;
+    const Method& found = method_of(name);
+    auto handle = std::make_unique<jalon_registrar>();
+    handle->method = name;
+    handle->values = std::make_shared<ParamSet>(found.owner, found.rows());
+    *out = handle.release();
+  });
+}
+
+jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar) { return retain(registrar); }
+void jalon_registrar_release(jalon_registrar* registrar) { release(registrar); }
+
+jalon_status jalon_registrar_params(jalon_registrar* registrar, jalon_params** out) {
+  return guard([&] {
+    require(registrar, "registrar");
+    require(out, "out");
+    auto handle = std::make_unique<jalon_params>();
+    handle->operation = "registrar " + registrar->method;
+    handle->values = registrar->values;
+    *out = handle.release();
+  });
+}
+
+jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_cloud* reference,
+                                 const jalon_cloud* moving, const jalon_transform* start, jalon_task* task,
+                                 jalon_registration** out) {
+  return guard([&] {
+    require(registrar, "registrar");
+    require(reference, "reference");
+    require(moving, "moving");
+    require(out, "out");
+    require_same_crs(reference->cloud->crs, moving->cloud->crs);
+    const Transform from = start != nullptr ? from_c(*start) : Transform{};
+    require_rigid(from);
+    const ParamSet values = *registrar->values;  // a progress callback may set the next run's
+    const Method& method = method_of(registrar->method);
+    if (method.run == nullptr)
+      fail(Status::kUnsupported, "method \"%s\" registers targets; see jalon_registrar_run_targets", method.name);
+    *out = with_task(task, [&](Task& t) {
+             return handle_of(method.run(reference->cloud, moving->cloud, from, values, t), values,
+                              reference->cloud->crs);
+           }).release();
+  });
+}
+
+jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar, const jalon_target* reference,
+                                         uint64_t reference_count, const jalon_target* moving,
+                                         uint64_t moving_count, jalon_task* task, jalon_registration** out) {
+  return guard([&] {
+    require(registrar, "registrar");
+    require(out, "out");
+    const std::vector<Target> to = targets_from(reference, reference_count, "reference");
+    const std::vector<Target> from = targets_from(moving, moving_count, "moving");
+    const ParamSet values = *registrar->values;  // a progress callback may set the next run's
+    const Method& method = method_of(registrar->method);
+    if (method.run_targets == nullptr)
+      fail(Status::kUnsupported, "method \"%s\" registers clouds; use \"targets\"", method.name);
+    *out = with_task(task, [&](Task& t) {
+             return handle_of(method.run_targets(to, from, values, t), values, {});
+           }).release();
+  });
+}
+
+jalon_registration* jalon_registration_retain(jalon_registration* registration) { return retain(registration); }
+void jalon_registration_release(jalon_registration* registration) { release(registration); }
+
+jalon_status jalon_registration_pose(const jalon_registration* registration, jalon_transform* T_reference_moving) {
+  return guard([&] {
+    require(registration, "registration");
+    require(T_reference_moving, "T_reference_moving");
+    *T_reference_moving = to_c(registration->registration->pose);
+  });
+}
+
+jalon_status jalon_registration_summary(const jalon_registration* registration, jalon_fields** out) {
+  return guard([&] {
+    require(registration, "registration");
+    require(out, "out");
+    *out = new_fields(registration->registration->summary);
+  });
+}
+
+jalon_status jalon_registration_iterations(const jalon_registration* registration, jalon_fields** out) {
+  return guard([&] {
+    require(registration, "registration");
+    require(out, "out");
+    *out = new_fields(registration->registration->iteration_log);
+  });
+}
+
+jalon_status jalon_registration_residuals(const jalon_registration* registration, jalon_fields** out) {
+  return guard([&] {
+    require(registration, "registration");
+    require(out, "out");
+    *out = new_fields(registration->registration->residuals);
+  });
+}
+
+jalon_status jalon_registration_directions(const jalon_registration* registration, jalon_fields** out) {
+  return guard([&] {
+    require(registration, "registration");
+    require(out, "out");
+    *out = new_fields(registration->registration->directions);
+  });
+}
+
+jalon_status jalon_registration_parameters(const jalon_registration* registration, const char** out) {
+  return guard([&] {
+    require(registration, "registration");
+    require(out, "out");
+    *out = registration->registration->parameters_json.c_str();
+  });
+}

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+
+#include "capi/comparison_handles.h"
+#include "capi/guard.h"
+#include "capi/registration_handles.h"
+#include "cloud/operations.h"
+#include "jalon/registrar.h"
+
+using namespace jalon;
+using namespace jalon::capi;
+
+jalon_status jalon_registration_apply(const jalon_registration* registration, const jalon_cloud* cloud,
+                                      jalon_task* task, jalon_cloud** out) {
+  return guard([&] {
+    require(registration, "registration");
+    require(cloud, "cloud");
+    require(out, "out");
+    *out = with_task(task, [&](Task& t) {
+      Cloud moved = transformed(*cloud->cloud, registration->registration->pose, t);
+      if (moved.crs.empty()) moved.crs = registration->crs;
+      return own(new_cloud(std::move(moved)));
+    }).release();
+  });
+}
+
+jalon_status jalon_comparer_use_registration(jalon_comparer* comparer, const jalon_registration* registration) {
+  return guard([&] {
+    require(comparer, "comparer");
+    require(registration, "registration");
+    if (comparer->method != "m3c2")
+      fail(Status::kUnsupported, "method \"%.100s\" has no level of detection; use \"m3c2\"", comparer->method.c_str());
+    const Registration& r = *registration->registration;
+    for (const double value : r.covariance)
+      if (!std::isfinite(value))
+        fail(Status::kDegenerate, "the registration leaves %llu directions open; it has no covariance there",
+             static_cast<unsigned long long>(r.unobservable));
+    ParamSet values = *comparer->values;
+    values.set_numbers("registration_covariance", r.covariance);
+    values.set_numbers("registration_centre", std::array{r.centre.x, r.centre.y, r.centre.z});
+    *comparer->values = std::move(values);
+  });
+}

@@ -1,0 +1,107 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+#include "support.h"
+
+#include <math.h>
+
+/* Four targets, and the same seen from a scanner that stands elsewhere, turned by a quarter about the vertical. */
+static void four_targets(jalon_target* reference, jalon_target* moving) {
+  static const char* const names[4] = {"A", "B", "C", "D"};
+  const double xyz[4][3] = {{652000, 6861000, 30}, {652010, 6861002, 31}, {652003, 6861012, 29}, {652006, 6861005, 35}};
+  memset(reference, 0, 4 * sizeof *reference);
+  memset(moving, 0, 4 * sizeof *moving);
+  for (int i = 0; i < 4; ++i) {
+    reference[i].name = moving[3 - i].name = names[i];
+    reference[i].xyz = (jalon_vec3){xyz[i][0], xyz[i][1], xyz[i][2]};
+    moving[3 - i].xyz = (jalon_vec3){xyz[i][1] - 6861000, 652000 - xyz[i][0], xyz[i][2] - 30};
+  }
+}
+
+static jalon_registration* registered(void) {
+  jalon_target reference[4], moving[4];
+  four_targets(reference, moving);
+  jalon_registrar* registrar = NULL;
+  jalon_registration* registration = NULL;
+  MUST(jalon_registrar_create("targets", &registrar));
+  MUST(jalon_registrar_run_targets(registrar, reference, 4, moving, 4, NULL, &registration));
+  jalon_registrar_release(registrar);
+  return registration;
+}
+
+static void targets__of_the_same_names_give_the_pose_on_the_national_grid(void** state) {
+  (void)state;
+  jalon_registration* registration = registered();
+  jalon_transform pose;
+  MUST(jalon_registration_pose(registration, &pose));
+  const double truth[12] = {0, -1, 0, 652000, 1, 0, 0, 6861000, 0, 0, 1, 30};
+  for (int i = 0; i < 12; ++i) assert_true(fabs(pose.m[i] - truth[i]) < (i % 4 == 3 ? 1e-7 : 1e-13));
+  jalon_fields* summary = NULL;
+  MUST(jalon_registration_summary(registration, &summary));
+  uint8_t converged = 0, stopped = 0;
+  double rms = 1;
+  MUST(jalon_fields_copy(summary, "converged", JALON_UINT8, &converged, 1));
+  MUST(jalon_fields_copy(summary, "stopped", JALON_UINT8, &stopped, 1));
+  MUST(jalon_fields_copy(summary, "rms", JALON_FLOAT64, &rms, 1));
+  assert_int_equal(converged, 1);
+  assert_int_equal(stopped, JALON_STOPPED_CONVERGED);
+  assert_true(rms < 2e-9);
+  jalon_fields_release(summary);
+  jalon_registration_release(registration);
+}
+
+static void registration__moves_a_cloud_and_gives_the_level_of_detection_its_covariance(void** state) {
+  (void)state;
+  jalon_registration* registration = registered();
+  const double xyz[3] = {2, -10, 1};
+  jalon_cloud *cloud = NULL, *moved = NULL;
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, 1, 0, 0, &cloud));
+  MUST(jalon_registration_apply(registration, cloud, NULL, &moved));
+  jalon_array_view view;
+  MUST(jalon_cloud_points(moved, &view));
+  const double* at = view.data;
+  assert_true(fabs(at[0] - 652010) < 1e-8 && fabs(at[1] - 6861002) < 1e-8 && fabs(at[2] - 31) < 1e-8);
+  jalon_comparer *m3c2 = NULL, *distance = NULL;
+  MUST(jalon_comparer_create("m3c2", &m3c2));
+  MUST(jalon_comparer_use_registration(m3c2, registration));
+  jalon_params* params = NULL;
+  MUST(jalon_comparer_params(m3c2, &params));
+  const double* covariance = NULL;
+  uint64_t count = 0;
+  MUST(jalon_params_get_doubles(params, "registration_covariance", &covariance, &count));
+  assert_int_equal(count, 36);
+  /* 3 mm on each side; the centroid of four targets */
+  assert_true(fabs(covariance[35] - 2 * 9e-6 / 4) < 1e-12);
+  MUST(jalon_comparer_create("distance", &distance));
+  REFUSED(JALON_ERROR_UNSUPPORTED, jalon_comparer_use_registration(distance, registration));
+  jalon_params_release(params);
+  jalon_comparer_release(m3c2);
+  jalon_comparer_release(distance);
+  jalon_cloud_release(cloud);
+  jalon_cloud_release(moved);
+  jalon_registration_release(registration);
+}
+
+static void targets__that_cannot_give_a_pose_are_refused(void** state) {
+  (void)state;
+  jalon_target reference[4], moving[4];
+  four_targets(reference, moving);
+  jalon_registrar* registrar = NULL;
+  jalon_registration* registration = NULL;
+  MUST(jalon_registrar_create("targets", &registrar));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
+          jalon_registrar_run_targets(registrar, reference, 2, moving, 4, NULL, &registration));
+  moving[1].xyz.y = NAN;
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_registrar_run_targets(registrar, reference, 4, moving, 4, NULL, &registration));
+  assert_null(registration);
+  jalon_registrar_release(registrar);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(targets__of_the_same_names_give_the_pose_on_the_national_grid),
+      cmocka_unit_test(registration__moves_a_cloud_and_gives_the_level_of_detection_its_covariance),
+      cmocka_unit_test(targets__that_cannot_give_a_pose_are_refused),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
