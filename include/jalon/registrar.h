@@ -72,9 +72,9 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
 /**
  * One row: "converged" (uint8), "stopped" (uint8, JALON_STOPPED_...), "iterations", "pairs" (uint64), "rms" (float64,
  * m: of the residuals of the pairs), "scale" (float64), "unobservable" (uint64: directions that nothing fixes),
- * "centre" (float64 x 3, m), "covariance" (float64 x 36, row-major: of the rotation vector (rad) about the centre, then of the
- * shift (m) of the centre, in the reference frame; NaN where it is not known), "extent" (float64, m: radius of gyration
- * of what carries the pose).
+ * "centre" (float64 x 3, m), "covariance" (float64 x 36, row-major: of the rotation vector (rad) about the centre,
+ * then of the shift (m) of the centre, in the reference frame; NaN where it is not known), "extent" (float64, m: radius
+ * of gyration of what carries the pose).
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_registration* registration,
                                                   jalon_fields** out);
