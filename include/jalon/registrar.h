@@ -85,6 +85,12 @@ JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_reg
 JALON_API JALON_CHECK jalon_status jalon_registration_residuals(const jalon_registration* registration,
                                                     jalon_fields** out);
 /**
+ * The name of the pair in row i of the residuals, the targets'; "" where it has none. Lives as long as the registration.
+ * JALON_ERROR_INVALID_ARGUMENT beyond the rows.
+ */
+JALON_API JALON_CHECK jalon_status jalon_registration_pair_name(const jalon_registration* registration, uint64_t i,
+                                                    const char** out);
+/**
  * The six principal directions of the pose, the weakest first: "direction" (float64 x 6: turn about the centre (rad),
  * shift (m); a step of 1 m by the extent), "sigma" (float64, m), "observable" (uint8: 0 = the data do not fix it; the
  * pose keeps the start there).

@@ -181,6 +181,19 @@ jalon_status jalon_registration_residuals(const jalon_registration* registration
   });
 }
 
+jalon_status jalon_registration_pair_name(const jalon_registration* registration, uint64_t i, const char** out) {
+  return guard([&] {
+    require(registration, "registration");
+    require(out, "out");
+    const Registration& r = *registration->registration;
+    const uint64_t rows = r.residuals.size() > 0 ? r.residuals.at(0)->count() : 0;
+    if (i >= rows)
+      fail(Status::kInvalidArgument, "pair %llu of %llu", static_cast<unsigned long long>(i),
+           static_cast<unsigned long long>(rows));
+    *out = i < r.pair_names.size() ? r.pair_names[i].c_str() : "";
+  });
+}
+
 jalon_status jalon_registration_directions(const jalon_registration* registration, jalon_fields** out) {
   return guard([&] {
     require(registration, "registration");

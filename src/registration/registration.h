@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/field.h"
 #include "base/params.h"
@@ -43,6 +44,7 @@ struct Registration {
   double extent_m = 1;
   uint64_t unobservable = 0;  ///< directions of the six that nothing fixes
   FieldTable summary, iteration_log, residuals, directions;
+  std::vector<std::string> pair_names;  ///< of the rows of residuals; empty where pairs have no names
   std::string parameters_json;
 };
 using RegistrationPtr = std::shared_ptr<const Registration>;

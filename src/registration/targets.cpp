@@ -89,6 +89,7 @@ Registration register_targets(std::span<const Target> reference, std::span<const
   for (const Pair& p : pairs) {
     const Vec3 d = out.pose.point(moving[p.moving].xyz) - reference[p.reference].xyz;
     const Vec3 arm = reference[p.reference].xyz - out.centre;
+    out.pair_names.push_back(moving[p.moving].name);
     squares += squared_norm(d);
     gyration += squared_norm(arm);
     residuals.insert(residuals.end(), {d.x, d.y, d.z});

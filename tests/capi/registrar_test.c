@@ -37,6 +37,10 @@ static void targets__of_the_same_names_give_the_pose_on_the_national_grid(void**
   for (int i = 0; i < 12; ++i) assert_true(fabs(pose.m[i] - truth[i]) < (i % 4 == 3 ? 1e-7 : 1e-13));
   jalon_fields* summary = NULL;
   MUST(jalon_registration_summary(registration, &summary));
+  const char* name = NULL;
+  MUST(jalon_registration_pair_name(registration, 3, &name));
+  assert_string_equal(name, "A");
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_registration_pair_name(registration, 4, &name));
   uint8_t converged = 0, stopped = 0;
   double rms = 1;
   MUST(jalon_fields_copy(summary, "converged", JALON_UINT8, &converged, 1));
