@@ -85,7 +85,7 @@ JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_reg
 JALON_API JALON_CHECK jalon_status jalon_registration_residuals(const jalon_registration* registration,
                                                     jalon_fields** out);
 /**
- * The name of the pair in row i of the residuals, the targets'; "" where it has none. Lives as long as the registration.
+ * The name of the pair in row i of the residuals, the targets'; "" where it has none. Lives as long as it.
  * JALON_ERROR_INVALID_ARGUMENT beyond the rows.
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_pair_name(const jalon_registration* registration, uint64_t i,

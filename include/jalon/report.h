@@ -9,6 +9,7 @@
 
 #include <jalon/comparer.h>
 #include <jalon/modeller.h>
+#include <jalon/registrar.h>
 
 JALON_BEGIN_C
 
@@ -83,6 +84,17 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(const jalon_com
                                                      const jalon_fields* changes, const char* notes_json,
                                                      const char* path, const jalon_params* options,
                                                      jalon_task* task);
+
+/**
+ * One self-contained HTML page on a registration: whether it converged or why it stopped, the pose and what it is
+ * worth, its six directions from the weakest, the residuals of up to 1 000 pairs, histograms of the distances before
+ * and after, the convergence, parameters, times. reference and moving: the clouds, for the histograms; either may be
+ * NULL. notes_json as in jalon_report_write_html. Operation "registration_report". O(n log n).
+ */
+JALON_API JALON_CHECK jalon_status jalon_report_write_registration(const jalon_registration* registration,
+                                                       const jalon_cloud* reference, const jalon_cloud* moving,
+                                                       const char* notes_json, const char* path,
+                                                       const jalon_params* options, jalon_task* task);
 
 JALON_END_C
 

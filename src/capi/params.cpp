@@ -25,6 +25,7 @@
 #include "formats/formats.h"
 #include "modelling/model_evaluation.h"
 #include "report/comparison_report.h"
+#include "report/registration_report.h"
 #include "report/deviation_picture.h"
 #include "report/picture.h"
 #include "report/report.h"
@@ -44,6 +45,7 @@ std::span<const Operation> operations() {
       {"model_sample", model_sample_rows},
       {"deviation_picture", deviation_picture_rows},
       {"comparison_report", comparison_report_rows},
+      {"registration_report", registration_report_rows},
       {"outliers", outliers_rows},   {"subsample", subsample_rows}, {"interest", interest_rows},
       {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
       {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},

@@ -65,6 +65,7 @@ OPERATION = {
     "jalon_cloud_distance_map": "distance_map",
     "jalon_report_write_deviations": "deviation_picture", "jalon_report_write_histogram": "comparison_report",
     "jalon_report_write_comparison": "comparison_report",
+    "jalon_report_write_registration": "registration_report",
     "jalon_comparison_regions": "regions", "jalon_comparison_diagnose": "diagnosis",
 }
 # Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
@@ -86,7 +87,8 @@ NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world
             "jalon_cloud_field_histogram.law", "jalon_cloud_field_histogram.summary",
             "jalon_comparison_diagnose.out_forward", "jalon_comparison_diagnose.out_reverse",
             "jalon_comparison_diagnose.out_changes",
-            "jalon_registrar_run.start",
+            "jalon_registrar_run.start", "jalon_report_write_registration.reference",
+            "jalon_report_write_registration.moving",
             "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
 NOT_NULLABLE = {"jalon_model_clearance_to_model.other", "jalon_scanner_add_station.pose"}
 OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
@@ -130,6 +132,7 @@ BASE = {
     "jalon_report_write_deviations.path": 'fx_path("distances.svg")',
     "jalon_report_write_histogram.path": 'fx_path("histogram.svg")',
     "jalon_report_write_comparison.path": 'fx_path("comparison.html")', "jalon_report_write_comparison.changes": "NULL",
+    "jalon_report_write_registration.path": 'fx_path("registration.html")',
     "jalon_report_write_picture.path": 'fx_path("picture.svg")', "jalon_report_write_json.path": 'fx_path("out.json")', "jalon_params_set_string.value": "fx_text_value",
     "jalon_area_indices.automatic_m2": "fx_areas", "jalon_area_indices.reference_m2": "fx_areas",
     "jalon_area_indices.intersection_m2": "fx_areas",

@@ -85,6 +85,35 @@ static void registration__moves_a_cloud_and_gives_the_level_of_detection_its_cov
   jalon_registration_release(registration);
 }
 
+static void registration__report_is_one_page_with_pose_residuals_and_histograms(void** state) {
+  (void)state;
+  jalon_registration* registration = registered();
+  double xyz[300];
+  for (uint64_t i = 0; i < 100; ++i) { /* a plane in the moving scan */
+    xyz[3 * i] = 2 + (double)(i % 10) * 0.1;
+    xyz[3 * i + 1] = -10 + (double)(i / 10) * 0.1;
+    xyz[3 * i + 2] = 1;
+  }
+  jalon_cloud *moving = NULL, *reference = NULL;
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, 100, 0, 0, &moving));
+  MUST(jalon_registration_apply(registration, moving, NULL, &reference));
+  const char* page = "registration.html";
+  MUST(jalon_report_write_registration(registration, reference, moving, "{\"title\": \"<Hall>\"}", page, NULL, NULL));
+  static char text[400000];
+  FILE* file = fopen(page, "rb");
+  assert_non_null(file);
+  text[fread(text, 1, sizeof text - 1, file)] = 0;
+  fclose(file);
+  remove(page);
+  const char* const expected[] = {"&lt;Hall&gt;", "Converged on 4 pairs", "652000.000000", "What fixes the pose", "Before",
+                                  "After", "95 % below 0.00 mm", "residual"};
+  for (size_t i = 0; i < sizeof expected / sizeof *expected; ++i)
+    if (strstr(text, expected[i]) == NULL) fail_msg("%s is not in the page", expected[i]);
+  jalon_cloud_release(moving);
+  jalon_cloud_release(reference);
+  jalon_registration_release(registration);
+}
+
 static void targets__that_cannot_give_a_pose_are_refused(void** state) {
   (void)state;
   jalon_target reference[4], moving[4];
@@ -105,6 +134,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(targets__of_the_same_names_give_the_pose_on_the_national_grid),
       cmocka_unit_test(registration__moves_a_cloud_and_gives_the_level_of_detection_its_covariance),
+      cmocka_unit_test(registration__report_is_one_page_with_pose_residuals_and_histograms),
       cmocka_unit_test(targets__that_cannot_give_a_pose_are_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/params.h"
+#include "base/task.h"
+#include "registration/registration.h"
+
+namespace jalon {
+
+/// Parameter table of operation "registration_report".
+std::span<const ParamRow> registration_report_rows();
+
+/// The page on a registration: what came out and why it stopped, pose and what it is worth, weak directions, residuals
+/// of targets, distances before and after (with both clouds), convergence, parameters, times.
+std::string registration_html(const Registration& registration, const CloudPtr& reference, const CloudPtr& moving,
+                              std::string_view notes_json, const ParamSet& options, Task& task);
+
+}  // namespace jalon
