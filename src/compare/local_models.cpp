@@ -52,6 +52,11 @@ class ModelMaker {
   void add(const Request& request) {
     if (request.queries.empty() || request.neighbours.size() < 3) return;
     waiting_[count_++] = request;
+    for (const uint32_t query : request.queries) {
+      const uint32_t i = work_.compared.order()[query];
+      __builtin_prefetch(work_.compared_cloud.xyz().data() + 3 * size_t{i});
+      __builtin_prefetch(&work_.columns.distances[i]);
+    }
     planes_.add(request.centre, request.neighbours.data(), request.neighbours.size());
     if (count_ == waiting_.size()) count_ = done_ = 0;  // add() has answered them all
   }

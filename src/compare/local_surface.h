@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "geometry/delaunay2.h"
+#include "compare/local_triangles.h"
 #include "geometry/quadric.h"
 #include "geometry/vec.h"
 
@@ -28,7 +26,7 @@ class LocalSurface {
   /// The point of the surface closest to p, if it is within reach; of triangles, if it is nearer than limit_m.
   bool foot_on_plane(const Vec3& p, Vec3& foot) const;
   bool foot_on_quadric(const Vec3& p, Vec3& foot) const;
-  bool foot_on_triangles(const Vec3& p, double limit_m, Vec3& foot) const;
+  bool foot_on_triangles(const Vec3& p, double limit_m, Vec3& foot) { return triangles_.foot(p, limit_m, foot); }
 
  private:
   Vec3 to_frame(const Vec3& p) const;
@@ -38,16 +36,8 @@ class LocalSurface {
   double reach_m_ = 0;
   Quadric quadric_;
   double scale_ = 0;
-  std::vector<Vec3> work_, corners_;
-  std::vector<Vec2> flat_;
-  Delaunay delaunay_;
-  std::span<const std::array<uint32_t, 3>> triangles_;
-  struct Side {
-    Vec2 from, along;
-    double inverse_squared_length;
-  };
-  std::vector<std::array<Side, 3>> sides_;  ///< of the triangles' projections
-  mutable std::vector<double> away_;        ///< of the triangles from the point asked for
+  std::vector<Vec3> work_;
+  LocalTriangles triangles_;
 };
 
 }  // namespace jalon
