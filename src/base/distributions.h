@@ -16,5 +16,7 @@ double student_quantile(double dof, double p);
 /// lose.
 double chi_square_tail(double dof, double x);
 double chi_square_upper_quantile(double dof, double q);
+/// P(X >= x) of the beta distribution; a, b > 0, 0 <= x <= 1.
+double beta_tail(double a, double b, double x);
 
 }  // namespace jalon
