@@ -57,18 +57,24 @@ JALON_API JALON_CHECK jalon_status jalon_registrar_run(const jalon_registrar* re
                                            jalon_task* task, jalon_registration** out);
 /**
  * Registers targets by method "targets" (others: JALON_ERROR_UNSUPPORTED): those of the same name in both sets are
- * pairs, others are left out. Georeferencing is this with control points as the reference: the work is done relative to
+ * pairs. Where one side of a pair has no name it is found by distances: the largest set of pairs whose targets are
+ * equally far from each other on both sides (a maximum clique; for a similarity, in one proportion). When clearly
+ * different poses pair as many targets within their covariances, as for the corners of a square, the registration is
+ * JALON_STOPPED_AMBIGUOUS, and the best of them is given. Targets left over are counted.
+ *
+ * Georeferencing is this with control points as the reference: the work is done relative to
  * whole metres near the targets, so that coordinates of seven digits lose nothing, and the pose is the one of the
  * coordinates given. Rounding of the largest coordinate, about 1 nm, is all that is lost.
  *
  * The covariance follows from those of the targets ("sigma0" = known), or is scaled by the residuals (estimated): then
  * its 95 % ellipsoid is the one of 6 F(6, redundancy). Over 1000 registrations it covers the truth in 93 to 97 %.
  *
- * JALON_ERROR_INSUFFICIENT_DATA for fewer than three pairs; JALON_ERROR_DEGENERATE for pairs along one line, as far as
- * their covariances can tell (a turn with a standard deviation above 0.1 rad), and for sets of which one is the mirror
- * image of the other; JALON_ERROR_INVALID_ARGUMENT for two targets of one name or within 0.1 mm of each other in one
- * set, coordinates that are not finite, a covariance with a negative variance. O(count); with "remove_outliers" times
- * those removed.
+ * JALON_ERROR_INSUFFICIENT_DATA for fewer than three pairs, or no three of the same distances; JALON_ERROR_LIMIT for
+ * more than 10 000 pairs of unnamed targets to choose from (similarity: 1 600); JALON_ERROR_DEGENERATE for pairs along
+ * one line, as far as their covariances can tell (a turn with a standard deviation above 0.1 rad), and for sets of
+ * which one is the mirror image of the other; JALON_ERROR_INVALID_ARGUMENT for two targets of one name or within 0.1
+ * mm of each other in one set, coordinates that are not finite, a covariance with a negative variance. O(count) for
+ * named targets; with "remove_outliers" times those removed.
  */
 JALON_API JALON_CHECK jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar,
                                                    const jalon_target* reference, uint64_t reference_count,
@@ -90,7 +96,8 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
  * Method "targets" adds "removed", "unpaired_reference", "unpaired_moving", "redundancy" (uint64), "sigma0" (float64:
  * of unit weight from the residuals, 1 where they agree with the covariances; NaN without redundancy),
  * "sigma0_estimated" (uint8: the covariance is scaled by it), "global_p_value" (float64: of sigma0 = 1, two-sided),
- * "global_accepted" (uint8: not below "significance"), "scale_sigma" (float64; 0 for a rigid motion).
+ * "global_accepted" (uint8: not below "significance"), "scale_sigma" (float64; 0 for a rigid motion), "solutions"
+ * (uint64: clearly different poses that pair the targets as well; 1 = unique).
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_registration* registration,
                                                   jalon_fields** out);

@@ -26,17 +26,15 @@ double mean_sigma2(std::span<const TargetPair> pairs) {
   return sum / static_cast<double>(3 * pairs.size());
 }
 
-void require_proper(const SimilarityFit& fit, std::span<const TargetPair> pairs) {
-  if (!(fit.mirrored_squares_m2 < kMirrorGain * fit.squares_m2)) return;
+// Noise cannot tell the sides of a flat layout apart: only residuals that a reflection takes away count.
+bool is_mirrored(const SimilarityFit& fit, std::span<const TargetPair> pairs) {
+  if (!(fit.mirrored_squares_m2 < kMirrorGain * fit.squares_m2)) return false;
   const double squares = fit.squares_m2 / mean_sigma2(pairs);
-  if (chi_square_tail(static_cast<double>(3 * pairs.size()) - 6, squares) > kMirrorChance) return;
-  fail(Status::kDegenerate,
-       "the targets of one side are the mirror image of the other's: an axis has the wrong sign, or two are swapped");
+  return chi_square_tail(static_cast<double>(3 * pairs.size()) - 6, squares) < kMirrorChance;
 }
 
-[[noreturn]] void refuse_line(std::string detail) {
-  fail(Status::kDegenerate, "the targets lie on one line%s: the turn about it stays open; add one beside it",
-       detail.c_str());
+std::string on_one_line(const std::string& detail) {
+  return "the targets lie on one line" + detail + ": the turn about it stays open; add one beside it";
 }
 
 // The largest standard deviation of a rotation about any axis.
@@ -73,24 +71,25 @@ TestedPair predicted(const IndexPair& pair, const TargetPair& measured, const Ta
 
 }  // namespace
 
-TargetAdjustment solve_pairs(std::span<const TargetPair> pairs, const TargetSetting& setting) {
-  if (pairs.size() < 3)
-    fail(Status::kInsufficientData, "%zu targets are known on both sides; a pose needs 3", pairs.size());
+std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs, const TargetSetting& setting,
+                                            std::string& why) {
+  why = on_one_line("");
   SimilarityFit start;
-  if (!fit_similarity(places_of(pairs), setting.with_scale, start)) refuse_line("");
-  require_proper(start, pairs);
+  if (!fit_similarity(places_of(pairs), setting.with_scale, start)) return {};
+  if (is_mirrored(start, pairs)) {
+    why = "the targets of one side are the mirror image of the other's: an axis has the wrong sign, or two are swapped";
+    return {};
+  }
   TargetAdjustment out;
   size_t wrong = 0;
-  switch (adjust_targets(pairs, setting.with_scale, start.pose, out, wrong)) {
-    case AdjustmentFailure::kWeights:
-      fail(Status::kInvalidArgument, "pair %zu: its two covariances add up to one without an inverse", wrong);
-    case AdjustmentFailure::kLayout: refuse_line("");
-    case AdjustmentFailure::kNone: break;
-  }
+  const AdjustmentFailure failure = adjust_targets(pairs, setting.with_scale, start.pose, out, wrong);
+  if (failure == AdjustmentFailure::kWeights)
+    fail(Status::kInvalidArgument, "pair %zu: its two covariances add up to one without an inverse", wrong);
+  if (failure != AdjustmentFailure::kNone) return {};
   const double turn = weakest_turn_rad(out.cofactor);
-  if (!(turn <= kOpenTurn_rad))
-    refuse_line(" as far as their covariances tell (standard deviation of a turn: " + text_of(turn, 2) + " rad)");
-  return out;
+  if (turn <= kOpenTurn_rad) return out;
+  why = on_one_line(" as far as their covariances tell (standard deviation of a turn: " + text_of(turn, 2) + " rad)");
+  return {};
 }
 
 TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pairs, const TargetSetting& setting,
@@ -102,8 +101,13 @@ TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pair
   };
   while (true) {
     task.checkpoint(0);
+    if (pairs.size() < 3)
+      fail(Status::kInsufficientData, "%zu targets are known on both sides; a pose needs 3", pairs.size());
     out.used = measured(pairs);
-    out.adjustment = solve_pairs(out.used, setting);
+    std::string why;
+    auto adjustment = solve_pairs(out.used, setting, why);
+    if (!adjustment) fail(Status::kDegenerate, "%s", why.c_str());
+    out.adjustment = std::move(*adjustment);
     const Snooping snooping(setting.snooping, out.adjustment.weighted_squares, out.adjustment.redundancy);
     std::vector<TargetTest> tests;
     for (const PairResidual& pair : out.adjustment.pairs) tests.push_back(snooping.test(pair));

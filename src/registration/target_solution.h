@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/task.h"
@@ -16,7 +18,7 @@ struct TargetSetting {
   double sigma_m = 0.003;
   SnoopingSetting snooping;
   bool remove_outliers = false;
-  double match_tolerance_m = 0;  ///< 0: from the covariances
+  double match_tolerance_m = 0;  ///< difference of distances; 0: from the covariances
 };
 
 /// Both sets, relative to their origins.
@@ -42,11 +44,12 @@ struct TargetSolution {
   uint64_t removed = 0;
 };
 
-/// Closed form, then adjustment. kInsufficientData below 3 pairs; kDegenerate along one line, as far as the
+/// Closed form, then adjustment, of 3 pairs or more. Nothing, and why, for pairs along one line, as far as the
 /// covariances can tell, and for mirrored sets.
-TargetAdjustment solve_pairs(std::span<const TargetPair> pairs, const TargetSetting& setting);
+std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs, const TargetSetting& setting,
+                                            std::string& why);
 /// Adjusts, tests and, where the setting asks for it, removes the worst outlier and starts again while 3 pairs and more
-/// are left.
+/// are left. kInsufficientData below 3 pairs; kDegenerate where they give no pose.
 TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pairs, const TargetSetting& setting,
                              Task& task);
 /// Back from the origins of the sets to the coordinates that came.

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/targets.h"
 
-#include <cmath>
-
-#include "base/error.h"
+#include "base/table_columns.h"
+#include "registration/target_pairing.h"
 #include "registration/target_solution.h"
 #include "registration/target_tables.h"
 
@@ -18,6 +17,7 @@ TargetSetting setting_of(const ParamSet& params) {
   s.sigma_m = params.number("sigma_m");
   s.snooping = {params.number("significance"), params.number("power"), params.text("sigma0") == "estimated"};
   s.remove_outliers = params.flag("remove_outliers");
+  s.match_tolerance_m = params.number("match_tolerance_m");
   return s;
 }
 
@@ -37,6 +37,8 @@ std::span<const ParamRow> targets_rows() {
                  "Chance that the test finds a blunder of the size given as detectable."),
       bool_row("remove_outliers", false, "",
                "Takes the worst outlier away and adjusts again until none is left; never below 3 pairs."),
+      number_row("match_tolerance_m", 0, 0, 1e3, "m", "",
+                 "Distances of unnamed targets that differ by no more are the same; 0: 4 standard deviations."),
   };
   return kRows;
 }
@@ -47,12 +49,16 @@ Registration register_targets(std::span<const Target> reference, std::span<const
   require_distinct(moving, "moving");
   const TargetSetting setting = setting_of(params);
   const TargetSets sets{reference, moving, origin_of(reference), origin_of(moving)};
-  const std::vector<IndexPair> pairs = pairs_by_name(reference, moving);
-  const TargetSolution solution = solve_targets(sets, pairs, setting, task);
+  const Pairing pairing = pair_targets(sets, setting, task);
+  const TargetSolution solution = solve_targets(sets, pairing.pairs, setting, task);
   Registration out;
-  out.converged = solution.adjustment.converged;
-  out.stopped = out.converged ? StopReason::kConverged : StopReason::kIterationLimit;
+  out.converged = solution.adjustment.converged && pairing.solutions == 1;
+  out.stopped = pairing.solutions > 1 ? StopReason::kAmbiguous
+                : out.converged       ? StopReason::kConverged
+                                      : StopReason::kIterationLimit;
   describe_targets(sets, solution, setting, out);
+  add_value<uint64_t>(out.summary, "solutions", "", "poses that pair the targets about as well: 1 is unique",
+                      pairing.solutions);
   return out;
 }
 
