@@ -20,7 +20,7 @@ done
 [ $full -eq 0 ] || export JALON_FULL=1
 . "$root/examples/packages.sh"
 need_packages "${build_packages[@]}" doctest-dev libcmocka-dev abigail-tools binutils pkg-config python3 python3-venv locales \
-  file librsvg2-bin || exit 1
+  file librsvg2-bin "${binding_packages[@]}" || exit 1
 
 logs=$root/build/logs work=$root/build/work # programs run in work: some write files of odd names
 mkdir -p "$logs" "$work"

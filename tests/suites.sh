@@ -15,3 +15,4 @@ suite validators bash tests/formats/validators.sh "$release"
 suite validators_offline bash tests/offline.sh tests/formats/validators.sh 'ezdxf.*'
 suite accuracy "$release/tests/accuracy/accuracy"
 suite examples bash tests/scenarios/examples.sh "$release"
+suite bindings python3 tests/bindings/reachable.py "$release"

@@ -1,0 +1,29 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+"""Writes what the bindings are compiled from: generate.py OUT_FOLDER PARAMETERS_JSON"""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import emit_swig  # noqa: E402
+
+
+def write(folder, name, text):
+    path = os.path.join(folder, name)
+    if os.path.exists(path) and open(path, encoding="utf-8").read() == text:
+        return
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(text)
+
+
+def main():
+    folder = sys.argv[1]
+    os.makedirs(folder, exist_ok=True)
+    write(folder, "jalon_calls.h", emit_swig.calls_header())
+    write(folder, "jalon_api.i", emit_swig.interface())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+package org.jalon;
+
+import java.nio.charset.StandardCharsets;
+
+/** Texts as they cross to native code: UTF-8 that ends with 0. */
+final class Text {
+  private Text() {}
+
+  static byte[] utf8(String text) {
+    return text == null ? null : (text + "\0").getBytes(StandardCharsets.UTF_8);
+  }
+
+  static String of(byte[] bytes) {
+    return bytes == null ? null : new String(bytes, StandardCharsets.UTF_8);
+  }
+}

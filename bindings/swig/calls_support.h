@@ -1,0 +1,24 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/* Small steps of the generated calls; read inside namespace jalon_binding, after the boxes have their names. */
+
+inline std::string text_of(const char* text) { return text == nullptr ? std::string() : std::string(text); }
+
+inline std::uint64_t count_of(const jalon_cloud* cloud) {
+  std::uint64_t count = 0;
+  check(jalon_cloud_count(cloud, &count));
+  return count;
+}
+
+/** The corners of all rings. */
+inline std::uint64_t sum_of(const Packed<std::uint64_t>& rings) {
+  std::uint64_t sum = 0;
+  for (std::uint64_t i = 0; i < rings.count(); ++i) sum += rings.data()[i];
+  return sum;
+}
+
+template <class H>
+void move_into(Owned<H>& to, Owned<H>& from) {
+  *to.slot() = from.give();
+  to.count();
+}
