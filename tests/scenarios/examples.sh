@@ -21,5 +21,15 @@ check "01_planes says what is wrong with a missing file" bash -c "! '$build/exam
 check "02_progress computes normals" "$build/examples/example_02_progress"
 cp "$work/seen" "$work/shown"
 check "02_progress: the top of the dome looks up or down" grep -qE 'top: -?0.00[0-9]+ -?0.00[0-9]+ -?(1.0000|0.999[0-9])' "$work/shown"
+check "03_model makes a model" "$build/examples/example_03_model" "$work/sample.las" "$work/model.dxf"
+check "03_model finds 19 windows and 2 doors" test "$(grep -c '^window' "$work/seen") $(grep -c '^door' "$work/seen")" = "19 2"
+check "03_model writes a drawing" grep -q LWPOLYLINE "$work/model.dxf"
+for day in 1 3; do
+  "$build/src/jalon" scan --scene earthworks -o "$work/day$day.las" --quiet --scene-set day=$day --set horizontal_step_rad=0.001 --set vertical_step_rad=0.001
+done
+check "05_changes lists regions" "$build/examples/example_05_changes" "$work/day1.las" "$work/day3.las"
+check "05_changes: the largest is the wall or the heap" test "$(grep -c '^region' "$work/seen")" -ge 2
+check "05_changes finds none where nothing has changed" "$build/examples/example_05_changes" "$work/day1.las" "$work/day1.las"
+check "05_changes says nothing then" test ! -s "$work/seen"
 echo "$passed passed, $failed failed, 0 skipped"
 [ $failed -eq 0 ]
