@@ -105,13 +105,14 @@ FieldTable summary_of(const CoreColumns& columns, size_t n, Task& task) {
 }
 
 /// Steps 1 to 4 of Lague, Brodu & Leroux (2013) at every core point, in the order of the curve, so that neighbours find
-/// their points in the cache.
-void measure(const M3c2Settings& settings, const CloudPtr& reference, const CloudPtr& compared, const CloudPtr& core,
-             const CoreColumns& columns, Task& task) {
+/// their points in the cache. The columns are made behind the indices, when what those take to be made is given back.
+CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference, const CloudPtr& compared,
+                    const CloudPtr& core, Task& task) {
   const CoreNormals normals(settings, source_cloud(settings.normals_from, reference, compared, core), core, task);
   const CylinderComparer cylinders(settings, reference, compared, task);
   const auto core_tree = core->octree(task);
   const auto order = core_tree->order();
+  const CoreColumns columns(core->size());
   Span span(task, 0.2, 1, "cylinders");
   parallel_for(task, core->size(), kGrain, [&](size_t begin, size_t end) {
     CoreNormals::Work normal_work = normals.work();
@@ -124,6 +125,7 @@ void measure(const M3c2Settings& settings, const CloudPtr& reference, const Clou
       columns.set(i, normal, result);
     }
   });
+  return columns;
 }
 
 }  // namespace
@@ -147,8 +149,7 @@ Comparison compare_m3c2_core(const CloudPtr& reference, const CloudPtr& compared
   if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
   if (core->size() == 0) fail(Status::kInsufficientData, "there are no core points");
   const M3c2Settings settings = m3c2_settings(params);
-  const CoreColumns columns(core->size());
-  measure(settings, reference, compared, core, columns, task);
+  const CoreColumns columns = measure(settings, reference, compared, core, task);
   Comparison made;
   made.cloud = core;
   made.points = columns.table();

@@ -163,15 +163,21 @@ Comparison compare_with_model(const ModelPtr& reference, const CloudPtr& compare
   if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
   const ModelSetting setting = setting_of(params);
   const ModelSurface surface(*reference, setting.chord_error_m, task);
+  // The octree first: what it takes to make it is given back before the rest is there.
+  std::shared_ptr<const Octree> octree;
+  {
+    const Span span(task, 0, 0.15, "index of the compared cloud");
+    octree = compared->octree(task);
+  }
   std::shared_ptr<const NearestTriangles> tree;
   {
-    const Span span(task, 0, 0.3, "index of the model");
+    const Span span(task, 0.15, 0.4, "index of the model");
     tree = NearestTriangles::build(surface.vertices(), surface.triangles(), task);
   }
   ModelColumns columns(compared->size(), setting);
   {
-    const Span span(task, 0.3, 0.9, "nearest triangles");
-    measure(surface, *tree, *compared, *compared->octree(task), setting, columns, task);
+    const Span span(task, 0.4, 0.9, "nearest triangles");
+    measure(surface, *tree, *compared, *octree, setting, columns, task);
   }
   const Span span(task, 0.9, 1, "statistics");
   Comparison made;

@@ -28,6 +28,8 @@ constexpr size_t kNodeGrain = 8192;
 constexpr size_t kAskGrain = 2048;   // points a chunk, about 1 ms
 constexpr size_t kRun = 256;         // points answered before they are looked at: they stay in the cache
 
+constexpr size_t kMostDoubles = 3 * 3 * kWidth;  // corners of a leaf whose triangles share none
+
 using Triangle = std::array<uint32_t, 3>;
 
 /// Where a search may begin: not below max_distance squared, whatever the rounding.
@@ -104,47 +106,87 @@ struct NearestTriangles::Impl {
   size_t triangles = 0;
   std::vector<Node> nodes;
   Buffer<TriangleBlock> blocks;
+  std::vector<Buffer<double>> corners;  ///< of the blocks below kNodeGrain nodes each
 
   TriangleBlocks view() const { return {nodes.data(), blocks.data()}; }
-  /// Fills a block with triangles order[first, first + count).
-  void fill_block(TriangleBlock& block, std::span<const Vec3> vertices, std::span<const Triangle> all,
-                  std::span<const uint32_t> order) const;
+  /// Fills a block but for where its corners are; gives how many doubles, up to kMostDoubles, of corners it has.
+  size_t fill_block(TriangleBlock& block, std::span<const Vec3> vertices, std::span<const Triangle> all,
+                    std::span<const uint32_t> order, double* found) const;
+  /// Gives the order of the triangles in the tree.
+  std::vector<uint32_t> make_nodes(std::span<const Vec3> vertices, std::span<const Triangle> all, Task& task);
   void make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all, std::span<const uint32_t> order,
                    Task& task);
   TriangleAnswer answer_of(const NearestOfBlocks& found, const Vec3& local, double max_distance,
                            const TriangleQuestions& questions) const;
 };
 
-void NearestTriangles::Impl::fill_block(TriangleBlock& block, std::span<const Vec3> vertices,
-                                        std::span<const Triangle> all, std::span<const uint32_t> order) const {
+size_t NearestTriangles::Impl::fill_block(TriangleBlock& block, std::span<const Vec3> vertices,
+                                          std::span<const Triangle> all, std::span<const uint32_t> order,
+                                          double* found) const {
+  size_t used = 0;
+  const auto place_of = [&](const Vec3& corner) {
+    size_t at = 0;
+    while (at < used && !(found[at] == corner.x && found[at + 1] == corner.y && found[at + 2] == corner.z))
+      at += 3;
+    if (at == used) {
+      for (int axis = 0; axis < 3; ++axis) found[used++] = corner[axis];
+    }
+    return static_cast<uint8_t>(at);
+  };
   block.turned = 0;
   for (uint32_t i = 0; i < kWidth; ++i) {
     const uint32_t number = order[std::min<size_t>(i, order.size() - 1)];
-    std::array<Vec3, 3> corners;
-    for (size_t k = 0; k < 3; ++k) corners[k] = vertices[all[number][k]] - origin;
-    if (sort_corners(corners)) block.turned |= 1u << i;
-    for (int axis = 0; axis < 3; ++axis) {
-      block.a[axis][i] = corners[0][axis];
-      block.b[axis][i] = corners[1][axis];
-      block.c[axis][i] = corners[2][axis];
-    }
+    std::array<Vec3, 3> own;
+    for (size_t k = 0; k < 3; ++k) own[k] = vertices[all[number][k]] - origin;
+    if (sort_corners(own)) block.turned |= 1u << i;
+    block.a[i] = place_of(own[0]);
+    block.b[i] = place_of(own[1]);
+    block.c[i] = place_of(own[2]);
     block.triangle[i] = number;
   }
   block.count = static_cast<uint32_t>(order.size());
+  return used;
+}
+
+std::vector<uint32_t> NearestTriangles::Impl::make_nodes(std::span<const Vec3> vertices, std::span<const Triangle> all,
+                                                         Task& task) {
+  Buffer<FloatBox> boxes(all.size());
+  parallel_for(task, all.size(), kBoxGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      Box3 box;
+      for (const uint32_t v : all[i]) box.add(vertices[v] - origin);
+      boxes[i] = float_box(box);
+    }
+  });
+  const Span span(task, 0.1, 0.8);
+  triangle_tree::Nodes tree = triangle_tree::build_nodes({boxes.data(), boxes.size()}, kWidth, kWidth, task);
+  nodes = std::move(tree.nodes);
+  return std::move(tree.order);
 }
 
 void NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all,
                                          std::span<const uint32_t> order, Task& task) {
   const std::vector<uint32_t> firsts = count_leaves(nodes, task);
   blocks = Buffer<TriangleBlock>(firsts.back());
+  corners.resize(firsts.size() - 1);
   parallel_for(task, nodes.size(), kNodeGrain, [&](size_t begin, size_t end) {
-    uint32_t leaf = firsts[begin / kNodeGrain];
+    const size_t chunk = begin / kNodeGrain;
+    uint32_t leaf = firsts[chunk];
+    std::vector<double> found;
+    std::vector<size_t> begins;
     for (size_t n = begin; n < end; ++n)
       for (uint32_t i = 0; i < kWidth; ++i) {
         if (nodes[n].count[i] == 0) continue;
-        fill_block(blocks[leaf], vertices, all, order.subspan(nodes[n].child[i], nodes[n].count[i]));
+        double own[kMostDoubles];
+        const size_t used =
+            fill_block(blocks[leaf], vertices, all, order.subspan(nodes[n].child[i], nodes[n].count[i]), own);
+        begins.push_back(found.size());
+        found.insert(found.end(), own, own + used);
         nodes[n].child[i] = leaf++;
       }
+    corners[chunk] = Buffer<double>(found.size());
+    std::copy(found.begin(), found.end(), corners[chunk].data());
+    for (size_t b = 0; b < begins.size(); ++b) blocks[firsts[chunk] + b].corners = corners[chunk].data() + begins[b];
   });
 }
 
@@ -152,7 +194,9 @@ NearestTriangles::NearestTriangles() : impl_(std::make_unique<Impl>()) {}
 NearestTriangles::~NearestTriangles() = default;
 size_t NearestTriangles::size() const { return impl_->triangles; }
 size_t NearestTriangles::memory_bytes() const {
-  return sizeof(Impl) + impl_->nodes.capacity() * sizeof(Node) + impl_->blocks.size() * sizeof(TriangleBlock);
+  size_t bytes = sizeof(Impl) + impl_->nodes.capacity() * sizeof(Node) + impl_->blocks.size() * sizeof(TriangleBlock);
+  for (const Buffer<double>& chunk : impl_->corners) bytes += chunk.size() * sizeof(double);
+  return bytes;
 }
 
 std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const Vec3> vertices,
@@ -168,23 +212,8 @@ std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const 
   const Vec3 top = world.max - impl.origin;
   impl.span_m = std::max({top.x, top.y, top.z});
   if (!(impl.span_m <= kMaxSpan_m)) fail(Status::kLimit, "a mesh may span 1e9 m at most");
-  // 2. A float box around each triangle.
-  Buffer<FloatBox> boxes(triangles.size());
-  parallel_for(task, triangles.size(), kBoxGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      Box3 box;
-      for (const uint32_t v : triangles[i]) box.add(vertices[v] - impl.origin);
-      boxes[i] = float_box(box);
-    }
-  });
-  // 3. The nodes, and the triangles of each leaf side by side.
-  triangle_tree::Nodes tree;
-  {
-    const Span span(task, 0.1, 0.8);
-    tree = triangle_tree::build_nodes({boxes.data(), boxes.size()}, kWidth, task);
-  }
-  impl.nodes = std::move(tree.nodes);
-  impl.make_blocks(vertices, triangles, tree.order, task);
+  // 2. The nodes, and the triangles of each leaf side by side.
+  impl.make_blocks(vertices, triangles, impl.make_nodes(vertices, triangles, task), task);
   return out;
 }
 

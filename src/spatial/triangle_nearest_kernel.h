@@ -11,16 +11,16 @@
 
 namespace jalon {
 
-/// The triangles of a leaf, corners relative to the tree's origin, each triangle's in ascending order of coordinates.
-/// Places behind the last repeat it.
-struct alignas(64) TriangleBlock {
-  double a[3][triangle_tree::kWidth], b[3][triangle_tree::kWidth], c[3][triangle_tree::kWidth];
+/// The triangles of a leaf. Places behind the last repeat it.
+struct TriangleBlock {
+  const double* corners;  ///< of its triangles, each once: x, y, z relative to the tree's origin
+  /// Where among them those of each triangle begin, 0, 3, 6 ...; a triangle's in ascending order of coordinates.
+  uint8_t a[triangle_tree::kWidth], b[triangle_tree::kWidth], c[triangle_tree::kWidth];
   uint32_t triangle[triangle_tree::kWidth];  ///< caller's number
   uint32_t count;                            ///< of them
   uint32_t turned;  ///< bit i: triangle i runs clockwise where its corners in their order run anticlockwise
 };
 
-/// What the vector loops see of a tree: plain pointers. Of the nodes' leaves, child is the block.
 struct TriangleBlocks {
   const triangle_tree::Node* nodes;
   const TriangleBlock* blocks;

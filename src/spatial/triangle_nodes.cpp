@@ -62,8 +62,9 @@ struct Split {
 
 class Builder {
  public:
-  Builder(std::span<const FloatBox> boxes, uint32_t leaf_size, std::vector<uint32_t>& order, Task& task)
-      : boxes_(boxes), leaf_size_(leaf_size), order_(order), task_(task) {}
+  Builder(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t at_once, std::vector<uint32_t>& order,
+          Task& task)
+      : boxes_(boxes), leaf_size_(leaf_size), at_once_(at_once), order_(order), task_(task) {}
 
   /// Node of a range of more than a leaf's triangles with all below it; gives its index in nodes. With jobs, ranges
   /// of at most kSubtreeSize are put there instead of being built.
@@ -157,7 +158,9 @@ class Builder {
     return b < kBins - 1 ? static_cast<int>(b) : kBins - 1;
   }
 
-  /// Least sum of (half area x triangles) of both sides; ties go to the lower axis and bin.
+  float tests(uint32_t count) const { return static_cast<float>((count + at_once_ - 1) / at_once_); }
+
+  /// Least sum of (half area x tests of triangles) of both sides; ties go to the lower axis and bin.
   Split best_split(const Range& range, const FloatBox& centres) {
     float scale[3];
     for (size_t a = 0; a < 3; ++a) scale[a] = bin_scale(centres, a);
@@ -181,13 +184,13 @@ class Builder {
       Bin side;
       for (size_t i = kBins - 1; i > 0; --i) {
         side.add(bins.bin[a][i]);
-        right_cost[i] = side.count == 0 ? -1 : side.box.half_area() * static_cast<float>(side.count);
+        right_cost[i] = side.count == 0 ? -1 : side.box.half_area() * tests(side.count);
       }
       side = {};
       for (size_t i = 0; i + 1 < kBins; ++i) {
         side.add(bins.bin[a][i]);
         if (side.count == 0 || right_cost[i + 1] < 0) continue;
-        const float cost = side.box.half_area() * static_cast<float>(side.count) + right_cost[i + 1];
+        const float cost = side.box.half_area() * tests(side.count) + right_cost[i + 1];
         if (cost < best_cost) {
           best_cost = cost;
           best = {static_cast<int>(a), static_cast<int>(i)};
@@ -216,7 +219,7 @@ class Builder {
   }
 
   std::span<const FloatBox> boxes_;
-  const uint32_t leaf_size_;
+  const uint32_t leaf_size_, at_once_;
   std::vector<uint32_t>& order_;
   Task& task_;
 };
@@ -251,13 +254,13 @@ void build_subtrees(Builder& builder, std::vector<Node>& nodes, std::span<const 
 
 }  // namespace
 
-Nodes build_nodes(std::span<const FloatBox> boxes, uint32_t leaf_size, Task& task) {
+Nodes build_nodes(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t at_once, Task& task) {
   Nodes out;
   if (boxes.empty()) return out;
   const auto n = static_cast<uint32_t>(boxes.size());
   out.order.resize(n);
   std::iota(out.order.begin(), out.order.end(), 0u);
-  Builder builder(boxes, leaf_size, out.order, task);
+  Builder builder(boxes, leaf_size, at_once, out.order, task);
   std::vector<Job> jobs;
   const Range all = builder.range_of(0, n);
   {

@@ -21,9 +21,8 @@ constexpr double kGapShare = 0x1p-18;
 using Corners = std::array<Vec3, 3>;
 
 Corners corners_of(const TriangleBlock& block, uint32_t lane) {
-  return {Vec3{block.a[0][lane], block.a[1][lane], block.a[2][lane]},
-          Vec3{block.b[0][lane], block.b[1][lane], block.b[2][lane]},
-          Vec3{block.c[0][lane], block.c[1][lane], block.c[2][lane]}};
+  const auto corner = [&](uint8_t at) { return Vec3{block.corners[at], block.corners[at + 1], block.corners[at + 2]}; };
+  return {corner(block.a[lane]), corner(block.b[lane]), corner(block.c[lane])};
 }
 
 ClosestResult<double> closest_to(const Corners& k, const Vec3& p) {

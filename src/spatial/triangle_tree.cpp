@@ -258,7 +258,7 @@ std::shared_ptr<const TriangleTree> TriangleTree::build(std::span<const Vec3> ve
   });
 
   // 3. The nodes, and the corners in their order.
-  impl.tree = triangle_tree::build_nodes({boxes.data(), boxes.size()}, triangle_tree::kLeafSize, task);
+  impl.tree = triangle_tree::build_nodes({boxes.data(), boxes.size()}, triangle_tree::kLeafSize, 1, task);
   impl.corners = Buffer<Corners>(triangles.size());
   parallel_for(task, triangles.size(), kBoxGrain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {

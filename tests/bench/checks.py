@@ -154,7 +154,7 @@ def same_work(drivers, operations, prefix):
                 if operation not in driver.operations or operation in UNCHECKED:
                     continue
                 path = os.path.join(folder, "sample")
-                _, count = driver.run(operation, path)
+                _, count, _ = driver.run(operation, path)
                 sample = np.fromfile(path) if os.path.exists(path) else np.zeros(0)
                 if operation in ("planes", "region_growing"):
                     text, good = compare_planes(sample, planes)

@@ -5,62 +5,7 @@
  * 16), and of a cloud without either while it is segmented, from the resident set of this process less
  * what it held before; Linux only. The caller's own array is freed before the first measurement. */
 
-#include <fcntl.h>
-#include <jalon/jalon.h>
-#include <malloc.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-enum { LINE_BYTES = 4096 };
-
-static void check(jalon_status status) {
-  if (status == JALON_OK) return;
-  fprintf(stderr, "jalon: %s\n", jalon_last_error_message());
-  exit(1);
-}
-
-/* A line of /proc/self/status, e.g. "VmRSS:", in bytes. */
-static double process_bytes(const char* key) {
-  char line[256];
-  double kilobytes = 0;
-  FILE* file = fopen("/proc/self/status", "r");
-  if (file == NULL) exit(1);
-  while (fgets(line, sizeof line, file) != NULL) {
-    if (strncmp(line, key, strlen(key)) == 0)
-      kilobytes = (double)strtoul(line + strlen(key), NULL, 10);
-  }
-  fclose(file);
-  return 1024 * kilobytes;
-}
-
-/* VmHWM starts again from the present resident set. */
-static void reset_peak(void) {
-  const int file = open("/proc/self/clear_refs", O_WRONLY);
-  if (file < 0 || write(file, "5", 1) != 1) {
-    fprintf(stderr, "cannot reset the peak of the resident set\n");
-    exit(1);
-  }
-  close(file);
-}
-
-static double* load(const char* prefix, uint64_t* count) {
-  char path[LINE_BYTES];
-  double* xyz;
-  long bytes;
-  FILE* file;
-  snprintf(path, sizeof path, "%s.f64", prefix);
-  file = fopen(path, "rb");
-  if (file == NULL || fseek(file, 0, SEEK_END) != 0 || (bytes = ftell(file)) <= 0) exit(1);
-  rewind(file);
-  *count = (uint64_t)bytes / 24;
-  xyz = malloc((size_t)bytes);
-  if (xyz == NULL || fread(xyz, 24, *count, file) != *count) exit(1);
-  fclose(file);
-  return xyz;
-}
+#include "memory_driver.h"
 
 static void report(const char* stage, double before, double count) {
   const double peak = process_bytes("VmHWM:");
@@ -87,13 +32,6 @@ static void warm_up(const jalon_params* options, jalon_task* task) {
   jalon_cloud_release(cloud);
 }
 
-static jalon_task* new_task(const char* threads) {
-  jalon_task* task = NULL;
-  check(jalon_task_create(&task));
-  check(jalon_task_set_threads(task, (uint32_t)strtoul(threads, NULL, 10)));
-  return task;
-}
-
 static void segment(const char* method, const char* prefix, const char* threads) {
   uint64_t count = 0;
   double before;
@@ -105,7 +43,7 @@ static void segment(const char* method, const char* prefix, const char* threads)
   warm_up(NULL, task);
   malloc_trim(0);
   before = process_bytes("VmRSS:");
-  xyz = load(prefix, &count);
+  xyz = load(prefix, ".f64", &count);
   check(jalon_cloud_create(xyz, JALON_FLOAT64, count, 0, 0, &cloud));
   free(xyz);
   check(jalon_segmenter_create(method, &segmenter));
@@ -116,17 +54,6 @@ static void segment(const char* method, const char* prefix, const char* threads)
   jalon_segmenter_release(segmenter);
   jalon_cloud_release(cloud);
   jalon_task_release(task);
-}
-
-/* In a process of its own, so that what one left with the allocator is not the next one's. */
-static void segment_apart(const char* method, const char* prefix, const char* threads) {
-  int status = 0;
-  const pid_t child = fork();
-  if (child == 0) {
-    segment(method, prefix, threads);
-    exit(0);
-  }
-  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) exit(1);
 }
 
 int main(int argc, char** argv) {
@@ -140,8 +67,8 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   printf("memory|stage|points|bytes a point now|peak bytes a point\n");
   fflush(stdout); /* or the children would print it again */
-  segment_apart("ransac", argv[1], threads);
-  segment_apart("region_growing", argv[1], threads);
+  measure_apart(segment, "ransac", argv[1], threads);
+  measure_apart(segment, "region_growing", argv[1], threads);
   task = new_task(threads);
   check(jalon_params_create("normals", &options));
   check(jalon_params_set_string(options, "method", "pca"));
@@ -150,7 +77,7 @@ int main(int argc, char** argv) {
   warm_up(options, task);
   malloc_trim(0);
   before = process_bytes("VmRSS:");
-  xyz = load(argv[1], &count);
+  xyz = load(argv[1], ".f64", &count);
   with_input = process_bytes("VmRSS:") - before;
   reset_peak();
   check(jalon_cloud_create(xyz, JALON_FLOAT64, count, 0, 0, &cloud));

@@ -19,9 +19,10 @@ import sys
 import time
 
 import checks
+import limits
+from limits import SEGMENTING
 
 READING = ["las0", "las3"]
-SEGMENTING = ["planes", "region_growing"]
 COMPARING = ["c2c", "c2c_plane", "c2c_quadric"]  # no peer here has local models
 M3C2 = ["m3c2_100k", "m3c2_1m"]  # with drivers of their own
 MESH = ["c2m_13k", "c2m_1m"]  # the same; name -> sides of the triangles below
@@ -33,8 +34,7 @@ OPERATIONS = READING + ["index", "knn16", "normals16", "voxel5cm"] + COMPARING +
 # takes 3.2 s, region growing 1.5 s where PCL takes 4.3 s.
 GATE = {"las0": 1 / 1.5, "las3": 1 / 1.5}
 GOAL = {"las0": 0.22 / 0.15, "las3": 0.22 / 0.15, "planes": 3.2 / 1.5, "region_growing": 4.3 / 1.5}
-MEMORY_NOW, MEMORY_PEAK = 60.0, 120.0  # bytes a point: coordinates + index + float normals
-GROWTH = 6.0  # segmenting five times the points may take so many times as long
+CLOCK_TICK_S = 1 / os.sysconf("SC_CLK_TCK")  # processor seconds are counted in these
 
 
 def peer_commands(build, prefix):
@@ -107,14 +107,20 @@ class Driver:
         self.operations = self._answer("ready|")[2].split(",")
 
     def run(self, operation, sample_path=""):
+        """Seconds, how many results, and processor seconds (user and system, freeing included)."""
+        before = self._processor_s()
         self.process.stdin.write(f"{operation} {self.threads} {sample_path}\n")
         self.process.stdin.flush()
         answer = self._answer(self.name + "|")
-        return float(answer[4]), int(answer[5])
+        return float(answer[4]), int(answer[5]), self._processor_s() - before
 
     def close(self):
         self.process.stdin.close()
         self.process.wait()
+
+    def _processor_s(self):
+        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) * CLOCK_TICK_S
 
     def _answer(self, start):
         for line in self.process.stdout:  # libraries may print lines of their own
@@ -150,29 +156,37 @@ def scene(build, data, size):
 
 
 def run_rounds(drivers, operations, rounds, pause_s):
-    """times[operation][peer] = one number a round."""
+    """times[operation][peer] = one number a round, and the same of processor seconds."""
     times = {operation: {} for operation in operations}
+    processor = {operation: {} for operation in operations}
     for turn in range(rounds):
         order = drivers[turn % len(drivers) :] + drivers[: turn % len(drivers)]
         for operation in operations:
             for driver in order:
                 if operation in driver.operations:
                     time.sleep(pause_s)  # lets the worker threads of the one before go to sleep
-                    times[operation].setdefault(driver.name, []).append(driver.run(operation)[0])
-    return times
+                    seconds, _, processor_s = driver.run(operation)
+                    times[operation].setdefault(driver.name, []).append(seconds)
+                    processor[operation].setdefault(driver.name, []).append(processor_s)
+    return times, processor
 
 
-def verdict(operation, times):
-    """The row of the table: fastest peer, ratio to it and its range over the rounds."""
+def median_ratio(peer, jalon):
+    return statistics.median(p / max(j, CLOCK_TICK_S) for p, j in zip(peer, jalon))
+
+
+def verdict(operation, times, processor):
+    """The row of the table: fastest peer, ratio to it and its range over the rounds; the ratio of processor seconds."""
     medians = {peer: statistics.median(values) for peer, values in times.items()}
     peers = {peer: value for peer, value in medians.items() if peer != "Jalon"}
-    row = {"operation": operation, "medians": medians, "times": times}
+    row = {"operation": operation, "medians": medians, "times": times, "processor": processor}
     if "Jalon" in medians and peers:
         best = min(peers, key=peers.get)
         ratios = [peer / jalon for peer, jalon in zip(times[best], times["Jalon"])]
         ratio = statistics.median(ratios)
         gate, goal = GATE.get(operation, 1.0), GOAL.get(operation, 2.0)
         mark = "GOAL" if ratio >= goal else "PASS" if ratio >= gate else "FAIL"
+        row["processor_ratio"] = median_ratio(processor[best], processor["Jalon"])
         row.update(best=best, ratio=ratio, lowest=min(ratios), highest=max(ratios), mark=mark)
     return row
 
@@ -191,22 +205,22 @@ def measure(arguments, operations, build, prefix, size, threads, cpus):
     for driver in drivers:
         driver.wait_until_ready()
     failures = checks.same_work(drivers, operations, prefix) if arguments.check else []
-    times = run_rounds(drivers, operations, arguments.rounds, arguments.pause)
+    times, processor = run_rounds(drivers, operations, arguments.rounds, arguments.pause)
     for driver in drivers:
         driver.close()
     rows = []
     for operation in operations:
         if times[operation]:
-            rows.append(dict(verdict(operation, times[operation]), points=size, threads=threads))
+            rows.append(dict(verdict(operation, times[operation], processor[operation]), points=size, threads=threads))
     return rows, failures
 
 
 def print_table(rows):
     print(
         "\n| points | threads | operation | Jalon s | fastest peer | s | peer / Jalon (range) | "
-        "| others s |"
+        "of processor s | | others s |"
     )
-    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     for row in rows:
         medians = row["medians"]
         best = row.get("best", "")
@@ -221,72 +235,13 @@ def print_table(rows):
             if "ratio" in row
             else "-"
         )
+        spent = f"{row['processor_ratio']:.2f}" if best else "-"
         peer_s = f"{medians[best]:.3f}" if best else "-"
         print(
             f"| {row['points']} | {row['threads']} | {row['operation']} | {jalon} | "
-            f"{best or '-'} | {peer_s} | {ratio} | "
+            f"{best or '-'} | {peer_s} | {ratio} | {spent} | "
             f"{row.get('mark', '')} | {others} |"
         )
-
-
-def memory(build, prefix, threads):
-    """Bytes a point of Jalon's cloud after each stage, and whether the limits hold."""
-    program = build / "tests/bench/memory_jalon"
-    if not program.exists():
-        return None
-    text = subprocess.run(
-        [str(program), str(prefix), str(threads)], check=True, capture_output=True, text=True
-    ).stdout
-    stages = {}
-    for line in text.splitlines()[1:]:
-        _, stage, points, now, peak = line.split("|")
-        stages[stage] = (float(now), float(peak) if peak else None)
-    now = stages["normals"][0]
-    peak = max(stages[stage][1] for stage in ("prepare", "normals", "ransac", "region_growing"))
-    mark = "PASS" if now <= MEMORY_NOW and peak <= MEMORY_PEAK else "FAIL"
-    print(
-        f"memory, {points} points, {threads} threads: {now:.1f} B a point "
-        f"(limit {MEMORY_NOW:.0f}), "
-        f"peak {peak:.1f} (limit {MEMORY_PEAK:.0f}): {mark}; {stages}"
-    )
-    return {
-        "points": int(points),
-        "threads": threads,
-        "now": now,
-        "peak": peak,
-        "mark": mark,
-        "stages": stages,
-    }
-
-
-def growth(rows):
-    """Time of the largest scene as a multiple of that of the smallest, which has a fifth of its points."""
-    results = []
-    for operation in SEGMENTING:
-        for threads in sorted({row["threads"] for row in rows}):
-            medians = {
-                row["points"]: row["medians"]
-                for row in rows
-                if row["operation"] == operation and row["threads"] == threads
-            }
-            small, large = min(medians, default=0), max(medians, default=0)
-            if large != 5 * small or large == 0:
-                continue
-            ratios = {
-                peer: medians[large][peer] / medians[small][peer]
-                for peer in medians[small]
-                if peer in medians[large]
-            }
-            mark = "PASS" if ratios["Jalon"] <= GROWTH else "FAIL"
-            text = ", ".join(f"{peer} {ratio:.2f}" for peer, ratio in ratios.items())
-            print(
-                f"{operation}, {threads} threads, {large} points take so many times as long as {small}: {text} "
-                f"(limit {GROWTH:.0f}): {mark}"
-            )
-            results.append(
-                {"operation": operation, "threads": threads, "ratios": ratios, "mark": mark}
-            )
-    return results
 
 
 def machine():
@@ -361,10 +316,12 @@ def main():
                 result["failures"] += failures
                 print_table(rows)
                 sys.stdout.flush()
-    result["growth"] = growth(result["rows"])
+    result["growth"] = limits.growth(result["rows"])
     if arguments.memory:
         for size in sizes:
-            result["memory"].append(memory(build, scene(build, data, size), max(threads_wanted)))
+            prefix = scene(build, data, size)
+            result["memory"].append(limits.memory(build, prefix, max(threads_wanted)))
+            result["memory"] += limits.comparison_memory(build, prefix, max(threads_wanted))
     if arguments.json:
         pathlib.Path(arguments.json).write_text(json.dumps(result, indent=1) + "\n")
     marks = [row.get("mark") for row in result["rows"] + result["growth"]]
