@@ -37,7 +37,20 @@ typedef struct jalon_target {
 } jalon_target;
 
 /**
- * method, NULL = "targets":
+ * method, NULL = "icp":
+ * - "icp": iterative closest points (Besl & McKay 1992; Chen & Medioni 1992) from a start that is about right: clouds
+ *   of the same surfaces, half a metre and some degrees apart. Local planes of both clouds, steps on few points and then
+ *   on all, a distance that shrinks down to three times the noise, robust weights. Parameters: "metric", "kernel",
+ *   "max_distance_m" ... (jalon_registrar_params). Of the pose it gives
+ *   - the covariance, from the scatter of the local planes of both clouds, as it goes through pairs and planes into the
+ *     pose, scaled by the residuals (a-posteriori sigma0). Assumed: independent noise of the points, surfaces that are
+ *     the same in both. What neighbouring points have in common (a station's tilt, a warped mirror) is not in it, nor
+ *     where neighbours of k points are wider than the surfaces are flat;
+ *   - the directions that nothing fixes: those in which the pairs say no more than the noise of the planes' normals
+ *     alone would. The pose keeps the start there, and the covariance is NaN;
+ *   - "kept", "sigma", "sigma0" and "redundancy" in the summary besides the common columns.
+ *   Too little overlap is JALON_STOPPED_TOO_FEW_PAIRS: less than "min_overlap_percent" of the moving points have a
+ *   pair. About 2 s for 1 M points on 1 M with one thread.
  * - "targets": the rigid or similarity motion ("transform") from three or more targets known in both frames: closed
  *   form (Arun, Huang & Blostein 1987; Umeyama 1991), then the adjustment weighted with the covariances of both sides
  *   (Gauss-Helmert model; Pope 1972), and a test of each target for a blunder (data snooping; Baarda 1968).
@@ -101,7 +114,12 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_registration* registration,
                                                   jalon_fields** out);
-/** The log of the iterations, one row each. Without columns for methods that make none. */
+/**
+ * The log of the iterations, one row each. Without columns for methods that make none. Method "icp": "level" (int32, 0
+ * = the fewest points), "pairs" (uint64), "kept" (float64: share of the moving points with a pair), "rms", "sigma",
+ * "distance" (float64, m: residuals and the greatest of a pair), "turn" (float64, rad), "shift" (float64, m),
+ * "observable" (uint8: directions fixed).
+ */
 JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_registration* registration,
                                                      jalon_fields** out);
 /**

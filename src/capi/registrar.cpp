@@ -8,6 +8,7 @@
 #include "capi/comparison_handles.h"
 #include "capi/guard.h"
 #include "capi/registration_handles.h"
+#include "registration/icp.h"
 #include "registration/targets.h"
 
 using namespace jalon;
@@ -27,13 +28,14 @@ struct Method {
                               Task&);
 };
 constexpr Method kMethods[] = {
+    {"icp", "registrar icp", icp_rows, register_icp, nullptr},
     {"targets", "registrar targets", targets_rows, nullptr, register_targets},
 };
 
 const Method& method_of(const std::string& name) {
   for (const Method& method : kMethods)
     if (name == method.name) return method;
-  fail(Status::kNotFound, "no registration method \"%.100s\"; there are: targets", name.c_str());
+  fail(Status::kNotFound, "no registration method \"%.100s\"; there are: icp, targets", name.c_str());
 }
 
 // A handle of what a method made, with the parameters it was made with.

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/icp.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "registration/icp_result.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kFewest = 4000;      // cells of the coarsest level: enough for steps of a millimetre on a street
+constexpr size_t kLeastPoints = 20;
+constexpr double kMisfits = 3;        // of the first distance (A1)
+
+// Step 2: the deepest level with at most so many occupied cells.
+int level_of(const Octree& tree, size_t most, Task& task) {
+  const std::vector<uint64_t> counts = tree.cell_counts(task);
+  int level = 0;
+  while (level < kMaxLevel && counts[static_cast<size_t>(level) + 1] <= most) ++level;
+  return level;
+}
+
+IcpPoints points_of(const SurfacePlanes& planes, size_t most, Task& task) {
+  const int level = level_of(*planes.tree, most, task);
+  return {flattest_points(planes, level, task), std::ldexp(planes.tree->cube().edge, -level)};
+}
+
+void set_frame(const IcpClouds& clouds, const IcpPoints& moving, IcpState& state) {
+  Vec3 sum;
+  const size_t n = moving.count(clouds.moving);
+  for (size_t i = 0; i < n; ++i) sum += clouds.moving.place(moving.position(i));
+  state.centre = sum / static_cast<double>(n);
+  double squares = 0;
+  for (size_t i = 0; i < n; ++i) squares += squared_norm(clouds.moving.place(moving.position(i)) - state.centre);
+  state.extent_m = std::max(std::sqrt(squares / static_cast<double>(n)), 1e-6);
+}
+
+double first_distance(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving,
+                      const Transform& inner, Task& task) {
+  const IcpSearch search(clouds, reference, moving, 0, task);
+  const IcpNeighbours near = search.find(inner, INFINITY, task);
+  std::vector<double> distances;
+  for (size_t i = 0; i < near.of_moving.size(); ++i)
+    if (near.of_moving[i] != kNoPoint)
+    distances.push_back(norm(inner.point(clouds.moving.place(moving.position(i))) -
+                             clouds.reference.place(near.of_moving[i])));
+  const auto middle = distances.begin() + static_cast<ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return kMisfits * *middle;
+}
+
+}  // namespace
+
+Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
+                          const ParamSet& params, Task& task) {
+  const IcpSettings settings = icp_settings(params);
+  if (reference->size() < kLeastPoints || moving->size() < kLeastPoints)
+    fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud", reference->size(),
+         moving->size(), kLeastPoints);
+  IcpClouds clouds;
+  clouds.reference = surface_planes(reference->octree(task), settings.neighbours, task);
+  clouds.moving = surface_planes(moving->octree(task), settings.neighbours, task);
+  IcpState state;
+  state.inner = clouds.inner(start);
+  const IcpPoints few_reference = points_of(clouds.reference, kFewest, task),
+                  few_moving = points_of(clouds.moving, kFewest, task);
+  set_frame(clouds, few_moving, state);
+  state.distance_m = settings.max_distance_m > 0
+                         ? settings.max_distance_m
+                         : first_distance(clouds, few_reference, few_moving, state.inner, task);
+  bool good = icp_iterate(clouds, few_reference, few_moving, 0, false, settings, task, state);
+  if (good) good = icp_iterate(clouds, {}, {}, 1, true, settings, task, state);
+  return icp_result(clouds, settings, state, task);
+}
+
+}  // namespace jalon

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/icp_covariance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "registration/icp_influence.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr size_t kGrain = 1 << 13;
+constexpr double kCut = 3;
+constexpr double kCutVariance = 0.973337;  // of the standard normal within 3: 1 - 6 phi(3) / (2 Phi(3) - 1)
+
+/// Squares of the residuals and the variances foretold for them.
+struct Scatter {
+  double squares = 0, foretold = 0;
+  Scatter& operator+=(const Scatter& b) {
+    squares += b.squares;
+    foretold += b.foretold;
+    return *this;
+  }
+  // Sums are divided, not each by each: a scatter of a dozen points is no divisor.
+  void add(double residual_m, double variance_m2, double cut_m) {
+    if (std::abs(residual_m) > cut_m) return;
+    squares += residual_m * residual_m;
+    foretold += variance_m2;
+  }
+};
+
+double sigma0_of(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner, const PairRule& rule,
+                 double sigma_m, Task& task) {
+  const auto both = [&](const Buffer<uint32_t>& near, bool from_moving) {
+    return parallel_reduce(task, near.size(), kGrain, Scatter{}, [&](size_t begin, size_t end) {
+      Scatter part;
+      IcpPair pair;
+      for (size_t i = begin; i < end; ++i) {
+        const auto here = static_cast<uint32_t>(i);
+        if (near[i] == kNoPoint) continue;
+        if (pair_of(clouds, inner, from_moving ? here : near[i], from_moving ? near[i] : here, from_moving, rule, pair))
+          part.add(pair.residual_m, pair.variance_m2, kCut * sigma_m);
+      }
+      return part;
+    });
+  };
+  Scatter sum = both(neighbours.of_moving, true);
+  sum += both(neighbours.of_reference, false);
+  return sum.foretold > 0 ? std::sqrt(sum.squares / sum.foretold / kCutVariance) : 1;
+}
+
+// The inverse of the information in the observable directions.
+Square<6> inverse_of(const IcpDirections& directions) {
+  Square<6> out{};
+  for (size_t k = 0; k < 6; ++k) {
+    if (!directions.observable[k]) continue;
+    for (size_t r = 0; r < 6; ++r)
+      for (size_t c = 0; c < 6; ++c)
+        out[6 * r + c] += directions.unit[k][r] * directions.unit[k][c] / directions.information[k];
+  }
+  return out;
+}
+
+// The open directions first, as the information has them; then those of the covariance, the weakest first.
+void set_directions(const Square<6>& scaled, const IcpDirections& found, IcpCovariance& out) {
+  const std::array<PoseDirection, 6> of_covariance = pose_directions(scaled, 1);
+  size_t next = 0;
+  for (size_t k = 0; k < 6; ++k)
+    if (!found.observable[k]) out.directions[next++] = {found.unit[k], kNaN, false};
+  for (size_t k = 0; next < 6; ++k) out.directions[next++] = of_covariance[k];
+}
+
+}  // namespace
+
+IcpCovariance icp_covariance(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner,
+                             const PairRule& rule, const RobustKernel& kernel, const IcpFrame& frame, uint32_t k,
+                             Task& task) {
+  IcpCovariance out;
+  const RobustKernel inside{KernelKind::kNone, kernel.sigma_m};
+  PairRule heard = rule;
+  if (kernel.kind == KernelKind::kTukey) heard.most_m = std::min(rule.most_m, RobustKernel::kTukeyCut * kernel.sigma_m);
+  const IcpSums sums = icp_sums(clouds, {}, {}, neighbours, inner, heard, inside, frame, task);
+  const IcpDirections directions = icp_directions(sums);
+  out.sigma0 = sigma0_of(clouds, neighbours, inner, heard, kernel.sigma_m, task);
+  out.redundancy = static_cast<double>(sums.pairs) - 6;
+  const Square<6> meat = icp_influence(clouds, neighbours, inner, heard, frame, k, task);
+  Square<6> scaled = sandwich<6>(inverse_of(directions), meat);
+  const double efficiency = kernel.kind == KernelKind::kNone ? 1 : RobustKernel::kEfficiency;
+  for (double& c : scaled) c *= out.sigma0 * out.sigma0 / efficiency;
+  set_directions(scaled, directions, out);
+  const bool open = !std::all_of(directions.observable.begin(), directions.observable.end(), [](bool b) { return b; });
+  const auto length = [&](size_t i) { return i < 3 ? frame.extent_m : 1; };
+  for (size_t r = 0; r < 6; ++r)
+    for (size_t c = 0; c < 6; ++c)
+      out.covariance[6 * r + c] = open ? kNaN : scaled[6 * r + c] / (length(r) * length(c));
+  return out;
+}
+
+}  // namespace jalon

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/params.h"
+#include "registration/robust_kernel.h"
+
+namespace jalon {
+
+enum class IcpMetric : uint8_t { kPointToPoint, kPointToPlane, kPlaneToPlane };
+
+/// The parameters of method "icp".
+struct IcpSettings {
+  IcpMetric metric = IcpMetric::kPointToPlane;
+  KernelKind kernel = KernelKind::kTukey;
+  double max_distance_m = 0;  ///< 0: from the misfit at the start
+  double trim = 0;            ///< share of the pairs, the worst, without a say
+  double least_cosine = 0;
+  double least_overlap = 0;
+  uint32_t neighbours = 0;
+  int max_iterations = 0;
+  bool coarse_to_fine = true;
+};
+IcpSettings icp_settings(const ParamSet& params);
+
+}  // namespace jalon
