@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/clearance_inputs.h"
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include <nlohmann/json.hpp>
+
+#include "cli/text_file.h"
 
 namespace jalon::cli {
 
@@ -19,12 +19,6 @@ using Vector = std::array<double, 3>;
 
 [[noreturn]] void malformed(const std::string& path, const std::string& why) {
   throw Failure{JALON_ERROR_FORMAT, path + ": " + why};
-}
-
-std::string whole_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Failure{JALON_ERROR_NOT_FOUND, "cannot read " + path};
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -81,21 +75,6 @@ void add_piece(const Json& json, Gauge& gauge) {
 }
 
 // The numbers of a line; empty for a comment or a heading.
-std::vector<double> numbers_of(std::string line) {
-  line.resize(std::min(line.size(), line.find('#')));
-  std::vector<double> out;
-  const char *at = line.data(), *end = at + line.size();
-  while (true) {
-    while (at != end && (*at == ' ' || *at == '\t' || *at == ',' || *at == ';' || *at == '\r')) ++at;
-    if (at == end) return out;
-    double value = 0;
-    const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc()) return {};
-    out.push_back(value);
-    at = next;
-  }
-}
-
 jalon_transform turned_pose(const double* v, const std::string& path) {
   double x = v[3], y = v[4], z = v[5], w = v[6];
   const double n = std::sqrt(x * x + y * y + z * z + w * w);
@@ -123,7 +102,7 @@ std::vector<jalon_transform> along_path(const std::vector<Vector>& places) {
 }  // namespace
 
 Gauge read_gauge(const std::string& path) {
-  const Json json = Json::parse(whole_file(path), nullptr, false);
+  const Json json = Json::parse(read_text_file(path), nullptr, false);
   if (!json.is_object() || !json.contains("pieces")) malformed(path, "no JSON object with \"pieces\"");
   Gauge gauge;
   try {
@@ -137,7 +116,7 @@ Gauge read_gauge(const std::string& path) {
 }
 
 std::vector<jalon_transform> read_trajectory(const std::string& path) {
-  const std::string text = whole_file(path);
+  const std::string text = read_text_file(path);
   std::vector<jalon_transform> poses;
   std::vector<Vector> places;
   size_t width = 0;

@@ -4,6 +4,7 @@
 
 #include "cli/options.h"
 #include "cli/output_folder.h"
+#include "cli/registration_file.h"
 #include "cli/table.h"
 
 namespace jalon::cli {
@@ -20,7 +21,7 @@ struct Compare {
   Common common;
   Settings settings, change_settings;
   Input reference, compared;
-  std::string method = "distance", output;
+  std::string method = "distance", registration, output;
   double threshold_m = 0;  ///< 0 = the operation's default
   bool is_one_way = false;
 
@@ -43,6 +44,7 @@ struct Compare {
     Comparer made;
     must(jalon_comparer_create(method.c_str(), Out(made)));
     must(jalon_comparer_params(made.get(), Out(params)));
+    if (!registration.empty()) use_registration_file(registration, params.get());
     settings.apply(params.get());
     return made;
   }
@@ -236,6 +238,9 @@ void add_compare(CLI::App& app) {
                       "How distances are measured; the parameters below tell which there are")
       ->capture_default_str()
       ->type_name("NAME");
+  command->add_option("--registration", state->registration,
+                      "registration.json of \"jalon register\": its covariance joins m3c2's level of detection")
+      ->type_name("FILE");
   command->add_option("--threshold", state->threshold_m, "Distance (m) above which a point has changed")
       ->check(CLI::PositiveNumber);
   command->add_flag("--one-way", state->is_one_way,

@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
   add_model(app);
   add_evaluate(app);
   add_evaluate_model(app);
+  add_register(app);
   add_compare(app);
   add_clearance(app);
   add_scan(app);

@@ -4,8 +4,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
+
+#include "cli/text_file.h"
 
 namespace jalon::cli {
 
@@ -27,14 +27,6 @@ void Settings::add_to(CLI::App& command, const std::string& prefix) {
 namespace {
 
 Failure usage(std::string text) { return {JALON_ERROR_INVALID_ARGUMENT, std::move(text)}; }
-
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Failure{JALON_ERROR_NOT_FOUND, path + ": cannot be opened"};
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 jalon_param_info info_of(jalon_params* params, const std::string& name) {
   uint64_t count = 0;
@@ -64,7 +56,7 @@ void assign(jalon_params* params, const std::string& name, const std::string& va
 }  // namespace
 
 void Settings::apply(jalon_params* params) const {
-  if (!json_file.empty()) must(jalon_params_from_json(params, read_text(json_file).c_str()));
+  if (!json_file.empty()) must(jalon_params_from_json(params, read_text_file(json_file).c_str()));
   for (const std::string& assignment : assignments) {
     const size_t equal = assignment.find('=');
     if (equal == std::string::npos || equal == 0) throw usage("--set needs NAME=VALUE, not \"" + assignment + "\"");

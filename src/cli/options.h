@@ -56,6 +56,7 @@ void add_segment(CLI::App& app);
 void add_model(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_evaluate_model(CLI::App& app);
+void add_register(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_clearance(CLI::App& app);
 void add_scan(CLI::App& app);

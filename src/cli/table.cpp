@@ -4,7 +4,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -97,13 +96,6 @@ std::string Table::csv() const {
     out += '\n';
   }
   return out;
-}
-
-void write_text_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.flush();
-  if (!file) throw Failure{JALON_ERROR_IO, path + ": cannot be written"};
 }
 
 }  // namespace jalon::cli

@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "cli/handles.h"
+#include "cli/text_file.h"
 
 namespace jalon::cli {
 
@@ -41,8 +42,5 @@ class Table {
   uint64_t rows_ = 0;
   std::vector<Column> columns_;
 };
-
-/// Writes a small text file whole; an error is a Failure.
-void write_text_file(const std::string& path, const std::string& text);
 
 }  // namespace jalon::cli

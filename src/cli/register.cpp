@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/options.h"
+#include "cli/output_folder.h"
+#include "cli/pose_file.h"
+#include "cli/table.h"
+
+namespace jalon::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kMethods[] = {"icp", "coarse", "automatic"};
+constexpr const char* kStopped[] = {"", "converged", "iteration limit", "too few pairs", "ambiguous", "nothing found"};
+
+struct Register {
+  Common common;
+  Settings settings;
+  Input reference, moving;
+  std::string method = "automatic", start, output;
+
+  Json json_of(const Registration& registration, const Json& times, jalon_params* params) const {
+    jalon_transform pose;
+    must(jalon_registration_pose(registration.get(), &pose));
+    const char* parameters = nullptr;
+    must(jalon_params_to_json(params, &parameters));
+    Json matrix = Json::array();
+    for (const double* row = pose.m; row != pose.m + 12; row += 4) matrix.push_back({row[0], row[1], row[2], row[3]});
+    matrix.push_back({0, 0, 0, 1});
+    Json out{{"reference", reference.path}, {"moving", moving.path}, {"output", output}, {"method", method},
+             {"parameters", Json::parse(parameters)}, {"times", times}, {"T_reference_moving", matrix}};
+    out["summary"] = table(registration, jalon_registration_summary).object(0);
+    out["directions"] = table(registration, jalon_registration_directions).list();
+    out["iterations"] = table(registration, jalon_registration_iterations).list();
+    return out;
+  }
+
+  template <class F>
+  static Table table(const Registration& registration, F&& read) {
+    Fields fields;
+    must(read(registration.get(), Out(fields)));
+    return Table(std::move(fields));
+  }
+
+  void say(const Console& console, const Registration& registration) const {
+    const Table summary = table(registration, jalon_registration_summary);
+    const uint64_t stopped = summary.count("stopped", 0);
+    console.say(std::string(kStopped[stopped < 6 ? stopped : 0]) + " after " + grouped(summary.count("iterations", 0)) +
+                " iterations on " + grouped(summary.count("pairs", 0)) + " pairs, rms " +
+                fixed(1000 * summary.number("rms", 0), 3) + " mm");
+    const auto sigma = [&](uint32_t k) { return std::sqrt(summary.number("covariance", 0, 7 * k)); };
+    const auto three = [&](double unit, uint32_t first) {
+      std::string text;
+      for (uint32_t k = 0; k < 3; ++k) text += fixed(unit * sigma(first + k), 5) + " ";
+      return text;
+    };
+    console.say("sigma of the centre in x y z: " + three(1000, 3) + "mm; of the turn: " +
+                three(180 / std::numbers::pi, 0) + "deg");
+    if (const uint64_t open = summary.count("unobservable", 0); open > 0)
+      console.say(grouped(open) + " of six directions are not fixed by the data: see report.html");
+  }
+
+  void run() const {
+    Console console(common);
+    Registrar registrar;
+    must(jalon_registrar_create(method.c_str(), Out(registrar)));
+    Params params;
+    must(jalon_registrar_params(registrar.get(), Out(params)));
+    settings.apply(params.get());  // wrong parameters are told before a long read
+    const bool has_start = !start.empty();
+    const jalon_transform from = has_start ? read_pose(start) : jalon_transform{};
+    console.step("reading");
+    const Cloud to = reference.read(console), cloud = moving.read(console);
+    Json times{{"read", console.seconds()}};
+    console.step("registering");
+    Registration made;
+    must(jalon_registrar_run(registrar.get(), to.get(), cloud.get(), has_start ? &from : nullptr, console.task(),
+                             Out(made)));
+    times["register"] = console.seconds();
+    console.step("writing");
+    OutputFolder folder(output);
+    write(console, folder, made, to, cloud, times);
+    const Json result = json_of(made, times, params.get());
+    const std::string text = result.dump(1, ' ', false, Json::error_handler_t::replace);
+    write_text_file(folder.path("registration.json"), text + "\n");
+    folder.commit();
+    say(console, made);
+    console.say("wrote " + output + ": report.html, registration.json, pose.txt, registered.las, registered.ply");
+    console.result(result);
+  }
+
+  void write(const Console& console, OutputFolder& folder, const Registration& made, const Cloud& to,
+             const Cloud& cloud, const Json& times) const {
+    jalon_transform pose;
+    must(jalon_registration_pose(made.get(), &pose));
+    write_text_file(folder.path("pose.txt"), pose_text(pose));
+    Cloud moved;
+    must(jalon_registration_apply(made.get(), cloud.get(), console.task(), Out(moved)));
+    for (const char* name : {"registered.las", "registered.ply"})
+      must(jalon_cloud_write(moved.get(), folder.path(name).c_str(), nullptr, console.task()));
+    const Json notes{{"title", "Registration"},
+                     {"input", {{"reference", reference.path}, {"moving", moving.path}, {"method", method}}},
+                     {"times", times}};
+    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
+    must(jalon_report_write_registration(made.get(), to.get(), cloud.get(), text.c_str(),
+                                         folder.path("report.html").c_str(), nullptr, console.task()));
+  }
+};
+
+std::string tables() {
+  std::string text;
+  for (const char* method : kMethods) {
+    Registrar registrar;
+    must(jalon_registrar_create(method, Out(registrar)));
+    Params params;
+    must(jalon_registrar_params(registrar.get(), Out(params)));
+    text += std::string("Parameters of --set with --method ") + method + ":\n" + describe(params.get()) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_register(CLI::App& app) {
+  auto* command = app.add_subcommand("register", "Lays one scan onto another: the pose, and what it is worth");
+  auto state = std::make_shared<Register>();
+  command->add_option("reference", state->reference.path, "The scan that stays")->required()->type_name("REFERENCE");
+  command->add_option("moving", state->moving.path, "The scan that is laid onto it")->required()->type_name("MOVING");
+  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
+  command->add_option("--method", state->method,
+                      "icp: from the start; coarse: from anywhere, roughly; automatic: coarse, then icp")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command->add_option("--start", state->start, "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")
+      ->type_name("FILE");
+  for (const bool is_reference : {true, false}) {
+    Input& input = is_reference ? state->reference : state->moving;
+    command->add_option(std::string(is_reference ? "--reference-" : "--moving-") + "columns", input.columns,
+                        "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
+        ->type_name("NAMES");
+  }
+  command->add_flag_callback(
+      "--drop-invalid", [state] { state->reference.drop_invalid = state->moving.drop_invalid = true; },
+      "Drop points whose coordinates are not finite");
+  state->settings.add_to(*command);
+  add_common(*command, state->common);
+  command->footer([] {
+    return tables() + "Examples:\n  jalon register hall_1.las hall_2.las -o joined\n"
+                      "  jalon register hall_1.las hall_2.las -o joined --method icp --start pose.txt";
+  });
+  command->callback([state] { state->run(); });
+}
+
+}  // namespace jalon::cli
