@@ -16,14 +16,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kMethods[] = {"icp", "coarse", "automatic"};
+constexpr const char* kMethods[] = {"icp"};
 constexpr const char* kStopped[] = {"", "converged", "iteration limit", "too few pairs", "ambiguous", "nothing found"};
 
 struct Register {
   Common common;
   Settings settings;
   Input reference, moving;
-  std::string method = "automatic", start, output;
+  std::string method = "icp", start, output;
 
   Json json_of(const Registration& registration, const Json& times, jalon_params* params) const {
     jalon_transform pose;
@@ -134,7 +134,7 @@ void add_register(CLI::App& app) {
   command->add_option("moving", state->moving.path, "The scan that is laid onto it")->required()->type_name("MOVING");
   command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
   command->add_option("--method", state->method,
-                      "icp: from the start; coarse: from anywhere, roughly; automatic: coarse, then icp")
+                      "How; the parameters below tell which there are")
       ->capture_default_str()
       ->type_name("NAME");
   command->add_option("--start", state->start, "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")
@@ -152,7 +152,7 @@ void add_register(CLI::App& app) {
   add_common(*command, state->common);
   command->footer([] {
     return tables() + "Examples:\n  jalon register hall_1.las hall_2.las -o joined\n"
-                      "  jalon register hall_1.las hall_2.las -o joined --method icp --start pose.txt";
+                      "  jalon register hall_1.las hall_2.las -o joined --start pose.txt";
   });
   command->callback([state] { state->run(); });
 }

@@ -264,6 +264,35 @@ assert d[\"poses\"]==4 and d[\"places\"]==1 and d[\"intervals_within_margin\"]==
 for file in places.csv intervals.csv clearance.svg clearance.json; do check "clearance made $file" test -s swept/$file; done
 check "rsvg draws the clearance" rsvg-convert swept/clearance.svg -o swept.png
 check "clearance of a model from a cloud" bash -c "'$jalon' clearance result/model.obj sample.las -o measured --set margin_m=0.005 | grep -q 'within the margin' && test -s measured/near.csv"
+# A corner of three walls, scanned twice; the second scan lies turned by half a degree about the vertical and shifted.
+python3 - <<'END'
+import math, random
+random.seed(7)
+def wall_points(n):
+    for i in range(n):
+        a, b, e = random.uniform(0, 8), random.uniform(0, 5), random.gauss(0, 0.002)
+        yield [(a, b, e), (a, e, b), (e, a, b)][i % 3]
+with open("corner_1.xyz", "w") as f, open("corner_2.xyz", "w") as g:
+    for p in wall_points(30000):
+        f.write("%.6f %.6f %.6f\n" % p)
+    c, s = math.cos(math.radians(0.5)), math.sin(math.radians(0.5))
+    for x, y, z in wall_points(30000):
+        x, y, z = x - 0.1, y - 0.05, z + 0.08
+        g.write("%.6f %.6f %.6f\n" % (c * x + s * y, -s * x + c * y, z))
+END
+check "register finds the pose and says what it is worth" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --method icp -o joined --json | python3 -c '
+import json,math,sys
+d=json.load(sys.stdin)
+m=d[\"T_reference_moving\"]
+assert d[\"summary\"][\"converged\"]==1 and d[\"summary\"][\"unobservable\"]==0, d[\"summary\"]
+assert abs(math.degrees(math.atan2(m[1][0],m[0][0]))-0.5)<0.002, m
+assert max(abs(m[0][3]-0.1),abs(m[1][3]-0.05),abs(m[2][3]+0.08))<0.0005, m
+assert len(d[\"directions\"])==6 and d[\"iterations\"], d'"
+for file in report.html registration.json pose.txt registered.las registered.ply; do check "register made $file" test -s joined/$file; done
+check "register starts from a pose" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --method icp --start joined/pose.txt -o again | grep -q '^converged'"
+check "m3c2 takes the covariance of the registration" "$jalon" compare joined/registered.ply corner_1.xyz --method m3c2 --registration joined/registration.json -o creep --set core_spacing_m=0.5
+refuses "a pose of seven numbers" 3 'has 12 numbers' bash -c "echo 1 2 3 4 5 6 7 >seven.txt; '$jalon' register corner_1.xyz corner_2.xyz --method icp --start seven.txt -o none"
+refuses "an unknown registration method" 3 'no registration method' "$jalon" register corner_1.xyz corner_2.xyz --method nothing -o none
 refuses "a gauge without a trajectory" 2 'go together' "$jalon" clearance tunnel.xyz --gauge gauge.json
 printf '{"pieces": [{"type": "cone"}]}' >cone.json
 refuses "a gauge of an unknown piece" 3 'cone' "$jalon" clearance tunnel.xyz --gauge cone.json --trajectory track.txt

@@ -24,6 +24,9 @@ check "02_progress: the top of the dome looks up or down" grep -qE 'top: -?0.00[
 check "03_model makes a model" "$build/examples/example_03_model" "$work/sample.las" "$work/model.dxf"
 check "03_model finds 19 windows and 2 doors" test "$(grep -c '^window' "$work/seen") $(grep -c '^door' "$work/seen")" = "19 2"
 check "03_model writes a drawing" grep -q LWPOLYLINE "$work/model.dxf"
+"$build/src/jalon" scan --scene facade -o "$work/second.las" --quiet --set horizontal_step_rad=0.004 --set vertical_step_rad=0.004 --set seed=2
+check "04_register lays one scan onto another" "$build/examples/example_04_register" "$work/sample.las" "$work/second.las" "$work/registered.las"
+check "04_register converges" grep -q '^converged' "$work/seen"
 for day in 1 3; do
   "$build/src/jalon" scan --scene earthworks -o "$work/day$day.las" --quiet --scene-set day=$day --set horizontal_step_rad=0.001 --set vertical_step_rad=0.001
 done
