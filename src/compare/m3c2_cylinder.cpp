@@ -5,28 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/sort_along.h"
+
 namespace jalon {
-
-namespace {
-
-// Sorts by counting how many values come before each: for the few dozens of a cylinder faster than comparing and
-// swapping, whose branches no processor guesses.
-void sort_few(std::span<const ShapeSearch::Along> points, std::vector<double>& work, std::vector<double>& ascending) {
-  const size_t n = points.size();
-  work.resize(n);
-  for (size_t i = 0; i < n; ++i) work[i] = points[i].along_m;
-  ascending.resize(n);
-  const double* values = work.data();
-  for (size_t i = 0; i < n; ++i) {
-    const double value = values[i];
-    int64_t before = 0;
-    for (size_t j = 0; j < i; ++j) before += values[j] <= value;
-    for (size_t j = i + 1; j < n; ++j) before += values[j] < value;
-    ascending[static_cast<size_t>(before)] = value;
-  }
-}
-
-}  // namespace
 
 CylinderComparer::CylinderComparer(const M3c2Settings& settings, const CloudPtr& reference, const CloudPtr& compared,
                                    Task& task)
@@ -50,14 +31,9 @@ CylinderComparer::Work CylinderComparer::work() const { return {side(reference_)
 // The points of one cloud in the cylinder and the surfaces they lie on.
 void CylinderComparer::fill(const Vec3& centre, const Vec3& normal, Side& side) const {
   side.points = side.search.cylinder(centre, normal, settings_.cylinder_radius_m, settings_.max_depth_m);
-  constexpr size_t kFew = 128;
-  if (side.points.size() <= kFew) {
-    sort_few(side.points, side.work_m, side.along_m);
-  } else {
-    side.along_m.resize(side.points.size());
-    for (size_t i = 0; i < side.points.size(); ++i) side.along_m[i] = side.points[i].along_m;
-    std::sort(side.along_m.begin(), side.along_m.end());
-  }
+  side.along_m.resize(side.points.size());
+  for (size_t i = 0; i < side.points.size(); ++i) side.along_m[i] = side.points[i].along_m;
+  sort_along(side.along_m, side.work_m);
   side.surfaces = side.finder(side.along_m);
 }
 
