@@ -28,7 +28,8 @@ class Header:
     """One header: its comment, the comment of each of its functions."""
 
     def __init__(self, name):
-        self.name, text = name, read("include/jalon/" + name)
+        self.name = name
+        self.text = text = read("include/jalon/" + name)
         about = re.search(r"/\*\*\s*\n \* @file.*?\*/", text, re.S)
         self.doc = plain(about.group(0)[3:-2]) if about else ""
         self.docs = {}

@@ -9,3 +9,15 @@ set(python_package "${CMAKE_CURRENT_BINARY_DIR}/python/jalon")
 jalon_wrapper(jalon_python python "${CMAKE_CURRENT_BINARY_DIR}/python_swig")
 target_link_libraries(jalon_python PRIVATE Python3::Module)
 set_target_properties(jalon_python PROPERTIES PREFIX "" OUTPUT_NAME _native LIBRARY_OUTPUT_DIRECTORY "${python_package}")
+
+# The package as it is installed, in the build tree: PYTHONPATH=build/.../bindings/python is enough to use it.
+file(GLOB python_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/python/jalon/*")
+set(python_stamp "${CMAKE_CURRENT_BINARY_DIR}/python.stamp")
+add_custom_command(
+  OUTPUT "${python_stamp}"
+  COMMAND "${CMAKE_COMMAND}" -E copy_if_different ${python_sources} "${generated}/_api.py" "${generated}/_api.pyi"
+          "${python_package}"
+  COMMAND "${CMAKE_COMMAND}" -E touch "${python_stamp}"
+  DEPENDS ${python_sources} ${generated_files} jalon_python VERBATIM)
+add_custom_target(jalon_python_package DEPENDS "${python_stamp}")
+add_dependencies(bindings jalon_python_package)
