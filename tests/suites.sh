@@ -16,3 +16,4 @@ suite validators_offline bash tests/offline.sh tests/formats/validators.sh 'ezdx
 suite accuracy "$release/tests/accuracy/accuracy"
 suite examples bash tests/scenarios/examples.sh "$release"
 suite bindings python3 tests/bindings/reachable.py "$release"
+suite bindings_python bash tests/bindings/python.sh "$release"

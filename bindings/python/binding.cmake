@@ -21,3 +21,10 @@ add_custom_command(
   DEPENDS ${python_sources} ${generated_files} jalon_python VERBATIM)
 add_custom_target(jalon_python_package DEPENDS "${python_stamp}")
 add_dependencies(bindings jalon_python_package)
+
+# The wheel: the package with the library beside the extension, which looks for it there.
+install(TARGETS jalon_python LIBRARY DESTINATION jalon COMPONENT python EXCLUDE_FROM_ALL)
+install(FILES ${python_sources} "${generated}/_api.py" "${generated}/_api.pyi" DESTINATION jalon COMPONENT python
+        EXCLUDE_FROM_ALL)
+install(FILES "$<TARGET_FILE:jalon::jalon>" RENAME "$<TARGET_SONAME_FILE_NAME:jalon::jalon>" DESTINATION jalon
+        COMPONENT python EXCLUDE_FROM_ALL)

@@ -103,7 +103,12 @@ class Buffer {
     return true;
   }
   bool copy(Py_ssize_t item_bytes) {
-    copy_.resize(static_cast<std::size_t>(view_.len) + 1);
+    try {
+      copy_.resize(static_cast<std::size_t>(view_.len) + 1);
+    } catch (const std::exception&) {  // out of memory, or more than any memory
+      PyErr_NoMemory();
+      return false;
+    }
     if (PyBuffer_ToContiguous(copy_.data(), &view_, view_.len, 'C') != 0) return false;
     array_.data = copy_.data();
     array_.stride_bytes = static_cast<std::uint64_t>(item_bytes);

@@ -3,6 +3,7 @@
 """What the classes have beyond the functions of C: with-blocks, lookups by name, dictionaries."""
 
 import json
+import operator
 
 from . import _native
 from ._support import _array, _numbers, _out, numpy
@@ -201,7 +202,7 @@ class Params(Handle):
         elif kind == _DOUBLES:
             _native.Params_set_doubles(self, name, _array(value, name, 0))
         elif kind == _INT64:
-            _native.Params_set_int64(self, name, value.__index__())
+            _native.Params_set_int64(self, name, operator.index(value))
         else:
             _native.Params_set_double(self, name, float(value))
 

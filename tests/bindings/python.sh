@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+# The Python package as a user has it: a wheel from pyproject.toml over the installed library, in a virtual environment of
+# its own, where the tests run: python.sh BUILD_FOLDER. The environment's packages come from PyPI, once; without them the
+# test is skipped (77), visibly; where CI is set that is a failure.
+set -uo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+build=$(realpath "${1:?usage: python.sh BUILD_FOLDER}")
+venv=$build/bindings_venv work=$build/bindings_wheel
+mkdir -p "$work"
+
+skip() { echo "skipped: $1"; echo "0 passed, 0 failed, 1 skipped"; exit 77; }
+fail() { echo "not ok - $1"; tail -n 15 "$work/log"; echo "0 passed, 1 failed, 0 skipped"; exit 1; }
+
+has_packages() { "$venv/bin/python" -c "import numpy, pandas, matplotlib, scikit_build_core" 2>/dev/null; }
+
+if ! has_packages; then
+  python3 -m venv "$venv" >"$work/log" 2>&1 &&
+    "$venv/bin/pip" install --disable-pip-version-check numpy pandas matplotlib scikit-build-core pathspec >>"$work/log" 2>&1
+  if ! has_packages; then
+    [ -z "${CI:-}" ] || fail "numpy and scikit-build-core cannot be installed"
+    skip "numpy and scikit-build-core cannot be installed"
+  fi
+fi
+[ -f "$build/bindings/generated/_api.py" ] || skip "the bindings were not built, their tools are missing"
+
+rm -rf "$work/prefix" "$work/wheels"
+cmake --install "$build" --prefix "$work/prefix" >"$work/log" 2>&1 || fail "the library cannot be installed"
+"$venv/bin/pip" wheel --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir "$work/wheels" \
+  -C build-dir="$work/build" -C cmake.define.JALON_INSTALLED=ON -C cmake.define.CMAKE_PREFIX_PATH="$work/prefix" "$root" \
+  >"$work/log" 2>&1 || fail "no wheel can be built"
+"$venv/bin/pip" install --disable-pip-version-check --no-deps --force-reinstall "$work"/wheels/jalon-*.whl \
+  >"$work/log" 2>&1 || fail "the wheel cannot be installed"
+rm -rf "$work/prefix" # what is tested stands on its own
+
+# Away from the tree, with nothing of it on the path: the installed package alone answers.
+mkdir -p "$work/run"
+cd "$work/run" && exec env -u PYTHONPATH -u LD_LIBRARY_PATH "$venv/bin/python" -P "$here/python/run.py"
