@@ -26,8 +26,9 @@ static int print_pose(const jalon_registration* registration) {
     printf("%.6f %.6f %.6f %.4f\n", pose.m[4 * i], pose.m[4 * i + 1], pose.m[4 * i + 2], pose.m[4 * i + 3]);
   if (!bad) {
     const double* c = covariance.data; /* of rotation and shift, 6 x 6 */
-    printf("%s, sigma of the shift %.2f %.2f %.2f mm\n", *(const uint8_t*)converged.data ? "converged" : "not converged",
-           1000 * sqrt(c[21]), 1000 * sqrt(c[28]), 1000 * sqrt(c[35]));
+    const char* outcome = *(const uint8_t*)converged.data ? "converged" : "not converged";
+    printf("%s, sigma of the shift %.2f %.2f %.2f mm\n", outcome, 1000 * sqrt(c[21]), 1000 * sqrt(c[28]),
+           1000 * sqrt(c[35]));
   }
   jalon_fields_release(summary);
   return bad;

@@ -39,8 +39,8 @@ typedef struct jalon_target {
 /**
  * method, NULL = "icp":
  * - "icp": iterative closest points (Besl & McKay 1992; Chen & Medioni 1992) from a start that is about right: clouds
- *   of the same surfaces, half a metre and some degrees apart. Local planes of both clouds, steps on few points and then
- *   on all, a distance that shrinks down to three times the noise, robust weights. Parameters: "metric", "kernel",
+ *   of the same surfaces, half a metre and some degrees apart. Local planes of both clouds, steps on few points and
+ *   then on all, a distance that shrinks down to three times the noise, robust weights. Parameters: "metric", "kernel",
  *   "max_distance_m" ... (jalon_registrar_params). Of the pose it gives
  *   - the covariance, from the scatter of the local planes of both clouds, as it goes through pairs and planes into the
  *     pose, scaled by the residuals (a-posteriori sigma0). Assumed: independent noise of the points, surfaces that are
