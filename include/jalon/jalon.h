@@ -30,6 +30,7 @@
 #include <jalon/changes.h>
 #include <jalon/clearance.h>
 #include <jalon/registrar.h>
+#include <jalon/targets.h>
 #include <jalon/field_tools.h>
 #include <jalon/volumes.h>
 #include <jalon/scanner.h>

@@ -24,6 +24,7 @@
 #include "compare/volume.h"
 #include "formats/formats.h"
 #include "modelling/model_evaluation.h"
+#include "registration/target_measure.h"
 #include "report/comparison_report.h"
 #include "report/registration_report.h"
 #include "report/deviation_picture.h"
@@ -56,7 +57,7 @@ std::span<const Operation> operations() {
       {"classes", classes_rows},     {"gradient", gradient_rows},   {"field_filter", field_filter_rows},
       {"field_arithmetic", field_arithmetic_rows}, {"geodesic", geodesic_rows}, {"propagation", propagation_rows},
       {"distance_map", distance_map_rows},
-      {"clearance", clearance_rows},
+      {"clearance", clearance_rows}, {"target", target_rows},
   };
   return kOperations;
 }

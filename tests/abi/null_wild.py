@@ -97,7 +97,7 @@ OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_dista
 # Functions that refuse even the baseline: no part of the fixtures' models is a copy; the registrar is one of targets.
 REFUSED = {"jalon_model_remove_copy", "jalon_registrar_run"}
 # Arrays and the parameter that counts them.
-ARRAYS = {"xyz": "count", "picks": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
+ARRAYS = {"xyz": "count", "picks": "count", "places": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
           "polygon_uv": "count", "values": "count", "queries": "count", "clouds": "count",
           "automatic_rings": "automatic_ring_count", "reference_rings": "reference_ring_count",
           "automatic_uv": "automatic_ring_count", "reference_uv": "reference_ring_count", "automatic_m2": "count",
@@ -113,6 +113,7 @@ BASE = {
     "jalon_cloud_fit_sphere.cloud": "fx_ball", "jalon_cloud_fit_cylinder.cloud": "fx_ball",
     "jalon_cloud_fit_circle.cloud": "fx_ball", "jalon_segmentation_pick.segmentation": "fx_start",
     "jalon_segmentation_pick.picks": "fx_picks",
+    "jalon_cloud_measure_targets.places": "fx_picks",
     "jalon_segmentation_write_primitives.path": 'fx_path("out.txt")',
     "jalon_noise_law_fit.field": '"deviation"',
     "jalon_noise_law_from_json.json": r'"{\"law\":\"gauss\",\"mean\":0,\"sigma\":1}"',

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/params.h"
+#include "cloud/cloud.h"
+#include "geometry/cholesky.h"
+
+namespace jalon {
+
+/// How a centre was found; the numbers of jalon/targets.h.
+enum class TargetKind : uint8_t { kSphere = 1, kChecker = 2, kDisc = 3, kPatch = 4 };
+
+struct MeasuringSetting {
+  bool flat = false;
+  std::string pattern;        ///< automatic, checker, disc, patch
+  std::string intensity;      ///< name of the field
+  double radius_m = 0;        ///< of the sphere; 0: free
+  double size_m = 0;          ///< edge or diameter of a flat target
+  double search_m = 0;        ///< radius around the place
+  double tolerance_m = 0.01;  ///< half-thickness
+  size_t min_points = 30;
+  uint64_t seed = 1;
+};
+
+/// A target measured in a cloud, relative to the place it was looked for.
+struct MeasuredTarget {
+  Status status = Status::kOk;  ///< kOk, kInsufficientData (too few points), kDegenerate (no target in them)
+  TargetKind kind = TargetKind::kSphere;
+  Vec3 centre;
+  Square<3> covariance{};       ///< m2
+  double radius_m = NAN, radius_sigma_m = NAN;  ///< of spheres and discs
+  Vec3 normal{NAN, NAN, NAN};   ///< of flat ones
+  double sigma_m = NAN;         ///< of the points from the surface
+  uint64_t points = 0;          ///< that carry it
+};
+
+/// Points around a place, relative to it, in the order of the cloud.
+struct Surroundings {
+  Vec3 place;
+  std::vector<uint32_t> indices;
+  std::vector<Vec3> points;
+};
+Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3& place, const Vec3& centre,
+                             double radius_m);
+
+/// Parameter table of operation "target".
+std::span<const ParamRow> target_rows();
+/// A row a place: see jalon/targets.h. Places must be finite.
+FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places, const ParamSet& params, Task& task);
+
+}  // namespace jalon
