@@ -23,10 +23,10 @@ enum {
 /**
  * Measures the targets near count places (x, y, z each, in the cloud's frame; within "search_m" of the whole target).
  * One row a place, in their order: "status" (int32: JALON_OK; JALON_ERROR_INSUFFICIENT_DATA, fewer than "min_points"
- * points; JALON_ERROR_DEGENERATE, no such target there: then NaN in the rest), "kind" (uint8, JALON_TARGET_...), "centre"
- * (float64 x 3, m), "covariance" (float64 x 9, m2, row-major, of the centre: the covariance of a jalon_target), "radius",
- * "radius_sigma" (float64, m: of a sphere or disc; 0: given), "normal" (float64 x 3, of a flat one), "sigma" (float64,
- * m: of the points from the surface), "points" (uint64: that carry it).
+ * points; JALON_ERROR_DEGENERATE, no such target there: then NaN in the rest), "kind" (uint8, JALON_TARGET_...),
+ * "centre" (float64 x 3, m), "covariance" (float64 x 9, m2, row-major, of the centre: the covariance of a
+ * jalon_target), "radius", "radius_sigma" (float64, m: of a sphere or disc; 0: given), "normal" (float64 x 3, of a
+ * flat one), "sigma" (float64, m: of the points from the surface), "points" (uint64: that carry it).
  *
  * Spheres ("kind" = sphere): random draws, then least squares with Tukey's biweight on the points within "tolerance_m"
  * of it, with "radius_m" given or free. Noise along the rays would put the centre nearer to the scanner (0.2 mm for 2

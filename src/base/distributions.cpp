@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/distributions.h"
 
-#include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/erf.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
@@ -101,7 +100,9 @@ double beta_tail(double a, double b, double x) {
   if (!(a > 0 && b > 0 && x >= 0 && x <= 1)) fail(Status::kInternal, "beta_tail: a, b or x out of range");
   if (x == 0 || x == 1) return x == 0 ? 1 : 0;
   // Abramowitz & Stegun 1964, 26.5.8: the fraction converges below the mean, its mirror image above.
-  const double front = std::exp(a * std::log(x) + b * std::log1p(-x)) / boost::math::beta(a, b, Quiet());
+  const auto log_gamma = [](double z) { return boost::math::lgamma(z, Quiet()); };
+  const double front =
+      std::exp(a * std::log(x) + b * std::log1p(-x) + log_gamma(a + b) - log_gamma(a) - log_gamma(b));
   return x < (a + 1) / (a + b + 2) ? 1 - front * beta_fraction(a, b, x) / a : front * beta_fraction(b, a, 1 - x) / b;
 }
 

@@ -95,7 +95,8 @@ double cross_of(const Vec2& o, const Vec2& a, const Vec2& b) { return cross(a - 
 
 // Andrew (1979): the convex hull, counter-clockwise.
 std::vector<Vec2> hull_of(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
+  std::sort(points.begin(), points.end(),
+            [](const Vec2& a, const Vec2& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
   std::vector<Vec2> hull;
   for (int pass = 0; pass < 2; ++pass) {
     const size_t first = hull.size();

@@ -150,8 +150,8 @@ std::vector<Vec3> rays_of(const Cloud& cloud, const Surroundings& near, const Sp
 }
 
 // Step 3.
-bool adjusted(const Cloud& cloud, const Surroundings& near, const MeasuringSetting& setting, const PrimitiveSetting& limits,
-              const Sphere& start, Task& task, MeasuredTarget& out) {
+bool adjusted(const Cloud& cloud, const Surroundings& near, const MeasuringSetting& setting,
+              const PrimitiveSetting& limits, const Sphere& start, Task& task, MeasuredTarget& out) {
   const std::vector<Vec3>& points = near.points;
   SphereFit fit;
   if (setting.radius_m > 0) {

@@ -67,8 +67,8 @@ std::span<const ParamRow> target_rows() {
                  "Largest distance of a point from the surface: a half-thickness; what lies beyond is an outlier."),
       choice_row("pattern", "automatic", "automatic|checker|disc|patch", "",
                  "Of flat targets. checker: four quadrants, dark and bright by turns, meet in the centre; disc: of "
-                 "another brightness than what surrounds it; patch: a plate of its own without a pattern; automatic: by "
-                 "the intensities, else a patch."),
+                 "another brightness than what surrounds it; patch: a plate of its own without a pattern; automatic: "
+                 "by the intensities, else a patch."),
       string_row("intensity_field", "intensity", "", "Field of the cloud that shows the pattern."),
       integer_row("min_points", 30, 8, 1e9, "points", "", "Fewer points make no target."),
       integer_row("seed", 1, 0, 9e15, "1", "", "Seed of the random draws: the same seed gives the same result."),

@@ -38,7 +38,7 @@ HANDLES = {
 # Which typed parameter set and row name a params function works on.
 TYPED = {"set_double": 1, "get_double": 1, "set_int64": 2, "get_int64": 2, "set_bool": 3, "get_bool": 3,
          "set_string": 4, "get_string": 4, "set_doubles": 6, "get_doubles": 6}
-OPERATION = {
+OPERATION = {"jalon_cloud_measure_targets": "target", 
     "jalon_cloud_compute_normals": "normals", "jalon_cloud_compute_features": "features",
     "jalon_cloud_compute_components": "components", "jalon_cloud_remove_outliers": "outliers",
     "jalon_cloud_subsample": "subsample", "jalon_cloud_split_interest": "interest", "jalon_cloud_read": "read",

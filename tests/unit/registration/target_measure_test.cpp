@@ -66,7 +66,8 @@ CloudPtr noisy_scene(const Rays& rays, double noise_m, RandomStream& random) {
     points.push_back(kGrid + p + noise_m * random.normal() * normalized(p - rays.eye));
   for (int i = 0; i < 150; ++i) {
     const double a = 2 * std::numbers::pi * random.uniform();
-    points.push_back(kGrid + kCentre + Vec3{0.015 * std::cos(a), 0.015 * std::sin(a), -kRadius_m - 0.2 * random.uniform()});
+    const double below = kRadius_m + 0.2 * random.uniform();
+    points.push_back(kGrid + kCentre + Vec3{0.015 * std::cos(a), 0.015 * std::sin(a), -below});
     points.push_back(kGrid + kCentre + Vec3{0.15 + noise_m * random.normal(), 0.4 * random.uniform() - 0.2,
                                             0.4 * random.uniform() - 0.2});
   }
