@@ -24,7 +24,7 @@ REPLACED = {
     "jalon_task_set_log": "the log callback of the language",
 }
 # Elements an item, of packed arrays whose items are more than one.
-ROWS = {"xyz": 3, "queries": 3, "vertices": 3, "picks": 3, "polygon_uv": 2, "hull_points": 3, "automatic_xyz": 3,
+ROWS = {"xyz": 3, "queries": 3, "vertices": 3, "picks": 3, "places": 3, "polygon_uv": 2, "hull_points": 3, "automatic_xyz": 3,
         "reference_xyz": 3, "automatic_uv": 2, "reference_uv": 2, "triangles": 3}
 COUNTS = {**ARRAYS, "face_ids": "count_triangles", "vertical_rad": "count", "incidence_rad": "count"}
 # Arrays whose number of items no parameter tells: they must hold what the rings say.

@@ -18,9 +18,9 @@ static_assert(JALON_TARGET_DISC == static_cast<int>(TargetKind::kDisc));
 static_assert(JALON_TARGET_PATCH == static_cast<int>(TargetKind::kPatch));
 
 std::vector<Vec3> places_from(const double* places, uint64_t count) {
+  if (count > 0) require(places, "places");
   if (count > kMostPlaces)
     fail(Status::kLimit, "%llu places; at most a million", static_cast<unsigned long long>(count));
-  if (count > 0) require(places, "places");
   std::vector<Vec3> out;
   for (uint64_t i = 0; i < count; ++i) {
     out.push_back({places[3 * i], places[3 * i + 1], places[3 * i + 2]});
