@@ -11,6 +11,8 @@ HEAD = '# Generated from the public headers by bindings/generator: do not edit.\
 PYTHON_TYPES = {DOUBLE: "float", INT64: "int", BOOL: "bool", STRING: "str", CHOICE: "str", DOUBLES: "Sequence[float]"}
 # What an argument is when it is not given.
 DEFAULTS = {"flags": "0", "level": "-1", "part": "WHOLE_MODEL", "other_part": "WHOLE_MODEL", "centred": "True", "components": "1"}
+# Fields of named tuples that take the place of a method of tuples.
+SHADOWS = {"count": "  # type: ignore[assignment]", "index": "  # type: ignore[assignment]"}
 NO_PROPERTY = {"to_json", "seal"}
 
 
@@ -167,7 +169,7 @@ def emit_results(wrapped):
             code += head + ['    """What %s gives."""' % where, "    __slots__ = ()", "", ""]
             code += ["class _%s:" % m.result_name, "    __swig_destroy__ = _native.delete_%s" % m.result_name, "", "",
                      "_native.%s_swigregister(_%s)" % (m.result_name, m.result_name), "", ""]
-            stub += ["class %s(NamedTuple):" % name] + ["    %s: %s" % (n, field_hint(o, t)) for n, o, t, _ in result_fields(m)]
+            stub += ["class %s(NamedTuple):" % name] + ["    %s: %s%s" % (n, field_hint(o, t), SHADOWS.get(n, "")) for n, o, t, _ in result_fields(m)]
             stub += ["    def to_dict(self) -> Dict[str, Any]: ...", ""]
     return code, stub
 
@@ -269,4 +271,5 @@ def module(tables):
             names.append(m.name)
     names += [m.result_name[:-len("Result")] for m in wrapped if has_result(m)]
     code += ["__all__ = [%s]" % ", ".join(repr(n) for n in names), ""]
-    return "\n".join(code), "\n".join(stub + [""])
+    stub += ["", "__all__ = [%s]" % ", ".join(repr(n) for n in names), ""]
+    return "\n".join(code), "\n".join(stub)

@@ -37,4 +37,4 @@ rm -rf "$work/prefix" # what is tested stands on its own
 
 # Away from the tree, with nothing of it on the path: the installed package alone answers.
 mkdir -p "$work/run"
-cd "$work/run" && exec env -u PYTHONPATH -u LD_LIBRARY_PATH "$venv/bin/python" -P "$here/python/run.py"
+cd "$work/run" && exec env -u PYTHONPATH -u LD_LIBRARY_PATH JALON_BUILD="$build" "$venv/bin/python" -P "$here/python/run.py"

@@ -12,7 +12,7 @@ from ._errors import MissingFileError, NotFoundError
 try:
     import numpy
 except ImportError:  # everything works without; arrays are memoryviews then
-    numpy = None
+    numpy = None  # type: ignore[assignment]
 
 
 def _has_buffer(value):

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+"""The same scenarios in Python and in C print the same numbers. JALON_BUILD: the build folder with the programs in C."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "examples", "python")
+BUILD = os.environ.get("JALON_BUILD", "")
+
+
+@unittest.skipIf(not BUILD, "JALON_BUILD names no build folder")
+class Examples(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.work = tempfile.TemporaryDirectory()
+        scenes = {"facade_1": ("facade", 0.006, []), "facade_2": ("facade", 0.006, ["--set", "seed=2"]),
+                  "day_1": ("earthworks", 0.002, ["--scene-set", "day=1"]), "day_3": ("earthworks", 0.002, ["--scene-set", "day=3"])}
+        for name, (scene, step, more) in scenes.items():
+            subprocess.run([os.path.join(BUILD, "src", "jalon"), "scan", "--quiet", "--scene", scene, "-o", cls.at(name + ".las"),
+                            "--set", "horizontal_step_rad=%g" % step, "--set", "vertical_step_rad=%g" % step, *more], check=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.work.cleanup()
+
+    @classmethod
+    def at(cls, name):
+        return os.path.join(cls.work.name, name)
+
+    def printed(self, command):
+        return subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+
+    def compare(self, name, *arguments):
+        arguments = [self.at(a) for a in arguments]
+        in_c = self.printed([os.path.join(BUILD, "examples", "example_" + name), *arguments])
+        written = {a: open(a, "rb").read() for a in arguments}
+        in_python = self.printed([sys.executable, os.path.join(EXAMPLES, name + ".py"), *arguments])
+        self.assertEqual(in_c, in_python)
+        self.assertTrue(in_c.strip())
+        for path, content in written.items():
+            self.assertEqual(len(content), os.path.getsize(path), path)
+
+    def python__01_planes_prints_what_c_prints(self):
+        self.compare("01_planes", "facade_1.las")
+
+    def python__02_progress_prints_what_c_prints(self):
+        self.compare("02_progress")
+
+    def python__03_model_prints_what_c_prints(self):
+        self.compare("03_model", "facade_1.las", "model.dxf")
+
+    def python__04_register_prints_what_c_prints(self):
+        self.compare("04_register", "facade_1.las", "facade_2.las", "registered.las")
+
+    def python__05_changes_prints_what_c_prints(self):
+        self.compare("05_changes", "day_1.las", "day_3.las")
