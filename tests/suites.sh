@@ -17,3 +17,4 @@ suite accuracy "$release/tests/accuracy/accuracy"
 suite examples bash tests/scenarios/examples.sh "$release"
 suite bindings python3 tests/bindings/reachable.py "$release"
 suite bindings_python bash tests/bindings/python.sh "$release"
+suite bindings_offline bash tests/offline.sh tests/bindings/python.sh 'numpy and scikit-build-core'
