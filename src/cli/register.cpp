@@ -9,6 +9,7 @@
 #include "cli/output_folder.h"
 #include "cli/pose_file.h"
 #include "cli/table.h"
+#include "cli/targets_file.h"
 
 namespace jalon::cli {
 
@@ -16,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kMethods[] = {"icp"};
+constexpr const char* kMethods[] = {"icp", "targets"};
 constexpr const char* kStopped[] = {"", "converged", "iteration limit", "too few pairs", "ambiguous", "nothing found"};
 
 struct Register {
@@ -24,6 +25,7 @@ struct Register {
   Settings settings;
   Input reference, moving;
   std::string method = "icp", start, output;
+  std::vector<std::string> targets;  ///< files of the reference's and of the moving scan's
 
   Json json_of(const Registration& registration, const Json& times, jalon_params* params) const {
     jalon_transform pose;
@@ -38,7 +40,34 @@ struct Register {
     out["summary"] = table(registration, jalon_registration_summary).object(0);
     out["directions"] = table(registration, jalon_registration_directions).list();
     out["iterations"] = table(registration, jalon_registration_iterations).list();
+    if (!targets.empty()) out["residuals"] = residuals_of(registration);
     return out;
+  }
+
+  static Json residuals_of(const Registration& registration) {
+    Json rows = table(registration, jalon_registration_residuals).list();
+    for (size_t i = 0; i < rows.size(); ++i) {
+      const char* name = nullptr;
+      must(jalon_registration_pair_name(registration.get(), i, &name));
+      rows[i]["name"] = name;
+    }
+    return rows;
+  }
+
+  Registration register_targets(const Console& console, const jalon_registrar* registrar) const {
+    const Targets to = read_targets(targets[0]), from = read_targets(targets[1]);
+    Registration made;
+    must(jalon_registrar_run_targets(registrar, to.rows.data(), to.rows.size(), from.rows.data(), from.rows.size(),
+                                     console.task(), Out(made)));
+    return made;
+  }
+
+  static void say_outliers(const Console& console, const Registration& registration) {
+    const Table rows = table(registration, jalon_registration_residuals);
+    uint64_t outliers = 0;
+    for (uint64_t i = 0; i < rows.rows(); ++i) outliers += rows.count("outlier", i);
+    if (outliers > 0)
+      console.say(grouped(outliers) + " of " + grouped(rows.rows()) + " targets are outliers: see report.html");
   }
 
   template <class F>
@@ -68,6 +97,7 @@ struct Register {
 
   void run() const {
     Console console(common);
+    if (!targets.empty() && !start.empty()) throw Failure{JALON_ERROR_INVALID_ARGUMENT, "targets need no --start"};
     Registrar registrar;
     must(jalon_registrar_create(method.c_str(), Out(registrar)));
     Params params;
@@ -80,8 +110,11 @@ struct Register {
     Json times{{"read", console.seconds()}};
     console.step("registering");
     Registration made;
-    must(jalon_registrar_run(registrar.get(), to.get(), cloud.get(), has_start ? &from : nullptr, console.task(),
-                             Out(made)));
+    if (!targets.empty())
+      made = register_targets(console, registrar.get());
+    else
+      must(jalon_registrar_run(registrar.get(), to.get(), cloud.get(), has_start ? &from : nullptr, console.task(),
+                               Out(made)));
     times["register"] = console.seconds();
     console.step("writing");
     OutputFolder folder(output);
@@ -91,6 +124,7 @@ struct Register {
     write_text_file(folder.path("registration.json"), text + "\n");
     folder.commit();
     say(console, made);
+    if (!targets.empty()) say_outliers(console, made);
     console.say("wrote " + output + ": report.html, registration.json, pose.txt, registered.las, registered.ply");
     console.result(result);
   }
@@ -139,6 +173,11 @@ void add_register(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--start", state->start, "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")
       ->type_name("FILE");
+  command->add_option("--targets", state->targets,
+                      "Two files with the targets of REFERENCE and of MOVING, which are then registered by them; a "
+                      "line each: name x y z [sigma | sx sy sz] in metres, - for no name")
+      ->expected(2)
+      ->type_name("FILE FILE");
   for (const bool is_reference : {true, false}) {
     Input& input = is_reference ? state->reference : state->moving;
     command->add_option(std::string(is_reference ? "--reference-" : "--moving-") + "columns", input.columns,
@@ -152,9 +191,13 @@ void add_register(CLI::App& app) {
   add_common(*command, state->common);
   command->footer([] {
     return tables() + "Examples:\n  jalon register hall_1.las hall_2.las -o joined\n"
-                      "  jalon register hall_1.las hall_2.las -o joined --start pose.txt";
+                      "  jalon register hall_1.las hall_2.las -o joined --start pose.txt\n"
+                      "  jalon register hall_1.las hall_2.las -o joined --targets control.txt spheres_2.txt";
   });
-  command->callback([state] { state->run(); });
+  command->callback([state] {
+    if (!state->targets.empty()) state->method = "targets";
+    state->run();
+  });
 }
 
 }  // namespace jalon::cli

@@ -292,6 +292,12 @@ for file in report.html registration.json pose.txt registered.las registered.ply
 check "register starts from a pose" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --method icp --start joined/pose.txt -o again | grep -q '^converged'"
 check "m3c2 takes the covariance of the registration" "$jalon" compare joined/registered.ply corner_1.xyz --method m3c2 --registration joined/registration.json -o creep --set core_spacing_m=0.5
 refuses "a pose of seven numbers" 3 'has 12 numbers' bash -c "echo 1 2 3 4 5 6 7 >seven.txt; '$jalon' register corner_1.xyz corner_2.xyz --method icp --start seven.txt -o none"
+printf 'name x y z\nA 0 0 0 0.002\nB 9 0 1 0.002 0.002 0.004\nC, 8, 7, 2\n- 1 6 0 # unnamed\n' >control.txt
+printf 'C 8 7 2\nA 0 0 0\n1 6 0\nB 9 0 1\n' >measured.txt
+check "targets register two scans" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --targets control.txt measured.txt -o by_targets | grep -q 'on 4 pairs'"
+check "and their residuals have names" grep -q '"name": "C"' by_targets/registration.json
+refuses "a target without a height" 3 'line 2: 2 numbers after the name' bash -c "printf 'A 1 2 3\nB 1 2\n' >short.txt; '$jalon' register corner_1.xyz corner_2.xyz --targets short.txt measured.txt -o none"
+refuses "a target with a word for a number" 3 '"5m" is no number' bash -c "printf 'A 1 2 3\nB 1 2 5m\n' >word.txt; '$jalon' register corner_1.xyz corner_2.xyz --targets word.txt measured.txt -o none"
 refuses "an unknown registration method" 3 'no registration method' "$jalon" register corner_1.xyz corner_2.xyz --method nothing -o none
 refuses "a gauge without a trajectory" 2 'go together' "$jalon" clearance tunnel.xyz --gauge gauge.json
 printf '{"pieces": [{"type": "cone"}]}' >cone.json
