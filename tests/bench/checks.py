@@ -23,6 +23,8 @@ NEAREST_TOLERANCE = 1e-9
 M3C2_TOLERANCE_MM, M3C2_SHARE = 1.5, 0.9
 # Of a true plane found: CGAL's epsilon; less than half of what lies between any two of them.
 PLANE_TOLERANCE_DEG, PLANE_TOLERANCE_M = 1.0, 0.015
+# Of Jalon's pose at the middle of the street; icp_exactness.cpp asks for less, of many seeds.
+ICP_TOLERANCE_MM, ICP_TOLERANCE_DEG = 0.5, 0.003
 
 
 def neighbours_by_force(xyz, query):
@@ -133,6 +135,20 @@ def compare_surfaces(sample):
     return text, bool(median <= M3C2_TOLERANCE_MM and share >= M3C2_SHARE)
 
 
+def compare_poses(prefix, sample):
+    """How far the pose is off at the middle of the street, and its turn."""
+    if len(sample) != 12:
+        return f"{len(sample)} numbers in the sample", False
+    motion = np.fromfile(f"{prefix}_moved.motion")
+    pose, planted = sample.reshape(3, 4), np.vstack([motion[:12].reshape(3, 4), [0, 0, 0, 1]])
+    left = pose @ planted
+    off_mm = 1000 * np.linalg.norm(left @ np.append(motion[12:], 1) - motion[12:])
+    turn = left[:, :3] - left[:, :3].T
+    turn_deg = np.degrees(np.arcsin(np.clip(np.linalg.norm(turn) / np.sqrt(8), 0, 1)))
+    text = f"{off_mm:.4f} mm at the middle and {turn_deg:.6f} deg off"
+    return text, bool(off_mm <= ICP_TOLERANCE_MM and turn_deg <= ICP_TOLERANCE_DEG)
+
+
 def angles_deg(a, b):
     norms = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)
     cosines = np.abs((a * b).sum(axis=1)) / np.where(norms > 0, norms, np.nan)
@@ -160,6 +176,8 @@ def same_work(drivers, operations, prefix):
                     text, good = compare_planes(sample, planes)
                 elif operation.startswith("m3c2"):
                     text, good = compare_surfaces(sample)
+                elif operation == "icp":
+                    text, good = compare_poses(prefix, sample)
                 elif operation.startswith("c2m"):
                     text, good = compare_triangles(prefix, xyz, rows, step, operation, sample)
                 elif operation == "c2c":

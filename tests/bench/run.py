@@ -27,8 +27,10 @@ COMPARING = ["c2c", "c2c_plane", "c2c_quadric"]  # no peer here has local models
 M3C2 = ["m3c2_100k", "m3c2_1m"]  # with drivers of their own
 MESH = ["c2m_13k", "c2m_1m"]  # the same; name -> sides of the triangles below
 MESH_CELLS_M = {"mesh13k": 1.2, "mesh1m": 0.081}
+REGISTERING = ["icp"]  # the same
 MODELLING = ["outlines", "facade_dxf"]  # no peer does them
-OPERATIONS = READING + ["index", "knn16", "normals16", "voxel5cm"] + COMPARING + M3C2 + MESH + SEGMENTING + MODELLING
+OPERATIONS = READING + ["index", "knn16", "normals16", "voxel5cm"] + COMPARING + M3C2 + MESH + REGISTERING
+OPERATIONS += SEGMENTING + MODELLING
 # What Jalon must reach, as fastest peer / Jalon: at least as fast, LAS no slower than 1.5 times
 # LASzip; and the goals: twice as fast, LAS 0.15 s where LASzip takes 0.22 s, planes 1.5 s where CGAL
 # takes 3.2 s, region growing 1.5 s where PCL takes 4.3 s.
@@ -75,6 +77,23 @@ def mesh_commands(build, prefix):
         "Jalon": [build / "tests/bench/bench_mesh", prefix],
         "CGAL": [build / "tests/bench/bench_cgal_mesh", prefix],
         "Open3D": [build / "peers/venv/bin/python", here / "bench_open3d_mesh.py", prefix],
+    }
+    return runnable(commands)
+
+
+def icp_commands(build, prefix):
+    """The same of the drivers that lay one scan onto another."""
+    here, folder = pathlib.Path(__file__).resolve().parent, build / "tests/bench"
+    open3d = [build / "peers/venv/bin/python", here / "bench_open3d_icp.py", prefix]
+    commands = {
+        "Jalon": [folder / "bench_icp", prefix],
+        "small_gicp": [folder / "bench_small_gicp_icp", prefix],
+        "small_gicp-gicp": [folder / "bench_small_gicp_icp", prefix, "gicp"],
+        "small_gicp-cauchy": [folder / "bench_small_gicp_icp", prefix, "cauchy"],
+        "PCL": [folder / "bench_pcl_icp", prefix],
+        "Open3D": open3d,
+        "Open3D-tukey": open3d + ["tukey"],
+        "Open3D-scales": open3d + ["scales"],
     }
     return runnable(commands)
 
@@ -138,13 +157,15 @@ def scene(build, data, size):
             check=True,
             stdout=sys.stderr,
         )
-    second = data / f"street_{size}_second"  # the scan that is compared with it
-    if not second.with_name(second.name + ".f64").exists():
-        subprocess.run(
-            [str(build / "tests/bench/street_scene"), str(second), str(size), "2", "points"],
-            check=True,
-            stdout=sys.stderr,
-        )
+    # The second scan, that is compared with it, and the same moved, that is laid onto it.
+    for name, kind in (("second", "points"), ("moved", "moved")):
+        second = data / f"street_{size}_{name}"
+        if not second.with_name(second.name + ".f64").exists():
+            subprocess.run(
+                [str(build / "tests/bench/street_scene"), str(second), str(size), "2", kind],
+                check=True,
+                stdout=sys.stderr,
+            )
     for name, cell_m in MESH_CELLS_M.items():
         if not (data / f"street_{size}_{name}.f64").exists():
             subprocess.run(
@@ -196,6 +217,7 @@ def measure(arguments, operations, build, prefix, size, threads, cpus):
     wanted = arguments.peers.split(",") if arguments.peers else None
     drivers = []
     own_drivers = {**dict.fromkeys(M3C2, m3c2_commands), **dict.fromkeys(MESH, mesh_commands)}
+    own_drivers |= dict.fromkeys(REGISTERING, icp_commands)
     commands = own_drivers.get(operations[0], peer_commands)
     for name, command in commands(build, prefix).items():
         reads = name.startswith("LASzip")
@@ -302,10 +324,10 @@ def main():
     sizes = [int(float(text)) for text in arguments.sizes.split(",")]
     threads_wanted = [int(text) for text in arguments.threads.split(",")]
     group_of = {operation: 0 for operation in READING} | {operation: 2 for operation in M3C2}
-    group_of |= {operation: 3 for operation in MESH}
+    group_of |= {operation: 3 for operation in MESH} | {operation: 4 for operation in REGISTERING}
     groups = [
         [operation for operation in arguments.operations if group_of.get(operation, 1) == group]
-        for group in range(4)
+        for group in range(5)
     ]
     for operations in filter(None, groups):
         for size in sizes:
