@@ -29,6 +29,14 @@ enum {
   JALON_STOPPED_NOTHING_FOUND = 5  /**< no pose explains both */
 };
 
+/** What speaks for a pose that method "coarse" found. */
+enum {
+  JALON_POSE_FROM_FEATURES = 1, /**< local features that look alike and keep their distances */
+  JALON_POSE_FROM_PLANES = 2,   /**< planes laid on each other */
+  JALON_POSE_FROM_SLIDE = 3,    /**< the best pose, moved the way that least holds it */
+  JALON_POSE_FROM_START = 4     /**< the start as given */
+};
+
 /** A point known in one frame: a measured target or a control point. Frozen. */
 typedef struct jalon_target {
   const char* name;     /**< UTF-8; NULL = unnamed */
@@ -54,6 +62,10 @@ typedef struct jalon_target {
  * - "targets": the rigid or similarity motion ("transform") from three or more targets known in both frames: closed
  *   form (Arun, Huang & Blostein 1987; Umeyama 1991), then the adjustment weighted with the covariances of both sides
  *   (Gauss-Helmert model; Pope 1972), and a test of each target for a blunder (data snooping; Baarda 1968).
+ * - "coarse": a pose of two clouds without a guess, from planes and local features of both, some cells (summary
+ *   "cell") good: a start for fine registration. It says when a clearly different pose fits about as well
+ *   (JALON_STOPPED_AMBIGUOUS; the pose is the best one) and when none does (JALON_STOPPED_NOTHING_FOUND; the pose is
+ *   the start). Both clouds are thinned to some 15 000 cells: O(n) with a second or two for the search.
  */
 JALON_API JALON_CHECK jalon_status jalon_registrar_create(const char* method, jalon_registrar** out);
 JALON_API jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar);
@@ -111,6 +123,11 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
  * "sigma0_estimated" (uint8: the covariance is scaled by it), "global_p_value" (float64: of sigma0 = 1, two-sided),
  * "global_accepted" (uint8: not below "significance"), "scale_sigma" (float64; 0 for a rigid motion), "solutions"
  * (uint64: clearly different poses that pair the targets as well; 1 = unique).
+ *
+ * Method "coarse" adds "score" (0 ... 1: overlap of both clouds times likeness), "overlap_moving", "overlap_reference"
+ * (shares of the surfaces that lie on the other; directions that surfaces face weigh alike), "likeness" (share of the
+ * salient places near the other cloud that look alike there), "ambiguous" (uint8), "second_score" (of the best pose
+ * that is clearly different; 0 = none), "cell" (float64, m), "candidates" (uint64). Its sigmas and covariance are NaN.
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_registration* registration,
                                                   jalon_fields** out);
@@ -118,7 +135,9 @@ JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_regist
  * The log of the iterations, one row each. Without columns for methods that make none. Method "icp": "level" (int32, 0
  * = the fewest points), "pairs" (uint64), "kept" (float64: share of the moving points with a pair), "rms", "sigma",
  * "distance" (float64, m: residuals and the greatest of a pair), "turn" (float64, rad), "shift" (float64, m),
- * "observable" (uint8: directions fixed).
+ * "observable" (uint8: directions fixed). Method "coarse": the poses that are clearly different from each other, the
+ * best first: "score", "overlap_moving", "overlap_reference", "likeness" as in the summary, "source" (uint8,
+ * JALON_POSE_FROM_...), "pose" (float64 x 12: T_reference_moving, rows of [A | t]).
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_registration* registration,
                                                      jalon_fields** out);

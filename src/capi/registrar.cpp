@@ -8,6 +8,7 @@
 #include "capi/comparison_handles.h"
 #include "capi/guard.h"
 #include "capi/registration_handles.h"
+#include "registration/coarse.h"
 #include "registration/icp.h"
 #include "registration/targets.h"
 
@@ -30,12 +31,13 @@ struct Method {
 constexpr Method kMethods[] = {
     {"icp", "registrar icp", icp_rows, register_icp, nullptr},
     {"targets", "registrar targets", targets_rows, nullptr, register_targets},
+    {"coarse", "registrar coarse", coarse_rows, register_coarse, nullptr},
 };
 
 const Method& method_of(const std::string& name) {
   for (const Method& method : kMethods)
     if (name == method.name) return method;
-  fail(Status::kNotFound, "no registration method \"%.100s\"; there are: icp, targets", name.c_str());
+  fail(Status::kNotFound, "no registration method \"%.100s\"; there are: icp, targets, coarse", name.c_str());
 }
 
 // A handle of what a method made, with the parameters it was made with.

@@ -67,6 +67,9 @@ class Octree {
 
   /// The min(k, size) nearest points of q, nearest first, ties by index. Adaptive search. out has room for k.
   size_t knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const;
+  /// The nearest point, of equally near ones that of the smallest index; false when none lies within the radius.
+  /// Queries far from all points cost little.
+  bool nearest_within(const Vec3& q, double radius, Neighbour& out) const;
   /// The points in the closed ball, in ascending index order.
   void radius(const Vec3& q, double radius, std::vector<Neighbour>& out) const;
   /// The same two with sorted positions in the place of the caller's indices; those of the ball ascend.

@@ -91,12 +91,14 @@ struct Found {
 };
 
 // The k nearest points of q, nearest first; heap has room for k. Returns how many there are.
-size_t nearest(const Octree::Impl& tree, const Vec3& q, size_t k, Found* heap) {
+// reach_m: what lies farther may be left out.
+size_t nearest(const Octree::Impl& tree, const Vec3& q, size_t k, Found* heap,
+               double reach_m = std::numeric_limits<double>::infinity()) {
   const size_t wanted = std::min(k, tree.count);
   if (wanted == 0) return 0;
   const Vec3 q_grid = to_grid(tree, q);
   size_t count = 0;  // heap[0, count): farthest first
-  double limit = std::numeric_limits<double>::infinity();
+  double limit = limit_of(tree, reach_m * reach_m);
   const auto found = [&](size_t position, double squared) {
     const Found candidate{squared, tree.order[position], static_cast<uint32_t>(position)};
     if (count < wanted) {
@@ -109,7 +111,7 @@ size_t nearest(const Octree::Impl& tree, const Vec3& q, size_t k, Found* heap) {
     } else {
       return;
     }
-    if (count == wanted) limit = limit_of(tree, heap[0].squared);
+    if (count == wanted) limit = std::min(limit, limit_of(tree, heap[0].squared));
   };
   const auto bound = [&] { return limit; };
   walk(tree, q_grid, bound, [&](size_t leaf) { scan_leaf(tree, leaf, q, q_grid, bound, found); });
@@ -166,6 +168,13 @@ void sort_by_index(std::vector<Neighbour>& points) {
 size_t Octree::knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
   return for_each_of_nearest(*impl_, q, k,
                              [&](size_t j, const Found& f) { out[j] = {f.squared, f.index}; });
+}
+
+bool Octree::nearest_within(const Vec3& q, double radius, Neighbour& out) const {
+  Found found;
+  if (!(radius >= 0) || nearest(*impl_, q, 1, &found, radius) == 0 || found.squared > radius * radius) return false;
+  out = {found.squared, found.index};
+  return true;
 }
 
 size_t Octree::knn_positions(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {

@@ -72,6 +72,25 @@ TEST_CASE("knn__equals_brute_force_at_every_level_wherever_the_query_lies") {
   }
 }
 
+TEST_CASE("knn__nearest_within_a_reach_equals_brute_force") {
+  const auto xyz = street(4000);
+  const auto tree = build(xyz);
+  for (const Vec3& q : queries_of(xyz, 400)) {
+    const Neighbour nearest = brute_force(xyz, q, 1)[0];
+    const double distance = std::sqrt(nearest.squared_distance);
+    for (const double reach : {0.0, 0.05, 0.5, distance, 2 * distance, 1e9}) {
+      Neighbour found{-1, kNoPoint};
+      const bool expected = nearest.squared_distance <= reach * reach;
+      REQUIRE(tree->nearest_within(q, reach, found) == expected);
+      if (expected) REQUIRE(found.index == nearest.index);
+      if (expected) REQUIRE(found.squared_distance == nearest.squared_distance);
+      if (!expected) REQUIRE(found.index == kNoPoint);
+    }
+    Neighbour found{-1, kNoPoint};
+    REQUIRE_FALSE(tree->nearest_within(q, -1, found));
+  }
+}
+
 TEST_CASE("knn__fewer_points_than_asked_for_are_filled_up") {
   const auto xyz = street(5);
   const auto tree = build(xyz);
