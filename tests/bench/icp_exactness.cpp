@@ -83,7 +83,8 @@ void measure(uint64_t seed, const char* where, bench::Vec origin, const std::vec
   const bench::PoseError error = bench::pose_error(pose, motion, origin);
   std::printf("seed %2llu %-13s %.4f mm (along %7.4f, across %7.4f, up %7.4f) %.6f deg %s %.2f s\n",
               static_cast<unsigned long long>(seed), where, 1000 * error.shift_m, 1000 * error.parts_m.x,
-              1000 * error.parts_m.y, 1000 * error.parts_m.z, error.turn_deg, converged ? "converged" : "NOT CONVERGED", seconds);
+              1000 * error.parts_m.y, 1000 * error.parts_m.z, error.turn_deg, converged ? "converged" : "NOT CONVERGED",
+              seconds);
   std::fflush(stdout);
   worst.mm = std::max(worst.mm, 1000 * error.shift_m);
   worst.deg = std::max(worst.deg, error.turn_deg);
@@ -94,7 +95,8 @@ void measure(uint64_t seed, const char* where, bench::Vec origin, const std::vec
 int main(int argc, char** argv) {
   const auto argument = [&](int i, double otherwise) { return argc > i ? std::atof(argv[i]) : otherwise; };
   const auto points = static_cast<size_t>(argument(1, 1e6));
-  const auto seeds = static_cast<uint64_t>(argument(2, 10)), first = static_cast<uint64_t>(argument(4, 1));
+  const auto seeds = static_cast<uint64_t>(argument(2, 10));
+  const auto first = static_cast<uint64_t>(argument(4, 1));
   const auto threads = static_cast<unsigned>(argument(3, 2));
   Worst worst;
   for (uint64_t seed = first; seed < first + seeds; ++seed) {
