@@ -7,16 +7,46 @@ if(NOT MCS_EXECUTABLE)
   return()
 endif()
 set(csharp_generated "${CMAKE_CURRENT_BINARY_DIR}/csharp_swig")
-set(csharp_folder "${CMAKE_CURRENT_BINARY_DIR}/csharp")
-# Failures and texts cross without callbacks into the runtime (SWIG's helpers are process-wide).
-jalon_wrapper(jalon_csharp csharp "${csharp_generated}" -namespace Jalon -dllimport jalon_csharp -w314
+set(csharp_api "${CMAKE_CURRENT_BINARY_DIR}/csharp_api")
+set(csharp_package "${CMAKE_CURRENT_BINARY_DIR}/csharp") # the folders of the NuGet package
+set(csharp_native "${csharp_package}/runtimes/linux-x64/native")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  set(csharp_native "${csharp_package}/runtimes/linux-arm64/native")
+endif()
+
+# Only the P/Invoke class is taken from SWIG. Failures and texts cross without callbacks into the runtime (SWIG's helpers are
+# process-wide).
+jalon_wrapper(jalon_csharp csharp "${csharp_generated}" -noproxy -namespace Jalon -dllimport jalon_csharp -w314
               -DSWIG_CSHARP_NO_EXCEPTION_HELPER -DSWIG_CSHARP_NO_STRING_HELPER -DSWIG_CSHARP_NO_IMCLASS_STATIC_CONSTRUCTOR)
 target_compile_definitions(jalon_csharp PRIVATE SWIG_CSHARP_NO_EXCEPTION_HELPER SWIG_CSHARP_NO_STRING_HELPER)
-set_target_properties(jalon_csharp PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${csharp_folder}")
-file(GLOB csharp_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/csharp/src/*.cs")
+set_target_properties(jalon_csharp PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${csharp_native}" BUILD_WITH_INSTALL_RPATH ON)
+if(NOT WIN32) # by its name Loader finds it again
+  target_link_options(jalon_csharp PRIVATE "LINKER:-soname,libjalon_csharp.so")
+endif()
+add_custom_command(TARGET jalon_csharp POST_BUILD
+  COMMAND "${CMAKE_COMMAND}" -E copy_if_different "$<TARGET_FILE:jalon::jalon>" "${csharp_native}/$<TARGET_SONAME_FILE_NAME:jalon::jalon>"
+  VERBATIM)
+
+set(csharp_emitted "${csharp_api}/Api.cs" "${csharp_api}/Options.cs")
 add_custom_command(
-  OUTPUT "${csharp_folder}/Jalon.dll"
-  COMMAND sh -c "'${MCS_EXECUTABLE}' -target:library -langversion:7 -nologo '-out:${csharp_folder}/Jalon.dll' '${csharp_generated}'/*.cs '${CMAKE_CURRENT_SOURCE_DIR}'/csharp/src/*.cs"
-  DEPENDS jalon_csharp ${csharp_sources} VERBATIM)
-add_custom_target(jalon_assembly DEPENDS "${csharp_folder}/Jalon.dll")
+  OUTPUT ${csharp_emitted}
+  COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/generator/emit_csharp.py" "${csharp_api}" "${params_json}"
+  DEPENDS "${params_json}" ${generator} ${public_headers} VERBATIM)
+file(GLOB csharp_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/csharp/src/*.cs")
+# One assembly a framework of the package; spans are no part of .NET Standard 2.0.
+set(csharp_assemblies)
+set(spans)
+foreach(framework netstandard2.0 netstandard2.1)
+  set(folder "${csharp_package}/lib/${framework}")
+  add_custom_command(
+    OUTPUT "${folder}/Jalon.dll"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
+    COMMAND "${MCS_EXECUTABLE}" -nologo -target:library -unsafe -optimize -langversion:7.2 -warnaserror -nowarn:1573
+            ${spans} "-doc:${folder}/Jalon.xml" "-out:${folder}/Jalon.dll"
+            ${csharp_emitted} ${csharp_sources} "${csharp_generated}/LibraryPINVOKE.cs"
+    DEPENDS jalon_csharp ${csharp_sources} ${csharp_emitted} VERBATIM)
+  list(APPEND csharp_assemblies "${folder}/Jalon.dll")
+  set(spans -define:JALON_SPANS)
+endforeach()
+add_custom_target(jalon_assembly DEPENDS ${csharp_assemblies})
 add_dependencies(bindings jalon_assembly)

@@ -255,11 +255,6 @@ def interface():
             out.append("%%nodefaultctor %s;" % m.result_name)
             out += ["class %s {" % m.result_name, " public:", "  ~%s();" % m.result_name]
             out += ["  %s %s() const;" % (type_, name) for name, _, type_, _ in result_fields(m)] + ["};"]
-    classes = {class_of(noun) for noun in nouns()}
-    out += ["#ifdef SWIGCSHARP"]  # where a member may not hide the class of its name
-    out += ["%%rename(Get%s) %s::%s;" % (m.name.capitalize(), m.class_name, m.name) for m in wrapped
-            if m.noun and m.name.capitalize() in classes]
-    out += ["#endif"]
     for noun in sorted(nouns()):
         name = class_of(noun)
         mine = [m for m in wrapped if m.noun == noun]

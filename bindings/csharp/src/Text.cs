@@ -6,10 +6,18 @@ using System.Text;
 
 namespace Jalon {
 
-/// <summary>Texts as they cross to native code: UTF-8 that ends with 0.</summary>
+/// <summary>Texts as they cross to native code: UTF-8 that ends with 0, never the code page of the system.</summary>
 internal static class Text {
+  private static readonly Encoding strict = new UTF8Encoding(false, true);
+
   internal static byte[] Utf8(string text) {
-    return text == null ? null : Encoding.UTF8.GetBytes(text + "\0");
+    if (text == null) return null;
+    if (text.IndexOf('\0') >= 0) throw new InvalidArgumentException("a text must not hold the character U+0000");
+    try {
+      return strict.GetBytes(text + "\0");
+    } catch (EncoderFallbackException) {
+      throw new InvalidArgumentException("a text holds half a surrogate pair, which is no character");
+    }
   }
 
   internal static string Of(IntPtr text) {

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+using System;
+using System.Runtime.InteropServices;
+
+namespace Jalon {
+
+/// <summary>The native box of an object. The runtime keeps it during every call that it is an argument of.</summary>
+internal abstract class Box : SafeHandle {
+  private readonly long pressure_bytes;
+  private GCHandle kept;
+
+  /// <param name="box">The native box, which is taken over.</param>
+  /// <param name="pressure_bytes">Native memory that the collector shall know of.</param>
+  protected Box(IntPtr box, long pressure_bytes) : base(IntPtr.Zero, true) {
+    SetHandle(box);
+    this.pressure_bytes = pressure_bytes;
+    if (pressure_bytes > 0) GC.AddMemoryPressure(pressure_bytes);
+  }
+
+  /// <summary>No object: NULL in C.</summary>
+  internal static readonly Box None = new NoBox();
+
+  public override bool IsInvalid {
+    get { return handle == IntPtr.Zero; }
+  }
+
+  /// <summary>Keeps an object as long as the native box; returns what native code calls it by.</summary>
+  internal IntPtr Keep(object host) {
+    kept = GCHandle.Alloc(host);
+    return GCHandle.ToIntPtr(kept);
+  }
+
+  /// <summary>Frees the native box.</summary>
+  protected abstract void Delete(IntPtr box);
+
+  protected override bool ReleaseHandle() {
+    Delete(handle);
+    if (kept.IsAllocated) kept.Free();
+    if (pressure_bytes > 0) GC.RemoveMemoryPressure(pressure_bytes);
+    return true;
+  }
+
+  private sealed class NoBox : Box {
+    internal NoBox() : base(IntPtr.Zero, 0) {}
+    protected override void Delete(IntPtr box) {}
+  }
+}
+
+}
