@@ -48,5 +48,17 @@ foreach(framework netstandard2.0 netstandard2.1)
   list(APPEND csharp_assemblies "${folder}/Jalon.dll")
   set(spans -define:JALON_SPANS)
 endforeach()
-add_custom_target(jalon_assembly DEPENDS ${csharp_assemblies})
+
+# The other files of the package, and all of them as one.
+configure_file("${CMAKE_CURRENT_SOURCE_DIR}/csharp/Jalon.nuspec.in" "${csharp_package}/Jalon.nuspec" @ONLY)
+configure_file("${CMAKE_CURRENT_SOURCE_DIR}/csharp/README.md" "${csharp_package}/README.md" COPYONLY)
+configure_file("${CMAKE_CURRENT_SOURCE_DIR}/csharp/Jalon.targets" "${csharp_package}/build/netstandard2.0/Jalon.targets" COPYONLY)
+configure_file("${PROJECT_SOURCE_DIR}/LICENSE" "${csharp_package}/LICENSE" COPYONLY)
+set(csharp_nupkg "${CMAKE_CURRENT_BINARY_DIR}/Jalon.${PROJECT_VERSION}.nupkg")
+add_custom_command(
+  OUTPUT "${csharp_nupkg}"
+  COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/csharp/pack.py" "${csharp_package}" "${csharp_nupkg}"
+  DEPENDS ${csharp_assemblies} jalon_csharp "${CMAKE_CURRENT_SOURCE_DIR}/csharp/pack.py" "${csharp_package}/Jalon.nuspec"
+          "${csharp_package}/README.md" "${csharp_package}/build/netstandard2.0/Jalon.targets" VERBATIM)
+add_custom_target(jalon_assembly DEPENDS ${csharp_assemblies} "${csharp_nupkg}")
 add_dependencies(bindings jalon_assembly)

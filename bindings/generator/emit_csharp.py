@@ -184,7 +184,7 @@ def field_comment(m, native):
 def member_name(m):
     """Values are properties; what makes an object is a method: GetFields()."""
     makes = m.outputs and not seen_by_caller(m) and not takes_task(m) and not is_property(m) and not m.is_static
-    plain = m.name not in VERBS and not has_result(m)
+    plain = m.name not in VERBS and not m.name.startswith("to_") and not has_result(m)
     return ("Get" if makes and plain else "") + pascal(m.name)
 
 

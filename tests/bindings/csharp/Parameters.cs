@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+using System;
+using System.Linq;
+using System.Reflection;
+using Jalon;
+
+static class Parameters {
+  public static void Properties__set_and_tell_the_parameters_of_a_worker() {
+    using (var segmenter = new Segmenter { DistanceToleranceM = 0.01 }) {
+      Check.Equal(0.01, segmenter.DistanceToleranceM, "double");
+      Check.Equal(0.01, (double)segmenter.Parameters.Get("distance_tolerance_m"), "by its name");
+      segmenter.Parameters.Set("distance_tolerance_m", 1);
+      Check.Equal(1.0, segmenter.DistanceToleranceM, "a whole number where a double is wanted");
+      segmenter.ChecksItsValues();
+    }
+  }
+
+  static void ChecksItsValues(this Segmenter segmenter) {
+    segmenter.ToleranceFrom = "sigma";
+    Check.Equal("sigma", segmenter.ToleranceFrom, "choice");
+    Check.Throws<InvalidArgumentException>(() => segmenter.ToleranceFrom = "nothing");
+    Check.Throws<InvalidArgumentException>(() => segmenter.DistanceToleranceM = -1);
+  }
+
+  public static void Parameter_of_another_method__is_not_found() {
+    using (var growing = new Segmenter("region_growing")) {
+      Check.Throws<NotFoundException>(() => growing.ToleranceFrom = "hand");
+      Check.Throws<NotFoundException>(() => growing.Parameters.Set("no_such_parameter", 1.0));
+      Check.Throws<NotFoundException>(() => growing.Parameters.Get("no_such_parameter"));
+    }
+  }
+
+  public static void Every_property_of_every_option__can_be_read_and_set_back() {
+    int properties = 0;
+    foreach (Type type in typeof(Params).Assembly.GetTypes().Where(t => t.BaseType == typeof(Params))) {
+      using (var options = (Params)Activator.CreateInstance(type)) {
+        var own = type.GetProperties(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly);
+        Check.Equal(options.Count, (long)own.Length, type.Name + " has a property a row");
+        string before = options.ToJson();
+        foreach (PropertyInfo property in own) property.SetValue(options, property.GetValue(options, null), null);
+        Check.Equal(before, options.ToJson(), type.Name);
+        properties += own.Length;
+      }
+    }
+    Check.That(properties > 200, properties + " properties");
+  }
+
+  public static void Parameters__go_to_json_and_back() {
+    using (var options = new NormalsOptions { K = 21, Viewpoint = new double[] {1, 2, 3}, Curvature = true })
+    using (var again = new NormalsOptions()) {
+      again.FromJson(options.ToJson());
+      Check.Equal(21L, again.K, "whole number");
+      Check.Equal("1 2 3", string.Join(" ", again.Viewpoint), "doubles");
+      Check.That(again.Curvature, "flag");
+    }
+  }
+}
