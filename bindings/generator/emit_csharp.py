@@ -79,29 +79,34 @@ def parameter_list(m):
 def native_argument(m, i):
     name = camel(i.name)
     if not m.is_static and i is m.inputs[0]:
-        return "Live()"
+        return "self_.Pointer"
     if i.kind == "task":
-        return "run_.Box"
+        return "run_.Pointer" if takes_task(m) else name + "_.Pointer"
     if input_type(i) == "ArrayArgument":
         return name + "_.Pointer"
     if i.kind in ("handle", "options"):
-        return "Of(%s)" % name
-    if i.kind == "list":
-        return "Of(%s)" % (name + "_" if i.type == "CloudList" else name)
-    if i.kind == "text":
-        return "Text.Utf8(%s)" % name
+        return name + "_.Pointer"
+    if i.kind in ("list", "text"):
+        return name + "_.Pointer"
     if i.type in UNSIGNED:
         return 'Number.%s(%s, "%s")' % ("UInt32" if i.type == "uint32_t" else "UInt64", name, name)
     return name
 
 
 def usings(m):
+    if not m.is_static:
+        yield "using (var self_ = new Held(Live()))"
     for i in seen_by_caller(m):
         name = camel(i.name)
         if input_type(i) == "ArrayArgument":
-            yield 'using (var %s_ = new Pinned(%s, "%s"))' % (name, name, name)
+            yield 'using (var %s_ = new Pinned(%s, "%s", %s))' % (name, name, name, "false" if default_of(m, i) else "true")
         elif i.kind == "list" and i.type == "CloudList":
-            yield 'using (var %s_ = new CloudList(%s, "%s"))' % (name, name, name)
+            yield 'using (var %s_list = new CloudList(%s, "%s"))' % (name, name, name)
+            yield "using (var %s_ = new Held(Of(%s_list)))" % (name, name)
+        elif i.kind in ("list", "handle", "options"):
+            yield "using (var %s_ = new Held(Of(%s)))" % (name, name)
+        elif i.kind == "text":
+            yield "using (var %s_ = new NativeText(%s))" % (name, name)
     if takes_task(m):
         yield "using (var run_ = new Run(progress, task, cancel))"
 
@@ -154,9 +159,9 @@ def emit_result(m):
         "  private static extern void DeleteResult(IntPtr result);", "",
         "  private sealed class NativeBox : Box {", "    internal NativeBox(IntPtr result) : base(result, 0) {}",
         "    protected override void Delete(IntPtr result) {", "      DeleteResult(result);", "    }", "  }", "",
-        "  internal %s(IntPtr result) {" % m.result_name, "    using (var box = new NativeBox(result)) {"]
+        "  internal %s(IntPtr result) {" % m.result_name, "    using (new NativeBox(result)) {"]
     for name, _, o, type_, native in fields:
-        call = "LibraryPINVOKE.%s_%s(box)" % (m.result_name, native)
+        call = "LibraryPINVOKE.%s_%s(result)" % (m.result_name, native)
         out.append("      %s = %s;" % (name, managed(o, type_, call)))
     out += ["    }", "  }", ""]
     for name, type_, o, _, native in fields:
@@ -276,7 +281,8 @@ def box_lines(noun, name, base):
             "  protected override void Delete(IntPtr box) {", "    DeleteBox(box);", "  }", "}", "",
             "internal %s(IntPtr box) : base(new NativeBox(box)) {}" % name, "",
             "internal static %s Wrap(IntPtr box) {" % name, "  return box == IntPtr.Zero ? null : new %s(box);" % name, "}", "",
-            "internal override void Close(Box box) {", "  LibraryPINVOKE.%s_close(box);" % native, "  Failure.Check();", "}", ""]
+            "internal override void Close(Box box) {",
+            "  using (var self_ = new Held(box)) LibraryPINVOKE.%s_close(self_.Pointer);" % native, "  Failure.Check();", "}", ""]
 
 
 def emit_class(noun, wrapped, tables, known):

@@ -1,7 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
 /* C#: only the P/Invoke class is taken from SWIG; the public classes stand in Api.cs, generated from the headers. Objects
- * cross as SafeHandles, which live as long as any call that uses them. A failure is kept per thread and thrown by managed
+ * and texts cross as addresses that managed code holds during the call: no object of the collector is in the marshaller's hands,
+ * where Mono with its hybrid suspension may move it. A failure is kept per thread and thrown by managed
  * code after the call (no callbacks into the runtime); texts cross as UTF-8. */
 %{
 #include "csharp_support.h"
@@ -30,7 +31,7 @@
   [global::System.Runtime.InteropServices.DllImport(Loader.Name, EntryPoint="jalon_csharp_array_free")]
   public static extern void free_array(global::System.IntPtr array);
   [global::System.Runtime.InteropServices.DllImport(Loader.Name, EntryPoint="jalon_csharp_callbacks")]
-  public static extern void set_callbacks(Box task, Callbacks.NativeProgress progress, Callbacks.NativeLog log,
+  public static extern void set_callbacks(global::System.IntPtr task, Callbacks.NativeProgress progress, Callbacks.NativeLog log,
                                           global::System.IntPtr user);
 %}
 
@@ -38,11 +39,11 @@
 %apply unsigned long long { uint64_t };
 
 /* Objects. */
-%typemap(imtype, out="global::System.IntPtr") SWIGTYPE* "Box"
+%typemap(imtype) SWIGTYPE* "global::System.IntPtr"
 
 /* Texts. */
 %typemap(ctype) const char* "const char*"
-%typemap(imtype) const char* "byte[]"
+%typemap(imtype) const char* "global::System.IntPtr"
 %typemap(in) const char* { $1 = (char*)$input; }
 %typemap(freearg) const char* ""
 %typemap(ctype) std::string "const char*"

@@ -24,15 +24,15 @@ public sealed class ArrayView : Noun {
   }
 
   internal static ArrayView Wrap(IntPtr array) {
-    return array == IntPtr.Zero ? null : new ArrayView(new NativeBox(array));
+    return array == IntPtr.Zero ? null : new ArrayView(array);
   }
 
-  private ArrayView(Box box) : base(box) {
-    Count = Number.Of(LibraryPINVOKE.Array_count(box));
-    Components = (int)LibraryPINVOKE.Array_components(box);
-    Type = (ElementType)LibraryPINVOKE.Array_type(box);
-    stride_bytes = Number.Of(LibraryPINVOKE.Array_stride_bytes(box));
-    data = LibraryPINVOKE.Array_memory_of(box);
+  private ArrayView(IntPtr array) : base(new NativeBox(array)) {
+    Count = Number.Of(LibraryPINVOKE.Array_count(array));
+    Components = (int)LibraryPINVOKE.Array_components(array);
+    Type = (ElementType)LibraryPINVOKE.Array_type(array);
+    stride_bytes = Number.Of(LibraryPINVOKE.Array_stride_bytes(array));
+    data = LibraryPINVOKE.Array_memory_of(array);
   }
 
   /// <summary>Number of items, e.g. points.</summary>

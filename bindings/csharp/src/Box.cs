@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 
 namespace Jalon {
 
-/// <summary>The native box of an object. The runtime keeps it during every call that it is an argument of.</summary>
+/// <summary>The native box of an object. It stays during every call that holds it (Held).</summary>
 internal abstract class Box : SafeHandle {
   private readonly long pressure_bytes;
   private GCHandle kept;

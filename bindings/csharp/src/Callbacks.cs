@@ -41,8 +41,10 @@ internal sealed class Callbacks {
 
   internal void Attach(Box task) {
     if (progress == null && log == null) return;
-    LibraryPINVOKE.set_callbacks(task, progress == null ? null : on_progress, log == null ? null : on_log,
-                                 task.Keep(this));
+    using (var held = new Held(task)) {
+      LibraryPINVOKE.set_callbacks(held.Pointer, progress == null ? null : on_progress, log == null ? null : on_log,
+                                   task.Keep(this));
+    }
     Failure.Check();
   }
 

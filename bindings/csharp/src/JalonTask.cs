@@ -37,21 +37,22 @@ internal sealed class Run : IDisposable {
   private readonly bool own;
   private readonly CancellationToken cancel;
   private readonly CancellationTokenRegistration registration;
+  private readonly Held held;
 
   internal Run(Progress progress, JalonTask given, CancellationToken cancel) {
     if (given != null && (progress != null || cancel.CanBeCanceled)) {
       throw new InvalidArgumentException("give a task or progress and cancel, not both: a task has its own");
     }
-    task = given;
+    own = progress != null || cancel.CanBeCanceled;
+    task = own ? new JalonTask(0, progress) : given;
     this.cancel = cancel;
-    if (progress == null && !cancel.CanBeCanceled) return;
-    own = true;
-    task = new JalonTask(0, progress);
+    held = new Held(Noun.Of(task));
     if (cancel.CanBeCanceled) registration = cancel.Register(task.Cancel);
   }
 
-  internal Box Box {
-    get { return Noun.Of(task); }
+  /// <summary>The native task, which stays until Dispose.</summary>
+  internal IntPtr Pointer {
+    get { return held.Pointer; }
   }
 
   /// <summary>Throws what a delegate threw, or the failure of the call.</summary>
@@ -67,6 +68,7 @@ internal sealed class Run : IDisposable {
 
   public void Dispose() {
     registration.Dispose();  // waits for a cancel under way
+    held.Dispose();
     if (own) task.Dispose();
   }
 }

@@ -31,39 +31,47 @@ public sealed class Gauge : Noun {
 
   /// <summary>A box of these edge lengths (m), its centre in the frame's origin.</summary>
   public void AddBox(ArrayArgument size, ArrayArgument frame = default(ArrayArgument)) {
-    using (var size_ = new Pinned(size, "size"))
-    using (var frame_ = new Pinned(frame, "frame")) {
-      LibraryPINVOKE.Gauge_add_box(Live(), size_.Pointer, frame_.Pointer);
+    using (var self_ = new Held(Live()))
+    using (var size_ = new Pinned(size, "size", true))
+    using (var frame_ = new Pinned(frame, "frame", false)) {
+      LibraryPINVOKE.Gauge_add_box(self_.Pointer, size_.Pointer, frame_.Pointer);
     }
     Failure.Check();
   }
 
   /// <summary>A ball around the frame's origin.</summary>
   public void AddSphere(double radiusM, ArrayArgument frame = default(ArrayArgument)) {
-    using (var frame_ = new Pinned(frame, "frame")) LibraryPINVOKE.Gauge_add_sphere(Live(), radiusM, frame_.Pointer);
+    using (var self_ = new Held(Live()))
+    using (var frame_ = new Pinned(frame, "frame", false)) {
+      LibraryPINVOKE.Gauge_add_sphere(self_.Pointer, radiusM, frame_.Pointer);
+    }
     Failure.Check();
   }
 
   /// <summary>A cylinder along the frame's z, its centre in the origin.</summary>
   public void AddCylinder(double radiusM, double lengthM, ArrayArgument frame = default(ArrayArgument)) {
-    using (var frame_ = new Pinned(frame, "frame")) {
-      LibraryPINVOKE.Gauge_add_cylinder(Live(), radiusM, lengthM, frame_.Pointer);
+    using (var self_ = new Held(Live()))
+    using (var frame_ = new Pinned(frame, "frame", false)) {
+      LibraryPINVOKE.Gauge_add_cylinder(self_.Pointer, radiusM, lengthM, frame_.Pointer);
     }
     Failure.Check();
   }
 
   /// <summary>The convex hull of points (n, 3).</summary>
   public void AddHull(ArrayArgument points, ArrayArgument frame = default(ArrayArgument)) {
-    using (var points_ = new Pinned(points, "points"))
-    using (var frame_ = new Pinned(frame, "frame")) {
-      LibraryPINVOKE.Gauge_add_hull(Live(), points_.Pointer, frame_.Pointer);
+    using (var self_ = new Held(Live()))
+    using (var points_ = new Pinned(points, "points", true))
+    using (var frame_ = new Pinned(frame, "frame", false)) {
+      LibraryPINVOKE.Gauge_add_hull(self_.Pointer, points_.Pointer, frame_.Pointer);
     }
     Failure.Check();
   }
 
   /// <summary>Number of pieces.</summary>
   public long Count {
-    get { return Number.Of(LibraryPINVOKE.Gauge_count(Live())); }
+    get {
+      using (var self_ = new Held(Live())) return Number.Of(LibraryPINVOKE.Gauge_count(self_.Pointer));
+    }
   }
 }
 
@@ -91,16 +99,20 @@ public sealed class Targets : Noun {
 
   /// <summary>One target; name may be null; covariance: 3 x 3 (m2), none = parameter sigma_m on each axis.</summary>
   public void Add(string name, ArrayArgument xyz, ArrayArgument covariance = default(ArrayArgument)) {
-    using (var xyz_ = new Pinned(xyz, "xyz"))
-    using (var covariance_ = new Pinned(covariance, "covariance")) {
-      LibraryPINVOKE.Targets_add(Live(), Text.Utf8(name), xyz_.Pointer, covariance_.Pointer);
+    using (var self_ = new Held(Live()))
+    using (var name_ = new NativeText(name))
+    using (var xyz_ = new Pinned(xyz, "xyz", true))
+    using (var covariance_ = new Pinned(covariance, "covariance", false)) {
+      LibraryPINVOKE.Targets_add(self_.Pointer, name_.Pointer, xyz_.Pointer, covariance_.Pointer);
     }
     Failure.Check();
   }
 
   /// <summary>Number of targets.</summary>
   public long Count {
-    get { return Number.Of(LibraryPINVOKE.Targets_count(Live())); }
+    get {
+      using (var self_ = new Held(Live())) return Number.Of(LibraryPINVOKE.Targets_count(self_.Pointer));
+    }
   }
 }
 
@@ -121,7 +133,8 @@ internal sealed class CloudList : Noun {
     Failure.Check();
     if (clouds == null) throw new InvalidArgumentException(name + " must not be null");
     foreach (Cloud cloud in clouds) {
-      LibraryPINVOKE.CloudList_add(Live(), Of(cloud));
+      using (var self_ = new Held(Live()))
+      using (var cloud_ = new Held(Of(cloud))) LibraryPINVOKE.CloudList_add(self_.Pointer, cloud_.Pointer);
       Failure.Check();
     }
   }

@@ -16,9 +16,10 @@ internal sealed class Pinned : IDisposable {
   /// <summary>The array as native code takes it; zero for none.</summary>
   internal IntPtr Pointer { get; private set; }
 
-  internal Pinned(ArrayArgument argument, string name) {
+  internal Pinned(ArrayArgument argument, string name, bool required) {
     try {
       Take(argument, name);
+      if (required && Pointer == IntPtr.Zero) throw new InvalidArgumentException(name + " must not be null");
     } catch {
       Dispose();
       throw;

@@ -68,7 +68,7 @@ static class Lifetimes {
   }
 
   static void Repeat(string how, Action<int> cycle) {
-    var helper = new Thread(() => { for (int i = 0; i < 200; ++i) cycle(i); });  // a stack of its own, which goes with it
+    var helper = new Thread(() => { for (int i = 0; i < 500; ++i) cycle(i); });  // a stack of its own, which goes with it
     helper.Start();
     helper.Join();
     Settled();
