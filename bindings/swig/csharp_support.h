@@ -76,7 +76,7 @@ JALON_CSHARP_EXPORT const char* jalon_csharp_take_message() {
   jalon_csharp::last_failure().status = JALON_OK;
   return jalon_csharp::keep_text(jalon_csharp::last_failure().message);
 }
-/** A borrowed array as the wrappers take it, to be freed by jalon_csharp_array_free. components 0: no notion of rows. */
+/** A borrowed array as the wrappers take it, freed by jalon_csharp_array_free. components 0: no notion of rows. */
 JALON_CSHARP_EXPORT void* jalon_csharp_array(const void* data, int32_t type, uint64_t count, uint32_t components,
                                              uint64_t stride_bytes) {
   auto* array = new (std::nothrow) jalon_binding::ArrayIn(data, type, count);
