@@ -7,12 +7,14 @@
 
 #include "base/error.h"
 #include "registration/icp_result.h"
+#include "registration/icp_thinning.h"
 
 namespace jalon {
 
 namespace {
 
 constexpr size_t kFewest = 4000;      // cells of the coarsest level: enough for steps of a millimetre on a street
+constexpr size_t kMore = 60'000, kMany = 300'000;
 constexpr size_t kLeastPoints = 20;
 constexpr double kMisfits = 3;        // of the first distance (A1)
 
@@ -43,7 +45,7 @@ double first_distance(const IcpClouds& clouds, const IcpPoints& reference, const
                       const Transform& inner, Task& task) {
   const IcpSearch search(clouds, reference, moving, 0, task);
   const IcpNeighbours near = search.find(inner, INFINITY, task);
-  std::vector<double> distances;
+  std::vector<double> distances{0};
   for (size_t i = 0; i < near.of_moving.size(); ++i)
     if (near.of_moving[i] != kNoPoint)
     distances.push_back(norm(inner.point(clouds.moving.place(moving.position(i))) -
@@ -51,6 +53,26 @@ double first_distance(const IcpClouds& clouds, const IcpPoints& reference, const
   const auto middle = distances.begin() + static_cast<ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   return kMisfits * *middle;
+}
+
+// Step 2, on the way to all points on a tenth of many: their steps cost little and leave the last ones little to do.
+void iterate(const IcpClouds& clouds, const IcpSettings& settings, Task& task, IcpState& state) {
+  const IcpPoints few_reference = points_of(clouds.reference, kFewest, task),
+                  few_moving = points_of(clouds.moving, kFewest, task);
+  set_frame(clouds, few_moving, state);
+  state.distance_m = settings.max_distance_m > 0
+                         ? settings.max_distance_m
+                         : first_distance(clouds, few_reference, few_moving, state.inner, task);
+  int level = 0;
+  if (settings.coarse_to_fine) {
+    if (!icp_iterate(clouds, few_reference, few_moving, level++, false, settings, task, state)) return;
+    if (std::min(clouds.reference.size(), clouds.moving.size()) >= kMany) {
+      const IcpPoints more_reference = points_of(clouds.reference, kMore, task),
+                      more_moving = points_of(clouds.moving, kMore, task);
+      if (!icp_iterate(clouds, more_reference, more_moving, level++, false, settings, task, state)) return;
+    }
+  }
+  icp_iterate(clouds, {}, {}, level, true, settings, task, state);
 }
 
 }  // namespace
@@ -61,20 +83,28 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, con
   if (reference->size() < kLeastPoints || moving->size() < kLeastPoints)
     fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud", reference->size(),
          moving->size(), kLeastPoints);
+  if (!is_finite(start.translation())) fail(Status::kInvalidArgument, "the start has a shift that is not finite");
   IcpClouds clouds;
-  clouds.reference = surface_planes(reference->octree(task), settings.neighbours, task);
-  clouds.moving = surface_planes(moving->octree(task), settings.neighbours, task);
+  IcpSource of_reference, of_moving;
+  {
+    Span span(task, 0, 0.5, "local planes");
+    const double cell_m = thinning_cell_m(*reference, *moving, settings, task);
+    of_reference = thinned_source(reference, cell_m, task);
+    of_moving = thinned_source(moving, cell_m, task);
+    if (of_reference.cloud->size() < kLeastPoints || of_moving.cloud->size() < kLeastPoints)
+      fail(Status::kInsufficientData, "thinned to its cells the clouds have %zu and %zu points; they need %zu",
+           of_reference.cloud->size(), of_moving.cloud->size(), kLeastPoints);
+    clouds.reference = surface_planes(of_reference.cloud->octree(task), settings.neighbours, task);
+    clouds.moving = surface_planes(of_moving.cloud->octree(task), settings.neighbours, task);
+  }
   IcpState state;
   state.inner = clouds.inner(start);
-  const IcpPoints few_reference = points_of(clouds.reference, kFewest, task),
-                  few_moving = points_of(clouds.moving, kFewest, task);
-  set_frame(clouds, few_moving, state);
-  state.distance_m = settings.max_distance_m > 0
-                         ? settings.max_distance_m
-                         : first_distance(clouds, few_reference, few_moving, state.inner, task);
-  bool good = icp_iterate(clouds, few_reference, few_moving, 0, false, settings, task, state);
-  if (good) good = icp_iterate(clouds, {}, {}, 1, true, settings, task, state);
-  return icp_result(clouds, settings, state, task);
+  {
+    Span span(task, 0.5, 0.95, "iterations");
+    iterate(clouds, settings, task, state);
+  }
+  Span span(task, 0.95, 1, "covariance");
+  return icp_result(clouds, of_reference, of_moving, settings, state, task);
 }
 
 }  // namespace jalon

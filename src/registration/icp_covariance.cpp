@@ -86,12 +86,19 @@ IcpCovariance icp_covariance(const IcpClouds& clouds, const IcpNeighbours& neigh
   if (kernel.kind == KernelKind::kTukey) heard.most_m = std::min(rule.most_m, RobustKernel::kTukeyCut * kernel.sigma_m);
   const IcpSums sums = icp_sums(clouds, {}, {}, neighbours, inner, heard, inside, frame, task);
   const IcpDirections directions = icp_directions(sums);
+  const double variance_m2 = sums.squares / std::max(sums.weights, 1.0);
   out.sigma0 = sigma0_of(clouds, neighbours, inner, heard, kernel.sigma_m, task);
   out.redundancy = static_cast<double>(sums.pairs) - 6;
-  const Square<6> meat = icp_influence(clouds, neighbours, inner, heard, frame, k, task);
+  const bool by_planes = rule.metric == IcpMetric::kPointToPlane;
+  Square<6> meat = by_planes ? icp_influence(clouds, neighbours, inner, heard, frame, k, task)
+                                   : icp_scores(clouds, neighbours, inner, heard, frame);
+  if (!by_planes) out.sigma0 = 1;  // in the scores
+  // What robust weights cost is noise of each pair alone: 5 % of what it would be by itself, while points that stand in
+  // many pairs are most of the sum.
+  if (by_planes && kernel.kind != KernelKind::kNone)
+    for (size_t i = 0; i < 36; ++i) meat[i] += (1 / RobustKernel::kEfficiency - 1) * variance_m2 * sums.normal[i];
   Square<6> scaled = sandwich<6>(inverse_of(directions), meat);
-  const double efficiency = kernel.kind == KernelKind::kNone ? 1 : RobustKernel::kEfficiency;
-  for (double& c : scaled) c *= out.sigma0 * out.sigma0 / efficiency;
+  for (double& c : scaled) c *= out.sigma0 * out.sigma0;
   set_directions(scaled, directions, out);
   const bool open = !std::all_of(directions.observable.begin(), directions.observable.end(), [](bool b) { return b; });
   const auto length = [&](size_t i) { return i < 3 ? frame.extent_m : 1; };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t kExact = 100'000;     // points of a cloud
 constexpr size_t kRun = 16;            // points of a run in the tree's order: those of a plane, or nearly
-constexpr size_t kMostInfluences = size_t{1} << 19;  // points looked at; of more, every second, third ... run
+constexpr size_t kMostInfluences = size_t{1} << 17;  // points looked at; of more, every second, third ... run
 constexpr double kOneFace = 0.7;       // cosine between the normals of points on one face
 
 /// Six numbers of one point.
@@ -35,6 +35,8 @@ class CloudInfluence {
         own_(slots()),
         plane_(slots()),
         tilt_(exact ? slots() : 0) {}
+
+  bool looks_at(uint32_t position) const { return slot(position) != kUnused; }
 
   // factor: the sign of the cloud in the residual, and of the pair's normal against that of the point.
   void add_point(uint32_t position, const Coefficients<6>& j, double factor) {
@@ -140,7 +142,8 @@ Square<6> icp_influence(const IcpClouds& clouds, const IcpNeighbours& neighbours
   IcpPair pair;
   for (size_t i = 0; i < neighbours.of_moving.size(); ++i) {
     const uint32_t m = static_cast<uint32_t>(i), r = neighbours.of_moving[i];
-    if (r == kNoPoint || !pair_of(clouds, inner, m, r, true, rule, pair)) continue;
+    if (r == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
+    if (!pair_of(clouds, inner, m, r, true, rule, pair)) continue;
     const Coefficients<6> j = coefficients_of(pair, frame);
     const double sign = dot(pair.normal, inner.direction(clouds.moving.planes[m].unit())) < 0 ? -1 : 1;
     moving.add_point(m, j, sign);
@@ -149,7 +152,8 @@ Square<6> icp_influence(const IcpClouds& clouds, const IcpNeighbours& neighbours
   task.checkpoint(0.5);
   for (size_t i = 0; i < neighbours.of_reference.size(); ++i) {
     const uint32_t r = static_cast<uint32_t>(i), m = neighbours.of_reference[i];
-    if (m == kNoPoint || !pair_of(clouds, inner, m, r, false, rule, pair)) continue;
+    if (m == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
+    if (!pair_of(clouds, inner, m, r, false, rule, pair)) continue;
     const Coefficients<6> j = coefficients_of(pair, frame);
     const double sign = dot(pair.normal, clouds.reference.planes[r].unit()) < 0 ? -1 : 1;
     reference.add_point(r, j, -sign);

@@ -14,4 +14,9 @@ namespace jalon {
 Square<6> icp_influence(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner,
                         const PairRule& rule, const IcpFrame& frame, uint32_t k, Task& task);
 
+/// The same from the residuals themselves, for metrics in which points are not only planes' members: the sum of s s^T,
+/// s the sum of r j over a group of neighbouring points, whose pairs are not independent (Liang & Zeger 1986).
+Square<6> icp_scores(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner,
+                     const PairRule& rule, const IcpFrame& frame);
+
 }  // namespace jalon

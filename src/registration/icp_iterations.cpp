@@ -18,8 +18,14 @@ constexpr double kLeastSigma_m = 1e-9;        // keeps noise-free points from ha
 // A step is small when it is below so many standard deviations of the pose: what it leaves adds nothing to its
 // variance.
 constexpr double kSmallLast = 0.1, kSmallBefore = 0.3;
+// Steps on the same neighbours; those that a step has moved by less than so many noises would be found again.
+constexpr int kStepsOnPairs = 3;
+constexpr double kStillNear = 0.1;
+constexpr size_t kRestless = 15;    // steps of a level
+constexpr size_t kMostBefore = 40;  // steps of a level that is not the last
 // Weights pull less than their slope would: near the end a step that goes by the weights falls short by this ratio.
 constexpr double kMostLengthening = 1.5;
+constexpr double kRounding = 1e-13;           // of the extent: a step that rounding makes
 constexpr uint64_t kLeastPairs = 12;          // two for each unknown
 
 double quantile_of(std::vector<float>& values, double share) {
@@ -29,10 +35,14 @@ double quantile_of(std::vector<float>& values, double share) {
   return *at;
 }
 
+PairRule rule_of(const IcpSettings& settings, const IcpPoints& reference, double most_m) {
+  return {settings.metric, most_m, reference.reach_m, settings.least_cosine, static_cast<double>(settings.neighbours)};
+}
+
 // The scale of the residuals; how many were looked at.
 size_t measure_scale(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving,
                      const IcpSettings& settings, IcpState& state) {
-  const PairRule rule{state.distance_m, reference.reach_m, settings.least_cosine};
+  const PairRule rule = rule_of(settings, reference, state.distance_m);
   std::vector<float> residuals = icp_residual_sample(clouds, reference, moving, state.neighbours, state.inner, rule);
   if (residuals.empty()) return 0;
   state.sigma_m = std::max(kLeastSigma_m, kMadToSigma * quantile_of(residuals, 0.5));
@@ -45,7 +55,7 @@ bool step_on(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoint
              Task& task, IcpState& state, IcpIteration& row) {
   const IcpNeighbours& neighbours = state.neighbours;
   if (measure_scale(clouds, reference, moving, settings, state) < kLeastPairs) return false;
-  state.rule = {state.worst_m, reference.reach_m, settings.least_cosine, static_cast<double>(settings.neighbours)};
+  state.rule = rule_of(settings, reference, state.worst_m);
   // While the distance shrinks it is the cut: a scale of its own would hold on to the first surface that fits.
   const double wide = state.distance_m / RobustKernel::kTukeyCut;
   state.kernel = {settings.kernel, std::max(state.sigma_m, wide)};
@@ -80,34 +90,52 @@ double move(IcpState& state, IcpIteration& row) {
 
 bool icp_iterate(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving, int level, bool last,
                  const IcpSettings& settings, Task& task, IcpState& state) {
-  const IcpSearch search(clouds, reference, moving, settings.least_cosine, task);
+  const IcpSearch search(clouds, reference, moving, settings.search_cosine(), task);
   const double noise_m = std::hypot(clouds.reference.noise_m, clouds.moving.noise_m);
   const double sideways_m = reference.reach_m + 4 * std::max(clouds.reference.radius_m, clouds.moving.radius_m);
+  const double small = last ? kSmallLast : kSmallBefore;
+  const size_t before = state.log.size();
   state.stopped = StopReason::kIterationLimit;
-  const auto floor_m = [&] { return std::max(kNoises * noise_m, RobustKernel::kTukeyCut * state.sigma_m); };
-  for (bool first = true; static_cast<int>(state.log.size()) < settings.max_iterations; first = false) {
+  const auto floor_m = [&] {
+    return std::max({kNoises * noise_m, RobustKernel::kTukeyCut * state.sigma_m, settings.min_distance_m});
+  };
+  for (bool first = true;; first = false) {
     state.neighbours = search.find(state.inner, state.distance_m + sideways_m, task);
-    IcpIteration row;
-    row.level = level;
     // What converged on fewer points is where it should be, within the noise of these.
     if (first && level > 0 && measure_scale(clouds, reference, moving, settings, state) > 0)
       state.distance_m = std::min(state.distance_m, floor_m());
-    if (!step_on(clouds, reference, moving, settings, task, state, row)) {
+    double moved_m = 0;
+    for (int k = 0; k < kStepsOnPairs; ++k) {
+      // Few points need not settle: hard cuts keep some of them coming and going.
+      if (!last && state.log.size() - before >= kMostBefore) return true;
+      if (static_cast<int>(state.log.size()) >= settings.max_iterations) return false;
+      IcpIteration row;
+      row.level = level;
+      const bool enough = step_on(clouds, reference, moving, settings, task, state, row);
+      const double step = enough ? move(state, row) : 0;
       state.log.push_back(row);
-      state.stopped = StopReason::kTooFewPairs;
-      return false;
+      task.checkpoint(static_cast<double>(state.log.size()) / settings.max_iterations);
+      if (!enough) {
+        state.stopped = StopReason::kTooFewPairs;
+        return false;
+      }
+      const double length_m = row.shift_m + row.turn_rad * state.extent_m;
+      moved_m += length_m;
+      const bool shrunk = state.distance_m <= floor_m() / kShrink;
+      state.distance_m = std::max({kShrink * state.distance_m, floor_m(), kSteps * length_m});
+      if (!shrunk || moved_m > kStillNear * noise_m) break;  // other neighbours
+      // Pairs that keep coming and going leave steps well below what the noise leaves open.
+      const bool restless = state.log.size() - before >= kRestless && step < kSmallBefore;
+      if (step >= small && !restless) continue;
+      state.stopped = StopReason::kConverged;
+      return true;
     }
-    const double step = move(state, row);
-    state.log.push_back(row);
-    const bool shrunk = state.distance_m <= floor_m() / kShrink;
-    state.distance_m = std::max({kShrink * state.distance_m, floor_m(),
-                                 kSteps * (row.shift_m + row.turn_rad * state.extent_m)});
-    if (shrunk && step < (last ? kSmallLast : kSmallBefore)) {
+    // Noise-free clouds, or neighbours that swap for ever: the pairs do not say it better.
+    if (state.log.back().shift_m + state.log.back().turn_rad * state.extent_m <= kRounding * state.extent_m) {
       state.stopped = StopReason::kConverged;
       return true;
     }
   }
-  return false;
 }
 
 }  // namespace jalon

@@ -18,9 +18,7 @@ constexpr size_t kResidualSample = 1 << 15;  // of either side: a median of so m
 constexpr double kOverNoise = 10;
 constexpr double kLeastShare = 1e-9;  // of the strongest direction: what rounding leaves of a noise-free plane
 
-void add_pair(const IcpPair& pair, const RobustKernel& kernel, const IcpFrame& frame, IcpSums& sums) {
-  const double w = kernel.weight(pair.residual_m);
-  if (w == 0) return;
+void add_plane_pair(const IcpPair& pair, double w, const IcpFrame& frame, IcpSums& sums) {
   const Vec3 arm = (pair.place - frame.centre) / frame.extent_m, turn = cross(arm, pair.normal);
   const double j[6] = {turn.x, turn.y, turn.z, pair.normal.x, pair.normal.y, pair.normal.z};
   // E d(j) d(j)^T for a normal that scatters alike in all directions of its plane: A^T (I - n n^T) A tilt^2.
@@ -39,10 +37,23 @@ void add_pair(const IcpPair& pair, const RobustKernel& kernel, const IcpFrame& f
       sums.noise[6 * r + c] += t * (along[r][c] - jj);
     }
   }
+}
+
+void add_pair(const IcpPair& pair, IcpMetric metric, const RobustKernel& kernel, const IcpFrame& frame, IcpSums& sums) {
+  const double w = kernel.weight(pair.residual_m);
+  if (w == 0) return;
   sums.squares += w * pair.residual_m * pair.residual_m;
   sums.weights += w;
   sums.slopes += kernel.slope(pair.residual_m);
   ++sums.pairs;
+  if (metric == IcpMetric::kPointToPlane) return add_plane_pair(pair, w, frame, sums);
+  PairTerm terms[3];
+  for (size_t k = 0; k < pair_terms(pair, metric, terms); ++k) {
+    IcpPair term = pair;
+    term.normal = terms[k].normal;
+    term.residual_m = terms[k].residual_m;
+    add_plane_pair(term, w * terms[k].weight, frame, sums);
+  }
 }
 
 void mirror(Square<6>& m) {
@@ -75,7 +86,7 @@ IcpSums icp_sums(const IcpClouds& clouds, const IcpPoints& reference, const IcpP
     for (size_t i = begin; i < end; ++i) {
       const uint32_t near = neighbours.of_moving[i];
       if (near != kNoPoint && pair_of(clouds, inner, moving.position(i), near, true, rule, pair))
-        add_pair(pair, kernel, frame, part);
+        add_pair(pair, rule.metric, kernel, frame, part);
     }
     part.of_moving = part.pairs;
     return part;
@@ -86,7 +97,7 @@ IcpSums icp_sums(const IcpClouds& clouds, const IcpPoints& reference, const IcpP
     for (size_t i = begin; i < end; ++i) {
       const uint32_t near = neighbours.of_reference[i];
       if (near != kNoPoint && pair_of(clouds, inner, near, reference.position(i), false, rule, pair))
-        add_pair(pair, kernel, frame, part);
+        add_pair(pair, rule.metric, kernel, frame, part);
     }
     return part;
   });

@@ -97,7 +97,7 @@ IcpNeighbours IcpSearch::find(const Transform& inner, double max_distance_m, Tas
     if (p != kNoPoint) p = reference_position(p);
   for (uint32_t& p : out.of_reference)
     if (p != kNoPoint) p = moving_.position(order[p]);
-  turn_corners(*moved, inner, max_distance_m, out, task);
+  if (least_cosine_ > 0) turn_corners(*moved, inner, max_distance_m, out, task);
   return out;
 }
 

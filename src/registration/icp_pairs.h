@@ -57,17 +57,23 @@ class IcpSearch {
   std::shared_ptr<const Octree> tree_;
 };
 
+enum class IcpMetric : uint8_t { kPointToPoint, kPointToPlane, kPlaneToPlane };
+
 /// When two neighbours are a pair.
 struct PairRule {
+  IcpMetric metric = IcpMetric::kPointToPlane;
   double most_m = 0;        ///< greatest residual
   double reach_m = 0;       ///< sideways, besides the plane's radius
   double least_cosine = 0;  ///< between the normals of both
   double plane_points = 16; ///< whose mean a plane is: for the noise that a residual should have
 };
 
-/// A moved point and a plane, or a moved plane and a point: residual is the moved side's height above the other's.
+/// A moved point and a plane, or a moved plane and a point: residual is the moved side's height above the other's. Of
+/// points alone it is their distance, and of two planes the distance that their shapes leave (Segal et al. 2009).
 struct IcpPair {
   Vec3 place, normal;
+  Vec3 offset;             ///< of the moved point from the other
+  Vec3 other;              ///< the second plane's normal
   double residual_m = 0;
   double tilt_rad = 0;     ///< of the plane
   double variance_m2 = 0;  ///< that the residual should have
@@ -75,8 +81,13 @@ struct IcpPair {
 
 /// False when they are no pair. moved: the place of the moving point in the reference frame. from_moving: the plane is
 /// the reference's and the raw point the moving one; else the other way round.
+bool pair_of_shapes(const IcpClouds& clouds, const Transform& inner, uint32_t moving, uint32_t reference,
+                    const PairRule& rule, IcpPair& out);
+
+/// The same for any metric. Inline: it is the inner loop of an iteration.
 inline bool pair_of(const IcpClouds& clouds, const Transform& inner, uint32_t moving, uint32_t reference,
                     bool from_moving, const PairRule& rule, IcpPair& out) {
+  if (rule.metric != IcpMetric::kPointToPlane) return pair_of_shapes(clouds, inner, moving, reference, rule, out);
   const SurfacePlane &m = clouds.moving.planes[moving], &r = clouds.reference.planes[reference];
   if (!(m.sigma_m <= clouds.moving.flat_m) || !(r.sigma_m <= clouds.reference.flat_m)) return false;
   const Vec3 of_moving = inner.direction(m.unit()), of_reference = r.unit();
@@ -97,5 +108,14 @@ inline bool pair_of(const IcpClouds& clouds, const Transform& inner, uint32_t mo
   out.variance_m2 = point * point + scatter * scatter * (1 + 2 * sideways2 / r2) / rule.plane_points;
   return true;
 }
+
+/// A residual of a pair along one direction, and its share in the pair's weight.
+struct PairTerm {
+  Vec3 normal;
+  double residual_m = 0, weight = 1;
+};
+/// Of points alone three, along the axes; of two planes three, along the axes of (C1 + C2)^-1 of their shapes. Point to
+/// plane has one. How many.
+size_t pair_terms(const IcpPair& pair, IcpMetric metric, PairTerm (&terms)[3]);
 
 }  // namespace jalon

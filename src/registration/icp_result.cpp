@@ -36,7 +36,8 @@ struct Residual {
   float residual_m, weight;
 };
 
-FieldTable residual_table(const IcpClouds& clouds, const IcpState& state) {
+FieldTable residual_table(const IcpClouds& clouds, const IcpSource& reference, const IcpSource& moving,
+                          const IcpState& state) {
   std::vector<Residual> rows;
   const auto of_reference = clouds.reference.tree->order(), of_moving = clouds.moving.tree->order();
   const Buffer<uint32_t>& near = state.neighbours.of_moving;
@@ -46,7 +47,8 @@ FieldTable residual_table(const IcpClouds& clouds, const IcpState& state) {
     if (near[i] == kNoPoint ||
         !pair_of(clouds, state.inner, static_cast<uint32_t>(i), near[i], true, state.rule, pair))
       continue;
-    rows.push_back({of_moving[i], of_reference[near[i]], static_cast<float>(pair.residual_m),
+    rows.push_back({moving.original(of_moving[i]), reference.original(of_reference[near[i]]),
+                    static_cast<float>(pair.residual_m),
                     static_cast<float>(state.kernel.weight(pair.residual_m))});
   }
   FieldTable t;
@@ -71,7 +73,8 @@ void set_unknown(Registration& out) {
 
 }  // namespace
 
-Registration icp_result(const IcpClouds& clouds, const IcpSettings& settings, const IcpState& state, Task& task) {
+Registration icp_result(const IcpClouds& clouds, const IcpSource& reference, const IcpSource& moving,
+                        const IcpSettings& settings, const IcpState& state, Task& task) {
   Registration out;
   out.pose = clouds.outer(state.inner);
   out.converged = state.stopped == StopReason::kConverged;
@@ -82,7 +85,7 @@ Registration icp_result(const IcpClouds& clouds, const IcpSettings& settings, co
   out.iterations = state.log.size();
   out.rms_m = state.log.empty() ? 0 : state.log.back().rms_m;
   out.iteration_log = log_table(state.log);
-  out.residuals = residual_table(clouds, state);
+  out.residuals = residual_table(clouds, reference, moving, state);
   add_value<double>(out.summary, "kept", "1", "share of the moving points that have a pair",
                     state.log.empty() ? 0 : state.log.back().kept);
   add_value<double>(out.summary, "sigma", "m", "of the residuals, robust", state.sigma_m);

@@ -130,12 +130,52 @@ static void targets__that_cannot_give_a_pose_are_refused(void** state) {
   jalon_registrar_release(registrar);
 }
 
+/* A slope of a floor and two walls, 20 x 20 points each. */
+static jalon_cloud* corner(double shift) {
+  static double xyz[3 * 1200];
+  jalon_cloud* cloud = NULL;
+  for (int i = 0; i < 400; ++i) {
+    const double u = 0.1 * (i % 20), v = 0.1 * (i / 20), rough = 1e-3 * sin(12.9898 * i);
+    const double at[9] = {u, v, rough, u, rough, v + 0.05, rough, u, v + 0.05};
+    for (int k = 0; k < 9; ++k) xyz[9 * i + k] = at[k] + (k % 3 == 0 ? shift : 0);
+  }
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, 1200, 0, 0, &cloud));
+  return cloud;
+}
+
+static void icp__is_the_default_and_lays_a_corner_onto_itself(void** state) {
+  (void)state;
+  jalon_registrar* registrar = NULL;
+  jalon_registration* registration = NULL;
+  jalon_cloud *reference = corner(0), *moving = corner(0.03), *few = NULL;
+  jalon_transform pose, wild = {{1, 0, 0, NAN, 0, 1, 0, 0, 0, 0, 1, 0}};
+  jalon_fields* log = NULL;
+  MUST(jalon_registrar_create(NULL, &registrar));
+  MUST(jalon_registrar_run(registrar, reference, moving, NULL, NULL, &registration));
+  MUST(jalon_registration_pose(registration, &pose));
+  assert_true(fabs(pose.m[3] + 0.03) < 1e-5);
+  MUST(jalon_registration_iterations(registration, &log));
+  jalon_fields_release(log);
+  jalon_registration_release(registration);
+  registration = NULL;
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_registrar_run(registrar, reference, moving, &wild, NULL, &registration));
+  MUST(jalon_cloud_create((const double[9]){0, 0, 0, 1, 0, 0, 0, 1, 0}, JALON_FLOAT64, 3, 0, 0, &few));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_registrar_run(registrar, reference, few, NULL, NULL, &registration));
+  assert_null(registration);
+  jalon_cloud_release(few);
+  jalon_cloud_release(moving);
+  jalon_cloud_release(reference);
+  jalon_registrar_release(registrar);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(targets__of_the_same_names_give_the_pose_on_the_national_grid),
       cmocka_unit_test(registration__moves_a_cloud_and_gives_the_level_of_detection_its_covariance),
       cmocka_unit_test(registration__report_is_one_page_with_pose_residuals_and_histograms),
       cmocka_unit_test(targets__that_cannot_give_a_pose_are_refused),
+      cmocka_unit_test(icp__is_the_default_and_lays_a_corner_onto_itself),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,13 +32,13 @@ Transform pose_in(const std::string& path) {
 
 Cloud read(const std::string& path, Task& task) { return read_cloud(path, {"read", read_rows()}, task); }
 
+ParamSet icp_params() { return {"registrar icp", icp_rows()}; }
+
 Registration run(const Cloud& reference, const Cloud& moving, const Transform& start = {}, unsigned threads = 1,
-                 const char* name = nullptr, const char* value = nullptr) {
+                 const ParamSet& params = icp_params()) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  ParamSet params("registrar icp", icp_rows());
-  if (name != nullptr) params.set_text(name, value);
   return register_icp(std::make_shared<const Cloud>(reference), std::make_shared<const Cloud>(moving), start, params,
                       task);
 }
@@ -47,7 +47,11 @@ double first(const FieldTable& table, const char* column) { return table.require
 
 }  // namespace
 
-TEST_CASE("icp__real_scans_land_within_a_centimetre") {
+// The pose that comes with the scans is what generalised ICP of another library gives on centroids of 10 cm cubes,
+// with 10
+// neighbours, all pairs within a metre and no robust weights. The scans were taken in motion and do not fit to better
+// than centimetres; other choices give poses that differ by 0.1 to 0.2 degrees, whatever the library.
+TEST_CASE("icp__real_scans_land_within_a_centimetre_of_the_published_pose") {
   const std::string folder = std::string(JALON_SHARED_DATA) + "/registration/";
   if (!std::ifstream(folder + "source.ply")) {
     if (std::getenv("CI") != nullptr) FAIL("the shared scans are missing");
@@ -57,15 +61,51 @@ TEST_CASE("icp__real_scans_land_within_a_centimetre") {
   Task task;
   const Cloud target = read(folder + "target.ply", task), source = read(folder + "source.ply", task);
   const Transform truth = pose_in(folder + "T_target_source.txt");
-  const Registration r = run(target, source);
-  const Transform error = r.pose * inverse(truth);
-  const double off_m = norm(error.point(r.centre) - r.centre), turn_deg = norm(rotation_vector(error)) / kDegree;
-  MESSAGE("FIGURE icp real scans: " << 1000 * off_m << " mm, " << turn_deg << " deg, " << r.iterations
-                                    << " iterations, kept " << first(r.summary, "kept"));
-  CHECK(r.converged);
-  CHECK(off_m < 0.02);
-  CHECK(turn_deg < 0.2);
-  CHECK(r.unobservable == 0);
+  ParamSet as_published = icp_params();
+  as_published.set_number("cell_m", 0.1);
+  as_published.set_integer("k", 10);
+  as_published.set_number("max_distance_m", 1);
+  as_published.set_number("min_distance_m", 1);
+  as_published.set_number("max_angle_rad", std::numbers::pi / 2);
+  as_published.set_text("kernel", "none");
+  const auto check = [&](const char* what, const ParamSet& params, double most_m, double most_deg) {
+    const Registration r = run(target, source, {}, 1, params);
+    const Transform error = r.pose * inverse(truth);
+    const double off_m = norm(error.point(r.centre) - r.centre), turn_deg = norm(rotation_vector(error)) / kDegree;
+    MESSAGE("FIGURE icp real scans, " << std::string(what) << ": " << 1000 * off_m << " mm, " << turn_deg << " deg, "
+                                      << r.iterations << " iterations, kept " << first(r.summary, "kept"));
+    CHECK(r.converged);
+    CHECK(off_m < most_m);
+    CHECK(turn_deg < most_deg);
+    CHECK(r.unobservable == 0);
+  };
+  check("point to plane as published", as_published, 0.01, 0.05);
+  check("point to plane, defaults", icp_params(), 0.03, 0.25);
+  as_published.set_text("metric", "plane_to_plane");
+  as_published.set_number("max_angle_rad", std::numbers::pi / 4);
+  check("plane to plane as published", as_published, 0.01, 0.06);
+  as_published.set_text("metric", "point_to_point");
+  check("point to point", as_published, 0.06, 0.4);
+}
+
+TEST_CASE("icp__every_metric_and_kernel_finds_the_pose") {
+  const Transform moved = motion_about({3, 2, 1}, {0.01, -0.02, 0.03}, {0.1, -0.05, 0.04});
+  const Cloud reference = scenes::sampled(scenes::room(), 21, {}, 12000);
+  const Cloud moving = scenes::sampled(scenes::room(), 22, moved, 12000);
+  for (const char* metric : {"point_to_point", "point_to_plane", "plane_to_plane"})
+    for (const char* kernel : {"none", "tukey", "cauchy", "huber"}) {
+      ParamSet params = icp_params();
+      params.set_text("metric", metric);
+      params.set_text("kernel", kernel);
+      if (kernel[0] == 'h') params.set_number("trim_percent", 10);
+      const Registration r = run(reference, moving, {}, 1, params);
+      const Transform error = r.pose * moved;
+      INFO(std::string(metric) << " " << std::string(kernel));
+      CHECK(r.converged);
+      CHECK(norm(error.point(r.centre) - r.centre) < (metric[10] == 'o' ? 0.02 : 0.001));
+      CHECK(norm(rotation_vector(error)) < (metric[10] == 'o' ? 0.01 : 0.001));
+      CHECK(r.covariance[35] > 0);
+    }
 }
 
 TEST_CASE("icp__gives_the_same_bits_with_any_number_of_threads_and_on_a_national_grid") {
