@@ -21,8 +21,16 @@ JALON_BEGIN_C
  *
  * out_points: one row a point of the comparison: "changed" (uint8), "region" (uint32; 0 = in none). out_regions: one
  * row a region, most points first: "region" (uint32), "points" (uint64), "area" (float64, m2: of the sampled surface,
- * the sum of the discs that the points stand for), "mean", "rms", "extreme" (float64, m: of the distances; the extreme
- * with its sign), "centroid", "box_min", "box_max" (float64 x 3, m). Each output may be NULL.
+ * the sum of the discs that the points stand for), "volume" (float64, m3, see below), "mean", "rms", "extreme"
+ * (float64, m: of the distances; the extreme with its sign), "centroid", "box_min", "box_max" (float64 x 3, m). Each
+ * output may be NULL.
+ *
+ * "volume" lies between the region and the other epoch: the sum of a prism a point, its disc as seen along its distance
+ * times that. Where distances lead tell the columns "difference_x", "_y", "_z" (parameter "differences") or the normals
+ * of method "m3c2"; without them they are laid along the normal of the plane through the region, which is right for
+ * pits, heaps and slabs and wrong for what is taller than wide. What changed by less than the criterion is not in it,
+ * nor is what no point stands for; distances to the nearest surface make it too small beside walls. The volumes of
+ * earthworks are those of jalon_cloud_volume.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_regions(const jalon_comparison* comparison,
                                                 const jalon_params* options, jalon_task* task,
@@ -52,16 +60,42 @@ enum {
  * out_forward, out_reverse: one row a point of the comparison: "changed" (uint8), "region" (uint32), "change" (uint32:
  * row of out_changes counted from 1, unchanged parts of the object too; 0 = none). out_changes: one row a change:
  * "change" (uint32), "class" (uint8, JALON_CHANGE_...), "confidence" (float64, 0 to 1), "points_before", "points_after"
- * (uint64), "area_before", "area_after" (float64, m2: of the changed surface), "centroid_before", "centroid_after",
- * "box_min", "box_max" (float64 x 3, m), and of displacements "displacement" (float64 x 3, m: of the centroid before),
- * "rotation" (float64 x 3, rad: rotation vector), "covariance" (float64 x 36: of rotation and displacement); NaN for
- * the others. Each output may be NULL. JALON_ERROR_INVALID_ARGUMENT for comparisons without the column "nearest".
+ * (uint64), "area_before", "area_after" (float64, m2: of the changed surface), "volume_before", "volume_after"
+ * (float64, m3: between that and the other epoch, along the way to the nearest point; see jalon_comparison_regions),
+ * "centroid_before", "centroid_after", "box_min", "box_max" (float64 x 3, m), and of displacements "displacement"
+ * (float64 x 3, m: of the centroid before), "rotation" (float64 x 3, rad: rotation vector), "covariance" (float64 x
+ * 36: of rotation and displacement); NaN for the others. Each output may be NULL. JALON_ERROR_INVALID_ARGUMENT for
+ * comparisons without the column "nearest".
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_diagnose(const jalon_comparison* forward,
                                                  const jalon_comparison* reverse,
                                                  const jalon_params* options, jalon_task* task,
                                                  jalon_fields** out_forward, jalon_fields** out_reverse,
                                                  jalon_fields** out_changes);
+
+/**
+ * Outlines of change regions as a model, for maps and drawings: jalon_model_write makes GeoJSON, DXF, OBJ ... of it.
+ * Each region is a part, below the first part "changes", with a face for each connected piece of its surface, nearly
+ * always one: its points, projected onto the plane through them that fits best (2.5D), are triangulated and the
+ * triangles across gaps taken away (alpha shape; Edelsbrunner, Kirkpatrick & Seidel 1983); what borders the others are
+ * the rings. Outlines run through the outermost points. A region whose points span no surface is the box around them.
+ *
+ * forward_points, reverse_points: what jalon_comparison_regions or jalon_comparison_diagnose gave for the points of
+ * these comparisons. reverse and reverse_points may be NULL; changes, the table of a diagnosis, too. Parts are named
+ * "region 2", of both ways "region 2 after" (forward) or "region 2 before", with "change 1 " before that where a change
+ * holds them, and the id of their faces is the row of the change, counted from 1, else the region. The class of a part
+ * is "appearance", "disappearance", "displacement_before", "displacement_after", "deformation_before",
+ * "deformation_after", or "region" where no change tells: the layer of a DXF.
+ *
+ * options: operation "change_outlines" (max_edge_m, min_opening_area_m2). JALON_ERROR_INVALID_ARGUMENT when the tables
+ * do not fit the comparisons. Without regions the model has no faces. O(m log n) for m changed points of n.
+ */
+JALON_API JALON_CHECK jalon_status jalon_comparison_outlines(const jalon_comparison* forward,
+                                                 const jalon_fields* forward_points,
+                                                 const jalon_comparison* reverse,
+                                                 const jalon_fields* reverse_points,
+                                                 const jalon_fields* changes, const jalon_params* options,
+                                                 jalon_task* task, jalon_model** out);
 
 JALON_END_C
 

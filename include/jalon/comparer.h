@@ -77,6 +77,9 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comp
  * first triangle. Of the summary: "maximum_absolute" (float64, m), "at_border", "inconsistent" (uint64, when signed),
  * "within_tolerance" (uint64), "tolerance_share" (float64).
  *
+ * JALON_ERROR_UNSUPPORTED for parameters that a model has no answer to: visibility, local_model, sampling_error,
+ * hausdorff.
+ *
  * O((n + m) log m) for n points and m triangles; about 120 B a triangle while it runs. To compare a model with a model,
  * take points on one of them with jalon_model_sample.
  */

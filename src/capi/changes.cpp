@@ -4,7 +4,9 @@
 
 #include "capi/comparison_handles.h"
 #include "capi/guard.h"
+#include "capi/model_handles.h"
 #include "compare/diagnosis.h"
+#include "report/change_outlines.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -41,5 +43,23 @@ jalon_status jalon_comparison_diagnose(const jalon_comparison* forward, const ja
     if (out_forward != nullptr) *out_forward = made.forward.release();
     if (out_reverse != nullptr) *out_reverse = made.reverse.release();
     if (out_changes != nullptr) *out_changes = made.changes.release();
+  });
+}
+
+jalon_status jalon_comparison_outlines(const jalon_comparison* forward, const jalon_fields* forward_points,
+                                       const jalon_comparison* reverse, const jalon_fields* reverse_points,
+                                       const jalon_fields* changes, const jalon_params* options, jalon_task* task,
+                                       jalon_model** out) {
+  return guard([&] {
+    require(forward, "forward");
+    require(forward_points, "forward_points");
+    if (reverse != nullptr) require(reverse_points, "reverse_points");
+    require(out, "out");
+    const ParamSet set = options_or_default(options, "change_outlines");
+    const ChangedCloud after{forward->comparison.get(), &forward_points->table};
+    ChangedCloud before;
+    if (reverse != nullptr) before = {reverse->comparison.get(), &reverse_points->table};
+    const FieldTable* table = changes != nullptr ? &changes->table : nullptr;
+    *out = with_task(task, [&](Task& t) { return new_model(change_outlines(after, before, table, set, t)); });
   });
 }

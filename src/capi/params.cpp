@@ -25,6 +25,7 @@
 #include "formats/formats.h"
 #include "modelling/model_evaluation.h"
 #include "registration/target_measure.h"
+#include "report/change_outlines.h"
 #include "report/comparison_report.h"
 #include "report/registration_report.h"
 #include "report/deviation_picture.h"
@@ -43,7 +44,7 @@ std::span<const Operation> operations() {
   static constexpr Operation kOperations[] = {
       {"normals", normals_rows},     {"features", features_rows},   {"components", components_rows},
       {"regions", regions_rows},     {"diagnosis", diagnosis_rows}, {"volume", volume_rows},
-      {"model_sample", model_sample_rows},
+      {"model_sample", model_sample_rows}, {"change_outlines", change_outlines_rows},
       {"deviation_picture", deviation_picture_rows},
       {"comparison_report", comparison_report_rows},
       {"registration_report", registration_report_rows},

@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
+#include "cli/compare_inputs.h"
+#include "cli/compare_listing.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
 #include "cli/registration_file.h"
@@ -14,24 +18,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kMethods[] = {"distance", "m3c2", "preview"};
-constexpr const char* kClasses[] = {"", "appearance", "disappearance", "displacement", "displacement with overlap",
-                                    "deformation", "deformation with overlap"};
-
 struct Compare {
   Common common;
-  Settings settings, change_settings;
+  Settings settings, change_settings, sample_settings;
   Input reference, compared;
   std::string method = "distance", registration, output;
   double threshold_m = 0;  ///< 0 = the operation's default
   bool is_one_way = false;
-
-  // Files that hold a model and no points.
-  bool is_model() const {
-    const std::string& path = reference.path;
-    for (const std::string end : {".obj", ".stl", ".json", ".OBJ", ".STL", ".JSON"})
-      if (path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0) return true;
-    return false;
-  }
 
   // What one direction gave.
   struct Direction {
@@ -39,6 +32,29 @@ struct Compare {
     Fields points;  ///< "changed", "region" and, both ways, "change"
     std::unique_ptr<Table> summary;
   };
+
+  /// A file read: a scan, or a model and points on it.
+  struct Epoch {
+    Model model;
+    Cloud cloud;
+  };
+
+  Epoch read(Console& console, const Input& input, bool with_points) const {
+    Epoch out;
+    if (!is_model_file(input.path)) {
+      out.cloud = input.read(console);
+      return out;
+    }
+    must(jalon_model_read(input.path.c_str(), nullptr, console.task(), Out(out.model)));
+    if (with_points) out.cloud = sampled(console, out.model, sample_settings);
+    return out;
+  }
+
+  // Models have faces, and a scan compared with them has no way back: the scan's points are not all of the model.
+  Direction run_to(const Console& console, const Comparer& worker, const Epoch& from, const Epoch& to) const {
+    return from.model != nullptr ? run_model(console, worker, from.model, to.cloud)
+                                 : run_one(console, worker, from.cloud, to.cloud);
+  }
 
   Comparer comparer(Params& params) const {
     Comparer made;
@@ -56,11 +72,9 @@ struct Compare {
     return options;
   }
 
-  Direction run_model(const Console& console, const Comparer& worker, const Cloud& to) const {
-    Model model;
-    must(jalon_model_read(reference.path.c_str(), nullptr, console.task(), Out(model)));
+  static Direction run_model(const Console& console, const Comparer& worker, const Model& from, const Cloud& to) {
     Comparison made;
-    must(jalon_comparer_run_model(worker.get(), model.get(), to.get(), console.task(), Out(made)));
+    must(jalon_comparer_run_model(worker.get(), from.get(), to.get(), console.task(), Out(made)));
     return direction_of(std::move(made));
   }
 
@@ -98,14 +112,16 @@ struct Compare {
   }
 
   void write_report(const Console& console, OutputFolder& folder, const Direction& forward, const Direction& reverse,
-                    const Fields& changes, const Params& change_options, const Json& times) const {
+                    const Fields& changes, const Params& change_options, const Json& times,
+                    const std::string& shadows) const {
     double threshold = 0;
     must(jalon_params_get_double(change_options.get(), "threshold_m", &threshold));
     const Params options = make_params("comparison_report");
     must(jalon_params_set_double(options.get(), "threshold_m", threshold));
-    const Json notes{{"title", "Comparison"},
-                     {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},
-                     {"times", times}};
+    Json notes{{"title", "Comparison"},
+               {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},
+               {"times", times}};
+    if (!shadows.empty()) notes["input"]["shadows"] = shadows;
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     must(jalon_report_write_comparison(forward.comparison.get(), reverse.comparison.get(), changes.get(), text.c_str(),
                                        folder.path("report.html").c_str(), options.get(), console.task()));
@@ -115,97 +131,114 @@ struct Compare {
                                        console.task()));
   }
 
-  static void say_summary(const Console& console, const char* name, const Table& summary) {
-    char line[200];
-    std::snprintf(line, sizeof line, "%s: %s points, %s compared, mean %s mm, rms %s mm, sigma %s mm, maximum %s m",
-                  name, grouped(summary.count("points", 0)).c_str(), grouped(summary.count("compared", 0)).c_str(),
-                  fixed(1000 * summary.number("mean", 0), 2).c_str(),
-                  fixed(1000 * summary.number("rms", 0), 2).c_str(),
-                  fixed(1000 * summary.number("sigma", 0), 2).c_str(), fixed(summary.number("maximum", 0), 3).c_str());
-    console.say(line);
+  // How the two sides are compared.
+  struct Plan {
+    bool both = false;       ///< each with the other
+    bool diagnosed = false;  ///< two scans both ways: changes have classes
+    bool by_models = false;  ///< two models by points on them
+    std::string shadows;     ///< what became of the parts that a scan could not see
+  };
+
+  Plan plan() const {
+    Plan out;
+    const bool from_model = is_model_file(reference.path), to_model = is_model_file(compared.path);
+    out.by_models = from_model && to_model;
+    out.diagnosed = !is_one_way && method == "distance" && !from_model && !to_model;
+    out.both = out.diagnosed || (out.by_models && !is_one_way);
+    return out;
   }
 
-  static void list_changes(const Console& console, const Table& changes) {
-    console.say("change  class                       confidence   area before, after m2   displacement m");
-    for (uint64_t i = 0; i < changes.rows(); ++i) {
-      const double dx = changes.number("displacement", i, 0), dy = changes.number("displacement", i, 1),
-                   dz = changes.number("displacement", i, 2);
-      const bool is_moved = dx == dx;
-      char line[200];
-      std::snprintf(line, sizeof line, "%6u  %-26s %11s %12s %10s   %s", static_cast<unsigned>(i + 1),
-                    kClasses[changes.count("class", i)], fixed(changes.number("confidence", i), 2).c_str(),
-                    fixed(changes.number("area_before", i), 3).c_str(),
-                    fixed(changes.number("area_after", i), 3).c_str(),
-                    is_moved ? (fixed(dx, 3) + " " + fixed(dy, 3) + " " + fixed(dz, 3)).c_str() : "");
-      console.say(line);
-    }
+  // Fields, outlines and tables of what was found.
+  void write_changes(const Console& console, OutputFolder& folder, const Direction& forward, const Direction& reverse,
+                     const Fields& found, const Plan& plan) const {
+    write_cloud(console, folder, forward, "compared");
+    if (plan.both) write_cloud(console, folder, reverse, "reference");
+    Model outlines;
+    must(jalon_comparison_outlines(forward.comparison.get(), forward.points.get(), reverse.comparison.get(),
+                                   reverse.points.get(), plan.diagnosed ? found.get() : nullptr, nullptr,
+                                   console.task(), Out(outlines)));
+    for (const char* name : {"regions.geojson", "regions.dxf"})
+      must(jalon_model_write(outlines.get(), folder.path(name).c_str(), nullptr, console.task()));
   }
 
-  static void list_regions(const Console& console, const Table& regions) {
-    console.say("region     points    area m2    mean mm   extreme mm   centroid m");
-    for (uint64_t i = 0; i < regions.rows(); ++i) {
-      char line[200];
-      std::snprintf(line, sizeof line, "%6u %10s %10s %10s %12s   %s %s %s", static_cast<unsigned>(i + 1),
-                    grouped(regions.count("points", i)).c_str(), fixed(regions.number("area", i), 3).c_str(),
-                    fixed(1000 * regions.number("mean", i), 1).c_str(),
-                    fixed(1000 * regions.number("extreme", i), 1).c_str(),
-                    fixed(regions.number("centroid", i, 0), 2).c_str(),
-                    fixed(regions.number("centroid", i, 1), 2).c_str(),
-                    fixed(regions.number("centroid", i, 2), 2).c_str());
-      console.say(line);
-    }
-  }
-
-  void run() const {
-    Console console(common);
-    Params params;
-    const Comparer worker = comparer(params);  // wrong parameters are told before a long read
-    const bool both = !is_one_way && method == "distance" && !is_model();
-    const Params options = change_options(both ? "diagnosis" : "regions");
-    console.step("reading");
-    const Cloud after = compared.read(console);
-    const Cloud before = is_model() ? Cloud() : reference.read(console);
-    Json times{{"read", console.seconds()}};
-    console.step("comparing");
-    Direction forward = is_model() ? run_model(console, worker, after) : run_one(console, worker, before, after);
-    Direction reverse;
-    if (both) reverse = run_one(console, worker, after, before);
-    times["compare"] = console.seconds();
-    console.step("changes");
+  Fields find_changes(const Console& console, const Plan& plan, const Params& options, Direction& forward,
+                      Direction& reverse) const {
     Fields found;
-    if (both)
+    if (plan.diagnosed) {
       must(jalon_comparison_diagnose(forward.comparison.get(), reverse.comparison.get(), options.get(), console.task(),
                                      Out(forward.points), Out(reverse.points), Out(found)));
-    else
-      must(jalon_comparison_regions(forward.comparison.get(), options.get(), console.task(), Out(forward.points),
-                                    Out(found)));
-    times["changes"] = console.seconds();
-    const Fields table(jalon_fields_retain(found.get()));
-    const Table changes(std::move(found));
-    console.step("writing");
-    OutputFolder folder(output);
-    write_cloud(console, folder, forward, "compared");
-    if (both) write_cloud(console, folder, reverse, "reference");
-    const char* list = both ? "changes" : "regions";
-    write_text_file(folder.path(std::string(list) + ".csv"), changes.csv());
+      return found;
+    }
+    must(jalon_comparison_regions(forward.comparison.get(), options.get(), console.task(), Out(forward.points),
+                                  Out(found)));
+    if (plan.both)
+      must(jalon_comparison_regions(reverse.comparison.get(), options.get(), console.task(), Out(reverse.points),
+                                    nullptr));
+    return found;
+  }
+
+  Json result_of(const Plan& plan, const Params& params, const Params& options, const Json& times,
+                 const Direction& forward, const Direction& reverse) const {
     const char *parameters = nullptr, *change_parameters = nullptr;
     must(jalon_params_to_json(params.get(), &parameters));
     must(jalon_params_to_json(options.get(), &change_parameters));
     Json result{{"reference", reference.path}, {"compared", compared.path}, {"output", output}, {"method", method},
                 {"parameters", Json::parse(parameters)}, {"change_parameters", Json::parse(change_parameters)},
                 {"times", times}, {"summary", forward.summary->object(0)}};
-    if (both) result["reverse_summary"] = reverse.summary->object(0);
+    if (plan.both) result["reverse_summary"] = reverse.summary->object(0);
+    if (plan.by_models && plan.both) {
+      const double there = forward.summary->number("maximum_absolute", 0);
+      const double back = reverse.summary->number("maximum_absolute", 0);
+      result["hausdorff"] = {{"forward", there}, {"reverse", back}, {"symmetric", std::max(there, back)}};
+    }
+    return result;
+  }
+
+  void say(const Console& console, const Plan& plan, const Direction& forward, const Direction& reverse,
+           const Table& changes, const Json& result) const {
+    say_summary(console, plan.both ? "compared with the reference" : "compared", *forward.summary);
+    if (plan.both) say_summary(console, "reference with the compared", *reverse.summary);
+    if (result.contains("hausdorff"))
+      console.say("Hausdorff distance: " + fixed(result["hausdorff"]["symmetric"].get<double>(), 4) + " m");
+    if (!plan.shadows.empty()) console.say("shadows: " + plan.shadows);
+    plan.diagnosed ? list_changes(console, changes) : list_regions(console, changes);
+    console.say("wrote " + output + ": report.html, comparison.json, histogram.svg, distances.svg, " +
+                (plan.diagnosed ? "changes" : "regions") +
+                ".csv, regions.geojson, regions.dxf, compared.las, compared.ply" +
+                (plan.both ? ", reference.las, reference.ply" : ""));
+    console.result(result);
+  }
+
+  void run() const {
+    Console console(common);
+    Params params;
+    const Comparer worker = comparer(params);  // wrong parameters are told before a long read
+    Plan plan = this->plan();
+    const Params options = change_options(plan.diagnosed ? "diagnosis" : "regions");
+    console.step("reading");
+    const Epoch after = read(console, compared, true), before = read(console, reference, plan.both);
+    if (method == "distance" && before.model == nullptr && after.model == nullptr)
+      plan.shadows = use_stations(before.cloud, after.cloud, plan.both, settings, params);
+    Json times{{"read", console.seconds()}};
+    console.step("comparing");
+    Direction forward = run_to(console, worker, before, after), reverse;
+    if (plan.both) reverse = run_to(console, worker, after, before);
+    times["compare"] = console.seconds();
+    console.step("changes");
+    Fields found = find_changes(console, plan, options, forward, reverse);
+    times["changes"] = console.seconds();
+    console.step("writing");
+    OutputFolder folder(output);
+    write_changes(console, folder, forward, reverse, found, plan);
+    write_report(console, folder, forward, reverse, found, options, times, plan.shadows);
+    const Table changes(std::move(found));
+    const std::string list = plan.diagnosed ? "changes" : "regions";
+    write_text_file(folder.path(list + ".csv"), changes.csv());
+    Json result = result_of(plan, params, options, times, forward, reverse);
     result[list] = changes.list();
     write_text_file(folder.path("comparison.json"), result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
-    write_report(console, folder, forward, reverse, table, options, times);
     folder.commit();
-    say_summary(console, both ? "compared with the reference" : "compared", *forward.summary);
-    if (both) say_summary(console, "reference with the compared", *reverse.summary);
-    both ? list_changes(console, changes) : list_regions(console, changes);
-    console.say("wrote " + output + ": report.html, comparison.json, histogram.svg, distances.svg, " +
-                list + ".csv, compared.las, compared.ply" +
-                (both ? ", reference.las, reference.ply" : ""));
-    console.result(result);
+    say(console, plan, forward, reverse, changes, result);
   }
 };
 
@@ -218,19 +251,22 @@ std::string tables() {
     must(jalon_comparer_params(comparer.get(), Out(params)));
     text += std::string("Parameters of --set with --method ") + method + ":\n" + describe(params.get()) + "\n";
   }
-  return text + "Parameters of --change-set:\n" + describe(make_params("diagnosis").get()) + "\n";
+  return text + "Parameters of --change-set:\n" + describe(make_params("diagnosis").get()) +
+         "\nParameters of --sample-set, for a model on the compared side or two models:\n" +
+         describe(make_params("model_sample").get()) + "\n";
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  auto* command = app.add_subcommand("compare", "Two scans, or a scan and a model: distances, what changed, and how");
+  auto* command = app.add_subcommand("compare", "Two scans, a model and a scan, or two models: distances and changes");
   auto state = std::make_shared<Compare>();
   command->add_option("reference", state->reference.path,
-                      "The scan (before) or the model (.obj, .stl, .city.json) that distances are taken from")
+                      "The scan (before) or the model (.obj, .stl, .json) that distances are taken from")
       ->required()
       ->type_name("REFERENCE");
-  command->add_option("compared", state->compared.path, "The scan whose points get them (after)")
+  command->add_option("compared", state->compared.path,
+                      "The scan whose points get them (after), or a model, which gives points on its surfaces")
       ->required()
       ->type_name("COMPARED");
   command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
@@ -244,7 +280,7 @@ void add_compare(CLI::App& app) {
   command->add_option("--threshold", state->threshold_m, "Distance (m) above which a point has changed")
       ->check(CLI::PositiveNumber);
   command->add_flag("--one-way", state->is_one_way,
-                    "Only the compared scan with the reference: regions instead of classes of changes");
+                    "Only the compared side with the reference: regions instead of classes of changes");
   for (const bool is_reference : {true, false}) {
     Input& input = is_reference ? state->reference : state->compared;
     const std::string prefix = is_reference ? "--reference-" : "--compared-";
@@ -259,12 +295,19 @@ void add_compare(CLI::App& app) {
       "Drop points whose coordinates are not finite");
   state->settings.add_to(*command);
   state->change_settings.add_to(*command, "change-");
+  state->sample_settings.add_to(*command, "sample-");
   add_common(*command, state->common);
   command->footer([] {
-    return tables() +
+    return "Where the scans tell where their scanners stood, or --reference-station and --compared-station do, method\n"
+           "distance leaves out what these could not see, takes distances from planes through the reference's points\n"
+           "and widens the threshold where these lie far apart: visibility=stations, local_model=plane and\n"
+           "reference_spacing=true, unless --set or --params say otherwise. Without stations shadows may show as\n"
+           "changes.\n\n" +
+           tables() +
            "Examples:\n  jalon compare march.las april.las -o changes\n"
            "  jalon compare march.las april.las -o changes --one-way --threshold 0.02 --set max_distance_m=1\n"
            "  jalon compare model.city.json scan.las -o as_built --set tolerance_m=0.01\n"
+           "  jalon compare planned.obj built.obj -o models --sample-set spacing_m=0.02\n"
            "  jalon compare march.las april.las -o creep --method m3c2 --set core_spacing_m=0.5";
   });
   command->callback([state] { state->run(); });

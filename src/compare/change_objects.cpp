@@ -191,6 +191,12 @@ double changed_area(const Epoch& epoch, const std::vector<uint32_t>& labels) {
   return sum;
 }
 
+double changed_volume(const Epoch& epoch, const std::vector<uint32_t>& labels) {
+  double sum = 0;
+  for (const uint32_t label : labels) sum += epoch.regions.regions[label - 1].volume_m3;
+  return sum;
+}
+
 std::vector<ChangedObject> whole_objects(const Epoch& before, const Epoch& after, double tolerance_m, Task& task) {
   Grower grower(before, after, tolerance_m, task);
   std::vector<uint8_t> done_before(before.regions.regions.size(), 0), done_after(after.regions.regions.size(), 0);

@@ -27,6 +27,8 @@ struct Epoch {
 
 /// Area of the surface of these regions (labels).
 double changed_area(const Epoch& epoch, const std::vector<uint32_t>& labels);
+/// Between that surface and the other epoch.
+double changed_volume(const Epoch& epoch, const std::vector<uint32_t>& labels);
 
 /// An object of which something changed, whole: its changed points and the unchanged ones that hang together with them,
 /// without what it stands on.

@@ -210,8 +210,8 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse, const P
   out.before.comparison = &reverse;
   {
     Span span(task, 0, 0.3, "regions");
-    out.after.regions = change_regions(forward, options, task);
-    out.before.regions = change_regions(reverse, options, task);
+    out.after.regions = change_regions(forward, options, task, reverse.cloud.get());
+    out.before.regions = change_regions(reverse, options, task, forward.cloud.get());
     out.after.origin = out.before.origin = local_origin(*forward.cloud, task);
   }
   const double cell_m = std::max({out.before.regions.cell_m, out.after.regions.cell_m, 1e-6});

@@ -91,6 +91,10 @@ FieldTable changes_table(const Diagnosis& diagnosis) {
                      [&](const Row& r) { return changed_area(before, r.change->object.regions_before); });
   add_column<double>(table, rows, "area_after", "m2", "of its changed surface",
                      [&](const Row& r) { return changed_area(after, r.change->object.regions_after); });
+  add_column<double>(table, rows, "volume_before", "m3", "between its changed surface and the other epoch",
+                     [&](const Row& r) { return changed_volume(before, r.change->object.regions_before); });
+  add_column<double>(table, rows, "volume_after", "m3", "between its changed surface and the other epoch",
+                     [&](const Row& r) { return changed_volume(after, r.change->object.regions_after); });
   add_vectors(table, rows, "centroid_before", "m", "mean of its points",
               [&](const Row& r) { return centroid(before, r.change->object.before); });
   add_vectors(table, rows, "centroid_after", "m", "mean of its points",

@@ -34,7 +34,21 @@ struct ModelSetting {
   bool is_signed, differences;
 };
 
+// What is asked for and only clouds can give is refused, not passed over.
+void require_for_models(const ParamSet& params) {
+  const auto refuse = [](const char* name, const char* instead) {
+    fail(Status::kUnsupported, "parameter \"%s\" is for a reference cloud; with a model %s", name, instead);
+  };
+  if (params.text("visibility") != "none")
+    refuse("visibility", "leave it at none: nothing tells from where the model was seen");
+  if (params.text("local_model") != "none") refuse("local_model", "leave it at none: its faces are the surface");
+  if (params.flag("sampling_error")) refuse("sampling_error", "leave it off: surfaces have no sampling");
+  if (params.flag("hausdorff"))
+    refuse("hausdorff", "take points on it (jalon_model_sample) and compare these with the cloud for the way back");
+}
+
 ModelSetting setting_of(const ParamSet& params) {
+  require_for_models(params);
   const double limit_m = params.number("max_distance_m");
   return {limit_m > 0 ? limit_m : std::numeric_limits<double>::infinity(), params.number("tolerance_m"),
           params.number("chord_error_m"), params.flag("signed"), params.flag("differences")};

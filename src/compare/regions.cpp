@@ -12,6 +12,8 @@
 #include "cloud/select.h"
 #include "cloud/statistics.h"
 #include "compare/changed_points.h"
+#include "compare/measured_steps.h"
+#include "compare/point_discs.h"
 #include "spatial/components.h"
 
 namespace jalon {
@@ -34,25 +36,6 @@ constexpr ParamRow kRows[] = {
     integer_row("min_points", 10, 1, 1e15, "points", "", "Regions of fewer points are dropped"),
 };
 
-// Neighbours whose distance tells the density: with 8, scan lines four times as far apart as their points give half as
-// much again; with 16 they give the area within 4 %.
-constexpr uint32_t kDensityNeighbours = 16;
-// Neighbours all on one side mark a border, where half the disc is empty: their centroid lies 4 / (3 pi) radii away.
-// Below a quarter of the radius it is chance.
-constexpr double kBorderOffset = 4 / (3 * std::numbers::pi);
-constexpr double kChanceOffset = 0.25;
-// Cells of two to four times the radius of a point's disc connect what one surface holds (A19); where a scanner looked
-// along a surface its points are farther apart in one direction, so the upper end and the sparser points count.
-constexpr double kCellFactor = 4;
-constexpr double kCellQuantile = 0.9;
-
-double quantile(std::vector<float> values, double q) {
-  if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return static_cast<double>(*at);
-}
-
 Connectivity3 connectivity_of(const std::string& text) {
   return text == "6" ? Connectivity3::k6 : text == "18" ? Connectivity3::k18 : Connectivity3::k26;
 }
@@ -68,7 +51,7 @@ std::vector<uint32_t> connect(const Cloud& part, const ParamSet& options, Region
 }
 
 // Step 3: sums over the points of one region, relative to an origin beside it.
-void measure(Region& region, const Comparison& comparison, const std::vector<float>& radii,
+void measure(Region& region, const Comparison& comparison, const std::vector<PointDisc>& discs,
              const std::vector<uint32_t>& row_in_part) {
   const auto distance = comparison.points.require("distance").values<double>();
   Moments moments;
@@ -79,8 +62,7 @@ void measure(Region& region, const Comparison& comparison, const std::vector<flo
     const Vec3 p = comparison.cloud->point(i);
     moments.add(p);
     region.box.add(p);
-    const double r = static_cast<double>(radii[row_in_part[i]]);
-    region.area_m2 += std::numbers::pi * r * r;
+    region.area_m2 += discs[row_in_part[i]].area_m2();
     const double d = distance[i];
     if (!std::isfinite(d)) continue;
     sum += d;
@@ -94,48 +76,31 @@ void measure(Region& region, const Comparison& comparison, const std::vector<flo
   region.rms_m = n > 0 ? std::sqrt(squares / static_cast<double>(n)) : std::nan("");
 }
 
+// Step 4: what lies between the region and the other epoch, a prism a point: its disc, seen along its distance.
+void measure_volume(Region& region, const MeasuredSteps& steps, const std::vector<PointDisc>& discs,
+                    const std::vector<uint32_t>& row_in_part) {
+  for (const uint32_t i : region.indices) {
+    const PointDisc& disc = discs[row_in_part[i]];
+    const Vec3 step = steps.of(i, region.axes.vectors[0]);
+    if (std::isfinite(step.x)) region.volume_m3 += disc.area_m2() * std::abs(dot(disc.normal(), step));
+  }
+}
+
 }  // namespace
 
 std::span<const ParamRow> regions_rows() { return kRows; }
 
-// Radius of the disc of a point from its k nearest others, nearest first.
-static double disc_radius(const Cloud& cloud, const Vec3& p, std::span<const Neighbour> others) {
-  const double farthest = others.back().squared_distance;
-  Vec3 offset;
-  for (const Neighbour& other : others) offset += cloud.point(other.index) - p;
-  const auto k = static_cast<double>(others.size());
-  const double share = farthest > 0 ? norm(offset) / (k * std::sqrt(farthest)) : 0;
-  const double beside = std::clamp((share - kChanceOffset) / (kBorderOffset - kChanceOffset), 0.0, 1.0);
-  return std::sqrt(farthest / k * (1 - 0.5 * beside));  // pi d^2 / k = 1 / density in the mean, on a plane
-}
-
-std::vector<float> point_radii(const Cloud& cloud, std::span<const uint64_t> rows, Task& task) {
-  std::vector<float> radii(rows.size(), 0);
-  if (cloud.size() < 2) return radii;
-  const auto tree = cloud.octree(task);
-  const uint32_t k = static_cast<uint32_t>(std::min<size_t>(kDensityNeighbours, cloud.size() - 1));
-  parallel_for(task, rows.size(), 1 << 10, [&](size_t begin, size_t end) {
-    std::array<Neighbour, kDensityNeighbours + 1> found;
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 p = cloud.point(rows[i]);
-      tree->knn(p, k + 1, found);
-      radii[i] = static_cast<float>(disc_radius(cloud, p, {found.data() + 1, k}));
-    }
-  });
-  return radii;
-}
-
-Regions change_regions(const Comparison& comparison, const ParamSet& options, Task& task) {
+Regions change_regions(const Comparison& comparison, const ParamSet& options, Task& task, const Cloud* reference) {
   Regions out;
   out.changed = changed_points(comparison, options, task);
   out.labels.assign(comparison.cloud->size(), 0);
   const std::vector<uint64_t> rows = indices_of(out.changed, 1, task);
   if (rows.empty()) return out;
   const Cloud part = select_unchecked(*comparison.cloud, rows, task);
-  const std::vector<float> radii = point_radii(*comparison.cloud, rows, task);
-  out.spacing_m = quantile(radii, 0.5);
+  const std::vector<PointDisc> discs = point_discs(*comparison.cloud, rows, task);
+  out.spacing_m = radius_quantile(discs, 0.5);
   out.cell_m = options.number("cell_m");
-  if (!(out.cell_m > 0)) out.cell_m = std::max(kCellFactor * quantile(radii, kCellQuantile), 1e-6);
+  if (!(out.cell_m > 0)) out.cell_m = joining_distance(discs);
   const std::vector<uint32_t> labels = connect(part, options, out, task);
   std::vector<uint32_t> row_in_part(comparison.cloud->size(), 0);
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -143,10 +108,12 @@ Regions change_regions(const Comparison& comparison, const ParamSet& options, Ta
     out.labels[rows[i]] = labels[i];
     if (labels[i] > 0) out.regions[labels[i] - 1].indices.push_back(static_cast<uint32_t>(rows[i]));
   }
+  const MeasuredSteps steps(comparison, reference);
   parallel_for(task, out.regions.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       out.regions[i].label = static_cast<uint32_t>(i + 1);
-      measure(out.regions[i], comparison, radii, row_in_part);
+      measure(out.regions[i], comparison, discs, row_in_part);
+      measure_volume(out.regions[i], steps, discs, row_in_part);
     }
   });
   return out;
@@ -166,6 +133,8 @@ FieldTable regions_table(const Regions& found) {
   add_column<uint32_t>(table, rows, "region", "", "label", [](const Region& r) { return r.label; });
   add_column<uint64_t>(table, rows, "points", "", "", [](const Region& r) { return r.indices.size(); });
   add_column<double>(table, rows, "area", "m2", "of the sampled surface", [](const Region& r) { return r.area_m2; });
+  add_column<double>(table, rows, "volume", "m3", "between it and the other epoch",
+                     [](const Region& r) { return r.volume_m3; });
   add_column<double>(table, rows, "mean", "m", "mean distance", [](const Region& r) { return r.mean_m; });
   add_column<double>(table, rows, "rms", "m", "root mean square distance", [](const Region& r) { return r.rms_m; });
   add_column<double>(table, rows, "extreme", "m", "largest distance, with its sign",

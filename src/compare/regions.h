@@ -16,6 +16,7 @@ struct Region {
   uint32_t label = 0;              ///< 1 = most points
   std::vector<uint32_t> indices;   ///< its points, ascending
   double area_m2 = 0;              ///< of the surface that the points sample
+  double volume_m3 = 0;            ///< between that surface and the other epoch
   double mean_m = 0, rms_m = 0;    ///< distances
   double extreme_m = 0;            ///< the distance of largest size, with its sign
   Box3 box;
@@ -33,16 +34,14 @@ struct Regions {
 
 /// Parameter table of operation "regions".
 std::span<const ParamRow> regions_rows();
-/// 1. Which points are changed; 2. their connected components on a grid (A19); 3. what each measures.
-Regions change_regions(const Comparison& comparison, const ParamSet& options, Task& task);
+/// 1. Which points are changed; 2. their connected components on a grid (A19); 3. what each measures; 4. its volume.
+/// reference: the cloud that the comparison was made with, where it is at hand: it tells where distances lead to.
+Regions change_regions(const Comparison& comparison, const ParamSet& options, Task& task,
+                       const Cloud* reference = nullptr);
 
 /// Columns "changed" (uint8) and "region" (uint32) of the comparison's points.
 FieldTable region_points_table(const Regions& regions);
 /// One row a region.
 FieldTable regions_table(const Regions& regions);
-
-/// Radius of the disc that each of these points stands for, sqrt(A / (N pi)) (eq. 2.6), from the distance to its k-th
-/// neighbour in the whole cloud: among the points of a region alone it would be too large at the region's border.
-std::vector<float> point_radii(const Cloud& cloud, std::span<const uint64_t> rows, Task& task);
 
 }  // namespace jalon

@@ -24,12 +24,15 @@ constexpr ClassColour kColours[] = {
     {part_class::kSill, 30},     {part_class::kCornice, 6},       {part_class::kStringCourse, 200},
     {part_class::kBaseCourse, 34}, {part_class::kPost, 2},        {part_class::kGround, 3},
     {part_class::kRoof, 12},     {part_class::kElement, 40},      {part_class::kNoData, 8},
+    {part_class::kRegion, 1},    {part_class::kAppearance, 3},    {part_class::kDisappearance, 1},
+    {part_class::kDisplacement, 5}, {part_class::kDeformation, 6},
 };
 constexpr int kOtherColour = 7;
 
+// Of the class, and of "displacement_before" as of "displacement".
 int colour_of(const std::string& part_class) {
   for (const ClassColour& row : kColours)
-    if (part_class == row.part_class) return row.colour;
+    if (part_class == row.part_class || part_class.starts_with(row.part_class + std::string("_"))) return row.colour;
   return kOtherColour;
 }
 
@@ -64,6 +67,21 @@ Vec3 direction_of_view(const Model& model) {
     }
   }
   return largest > 0 ? normalized(sum) : Vec3{0, 0, 1};
+}
+
+// The number of a change region, which tables list it by, in the middle of its outline.
+void add_number(Drawing& drawing, const Model& model, const Face& face, const Vec3& normal) {
+  constexpr double kShare = 0.25;  // of the side of a square as large as the region
+  const uint64_t parent = face.part < model.parts.size() ? model.parts[face.part].parent : kNoParent;
+  if (parent >= model.parts.size() || model.parts[parent].part_class != part_class::kChanges) return;
+  if (!(face.area_m2 > 0) || face.ring_count == 0 || squared_norm(normal) == 0) return;
+  const Ring& ring = model.rings[face.first_ring];
+  const Vec3 first = model.vertices[model.corners[ring.first]];
+  Vec3 sum;
+  for (uint64_t c = 0; c < ring.count; ++c) sum += model.vertices[model.corners[ring.first + c]] - first;
+  const Vec3 middle = first + sum / static_cast<double>(ring.count);
+  drawing.labels.push_back({middle, normal, kShare * std::sqrt(face.area_m2), std::to_string(face.id),
+                            drawing.layers.of_part(model, face.part)});
 }
 
 void add_triangles(Drawing& drawing, const Model& model) {
@@ -119,6 +137,7 @@ Drawing draw_world(const Model& model, Task& task) {
     const Vec3 normal = normal_of(model, face);
     for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
       add_ring(drawing, model, face, r, normal);
+    add_number(drawing, model, face, normal);
   }
   for (const Polyline& line : drawing.polylines)
     for (const Vec3& p : line.corners) drawing.box.add(p);

@@ -44,10 +44,19 @@ struct Polyline {
   uint32_t face_id = 0;
 };
 
+/// A number on a face, as high as it can be read with the face in view.
+struct Label {
+  Vec3 at, normal;  ///< its middle
+  double height_m = 0;
+  std::string text;
+  uint32_t layer = 0;
+};
+
 /// What goes into the file.
 struct Drawing {
   Layers layers;
   std::vector<Polyline> polylines;
+  std::vector<Label> labels;
   std::vector<std::array<uint32_t, 3>> triangles;  ///< of the model's vertices
   std::vector<uint32_t> triangle_layers;
   Box3 box;

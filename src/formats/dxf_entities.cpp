@@ -110,6 +110,14 @@ void add_polyline(Text& text, const Polyline& line, const Layer& layer, const Mo
   add_data(text, line, model);
 }
 
+void add_label(Text& text, const Label& label, const Layer& layer, uint64_t& next_handle) {
+  constexpr int kCentred = 1, kMiddle = 2;
+  const Vec3 at = object_axes(label.normal).project(label.at);
+  begin_entity(text, "TEXT", layer, next_handle++);
+  text.subclass("AcDbText").point(10, at).group(40, label.height_m).group(1, label.text).group(72, kCentred);
+  text.point(11, at).point(210, label.normal).subclass("AcDbText").group(73, kMiddle);
+}
+
 void add_triangle(Text& text, const std::array<Vec3, 3>& corners, const Layer& layer, uint64_t& next_handle) {
   begin_entity(text, "3DFACE", layer, next_handle++);
   text.subclass("AcDbFace");

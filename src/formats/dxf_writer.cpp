@@ -19,7 +19,7 @@ uint64_t handles_before_entities(const Drawing& drawing) { return kFirstFree + d
 /// The first handle behind those of the entities, or one beyond: a polyline takes one for itself, each vertex and its
 /// end.
 uint64_t handles_end(const Drawing& drawing) {
-  uint64_t end = handles_before_entities(drawing) + drawing.triangles.size();
+  uint64_t end = handles_before_entities(drawing) + drawing.labels.size() + drawing.triangles.size();
   for (const Polyline& line : drawing.polylines) end += line.corners.size() + 2;
   return end;
 }
@@ -41,6 +41,7 @@ void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model
     }
     if (text.size() >= kPieceBytes) file.write(text.take());
   }
+  for (const Label& label : drawing.labels) add_label(text, label, layers[label.layer], next_handle);
   text.group(0, "ENDSEC");
   file.write(text.take());
 }

@@ -24,4 +24,12 @@ inline constexpr char kRoof[] = "roof";
 inline constexpr char kElement[] = "element";  ///< any other plane
 inline constexpr char kNoData[] = "no_data";   ///< a shadow: part of the wall that no station saw; no hole of its face
 
+// Of the outlines of change regions; "_before" or "_after" behind those of what is there in both epochs.
+inline constexpr char kChanges[] = "changes";  ///< all of them
+inline constexpr char kRegion[] = "region";    ///< of no class
+inline constexpr char kAppearance[] = "appearance";
+inline constexpr char kDisappearance[] = "disappearance";
+inline constexpr char kDisplacement[] = "displacement";
+inline constexpr char kDeformation[] = "deformation";
+
 }  // namespace jalon::part_class

@@ -115,16 +115,19 @@ void add_changes(Page& page, const FieldTable& changes) {
   auto& html = page.html();
   if (has_classes)
     page.open_table({"No", "class", "confidence", "area before (m\xC2\xB2)", "area after (m\xC2\xB2)",
-                     "centroid before (m)", "centroid after (m)", "displacement (m)", "its \xCF\x83 (mm)"});
+                     "volume before (m\xC2\xB3)", "volume after (m\xC2\xB3)", "centroid before (m)",
+                     "centroid after (m)", "displacement (m)", "its \xCF\x83 (mm)"});
   else
-    page.open_table({"No", "points", "area (m\xC2\xB2)", "mean (mm)", "largest (mm)", "centroid (m)"});
+    page.open_table({"No", "points", "area (m\xC2\xB2)", "volume (m\xC2\xB3)", "mean (mm)", "largest (mm)",
+                     "centroid (m)"});
   for (size_t i = 0; i < std::min(rows, kMostRows); ++i) {
     html.open("tr");
     page.number(std::to_string(i + 1));
     if (has_classes) {
       html.element("td", {}, kClasses[std::min<size_t>(6, static_cast<size_t>(changes.require("class").number(i)))]);
       page.number(text_of(changes.require("confidence").number(i), 2));
-      for (const char* name : {"area_before", "area_after"}) page.number(metres(changes.require(name).number(i)));
+      for (const char* name : {"area_before", "area_after", "volume_before", "volume_after"})
+        page.number(metres(changes.require(name).number(i)));
       for (const char* name : {"centroid_before", "centroid_after", "displacement"})
         page.number(vector_text(changes.require(name), i, 3));
       const Column& covariance = changes.require("covariance");
@@ -133,7 +136,7 @@ void add_changes(Page& page, const FieldTable& changes) {
       page.number(sigma);
     } else {
       page.number(grouped(static_cast<uint64_t>(changes.require("points").number(i))));
-      page.number(metres(changes.require("area").number(i)));
+      for (const char* name : {"area", "volume"}) page.number(metres(changes.require(name).number(i)));
       page.number(mm(changes.require("mean").number(i)));
       page.number(mm(changes.require("extreme").number(i)));
       page.number(vector_text(changes.require("centroid"), i, 2));

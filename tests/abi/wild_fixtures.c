@@ -14,6 +14,7 @@ jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_co
 jalon_cloud* fx_clouds[3];
 jalon_cloud_builder *fx_builder, *fx_builder_ready;
 jalon_fields* fx_fields;
+jalon_fields* fx_changed;
 jalon_model *fx_model, *fx_mesh, *fx_bare, *fx_block;
 jalon_segmenter* fx_segmenter;
 jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;
@@ -207,6 +208,7 @@ static void make_workers(void) {
   MUST(jalon_comparer_run(fx_comparer, fx_cloud, fx_cloud, NULL, &fx_comparison));
   MUST(jalon_registrar_create("targets", &fx_registrar));
   MUST(jalon_registrar_run_targets(fx_registrar, fx_targets, 8, fx_targets, 8, NULL, &fx_registration));
+  MUST(jalon_comparison_regions(fx_comparison, NULL, NULL, &fx_changed, NULL));
   MUST(jalon_noise_law_from_json("{\"law\":\"weibull\",\"shape\":2,\"scale\":3}", &fx_law));
   MUST(jalon_modeller_create(NULL, &fx_modeller));
   MUST(jalon_modeller_run(fx_modeller, fx_cloud, fx_segmentation, NULL, &fx_model));
@@ -222,8 +224,13 @@ static void make_workers(void) {
 }
 
 static void make_files(void) {
-  snprintf(folder, sizeof folder, "%s/jalon_wild_XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
-  if (mkdtemp(folder) == NULL) must(-1, "no temporary folder");
+  char made[200];
+  snprintf(made, sizeof made, "%s/jalon_wild_XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
+  char* whole = mkdtemp(made) != NULL ? realpath(made, NULL) : NULL;
+  // Wild file names are relative ones: what they make shall go with the folder.
+  if (whole == NULL || strlen(whole) >= sizeof folder || chdir(whole) != 0) must(-1, "no temporary folder");
+  strcpy(folder, whole);
+  free(whole);
   MUST(jalon_cloud_write(fx_cloud, fx_path("scan.las"), NULL, NULL));
   MUST(jalon_model_write(fx_mesh, fx_path("model.obj"), NULL, NULL));
   FILE* m3c2 = fopen(fx_path("m3c2.txt"), "wb");
@@ -251,7 +258,7 @@ void fx_end(void) {
     for (struct dirent* entry; (entry = readdir(d)) != NULL;)
       if (entry->d_name[0] != '.') remove(fx_path(entry->d_name));
     closedir(d);
-    rmdir(folder);
+    if (chdir("/") != 0 || rmdir(folder) != 0) fprintf(stderr, "%s is left behind\n", folder);
   }
   for (int i = 0; i < made_options; ++i) jalon_params_release(options[i].params);
   jalon_cloud* clouds[] = {fx_cloud, fx_small, fx_empty, fx_one, fx_two, fx_equal, fx_collinear, fx_far, fx_nan_field,
@@ -260,6 +267,7 @@ void fx_end(void) {
   jalon_cloud_builder_release(fx_builder);
   jalon_cloud_builder_release(fx_builder_ready);
   jalon_fields_release(fx_fields);
+  jalon_fields_release(fx_changed);
   jalon_model_release(fx_model);
   jalon_model_release(fx_mesh);
   jalon_model_release(fx_bare);

@@ -20,6 +20,7 @@ extern jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal,
 extern jalon_cloud* fx_clouds[3];
 extern jalon_cloud_builder *fx_builder, *fx_builder_ready;
 extern jalon_fields* fx_fields;
+extern jalon_fields* fx_changed;  /* points of change regions */
 extern jalon_model *fx_model, *fx_mesh, *fx_bare, *fx_block;
 extern jalon_segmenter* fx_segmenter;
 extern jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;

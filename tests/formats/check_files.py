@@ -104,6 +104,8 @@ def features(path):
 
 def ogr_dxf(model, path):
     _, shapes, columns = features(path)
+    is_line = shapely.get_type_id(shapes) != 0  # texts are points
+    shapes, columns = shapes[is_line], {name: column[is_line] for name, column in columns.items()}
     rings = [r for r in model.rings if r.drawn]
     if len(shapes) != len(rings):
         yield "%d features for %d rings" % (len(shapes), len(rings))

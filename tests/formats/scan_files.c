@@ -1,6 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* Models a scan and writes the model in every format, and its tables as model.json: scan_files SCAN METHOD FOLDER */
+/* Models a scan and writes the model in every format, and its tables as model.json: scan_files SCAN METHOD FOLDER; or
+ * outlines of what changed since an earlier scan: scan_files SCAN changes FOLDER EARLIER_SCAN */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -27,6 +28,35 @@ static jalon_model* model_of(const char* scan, const char* method) {
   jalon_segmentation_release(segmentation);
   jalon_segmenter_release(segmenter);
   jalon_cloud_release(cloud);
+  return model;
+}
+
+// Outlines of what changed between two scans.
+static jalon_model* changes_between(const char* before, const char* after) {
+  jalon_cloud *reference = NULL, *compared = NULL;
+  jalon_comparer* comparer = NULL;
+  jalon_comparison *forward = NULL, *reverse = NULL;
+  jalon_params* options = NULL;
+  jalon_fields *now = NULL, *then = NULL, *changes = NULL;
+  jalon_model* model = NULL;
+  must(jalon_cloud_read(before, NULL, NULL, &reference));
+  must(jalon_cloud_read(after, NULL, NULL, &compared));
+  must(jalon_comparer_create("distance", &comparer));
+  must(jalon_comparer_run(comparer, reference, compared, NULL, &forward));
+  must(jalon_comparer_run(comparer, compared, reference, NULL, &reverse));
+  must(jalon_params_create("diagnosis", &options));
+  must(jalon_params_set_double(options, "threshold_m", 0.2));
+  must(jalon_comparison_diagnose(forward, reverse, options, NULL, &now, &then, &changes));
+  must(jalon_comparison_outlines(forward, now, reverse, then, changes, NULL, NULL, &model));
+  jalon_fields_release(changes);
+  jalon_fields_release(then);
+  jalon_fields_release(now);
+  jalon_params_release(options);
+  jalon_comparison_release(reverse);
+  jalon_comparison_release(forward);
+  jalon_comparer_release(comparer);
+  jalon_cloud_release(compared);
+  jalon_cloud_release(reference);
   return model;
 }
 
@@ -146,8 +176,8 @@ int main(int argc, char** argv) {
       {"binary.stl", "stl_format", "binary"},
       {"ascii.stl", "stl_format", "ascii"},
       {"model.ply", NULL, NULL}};
-  if (argc != 4) return 2;
-  jalon_model* model = model_of(argv[1], argv[2]);
+  if (argc != 4 && argc != 5) return 2;
+  jalon_model* model = argc == 5 ? changes_between(argv[4], argv[1]) : model_of(argv[1], argv[2]);
   for (size_t i = 0; i < sizeof kFiles / sizeof *kFiles; ++i)
     write_one(model, argv[3], kFiles[i][0], kFiles[i][1], kFiles[i][2]);
   write_tables(model, argv[3]);

@@ -86,4 +86,10 @@ check facade scanned "$work/facade.las" facade
 check arches scanned "$work/arches.las" facade
 check solids scanned "$work/facade.las" extrusion
 check outlines scanned "$work/arches.las" outlines
+for day in 1 4; do
+  "$build/src/jalon" scan --quiet --scene earthworks --scene-set "$grid" --scene-set day=$day --method sample \
+    --set points=300000 --set seed=$day -o "$work/day$day.las" || { failed=$((failed + 1)); echo "not ok - no scan of day $day"; }
+done
+changed() { "$programs/scan_files" "$work/day4.las" changes "$1" "$work/day1.las"; }
+check changes changed
 finish

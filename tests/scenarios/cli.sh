@@ -77,9 +77,25 @@ import json, sys
 d = json.load(sys.stdin)
 assert d[\"summary\"][\"points\"] == 100000 and d[\"reverse_summary\"][\"points\"] == 100000, d[\"summary\"]
 assert len(d[\"changes\"]) > 0 and all(0 < c[\"class\"] < 7 for c in d[\"changes\"]), d[\"changes\"]'"
-for file in report.html distances.svg histogram.svg comparison.json changes.csv compared.las compared.ply reference.las reference.ply; do check "compare made $file" test -s both/$file; done
+for file in report.html distances.svg histogram.svg comparison.json changes.csv regions.geojson regions.dxf compared.las compared.ply reference.las reference.ply; do check "compare made $file" test -s both/$file; done
 check "compare one way lists regions" bash -c "'$jalon' compare street1.ply street2.ply -o one --one-way --threshold 0.3 | grep -q '^region ' && test -s one/regions.csv"
 check "compare with a model" bash -c "'$jalon' compare result/model.obj sample.las -o as_built --set tolerance_m=0.02 --quiet && test -s as_built/report.html && test -s as_built/regions.csv"
+check "compare outlines every region on a layer of its class" bash -c "python3 -c '
+import json
+features = json.load(open(\"both/regions.geojson\"))[\"features\"]
+changes = json.load(open(\"both/comparison.json\"))[\"changes\"]
+named = {f[\"properties\"][\"face\"] for f in features if f[\"properties\"][\"class\"] != \"region\"}
+assert named and named <= {c[\"change\"] for c in changes}, (named, len(changes))
+assert all(f[\"properties\"][\"class\"].upper() in open(\"both/regions.dxf\").read() for f in features)'"
+check "compare without stations says what that means" bash -c "grep -q 'may show as changes' both/report.html && grep -q '\"visibility\": \"none\"' both/comparison.json"
+check "compare with stations leaves out shadows" bash -c "'$jalon' compare street1.ply street2.ply -o seen --one-way --threshold 0.3 --reference-station 30,-5,2 --quiet && grep -q '\"visibility\": \"stations\"' seen/comparison.json && grep -q 'could not see' seen/report.html"
+check "compare lets --set win over stations" bash -c "'$jalon' compare street1.ply street2.ply -o unseen --one-way --threshold 0.3 --reference-station 30,-5,2 --set visibility=none --quiet && grep -q '\"visibility\": \"none\"' unseen/comparison.json"
+check "compare two models by points on them" bash -c "'$jalon' compare result/model.obj result/model.obj -o models --sample-set points=2000 --json | python3 -c '
+import json, sys
+h = json.load(sys.stdin)[\"hausdorff\"]
+assert h[\"symmetric\"] == max(h[\"forward\"], h[\"reverse\"]) < 1e-6, h'"
+check "compare a scan with a model's surfaces" "$jalon" compare sample.las result/model.obj -o covered --sample-set points=2000 --quiet
+refuses "compare with a model refuses what only scans have" 6 'parameter "visibility"' "$jalon" compare result/model.obj sample.las -o no --set visibility=stations
 check "compare by m3c2" bash -c "'$jalon' compare street1.ply street2.ply -o m3c2 --method m3c2 --set normal_radius_m=1 --set cylinder_radius_m=0.5 --set core_spacing_m=1 --quiet && grep -q points m3c2/comparison.json"
 refuses "compare refuses an unknown method" 3 "no comparison method" "$jalon" compare street1.ply street2.ply -o no --method nonsense
 check "scan of the arches" "$jalon" scan --scene arches -o arches.las --quiet
