@@ -137,12 +137,12 @@ TEST_CASE("regions__finds_two_lifted_squares_with_area_distance_and_box") {
   const Regions found = regions_of(comparison_of(two_squares(1)));
   REQUIRE(found.regions.size() == 2);
   MESSAGE("FIGURE areas of squares of 4 and 1 m2: " << found.regions[0].area_m2 << ", " << found.regions[1].area_m2);
-  CHECK(found.regions[0].area_m2 == doctest::Approx(4).epsilon(0.03));
-  CHECK(found.regions[1].area_m2 == doctest::Approx(1).epsilon(0.05));
+  CHECK(found.regions[0].area_m2 == doctest::Approx(4).epsilon(0.03).scale(0));
+  CHECK(found.regions[1].area_m2 == doctest::Approx(1).epsilon(0.05).scale(0));
   CHECK(found.regions[0].mean_m == doctest::Approx(0.3));
   CHECK(found.regions[1].extreme_m == doctest::Approx(-0.1));
-  CHECK(found.regions[0].box.min.x == doctest::Approx(5).epsilon(0.01));
-  CHECK(found.regions[0].box.max.y == doctest::Approx(7).epsilon(0.01));
+  CHECK(found.regions[0].box.min.x == doctest::Approx(5).epsilon(0.01).scale(0));
+  CHECK(found.regions[0].box.max.y == doctest::Approx(7).epsilon(0.01).scale(0));
   CHECK(norm(found.regions[0].centroid - Vec3{6, 6, 0.3}) < 0.02);
 }
 

@@ -55,7 +55,7 @@ TEST_CASE("openings: a model without names gives its holes, a person's size or l
   const OpeningList list = list_openings(m, kTypeTolerance_m);
   REQUIRE(list.rows.size() == 1);
   CHECK(list.rows[0].part == kNoPart);
-  CHECK(list.rows[0].width_m == doctest::Approx(1.2).epsilon(0.03));
+  CHECK(list.rows[0].width_m == doctest::Approx(1.2).epsilon(0.03).scale(0));
 }
 
 TEST_CASE("dimensions: what repeats is written once, at its mean; what overlaps less often is left out") {
@@ -68,7 +68,7 @@ TEST_CASE("dimensions: what repeats is written once, at its mean; what overlaps 
   boxes.push_back({{1.3, 4.2}, {2.9, 4.9}});  // overlaps the first column
   const Dimensions d = find_dimensions(boxes, {}, {{0, 0}, {10, 13}}, 0, 0.05);
   REQUIRE(d.columns.sides().size() == 8);
-  CHECK(d.columns.sides()[1] == doctest::Approx(1.0067).epsilon(1e-3));
+  CHECK(d.columns.sides()[1] == doctest::Approx(1.0067).epsilon(1e-3).scale(0));
   REQUIRE(d.axes.size() == 5);
   REQUIRE(d.rows.sides().size() == 10);
   CHECK(d.ground_floor.sides().empty());  // the same columns
@@ -98,15 +98,15 @@ TEST_CASE("reports: openings with their precision, parts and evidence, as a page
   const auto json = nlohmann::json::parse(report_json(segmentation, m, "", task));
   REQUIRE(json["openings"].size() == 15);
   CHECK(json["openings"][3]["copied_from"] == 4);
-  CHECK(json["openings"][0]["sigma_width_m"] == doctest::Approx(0.0028284).epsilon(1e-3));
+  CHECK(json["openings"][0]["sigma_width_m"] == doctest::Approx(0.0028284).epsilon(1e-3).scale(0));
   CHECK(json["openings"][0]["copied_from"].is_null());
   CHECK(json["opening_types"][0]["count"] == 9);
   REQUIRE(json["parts"].size() == m.parts.size());
   CHECK(json["parts"][1]["parent"] == 0);
   CHECK(json["parts"][0]["parent"].is_null());
   const double sigma = json["planes"][0]["sigma_offset_m"];
-  CHECK(sigma == doctest::Approx(segmentation.segments[0].fit.sigma /
-                                 std::sqrt(static_cast<double>(segmentation.segments[0].fit.n))).epsilon(0.01));
+  const auto& fit = segmentation.segments[0].fit;
+  CHECK(sigma == doctest::Approx(fit.sigma / std::sqrt(static_cast<double>(fit.n))).epsilon(0.01).scale(0));
 }
 
 TEST_CASE("reports: what the scanner makes of the planes, when it is told and stations are known") {

@@ -80,7 +80,7 @@ TEST_CASE("elevation: millimetres on paper follow the scale") {
           low = std::min(low, x);
           high = std::max(high, x);
         }
-    CHECK((high - low) * scale / 1000 == doctest::Approx(10).epsilon(0.01));
+    CHECK((high - low) * scale / 1000 == doctest::Approx(10).epsilon(0.01).scale(0));
   }
 }
 
@@ -156,7 +156,7 @@ TEST_CASE("report_json: the planes and residuals as numbers") {
   uint64_t sum = json["residuals"]["below"].get<uint64_t>() + json["residuals"]["above"].get<uint64_t>();
   for (const auto& n : json["residuals"]["bins"]) sum += n.get<uint64_t>();
   CHECK(sum == s.cloud->size());
-  CHECK(json["residuals"]["sigma_m"].get<double>() == doctest::Approx(0.004).epsilon(0.05));
+  CHECK(json["residuals"]["sigma_m"].get<double>() == doctest::Approx(0.004).epsilon(0.05).scale(0));
 }
 
 TEST_CASE("reports: spheres and cylinders have a table of their own") {
@@ -278,7 +278,7 @@ TEST_CASE("bin_residuals: every finite residual is counted once") {
   for (const uint64_t n : r.bins) sum += n;
   CHECK(sum == r.count);
   CHECK(r.count == values.size() - (values.size() + 2) / 3);
-  CHECK(r.sigma_m == doctest::Approx(0.002).epsilon(0.01));
+  CHECK(r.sigma_m == doctest::Approx(0.002).epsilon(0.01).scale(0));
   for (size_t i = 0; i < values.size(); ++i) values[i] = 0;
   const Residuals zero = bin_residuals(s, 0, 40, task);
   CHECK(zero.sigma_m == 0);

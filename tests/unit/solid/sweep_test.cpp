@@ -117,7 +117,7 @@ TEST_CASE("sweep_gauge__equals_brute_force_on_200_random_scenes") {
     for (const SweepPlace& place : result.places) {
       const double error = std::abs(place.clearance_m - least.at({int(place.kind), place.index}));
       worst = std::max(worst, error);
-      CHECK(norm(place.obstacle - place.gauge) == doctest::Approx(std::abs(place.clearance_m)).epsilon(1e-6));
+      CHECK(norm(place.obstacle - place.gauge) == doctest::Approx(std::abs(place.clearance_m)).epsilon(1e-6).scale(0));
       ++compared;
     }
   }
@@ -142,8 +142,8 @@ TEST_CASE("sweep_gauge__meets_a_thin_pole_between_two_far_poses") {
     const auto octree = Octree::build(xyz, enclosing_cube(box), task);
     const SweepResult result = sweep_gauge(gauge, poses, {octree.get(), xyz, nullptr}, {0, 1}, task);
     REQUIRE(result.intervals.size() == 1);
-    CHECK(result.intervals[0].clearance_m == doctest::Approx(beside - 1).epsilon(1e-6));
-    CHECK(result.intervals[0].time == doctest::Approx(0.5).epsilon(0.01));
+    CHECK(result.intervals[0].clearance_m == doctest::Approx(beside - 1).epsilon(1e-6).scale(0));
+    CHECK(result.intervals[0].time == doctest::Approx(0.5).epsilon(0.01).scale(0));
     CHECK(result.places.size() == (beside < 1 ? 151 : 0));  // up to the gauge's height of 1.5 m
   }
 }
@@ -158,13 +158,13 @@ TEST_CASE("sweep_gauge__meets_what_only_a_turn_brings_near") {
   Task task;
   const SweepResult result = sweep_gauge(gauge, poses, {nullptr, {}, &boxes}, {0, 1}, task);
   REQUIRE(result.places.size() == 1);
-  CHECK(result.places[0].time == doctest::Approx(0.5).epsilon(0.05));
+  CHECK(result.places[0].time == doctest::Approx(0.5).epsilon(0.05).scale(0));
   // Deepest where the end and the long side of the beam are equally far.
   const double truth = brute::least([](double t) {
     const double a = t * 0.02;
     return std::max(4.99 * std::cos(a) - 5, 4.99 * std::sin(a) - 0.05);
   }, 100);
-  CHECK(result.places[0].clearance_m == doctest::Approx(truth).epsilon(1e-4));
+  CHECK(result.places[0].clearance_m == doctest::Approx(truth).epsilon(1e-4).scale(0));
 }
 
 TEST_CASE("sweep_gauge__gives_the_same_bits_for_any_number_of_threads_and_far_from_the_origin") {
