@@ -23,14 +23,15 @@ inline jbyteArray bytes_of(JNIEnv* env, const std::string& text) {
 
 /** JalonException.of(status, message), thrown. */
 inline void raise_failure(JNIEnv* env, const Failure& failure) {
-  if (env->ExceptionCheck()) return;
+  jalon_binding::host_failed() = false;
+  if (env->ExceptionCheck()) return;  // what a listener threw is what the caller gets
   jclass type = env->FindClass("org/jalon/JalonException");
   if (type == nullptr) return;
   jmethodID of = env->GetStaticMethodID(type, "of", "(I[B)Lorg/jalon/JalonException;");
   jbyteArray message = of == nullptr ? nullptr : bytes_of(env, failure.message);
   if (message == nullptr) return;
   jobject exception = env->CallStaticObjectMethod(type, of, static_cast<jint>(failure.status), message);
-  if (exception != nullptr) env->Throw(static_cast<jthrowable>(exception));
+  if (!env->ExceptionCheck() && exception != nullptr) env->Throw(static_cast<jthrowable>(exception));
 }
 
 /** A text as UTF-8 bytes that end with 0; null is no text. */
@@ -56,7 +57,10 @@ class Text {
   jbyte* bytes_ = nullptr;
 };
 
-/** A primitive array (its elements are copied by the virtual machine) during one call. */
+/**
+ * An array during one call, as class Rows describes it: a direct buffer is seen where it is, the elements of a Java array
+ * are copied by the virtual machine, so that no collection waits for a long call.
+ */
 class Elements {
  public:
   Elements() = default;
@@ -66,30 +70,26 @@ class Elements {
     if (release_ != nullptr) release_(env_, object_, memory_);
   }
 
-  bool take(JNIEnv* env, jobject object, ArrayIn** to) {
+  bool take(JNIEnv* env, jobject rows, ArrayIn** to) {
     *to = nullptr;
-    if (object == nullptr) return true;
+    if (rows == nullptr) return true;
     env_ = env;
-    object_ = object;
-    const bool found =
-        try_array<jdoubleArray, jdouble>("[D", JALON_FLOAT64, &JNIEnv::GetDoubleArrayElements,
-                                         &JNIEnv::ReleaseDoubleArrayElements) ||
-        try_array<jfloatArray, jfloat>("[F", JALON_FLOAT32, &JNIEnv::GetFloatArrayElements,
-                                       &JNIEnv::ReleaseFloatArrayElements) ||
-        try_array<jlongArray, jlong>("[J", JALON_INT64, &JNIEnv::GetLongArrayElements,
-                                     &JNIEnv::ReleaseLongArrayElements) ||
-        try_array<jintArray, jint>("[I", JALON_INT32, &JNIEnv::GetIntArrayElements, &JNIEnv::ReleaseIntArrayElements) ||
-        try_array<jshortArray, jshort>("[S", JALON_INT16, &JNIEnv::GetShortArrayElements,
-                                       &JNIEnv::ReleaseShortArrayElements) ||
-        try_array<jbyteArray, jbyte>("[B", JALON_UINT8, &JNIEnv::GetByteArrayElements,
-                                     &JNIEnv::ReleaseByteArrayElements);
-    if (!found) {
-      raise_failure(env, Failure{JALON_ERROR_INVALID_ARGUMENT, "an array of numbers is needed"});
-      return false;
-    }
-    if (memory_ == nullptr) {
-      raise_failure(env, Failure{JALON_ERROR_OUT_OF_MEMORY, "out of memory"});
-      return false;
+    jclass type = env->GetObjectClass(rows);
+    object_ = env->GetObjectField(rows, env->GetFieldID(type, "memory", "Ljava/lang/Object;"));
+    array_.type = env->GetIntField(rows, env->GetFieldID(type, "type", "I"));
+    array_.count = static_cast<std::uint64_t>(env->GetLongField(rows, env->GetFieldID(type, "count", "J")));
+    array_.components =
+        static_cast<std::uint32_t>(env->GetIntField(rows, env->GetFieldID(type, "components", "I")));
+    array_.stride_bytes =
+        static_cast<std::uint64_t>(env->GetLongField(rows, env->GetFieldID(type, "strideBytes", "J")));
+    array_.flat = array_.components == 1;
+    array_.data = env->GetDirectBufferAddress(object_);
+    if (array_.data == nullptr && array_.count != 0) {
+      if (!copy_elements()) {
+        raise_failure(env, Failure{JALON_ERROR_OUT_OF_MEMORY, "out of memory"});
+        return false;
+      }
+      array_.data = memory_;
     }
     *to = &array_;
     return true;
@@ -97,19 +97,30 @@ class Elements {
   bool take(JNIEnv* env, jobject object, const ArrayIn** to) { return take(env, object, const_cast<ArrayIn**>(to)); }
 
  private:
+  bool copy_elements() {
+    switch (array_.type) {
+      case JALON_FLOAT64:
+        return copy<jdoubleArray>(&JNIEnv::GetDoubleArrayElements, &JNIEnv::ReleaseDoubleArrayElements);
+      case JALON_FLOAT32:
+        return copy<jfloatArray>(&JNIEnv::GetFloatArrayElements, &JNIEnv::ReleaseFloatArrayElements);
+      case JALON_INT64:
+        return copy<jlongArray>(&JNIEnv::GetLongArrayElements, &JNIEnv::ReleaseLongArrayElements);
+      case JALON_INT32:
+        return copy<jintArray>(&JNIEnv::GetIntArrayElements, &JNIEnv::ReleaseIntArrayElements);
+      case JALON_INT16:
+        return copy<jshortArray>(&JNIEnv::GetShortArrayElements, &JNIEnv::ReleaseShortArrayElements);
+      default:
+        return copy<jbyteArray>(&JNIEnv::GetByteArrayElements, &JNIEnv::ReleaseByteArrayElements);
+    }
+  }
   template <class JArray, class Element>
-  bool try_array(const char* type, std::int32_t element_type, Element* (JNIEnv::*get)(JArray, jboolean*),
-                 void (JNIEnv::*release)(JArray, Element*, jint)) {
-    jclass wanted = env_->FindClass(type);
-    if (wanted == nullptr || !env_->IsInstanceOf(object_, wanted)) return false;
+  bool copy(Element* (JNIEnv::*get)(JArray, jboolean*), void (JNIEnv::*release)(JArray, Element*, jint)) {
     memory_ = (env_->*get)(static_cast<JArray>(object_), nullptr);
     static void (JNIEnv::*releaser)(JArray, Element*, jint) = release;
     release_ = [](JNIEnv* env, jobject object, void* memory) {
       if (memory != nullptr) (env->*releaser)(static_cast<JArray>(object), static_cast<Element*>(memory), JNI_ABORT);
     };
-    array_ =
-        ArrayIn(memory_, element_type, static_cast<std::uint64_t>(env_->GetArrayLength(static_cast<jarray>(object_))));
-    return true;
+    return memory_ != nullptr;
   }
 
   JNIEnv* env_ = nullptr;
@@ -128,14 +139,16 @@ inline jdoubleArray doubles_of(JNIEnv* env, Array* numbers) {
   return array;
 }
 
-/** The memory of an array, in native byte order only after ByteBuffer.order(); it must not outlive the array. */
-inline jobject buffer_of(JNIEnv* env, const Array& array) {
+/** The memory of so many items; it must not outlive the array. */
+inline jobject buffer_of(JNIEnv* env, const Array& array, std::uint64_t first, std::uint64_t items) {
   static char nothing[1];
-  const std::uint64_t bytes = array.count() * array.stride_bytes();
-  if (bytes > 0x7fffffff)
-    throw Failure{JALON_ERROR_LIMIT, "more than 2^31 - 1 bytes: a Java buffer cannot show them at once"};
-  return env->NewDirectByteBuffer(array.data() == nullptr ? nothing : const_cast<void*>(array.data()),
-                                  static_cast<jlong>(bytes));
+  const std::uint64_t stride = array.stride_bytes();
+  if (stride != 0 && items > 0x7fffffff / stride) {
+    throw Failure{JALON_ERROR_LIMIT, std::to_string(items) + " items of " + std::to_string(stride) +
+                                         " bytes: a Java buffer shows 2^31 - 1 bytes; take pieces with bytes(first, items)"};
+  }
+  char* data = static_cast<char*>(const_cast<void*>(array.data()));
+  return env->NewDirectByteBuffer(data == nullptr ? nothing : data + first * stride, static_cast<jlong>(items * stride));
 }
 
 }  // namespace jalon_java

@@ -9,10 +9,22 @@ final class Text {
   private Text() {}
 
   static byte[] utf8(String text) {
+    if (text != null && text.indexOf('\0') >= 0) {
+      throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT, "a text with a zero character in it");
+    }
     return text == null ? null : (text + "\0").getBytes(StandardCharsets.UTF_8);
   }
 
   static String of(byte[] bytes) {
     return bytes == null ? null : new String(bytes, StandardCharsets.UTF_8);
+  }
+
+  /** Called by the native code, as log is. */
+  static boolean progress(ProgressListener listener, double fraction, byte[] stage) {
+    return listener.onProgress(fraction, of(stage));
+  }
+
+  static void log(LogListener listener, int level, byte[] line) {
+    listener.onLine(level, of(line));
   }
 }

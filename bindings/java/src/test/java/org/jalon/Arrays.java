@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+package org.jalon;
+
+import static org.jalon.Behaviours.expect;
+import static org.jalon.Behaviours.same;
+import static org.jalon.Behaviours.thrown;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.DoubleBuffer;
+import java.nio.ReadOnlyBufferException;
+import java.util.Map;
+
+/** Numbers in and out, texts, parameters. */
+final class Arrays {
+  private static final double[] XYZ = {1, 2, 3, 4, 5, 6, 1e6 + 0.001, 5e6 + 0.002, 7};
+
+  private Arrays() {}
+
+  static void addTo(Map<String, Behaviours.Body> all) {
+    all.put("arrays__every_kind_of_numbers_makes_the_same_cloud", Arrays::everyKind);
+    all.put("arrays__views_are_read_only_and_outlive_their_cloud", Arrays::views);
+    all.put("arrays__pieces_of_an_array", Arrays::pieces);
+    all.put("arrays__fields_keep_type_and_components", Arrays::fields);
+    all.put("arrays__values_above_2_to_the_40", Arrays::large);
+    all.put("arrays__what_is_no_array_is_refused", Arrays::refused);
+    all.put("texts__utf8_in_names_and_files", Arrays::texts);
+    all.put("params__by_name_typed_and_in_classes", Arrays::params);
+    all.put("results__are_values", Arrays::results);
+    all.put("lists__targets_and_gauges", Arrays::lists);
+  }
+
+  private static void check(Object numbers) {
+    try (Cloud cloud = Cloud.create(numbers, 0); Array points = cloud.points()) {
+      same(3L, cloud.count());
+      same(3, points.components());
+      same(DoubleBuffer.wrap(XYZ), points.doubles());
+      expect(java.util.Arrays.equals(XYZ, points.toDoubles()), "the copy differs");
+    }
+  }
+
+  private static void everyKind() {
+    check(XYZ);
+    check(DoubleBuffer.wrap(XYZ));
+    check(new double[][] {{1, 2, 3}, {4, 5, 6}, {1e6 + 0.001, 5e6 + 0.002, 7}});
+    for (ByteOrder order : new ByteOrder[] {ByteOrder.LITTLE_ENDIAN, ByteOrder.BIG_ENDIAN}) {
+      final DoubleBuffer longer = ByteBuffer.allocateDirect(8 * 12).order(order).asDoubleBuffer();
+      longer.position(2);
+      longer.put(XYZ).limit(11).position(2);
+      check(longer);
+      same(2, longer.position());
+      check(Rows.of(longer, 3));
+    }
+    try (Cloud cloud = Cloud.create(XYZ, 0); Array points = cloud.points()) {
+      check(points);
+    }
+    try (Cloud floats = Cloud.create(new float[] {1, 2, 3.5f}, 0); Cloud ints = Cloud.create(new int[] {1, 2, 3}, 0);
+        Cloud none = Cloud.create(new double[0], 0)) {
+      same(3.5, floats.points().doubles().get(2));
+      same(2.0, ints.points().doubles().get(1));
+      same(0L, none.count());
+    }
+  }
+
+  private static void views() throws Exception {
+    final DoubleBuffer view;
+    try (Cloud cloud = Cloud.create(Behaviours.dome(200), 0); Array points = cloud.points()) {
+      view = points.doubles();
+    }
+    final double last = -0.02 * 2 * 1.99 * 1.99;
+    for (int i = 0; i < 5; ++i) {
+      System.gc();
+      Thread.sleep(5);
+      expect(Math.abs(view.get(view.limit() - 1) - last) < 1e-5, "the memory of the view has changed");
+    }
+    expect(view.isDirect() && view.isReadOnly() && view.order() == ByteOrder.nativeOrder(), "a direct read-only view");
+    thrown(ReadOnlyBufferException.class, () -> view.put(0, 1));
+  }
+
+  private static void pieces() throws Exception {
+    try (Cloud cloud = Cloud.create(XYZ, 0); Array points = cloud.points()) {
+      same(4.0, points.bytes(1, 2).getDouble(0));
+      same(48, points.bytes(1, 2).remaining());
+      thrown(IndexOutOfBoundsException.class, () -> points.bytes(2, 2));
+      thrown(InvalidArgumentException.class, points::floats);
+      final AutoCloseable early = points;
+      early.close();
+      thrown(ClosedException.class, points::doubles);
+    }
+  }
+
+  private static void fields() {
+    try (Cloud cloud = Cloud.create(XYZ, 0)) {
+      cloud.setField("class", new byte[] {1, 2, (byte) 200}, "", "");
+      cloud.setField("normal", Rows.of(new float[] {0, 0, 1, 0, 1, 0, 1, 0, 0}, 3), "1", "normal");
+      cloud.setField("time", new long[] {1L << 40, -5, Long.MAX_VALUE}, "s", null);
+      try (Fields fields = cloud.fields(); Array normal = fields.view("normal"); Array time = fields.view("time")) {
+        same(3, normal.components());
+        same(1f, normal.floats().get(4));
+        same(1L << 40, time.longs().get(0));
+        same(Long.MAX_VALUE, time.longs().get(2));
+        same(200.0, fields.doubles("class")[2]);
+        expect(thrown(NotFoundException.class, () -> fields.view("none")).getMessage().contains("normal"), "no names");
+      }
+    }
+  }
+
+  private static void large() {
+    try (ComponentsParams options = new ComponentsParams().setMinPoints(1L << 41)) {
+      same(1L << 41, options.getInt64("min_points"));
+    }
+    same(-1L, Jalon.NO_POINT);
+  }
+
+  private static void refused() {
+    expect(thrown(InvalidArgumentException.class, () -> Cloud.create("text", 0)).getMessage().contains("String"), "which");
+    thrown(InvalidArgumentException.class, () -> Cloud.create(new double[] {1, 2}, 0));
+    thrown(InvalidArgumentException.class, () -> Cloud.create(new double[][] {{1, 2, 3}, {1, 2}}, 0));
+    thrown(InvalidArgumentException.class, () -> Cloud.create(new double[] {1, 2, Double.NaN}, 0));
+    thrown(InvalidArgumentException.class, () -> Rows.of(new double[4], 3));
+  }
+
+  private static void texts() throws Exception {
+    final String name = "façade_漢_😀";
+    final java.nio.file.Path folder = java.nio.file.Files.createTempDirectory(null);
+    final String path = folder + "/" + name + ".las";
+    try (Cloud cloud = Cloud.create(XYZ, 0)) {
+      cloud.setCrs(name);
+      same(name, cloud.crs());
+      cloud.setStation(name, null);
+      same(name, cloud.station(0).name());
+      expect(!cloud.station(0).hasPose(), "a pose from nowhere");
+      cloud.write(path);
+    }
+    try (Cloud back = Cloud.read(path)) {
+      same(3L, back.count());
+    }
+    // The name as the system sees it: by the bytes, whatever this virtual machine takes the names of files for.
+    try (java.util.stream.Stream<java.nio.file.Path> files = java.nio.file.Files.list(folder)) {
+      same(1L, files.count());
+    }
+    same(0, new ProcessBuilder("rm", "-r", folder.toString()).start().waitFor());
+    thrown(InvalidArgumentException.class, () -> Cloud.read("a\0b"));
+    expect(thrown(NotFoundException.class, () -> Cloud.read("/no/" + name + ".las")).getMessage().contains(name), "the message");
+  }
+
+  private static void params() {
+    try (Segmenter segmenter = Segmenter.create("ransac"); Params params = segmenter.params()) {
+      segmenter.set("distance_tolerance_m", 0.025).set("min_points", 77);
+      same(0.025, params.getDouble("distance_tolerance_m"));
+      segmenter.setDistanceToleranceM(0.03);
+      same(0.03, params.getDouble("distance_tolerance_m"));
+      expect(thrown(NotFoundException.class, () -> segmenter.set("distance", 1)).getMessage().contains("distance"), "which");
+      thrown(InvalidArgumentException.class, () -> segmenter.set("distance_tolerance_m", -1));
+      params.reset();
+      expect(params.toJson().contains("distance_tolerance_m"), "JSON");
+    }
+    try (NormalsParams options = new NormalsParams().setK(20).setMethod("quadric").setViewpoint(new double[] {1, 2, 3})) {
+      same("quadric", options.getString("method"));
+      same(3.0, options.getDoubles("viewpoint")[2]);
+      same(20L, options.getInt64("k"));
+    }
+  }
+
+  private static void results() throws Exception {
+    try (Cloud cloud = Cloud.create(XYZ, 0);
+        CloudCropBoxResult halves = cloud.cropBox(new double[] {0, 0, 0, 2, 3, 4}, null)) {
+      same(1L, halves.inside().count());
+      same(2L, halves.outside().count());
+      final AutoCloseable early = halves;
+      early.close();
+      thrown(ClosedException.class, () -> halves.inside().count());
+      same(6, cloud.bounds().length);
+    }
+  }
+
+  private static void lists() {
+    final double[] turned = {0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7};
+    final Targets there = new Targets();
+    final Targets here = new Targets();
+    final double[][] corners = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {0, 0, 2}};
+    for (int i = 0; i < corners.length; ++i) {
+      final double[] p = corners[i];
+      here.add("T" + i, p);
+      there.add("T" + i, new double[] {5 - p[1], 6 + p[0], 7 + p[2]});
+    }
+    try (Registrar registrar = Registrar.create("targets"); Registration found = registrar.runTargets(there, here)) {
+      final double[] pose = found.pose();
+      for (int i = 0; i < 12; ++i) {
+        expect(Math.abs(pose[i] - turned[i]) < 1e-9, "pose[" + i + "] = " + pose[i]);
+      }
+    }
+    final Gauge gauge = new Gauge().addBox(new double[] {1, 2, 3}, null).addSphere(0.5, turned);
+    same(2, gauge.count());
+    thrown(InvalidArgumentException.class, () -> gauge.addBox(new double[] {1}, null));
+    same(2, gauge.count());
+    try (Cloud a = Cloud.create(XYZ, 0); Cloud b = Cloud.create(XYZ, 0)) {
+      Cloud.shareOctree(java.util.List.of(a, b));
+      same(a.octreeCube().edgeM(), b.octreeCube().edgeM());
+    }
+  }
+}
