@@ -19,3 +19,4 @@ suite bindings python3 tests/bindings/reachable.py "$release"
 suite bindings_python bash tests/bindings/python.sh "$release"
 suite bindings_offline bash tests/offline.sh tests/bindings/python.sh 'numpy and scikit-build-core'
 suite bindings_csharp bash tests/bindings/csharp.sh "$release"
+suite bindings_java bash tests/bindings/java.sh "$release"

@@ -58,8 +58,8 @@ class Text {
 };
 
 /**
- * An array during one call, as class Rows describes it: a direct buffer is seen where it is, the elements of a Java array
- * are copied by the virtual machine, so that no collection waits for a long call.
+ * An array during one call, as class Rows describes it: a direct buffer is seen where it is, the elements of a Java
+ * array are copied by the virtual machine, so that no collection waits for a long call.
  */
 class Elements {
  public:
@@ -144,11 +144,13 @@ inline jobject buffer_of(JNIEnv* env, const Array& array, std::uint64_t first, s
   static char nothing[1];
   const std::uint64_t stride = array.stride_bytes();
   if (stride != 0 && items > 0x7fffffff / stride) {
-    throw Failure{JALON_ERROR_LIMIT, std::to_string(items) + " items of " + std::to_string(stride) +
-                                         " bytes: a Java buffer shows 2^31 - 1 bytes; take pieces with bytes(first, items)"};
+    throw Failure{JALON_ERROR_LIMIT,
+                  std::to_string(items) + " items of " + std::to_string(stride) +
+                      " bytes: a Java buffer shows 2^31 - 1 bytes; take pieces with bytes(first, items)"};
   }
   char* data = static_cast<char*>(const_cast<void*>(array.data()));
-  return env->NewDirectByteBuffer(data == nullptr ? nothing : data + first * stride, static_cast<jlong>(items * stride));
+  return env->NewDirectByteBuffer(data == nullptr ? nothing : data + first * stride,
+                                  static_cast<jlong>(items * stride));
 }
 
 }  // namespace jalon_java

@@ -76,7 +76,7 @@ final class Lifetimes {
   private static void storm(String name, Closing closing) throws Exception {
     settle();
     final long before = Jalon.liveHandleCount();
-    cycles(500, closing); // warm-up: classes, compiled code, the allocator's arenas
+    cycles(Math.max(500, CYCLES / 4), closing); // warm-up: classes, compiled code, the compiler's and the allocator's arenas
     settleTo(before);
     final double warm = residentMib();
     cycles(CYCLES, closing);
