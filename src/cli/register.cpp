@@ -17,14 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kMethods[] = {"icp", "targets"};
+constexpr const char* kMethods[] = {"automatic", "icp", "coarse", "targets"};
 constexpr const char* kStopped[] = {"", "converged", "iteration limit", "too few pairs", "ambiguous", "nothing found"};
 
 struct Register {
   Common common;
   Settings settings;
   Input reference, moving;
-  std::string method = "icp", start, output;
+  std::string method = "automatic", start, output;
   std::vector<std::string> targets;  ///< files of the reference's and of the moving scan's
 
   Json json_of(const Registration& registration, const Json& times, jalon_params* params) const {

@@ -30,7 +30,7 @@ final class Tasks {
     final List<Double> seen = new ArrayList<>();
     final List<String> lines = new ArrayList<>();
     final Thread here = Thread.currentThread();
-    try (Cloud cloud = Cloud.create(Behaviours.dome(400), 0);
+    try (Cloud cloud = Cloud.create(Behaviours.dome(1200), 0); // long enough for a report on the way
         Task task = Task.create().onProgress((fraction, stage) -> {
           expect(Thread.currentThread() == here && !stage.isEmpty(), "the thread and the stage");
           return seen.add(fraction);
