@@ -17,14 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kMethods[] = {"automatic", "icp", "coarse", "targets"};
+constexpr const char* kMethods[] = {"icp", "coarse", "targets"};
 constexpr const char* kStopped[] = {"", "converged", "iteration limit", "too few pairs", "ambiguous", "nothing found"};
 
 struct Register {
   Common common;
   Settings settings;
   Input reference, moving;
-  std::string method = "automatic", start, output;
+  std::string method = "icp", start, output;
   std::vector<std::string> targets;  ///< files of the reference's and of the moving scan's
 
   Json json_of(const Registration& registration, const Json& times, jalon_params* params) const {
@@ -168,7 +168,7 @@ void add_register(CLI::App& app) {
   command->add_option("moving", state->moving.path, "The scan that is laid onto it")->required()->type_name("MOVING");
   command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
   command->add_option("--method", state->method,
-                      "How; the parameters below tell which there are")
+                      "icp: from the start; coarse: from anywhere, roughly; targets: see --targets")
       ->capture_default_str()
       ->type_name("NAME");
   command->add_option("--start", state->start, "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")

@@ -305,6 +305,7 @@ assert abs(math.degrees(math.atan2(m[1][0],m[0][0]))-0.5)<0.002, m
 assert max(abs(m[0][3]-0.1),abs(m[1][3]-0.05),abs(m[2][3]+0.08))<0.0005, m
 assert len(d[\"directions\"])==6 and d[\"iterations\"], d'"
 for file in report.html registration.json pose.txt registered.las registered.ply; do check "register made $file" test -s joined/$file; done
+check "register without a method is icp, and its help tells of all" bash -c "'$jalon' register corner_1.xyz corner_2.xyz -o plain | grep -q '^converged' && '$jalon' register --help | grep -q 'with --method coarse'"
 check "register starts from a pose" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --method icp --start joined/pose.txt -o again | grep -q '^converged'"
 check "m3c2 takes the covariance of the registration" "$jalon" compare joined/registered.ply corner_1.xyz --method m3c2 --registration joined/registration.json -o creep --set core_spacing_m=0.5
 refuses "a pose of seven numbers" 3 'has 12 numbers' bash -c "echo 1 2 3 4 5 6 7 >seven.txt; '$jalon' register corner_1.xyz corner_2.xyz --method icp --start seven.txt -o none"
