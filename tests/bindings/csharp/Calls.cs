@@ -8,8 +8,9 @@ using Jalon;
 static class Calls {
   sealed class Mine : Exception {}
 
+  /// <summary>Normals of so many points take long enough for several reports on the way.</summary>
   static Cloud Large() {
-    return new Cloud(Scenes.Plane(600));
+    return new Cloud(Scenes.Plane(1100));
   }
 
   public static void Progress__grows_to_one() {
@@ -41,7 +42,7 @@ static class Calls {
 
   public static void Exception_in_log__surfaces_as_itself() {
     using (var task = new JalonTask(log: (level, text) => { throw new Mine(); }))
-    using (Cloud cloud = Large())
+    using (var cloud = new Cloud(Scenes.Plane(200)))
     using (var segmenter = new Segmenter()) {
       Check.Throws<Mine>(() => segmenter.Run(cloud, task: task));
     }
@@ -100,7 +101,7 @@ static class Calls {
   public static void Log__tells_lines() {
     int lines = 0;
     using (var task = new JalonTask(log: (level, text) => { if (text.Length > 0 && level >= LogLevel.Debug) ++lines; }))
-    using (Cloud cloud = Large())
+    using (var cloud = new Cloud(Scenes.Plane(200)))
     using (var segmenter = new Segmenter())
     using (segmenter.Run(cloud, task: task)) Check.That(lines > 0, "no line");
   }

@@ -124,7 +124,7 @@ static class Lifetimes {
   }
 
   public static void Dispose_during_a_call__throws_and_the_call_ends_well() {
-    using (var cloud = new Cloud(Scenes.Plane(600))) {
+    using (var cloud = new Cloud(Scenes.Plane(1100))) {
       Exception got = null;
       cloud.ComputeNormals(progress: (fraction, stage) => {
         var other = new Thread(() => { try { cloud.Dispose(); } catch (Exception error) { got = error; } });
