@@ -66,6 +66,8 @@ typedef struct jalon_target {
  *   "cell") good: a start for fine registration. It says when a clearly different pose fits about as well
  *   (JALON_STOPPED_AMBIGUOUS; the pose is the best one) and when none does (JALON_STOPPED_NOTHING_FOUND; the pose is
  *   the start). Both clouds are thinned to some 15 000 cells: O(n) with a second or two for the search.
+ * - "automatic": "coarse", then "icp" from its pose, with the parameters of both. Without a pose, or with more than
+ *   one, the result is that of "coarse"; else that of "icp" with the scores of "coarse" in the summary.
  */
 JALON_API JALON_CHECK jalon_status jalon_registrar_create(const char* method, jalon_registrar** out);
 JALON_API jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar);

@@ -8,6 +8,7 @@
 #include "capi/comparison_handles.h"
 #include "capi/guard.h"
 #include "capi/registration_handles.h"
+#include "registration/automatic.h"
 #include "registration/coarse.h"
 #include "registration/icp.h"
 #include "registration/targets.h"
@@ -21,6 +22,7 @@ struct Method {
   const char* name;
   const char* owner;  ///< of its parameters
   std::span<const ParamRow> (*rows)();
+  std::span<const ParamRow> (*more_rows)();  ///< of a second step, or nullptr
   /// Of clouds, or nullptr.
   Registration (*run)(const CloudPtr& reference, const CloudPtr& moving, const Transform& start, const ParamSet&,
                       Task&);
@@ -29,15 +31,34 @@ struct Method {
                               Task&);
 };
 constexpr Method kMethods[] = {
-    {"icp", "registrar icp", icp_rows, register_icp, nullptr},
-    {"targets", "registrar targets", targets_rows, nullptr, register_targets},
-    {"coarse", "registrar coarse", coarse_rows, register_coarse, nullptr},
+    {"icp", "registrar icp", icp_rows, nullptr, register_icp, nullptr},
+    {"targets", "registrar targets", targets_rows, nullptr, nullptr, register_targets},
+    {"coarse", "registrar coarse", coarse_rows, nullptr, register_coarse, nullptr},
+    {"automatic", "registrar automatic", coarse_rows, icp_rows, register_automatic, nullptr},
 };
 
 const Method& method_of(const std::string& name) {
   for (const Method& method : kMethods)
     if (name == method.name) return method;
-  fail(Status::kNotFound, "no registration method \"%.100s\"; there are: icp, targets, coarse", name.c_str());
+  fail(Status::kNotFound, "no registration method \"%.100s\"; there are: icp, targets, coarse, automatic",
+       name.c_str());
+}
+
+/// Parameters with the rows they are values of.
+struct OwnedParams {
+  std::vector<ParamRow> rows;
+  ParamSet values;
+};
+std::shared_ptr<ParamSet> params_of(const Method& method) {
+  const auto add = [](std::vector<ParamRow>& to, std::span<const ParamRow> from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  std::vector<ParamRow> rows;
+  add(rows, method.rows());
+  if (method.more_rows != nullptr) add(rows, method.more_rows());
+  const std::span<const ParamRow> view = rows;  // moving a vector keeps its elements where they are
+  auto owned = std::make_shared<OwnedParams>(OwnedParams{std::move(rows), ParamSet(method.owner, view)});
+  return {owned, &owned->values};
 }
 
 // A handle of what a method made, with the parameters it was made with.
@@ -91,7 +112,7 @@ jalon_status jalon_registrar_create(const char* method, jalon_registrar** out) {
     const Method& found = method_of(name);
     auto handle = std::make_unique<jalon_registrar>();
     handle->method = name;
-    handle->values = std::make_shared<ParamSet>(found.owner, found.rows());
+    handle->values = params_of(found);
     *out = handle.release();
   });
 }

@@ -17,14 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kMethods[] = {"icp", "coarse", "targets"};
+constexpr const char* kMethods[] = {"automatic", "icp", "coarse", "targets"};
 constexpr const char* kStopped[] = {"", "converged", "iteration limit", "too few pairs", "ambiguous", "nothing found"};
 
 struct Register {
   Common common;
   Settings settings;
   Input reference, moving;
-  std::string method = "icp", start, output;
+  std::string method, start, output;
   std::vector<std::string> targets;  ///< files of the reference's and of the moving scan's
 
   Json json_of(const Registration& registration, const Json& times, jalon_params* params) const {
@@ -80,17 +80,31 @@ struct Register {
   void say(const Console& console, const Registration& registration) const {
     const Table summary = table(registration, jalon_registration_summary);
     const uint64_t stopped = summary.count("stopped", 0);
+    if (stopped == JALON_STOPPED_NOTHING_FOUND) {
+      console.say("nothing found: no pose on which the two scans agree; they are written as they were. If they do "
+                  "overlap, begin near the pose with --start");
+      return;
+    }
     console.say(std::string(kStopped[stopped < 6 ? stopped : 0]) + " after " + grouped(summary.count("iterations", 0)) +
                 " iterations on " + grouped(summary.count("pairs", 0)) + " pairs, rms " +
                 fixed(1000 * summary.number("rms", 0), 3) + " mm");
-    const auto sigma = [&](uint32_t k) { return std::sqrt(summary.number("covariance", 0, 7 * k)); };
-    const auto three = [&](double unit, uint32_t first) {
-      std::string text;
-      for (uint32_t k = 0; k < 3; ++k) text += fixed(unit * sigma(first + k), 5) + " ";
-      return text;
-    };
-    console.say("sigma of the centre in x y z: " + three(1000, 3) + "mm; of the turn: " +
-                three(180 / std::numbers::pi, 0) + "deg");
+    if (stopped == JALON_STOPPED_AMBIGUOUS)
+      console.say("a clearly different pose fits about as well; " +
+                  std::string(targets.empty() ? "--start with max_turn_rad and max_shift_m chooses" : "names choose"));
+    say_precision(console, summary);
+  }
+
+  static void say_precision(const Console& console, const Table& summary) {
+    if (std::isfinite(summary.number("covariance", 0, 0))) {
+      const auto sigma = [&](uint32_t k) { return std::sqrt(summary.number("covariance", 0, 7 * k)); };
+      const auto three = [&](double unit, uint32_t first) {
+        std::string text;
+        for (uint32_t k = 0; k < 3; ++k) text += fixed(unit * sigma(first + k), 5) + " ";
+        return text;
+      };
+      console.say("sigma of the centre in x y z: " + three(1000, 3) + "mm; of the turn: " +
+                  three(180 / std::numbers::pi, 0) + "deg");
+    }
     if (const uint64_t open = summary.count("unobservable", 0); open > 0)
       console.say(grouped(open) + " of six directions are not fixed by the data: see report.html");
   }
@@ -168,8 +182,8 @@ void add_register(CLI::App& app) {
   command->add_option("moving", state->moving.path, "The scan that is laid onto it")->required()->type_name("MOVING");
   command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
   command->add_option("--method", state->method,
-                      "icp: from the start; coarse: from anywhere, roughly; targets: see --targets")
-      ->capture_default_str()
+                      "automatic: from anywhere, coarse, then icp (the default); icp: from a start that is about right "
+                      "(the default with --start); coarse: from anywhere, roughly; targets: see --targets")
       ->type_name("NAME");
   command->add_option("--start", state->start, "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")
       ->type_name("FILE");
@@ -196,6 +210,7 @@ void add_register(CLI::App& app) {
   });
   command->callback([state] {
     if (!state->targets.empty()) state->method = "targets";
+    if (state->method.empty()) state->method = state->start.empty() ? "automatic" : "icp";
     state->run();
   });
 }

@@ -22,9 +22,9 @@ constexpr double kLevel = 0.9962;        // cosine, 5 degrees: of what stands up
 constexpr double kWhole = 0.8;           // overlap of both clouds that needs no salient places to be believed
 
 constexpr ParamRow kRows[] = {
-    number_row("cell_m", 0, 0, 1e4, "m", "",
+    number_row("coarse_cell_m", 0, 0, 1e4, "m", "",
                "Edge of the cells that both clouds are thinned to; 0 = so that the larger has about `cells` of them"),
-    integer_row("cells", 15000, 500, 200000, "", "", "Cells of the larger cloud, for cell_m = 0; more is slower"),
+    integer_row("cells", 15000, 500, 200000, "", "", "Cells of the larger cloud, for coarse_cell_m = 0; more is slower"),
     bool_row("gravity", false, "", "z is up in both clouds, as of levelled scanners: only turns about it are found"),
     number_row("max_turn_rad", std::numbers::pi, 0, 3.2, "rad", "", "Largest turn away from the start pose"),
     number_row("max_shift_m", 0, 0, 1e9, "m", "",
@@ -78,7 +78,7 @@ StopReason verdict(const std::vector<RankedPose>& poses, const ParamSet& params)
 }
 
 double cell_of(const Cloud& reference, const Cloud& moving, const ParamSet& params, Task& task) {
-  const double given = params.number("cell_m");
+  const double given = params.number("coarse_cell_m");
   const double cell =
       given > 0 ? given : coarse_cell(reference, moving, static_cast<size_t>(params.integer("cells")), task);
   if (!(cell > 0)) fail(Status::kInsufficientData, "all points of a cloud lie at one place");

@@ -169,11 +169,78 @@ static void icp__is_the_default_and_lays_a_corner_onto_itself(void** state) {
   jalon_registrar_release(registrar);
 }
 
+/* Two samples of a furnished corner: floor, two walls, a chest; points on a jittered lattice. */
+static uint64_t furnished_corner(double* xyz, uint32_t seed) {
+  static const double sheets[6][9] = {{0, 0, 0, 6, 0, 0, 0, 5, 0},   {0, 0, 0, 6, 0, 0, 0, 0, 3},
+                                      {0, 0, 0, 0, 5, 0, 0, 0, 3},   {3, 1, 0, 1.5, 0, 0, 0, 0, 1},
+                                      {3, 1, 1, 1.5, 0, 0, 0, 1, 0}, {3, 1, 0, 0, 1, 0, 0, 0, 1}};
+  uint64_t n = 0;
+  uint32_t state = seed;
+  for (int k = 0; k < 6; ++k)
+    for (int i = 0; i < 2500; ++i) {
+      double share[2];
+      for (int c = 0; c < 2; ++c) {
+        state = state * 1664525u + 1013904223u;
+        share[c] = (double)(state >> 8) / 16777216.0;
+      }
+      for (int c = 0; c < 3; ++c)
+        xyz[3 * n + (uint64_t)c] = sheets[k][c] + share[0] * sheets[k][3 + c] + share[1] * sheets[k][6 + c];
+      ++n;
+    }
+  return n;
+}
+
+static void automatic__finds_a_cloud_that_was_turned_and_shifted(void** state) {
+  (void)state;
+  static double a[45000], b[45000];
+  const uint64_t n = furnished_corner(a, 1);
+  assert_int_equal(furnished_corner(b, 2), n);
+  for (uint64_t i = 0; i < n; ++i) { /* a quarter turn and a shift */
+    const double x = b[3 * i], y = b[3 * i + 1];
+    b[3 * i] = 12 - y;
+    b[3 * i + 1] = x - 7;
+    b[3 * i + 2] += 1;
+  }
+  jalon_cloud *reference = NULL, *moving = NULL;
+  MUST(jalon_cloud_create(a, JALON_FLOAT64, n, 0, 0, &reference));
+  MUST(jalon_cloud_create(b, JALON_FLOAT64, n, 0, 0, &moving));
+  const char* const methods[] = {"coarse", "automatic"};
+  const double within[] = {0.1, 0.005};
+  for (int k = 0; k < 2; ++k) {
+    jalon_registrar* registrar = NULL;
+    jalon_registration* registration = NULL;
+    jalon_fields* summary = NULL;
+    MUST(jalon_registrar_create(methods[k], &registrar));
+    MUST(jalon_registrar_run(registrar, reference, moving, NULL, NULL, &registration));
+    jalon_transform pose;
+    MUST(jalon_registration_pose(registration, &pose));
+    /* The place (1, 2, 3) of the corner lies at (10, -6, 4) in the moving cloud. */
+    const double place[4] = {10, -6, 4, 1}, truth[3] = {1, 2, 3};
+    for (int r = 0; r < 3; ++r) {
+      double at = 0;
+      for (int c = 0; c < 4; ++c) at += pose.m[4 * r + c] * place[c];
+      assert_true(fabs(at - truth[r]) < within[k]);
+    }
+    MUST(jalon_registration_summary(registration, &summary));
+    jalon_array_view view;
+    MUST(jalon_fields_view(summary, "stopped", &view));
+    assert_int_equal(*(const uint8_t*)view.data, JALON_STOPPED_CONVERGED);
+    MUST(jalon_fields_view(summary, "score", &view));
+    assert_true(*(const double*)view.data > 0.8);
+    jalon_fields_release(summary);
+    jalon_registration_release(registration);
+    jalon_registrar_release(registrar);
+  }
+  jalon_cloud_release(reference);
+  jalon_cloud_release(moving);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(targets__of_the_same_names_give_the_pose_on_the_national_grid),
       cmocka_unit_test(registration__moves_a_cloud_and_gives_the_level_of_detection_its_covariance),
       cmocka_unit_test(registration__report_is_one_page_with_pose_residuals_and_histograms),
+      cmocka_unit_test(automatic__finds_a_cloud_that_was_turned_and_shifted),
       cmocka_unit_test(targets__that_cannot_give_a_pose_are_refused),
       cmocka_unit_test(icp__is_the_default_and_lays_a_corner_onto_itself),
   };

@@ -305,10 +305,48 @@ assert abs(math.degrees(math.atan2(m[1][0],m[0][0]))-0.5)<0.002, m
 assert max(abs(m[0][3]-0.1),abs(m[1][3]-0.05),abs(m[2][3]+0.08))<0.0005, m
 assert len(d[\"directions\"])==6 and d[\"iterations\"], d'"
 for file in report.html registration.json pose.txt registered.las registered.ply; do check "register made $file" test -s joined/$file; done
-check "register without a method is icp, and its help tells of all" bash -c "'$jalon' register corner_1.xyz corner_2.xyz -o plain | grep -q '^converged' && '$jalon' register --help | grep -q 'with --method coarse'"
+check "register help tells of all methods" bash -c "'$jalon' register --help | grep -q 'with --method coarse' && '$jalon' register --help | grep -q 'with --method automatic'"
+python3 - <<'END'
+import math, random
+r = random.Random(11)
+sheets = [((0, 0, 0), (6, 0, 0), (0, 5, 0)), ((0, 0, 0), (6, 0, 0), (0, 0, 3)), ((0, 0, 0), (0, 5, 0), (0, 0, 3)),
+          ((3, 1, 0), (1.5, 0, 0), (0, 0, 1)), ((3, 1, 1), (1.5, 0, 0), (0, 1, 0)), ((3, 1, 0), (0, 1, 0), (0, 0, 1))]
+def points():
+    for o, u, v in sheets:
+        for i in range(2500):
+            s, t = r.random(), r.random()
+            yield [o[c] + s * u[c] + t * v[c] + r.gauss(0, 0.002) for c in range(3)]
+with open("room_1.xyz", "w") as f, open("room_2.xyz", "w") as g:
+    for p in points(): f.write("%.6f %.6f %.6f\n" % tuple(p))
+    for x, y, z in points(): g.write("%.6f %.6f %.6f\n" % (12 - y, x - 7, z + 1))  # a quarter turn away
+END
+check "register without a method finds a scan that was turned and shifted" bash -c "'$jalon' register room_1.xyz room_2.xyz -o plain --json | python3 -c '
+import json,sys
+d=json.load(sys.stdin)
+m=d[\"T_reference_moving\"]
+assert d[\"method\"]==\"automatic\" and d[\"summary\"][\"converged\"]==1 and d[\"summary\"][\"score\"]>0.8, d
+at=[sum(a*b for a,b in zip(row,(10,-6,4,1))) for row in m[:3]]
+assert max(abs(a-b) for a,b in zip(at,(1,2,3)))<0.002, at'"
+check "from a pose of its own it is icp" bash -c "'$jalon' register room_1.xyz room_2.xyz --start plain/pose.txt -o plain_again --json | grep -q '\"method\": \"icp\"'"
 check "register starts from a pose" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --method icp --start joined/pose.txt -o again | grep -q '^converged'"
 check "m3c2 takes the covariance of the registration" "$jalon" compare joined/registered.ply corner_1.xyz --method m3c2 --registration joined/registration.json -o creep --set core_spacing_m=0.5
 refuses "a pose of seven numbers" 3 'has 12 numbers' bash -c "echo 1 2 3 4 5 6 7 >seven.txt; '$jalon' register corner_1.xyz corner_2.xyz --method icp --start seven.txt -o none"
+python3 - <<'END'
+import random
+r = random.Random(5)
+with open("box.xyz", "w") as f:  # half a turn lays a bare box onto itself
+    for i in range(20000):
+        p = [6 * r.random(), 5 * r.random(), 2.8 * r.random()]
+        p[i % 3] = round(p[i % 3] / (6, 5, 2.8)[i % 3]) * (6, 5, 2.8)[i % 3]
+        f.write("%.6f %.6f %.6f\n" % tuple(p))
+with open("hills.xyz", "w") as f:
+    import math
+    for i in range(20000):
+        x, y = 40 * r.random(), 30 * r.random()
+        f.write("%.4f %.4f %.4f\n" % (x, y, 2 * math.sin(x / 4) * math.cos(y / 5) + 0.1 * x))
+END
+check "register tells of a second pose" bash -c "'$jalon' register box.xyz box.xyz -o twice | grep -q 'clearly different pose fits'"
+check "and of none" bash -c "'$jalon' register room_1.xyz hills.xyz -o nowhere >said && grep -q '^nothing found' said && ! grep -q nan said"
 printf 'name x y z\nA 0 0 0 0.002\nB 9 0 1 0.002 0.002 0.004\nC, 8, 7, 2\n- 1 6 0 # unnamed\n' >control.txt
 printf 'C 8 7 2\nA 0 0 0\n1 6 0\nB 9 0 1\n' >measured.txt
 check "targets register two scans" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --targets control.txt measured.txt -o by_targets | grep -q 'on 4 pairs'"

@@ -1,56 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Two real lidar scans from 0.5 m apart, with the pose that a public ICP found.
-
 #include <doctest/doctest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 #include "base/text_number.h"
 #include "coarse_scenes.h"
-#include "formats/formats.h"
+#include "real_scans.h"
 #include "registration/coarse.h"
 
 using namespace jalon;
 using namespace jalon::test;
 
-namespace {
-
-const std::string kFolder = std::string(JALON_SHARED_DATA) + "/registration/";
-
-bool has_data() {
-  if (std::filesystem::exists(kFolder + "source.ply")) return true;
-  if (std::getenv("CI") != nullptr) FAIL("JALON_SHARED_DATA holds no registration");
-  MESSAGE("skipped: no " << kFolder);
-  return false;
-}
-
-Cloud cloud_from(const char* name) {
-  Task task;
-  return read_cloud(kFolder + name, ParamSet("read", read_rows()), task);
-}
-
-Transform true_pose() {
-  std::ifstream file(kFolder + "T_target_source.txt");
-  Transform out;
-  std::string word;
-  for (double& value : out.m) {
-    file >> word;
-    REQUIRE(parse_number(word, value));
-  }
-  return out;
-}
-
-}  // namespace
-
 TEST_CASE("coarse__finds_real_scans_from_any_start") {
-  if (!has_data()) return;
-  const Cloud source = cloud_from("source.ply");
-  const auto target = std::make_shared<const Cloud>(cloud_from("target.ply"));
-  const Transform truth = true_pose();
+  const RealScans scans;
+  if (!scans.exist()) return;
+  const Cloud source = scans.source();
+  const auto target = std::make_shared<const Cloud>(scans.target());
+  const Transform truth = scans.pose();
   const uint64_t draws = std::getenv("JALON_FULL") ? 20 : std::getenv("JALON_SANITIZED") ? 1 : 4;
   double most_m = 0, most_rad = 0, least_margin = 1;
   for (uint64_t draw = 0; draw < draws; ++draw)
@@ -75,7 +44,7 @@ TEST_CASE("coarse__finds_real_scans_from_any_start") {
 }
 
 TEST_CASE("coarse__does_not_lay_one_facade_on_another") {
-  if (!has_data()) return;
+  if (!RealScans().exist()) return;
   const auto read_facade = [](const char* name) {
     std::ifstream file(std::string(JALON_SHARED_DATA) + "/facades/" + name);
     std::vector<Vec3> points;

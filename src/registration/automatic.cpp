@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/automatic.h"
+
+#include "registration/coarse.h"
+#include "registration/icp.h"
+
+namespace jalon {
+
+Registration register_automatic(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
+                                const ParamSet& params, Task& task) {
+  Registration coarse;
+  {
+    const Span span(task, 0, 0.5, nullptr);
+    coarse = register_coarse(reference, moving, start, params, task);
+  }
+  if (!coarse.converged) return coarse;
+  const Span span(task, 0.5, 1, nullptr);
+  Registration out = register_icp(reference, moving, coarse.pose, params, task);
+  for (const char* name : {"score", "overlap_moving", "overlap_reference", "likeness", "ambiguous", "second_score"})
+    out.summary.set(coarse.summary.find_shared(name));
+  return out;
+}
+
+}  // namespace jalon
