@@ -24,7 +24,8 @@ constexpr double kWhole = 0.8;           // overlap of both clouds that needs no
 constexpr ParamRow kRows[] = {
     number_row("coarse_cell_m", 0, 0, 1e4, "m", "",
                "Edge of the cells that both clouds are thinned to; 0 = so that the larger has about `cells` of them"),
-    integer_row("cells", 15000, 500, 200000, "", "", "Cells of the larger cloud, for coarse_cell_m = 0; more is slower"),
+    integer_row("cells", 15000, 500, 200000, "", "",
+                "Cells of the larger cloud, for coarse_cell_m = 0; more is slower"),
     bool_row("gravity", false, "", "z is up in both clouds, as of levelled scanners: only turns about it are found"),
     number_row("max_turn_rad", std::numbers::pi, 0, 3.2, "rad", "", "Largest turn away from the start pose"),
     number_row("max_shift_m", 0, 0, 1e9, "m", "",
