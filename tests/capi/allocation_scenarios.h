@@ -323,6 +323,7 @@ static jalon_status scenario_scan(void) {
 
 #include "allocation_primitives.h"
 #include "allocation_worth.h"
+#include "allocation_compare.h"
 
 static jalon_status scenario_params(void) {
   jalon_params* params = NULL;
@@ -371,6 +372,10 @@ static const struct {
     {"params", scenario_params},
     {"primitives", scenario_primitives},
     {"worth", scenario_worth},
+    {"changes", scenario_changes},
+    {"m3c2, visibility", scenario_m3c2},
+    {"registration", scenario_registration},
+    {"targets", scenario_targets},
 };
 enum { kScenarioCount = sizeof kScenarios / sizeof *kScenarios };
 

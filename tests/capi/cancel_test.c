@@ -40,8 +40,9 @@ static void expect_contract(const struct watch* w, const char* name) {
              w->calls, w->backward, w->outside, w->stranger, w->unnamed);
 }
 
-static void progress__is_monotone_and_one_only_at_the_end(void** state) {
+static void progress__is_monotone_and_one_only_at_the_end_and_threads_change_no_bit(void** state) {
   jalon_cloud* cloud = *state;
+  uint64_t hashes[kOperationCount];
   int reports = 0;
   for (uint32_t threads = 1; threads <= 2; ++threads)
     for (int i = 0; i < kOperationCount; ++i) {
@@ -56,6 +57,9 @@ static void progress__is_monotone_and_one_only_at_the_end(void** state) {
       if (w.ones != 1 || w.last != 1.0)
         fail_msg("%s: %d reports of 1, the last is %g", kOperations[i].name, w.ones, w.last);
       reports += w.calls;
+      const uint64_t hash = hash_made(&out);
+      if (threads > 1 && hash != hashes[i]) fail_msg("%s: other bits with %u threads", kOperations[i].name, threads);
+      hashes[i] = hash;
       release_made(&out);
       jalon_task_release(task);
     }
@@ -204,7 +208,7 @@ static int release_cloud(void** state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(progress__is_monotone_and_one_only_at_the_end),
+      cmocka_unit_test(progress__is_monotone_and_one_only_at_the_end_and_threads_change_no_bit),
       cmocka_unit_test(callback__stops_at_any_report_and_the_same_call_then_succeeds),
       cmocka_unit_test(cancel__ends_any_call_within_100_ms),
       cmocka_unit_test(cancel__ends_any_call_on_five_million_points_within_100_ms),

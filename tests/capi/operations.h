@@ -249,25 +249,7 @@ static inline jalon_status op_geodesic(const jalon_cloud* cloud, jalon_task* tas
   else jalon_cloud_release(own);
   return status;
 }
-/* Against itself, moved by a little that no grid of the tests rounds. */
-static inline jalon_status op_m3c2(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  const jalon_transform move = {{1, 0, 0, 0x1p-7, 0, 1, 0, -0x1p-8, 0, 0, 1, 0x1p-7}};
-  jalon_cloud* moved = NULL;
-  jalon_comparer* comparer = NULL;
-  jalon_params* params = NULL;
-  jalon_comparison* comparison = NULL;
-  jalon_status status = jalon_cloud_transform(cloud, &move, NULL, &moved);
-  if (status == JALON_OK) status = jalon_comparer_create("m3c2", &comparer);
-  if (status == JALON_OK) status = jalon_comparer_params(comparer, &params);
-  if (status == JALON_OK) status = jalon_params_from_json(params, "{\"core_spacing_m\": 0.1}");
-  if (status == JALON_OK) status = jalon_comparer_run(comparer, cloud, moved, task, &comparison);
-  if (status == JALON_OK) status = jalon_comparison_cloud(comparison, &out->cloud);
-  jalon_comparison_release(comparison);
-  jalon_params_release(params);
-  jalon_comparer_release(comparer);
-  jalon_cloud_release(moved);
-  return status;
-}
+#include "operations_compare.h"
 
 static const struct {
   const char* name;
@@ -282,6 +264,9 @@ static const struct {
     {"pick", op_pick},           {"fit", op_fit},                 {"covariances", op_covariances},
     {"facade model", op_facade},   {"chi-square", op_chi_square}, {"propagation", op_propagation},
     {"gaussian", op_gaussian},     {"geodesic", op_geodesic},     {"m3c2", op_m3c2},
+    {"distance", op_distance},     {"model distance", op_model_distance}, {"regions", op_regions},
+    {"diagnosis", op_diagnose},    {"change outlines", op_change_outlines}, {"visibility", op_visibility},
+    {"volume", op_volume},         {"icp", op_icp},               {"automatic registration", op_automatic},
 };
 enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
 
