@@ -23,9 +23,7 @@ set_target_properties(jalon_csharp PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${csharp
 if(NOT WIN32) # by its name Loader finds it again
   target_link_options(jalon_csharp PRIVATE "LINKER:-soname,libjalon_csharp.so")
 endif()
-add_custom_command(TARGET jalon_csharp POST_BUILD
-  COMMAND "${CMAKE_COMMAND}" -E copy_if_different "$<TARGET_FILE:jalon::jalon>" "${csharp_native}/$<TARGET_SONAME_FILE_NAME:jalon::jalon>"
-  VERBATIM)
+jalon_natives(csharp_natives "${csharp_native}" "${CMAKE_CURRENT_BINARY_DIR}/csharp_natives.txt")
 
 set(csharp_emitted "${csharp_api}/Api.cs" "${csharp_api}/Options.cs")
 add_custom_command(
@@ -54,11 +52,12 @@ configure_file("${CMAKE_CURRENT_SOURCE_DIR}/csharp/Jalon.nuspec.in" "${csharp_pa
 configure_file("${CMAKE_CURRENT_SOURCE_DIR}/csharp/README.md" "${csharp_package}/README.md" COPYONLY)
 configure_file("${CMAKE_CURRENT_SOURCE_DIR}/csharp/Jalon.targets" "${csharp_package}/build/netstandard2.0/Jalon.targets" COPYONLY)
 configure_file("${PROJECT_SOURCE_DIR}/LICENSE" "${csharp_package}/LICENSE" COPYONLY)
+configure_file("${third_party}" "${csharp_package}/THIRD-PARTY-LICENSES.txt" COPYONLY)
 set(csharp_nupkg "${CMAKE_CURRENT_BINARY_DIR}/Jalon.${PROJECT_VERSION}.nupkg")
 add_custom_command(
   OUTPUT "${csharp_nupkg}"
   COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/csharp/pack.py" "${csharp_package}" "${csharp_nupkg}"
-  DEPENDS ${csharp_assemblies} jalon_csharp "${CMAKE_CURRENT_SOURCE_DIR}/csharp/pack.py" "${csharp_package}/Jalon.nuspec"
+  DEPENDS ${csharp_assemblies} jalon_csharp "${natives_stamp}" "${CMAKE_CURRENT_SOURCE_DIR}/csharp/pack.py" "${csharp_package}/Jalon.nuspec"
           "${csharp_package}/README.md" "${csharp_package}/build/netstandard2.0/Jalon.targets" VERBATIM)
 add_custom_target(jalon_assembly DEPENDS ${csharp_assemblies} "${csharp_nupkg}")
 add_dependencies(bindings jalon_assembly)

@@ -32,6 +32,7 @@ string(REGEX REPLACE "^(amd64|x64)$" "x86_64" java_arch "${java_arch}")
 string(REGEX REPLACE "^arm64$" "aarch64" java_arch "${java_arch}")
 set(java_native "${java_folder}/resources/native/${java_os}-${java_arch}")
 set_target_properties(jalon_java PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${java_native}" BUILD_WITH_INSTALL_RPATH ON)
+jalon_natives(java_natives "${java_native}" "${java_native}/files.txt")
 
 # The jar, its sources beside each other for Maven (pom.xml takes them from there), by javac alone: SWIG decides how many there are.
 file(GLOB java_sources CONFIGURE_DEPENDS "${java_written}/*.java")
@@ -42,10 +43,10 @@ add_custom_command(
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${java_written}" "${java_merged}"
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${java_swig}" "${java_merged}"
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${java_params}" "${java_merged}"
-  COMMAND "${CMAKE_COMMAND}" -E copy "$<TARGET_FILE:jalon::jalon>" "${java_native}/$<TARGET_SONAME_FILE_NAME:jalon>"
-  COMMAND "${CMAKE_COMMAND}" -E echo "$<TARGET_SONAME_FILE_NAME:jalon> $<TARGET_FILE_NAME:jalon_java>" > "${java_native}/files.txt"
+  COMMAND "${CMAKE_COMMAND}" -E make_directory "${java_folder}/resources/META-INF"
+  COMMAND "${CMAKE_COMMAND}" -E copy "${third_party}" "${PROJECT_SOURCE_DIR}/LICENSE" "${java_folder}/resources/META-INF"
   COMMAND sh -c "'${Java_JAVAC_EXECUTABLE}' --release 11 -Xlint:all -Werror -encoding UTF-8 -d '${java_folder}/classes' '${java_merged}'/*.java"
-  COMMAND "${Java_JAR_EXECUTABLE}" cf "${java_folder}/jalon.jar" -C "${java_folder}/classes" . -C "${java_folder}/resources" native
-  DEPENDS jalon_java ${java_sources} "${generated}/java_api.i" VERBATIM)
+  COMMAND "${Java_JAR_EXECUTABLE}" cf "${java_folder}/jalon.jar" -C "${java_folder}/classes" . -C "${java_folder}/resources" .
+  DEPENDS jalon_java "${natives_stamp}" ${java_sources} "${generated}/java_api.i" VERBATIM)
 add_custom_target(jalon_jar DEPENDS "${java_folder}/jalon.jar")
 add_dependencies(bindings jalon_jar)

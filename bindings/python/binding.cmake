@@ -26,5 +26,8 @@ add_dependencies(bindings jalon_python_package)
 install(TARGETS jalon_python LIBRARY DESTINATION jalon COMPONENT python EXCLUDE_FROM_ALL)
 install(FILES ${python_sources} "${generated}/_api.py" "${generated}/_api.pyi" DESTINATION jalon COMPONENT python
         EXCLUDE_FROM_ALL)
-install(FILES "$<TARGET_FILE:jalon::jalon>" RENAME "$<TARGET_SONAME_FILE_NAME:jalon::jalon>" DESTINATION jalon
-        COMPONENT python EXCLUDE_FROM_ALL)
+set(python_natives "${CMAKE_CURRENT_BINARY_DIR}/python_natives")
+jalon_natives(python_natives "${python_natives}" "${CMAKE_CURRENT_BINARY_DIR}/python_natives.txt")
+add_custom_target(jalon_python_natives DEPENDS "${natives_stamp}")
+add_dependencies(bindings jalon_python_natives)
+install(DIRECTORY "${python_natives}/" DESTINATION jalon COMPONENT python EXCLUDE_FROM_ALL USE_SOURCE_PERMISSIONS)

@@ -27,16 +27,24 @@ check() {
 # add_up: takes over what a test program counted and how it ended.
 add_up() {
   local p f s code=$1
+  grep -vE '^[0-9]+ passed, ' "$work/tests.log" # they are added up below
   read -r p f s < <(awk '/^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$/ { print $1, $3, $5 }' "$work/tests.log")
   passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
   [ "$code" -eq 0 ] || [ "${f:-0}" -gt 0 ] || { failed=$((failed + 1)); echo "not ok - the program ended with $code"; }
 }
 
+# As on a machine without FCL and libccd, where such a place can be made.
+hidden=(bash "$root/tests/bindings/hidden.sh")
+if ! "${hidden[@]}" true 2>"$work/log"; then
+  echo "skipped: the system's FCL cannot be hidden: $(cat "$work/log")"
+  hidden=() skipped=$((skipped + 1))
+fi
+
 # clean FOLDER COMMAND ...: with nothing of this environment but what finds the tools, in a decimal-comma locale.
 clean() {
   local folder=$1
   shift
-  (cd "$work" && env -i PATH="$PATH" HOME="$work" LC_ALL="${JALON_COMMA_LOCALE:-C.UTF-8}" JALON_FULL="${JALON_FULL:-}" \
+  (cd "$work" && "${hidden[@]}" env -i PATH="$PATH" HOME="$work" LC_ALL="${JALON_COMMA_LOCALE:-C.UTF-8}" JALON_FULL="${JALON_FULL:-}" \
     MONO_PATH="$work/package/lib/$folder" "$@")
 }
 
@@ -46,8 +54,9 @@ check "package: assemblies, native library, documentation" bash -c "cd '$work/pa
   build/netstandard2.0/Jalon.targets Jalon.nuspec README.md '[Content_Types].xml' _rels/.rels"
 check "package: its XML is well-formed" python3 -c "import glob, xml.dom.minidom as x
 [x.parse(f) for f in glob.glob('$work/package/**/*.xml', recursive=True) + glob.glob('$work/package/*.nuspec')]"
-check "package: nothing of the build tree is in the native libraries' search path" \
-  bash -c "! readelf -d '$work'/package/runtimes/*/native/*.so* | grep -E 'R(UN)?PATH' | grep '$build'"
+python3 "$root/tests/bindings/closure.py" csharp "$(ls -d "$work"/package/runtimes/*/native)" \
+  "$work/package/THIRD-PARTY-LICENSES.txt" >"$work/tests.log" 2>&1
+add_up $?
 
 # The tests, with spans and without.
 for framework in netstandard2.1 netstandard2.0; do
@@ -58,9 +67,7 @@ for framework in netstandard2.1 netstandard2.0; do
   check "tests compile for $framework" mcs -nologo -langversion:7.2 -warnaserror $define "-r:$work/package/lib/$framework/Jalon.dll" \
     "-out:$work/tests.exe" "$root"/tests/bindings/csharp/*.cs
   clean $framework mono --debug "$work/tests.exe" $only >"$work/tests.log" 2>&1
-  code=$?
-  cat "$work/tests.log"
-  add_up $code
+  add_up $?
 done
 
 # What is said where the native library is missing.

@@ -15,10 +15,21 @@ miss() { echo "not ok - $1"; failed=$((failed + 1)); tail -n 10 "$work/log"; }
 check() { local name=$1; shift; if "$@" >"$work/log" 2>&1; then pass "$name"; else miss "$name"; fi; }
 skip() { echo "skipped: $1"; skipped=$((skipped + 1)); }
 
+# counts_of LOG: shows what a program said of its behaviours, and adds up what it counted.
+counts_of() {
+  local p f s
+  grep -E '^(ok|not ok|skipped|FIGURE|    )|^	at|^[a-z.]*[A-Za-z]+(Error|Exception)' "$1"
+  read -r p f s < <(awk '/^[0-9]+ passed/ { print $1, $3, $5; seen = 1 } END { if (!seen) print 0, 1, 0 }' "$1")
+  passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+}
+
 cp "$build/bindings/java/jalon.jar" "$work"
 mkdir "$work/tmp"
 # A heap of fixed size, so that the resident memory is the library's.
-clean=(env -i "PATH=$PATH" "JALON_FULL=${JALON_FULL:-}" LC_ALL=C.UTF-8)
+# As on a machine without FCL and libccd, where such a place can be made.
+hidden=(bash "$root/tests/bindings/hidden.sh")
+"${hidden[@]}" true 2>"$work/log" || { hidden=(); skip "the system's FCL cannot be hidden: $(cat "$work/log")"; }
+clean=("${hidden[@]}" env -i "PATH=$PATH" "JALON_FULL=${JALON_FULL:-}" LC_ALL=C.UTF-8)
 java=("${clean[@]}" java -XX:+UseSerialGC -Xms64m -Xmx64m -XX:+AlwaysPreTouch "-Djava.io.tmpdir=$work/tmp")
 
 # ---- behaviours, without any test framework; JNI's own checks find what else would pass ----
@@ -26,9 +37,7 @@ tests=$root/bindings/java/src/test/java/org/jalon
 check "the tests compile" javac --release 11 -Xlint:all -Werror -encoding UTF-8 -cp "$work/jalon.jar" -d "$work/tests" \
   $(ls "$tests"/*.java | grep -v BehavioursTest)
 "${java[@]}" -cp "$work/jalon.jar:$work/tests" org.jalon.Behaviours >"$work/log" 2>&1
-grep -E '^(ok|not ok|FIGURE)|^	at|^[a-z.]*[A-Za-z]+(Error|Exception)' "$work/log"
-read -r p f < <(awk '/^[0-9]+ passed/ { print $1, $3; seen = 1 } END { if (!seen) print 0, 1 }' "$work/log")
-passed=$((passed + p)) failed=$((failed + f))
+counts_of "$work/log"
 JALON_FULL='' check "JNI's checks find nothing" bash -c '
   "$@" >"$0" 2>&1 && ! grep -E "^(WARNING|FATAL)" "$0"' "$work/jni.log" \
   "${java[@]}" -Xcheck:jni -cp "$work/jalon.jar:$work/tests" org.jalon.Behaviours
@@ -40,8 +49,10 @@ mkdir "$work/bare" && (cd "$work/bare" && jar xf "$work/jalon.jar" org)
 for place in "jalon.library.path: .*/no/where" "the jar: it has no /native/" "java.library.path: "; do
   check "without a native library the error names ${place%%:*}" grep -q "$place" "$work/loader.log"
 done
-mkdir "$work/own" && (cd "$work/own" && jar xf "$work/jalon.jar" native)
+mkdir "$work/own" && (cd "$work/own" && jar xf "$work/jalon.jar" native META-INF)
 own=$(dirname "$(ls "$work"/own/native/*/files.txt)")
+python3 "$root/tests/bindings/closure.py" java "$own" "$work/own/META-INF/THIRD-PARTY-LICENSES.txt" >"$work/closure.log" 2>&1
+counts_of "$work/closure.log"
 check "jalon.library.path takes a folder" "${java[@]}" "-Djalon.library.path=$own" -cp "$work/bare:$root/examples/java" \
   "$root/examples/java/Progress.java"
 

@@ -35,6 +35,16 @@ cmake --install "$build" --prefix "$work/prefix" >"$work/log" 2>&1 || fail "the 
   >"$work/log" 2>&1 || fail "the wheel cannot be installed"
 rm -rf "$work/prefix" # what is tested stands on its own
 
+python3 "$here/closure.py" python "$(echo "$venv"/lib/python3*/site-packages/jalon)" \
+  "$(find "$venv"/lib/python3*/site-packages/jalon-*.dist-info -name THIRD-PARTY-LICENSES.txt)" || exit 1
+
+# The scenarios as on a machine without FCL and libccd, where such a place can be made.
+hide="bash $here/hidden.sh"
+if ! $hide true 2>"$work/log"; then
+  echo "skipped: the system's FCL cannot be hidden: $(cat "$work/log")"
+  hide=
+fi
+
 # Away from the tree, with nothing of it on the path: the installed package alone answers.
 mkdir -p "$work/run"
-cd "$work/run" && exec env -u PYTHONPATH -u LD_LIBRARY_PATH JALON_BUILD="$build" "$venv/bin/python" -P "$here/python/run.py"
+cd "$work/run" && exec env -u PYTHONPATH -u LD_LIBRARY_PATH JALON_BUILD="$build" JALON_HIDE="$hide" "$venv/bin/python" -P "$here/python/run.py"

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-"""The same scenarios in Python and in C print the same numbers. JALON_BUILD: the build folder with the programs in C."""
+"""The same scenarios in Python and in C print the same numbers. JALON_BUILD: the build folder with the programs in C;
+JALON_HIDE: a command before those in Python, which hides the system's FCL from them."""
 
 import os
 import subprocess
@@ -10,6 +11,7 @@ import unittest
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "examples", "python")
 BUILD = os.environ.get("JALON_BUILD", "")
+HIDE = os.environ.get("JALON_HIDE", "").split()
 
 
 @unittest.skipIf(not BUILD, "JALON_BUILD names no build folder")
@@ -38,7 +40,7 @@ class Examples(unittest.TestCase):
         arguments = [self.at(a) for a in arguments]
         in_c = self.printed([os.path.join(BUILD, "examples", "example_" + name), *arguments])
         written = {a: open(a, "rb").read() for a in arguments}
-        in_python = self.printed([sys.executable, os.path.join(EXAMPLES, name + ".py"), *arguments])
+        in_python = self.printed([*HIDE, sys.executable, os.path.join(EXAMPLES, name + ".py"), *arguments])
         self.assertEqual(in_c, in_python)
         self.assertTrue(in_c.strip())
         for path, content in written.items():

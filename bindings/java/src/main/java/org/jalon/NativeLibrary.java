@@ -49,7 +49,7 @@ final class NativeLibrary {
     return loaded(Files.isDirectory(path) ? path.resolve(System.mapLibraryName(NAME)) : path, "jalon.library.path");
   }
 
-  /** Unpacks the files that native/PLATFORM/files.txt names, dependencies first, into a folder of this process alone. */
+  /** Unpacks what native/PLATFORM/files.txt names, and the wrapper, into a folder of this process alone. */
   private boolean fromJar() {
     final String folder = "/native/" + platform() + "/";
     try (InputStream list = NativeLibrary.class.getResourceAsStream(folder + "files.txt")) {
@@ -59,9 +59,10 @@ final class NativeLibrary {
       }
       sweep();
       final Path to = Files.createTempDirectory(PREFIX + ProcessHandle.current().pid() + "-");
-      final String[] names = new String(list.readAllBytes(), java.nio.charset.StandardCharsets.UTF_8).trim().split("\\s+");
+      final String wrapper = System.mapLibraryName(NAME);
+      final String names = new String(list.readAllBytes(), java.nio.charset.StandardCharsets.UTF_8) + ' ' + wrapper;
       try {
-        for (String name : names) {
+        for (String name : names.trim().split("\\s+")) {
           try (InputStream file = NativeLibrary.class.getResourceAsStream(folder + name)) {
             if (file == null) {
               tried.add("\n  the jar: " + folder + name + " is missing");
@@ -70,7 +71,7 @@ final class NativeLibrary {
             Files.copy(file, to.resolve(name));
           }
         }
-        return loaded(to.resolve(names[names.length - 1]), "the jar");
+        return loaded(to.resolve(wrapper), "the jar");
       } finally {
         remove(to); // where files in use cannot be removed (Windows) the next start does it
       }
