@@ -56,7 +56,8 @@ typedef struct jalon_target {
  *     where neighbours of k points are wider than the surfaces are flat;
  *   - the directions that nothing fixes: those in which the pairs say no more than the noise of the planes' normals
  *     alone would. The pose keeps the start there, and the covariance is NaN;
- *   - "kept", "sigma", "sigma0" and "redundancy" in the summary besides the common columns.
+ *   - "kept", "sigma", "sigma0", "redundancy" and "thinning_cell" (m; 0 = all points were used) in the summary besides
+ *     the common columns.
  *   Too little overlap is JALON_STOPPED_TOO_FEW_PAIRS: less than "min_overlap_percent" of the moving points have a
  *   pair. About 2 s for 1 M points on 1 M with one thread.
  * - "targets": the rigid or similarity motion ("transform") from three or more targets known in both frames: closed

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/table_columns.h"
 #include "registration/icp_result.h"
 #include "registration/icp_thinning.h"
 
@@ -80,6 +81,7 @@ void iterate(const IcpClouds& clouds, const IcpSettings& settings, Task& task, I
 Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
                           const ParamSet& params, Task& task) {
   const IcpSettings settings = icp_settings(params);
+  double cell_m = 0;
   if (reference->size() < kLeastPoints || moving->size() < kLeastPoints)
     fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud", reference->size(),
          moving->size(), kLeastPoints);
@@ -88,7 +90,7 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, con
   IcpSource of_reference, of_moving;
   {
     Span span(task, 0, 0.5, "local planes");
-    const double cell_m = thinning_cell_m(*reference, *moving, settings, task);
+    cell_m = thinning_cell_m(*reference, *moving, settings, task);
     of_reference = thinned_source(reference, cell_m, task);
     of_moving = thinned_source(moving, cell_m, task);
     if (of_reference.cloud->size() < kLeastPoints || of_moving.cloud->size() < kLeastPoints)
@@ -104,7 +106,9 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, con
     iterate(clouds, settings, task, state);
   }
   Span span(task, 0.95, 1, "covariance");
-  return icp_result(clouds, of_reference, of_moving, settings, state, task);
+  Registration out = icp_result(clouds, of_reference, of_moving, settings, state, task);
+  add_value<double>(out.summary, "thinning_cell", "m", "edge of the cubes that were thinned to a point; 0: none", cell_m);
+  return out;
 }
 
 }  // namespace jalon

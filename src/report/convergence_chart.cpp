@@ -25,8 +25,8 @@ struct Curve {
   const char* dash;
 };
 constexpr Curve kCurves[] = {{"rms", "rms residual", "#1f6f8b", ""},
-                             {"reach", "reach of pairs", "#777777", "1.5 1"},
-                             {"step", "step", "#b3472f", ""}};
+                             {"distance", "limit of residuals", "#777777", "1.5 1"},
+                             {"shift", "shift of the step", "#b3472f", ""}};
 
 struct Plot {
   double rows, low, high;  // decades: log10 of millimetres
@@ -53,12 +53,19 @@ Plot plot_of(const FieldTable& log) {
   return plot;
 }
 
+void draw_level(SvgWriter& svg, const Plot& plot, double mm) {
+  const double decade = std::log10(mm);
+  svg_line(svg, {kLeft, plot.y(decade)}, {kRight, plot.y(decade)}, kFaint, 0.15);
+  svg_text(svg, {kLeft - 1.5, plot.y(decade) + 1}, kText, Anchor::kEnd,
+           text_of(mm, static_cast<int>(std::max(0.0, -std::floor(decade + 1e-9)))));
+}
+
 void draw_axes(SvgWriter& svg, const Plot& plot) {
-  const double step = std::max(1.0, std::ceil((plot.high - plot.low) / 8));
+  const double decades = plot.high - plot.low, step = std::max(1.0, std::ceil(decades / 8));
   for (double decade = plot.low; decade <= plot.high; decade += step) {
-    svg_line(svg, {kLeft, plot.y(decade)}, {kRight, plot.y(decade)}, kFaint, 0.15);
-    svg_text(svg, {kLeft - 1.5, plot.y(decade) + 1}, kText, Anchor::kEnd,
-             text_of(std::pow(10, decade), static_cast<int>(std::max(0.0, -decade))));
+    draw_level(svg, plot, std::pow(10, decade));
+    if (decades > 2 || decade == plot.high) continue;
+    for (const double between : {2, 5}) draw_level(svg, plot, between * std::pow(10, decade));
   }
   for (const double row : make_ticks(1, std::max(plot.rows, 2.0), std::max(1.0, plot.rows / 12)).values) {
     if (row != std::floor(row) || row > plot.rows) continue;
@@ -99,7 +106,7 @@ std::string convergence_chart(const FieldTable& log) {
     draw_curve(svg, *column, curve, plot);
     svg_line(svg, {key, kTop - 6}, {key + 7, kTop - 6}, curve.colour, 0.6);
     svg_text(svg, {key + 8.5, kTop - 5}, kText, Anchor::kStart, curve.name);
-    key += 42;
+    key += 46;
   }
   return svg.take();
 }

@@ -9,6 +9,7 @@
 #include "base/text_number.h"
 #include "cloud/operations.h"
 #include "cloud/select.h"
+#include "cloud/subsample_cells.h"
 #include "compare/comparison.h"
 #include "report/convergence_chart.h"
 #include "report/distance_chart.h"
@@ -29,6 +30,13 @@ Cloud sample_of(const Cloud& cloud, size_t most, Task& task) {
   const size_t stride = std::max<size_t>(1, (cloud.size() + most - 1) / most);
   for (size_t i = 0; i < cloud.size(); i += stride) taken.push_back(i);
   return select_kept(cloud, taken, task);
+}
+
+// As the registration used it: lines of a spinning scanner span no planes before they are thinned.
+CloudPtr as_registered(const CloudPtr& reference, const Registration& r, Task& task) {
+  const Column* cell = r.summary.find("thinning_cell");
+  if (cell == nullptr || !(cell->number(0) > 0)) return reference;
+  return std::make_shared<const Cloud>(one_per_voxel(*reference, cell->number(0), Keep::kCentroid, task));
 }
 
 // Distances from local planes of the reference: the spacing of its points is no part of them.
@@ -72,9 +80,10 @@ void add_before_after(Page& page, const Registration& r, const CloudPtr& referen
   page.heading("Distances before and after");
   const Cloud sample = sample_of(*moving, static_cast<size_t>(options.integer("sample")), task);
   const Cloud moved = transformed(sample, r.pose, task);
+  const CloudPtr surface = as_registered(reference, r, task);
   page.html().open("div", {{"style", kSideBySide}});
-  add_histogram(page, "Before", distances(reference, sample, task), options.integer("bins"), task);
-  add_histogram(page, "After", distances(reference, moved, task), options.integer("bins"), task);
+  add_histogram(page, "Before", distances(surface, sample, task), options.integer("bins"), task);
+  add_histogram(page, "After", distances(surface, moved, task), options.integer("bins"), task);
   page.html().close();
   page.note("Distances of " + std::to_string(sample.size()) + " evenly taken points of the moving cloud from local "
             "planes of the reference; points that the reference does not have are in them. Axes differ.");
@@ -99,6 +108,7 @@ std::string registration_html(const Registration& r, const CloudPtr& reference, 
   page.html().open("h1").element("bdi", {}, notes.title).close();
   page.html().element("p", {{"class", "lead"}}, outcome_text(r));
   add_pose(page, r);
+  add_search(page, r);
   add_directions(page, r);
   add_pairs_table(page, r);
   if (reference != nullptr && moving != nullptr && reference->size() > 0 && moving->size() > 0)

@@ -95,6 +95,20 @@ void add_pose(Page& page, const Registration& r) {
   page.note("Maps coordinates of the moving into the reference's (4 x 4, metres).");
 }
 
+void add_search(Page& page, const Registration& r) {
+  if (r.summary.find("score") == nullptr) return;
+  const auto percent = [&](const char* column) {
+    return known(100 * r.summary.require(column).number(0), 1) + " %";
+  };
+  page.heading("The search for the start");
+  add_pairs(page, {{"score of the pose", percent("score")},
+                   {"best score of a clearly different pose", percent("second_score")},
+                   {"share of the moving surface on the reference", percent("overlap_moving")},
+                   {"share of the reference's on the moving one", percent("overlap_reference")},
+                   {"salient places in common that look alike", percent("likeness")}});
+  page.note("Score: overlap of both times likeness. The more the second one falls behind, the surer the pose.");
+}
+
 void add_directions(Page& page, const Registration& r) {
   const Column* directions = r.directions.find("direction");
   if (directions == nullptr) return;
