@@ -107,7 +107,7 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, con
   }
   Span span(task, 0.95, 1, "covariance");
   Registration out = icp_result(clouds, of_reference, of_moving, settings, state, task);
-  add_value<double>(out.summary, "thinning_cell", "m", "edge of the cubes that were thinned to a point; 0: none", cell_m);
+  add_value<double>(out.summary, "thinning_cell", "m", "edge of the cubes thinned to a point; 0: none", cell_m);
   return out;
 }
 
