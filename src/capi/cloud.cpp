@@ -153,11 +153,7 @@ jalon_status jalon_cloud_points(const jalon_cloud* cloud, jalon_array_view* out)
 }
 
 jalon_status jalon_cloud_fields(const jalon_cloud* cloud, jalon_fields** out) {
-  return guard([&] {
-    require(cloud, "cloud");
-    require(out, "out");
-    *out = new_fields(cloud->cloud->fields);
-  });
+  return give_fields(cloud, "cloud", out, [&] { return cloud->cloud->fields; });
 }
 
 jalon_status jalon_cloud_bounds(const jalon_cloud* cloud, jalon_box* out) {

@@ -63,14 +63,7 @@ jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer) { return retain(
 void jalon_comparer_release(jalon_comparer* comparer) { release(comparer); }
 
 jalon_status jalon_comparer_params(jalon_comparer* comparer, jalon_params** out) {
-  return guard([&] {
-    require(comparer, "comparer");
-    require(out, "out");
-    auto handle = std::make_unique<jalon_params>();
-    handle->operation = "comparer " + comparer->method;
-    handle->values = comparer->values;
-    *out = handle.release();
-  });
+  return give_params(comparer, "comparer", out);
 }
 
 jalon_status jalon_comparer_run(const jalon_comparer* comparer, const jalon_cloud* reference,
@@ -132,27 +125,15 @@ jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison) { return
 void jalon_comparison_release(jalon_comparison* comparison) { release(comparison); }
 
 jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_fields** out) {
-  return guard([&] {
-    require(comparison, "comparison");
-    require(out, "out");
-    *out = new_fields(comparison->comparison->points);
-  });
+  return give_fields(comparison, "comparison", out, [&] { return comparison->comparison->points; });
 }
 
 jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out) {
-  return guard([&] {
-    require(comparison, "comparison");
-    require(out, "out");
-    *out = new_fields(comparison->comparison->summary);
-  });
+  return give_fields(comparison, "comparison", out, [&] { return comparison->comparison->summary; });
 }
 
 jalon_status jalon_comparison_parts(const jalon_comparison* comparison, jalon_fields** out) {
-  return guard([&] {
-    require(comparison, "comparison");
-    require(out, "out");
-    *out = new_fields(comparison->comparison->parts);
-  });
+  return give_fields(comparison, "comparison", out, [&] { return comparison->comparison->parts; });
 }
 
 jalon_status jalon_comparison_cloud(const jalon_comparison* comparison, jalon_cloud** out) {

@@ -62,11 +62,7 @@ jalon_status jalon_noise_law_json(const jalon_noise_law* law, const char** out) 
 }
 
 jalon_status jalon_noise_law_table(const jalon_noise_law* law, jalon_fields** out) {
-  return guard([&] {
-    require(law, "law");
-    require(out, "out");
-    *out = new_fields(noise_law_table(law->law));
-  });
+  return give_fields(law, "law", out, [&] { return noise_law_table(law->law); });
 }
 
 jalon_status jalon_noise_law_evaluate(const jalon_noise_law* law, const double* values, uint64_t count, double* density,

@@ -47,14 +47,7 @@ jalon_modeller* jalon_modeller_retain(jalon_modeller* modeller) { return retain(
 void jalon_modeller_release(jalon_modeller* modeller) { release(modeller); }
 
 jalon_status jalon_modeller_params(jalon_modeller* modeller, jalon_params** out) {
-  return guard([&] {
-    require(modeller, "modeller");
-    require(out, "out");
-    auto handle = std::make_unique<jalon_params>();
-    handle->operation = "modeller " + modeller->method;
-    handle->values = modeller->values;
-    *out = handle.release();
-  });
+  return give_params(modeller, "modeller", out);
 }
 
 jalon_status jalon_modeller_run(const jalon_modeller* modeller, const jalon_cloud* cloud,

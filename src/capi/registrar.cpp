@@ -121,14 +121,7 @@ jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar) { return ret
 void jalon_registrar_release(jalon_registrar* registrar) { release(registrar); }
 
 jalon_status jalon_registrar_params(jalon_registrar* registrar, jalon_params** out) {
-  return guard([&] {
-    require(registrar, "registrar");
-    require(out, "out");
-    auto handle = std::make_unique<jalon_params>();
-    handle->operation = "registrar " + registrar->method;
-    handle->values = registrar->values;
-    *out = handle.release();
-  });
+  return give_params(registrar, "registrar", out);
 }
 
 jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_cloud* reference,
@@ -183,27 +176,15 @@ jalon_status jalon_registration_pose(const jalon_registration* registration, jal
 }
 
 jalon_status jalon_registration_summary(const jalon_registration* registration, jalon_fields** out) {
-  return guard([&] {
-    require(registration, "registration");
-    require(out, "out");
-    *out = new_fields(registration->registration->summary);
-  });
+  return give_fields(registration, "registration", out, [&] { return registration->registration->summary; });
 }
 
 jalon_status jalon_registration_iterations(const jalon_registration* registration, jalon_fields** out) {
-  return guard([&] {
-    require(registration, "registration");
-    require(out, "out");
-    *out = new_fields(registration->registration->iteration_log);
-  });
+  return give_fields(registration, "registration", out, [&] { return registration->registration->iteration_log; });
 }
 
 jalon_status jalon_registration_residuals(const jalon_registration* registration, jalon_fields** out) {
-  return guard([&] {
-    require(registration, "registration");
-    require(out, "out");
-    *out = new_fields(registration->registration->residuals);
-  });
+  return give_fields(registration, "registration", out, [&] { return registration->registration->residuals; });
 }
 
 jalon_status jalon_registration_pair_name(const jalon_registration* registration, uint64_t i, const char** out) {
@@ -220,11 +201,7 @@ jalon_status jalon_registration_pair_name(const jalon_registration* registration
 }
 
 jalon_status jalon_registration_directions(const jalon_registration* registration, jalon_fields** out) {
-  return guard([&] {
-    require(registration, "registration");
-    require(out, "out");
-    *out = new_fields(registration->registration->directions);
-  });
+  return give_fields(registration, "registration", out, [&] { return registration->registration->directions; });
 }
 
 jalon_status jalon_registration_parameters(const jalon_registration* registration, const char** out) {

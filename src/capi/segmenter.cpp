@@ -46,14 +46,7 @@ jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter) { return ret
 void jalon_segmenter_release(jalon_segmenter* segmenter) { release(segmenter); }
 
 jalon_status jalon_segmenter_params(jalon_segmenter* segmenter, jalon_params** out) {
-  return guard([&] {
-    require(segmenter, "segmenter");
-    require(out, "out");
-    auto handle = std::make_unique<jalon_params>();
-    handle->operation = "segmenter " + segmenter->method;
-    handle->values = segmenter->values;
-    *out = handle.release();
-  });
+  return give_params(segmenter, "segmenter", out);
 }
 
 jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_cloud* cloud, jalon_task* task,
@@ -76,19 +69,11 @@ jalon_segmentation* jalon_segmentation_retain(jalon_segmentation* segmentation) 
 void jalon_segmentation_release(jalon_segmentation* segmentation) { release(segmentation); }
 
 jalon_status jalon_segmentation_points(const jalon_segmentation* segmentation, jalon_fields** out) {
-  return guard([&] {
-    require(segmentation, "segmentation");
-    require(out, "out");
-    *out = new_fields(point_table(*segmentation->segmentation));
-  });
+  return give_fields(segmentation, "segmentation", out, [&] { return point_table(*segmentation->segmentation); });
 }
 
 jalon_status jalon_segmentation_segments(const jalon_segmentation* segmentation, jalon_fields** out) {
-  return guard([&] {
-    require(segmentation, "segmentation");
-    require(out, "out");
-    *out = new_fields(segment_table(*segmentation->segmentation));
-  });
+  return give_fields(segmentation, "segmentation", out, [&] { return segment_table(*segmentation->segmentation); });
 }
 
 jalon_status jalon_segmentation_cloud(const jalon_segmentation* segmentation, jalon_cloud** out) {

@@ -3,21 +3,15 @@
 
 /* bench_jalon PREFIX: Jalon through its public C interface; the protocol is that of driver.h. */
 
-#include <jalon/jalon.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include "jalon_driver.h"
 
-enum { NEIGHBOURS = 16, SAMPLES = 2000, LINE_BYTES = 4096 };
+enum { NEIGHBOURS = 16 };
 static const double kVoxel_m = 0.05;
 
 typedef struct Bench {
   const char* prefix;
-  double* xyz;
-  uint64_t count;
-  double* second; /* the scan that is compared with the scene; loaded when first needed */
-  uint64_t second_count;
+  Points points;
+  Points second;        /* the scan that is compared with the scene; loaded when first needed */
   jalon_cloud* indexed; /* the cloud of the last "index": knn16 asks it */
   jalon_cloud* segmented; /* the cloud of the first modelling operation, with its planes */
   jalon_segmentation* planes;
@@ -25,46 +19,9 @@ typedef struct Bench {
   float* squared;
 } Bench;
 
-typedef struct Result {
-  double seconds;
-  uint64_t count;
-} Result;
-
-static void check(jalon_status status) {
-  if (status == JALON_OK) return;
-  fprintf(stderr, "jalon: %s\n", jalon_last_error_message());
-  exit(1);
-}
-
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-/* The coordinates in PREFIX + suffix. */
-static double* load(const Bench* bench, const char* suffix, uint64_t* count) {
-  char path[LINE_BYTES];
-  double* xyz;
-  FILE* file;
-  long bytes;
-  snprintf(path, sizeof path, "%s%s", bench->prefix, suffix);
-  file = fopen(path, "rb");
-  if (file == NULL || fseek(file, 0, SEEK_END) != 0 || (bytes = ftell(file)) <= 0) {
-    fprintf(stderr, "cannot read %s\n", path);
-    exit(1);
-  }
-  rewind(file);
-  *count = (uint64_t)bytes / 24;
-  xyz = malloc((size_t)bytes);
-  if (xyz == NULL || fread(xyz, 24, *count, file) != *count) exit(1);
-  fclose(file);
-  return xyz;
-}
-
 static jalon_cloud* fresh_cloud(const Bench* bench) {
   jalon_cloud* cloud = NULL;
-  check(jalon_cloud_create(bench->xyz, JALON_FLOAT64, bench->count, 0, 0, &cloud));
+  check(jalon_cloud_create(bench->points.xyz, JALON_FLOAT64, bench->points.count, 0, 0, &cloud));
   return cloud;
 }
 
@@ -91,7 +48,7 @@ static Result run_index(Bench* bench, jalon_task* task, FILE* sample) {
   start = now();
   check(jalon_cloud_prepare(bench->indexed, task));
   result.seconds = now() - start;
-  result.count = bench->count;
+  result.count = bench->points.count;
   return result;
 }
 
@@ -101,17 +58,17 @@ static Result run_knn16(Bench* bench, jalon_task* task, FILE* sample) {
   if (bench->indexed == NULL) run_index(bench, task, NULL);
   if (bench->neighbours == NULL) {
     /* Touched once, as the peers' arrays are. */
-    bench->neighbours = malloc(bench->count * NEIGHBOURS * sizeof *bench->neighbours);
-    bench->squared = malloc(bench->count * NEIGHBOURS * sizeof *bench->squared);
+    bench->neighbours = malloc(bench->points.count * NEIGHBOURS * sizeof *bench->neighbours);
+    bench->squared = malloc(bench->points.count * NEIGHBOURS * sizeof *bench->squared);
     if (bench->neighbours == NULL || bench->squared == NULL) exit(1);
-    memset(bench->neighbours, 0, bench->count * NEIGHBOURS * sizeof *bench->neighbours);
-    memset(bench->squared, 0, bench->count * NEIGHBOURS * sizeof *bench->squared);
+    memset(bench->neighbours, 0, bench->points.count * NEIGHBOURS * sizeof *bench->neighbours);
+    memset(bench->squared, 0, bench->points.count * NEIGHBOURS * sizeof *bench->squared);
   }
   start = now();
   check(jalon_cloud_knn_all(bench->indexed, NEIGHBOURS, task, bench->neighbours, bench->squared));
   result.seconds = now() - start;
-  result.count = bench->count;
-  if (sample != NULL) write_sample(sample, bench->squared, bench->count, NEIGHBOURS);
+  result.count = bench->points.count;
+  if (sample != NULL) write_sample(sample, bench->squared, bench->points.count, NEIGHBOURS);
   return result;
 }
 
@@ -127,7 +84,7 @@ static Result run_normals16(Bench* bench, jalon_task* task, FILE* sample) {
   start = now();
   check(jalon_cloud_compute_normals(cloud, options, task));
   result.seconds = now() - start;
-  result.count = bench->count;
+  result.count = bench->points.count;
   if (sample != NULL) {
     jalon_fields* fields = NULL;
     jalon_array_view view;
@@ -241,8 +198,8 @@ static Result run_comparer(Bench* bench, const char* model, jalon_task* task, FI
   jalon_comparer* comparer = NULL;
   jalon_params* params = NULL;
   jalon_comparison* comparison = NULL;
-  if (bench->second == NULL) bench->second = load(bench, "_second.f64", &bench->second_count);
-  check(jalon_cloud_create(bench->second, JALON_FLOAT64, bench->second_count, 0, 0, &compared));
+  if (bench->second.xyz == NULL) bench->second = load(bench->prefix, "_second.f64");
+  check(jalon_cloud_create(bench->second.xyz, JALON_FLOAT64, bench->second.count, 0, 0, &compared));
   check(jalon_comparer_create("distance", &comparer));
   check(jalon_comparer_params(comparer, &params));
   if (model != NULL) {
@@ -252,7 +209,7 @@ static Result run_comparer(Bench* bench, const char* model, jalon_task* task, FI
   start = now();
   check(jalon_comparer_run(comparer, reference, compared, task, &comparison));
   result.seconds = now() - start;
-  result.count = bench->second_count;
+  result.count = bench->second.count;
   if (sample != NULL) {
     jalon_fields* points = NULL;
     jalon_array_view view;
@@ -337,28 +294,12 @@ static const Operation kOperations[] = {{"index", run_index},         {"knn16", 
                                         {"outlines", run_outlines},   {"facade_dxf", run_facade_dxf}};
 enum { OPERATIONS = sizeof kOperations / sizeof kOperations[0] };
 
-static int serve(Bench* bench) {
-  char line[LINE_BYTES];
-  while (fgets(line, sizeof line, stdin) != NULL) {
-    char name[64] = "", path[LINE_BYTES] = "";
-    unsigned threads = 1;
-    int i, fields = sscanf(line, "%63s %u %4095s", name, &threads, path);
-    FILE* sample = fields == 3 ? fopen(path, "wb") : NULL;
-    jalon_task* task = NULL;
-    Result result;
-    for (i = 0; i < OPERATIONS && strcmp(name, kOperations[i].name) != 0; ++i) {
-    }
-    if (fields < 2 || i == OPERATIONS || (fields == 3 && sample == NULL)) return 1;
-    check(jalon_task_create(&task));
-    check(jalon_task_set_threads(task, threads));
-    result = kOperations[i].run(bench, task, sample);
-    jalon_task_release(task);
-    if (sample != NULL && fclose(sample) != 0) return 1;
-    printf("Jalon|%s|%llu|%u|%.6f|%llu\n", name, (unsigned long long)bench->count, threads,
-           result.seconds, (unsigned long long)result.count);
-    fflush(stdout);
+static Result run(const char* name, void* bench, jalon_task* task, FILE* sample) {
+  int i;
+  for (i = 0; i < OPERATIONS && strcmp(name, kOperations[i].name) != 0; ++i) {
   }
-  return 0;
+  if (i == OPERATIONS) exit(1);
+  return kOperations[i].run(bench, task, sample);
 }
 
 int main(int argc, char** argv) {
@@ -367,18 +308,16 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   memset(&bench, 0, sizeof bench);
   bench.prefix = argv[1];
-  bench.xyz = load(&bench, ".f64", &bench.count);
-  printf("ready|Jalon|index,knn16,normals16,voxel5cm,las0,las3,c2c,c2c_plane,c2c_quadric,"
-         "planes,region_growing,"
-         "outlines,facade_dxf\n");
-  fflush(stdout);
-  code = serve(&bench);
+  bench.points = load(bench.prefix, ".f64");
+  code = serve("index,knn16,normals16,voxel5cm,las0,las3,c2c,c2c_plane,c2c_quadric,planes,region_growing,outlines,"
+               "facade_dxf",
+               bench.points.count, &bench, run);
   jalon_cloud_release(bench.indexed);
   jalon_segmentation_release(bench.planes);
   jalon_cloud_release(bench.segmented);
   free(bench.neighbours);
   free(bench.squared);
-  free(bench.xyz);
-  free(bench.second);
+  free(bench.points.xyz);
+  free(bench.second.xyz);
   return code;
 }

@@ -23,6 +23,7 @@ ROOMS = {
 CODE = (".c", ".cpp", ".h", ".inc")
 MAX_LINES, LONG_LINES, MAX_COLUMNS = 400, 250, 120
 # Every function of the C surface has its status from guard(); these return something else and cannot fail.
+GUARDED = r"\s*return (guard|give_fields|give_params)\("  # the getters of guard.h are guard() themselves
 NO_STATUS = re.compile(r"_(retain|release)$|^jalon_(version|version_number|instruction_set|status_name|last_error_message)$")
 
 
@@ -248,7 +249,7 @@ def walls():
         name, body = bodies[function.name]
         if not re.match(stem + r"(_\w+)?\.cpp$", name):
             yield "%s stands in %s, not in %s*.cpp" % (function.name, name, stem)
-        if not NO_STATUS.search(function.name) and not re.match(r"\s*return guard\(", body):
+        if not NO_STATUS.search(function.name) and not re.match(GUARDED, body):
             yield "%s (%s) does not begin with return guard(" % (function.name, name)
     for name in sorted(set(bodies) - {f.name for f in public_functions()}):
         yield "%s is in no public header" % name
