@@ -53,7 +53,8 @@ double first_distance(const IcpClouds& clouds, const IcpPoints& reference, const
                              clouds.reference.place(near.of_moving[i])));
   const auto middle = distances.begin() + static_cast<ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
-  return kMisfits * *middle;
+  // Clouds that lie on each other already, to the last bit perhaps, must still find each other.
+  return std::max({kMisfits * *middle, clouds.reference.radius_m, clouds.moving.radius_m});
 }
 
 // Step 2, on the way to all points on a tenth of many: their steps cost little and leave the last ones little to do.

@@ -135,6 +135,14 @@ TEST_CASE("icp__gives_the_same_bits_with_any_number_of_threads_and_on_a_national
   CHECK(norm(far.pose.point(far.centre) - grid - one.pose.point(one.centre)) < 4e-9);
 }
 
+TEST_CASE("icp__leaves_a_cloud_that_lies_on_itself_where_it_is") {
+  const Cloud corner = scenes::sampled(scenes::street_corner(), 3);
+  const Registration r = run(corner, corner);
+  CHECK(r.converged);
+  CHECK(norm(r.pose.point(r.centre) - r.centre) < 1e-9);
+  CHECK(norm(rotation_vector(r.pose)) < 1e-9);
+}
+
 TEST_CASE("icp__too_little_in_common_is_a_result_that_says_so") {
   const Cloud corner = scenes::sampled(scenes::street_corner(), 3);
   Transform away;
