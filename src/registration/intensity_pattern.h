@@ -26,7 +26,7 @@ struct PatternCentre {
 
 /// size_m: edge or diameter of the pattern; its centre lies within reach_m of the origin. A search on a grid, then
 /// least squares on the points within the pattern with edges as wide as the points are apart; covariance by White
-/// (1980).
+/// (1982).
 /// False when the points show none.
 bool find_checker(std::span<const BrightPoint> points, double size_m, double reach_m, Task& task, PatternCentre& out);
 bool find_disc(std::span<const BrightPoint> points, double size_m, double reach_m, Task& task, PatternCentre& out);

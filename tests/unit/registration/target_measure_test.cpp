@@ -171,7 +171,8 @@ TEST_CASE("target_measure__finds_checkers_and_discs_by_their_brightness") {
       covered += squared_miss(found, pose.translation()) <= limit;
       squares += squared_norm(centre_of(found) - pose.translation());
     }
-    // Edges sharper than the points are apart count as noise, which they are less than: on the safe side.
+    // A grid of points tells a sharp edge better than points at random, which the covariance takes them for: on the
+    // safe side.
     CHECK(figure_of(is_checker ? "checkers" : "discs", covered, kFlatDraws, squares) >= 0.93);
     CHECK(squares / kFlatDraws < 0.0004 * 0.0004);  // a tenth of the spacing
   }
