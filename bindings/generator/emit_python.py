@@ -11,6 +11,8 @@ HEAD = '# Generated from the public headers by bindings/generator: do not edit.\
 PYTHON_TYPES = {DOUBLE: "float", INT64: "int", BOOL: "bool", STRING: "str", CHOICE: "str", DOUBLES: "Sequence[float]"}
 # What an argument is when it is not given.
 DEFAULTS = {"flags": "0", "level": "-1", "part": "WHOLE_MODEL", "other_part": "WHOLE_MODEL", "centred": "True", "components": "1"}
+# Makers in _support.py that choose among the functions of C.
+MAKERS = {"Cloud": "_new_cloud"}
 # Fields of named tuples that take the place of a method of tuples.
 SHADOWS = {"count": "  # type: ignore[assignment]", "index": "  # type: ignore[assignment]"}
 NO_PROPERTY = {"to_json", "seal"}
@@ -217,7 +219,8 @@ def emit_class(noun, wrapped, tables, known):
         signature = Signature(create, tables)
         body += ["    def __init__(%s):" % ", ".join(["self"] + signature.code + _mixin_extra(name)[0])]
         body += docstring(doc_of(create, [], known), "        ")
-        body += ["        self._take(_native.%s_create(%s))" % (name, ", ".join(signature.arguments))]
+        maker = MAKERS.get(name, "_native.%s_create" % name)
+        body += ["        self._take(%s(%s))" % (maker, ", ".join(signature.arguments))]
         body += ["        " + line for line in _mixin_extra(name)[1]] + [""]
         body_stub += ["    def __init__(%s) -> None: ..." % ", ".join(["self"] + signature.stub + _mixin_extra(name)[2])]
     change = setters(noun, wrapped)
@@ -248,7 +251,7 @@ def module(tables):
     wrapped, known = methods(), nouns()
     code = [HEAD + '"""The classes and functions of Jalon; the package jalon hands them on."""', "",
             "from typing import NamedTuple", "", "from . import _mixins, _native",
-            "from ._support import _array, _clouds, _files, _numbers, _options, _out, _path, _task", "from ._mixins import _ResultMixin", ""]
+            "from ._support import _array, _clouds, _files, _new_cloud, _numbers, _options, _out, _path, _task", "from ._mixins import _ResultMixin", ""]
     stub = [HEAD, "import os", "from typing import Any, Callable, Dict, Mapping, NamedTuple, Optional, Sequence, Union", "",
             "from . import _mixins", "from ._mixins import Gauge, Targets", "", "Array = Any  # numpy.ndarray, or memoryview without NumPy", "ArrayLike = Any",
             "Path = Union[str, bytes, os.PathLike]", "Progress = Callable[[float, str], Optional[bool]]", ""]

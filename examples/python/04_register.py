@@ -13,5 +13,6 @@ for row in registration.pose:
     print("%.6f %.6f %.6f %.4f" % tuple(row))
 summary = registration.summary.to_dict()
 sigmas = [1000 * math.sqrt(summary["covariance"][7 * i]) for i in (3, 4, 5)]  # of rotation and shift, 6 x 6
-print("%s, sigma of the shift %.2f %.2f %.2f mm" % ("converged" if summary["converged"] else "not converged", *sigmas))
+state = "converged" if summary["converged"] else "not converged"
+print(state + ", sigma of the shift %.2f %.2f %.2f mm" % tuple(sigmas))
 registration.apply(moving).write(sys.argv[3])

@@ -53,13 +53,16 @@ JALON_API void jalon_cloud_release(jalon_cloud* cloud);
 JALON_API JALON_CHECK jalon_status jalon_cloud_builder_create(uint32_t flags, jalon_cloud_builder** out);
 JALON_API jalon_cloud_builder* jalon_cloud_builder_retain(jalon_cloud_builder* builder);
 JALON_API void jalon_cloud_builder_release(jalon_cloud_builder* builder);
+/** CRS text of the cloud to be (WKT, a URN, ...). */
 JALON_API JALON_CHECK jalon_status jalon_cloud_builder_set_crs(jalon_cloud_builder* builder, const char* crs);
+/** A field of the cloud to be: components elements of this type a point. unit and meaning may be NULL. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_builder_declare_field(jalon_cloud_builder* builder, const char* name,
                                                          int32_t type, uint32_t components,
                                                          const char* unit, const char* meaning);
 /** Points appended from now on belong to this station. pose maps scanner to world coordinates; NULL = unknown. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_builder_begin_station(jalon_cloud_builder* builder, const char* name,
                                                          const jalon_transform* pose);
+/** The next count points, laid out as in jalon_cloud_create. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_builder_append_points(jalon_cloud_builder* builder, const void* xyz,
                                                          int32_t type, uint64_t count,
                                                          uint64_t stride_bytes);
@@ -83,6 +86,7 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_bounds(const jalon_cloud* cloud, 
 /** CRS text (WKT, a URN, ...), "" when unknown. Lives until the CRS is set again or the cloud is released. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_crs(const jalon_cloud* cloud, const char** out);
 JALON_API JALON_CHECK jalon_status jalon_cloud_set_crs(jalon_cloud* cloud, const char* crs);
+/** Number of stations. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_station_count(const jalon_cloud* cloud, uint64_t* out);
 /**
  * Station i: its name, whether its pose is known (1 or 0), the pose, and its points [first, first + count). Each output
@@ -100,6 +104,7 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_set_field(jalon_cloud* cloud, con
                                              int32_t type, uint32_t components, uint64_t count,
                                              uint64_t stride_bytes, const char* unit,
                                              const char* meaning);
+/** JALON_ERROR_NOT_FOUND where there is none of the name. Views of it stay valid. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_remove_field(jalon_cloud* cloud, const char* name);
 /** Builds the index ahead. Parallel, O(n). */
 JALON_API JALON_CHECK jalon_status jalon_cloud_prepare(const jalon_cloud* cloud, jalon_task* task);

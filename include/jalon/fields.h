@@ -33,6 +33,7 @@ JALON_API jalon_fields* jalon_fields_retain(jalon_fields* fields);
 JALON_API void jalon_fields_release(jalon_fields* fields);
 /** Number of columns. */
 JALON_API JALON_CHECK jalon_status jalon_fields_count(const jalon_fields* fields, uint64_t* out);
+/** Column i: its name, type, components, number of items, unit and meaning. */
 JALON_API JALON_CHECK jalon_status jalon_fields_info(const jalon_fields* fields, uint64_t i, jalon_field_info* out);
 /** View of the column of that name; JALON_ERROR_NOT_FOUND lists the names there are. No copy. */
 JALON_API JALON_CHECK jalon_status jalon_fields_view(const jalon_fields* fields, const char* name,

@@ -74,6 +74,7 @@ JALON_API JALON_CHECK jalon_status jalon_model_parts(const jalon_model* model, j
 /** CRS text of the vertices (WKT, a URN ...), "" when unknown; that of the cloud it was made from. Lives as long as the
  * model. */
 JALON_API JALON_CHECK jalon_status jalon_model_crs(const jalon_model* model, const char** out);
+/** Number of parts. */
 JALON_API JALON_CHECK jalon_status jalon_model_part_count(const jalon_model* model, uint64_t* out);
 /** Part i: its name, its class ("facade", "wall", ...) and its parent (or UINT64_MAX). Each output may be NULL. */
 JALON_API JALON_CHECK jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char** name,

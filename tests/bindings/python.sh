@@ -14,11 +14,11 @@ mkdir -p "$work"
 skip() { echo "skipped: $1"; echo "0 passed, 0 failed, 1 skipped"; exit 77; }
 fail() { echo "not ok - $1"; tail -n 15 "$work/log"; echo "0 passed, 1 failed, 0 skipped"; exit 1; }
 
-has_packages() { "$venv/bin/python" -c "import numpy, pandas, matplotlib, scikit_build_core" 2>/dev/null; }
+has_packages() { "$venv/bin/python" -c "import numpy, pandas, matplotlib, scikit_build_core, mypy" 2>/dev/null; }
 
 if ! has_packages; then
   python3 -m venv "$venv" >"$work/log" 2>&1 &&
-    "$venv/bin/pip" install --disable-pip-version-check numpy pandas matplotlib scikit-build-core pathspec >>"$work/log" 2>&1
+    "$venv/bin/pip" install --disable-pip-version-check numpy pandas matplotlib scikit-build-core pathspec mypy >>"$work/log" 2>&1
   if ! has_packages; then
     [ -z "${CI:-}" ] || fail "numpy and scikit-build-core cannot be installed"
     skip "numpy and scikit-build-core cannot be installed"

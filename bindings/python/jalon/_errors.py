@@ -102,7 +102,9 @@ class ClosedError(Error, ValueError):
     code = -1000
 
 
-__all__ = [name for name, value in list(globals().items()) if isinstance(value, type) and issubclass(value, Error)]
+__all__ = ["Error", "InvalidArgumentError", "OutOfMemoryError", "CancelledError", "NotFoundError", "MissingFileError",
+           "InsufficientDataError", "DegenerateError", "IoError", "FormatError", "UnsupportedError", "CallbackError", "BusyError",
+           "LimitError", "InternalError", "ClosedError"]
 
 # A status without a class of its own is an Error (0 stands for those).
 _native.set_errors({**{globals()[name].code: globals()[name] for name in __all__ if name not in ("Error", "MissingFileError")},

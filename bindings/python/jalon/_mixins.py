@@ -102,6 +102,7 @@ class Fields(Handle):
         return self.info(0).count if self.count else 0
 
     def items(self):
+        """Names and columns."""
         return [(name, self.view(name)) for name in self.keys()]
 
     def to_dict(self):
@@ -179,6 +180,7 @@ class Params(Handle):
         return _DOUBLE
 
     def keys(self):
+        """The names of the parameters."""
         return [row.name for row in self.rows]
 
     def __iter__(self):
@@ -207,9 +209,11 @@ class Params(Handle):
             _native.Params_set_double(self, name, float(value))
 
     def items(self):
+        """Names and values."""
         return [(name, self[name]) for name in self.keys()]
 
     def to_dict(self):
+        """The values by name."""
         return json.loads(self.to_json())
 
     def __repr__(self):
@@ -301,6 +305,7 @@ class Gauge:
         _native.Gauge_add_box(self, _numbers(size, "size"), _numbers(frame, "frame"))
 
     def add_sphere(self, radius_m, frame=None):
+        """Its middle at the origin of its frame."""
         _native.Gauge_add_sphere(self, radius_m, _numbers(frame, "frame"))
 
     def add_cylinder(self, radius_m, length_m, frame=None):
@@ -329,6 +334,7 @@ class Targets:
             self.add(*target)
 
     def add(self, name, xyz, covariance=None):
+        """One more. name: "" where it has none; xyz (m); covariance: 3 x 3 (m2), None where it is not known."""
         _native.Targets_add(self, name, _numbers(xyz, "xyz"), _numbers(covariance, "covariance"))
 
     def __len__(self):

@@ -58,6 +58,14 @@ def _array(value, name, columns):
     return memoryview(flat).cast("B").cast(flat.typecode, [len(numbers) // width, width])
 
 
+def _new_cloud(xyz, flags):
+    """A cloud; of an array in column order it takes the columns, so that such an array is copied once too."""
+    if (numpy is not None and isinstance(xyz, numpy.ndarray) and xyz.ndim == 2 and xyz.shape[1] == 3 and len(xyz) > 1
+            and xyz.dtype == numpy.float64 and xyz.dtype.isnative and xyz.strides[0] == xyz.itemsize):
+        return _native.Cloud_create_columns(xyz[:, 0], xyz[:, 1], xyz[:, 2], flags)
+    return _native.Cloud_create(xyz, flags)
+
+
 def _numbers(value, name):
     """A transform, box, point: its numbers, however nested."""
     return _array(value, name, 0)

@@ -67,8 +67,11 @@ static class Lifetimes {
     GC.KeepAlive(near);
   }
 
+  // Warm once Mono's nursery of 4 MB was full and collected: after some 2500 cycles in which nothing is disposed of.
+  const int kWarmCycles = 3000;
+
   static void Repeat(string how, Action<int> cycle) {
-    var helper = new Thread(() => { for (int i = 0; i < 500; ++i) cycle(i); });  // a stack of its own, which goes with it
+    var helper = new Thread(() => { for (int i = 0; i < kWarmCycles; ++i) cycle(i); });  // a stack of its own, which goes with it
     helper.Start();
     helper.Join();
     Settled();

@@ -103,7 +103,7 @@ class Lifetimes(unittest.TestCase):
             b.fields, b.view = a.cloud.fields, a.cloud.points
             a.more = a.cloud.select([1, 2, 3])
         try:
-            self.cycles(once, CYCLES // 2)
+            self.cycles(once)
         finally:
             stop.set()
             thread.join()
