@@ -103,6 +103,32 @@ static class Arrays {
     }
   }
 
+  public static void More_than_2_to_the_31_elements__come_in_pieces() {
+    if (!Check.Full) return;  // 10 GB of memory, and seconds
+    const int kRows = (1 << 19) + 1, kColumns = 4096, kAtOnce = 1024;
+    using (var builder = new CloudBuilder()) {
+      builder.DeclareField("many", (int)ElementType.Uint8, kColumns);
+      for (int first = 0; first < kRows; first += kAtOnce) {
+        var values = new byte[Math.Min(kAtOnce, kRows - first), kColumns];
+        for (int i = 0; i < values.GetLength(0); ++i) values[i, kColumns - 1] = (byte)((first + i) % 251);
+        builder.AppendPoints(new double[values.GetLength(0), 3]);
+        builder.AppendField("many", values);
+      }
+      using (Cloud cloud = builder.Seal())
+      using (Fields fields = cloud.GetFields())
+      using (ArrayView many = fields["many"]) {
+        Check.That(many.Length > 1L << 31, "too few");
+        Check.Throws<LimitException>(() => many.ToArray());
+        Check.Throws<LimitException>(() => many.ToDoubles());
+        Check.Equal((double)((kRows - 1) % 251), many[kRows - 1, kColumns - 1], "the last element");
+        var last = new byte[kColumns];
+        many.CopyTo(last, kRows - 1, 1);
+        Check.Equal((byte)((kRows - 1) % 251), last[kColumns - 1], "the last element, copied");
+        Check.Figure(many.Length + " elements, in pieces");
+      }
+    }
+  }
+
   public static void Columns__have_rows_types_and_pieces() {
     using (var cloud = new Cloud(Scenes.Plane(30))) {
       cloud.ComputeNormals();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 using System;
 using System.Diagnostics;
+using System.Linq;
 using System.Threading;
 using Jalon;
 
@@ -56,21 +57,28 @@ static class Calls {
   }
 
   public static void Cancel_from_another_thread__ends_the_call() {
-    using (var started = new ManualResetEvent(false))
+    using (var started = new AutoResetEvent(false))
     using (var task = new JalonTask(1, (fraction, stage) => { started.Set(); return true; }))
     using (var cloud = new Cloud(Scenes.Plane(1500))) {
-      var clock = new Stopwatch();
-      var other = new Thread(() => { started.WaitOne(); clock.Start(); task.Cancel(); });
-      other.Start();
-      Check.Throws<OperationCanceledException>(() => { while (true) cloud.ComputeNormals(task: task); });
-      clock.Stop();
-      other.Join();
-      Check.That(task.IsCancelled, "the task does not say so");
-      Check.Figure("cancelled " + clock.ElapsedMilliseconds + " ms after Cancel");
-      Check.That(clock.ElapsedMilliseconds < 1000, "cancel took " + clock.ElapsedMilliseconds + " ms");
-      task.Reset();
+      var took = new long[5];
+      for (int i = 0; i < took.Length; ++i) took[i] = Cancelled(cloud, task, started);
+      Check.Figure(string.Format("cancel ends a call after {0} ms, {1} at worst (limits 250, 1000)", took.Min(), took.Max()));
+      Check.That(took.Min() < 250 && took.Max() < 1000, "cancel took " + string.Join(", ", took) + " ms");
       using (var small = new Cloud(Scenes.Plane(10))) small.ComputeNormals(task: task);
     }
+  }
+
+  static long Cancelled(Cloud cloud, JalonTask task, AutoResetEvent started) {
+    started.Reset();
+    var clock = new Stopwatch();
+    var other = new Thread(() => { started.WaitOne(); clock.Start(); task.Cancel(); });
+    other.Start();
+    Check.Throws<OperationCanceledException>(() => { while (true) cloud.ComputeNormals(task: task); });
+    clock.Stop();
+    other.Join();
+    Check.That(task.IsCancelled, "the task does not say so");
+    task.Reset();
+    return clock.ElapsedMilliseconds;
   }
 
   public static void CancellationToken__cancels_and_is_told() {

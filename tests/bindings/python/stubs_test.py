@@ -7,6 +7,8 @@ import sys
 import tempfile
 import unittest
 
+from scenes import SANITIZED
+
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "examples", "python")
 # What mypy is told: packages without types of their own.
 CONFIG = "[mypy]\n" + "".join("[mypy-%s.*]\nignore_missing_imports = True\n" % name for name in ("pandas", "matplotlib"))
@@ -19,6 +21,7 @@ jalon\._api\.(Array|ArrayLike|Path|Progress)
 """
 
 
+@unittest.skipIf(SANITIZED, "nothing of it runs native code")
 @unittest.skipIf(importlib.util.find_spec("mypy") is None, "mypy is not installed")
 class Stubs(unittest.TestCase):
     @classmethod

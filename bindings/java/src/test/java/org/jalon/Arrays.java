@@ -29,6 +29,9 @@ final class Arrays {
     all.put("params__by_name_typed_and_in_classes", Arrays::params);
     all.put("results__are_values", Arrays::results);
     all.put("lists__targets_and_gauges", Arrays::lists);
+    if ("1".equals(System.getenv("JALON_FULL"))) { // 10 GB of memory, and seconds
+      all.put("arrays__more_than_2_to_the_31_elements", Arrays::beyondOneBuffer);
+    }
   }
 
   private static void check(Object numbers) {
@@ -111,6 +114,37 @@ final class Arrays {
       same(1L << 41, options.getInt64("min_points"));
     }
     same(-1L, Jalon.NO_POINT);
+    try (Cloud cloud = Cloud.create(XYZ, 0)) {
+      thrown(InvalidArgumentException.class, () -> cloud.knn(XYZ, 1L << 33, -1));
+      expect(thrown(InvalidArgumentException.class, () -> cloud.station(1L << 40)).getMessage().contains("1099511627776"), "which");
+    }
+  }
+
+  private static void beyondOneBuffer() {
+    final int rows = (1 << 19) + 1;
+    final int columns = 4096;
+    final int atOnce = 1024;
+    final byte[] values = new byte[atOnce * columns];
+    for (int i = 0; i < values.length; ++i) {
+      values[i] = (byte) (i % columns % 251);
+    }
+    try (CloudBuilder builder = CloudBuilder.create(0)) {
+      builder.declareField("many", Jalon.UINT8, columns, "", "");
+      for (int first = 0; first < rows; first += atOnce) {
+        final int items = Math.min(atOnce, rows - first);
+        builder.appendPoints(new double[3 * items]);
+        builder.appendField("many", Rows.of(java.util.Arrays.copyOf(values, items * columns), columns));
+      }
+      try (Cloud cloud = builder.seal(); Fields fields = cloud.fields(); Array many = fields.view("many")) {
+        expect(many.count() * many.components() > 1L << 31, "too few");
+        thrown(LimitException.class, many::bytes);
+        thrown(LimitException.class, many::toDoubles);
+        final ByteBuffer last = many.bytes(rows - 1, 1);
+        same(columns, last.remaining());
+        same(values[columns - 1], last.get(columns - 1));
+        System.out.println("FIGURE java: " + many.count() * many.components() + " elements, in pieces");
+      }
+    }
   }
 
   private static void refused() {

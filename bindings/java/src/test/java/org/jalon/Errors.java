@@ -17,6 +17,7 @@ final class Errors {
     all.put("errors__use_after_close_and_double_close", Errors::closed);
     all.put("errors__closed_arguments", Errors::closedArguments);
     all.put("errors__the_loader_names_this_platform", Errors::platform);
+    all.put("errors__a_second_class_loader_has_its_own_library", Errors::secondLoader);
   }
 
   private static void classes() throws Exception {
@@ -61,6 +62,16 @@ final class Errors {
       task.close();
       thrown(ClosedException.class, () -> open.prepare(task));
       thrown(ClosedException.class, () -> Cloud.shareOctree(java.util.List.of(open, cloud)));
+    }
+  }
+
+  /** As in an application server: the same library, unpacked anew, is another file to the virtual machine. */
+  private static void secondLoader() throws Exception {
+    final java.net.URL[] here = {Jalon.class.getProtectionDomain().getCodeSource().getLocation()};
+    try (java.net.URLClassLoader loader = new java.net.URLClassLoader(here, ClassLoader.getPlatformClassLoader())) {
+      final Class<?> other = Class.forName("org.jalon.Jalon", true, loader);
+      expect(other != Jalon.class, "the same class");
+      same(Jalon.version(), other.getMethod("version").invoke(null));
     }
   }
 

@@ -98,18 +98,31 @@ final class Tasks {
   }
 
   private static void cancel() throws Exception {
+    long best = Long.MAX_VALUE;
+    long worst = 0;
+    for (int i = 0; i < 5; ++i) {
+      final long milliseconds = cancelled();
+      best = Math.min(best, milliseconds);
+      worst = Math.max(worst, milliseconds);
+    }
+    System.out.println("FIGURE java: a cancel from another thread ends the call after " + best + " ms, " + worst
+        + " at worst (limits 250, 1000)");
+    expect(best < 250 && worst < 1000, best + " to " + worst + " ms"); // whatever else the machine does
+  }
+
+  private static long cancelled() throws Exception {
     final Running running = new Running();
     running.released.countDown();
+    Thread.sleep(20); // well into the call
     final long asked = System.nanoTime();
     running.task.cancel();
     running.thread.join(20000);
     final long milliseconds = (System.nanoTime() - asked) / 1000000;
-    System.out.println("FIGURE java: a cancel from another thread ends the call after " + milliseconds + " ms");
     expect(running.failure.get() instanceof CancelledException, String.valueOf(running.failure.get()));
-    expect(milliseconds < 2000, milliseconds + " ms"); // 100 ms on an idle machine; this one may be busy
     expect(running.task.isCancelled(), "cancelled until reset");
     running.cloud.close();
     running.task.close();
+    return milliseconds;
   }
 
   private static void closeDuring() throws Exception {

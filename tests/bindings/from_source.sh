@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+# What a user does who has the sources: pip install . in a fresh virtual environment, and mvn package over a build.
+# from_source.sh BUILD_FOLDER. It compiles the library once more and needs PyPI and Maven Central; a part whose index cannot be
+# reached is skipped, visibly.
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+build=$(realpath "${1:?usage: from_source.sh BUILD_FOLDER}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0 failed=0 skipped=0
+check() { # check NAME COMMAND ...
+  local name=$1 begin=$SECONDS
+  shift
+  if "$@" >"$work/log" 2>&1; then passed=$((passed + 1)); echo "ok - from source: $name ($((SECONDS - begin)) s)"; else
+    failed=$((failed + 1)); echo "not ok - from source: $name"; tail -n 15 "$work/log"; return 1
+  fi
+}
+skip() { echo "skipped: $1"; skipped=$((skipped + 1)); }
+elsewhere() { (cd "$work" && env -u PYTHONPATH -u LD_LIBRARY_PATH "$@"); }
+
+# ---- pip install . in a fresh environment: the build's own needs come from PyPI, and so does NumPy ----
+python=$work/venv/bin/python
+python3 -m venv "$work/venv"
+if "$work/venv/bin/pip" download --disable-pip-version-check -q --no-deps -d "$work/probe" scikit-build-core >"$work/log" 2>&1; then
+  check "the sources are cloned" git clone -q "$root" "$work/source"
+  check "pip install .[numpy]" elsewhere env CCACHE_BASEDIR="$work/source" "$work/venv/bin/pip" install --disable-pip-version-check \
+    "$work/source[numpy]" && {
+    check "it is the installed package that answers" elsewhere "$python" -P -c "import jalon, sys; assert jalon.__file__.startswith(sys.prefix)"
+    check "the sources have nothing new but what git ignores" test -z "$(git -C "$work/source" status --porcelain)"
+    check "its libraries stand alone" python3 "$root/tests/bindings/closure.py" python_from_source \
+      "$(echo "$work"/venv/lib/python3*/site-packages/jalon)" "$root/bindings/THIRD-PARTY-LICENSES.txt"
+    "$build/examples/example_02_progress" >"$work/c.txt"
+    elsewhere "$python" -P "$root/examples/python/02_progress.py" >"$work/python.txt"
+    check "example 02_progress prints what C prints" diff "$work/c.txt" "$work/python.txt"
+  }
+else
+  skip "PyPI cannot be reached"
+fi
+
+# ---- mvn package: the jar of the pom, tested by its own JUnit tests ----
+jar=$build/bindings/java/maven/jalon-$("$build/src/jalon" --version | awk '{ print $2 }').jar
+if ! command -v mvn >/dev/null || [ ! -d "$build/bindings/java/sources" ]; then
+  skip "Maven or the Java binding is missing"
+elif ! timeout 300 mvn -q -B -f "$root/bindings/java/pom.xml" "-Djalon.build=$build" dependency:resolve-plugins >"$work/log" 2>&1; then
+  skip "Maven Central cannot be reached"
+else
+  rm -f "$jar"
+  check "mvn package" env JALON_FULL= mvn -B -l "$work/maven.log" -f "$root/bindings/java/pom.xml" "-Djalon.build=$build" package ||
+    tail -n 20 "$work/maven.log"
+  check "Maven ran the JUnit tests" grep -E "Tests run: [2-9][0-9], Failures: 0, Errors: 0" "$work/maven.log"
+  "$build/examples/example_02_progress" >"$work/c.txt"
+  check "the examples compile against Maven's jar" javac -cp "$jar" -d "$work/classes" "$root/examples/java/Progress.java"
+  elsewhere java -cp "$jar:$work/classes" Progress >"$work/java.txt"
+  check "example Progress prints what C prints" diff "$work/c.txt" "$work/java.txt"
+fi
+echo "$passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]
