@@ -61,6 +61,8 @@ class Calls(unittest.TestCase):
             time.sleep(0.2)
             sent.append(time.monotonic())
             os.kill(os.getpid(), signal.SIGINT)
+        # A shell gives its background jobs no Ctrl-C; the test wants it there too.
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
         for name, call in (("normals", lambda: large_cloud().compute_normals(k=60)),
                            ("a segmentation", lambda: jalon.Segmenter().run(large_cloud(), task=jalon.Task(threads=1)))):
             took = []
