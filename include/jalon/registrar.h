@@ -139,8 +139,9 @@ JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_regist
  * = the fewest points), "pairs" (uint64), "kept" (float64: share of the moving points with a pair), "rms", "sigma",
  * "distance" (float64, m: residuals and the greatest of a pair), "turn" (float64, rad), "shift" (float64, m),
  * "observable" (uint8: directions fixed). Method "coarse": the poses that are clearly different from each other, the
- * best first: "score", "overlap_moving", "overlap_reference", "likeness" as in the summary, "source" (uint8,
- * JALON_POSE_FROM_...), "pose" (float64 x 12: T_reference_moving, rows of [A | t]).
+ * best first: "score", "overlap_moving", "overlap_reference", "likeness" as in the summary, "salient" (share of the
+ * salient places that come near the other cloud), "rms" (float64, m), "source" (uint8, JALON_POSE_FROM_...), "pose"
+ * (float64 x 12: T_reference_moving, rows of [A | t]).
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_registration* registration,
                                                      jalon_fields** out);

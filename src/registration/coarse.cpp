@@ -19,6 +19,9 @@ constexpr double kFeatureRadius = 5;     // cells (Rusu et al. 2009: a few times
 constexpr size_t kDistinctPoints = 4000;
 constexpr size_t kLeastCells = 50;       // fewer show no shape
 constexpr double kLevel = 0.9962;        // cosine, 5 degrees: of what stands upright, before fine registration
+// Salient places near the other cloud: few of them, all in one corner, look alike anywhere. Scans of different places
+// came to 0.05, of the same place to 0.6 and more.
+constexpr double kLeastSalient = 0.1;
 constexpr double kWhole = 0.8;           // overlap of both clouds that needs no salient places to be believed
 
 constexpr ParamRow kRows[] = {
@@ -71,7 +74,8 @@ StopReason verdict(const std::vector<RankedPose>& poses, const ParamSet& params)
   if (poses.empty()) return StopReason::kNothingFound;
   const Overlap& best = poses[0].overlap;
   const bool is_whole = best.count >= kWhole;
-  if (100 * best.of_moving < params.number("min_common_percent")) return StopReason::kNothingFound;
+  const double least_common = params.number("min_common_percent") / 100;
+  if (best.of_moving < least_common || (!is_whole && best.salient < kLeastSalient)) return StopReason::kNothingFound;
   if (!is_whole && 100 * best.likeness < params.number("min_likeness_percent")) return StopReason::kNothingFound;
   const bool has_rival =
       poses.size() > 1 && 100 * poses[1].overlap.score() >= params.number("ambiguous_percent") * best.score();

@@ -93,6 +93,7 @@ PoseJudge::Laid PoseJudge::laid_on(const Side& side, const Transform& motion, co
     if (found.index == kNoPoint || found.off_plane > off_plane * other.cell_m) continue;
     out.weight += s.weights[i];
     out.squares += found.off_plane * found.off_plane;
+    out.scatter += other.scatter_m2[found.index];
     ++out.n;
   }
   return out;
@@ -125,9 +126,14 @@ Overlap PoseJudge::overlap(const Transform& pose, double reach, double off_plane
   out.of_reference = back.weight / reference_.weight;
   out.count = (forth.weight + back.weight) / (moving_.weight + reference_.weight);
   out.pairs = forth.n + back.n;
-  if (out.pairs > 0) out.rms_m = std::sqrt((forth.squares + back.squares) / static_cast<double>(out.pairs));
+  if (out.pairs > 0) {
+    out.rms_m = std::sqrt((forth.squares + back.squares) / static_cast<double>(out.pairs));
+    out.scatter_m = std::sqrt((forth.scatter + back.scatter) / static_cast<double>(out.pairs));
+  }
   const Likeness there = likeness(moving_, pose, *reference_.surface, reach);
   const Likeness here = likeness(reference_, inverse(pose), *moving_.surface, reach);
+  const auto asked = static_cast<double>(moving_.salient.size() + reference_.salient.size());
+  out.salient = static_cast<double>(there.near + here.near) / std::max(asked, 1.0);
   if (there.near + here.near > 0)
     out.likeness = static_cast<double>(there.alike + here.alike) / static_cast<double>(there.near + here.near);
   return out;

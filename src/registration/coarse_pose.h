@@ -21,8 +21,10 @@ struct Overlap {
   double of_moving = 0, of_reference = 0;
   double count = 0;      ///< what lies on the other surface, of both: DARCES' overlapping number, by weight
   double likeness = 0;   ///< share of the salient places that come near the other surface and look alike there
+  double salient = 0;    ///< share of all salient places that come near it
   size_t pairs = 0;      ///< asked points that lie on the other surface
   double rms_m = 0;      ///< off the planes of what lies on the other surface
+  double scatter_m = 0;  ///< of the surfaces' own cells about these planes
   /// Two clouds that have little in common can be laid on each other with more of their planes than truly belong
   /// together; but then edges come to lie in the middle of planes.
   double score() const { return count * likeness; }
@@ -54,7 +56,7 @@ class PoseJudge {
   };
   Likeness likeness(const Side& side, const Transform& motion, const CoarseSurface& other, double reach) const;
   struct Laid {
-    double weight = 0, squares = 0;
+    double weight = 0, squares = 0, scatter = 0;
     size_t n = 0;
   };
   Laid laid_on(const Side& side, const Transform& motion, const CoarseSurface& other, double reach,

@@ -22,7 +22,16 @@ constexpr double kSamePose = 1;                        // cells: two candidates 
 constexpr double kOtherPose = 4;                       // cells: settled poses this far from each other are two
 constexpr double kSlide = 8;                           // cells
 
+// Curved ground can be laid across other ground, salient places and all; but then it crosses it, and what counts as
+// common is spread over the half cell that it may be off: 0.2 to 0.3 cells, 2.2 to 3.4 times the scatter of the cells
+// about their own planes. Surfaces that are the same stay below 0.14 cells, or, where they are rough, 1.3 times that.
+constexpr double kCrossCells = 0.17, kCrossScatters = 1.7;
+
 using Poses = std::vector<RankedPose>;
+
+bool crosses(const RankedPose& pose, double cell_m) {
+  return pose.overlap.rms_m > kCrossCells * cell_m && pose.overlap.rms_m > kCrossScatters * pose.overlap.scatter_m;
+}
 
 void rank(Poses& poses) {
   std::stable_sort(poses.begin(), poses.end(),
@@ -89,7 +98,7 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
   const double cell_m = reference.cell_m;
   const PoseJudge few(reference, moving, kFewPoints), more(reference, moving, kMorePoints),
       many(reference, moving, kManyPoints);
-  const auto unwanted = [&](const RankedPose& p) { return !is_wanted(p.pose); };
+  const auto unwanted = [&](const RankedPose& p) { return !is_wanted(p.pose) || crosses(p, cell_m); };
   CoarseSearch out;
   Poses poses;
   {
@@ -103,6 +112,8 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
   if (poses.empty()) return out;
   const Span span(task, 0.6, 1, "judging poses");
   settle(poses, many, kReach, kLastIterations, task);
+  std::erase_if(poses, unwanted);
+  if (poses.empty()) return out;
   rank(poses);
   poses.front().pose = many.settled(poses.front().pose, kReach, kLastReach, kLastIterations, &out.fixed);
   const RankedPose best = poses.front();

@@ -101,6 +101,7 @@ void fit_plane(CoarseSurface& s, const std::vector<CellShape>& shapes, size_t i,
   constexpr double kLine = 0.02;  // of the largest spread: what is narrower is a line, with no normal
   if (!(e.values[1] > kLine * e.values[2])) return;
   s.normals[i] = e.vectors[0];
+  s.scatter_m2[i] = std::max(0.0, e.values[0]);
   s.variation[i] = std::max(0.0, e.values[0]) / (e.values[0] + e.values[1] + e.values[2]);
 }
 
@@ -142,6 +143,7 @@ CoarseSurface coarse_surface(const Cloud& cloud, double cell_m, Task& task) {
   }
   s.normals.resize(kept.size());
   s.variation.resize(kept.size());
+  s.scatter_m2.resize(kept.size());
   s.tree = Octree::build(s.xyz, enclosing_cube(box), task);
   parallel_for(task, kept.size(), kGrain, [&](size_t begin, size_t end) {
     std::vector<Neighbour> near;

@@ -27,6 +27,7 @@ struct CoarseSurface {
   std::vector<Vec3> points;     ///< centroids of the cells, from the origin
   std::vector<Vec3> normals;    ///< unit, of either sign; zero where the neighbours span no plane
   std::vector<double> variation;  ///< lambda_0 / (lambda_0 + lambda_1 + lambda_2): 0 on a plane; 1 without a normal
+  std::vector<double> scatter_m2;  ///< lambda_0: of the neighbours about their plane
   std::vector<double> weights;  ///< what the point counts for: see balance_weights
   Vec3 centroid;
   double extent_m = 0;          ///< radius of gyration

@@ -67,6 +67,10 @@ void fill_coarse_tables(Registration& r, const CoarseSearch& found, double cell_
   add_column<double>(r.iteration_log, poses, "likeness", "1",
                      "share of the salient places near the other cloud that look alike there",
                      [](const RankedPose& p) { return p.overlap.likeness; });
+  add_column<double>(r.iteration_log, poses, "salient", "1", "share of the salient places near the other cloud",
+                     [](const RankedPose& p) { return p.overlap.salient; });
+  add_column<double>(r.iteration_log, poses, "rms", "m", "of what lies on the other surface, off its planes",
+                     [](const RankedPose& p) { return p.overlap.rms_m; });
   add_column<uint8_t>(r.iteration_log, poses, "source", "", "what spoke for it: JALON_POSE_FROM_...",
                       [](const RankedPose& p) { return static_cast<uint8_t>(p.source); });
   add_columns<double, 12>(r.iteration_log, poses, "pose", "", "T_reference_moving, rows of [A | t]",
