@@ -15,6 +15,7 @@ namespace {
 constexpr size_t kExact = 100'000;     // points of a cloud
 constexpr size_t kRun = 16;            // points of a run in the tree's order: those of a plane, or nearly
 constexpr size_t kMostInfluences = size_t{1} << 17;  // points looked at; of more, every second, third ... run
+constexpr size_t kBetweenReports = 1 << 15;  // pairs or points: some milliseconds
 constexpr double kOneFace = 0.7;       // cosine between the normals of points on one face
 
 /// Six numbers of one point.
@@ -22,6 +23,15 @@ struct Share {
   float of[6] = {};
   void add(const Coefficients<6>& j, double factor) {
     for (size_t i = 0; i < 6; ++i) of[i] += static_cast<float>(factor * j[i]);
+  }
+};
+
+/// A quarter of the work: how much of it is done.
+struct Progress {
+  Task& task;
+  double from;
+  void operator()(size_t done, size_t all) const {
+    task.checkpoint(from + 0.25 * static_cast<double>(done) / static_cast<double>(all));
   }
 };
 
@@ -51,11 +61,15 @@ class CloudInfluence {
     for (int axis = 0; axis < 3; ++axis) tilt_[s][static_cast<size_t>(axis)].add(j, factor * offset[axis]);
   }
 
-  Square<6> squares(uint32_t k) {
-    if (exact_)
-      for (size_t i = 0; i < planes_.size(); ++i) share_exactly(static_cast<uint32_t>(i), k);
-    else
-      for (size_t first = 0; first < planes_.size(); first += kRun * stride_) share_in_run(first);
+  Square<6> squares(uint32_t k, const Progress& report) {
+    const size_t step = exact_ ? 1 : kRun * stride_;
+    for (size_t first = 0, done = 0; first < planes_.size(); first += step, ++done) {
+      if (done % (kBetweenReports / kRun) == 0) report(first, planes_.size());
+      if (exact_)
+        share_exactly(static_cast<uint32_t>(first), k);
+      else
+        share_in_run(first);
+    }
     Square<6> out{};
     for (size_t first = 0; first < planes_.size(); first += kRun * stride_)
       for (size_t i = first; i < std::min(first + kRun, planes_.size()); ++i) add_square(i, out);
@@ -139,9 +153,11 @@ Square<6> icp_influence(const IcpClouds& clouds, const IcpNeighbours& neighbours
   const bool exact = std::max(clouds.reference.size(), clouds.moving.size()) <= kExact;
   CloudInfluence reference(clouds.reference, exact), moving(clouds.moving, exact);
   const Transform back = inverse(inner);
+  const Progress forth{task, 0}, back_again{task, 0.25};
   IcpPair pair;
   for (size_t i = 0; i < neighbours.of_moving.size(); ++i) {
     const uint32_t m = static_cast<uint32_t>(i), r = neighbours.of_moving[i];
+    if (i % kBetweenReports == 0) forth(i, neighbours.of_moving.size());
     if (r == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
     if (!pair_of(clouds, inner, m, r, true, rule, pair)) continue;
     const Coefficients<6> j = coefficients_of(pair, frame);
@@ -149,9 +165,9 @@ Square<6> icp_influence(const IcpClouds& clouds, const IcpNeighbours& neighbours
     moving.add_point(m, j, sign);
     reference.add_plane(r, j, -1, pair.place - clouds.reference.place(r));
   }
-  task.checkpoint(0.5);
   for (size_t i = 0; i < neighbours.of_reference.size(); ++i) {
     const uint32_t r = static_cast<uint32_t>(i), m = neighbours.of_reference[i];
+    if (i % kBetweenReports == 0) back_again(i, neighbours.of_reference.size());
     if (m == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
     if (!pair_of(clouds, inner, m, r, false, rule, pair)) continue;
     const Coefficients<6> j = coefficients_of(pair, frame);
@@ -159,8 +175,8 @@ Square<6> icp_influence(const IcpClouds& clouds, const IcpNeighbours& neighbours
     reference.add_point(r, j, -sign);
     moving.add_plane(m, j, 1, back.point(clouds.reference.place(r)) - clouds.moving.place(m));
   }
-  Square<6> out = reference.squares(k);
-  const Square<6> of_moving = moving.squares(k);
+  Square<6> out = reference.squares(k, {task, 0.5});
+  const Square<6> of_moving = moving.squares(k, {task, 0.75});
   for (size_t i = 0; i < out.size(); ++i) out[i] += of_moving[i];
   return out;
 }
