@@ -15,17 +15,29 @@ static inline jalon_status moved_copy(const jalon_cloud* cloud, jalon_cloud** ou
   return jalon_cloud_transform(cloud, &move, NULL, out);
 }
 
-/* 2 m x 2 m of the facade came 0.25 m forward. */
+/* The cloud's first point in whole metres: what stands still beside a cloud moves with it by whole metres. */
+static inline jalon_status whole_metres(const jalon_cloud* cloud, double* east_m, double* north_m) {
+  jalon_array_view xyz;
+  const jalon_status status = jalon_cloud_points(cloud, &xyz);
+  if (status != JALON_OK) return status;
+  *east_m = floor(((const double*)xyz.data)[0]);
+  *north_m = floor(((const double*)xyz.data)[1]);
+  return status;
+}
+
+/* 2 m x 2 m of the facade, in which the first point lies or below or above it, came 0.25 m forward. */
 static inline jalon_status changed_copy(const jalon_cloud* cloud, jalon_cloud** out) {
   jalon_array_view xyz;
-  jalon_status status = jalon_cloud_points(cloud, &xyz);
+  double east_m = 0, north_m = 0;
+  jalon_status status = whole_metres(cloud, &east_m, &north_m);
+  if (status == JALON_OK) status = jalon_cloud_points(cloud, &xyz);
   if (status != JALON_OK) return status;
   double* own = malloc((size_t)xyz.count * 24 + 24);
   if (own == NULL) return JALON_ERROR_OUT_OF_MEMORY;
   for (uint64_t i = 0; i < xyz.count; ++i) {
     double* p = own + 3 * i;
     memcpy(p, (const char*)xyz.data + i * xyz.stride_bytes, 24);
-    if (p[0] > 3 && p[0] < 5 && p[2] > 4 && p[2] < 6) p[1] -= 0.25;
+    if (fabs(p[0] - east_m) < 1 && p[2] > 4 && p[2] < 6) p[1] -= 0.25;
   }
   status = jalon_cloud_create(own, JALON_FLOAT64, xyz.count, 0, 0, out);
   free(own);
@@ -63,14 +75,18 @@ static inline jalon_status op_distance(const jalon_cloud* cloud, jalon_task* tas
   return op_compare("distance", "{\"local_model\": \"plane\", \"differences\": true}", cloud, task, out);
 }
 
-/* From the plane of the facade and that of the ground. */
+/* From an upright plane along the facade and a level one below it. */
 static inline jalon_status op_model_distance(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  const double corners[18] = {0, 0, 0, 20, 0, 0, 20, 0, 10, 0, 0, 10, 20, -10, 0, 0, -10, 0};
+  double corners[18] = {-20, 0, 0, 20, 0, 0, 20, 0, 10, -20, 0, 10, 20, -10, 0, -20, -10, 0};
+  double east_m = 0, north_m = 0;
+  jalon_status status = whole_metres(cloud, &east_m, &north_m);
+  for (int i = 0; i < 6; ++i) corners[3 * i] += east_m, corners[3 * i + 1] += north_m;
   const uint32_t triangles[12] = {0, 1, 2, 0, 2, 3, 0, 5, 4, 0, 4, 1};
   jalon_model* mesh = NULL;
   jalon_comparer* comparer = NULL;
   jalon_comparison* comparison = NULL;
-  jalon_status status = jalon_model_create_mesh(corners, JALON_FLOAT64, 6, 0, triangles, 4, NULL, &mesh);
+  if (status == JALON_OK)
+    status = jalon_model_create_mesh(corners, JALON_FLOAT64, 6, 0, triangles, 4, NULL, &mesh);
   if (status == JALON_OK) status = jalon_comparer_create("distance", &comparer);
   if (status == JALON_OK) status = jalon_comparer_run_model(comparer, mesh, cloud, task, &comparison);
   if (status == JALON_OK) status = jalon_comparison_cloud(comparison, &out->cloud);
@@ -151,9 +167,11 @@ static inline jalon_status op_change_outlines(const jalon_cloud* cloud, jalon_ta
 }
 
 static inline jalon_status op_visibility(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  const jalon_transform pose = {{1, 0, 0, 10, 0, 1, 0, -12, 0, 0, 1, 1.5}};
+  double east_m = 0, north_m = 0;
+  jalon_status status = whole_metres(cloud, &east_m, &north_m);
+  const jalon_transform pose = {{1, 0, 0, east_m, 0, 1, 0, north_m - 12, 0, 0, 1, 1.5}};
   jalon_cloud *reference = NULL, *compared = NULL;
-  jalon_status status = own_handle(cloud, &reference);
+  if (status == JALON_OK) status = own_handle(cloud, &reference);
   if (status == JALON_OK) status = jalon_cloud_set_station(reference, "tripod", &pose);
   if (status == JALON_OK) status = changed_copy(cloud, &compared);
   if (status == JALON_OK) status = jalon_cloud_compute_visibility(compared, reference, NULL, task);
