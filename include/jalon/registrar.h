@@ -59,7 +59,7 @@ typedef struct jalon_target {
  *   - "kept", "sigma", "sigma0", "redundancy" and "thinning_cell" (m; 0 = all points were used) in the summary besides
  *     the common columns.
  *   Too little overlap is JALON_STOPPED_TOO_FEW_PAIRS: less than "min_overlap_percent" of the moving points have a
- *   pair. About 2 s for 1 M points on 1 M with one thread.
+ *   pair. About 3 s for 1 M points on 1 M with one thread.
  * - "targets": the rigid or similarity motion ("transform") from three or more targets known in both frames: closed
  *   form (Arun, Huang & Blostein 1987; Umeyama 1991), then the adjustment weighted with the covariances of both sides
  *   (Gauss-Helmert model; Pope 1972), and a test of each target for a blunder (data snooping; Baarda 1968).

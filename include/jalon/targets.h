@@ -36,7 +36,7 @@ enum {
  * any.
  *
  * Flat targets ("kind" = flat): a plane, in it the centre of the "pattern" of "size_m" that the field "intensity_field"
- * shows, by least squares on the brightness with its covariance by White (1980), on the safe side where edges are
+ * shows, by least squares on the brightness with its covariance by White (1982), on the safe side where edges are
  * sharper than the points are apart; along the normal that of the plane.
  * Without a pattern, the centre of the plate's outline when it ends within "search_m", to half a point spacing.
  *

@@ -135,7 +135,8 @@ jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_c
     require_same_crs(reference->cloud->crs, moving->cloud->crs);
     const Transform from = start != nullptr ? from_c(*start) : Transform{};
     require_rigid(from);
-    const ParamSet values = *registrar->values;  // a progress callback may set the next run's
+    const std::shared_ptr<const ParamSet> owner = registrar->values;  // of the rows, should a callback release the rest
+    const ParamSet values = *owner;  // a progress callback may set the next run's
     const Method& method = method_of(registrar->method);
     if (method.run == nullptr)
       fail(Status::kUnsupported, "method \"%s\" registers targets; see jalon_registrar_run_targets", method.name);

@@ -235,12 +235,52 @@ static void automatic__finds_a_cloud_that_was_turned_and_shifted(void** state) {
   jalon_cloud_release(moving);
 }
 
+struct last_owner {
+  jalon_registrar* registrar;
+  double at; /* fraction of the work that was done when it went */
+};
+
+static int32_t release_registrar(double fraction, const char* stage, void* user) {
+  struct last_owner* last = user;
+  (void)stage;
+  if (last->registrar != NULL) last->at = fraction;
+  jalon_registrar_release(last->registrar);
+  last->registrar = NULL;
+  return 0;
+}
+
+static void automatic__outlives_a_registrar_that_its_progress_callback_releases(void** state) {
+  (void)state;
+  static double xyz[45000];
+  jalon_cloud *reference = NULL, *moving = NULL;
+  struct last_owner last = {NULL, 0};
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, furnished_corner(xyz, 1), 0, 0, &reference));
+  MUST(jalon_cloud_create(xyz, JALON_FLOAT64, furnished_corner(xyz, 2), 0, 0, &moving));
+  jalon_registration* registration = NULL;
+  jalon_task* task = NULL;
+  MUST(jalon_registrar_create("automatic", &last.registrar));
+  MUST(jalon_task_create(&task));
+  MUST(jalon_task_set_progress(task, release_registrar, &last));
+  MUST(jalon_registrar_run(last.registrar, reference, moving, NULL, task, &registration));
+  assert_null(last.registrar);
+  assert_true(last.at < 0.5); /* before "icp" read its parameters */
+  const char* parameters = NULL;
+  MUST(jalon_registration_parameters(registration, &parameters));
+  assert_non_null(strstr(parameters, "coarse_cell_m"));
+  assert_non_null(strstr(parameters, "max_iterations"));
+  jalon_registration_release(registration);
+  jalon_task_release(task);
+  jalon_cloud_release(reference);
+  jalon_cloud_release(moving);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(targets__of_the_same_names_give_the_pose_on_the_national_grid),
       cmocka_unit_test(registration__moves_a_cloud_and_gives_the_level_of_detection_its_covariance),
       cmocka_unit_test(registration__report_is_one_page_with_pose_residuals_and_histograms),
       cmocka_unit_test(automatic__finds_a_cloud_that_was_turned_and_shifted),
+      cmocka_unit_test(automatic__outlives_a_registrar_that_its_progress_callback_releases),
       cmocka_unit_test(targets__that_cannot_give_a_pose_are_refused),
       cmocka_unit_test(icp__is_the_default_and_lays_a_corner_onto_itself),
   };

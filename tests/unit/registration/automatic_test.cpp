@@ -31,8 +31,6 @@ std::vector<ParamRow> automatic_rows() {
 
 }  // namespace
 
-// The published pose is what generalised ICP of another library gives on centroids of 10 cm cubes, 10 neighbours, pairs
-// up to 1 m: these are the settings here.
 TEST_CASE("automatic__lays_real_scans_onto_each_other_from_any_start") {
   const RealScans scans;
   if (!scans.exist()) return;
@@ -40,13 +38,7 @@ TEST_CASE("automatic__lays_real_scans_onto_each_other_from_any_start") {
   const auto target = std::make_shared<const Cloud>(scans.target());
   const Transform truth = scans.pose();
   const std::vector<ParamRow> rows = automatic_rows();
-  ParamSet as_published("registrar automatic", rows);
-  as_published.set_number("cell_m", 0.1);
-  as_published.set_integer("k", 10);
-  as_published.set_number("max_distance_m", 1);
-  as_published.set_number("min_distance_m", 1);
-  as_published.set_number("max_angle_rad", std::numbers::pi / 2);
-  as_published.set_text("kernel", "none");
+  const ParamSet as_published = RealScans::as_published({"registrar automatic", rows});
   const uint64_t draws = std::getenv("JALON_FULL") ? 20 : std::getenv("JALON_SANITIZED") ? 1 : 5;
   for (const bool any_axis : {false, true}) {
     double most_m = 0, most_deg = 0;

@@ -5,16 +5,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <numbers>
-#include <sstream>
 #include <string>
 
 #include "base/error.h"
-#include "formats/formats.h"
 #include "geometry/rigid_motion.h"
+#include "real_scans.h"
 #include "registration_scenes.h"
 
 using namespace jalon;
@@ -22,15 +19,6 @@ using namespace jalon;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-
-Transform pose_in(const std::string& path) {
-  Transform out;
-  std::ifstream file(path);
-  for (double& value : out.m) file >> value;
-  return out;
-}
-
-Cloud read(const std::string& path, Task& task) { return read_cloud(path, {"read", read_rows()}, task); }
 
 ParamSet icp_params() { return {"registrar icp", icp_rows()}; }
 
@@ -47,27 +35,12 @@ double first(const FieldTable& table, const char* column) { return table.require
 
 }  // namespace
 
-// The pose that comes with the scans is what generalised ICP of another library gives on centroids of 10 cm cubes,
-// with 10
-// neighbours, all pairs within a metre and no robust weights. The scans were taken in motion and do not fit to better
-// than centimetres; other choices give poses that differ by 0.1 to 0.2 degrees, whatever the library.
 TEST_CASE("icp__real_scans_land_within_a_centimetre_of_the_published_pose") {
-  const std::string folder = std::string(JALON_SHARED_DATA) + "/registration/";
-  if (!std::ifstream(folder + "source.ply")) {
-    if (std::getenv("CI") != nullptr) FAIL("the shared scans are missing");
-    MESSAGE("skipped: no shared scans");
-    return;
-  }
-  Task task;
-  const Cloud target = read(folder + "target.ply", task), source = read(folder + "source.ply", task);
-  const Transform truth = pose_in(folder + "T_target_source.txt");
-  ParamSet as_published = icp_params();
-  as_published.set_number("cell_m", 0.1);
-  as_published.set_integer("k", 10);
-  as_published.set_number("max_distance_m", 1);
-  as_published.set_number("min_distance_m", 1);
-  as_published.set_number("max_angle_rad", std::numbers::pi / 2);
-  as_published.set_text("kernel", "none");
+  const test::RealScans scans;
+  if (!scans.exist()) return;
+  const Cloud target = scans.target(), source = scans.source();
+  const Transform truth = scans.pose();
+  ParamSet as_published = test::RealScans::as_published(icp_params());
   const auto check = [&](const char* what, const ParamSet& params, double most_m, double most_deg) {
     const Registration r = run(target, source, {}, 1, params);
     const Transform error = r.pose * inverse(truth);
