@@ -48,18 +48,21 @@ typedef struct jalon_target {
  * method, NULL = "icp":
  * - "icp": iterative closest points (Besl & McKay 1992; Chen & Medioni 1992) from a start that is about right: clouds
  *   of the same surfaces, half a metre and some degrees apart. Local planes of both clouds, steps on few points and
- *   then on all, a distance that shrinks down to three times the noise, robust weights. Parameters: "metric", "kernel",
- *   "max_distance_m" ... (jalon_registrar_params). Of the pose it gives
- *   - the covariance, from the scatter of the local planes of both clouds, as it goes through pairs and planes into the
- *     pose, scaled by the residuals (a-posteriori sigma0). Assumed: independent noise of the points, surfaces that are
- *     the same in both. What neighbouring points have in common (a station's tilt, a warped mirror) is not in it, nor
- *     where neighbours of k points are wider than the surfaces are flat;
+ *   then on all, a distance that shrinks down to three times the noise, robust weights. With the metric point to plane
+ *   and a robust kernel the last steps are an adjustment of the pose together with patches of both clouds' surfaces,
+ *   planes and paraboloids (Gruen & Akca 2005; Zhou, Koppel & Kaess 2021), where both clouds have such surfaces.
+ *   Parameters: "metric", "kernel", "max_distance_m" ... (jalon_registrar_params). Of the pose it gives
+ *   - the covariance: of the adjustment on patches, by the scatter of each cloud's points about them; without patches
+ *     from the scatter of the local planes of both clouds, as it goes through pairs and planes into the pose, scaled by
+ *     the residuals (a-posteriori sigma0). Assumed: independent noise of the points, surfaces that are the same in
+ *     both. What neighbouring points have in common (a station's tilt, a warped mirror) is not in it, nor where
+ *     neighbours of k points are wider than the surfaces are flat;
  *   - the directions that nothing fixes: those in which the pairs say no more than the noise of the planes' normals
  *     alone would. The pose keeps the start there, and the covariance is NaN;
- *   - "kept", "sigma", "sigma0", "redundancy" and "thinning_cell" (m; 0 = all points were used) in the summary besides
- *     the common columns.
+ *   - "kept", "sigma", "sigma0", "redundancy", "patches" (uint64; 0 = the pose rests on pairs) and "thinning_cell" (m;
+ *     0 = all points were used) in the summary besides the common columns.
  *   Too little overlap is JALON_STOPPED_TOO_FEW_PAIRS: less than "min_overlap_percent" of the moving points have a
- *   pair. About 3 s for 1 M points on 1 M with one thread.
+ *   pair. About 3.5 s for 1 M points on 1 M with one thread.
  * - "targets": the rigid or similarity motion ("transform") from three or more targets known in both frames: closed
  *   form (Arun, Huang & Blostein 1987; Umeyama 1991), then the adjustment weighted with the covariances of both sides
  *   (Gauss-Helmert model; Pope 1972), and a test of each target for a blunder (data snooping; Baarda 1968).
@@ -138,7 +141,8 @@ JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_regist
  * The log of the iterations, one row each. Without columns for methods that make none. Method "icp": "level" (int32, 0
  * = the fewest points), "pairs" (uint64), "kept" (float64: share of the moving points with a pair), "rms", "sigma",
  * "distance" (float64, m: residuals and the greatest of a pair), "turn" (float64, rad), "shift" (float64, m),
- * "observable" (uint8: directions fixed). Method "coarse": the poses that are clearly different from each other, the
+ * "observable" (uint8: directions fixed); steps on patches are a level of their own, "pairs" are then points of both
+ * clouds. Method "coarse": the poses that are clearly different from each other, the
  * best first: "score", "overlap_moving", "overlap_reference", "likeness" as in the summary, "salient" (share of the
  * salient places that come near the other cloud), "rms" (float64, m), "source" (uint8, JALON_POSE_FROM_...), "pose"
  * (float64 x 12: T_reference_moving, rows of [A | t]).

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/table_columns.h"
 #include "registration/icp_result.h"
+#include "registration/icp_settle.h"
 #include "registration/icp_thinning.h"
 
 namespace jalon {
@@ -103,8 +104,12 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, con
   IcpState state;
   state.inner = clouds.inner(start);
   {
-    Span span(task, 0.5, 0.95, "iterations");
+    Span span(task, 0.5, 0.85, "iterations");
     iterate(clouds, settings, task, state);
+  }
+  {
+    Span span(task, 0.85, 0.95, "patches of both clouds");
+    icp_settle(clouds, settings, task, state);
   }
   Span span(task, 0.95, 1, "covariance");
   Registration out = icp_result(clouds, of_reference, of_moving, settings, state, task);

@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "registration/icp_influence.h"
+#include "registration/icp_settle.h"
 
 namespace jalon {
 
@@ -75,30 +76,42 @@ void set_directions(const Square<6>& scaled, const IcpDirections& found, IcpCova
   for (size_t k = 0; next < 6; ++k) out.directions[next++] = of_covariance[k];
 }
 
-}  // namespace
-
-IcpCovariance icp_covariance(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner,
-                             const PairRule& rule, const RobustKernel& kernel, const IcpFrame& frame, uint32_t k,
-                             Task& task) {
-  IcpCovariance out;
-  const RobustKernel inside{KernelKind::kNone, kernel.sigma_m};
-  PairRule heard = rule;
-  if (kernel.kind == KernelKind::kTukey) heard.most_m = std::min(rule.most_m, RobustKernel::kTukeyCut * kernel.sigma_m);
-  const IcpSums sums = icp_sums(clouds, {}, {}, neighbours, inner, heard, inside, frame, task);
-  const IcpDirections directions = icp_directions(sums);
-  const double variance_m2 = sums.squares / std::max(sums.weights, 1.0);
-  out.sigma0 = sigma0_of(clouds, neighbours, inner, heard, kernel.sigma_m, task);
-  out.redundancy = static_cast<double>(sums.pairs) - 6;
-  const bool by_planes = rule.metric == IcpMetric::kPointToPlane;
-  Square<6> meat = by_planes ? icp_influence(clouds, neighbours, inner, heard, frame, k, task)
-                                   : icp_scores(clouds, neighbours, inner, heard, frame);
-  if (!by_planes) out.sigma0 = 1;  // in the scores
+// What the noise of the points puts into the right-hand side of pairs.
+Square<6> pair_scatter(const IcpClouds& clouds, const IcpState& state, const PairRule& rule, const IcpSums& sums,
+                       uint32_t k, Task& task) {
+  if (rule.metric != IcpMetric::kPointToPlane)
+    return icp_scores(clouds, state.neighbours, state.inner, rule, state.frame());
+  Square<6> out = icp_influence(clouds, state.neighbours, state.inner, rule, state.frame(), k, task);
   // What robust weights cost is noise of each pair alone: 5 % of what it would be by itself, while points that stand in
   // many pairs are most of the sum.
-  if (by_planes && kernel.kind != KernelKind::kNone)
-    for (size_t i = 0; i < 36; ++i) meat[i] += (1 / RobustKernel::kEfficiency - 1) * variance_m2 * sums.normal[i];
-  Square<6> scaled = sandwich<6>(inverse_of(directions), meat);
-  for (double& c : scaled) c *= out.sigma0 * out.sigma0;
+  const double variance_m2 = sums.squares / std::max(sums.weights, 1.0);
+  if (state.kernel.kind != KernelKind::kNone)
+    for (size_t i = 0; i < 36; ++i) out[i] += (1 / RobustKernel::kEfficiency - 1) * variance_m2 * sums.normal[i];
+  return out;
+}
+
+}  // namespace
+
+IcpCovariance icp_covariance(const IcpClouds& clouds, const IcpState& state, uint32_t k, Task& task) {
+  IcpCovariance out;
+  const RobustKernel& kernel = state.kernel;
+  const IcpFrame frame = state.frame();
+  PairRule heard = state.rule;
+  if (kernel.kind == KernelKind::kTukey)
+    heard.most_m = std::min(heard.most_m, RobustKernel::kTukeyCut * kernel.sigma_m);
+  const IcpSums sums = icp_sums(clouds, {}, {}, state.neighbours, state.inner, heard,
+                                {KernelKind::kNone, kernel.sigma_m}, frame, task);
+  const IcpDirections directions = icp_directions(sums);
+  const bool by_planes = heard.metric == IcpMetric::kPointToPlane;  // else the sigma of each pair is in the scores
+  if (by_planes) out.sigma0 = sigma0_of(clouds, state.neighbours, state.inner, heard, kernel.sigma_m, task);
+  out.redundancy = static_cast<double>(sums.pairs) - 6;
+  Square<6> scaled;
+  if (state.patches.patches > 0) {
+    scaled = patch_covariance(state.patches, directions);
+  } else {
+    scaled = sandwich<6>(inverse_of(directions), pair_scatter(clouds, state, heard, sums, k, task));
+    for (double& c : scaled) c *= out.sigma0 * out.sigma0;
+  }
   set_directions(scaled, directions, out);
   const bool open = !std::all_of(directions.observable.begin(), directions.observable.end(), [](bool b) { return b; });
   const auto length = [&](size_t i) { return i < 3 ? frame.extent_m : 1; };

@@ -96,18 +96,13 @@ class CloudInfluence {
   void share_exactly(uint32_t position, uint32_t k) {
     const Share& mean = plane_[position];
     if (std::all_of(mean.of, mean.of + 6, [](float v) { return v == 0; })) return;
-    const PlaneMembers members = plane_members(planes_, position, k);
-    const auto n = static_cast<double>(members.positions.size());
-    const Vec3 centre = members.points.offset * planes_.tree->grid_step();
-    for (const uint32_t m : members.positions) {
-      const double cosine = dot(planes_.planes[position].unit(), planes_.planes[m].unit());
+    for (const PlaneShare& share : plane_shares(planes_, position, k)) {
+      const double cosine = dot(planes_.planes[position].unit(), planes_.planes[share.position].unit());
       const double sign = cosine < 0 ? -1 : 1;
-      const Vec3 place = planes_.place(m) - planes_.place(position) - centre;
-      const Vec3 pull = members.pull(place);
       for (size_t i = 0; i < 6; ++i) {
-        const double along = tilt_[position][0].of[i] * pull.x + tilt_[position][1].of[i] * pull.y +
-                             tilt_[position][2].of[i] * pull.z - mean.of[i] * dot(centre, pull);
-        own_[m].of[i] += static_cast<float>(sign * (mean.of[i] / n + along));
+        const double along = tilt_[position][0].of[i] * share.slope.x + tilt_[position][1].of[i] * share.slope.y +
+                             tilt_[position][2].of[i] * share.slope.z;
+        own_[share.position].of[i] += static_cast<float>(sign * (mean.of[i] * share.height + along));
       }
     }
   }

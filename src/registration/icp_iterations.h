@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "registration/icp_normal.h"
+#include "registration/icp_patch_fit.h"
 #include "registration/icp_settings.h"
 #include "registration/registration.h"
 
@@ -35,6 +36,7 @@ struct IcpState {
   IcpNeighbours neighbours;  ///< of the last step, with their rule and kernel
   PairRule rule;
   RobustKernel kernel;
+  PatchSums patches;  ///< of the last step on patches, where the pose settled on them
 
   IcpFrame frame() const { return {inner.point(centre), extent_m}; }
 };

@@ -2,53 +2,76 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/icp_plane_points.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "registration/icp_face_plane.h"
+#include "registration/icp_quadric_plane.h"
 
 namespace jalon {
 
 namespace {
 
-// Sums of those of some points that are within a limit of a plane, or of all.
-PlanePoints sums_of(const Octree& tree, uint32_t position, std::vector<uint32_t>& positions) {
-  PlanePoints out;
-  out.count = positions.size();
-  const int32_t *x = tree.grid_x(), *y = tree.grid_y(), *z = tree.grid_z();
-  const auto at = [&](uint32_t p) {
-    return Vec3{static_cast<double>(x[p] - x[position]), static_cast<double>(y[p] - y[position]),
-                static_cast<double>(z[p] - z[position])};
-  };
-  for (const uint32_t p : positions) out.offset += at(p);
-  out.offset = out.offset / static_cast<double>(out.count);
-  for (const uint32_t p : positions) {
-    const Vec3 d = at(p) - out.offset;
+// On a face of its own the plane was drawn through the points near it; elsewhere through all.
+void keep_face(const SurfacePlanes& planes, uint32_t position, std::vector<uint32_t>& near) {
+  const SurfacePlane& plane = planes.planes[position];
+  std::erase_if(near, [&](uint32_t n) {
+    const double height = dot(plane.unit(), planes.place(n) - planes.place(position));
+    return std::abs(height - double{plane.height_m}) > kFaceNoises * planes.noise_m;
+  });
+}
+
+std::vector<PlaneShare> shares_of_plane(const SurfacePlanes& planes, uint32_t position,
+                                        const std::vector<uint32_t>& near) {
+  std::vector<PlaneShare> out;
+  if (near.empty()) return out;
+  Vec3 centre;
+  for (const uint32_t n : near) centre += planes.place(n) - planes.place(position);
+  const auto count = static_cast<double>(near.size());
+  centre = centre / count;
+  Symmetric3 scatter{};
+  for (const uint32_t n : near) {
+    const Vec3 d = planes.place(n) - planes.place(position) - centre;
     const double row[6] = {d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z};
-    for (size_t c = 0; c < 6; ++c) out.scatter[c] += row[c];
+    for (size_t c = 0; c < 6; ++c) scatter[c] += row[c];
+  }
+  const Eigen3 e = symmetric_eigen(scatter);
+  const Vec3 &u = e.vectors[2], &v = e.vectors[1];
+  if (!(e.values[1] > 0)) return out;
+  for (const uint32_t n : near) {
+    const Vec3 d = planes.place(n) - planes.place(position) - centre;
+    const Vec3 slope = u * (dot(u, d) / e.values[2]) + v * (dot(v, d) / e.values[1]);
+    out.push_back({n, 1 / count - dot(centre, slope), slope});
+  }
+  return out;
+}
+
+std::vector<PlaneShare> shares_of_quadric(const SurfacePlanes& planes, uint32_t position,
+                                          const std::vector<uint32_t>& near) {
+  std::vector<PlaneShare> out;
+  LocalQuadric quadric;
+  if (!local_quadric(*planes.tree, position, near, quadric)) return out;
+  for (const uint32_t n : near) {
+    const Coefficients<6> q = quadric.terms(planes.place(n) - planes.place(position));
+    double of[3] = {};
+    for (size_t r = 0; r < 3; ++r)
+      for (size_t c = 0; c < 6; ++c) of[r] += quadric.cofactors[6 * r + c] * q[c];
+    out.push_back({n, of[0], (quadric.u * of[1] + quadric.v * of[2]) / quadric.scale_m});
   }
   return out;
 }
 
 }  // namespace
 
-PlaneMembers plane_members(const SurfacePlanes& planes, uint32_t position, uint32_t k) {
+std::vector<PlaneShare> plane_shares(const SurfacePlanes& planes, uint32_t position, uint32_t k) {
   const Octree& tree = *planes.tree;
-  std::vector<Neighbour> near(k);
-  near.resize(tree.knn_positions(tree.cube().origin + tree.local(position), k, near));
-  PlaneMembers out;
-  const SurfacePlane& plane = planes.planes[position];
-  // On a face of its own the plane was drawn through the points near it; elsewhere through all.
-  for (const Neighbour& n : near)
-    if (std::abs(dot(plane.unit(), planes.place(n.index) - planes.place(position)) - plane.height_m) <=
-        kFaceNoises * planes.noise_m || !plane.face)
-      out.positions.push_back(n.index);
-  out.points = sums_of(tree, position, out.positions);
-  const Eigen3 e = symmetric_eigen(out.points.scatter);
-  const double step2 = tree.grid_step() * tree.grid_step();
-  out.u = e.vectors[2];
-  out.v = e.vectors[1];
-  out.uu_m2 = e.values[2] * step2;
-  out.vv_m2 = e.values[1] * step2;
-  return out;
+  std::vector<Neighbour> found(k);
+  found.resize(tree.knn_positions(tree.cube().origin + tree.local(position), k, found));
+  std::vector<uint32_t> near;
+  for (const Neighbour& n : found) near.push_back(n.index);
+  const SurfaceShape shape = planes.planes[position].shape;
+  if (shape == SurfaceShape::kQuadric) return shares_of_quadric(planes, position, near);
+  if (shape == SurfaceShape::kFace) keep_face(planes, position, near);
+  return shares_of_plane(planes, position, near);
 }
 
 }  // namespace jalon

@@ -4,22 +4,17 @@
 
 #include <vector>
 
-#include "registration/icp_face_plane.h"
 #include "registration/icp_planes.h"
 
 namespace jalon {
 
-/// The points that the plane of a point goes through.
-struct PlaneMembers {
-  std::vector<uint32_t> positions;
-  PlanePoints points;
-  Vec3 u, v;               ///< axes in the plane
-  double uu_m2 = 0, vv_m2 = 0;  ///< sums of squares along them
-  /// S^-1 of an offset from the centroid, in the plane.
-  Vec3 pull(const Vec3& offset_m) const {
-    return u * (dot(u, offset_m) / uu_m2) + v * (dot(v, offset_m) / vv_m2);
-  }
+/// What a unit of a neighbour's height adds to the plane of a point.
+struct PlaneShare {
+  uint32_t position = 0;
+  double height = 0;   ///< of the plane at the point
+  Vec3 slope;          ///< of the plane, 1 / m
 };
-PlaneMembers plane_members(const SurfacePlanes& planes, uint32_t position, uint32_t k);
+/// Of all points that the plane of a point goes through; empty where it has none.
+std::vector<PlaneShare> plane_shares(const SurfacePlanes& planes, uint32_t position, uint32_t k);
 
 }  // namespace jalon

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "cloud/neighbour_planes.h"
 #include "registration/icp_face_plane.h"
+#include "registration/icp_quadric_plane.h"
 
 namespace jalon {
 
@@ -20,11 +21,13 @@ constexpr size_t kMedianSample = 1 << 14;  // a median of so many is within 1 % 
 // Of the median scatter. A scatter of 13 degrees of freedom is that large once in ten thousand; across an edge it is a
 // multiple of it.
 constexpr double kFlat = 1.75;
+// ... about a paraboloid: less, since across an edge the six coefficients take some of the misfit up.
+constexpr double kBent = 1.5;
 constexpr size_t kUnknowns = 3;  // of a plane
 
 // From sums of products about the centroid, in grid steps; least: the smallest eigenvalue.
 SurfacePlane plane_of(const PlanePoints& points, const Vec3& n, double least, double step) {
-  SurfacePlane out{{0, 0, 0}, 0, kNone, 0, 0, false};
+  SurfacePlane out{{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
   const Symmetric3& s = points.scatter;
   const double tangent = s[0] + s[3] + s[5] - least;
   const double minors = (s[0] * s[3] - s[1] * s[1]) + (s[0] * s[5] - s[2] * s[2]) + (s[3] * s[5] - s[4] * s[4]);
@@ -41,7 +44,7 @@ SurfacePlane plane_of(const PlanePoints& points, const Vec3& n, double least, do
 
 SurfacePlane plane_of(const NeighbourPlane& from, double step) {
   const Symmetric3& s = *from.scatter;
-  if (from.normal == nullptr) return {{0, 0, 0}, 0, kNone, 0, 0, false};
+  if (from.normal == nullptr) return {{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
   return plane_of({s, from.offset, from.count}, {from.normal[0], from.normal[1], from.normal[2]},
                   std::max(0.0, from.variation * (s[0] + s[3] + s[5])), step);
 }
@@ -51,10 +54,10 @@ SurfacePlane face_plane(const Octree& tree, size_t position, const uint32_t* nei
   PlanePoints points;
   const double step = tree.grid_step();
   if (!points_of_face(tree, position, neighbours, count, noise_m / step, points))
-    return {{0, 0, 0}, 0, kNone, 0, 0, false};
+    return {{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
   const Eigen3 e = symmetric_eigen(points.scatter);
   SurfacePlane out = plane_of(points, e.vectors[0], std::max(0.0, e.values[0]), step);
-  out.face = true;
+  out.shape = SurfaceShape::kFace;
   return out;
 }
 
@@ -117,7 +120,10 @@ SurfacePlanes surface_planes(std::shared_ptr<const Octree> tree, uint32_t k, Tas
       SurfacePlane& here = to[plane.position];
       here = plane_of(plane, step);
       if (here.sigma_m <= out.flat_m) return;
-      here = face_plane(*out.tree, plane.position, b.neighbours + (plane.position - b.first) * b.k, used, out.noise_m);
+      const uint32_t* neighbours = b.neighbours + (plane.position - b.first) * b.k;
+      here = tangent_plane(*out.tree, plane.position, {neighbours, used}, kBent * out.noise_m);
+      if (here.sigma_m <= out.flat_m) return;
+      here = face_plane(*out.tree, plane.position, neighbours, used, out.noise_m);
     };
     NeighbourPlanes<decltype(write)> planes(*out.tree, write);
     for (size_t i = 0; i < b.count; ++i) planes.add(b.first + i, b.neighbours + i * b.k, used);

@@ -13,14 +13,21 @@
 
 namespace jalon {
 
-/// The plane through the neighbours of a point: what one point of a cloud knows of the surface.
+/// What the plane of a point comes from.
+enum class SurfaceShape : uint8_t {
+  kPlane,   ///< through all neighbours
+  kQuadric, ///< touches a paraboloid through all neighbours
+  kFace,    ///< through those neighbours alone that lie on the face of the point
+};
+
+/// The plane of the surface at a point: what one point of a cloud knows of it.
 struct SurfacePlane {
   float normal[3];
   float height_m;  ///< of the plane above the point, along the normal
-  float sigma_m;   ///< scatter of the neighbours about it; infinity: no plane
+  float sigma_m;   ///< scatter of the neighbours about the surface; infinity: no plane
   float tilt_rad;  ///< standard deviation of the normal about an axis in the plane, mean of all axes
   float radius_m;  ///< root mean square distance of the neighbours from their centroid, in the plane
-  bool face;       ///< through those neighbours alone that lie on the face of the point
+  SurfaceShape shape;
 
   Vec3 unit() const { return {normal[0], normal[1], normal[2]}; }
 };
@@ -38,8 +45,9 @@ struct SurfacePlanes {
   bool flat(size_t position) const { return planes[position].sigma_m <= flat_m; }
 };
 
-/// By least squares through the k nearest points. Near edges, where these lie on several faces, through those of them
-/// that lie on the face of the point.
+/// By least squares through the k nearest points. Where these scatter more than the noise, the plane that touches a
+/// paraboloid through them (round columns); where that fits no better, near edges, where they lie on several faces, the
+/// plane through those of them that lie on the face of the point.
 SurfacePlanes surface_planes(std::shared_ptr<const Octree> tree, uint32_t k, Task& task);
 
 /// The flattest point of each occupied cell of a level, one for each of the three axes that its normal is nearest to,

@@ -93,10 +93,11 @@ Registration icp_result(const IcpClouds& clouds, const IcpSource& reference, con
     set_unknown(out);
     return out;
   }
-  const IcpCovariance found = icp_covariance(clouds, state.neighbours, state.inner, state.rule, state.kernel,
-                                             state.frame(), settings.neighbours, task);
+  const IcpCovariance found = icp_covariance(clouds, state, settings.neighbours, task);
   add_value<double>(out.summary, "sigma0", "1", "a posteriori: residuals over what the planes' scatter foretells",
                     found.sigma0);
+  add_value<uint64_t>(out.summary, "patches", "", "of both clouds that the pose settled on; 0: it rests on pairs",
+                      state.patches.patches);
   add_value<double>(out.summary, "redundancy", "", "pairs less unknowns", found.redundancy);
   out.covariance = found.covariance;
   fill_tables(out, found.directions);
