@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/changes.h"
 
-#include "capi/comparison_handles.h"
-#include "capi/guard.h"
-#include "capi/model_handles.h"
-#include "compare/diagnosis.h"
-#include "report/change_outlines.h"
+#include "capi/support/comparison_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
+#include "compare/changes/diagnosis.h"
+#include "report/pages/change_outlines.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/clearance.h"
 
-#include "capi/guard.h"
-#include "capi/model_handles.h"
-#include "compare/clearance.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
+#include "compare/clearance/clearance.h"
 #include "solid/motion.h"
 
 using namespace jalon;

@@ -8,7 +8,7 @@
 #include <new>
 
 #include "base/large_memory.h"
-#include "capi/cloud_handle.h"
+#include "capi/support/cloud_handle.h"
 
 namespace jalon::capi {
 

@@ -5,7 +5,7 @@
 #include <new>
 #include <vector>
 
-#include "capi/cloud_handle.h"
+#include "capi/support/cloud_handle.h"
 #include "cloud/select.h"
 
 namespace jalon::capi {

@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 #include "base/text_number.h"
-#include "capi/cloud_handle.h"
+#include "capi/support/cloud_handle.h"
 
 namespace jalon::capi {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "capi/cloud_handle.h"
+#include "capi/support/cloud_handle.h"
 #include "cloud/statistics.h"
 
 namespace jalon::capi {

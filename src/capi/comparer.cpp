@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/comparer.h"
 
-#include "capi/comparison_handles.h"
-#include "capi/guard.h"
-#include "capi/model_handles.h"
-#include "compare/closest_points.h"
-#include "compare/m3c2.h"
-#include "compare/model_distance.h"
-#include "compare/preview.h"
+#include "capi/support/comparison_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
+#include "compare/distance/closest_points.h"
+#include "compare/distance/model_distance.h"
+#include "compare/m3c2/m3c2.h"
+#include "compare/preview/preview.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "capi/comparison_handles.h"
-#include "capi/guard.h"
-#include "compare/m3c2_file.h"
-#include "formats/byte_source.h"
+#include "capi/support/comparison_handles.h"
+#include "capi/support/guard.h"
+#include "compare/m3c2/file.h"
+#include "formats/files/byte_source.h"
 #include "jalon/comparer.h"
 
 using namespace jalon;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/evaluate.h"
 
-#include "capi/guard.h"
-#include "capi/worker_handles.h"
-#include "segment/confusion.h"
-#include "segment/evaluation.h"
-#include "segment/from_labels.h"
+#include "capi/support/guard.h"
+#include "capi/support/worker_handles.h"
+#include "segment/evaluation/confusion.h"
+#include "segment/evaluation/evaluation.h"
+#include "segment/labels/from_labels.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "capi/guard.h"
-#include "capi/model_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
 #include "jalon/evaluate.h"
 #include "geometry/polygon2.h"
 #include "geometry/polygon_sets.h"
-#include "modelling/model_evaluation.h"
+#include "modelling/evaluation/model_evaluation.h"
 
 using namespace jalon;
 using namespace jalon::capi;

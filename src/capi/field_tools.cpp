@@ -3,17 +3,17 @@
 #include "jalon/field_tools.h"
 
 #include "base/table_columns.h"
-#include "capi/guard.h"
-#include "capi/noise_law_handle.h"
-#include "compare/chamfer.h"
-#include "compare/chi_square.h"
-#include "compare/fast_marching.h"
-#include "compare/field_arithmetic.h"
-#include "compare/field_values.h"
-#include "compare/gradient.h"
-#include "compare/propagation.h"
-#include "compare/smoothing.h"
-#include "compare/two_means.h"
+#include "capi/support/guard.h"
+#include "capi/support/noise_law_handle.h"
+#include "fieldtools/chamfer.h"
+#include "fieldtools/chi_square.h"
+#include "fieldtools/fast_marching.h"
+#include "fieldtools/field_arithmetic.h"
+#include "fieldtools/field_values.h"
+#include "fieldtools/gradient.h"
+#include "fieldtools/propagation.h"
+#include "fieldtools/smoothing.h"
+#include "fieldtools/two_means.h"
 
 using namespace jalon;
 using namespace jalon::capi;

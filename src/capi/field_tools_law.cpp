@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <limits>
 
-#include "capi/guard.h"
-#include "capi/noise_law_handle.h"
-#include "compare/field_values.h"
-#include "compare/histogram.h"
+#include "capi/support/guard.h"
+#include "capi/support/noise_law_handle.h"
+#include "fieldtools/field_values.h"
+#include "fieldtools/histogram.h"
 #include "jalon/field_tools.h"
 
 using namespace jalon;

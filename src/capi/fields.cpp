@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "capi/guard.h"
+#include "capi/support/guard.h"
 
 using namespace jalon;
 using namespace jalon::capi;

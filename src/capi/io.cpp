@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/io.h"
 
-#include "capi/guard.h"
-#include "capi/model_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
 #include "formats/formats.h"
 
 using namespace jalon;

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "capi/guard.h"
-#include "capi/model_handles.h"
-#include "capi/model_tables.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
+#include "capi/support/model_tables.h"
 #include "model/edit.h"
 
 using namespace jalon;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/modeller.h"
 
-#include "capi/guard.h"
-#include "capi/model_handles.h"
-#include "capi/worker_handles.h"
-#include "modelling/facade.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
+#include "capi/support/worker_handles.h"
+#include "modelling/facade/facade.h"
 #include "modelling/outlines.h"
 
 using namespace jalon;

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "base/table_columns.h"
-#include "capi/guard.h"
-#include "capi/worker_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/worker_handles.h"
 #include "cloud/precision.h"
 #include "cloud/range_sample.h"
 #include "geometry/ranging.h"
-#include "segment/propagated_planes.h"
+#include "segment/labels/propagated_planes.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/primitives.h"
 
-#include "capi/guard.h"
-#include "capi/worker_handles.h"
-#include "formats/atomic_file.h"
-#include "segment/picks.h"
-#include "segment/primitive_fits.h"
-#include "segment/tables.h"
+#include "capi/support/guard.h"
+#include "capi/support/worker_handles.h"
+#include "formats/files/atomic_file.h"
+#include "segment/picks/picks.h"
+#include "segment/result/tables.h"
+#include "segment/surface/primitive_fits.h"
 
 using namespace jalon;
 using namespace jalon::capi;

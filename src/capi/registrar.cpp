@@ -5,13 +5,13 @@
 #include <cmath>
 #include <vector>
 
-#include "capi/comparison_handles.h"
-#include "capi/guard.h"
-#include "capi/registration_handles.h"
+#include "capi/support/comparison_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/registration_handles.h"
 #include "registration/automatic.h"
-#include "registration/coarse.h"
-#include "registration/icp.h"
-#include "registration/targets.h"
+#include "registration/coarse/coarse.h"
+#include "registration/icp/icp.h"
+#include "registration/targets/targets.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "capi/comparison_handles.h"
-#include "capi/guard.h"
-#include "capi/registration_handles.h"
+#include "capi/support/comparison_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/registration_handles.h"
 #include "cloud/operations.h"
 #include "jalon/registrar.h"
 

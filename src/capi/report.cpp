@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/report.h"
 
-#include "capi/guard.h"
-#include "capi/model_handles.h"
-#include "capi/report_files.h"
-#include "capi/worker_handles.h"
-#include "report/picture.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
+#include "capi/support/report_files.h"
+#include "capi/support/worker_handles.h"
+#include "report/pictures/picture.h"
 #include "report/report.h"
 
 using namespace jalon;

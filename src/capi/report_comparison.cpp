@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "capi/comparison_handles.h"
-#include "capi/guard.h"
-#include "capi/report_files.h"
+#include "capi/support/comparison_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/report_files.h"
 #include "jalon/report.h"
-#include "report/comparison_report.h"
-#include "report/deviation_picture.h"
+#include "report/pages/comparison_report.h"
+#include "report/pictures/deviation_picture.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "capi/guard.h"
-#include "capi/registration_handles.h"
-#include "capi/report_files.h"
+#include "capi/support/guard.h"
+#include "capi/support/registration_handles.h"
+#include "capi/support/report_files.h"
 #include "jalon/report.h"
-#include "report/registration_report.h"
+#include "report/pages/registration_report.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/scanner.h"
 
-#include "capi/guard.h"
-#include "capi/model_handles.h"
-#include "capi/scan_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
+#include "capi/support/scan_handles.h"
 #include "scan/scanner.h"
 
 using namespace jalon;

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "capi/guard.h"
-#include "spatial/morton.h"
+#include "capi/support/guard.h"
+#include "spatial/octree/morton.h"
 
 using namespace jalon;
 using namespace jalon::capi;

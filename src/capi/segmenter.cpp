@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/segmenter.h"
 
-#include "capi/guard.h"
-#include "capi/worker_handles.h"
-#include "segment/residuals.h"
-#include "segment/tables.h"
+#include "capi/support/guard.h"
+#include "capi/support/worker_handles.h"
+#include "segment/result/residuals.h"
+#include "segment/result/tables.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/status.h"
 
-#include "capi/operations.h"
+#include "capi/support/operations.h"
 #include "jalon/version.h"
 
 const char* jalon_status_name(jalon_status status) {

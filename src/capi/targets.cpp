@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/targets.h"
 
-#include "capi/guard.h"
-#include "registration/target_measure.h"
+#include "capi/support/guard.h"
+#include "registration/targets/measure.h"
 
 using namespace jalon;
 using namespace jalon::capi;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/task.h"
 
-#include "capi/guard.h"
+#include "capi/support/guard.h"
 
 namespace jalon::capi {
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/visibility.h"
 
-#include "capi/comparison_handles.h"
-#include "capi/guard.h"
-#include "compare/depth_table.h"
-#include "compare/recovery.h"
-#include "compare/visibility.h"
-#include "formats/atomic_file.h"
-#include "report/depth_picture.h"
+#include "capi/support/comparison_handles.h"
+#include "capi/support/guard.h"
+#include "compare/visibility/depth_table.h"
+#include "compare/visibility/recovery.h"
+#include "compare/visibility/visibility.h"
+#include "formats/files/atomic_file.h"
+#include "report/pictures/depth_picture.h"
 
 using namespace jalon;
 using namespace jalon::capi;

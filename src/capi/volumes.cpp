@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/volumes.h"
 
-#include "capi/comparison_handles.h"
-#include "capi/guard.h"
-#include "capi/model_handles.h"
-#include "compare/model_sample.h"
-#include "compare/volume.h"
+#include "capi/support/comparison_handles.h"
+#include "capi/support/guard.h"
+#include "capi/support/model_handles.h"
+#include "compare/distance/model_sample.h"
+#include "compare/volumes/volume.h"
 
 using namespace jalon;
 using namespace jalon::capi;

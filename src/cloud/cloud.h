@@ -15,7 +15,7 @@
 #include "base/shared_text.h"
 #include "base/task.h"
 #include "geometry/vec.h"
-#include "spatial/octree.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "spatial/components.h"
+#include "spatial/voxels/components.h"
 
 #include <cmath>
 

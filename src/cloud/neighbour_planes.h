@@ -9,7 +9,7 @@
 
 #include "cloud/plane_lanes.h"
 #include "geometry/symmetric_eigen.h"
-#include "spatial/octree.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon {
 

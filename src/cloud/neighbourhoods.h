@@ -8,7 +8,7 @@
 
 #include "geometry/plane.h"
 #include "geometry/quadric.h"
-#include "spatial/octree.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon {
 

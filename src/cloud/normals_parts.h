@@ -7,7 +7,7 @@
 #include "base/field.h"
 #include "base/params.h"
 #include "cloud/cloud.h"
-#include "spatial/octree.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon {
 

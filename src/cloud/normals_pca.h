@@ -7,7 +7,7 @@
 
 #include "base/field.h"
 #include "base/task.h"
-#include "spatial/octree.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon {
 

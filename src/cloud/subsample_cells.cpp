@@ -7,8 +7,8 @@
 
 #include "base/parallel.h"
 #include "cloud/select.h"
-#include "spatial/morton.h"
-#include "spatial/voxel_grid.h"
+#include "spatial/octree/morton.h"
+#include "spatial/voxels/voxel_grid.h"
 
 namespace jalon {
 

@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "formats/readers.h"
-#include "formats/utf8.h"
+#include "formats/files/readers.h"
+#include "formats/files/utf8.h"
 
 namespace jalon {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "modelling/vectorise.h"
+#include "modelling/edges/join/vectorise.h"
 
 namespace jalon {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/automatic.h"
 
-#include "registration/coarse.h"
-#include "registration/icp.h"
+#include "registration/coarse/coarse.h"
+#include "registration/icp/icp.h"
 
 namespace jalon {
 

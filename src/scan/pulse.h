@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "scan/static_settings.h"
 #include "scan/surfaces.h"
-#include "spatial/triangle_tree.h"
+#include "spatial/triangles/tree.h"
 
 namespace jalon {
 

@@ -12,7 +12,7 @@
 #include "scan/scan_output.h"
 #include "scan/scanner.h"
 #include "scan/static_settings.h"
-#include "spatial/triangle_tree.h"
+#include "spatial/triangles/tree.h"
 
 namespace jalon {
 

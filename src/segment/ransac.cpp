@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "segment/ending.h"
-#include "segment/merging.h"
+#include "segment/ransac/sequence.h"
 #include "segment/segmentation.h"
-#include "segment/sequence.h"
+#include "segment/settle/ending.h"
+#include "segment/settle/merging.h"
 
 namespace jalon {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "segment/ending.h"
-#include "segment/growing.h"
-#include "segment/merging.h"
+#include "segment/growing/growing.h"
 #include "segment/segmentation.h"
+#include "segment/settle/ending.h"
+#include "segment/settle/merging.h"
 
 namespace jalon {
 

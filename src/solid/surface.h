@@ -11,7 +11,7 @@
 #include "base/task.h"
 #include "solid/convex_piece.h"
 #include "solid/triangle_boxes.h"
-#include "spatial/triangle_nearest.h"
+#include "spatial/triangles/nearest.h"
 
 namespace jalon {
 

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "spatial/octree_walk.h"
+#include "spatial/octree/walk.h"
 
 namespace jalon {
 

@@ -8,7 +8,7 @@
 
 #include "base/task.h"
 #include "solid/surface.h"
-#include "spatial/octree.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon {
 

@@ -9,7 +9,7 @@
 #include "base/task.h"
 #include "solid/convex_piece.h"
 #include "solid/triangle_boxes.h"
-#include "spatial/octree.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon {
 

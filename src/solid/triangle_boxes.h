@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/vec.h"
-#include "spatial/octree_walk.h"
+#include "spatial/octree/walk.h"
 
 namespace jalon {
 

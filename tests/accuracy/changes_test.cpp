@@ -7,7 +7,7 @@
 #include <map>
 
 #include "change_scenes.h"
-#include "compare/diagnosis.h"
+#include "compare/changes/diagnosis.h"
 #include "geometry/cholesky.h"
 #include "recipe.h"
 

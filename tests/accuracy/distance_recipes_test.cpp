@@ -12,7 +12,7 @@
 
 #include "base/random.h"
 #include "compare/comparison.h"
-#include "compare/preview.h"
+#include "compare/preview/preview.h"
 #include "recipe.h"
 
 using namespace jalon;

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
-#include "../unit/scan/fixture.h"
+#include "unit/scan/fixture.h"
 #include "base/random.h"
-#include "spatial/triangle_tree.h"
+#include "spatial/triangles/tree.h"
 
 // S2 of distances-and-change 3: four days of earthworks from one scanner, and what was truly in its shadow.
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "compare/recovery.h"
-#include "compare/regions.h"
+#include "compare/changes/regions.h"
+#include "compare/visibility/recovery.h"
 #include "earthworks.h"
 
 // What the comparer makes of the days of earthworks: octree-and-applications 9, (8) and (9).

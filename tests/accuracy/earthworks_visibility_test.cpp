@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "compare/visibility.h"
+#include "compare/visibility/visibility.h"
 #include "earthworks.h"
 
 // Acceptance of distances-and-change 4: at least 95 % of true shadow points labelled, at most 2 % of commonly seen

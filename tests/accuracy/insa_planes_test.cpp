@@ -10,8 +10,8 @@
 
 #include "chain.h"
 #include "scan/truth.h"
-#include "segment/evaluation.h"
-#include "segment/from_labels.h"
+#include "segment/evaluation/evaluation.h"
+#include "segment/labels/from_labels.h"
 
 using namespace jalon;
 using namespace jalon::test;

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "base/random.h"
-#include "compare/model_distance.h"
-#include "compare/model_sample.h"
+#include "compare/distance/model_distance.h"
+#include "compare/distance/model_sample.h"
 
 using namespace jalon;
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "modelling/facade.h"
+#include "modelling/facade/facade.h"
 #include "recipe.h"
 #include "wall_figures.h"
 

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "recipe.h"
-#include "segment/residuals.h"
-#include "segment/tolerance.h"
+#include "segment/result/residuals.h"
+#include "segment/surface/tolerance.h"
 
 using namespace jalon;
 using namespace jalon::test;

@@ -11,8 +11,8 @@
 
 #include "scan/scanner.h"
 #include "scan/truth.h"
-#include "segment/evaluation.h"
-#include "segment/from_labels.h"
+#include "segment/evaluation/evaluation.h"
+#include "segment/labels/from_labels.h"
 #include "segment/segmentation.h"
 
 namespace jalon::test {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "labelled_street.h"
-#include "modelling/facade.h"
+#include "modelling/facade/facade.h"
 #include "segment/segmentation.h"
 #include "wall_figures.h"
 

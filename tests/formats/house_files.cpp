@@ -5,9 +5,9 @@
 
 #include "base/error.h"
 #include "base/json_writer.h"
-#include "formats/atomic_file.h"
+#include "formats/files/atomic_file.h"
 #include "formats/formats.h"
-#include "house.h"
+#include "unit/formats/house.h"
 
 using namespace jalon;
 

@@ -9,59 +9,13 @@ import re
 import subprocess
 import sys
 
+from rooms import CODE, ROOMS, crowds, includes, layers, sublayers
 from source import ROOT, Tally, public_functions, read, strings_of, tree_files, without_comments
 
-# The rooms and the rooms straight below them (CONTRIBUTING.md has the table); arrows are transitive.
-ROOMS = {
-    "base": [], "geometry": ["base"], "spatial": ["geometry"], "solid": ["spatial"], "cloud": ["spatial"],
-    "model": ["spatial"], "formats": ["cloud", "model"], "scan": ["cloud", "model"], "segment": ["cloud"],
-    "modelling": ["segment", "model"], "registration": ["segment", "model"],
-    "compare": ["cloud", "model", "solid"],
-    "report": ["formats", "modelling", "segment", "registration", "compare"],
-    "capi": ["report", "scan", "modelling", "segment", "formats", "registration", "compare", "cloud"], "cli": [],
-}
-CODE = (".c", ".cpp", ".h", ".inc")
 MAX_LINES, LONG_LINES, MAX_COLUMNS = 400, 250, 120
 # Every function of the C surface has its status from guard(); these return something else and cannot fail.
 GUARDED = r"\s*return (guard|give_fields|give_params)\("  # the getters of guard.h are guard() themselves
 NO_STATUS = re.compile(r"_(retain|release)$|^jalon_(version|version_number|instruction_set|status_name|last_error_message)$")
-
-
-def below(room):
-    seen, todo = {room}, [room]
-    while todo:
-        for lower in ROOMS[todo.pop()]:
-            if lower not in seen:
-                seen.add(lower)
-                todo.append(lower)
-    return seen
-
-
-def includes(path):
-    for number, line in enumerate(read(path).splitlines(), 1):
-        match = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
-        if match:
-            yield number, match.group(1), match.group(2)
-
-
-def layers(files):
-    for path in files:
-        parts = path.split("/")
-        if parts[0] != "src" or not path.endswith(CODE) or len(parts) < 3:
-            continue
-        room = parts[1]
-        if room not in ROOMS:
-            yield "%s: %s/ is no room of the architecture" % (path, room)
-            continue
-        allowed = below(room)
-        for number, quote, name in includes(path):
-            top = name.split("/")[0]
-            if top == "jalon" and room not in ("capi", "cli"):
-                yield "%s:%d: only capi and cli see include/jalon" % (path, number)
-            elif top in ROOMS and "/" in name and top not in allowed:
-                yield "%s:%d: %s may not see %s" % (path, number, room, name)
-            elif quote == '"' and top not in ROOMS and top != "jalon" and not re.match(r"[\w.]+\.(inc|h)$", name):
-                yield '%s:%d: "%s" is in no room' % (path, number, name)
 
 
 def outsiders(files):
@@ -273,6 +227,8 @@ def main():
     files = tree_files()
     tally = Tally()
     tally.check("style: #include lines follow the rooms' arrows", layers(files))
+    tally.check("style: and those of the rooms within rooms", sublayers(files))
+    tally.check("style: no folder of src with more files than one can overlook", crowds(files))
     tally.check("style: examples and C tests see include/jalon only", outsiders(files))
     for language, problems in headers_alone():
         tally.check("headers: each compiles alone as %s, -pedantic -Wall -Wextra -Werror" % language, problems)

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <thread>
 
-#include "clouds.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "spatial/components.h"
+#include "spatial/voxels/components.h"
 
 #include <doctest/doctest.h>
 
 #include <chrono>
 
-#include "clouds.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "clouds.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "clouds.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "clouds.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon {
 namespace {

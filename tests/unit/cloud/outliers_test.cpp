@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "clouds.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon {
 namespace {

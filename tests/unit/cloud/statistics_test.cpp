@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "clouds.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "clouds.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "../cloud/clouds.h"
-#include "compare/field_values.h"
+#include "fieldtools/field_values.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon::test {
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "../cloud/clouds.h"
-#include "compare/field_values.h"
+#include "fieldtools/field_values.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon::test {
 

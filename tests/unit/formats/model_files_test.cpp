@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "fixtures.h"
-#include "formats/svg_writer.h"
+#include "formats/drawings/svg_writer.h"
 #include "model/polygon_triangles.h"
+#include "unit/formats/fixtures.h"
 
 using namespace jalon;
 using namespace jalon::test;

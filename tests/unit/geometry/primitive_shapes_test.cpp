@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "geometry/circle.h"
-#include "primitives.h"
+#include "unit/geometry/primitives.h"
 
 namespace jalon {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "primitives.h"
+#include "unit/geometry/primitives.h"
 
 #include <doctest/doctest.h>
 

@@ -9,9 +9,9 @@
 
 #include "model/model.h"
 #include "model/topology.h"
-#include "modelling/facade.h"
+#include "modelling/facade/facade.h"
 #include "scan/scanner.h"
-#include "segment/from_labels.h"
+#include "segment/labels/from_labels.h"
 #include "segment/segmentation.h"
 
 namespace facades {

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "geometry/polygon2.h"
-#include "walls.h"
+#include "unit/modelling/walls.h"
 
 using namespace walls;
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "modelling/patterns.h"
+#include "modelling/patterns/patterns.h"
 
 namespace jalon::test {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/random.h"
-#include "modelling/facade_plan.h"
-#include "modelling/ring_tools.h"
+#include "modelling/facade/plan.h"
+#include "modelling/plane/ring_tools.h"
 #include "segment/segmentation.h"
 
 namespace facades {

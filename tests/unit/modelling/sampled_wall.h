@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "modelling/vectorise.h"
-#include "walls.h"
+#include "modelling/edges/join/vectorise.h"
+#include "unit/modelling/walls.h"
 
 // Walls y = 0 (u = x, v = z) of known form, sampled as scans and textbooks sample them.
 namespace walls {

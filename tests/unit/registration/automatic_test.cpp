@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "coarse_scenes.h"
-#include "real_scans.h"
-#include "registration/coarse.h"
-#include "registration/icp.h"
+#include "registration/coarse/coarse.h"
+#include "registration/icp/icp.h"
+#include "unit/registration/coarse_scenes.h"
+#include "unit/registration/real_scans.h"
 
 using namespace jalon;
 using namespace jalon::test;

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "../cloud/clouds.h"
 #include "geometry/rigid_motion.h"
+#include "unit/cloud/clouds.h"
 
 namespace jalon::test {
 

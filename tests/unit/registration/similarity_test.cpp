@@ -7,8 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <vector>
 
-#include "registration/target_adjustment.h"
-#include "target_scenes.h"
+#include "registration/targets/adjustment.h"
+#include "unit/registration/target_scenes.h"
 
 namespace jalon {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "geometry/rigid_motion.h"
-#include "registration/targets.h"
+#include "registration/targets/targets.h"
 
 namespace jalon::test {
 

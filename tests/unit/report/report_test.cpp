@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../modelling/walls.h"
 #include "base/error.h"
-#include "markup.h"
-#include "report/notes.h"
+#include "report/charts/residual_chart.h"
+#include "report/names/notes.h"
 #include "report/report.h"
-#include "report/residual_chart.h"
+#include "unit/modelling/walls.h"
+#include "unit/report/markup.h"
 
 using namespace walls;
 

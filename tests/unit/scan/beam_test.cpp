@@ -4,8 +4,8 @@
 
 
 #include "base/error.h"
-#include "fixture.h"
 #include "scan/pulse.h"
+#include "unit/scan/fixture.h"
 
 using namespace jalon;
 using namespace jalon::test;

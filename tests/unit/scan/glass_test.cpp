@@ -5,8 +5,8 @@
 #include <set>
 
 #include "base/error.h"
-#include "fixture.h"
 #include "scan/truth.h"
+#include "unit/scan/fixture.h"
 
 using namespace jalon;
 using namespace jalon::test;

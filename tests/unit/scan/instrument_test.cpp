@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "fixture.h"
 #include "scan/misfit.h"
+#include "unit/scan/fixture.h"
 
 using namespace jalon;
 using namespace jalon::test;

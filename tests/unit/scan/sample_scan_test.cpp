@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
-#include "fixture.h"
+#include "unit/scan/fixture.h"
 
 using namespace jalon;
 using namespace jalon::test;

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "fixture.h"
-#include "spatial/triangle_tree.h"
+#include "spatial/triangles/tree.h"
+#include "unit/scan/fixture.h"
 
 using namespace jalon;
 using namespace jalon::test;

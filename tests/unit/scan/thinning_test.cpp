@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "fixture.h"
+#include "unit/scan/fixture.h"
 
 using namespace jalon;
 using namespace jalon::test;

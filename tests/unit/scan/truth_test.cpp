@@ -10,8 +10,8 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "fixture.h"
 #include "scan/truth.h"
+#include "unit/scan/fixture.h"
 
 using namespace jalon;
 using namespace jalon::test;

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "scenes.h"
+#include "unit/segment/scenes.h"
 
 using namespace jalon;
 using namespace jalon::test;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "segment/evaluation.h"
-#include "segment/from_labels.h"
+#include "segment/evaluation/evaluation.h"
+#include "segment/labels/from_labels.h"
 
 namespace jalon::test {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes.h"
-#include "surrounds.h"
+#include "unit/segment/scenes.h"
+#include "unit/segment/surrounds.h"
 
 using namespace jalon;
 using namespace jalon::test;

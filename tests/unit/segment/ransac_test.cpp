@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "same_bits.h"
-#include "scenes.h"
+#include "unit/segment/same_bits.h"
+#include "unit/segment/scenes.h"
 
 using namespace jalon;
 using namespace jalon::test;

@@ -9,8 +9,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "labelled.h"
-#include "scenes.h"
+#include "unit/segment/labelled.h"
+#include "unit/segment/scenes.h"
 
 using namespace jalon;
 using namespace jalon::test;

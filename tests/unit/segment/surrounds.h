@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scenes.h"
+#include "unit/segment/scenes.h"
 
 namespace jalon::test {
 

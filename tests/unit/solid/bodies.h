@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "brute_force.h"
 #include "solid/convex_piece.h"
+#include "unit/solid/brute_force.h"
 
 namespace jalon::test {
 

@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
-#include "bodies.h"
 #include "solid/convex_hull.h"
 #include "solid/triangle_contact.h"
+#include "unit/solid/bodies.h"
 
 using namespace jalon;
 using namespace jalon::test;

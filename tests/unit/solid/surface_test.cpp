@@ -5,10 +5,10 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "bodies.h"
 #include "solid/surface_depth.h"
 #include "solid/surface_pair.h"
 #include "solid/surface_points.h"
+#include "unit/solid/bodies.h"
 #ifdef JALON_WITH_FCL
 #include "solid/fcl_precision.h"
 #endif

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "bodies.h"
 #include "solid/sweep.h"
 #include "solid/sweep_contact.h"
+#include "unit/solid/bodies.h"
 
 using namespace jalon;
 using namespace jalon::test;

@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "base/task.h"
-#include "spatial/octree.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon::test {
 

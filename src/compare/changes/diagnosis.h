@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "compare/changes/change_objects.h"
+#include "compare/matching/rigid_match.h"
+
+namespace jalon {
+
+/// Classes of changes (Girardeau-Montaut 2006, 1.1 and annex B); the numbers of jalon/changes.h.
+enum class ChangeClass : uint8_t {
+  kAppearance = 1,
+  kDisappearance = 2,
+  kDisplacement = 3,         ///< clear of where it was
+  kDisplacementOverlap = 4,  ///< within the volume it took before
+  kDeformation = 5,
+  kDeformationOverlap = 6,
+};
+
+struct Change {
+  ChangeClass change_class = ChangeClass::kAppearance;
+  double confidence = 0;  ///< 0 ... 1
+  ChangedObject object;
+  RigidMatch match;       ///< of displacements; world coordinates relative to the epochs' origin
+};
+
+struct Diagnosis {
+  Epoch before, after;
+  std::vector<Change> changes;
+};
+
+/// Parameter table of operation "diagnosis": that of the regions it starts from.
+std::span<const ParamRow> diagnosis_rows();
+/// What happened, from the comparison in both directions (3.5): forward compares the cloud after with that before,
+/// reverse the other way round. 1. Changed regions of both; 2. whole objects; 3. objects changed in both epochs moved
+/// rigidly or were deformed; 4. those of one epoch alone: a soft border is a deformation, a twin in the other epoch a
+/// displacement, a different object at the same place a deformation; 5. the others appeared or disappeared.
+Diagnosis diagnose(const Comparison& forward, const Comparison& reverse, const ParamSet& options, Task& task);
+
+/// Columns "changed", "region", "change" of an epoch's points.
+FieldTable diagnosis_points_table(const Diagnosis& diagnosis, bool is_after);
+/// One row a change.
+FieldTable changes_table(const Diagnosis& diagnosis);
+
+}  // namespace jalon

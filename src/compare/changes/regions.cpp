@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/changes/regions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "base/table_columns.h"
+#include "cloud/select.h"
+#include "cloud/statistics.h"
+#include "compare/changes/changed_points.h"
+#include "compare/changes/measured_steps.h"
+#include "compare/changes/point_discs.h"
+#include "spatial/voxels/components.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr ParamRow kRows[] = {
+    choice_row("criterion", "automatic", "automatic|threshold|significance|field", "",
+               "Which points are changed: beyond threshold_m, beyond their level of detection, or those whose field is "
+               "not 0; automatic: by the level of detection where there is one, else by the threshold"),
+    number_row("threshold_m", 0.05, 0, 1e9, "m", "", "Distance (of either sign) above which a point is changed"),
+    number_row("spacing_share", 0.6, 0, 100, "1", "",
+               "For the threshold: how much of the column reference_spacing, where there is one, is added to it: half, "
+               "the way from a row of points to the middle between two, and a fifth more"),
+    string_row("field", "changed", "", "Name of the field for criterion field: of the comparison or of its cloud"),
+    number_row("cell_m", 0, 0, 1e6, "m", "",
+               "Edge length of the grid cells that connect changed points; 0 = from their density"),
+    choice_row("connectivity", "26", "6|18|26", "",
+               "Neighbours of a cell: those that share a face (6), also an edge (18), also a corner (26)"),
+    integer_row("min_points", 10, 1, 1e15, "points", "", "Regions of fewer points are dropped"),
+};
+
+Connectivity3 connectivity_of(const std::string& text) {
+  return text == "6" ? Connectivity3::k6 : text == "18" ? Connectivity3::k18 : Connectivity3::k26;
+}
+
+// Step 2: labels of the changed points among themselves.
+std::vector<uint32_t> connect(const Cloud& part, const ParamSet& options, Regions& out, Task& task) {
+  const Connectivity3 connectivity = connectivity_of(options.text("connectivity"));
+  const auto min_points = static_cast<uint64_t>(options.integer("min_points"));
+  const Components found =
+      connected_components(part.xyz(), local_origin(part, task), out.cell_m, connectivity, min_points, task);
+  out.regions.resize(found.count());
+  return found.labels;
+}
+
+// Step 3: sums over the points of one region, relative to an origin beside it.
+void measure(Region& region, const Comparison& comparison, const std::vector<PointDisc>& discs,
+             const std::vector<uint32_t>& row_in_part) {
+  const auto distance = comparison.points.require("distance").values<double>();
+  Moments moments;
+  moments.reference = comparison.cloud->point(region.indices.front());
+  double sum = 0, squares = 0;
+  uint64_t n = 0;
+  for (const uint32_t i : region.indices) {
+    const Vec3 p = comparison.cloud->point(i);
+    moments.add(p);
+    region.box.add(p);
+    region.area_m2 += discs[row_in_part[i]].area_m2();
+    const double d = distance[i];
+    if (!std::isfinite(d)) continue;
+    sum += d;
+    squares += d * d;
+    ++n;
+    if (std::abs(d) > std::abs(region.extreme_m)) region.extreme_m = d;
+  }
+  region.centroid = moments.centroid();
+  region.axes = symmetric_eigen(moments.covariance());
+  region.mean_m = n > 0 ? sum / static_cast<double>(n) : std::nan("");
+  region.rms_m = n > 0 ? std::sqrt(squares / static_cast<double>(n)) : std::nan("");
+}
+
+// Step 4: what lies between the region and the other epoch, a prism a point: its disc, seen along its distance.
+void measure_volume(Region& region, const MeasuredSteps& steps, const std::vector<PointDisc>& discs,
+                    const std::vector<uint32_t>& row_in_part) {
+  for (const uint32_t i : region.indices) {
+    const PointDisc& disc = discs[row_in_part[i]];
+    const Vec3 step = steps.of(i, region.axes.vectors[0]);
+    if (std::isfinite(step.x)) region.volume_m3 += disc.area_m2() * std::abs(dot(disc.normal(), step));
+  }
+}
+
+}  // namespace
+
+std::span<const ParamRow> regions_rows() { return kRows; }
+
+Regions change_regions(const Comparison& comparison, const ParamSet& options, Task& task, const Cloud* reference) {
+  Regions out;
+  out.changed = changed_points(comparison, options, task);
+  out.labels.assign(comparison.cloud->size(), 0);
+  const std::vector<uint64_t> rows = indices_of(out.changed, 1, task);
+  if (rows.empty()) return out;
+  const Cloud part = select_unchecked(*comparison.cloud, rows, task);
+  const std::vector<PointDisc> discs = point_discs(*comparison.cloud, rows, task);
+  out.spacing_m = radius_quantile(discs, 0.5);
+  out.cell_m = options.number("cell_m");
+  if (!(out.cell_m > 0)) out.cell_m = joining_distance(discs);
+  const std::vector<uint32_t> labels = connect(part, options, out, task);
+  std::vector<uint32_t> row_in_part(comparison.cloud->size(), 0);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    row_in_part[rows[i]] = static_cast<uint32_t>(i);
+    out.labels[rows[i]] = labels[i];
+    if (labels[i] > 0) out.regions[labels[i] - 1].indices.push_back(static_cast<uint32_t>(rows[i]));
+  }
+  const MeasuredSteps steps(comparison, reference);
+  parallel_for(task, out.regions.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      out.regions[i].label = static_cast<uint32_t>(i + 1);
+      measure(out.regions[i], comparison, discs, row_in_part);
+      measure_volume(out.regions[i], steps, discs, row_in_part);
+    }
+  });
+  return out;
+}
+
+FieldTable region_points_table(const Regions& regions) {
+  FieldTable table;
+  table.set(make_column<uint8_t>({"changed", ElementType::kUint8, 1, "", "1 = changed"}, regions.changed));
+  table.set(make_column<uint32_t>({"region", ElementType::kUint32, 1, "", "change region, 1 = most points, 0 = none"},
+                                  regions.labels));
+  return table;
+}
+
+FieldTable regions_table(const Regions& found) {
+  FieldTable table;
+  const auto& rows = found.regions;
+  add_column<uint32_t>(table, rows, "region", "", "label", [](const Region& r) { return r.label; });
+  add_column<uint64_t>(table, rows, "points", "", "", [](const Region& r) { return r.indices.size(); });
+  add_column<double>(table, rows, "area", "m2", "of the sampled surface", [](const Region& r) { return r.area_m2; });
+  add_column<double>(table, rows, "volume", "m3", "between it and the other epoch",
+                     [](const Region& r) { return r.volume_m3; });
+  add_column<double>(table, rows, "mean", "m", "mean distance", [](const Region& r) { return r.mean_m; });
+  add_column<double>(table, rows, "rms", "m", "root mean square distance", [](const Region& r) { return r.rms_m; });
+  add_column<double>(table, rows, "extreme", "m", "largest distance, with its sign",
+                     [](const Region& r) { return r.extreme_m; });
+  const auto vec = [&](const char* name, const char* meaning, auto&& of) {
+    add_columns<double, 3>(table, rows, name, "m", meaning, [&](const Region& r, double* out) {
+      const Vec3 v = of(r);
+      for (int k = 0; k < 3; ++k) out[k] = v[k];
+    });
+  };
+  vec("centroid", "mean of its points", [](const Region& r) { return r.centroid; });
+  vec("box_min", "lowest corner", [](const Region& r) { return r.box.min; });
+  vec("box_max", "highest corner", [](const Region& r) { return r.box.max; });
+  return table;
+}
+
+}  // namespace jalon

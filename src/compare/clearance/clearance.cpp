@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/clearance/clearance.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/table_columns.h"
+#include "solid/surface_pair.h"
+#include "solid/surface_points.h"
+
+namespace jalon {
+
+namespace {
+
+void put(const Vec3& v, double* out) {
+  out[0] = v.x;
+  out[1] = v.y;
+  out[2] = v.z;
+}
+
+// part, face and triangle of each row; prefix "" or "other_".
+template <class Rows, class F>
+void add_sources(FieldTable& table, const Rows& rows, const std::string& prefix, F&& source) {
+  add_column<uint64_t>(table, rows, prefix + "part", "", "part, or 2^64 - 1",
+                       [&](const auto& row) { return source(row).part; });
+  add_column<uint64_t>(table, rows, prefix + "face", "", "row of the faces, or 2^64 - 1",
+                       [&](const auto& row) { return source(row).face; });
+  add_column<uint64_t>(table, rows, prefix + "triangle", "", "row of the triangles, or 2^64 - 1",
+                       [&](const auto& row) { return source(row).triangle; });
+}
+
+PartSurface surface_of(const PartTriangles& part, Task& task) { return {part.vertices, part.triangles, task}; }
+
+FieldTable near_points_table(const std::vector<NearPoint>& rows, const Cloud& cloud, const PartTriangles& part) {
+  FieldTable t;
+  add_column<uint64_t>(t, rows, "point", "", "point of the cloud", [](const NearPoint& r) { return r.point; });
+  add_column<double>(t, rows, "clearance", "m", "distance; negative inside",
+                     [](const NearPoint& r) { return r.distance_m; });
+  add_sources(t, rows, "", [&](const NearPoint& r) { return part.sources[r.triangle]; });
+  add_columns<double, 3>(t, rows, "xyz", "m", "the point",
+                         [&](const NearPoint& r, double* o) { put(cloud.point(r.point), o); });
+  add_columns<double, 3>(t, rows, "foot", "m", "nearest point of the surface",
+                         [](const NearPoint& r, double* o) { put(r.foot, o); });
+  return t;
+}
+
+FieldTable near_triangles_table(const std::vector<NearTriangle>& rows, const PartTriangles& part,
+                                const PartTriangles& other) {
+  FieldTable t;
+  add_column<double>(t, rows, "clearance", "m", "distance; 0: they meet",
+                     [](const NearTriangle& r) { return r.distance_m; });
+  add_sources(t, rows, "", [&](const NearTriangle& r) { return part.sources[r.first]; });
+  add_sources(t, rows, "other_", [&](const NearTriangle& r) { return other.sources[r.second]; });
+  add_columns<double, 3>(t, rows, "xyz", "m", "nearest point of the other surface",
+                         [](const NearTriangle& r, double* o) { put(r.second_point, o); });
+  add_columns<double, 3>(t, rows, "foot", "m", "nearest point of the surface",
+                         [](const NearTriangle& r, double* o) { put(r.first_point, o); });
+  return t;
+}
+
+void add_inside(FieldTable& summary, bool closed, bool interferes, double depth, uint64_t near) {
+  add_value<double>(summary, "depth", "m", "how deep the deepest point lies inside; NaN: nothing has an inside", depth);
+  add_value<uint8_t>(summary, "interferes", "", "1: they meet, or one lies in the other", interferes);
+  add_value<uint8_t>(summary, "closed", "", "1: the surface encloses a volume", closed);
+  add_value<uint64_t>(summary, "near", "", "rows within the margin", near);
+}
+
+}  // namespace
+
+void require_one_crs(const SharedText& a, const SharedText& b) {
+  if (!a.empty() && !b.empty() && a != b)
+    fail(Status::kInvalidArgument, "the CRS of the two (%.60s and %.60s) differ", a.c_str(), b.c_str());
+}
+
+std::span<const ParamRow> clearance_rows() {
+  static constexpr ParamRow kRows[] = {
+      number_row("margin_m", 0.1, 0, 1e6, "m", "", "distance: what comes this close, or closer, is listed"),
+      number_row("reach_m", 1, 0, 1e6, "m", "sweep",
+                 "the least clearance of each pose interval is found up to this distance"),
+      number_row("chord_m", 0.001, 1e-6, 1, "m", "", "arcs of faces become chords at most this distance from them"),
+      number_row("depth_tolerance_m", 0.005, 1e-5, 1, "m", "model",
+                 "the depth in a closed surface that is not convex is at most this much too small"),
+  };
+  return kRows;
+}
+
+ClearanceTables clearance_to_cloud(const Model& model, uint64_t part, const Cloud& cloud, const ParamSet& params,
+                                   Task& task) {
+  require_one_crs(model.crs, cloud.crs);
+  if (cloud.size() == 0) fail(Status::kInsufficientData, "the cloud has no points");
+  const PartTriangles triangles = triangles_of_part(model, part, params.number("chord_m"));
+  const PartSurface surface = surface_of(triangles, task);
+  const PointClearance found =
+      clearance_of_points(surface, *cloud.octree(task), cloud.xyz(), params.number("margin_m"), task);
+
+  ClearanceTables tables{near_points_table({found.least}, cloud, triangles), {}};
+  const double depth = !surface.is_closed() ? std::numeric_limits<double>::quiet_NaN()
+                                            : std::max(0.0, -found.least.distance_m);
+  add_inside(tables.summary, surface.is_closed(), found.inside > 0 || found.least.distance_m == 0, depth,
+             found.near.size());
+  add_value<uint64_t>(tables.summary, "inside", "", "points inside", found.inside);
+  tables.near = near_points_table(found.near, cloud, triangles);
+  return tables;
+}
+
+ClearanceTables clearance_to_model(const Model& model, uint64_t part, const Model& other, uint64_t other_part,
+                                   const ParamSet& params, Task& task) {
+  require_one_crs(model.crs, other.crs);
+  const double chord = params.number("chord_m");
+  const PartTriangles first = triangles_of_part(model, part, chord);
+  const PartTriangles second = triangles_of_part(other, other_part, chord);
+  const PartSurface a = surface_of(first, task), b = surface_of(second, task);
+  const PairClearance found =
+      clearance_of_surfaces(a, b, {params.number("margin_m"), params.number("depth_tolerance_m")}, task);
+
+  // Where they interfere, the row tells how deep and where deepest; the triangles are those of the nearest pair.
+  NearTriangle row = found.least;
+  if (found.meet) {
+    row.distance_m = found.depth_m > 0 ? -found.depth_m : 0;
+    if (found.depth_m > 0) {
+      row.second_point = found.deepest;
+      row.first_point = found.deepest_foot;
+    }
+  }
+  ClearanceTables tables{near_triangles_table({row}, first, second), {}};
+  add_inside(tables.summary, a.is_closed(), found.meet, found.depth_m, found.near.size());
+  add_value<uint8_t>(tables.summary, "other_closed", "", "1: the other surface encloses a volume", b.is_closed());
+  tables.near = near_triangles_table(found.near, first, second);
+  return tables;
+}
+
+}  // namespace jalon

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "cloud/cloud.h"
+#include "compare/comparison.h"
+#include "compare/m3c2/level_of_detection.h"
+#include "compare/m3c2/point_covariances.h"
+#include "compare/m3c2/settings.h"
+#include "compare/m3c2/surfaces.h"
+#include "spatial/neighbours/shape_search.h"
+
+namespace jalon {
+
+/// The surface that one cloud gives in a cylinder.
+struct SurfaceInCylinder {
+  uint32_t count = 0;  ///< of its points; of all points in the cylinder where there is no surface
+  SurfacePosition position{0, std::numeric_limits<double>::quiet_NaN(), 0, 0};
+};
+
+/// What one cylinder tells.
+struct CylinderResult {
+  CompareStatus status = CompareStatus::kTooFewPoints;
+  double distance_m = std::numeric_limits<double>::quiet_NaN();  ///< compared minus reference
+  double lod_m = std::numeric_limits<double>::quiet_NaN();
+  SurfaceInCylinder reference, compared;
+};
+
+/// Steps 2 to 4 of Lague, Brodu & Leroux (2013): the points of both clouds in a cylinder along the normal, where their
+/// surfaces lie in it, and how sure that is.
+class CylinderComparer {
+ public:
+  CylinderComparer(const M3c2Settings& settings, const CloudPtr& reference, const CloudPtr& compared, Task& task);
+
+  /// What one thread keeps of one cloud between cylinders.
+  struct Side {
+    ShapeSearch search;
+    SurfaceFinder finder;
+    std::vector<double> along_m;  ///< ascending
+    std::vector<double> work_m;
+    std::span<const ShapeSearch::Along> points;
+    std::span<const CylinderSurface> surfaces;
+    PropagatedVariance variances;
+  };
+  struct Work {
+    Side reference, compared;
+  };
+  Work work() const;
+
+  CylinderResult at(const Vec3& centre, const Vec3& normal, Work& work) const;
+
+ private:
+  struct Epoch {
+    CloudPtr cloud;
+    std::shared_ptr<const Octree> tree;
+    PointCovariances covariances;
+  };
+  Epoch epoch(const CloudPtr& cloud, const char* name, Task& task) const;
+  Side side(const Epoch& epoch) const;
+  void fill(const Vec3& centre, const Vec3& normal, Side& side) const;
+  SurfaceInCylinder measure(const Epoch& epoch, const Vec3& normal, Side& side, const CylinderSurface& surface) const;
+
+  const M3c2Settings& settings_;
+  Epoch reference_, compared_;
+  MedianEstimator median_;
+  LevelOfDetection detection_;
+};
+
+}  // namespace jalon

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/m3c2/normals.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+#include "geometry/symmetric_eigen.h"
+
+namespace jalon {
+
+namespace {
+
+using Kind = M3c2Settings::Normals;
+
+// The first point that no station with a pose covers; size() if there is none.
+uint64_t first_without_pose(const Cloud& cloud) {
+  uint64_t covered = 0;
+  for (const Station& station : cloud.stations) {
+    if (station.count == 0) continue;
+    if (station.first > covered || !station.has_pose) break;
+    covered = station.first + station.count;
+  }
+  return covered;
+}
+
+ColumnPtr require_given_normals(const Cloud& core) {
+  ColumnPtr column = core.fields.find_shared("normal");
+  if (!column) fail(Status::kNotFound, "normals = given: the core points have no field \"normal\"");
+  if (column->info().components != 3 || !is_floating(column->info().type))
+    fail(Status::kInvalidArgument, "normals = given: field \"normal\" does not hold 3 floating-point numbers a point");
+  return column;
+}
+
+// Scatter of the points no farther than a distance from the core point, about their mean.
+struct Scatter {
+  size_t count = 0;
+  Symmetric3 matrix{};
+};
+Scatter scatter_within(std::span<const Vec3> offsets, std::span<const double> squared_m2, double limit_m2) {
+  Scatter out;
+  Vec3 sum;
+  Symmetric3& m = out.matrix;
+  for (size_t i = 0; i < offsets.size(); ++i) {
+    if (squared_m2[i] > limit_m2) continue;
+    const Vec3& d = offsets[i];
+    ++out.count;
+    sum += d;
+    m[0] += d.x * d.x, m[1] += d.x * d.y, m[2] += d.x * d.z;
+    m[3] += d.y * d.y, m[4] += d.y * d.z, m[5] += d.z * d.z;
+  }
+  if (out.count == 0) return out;
+  const Vec3 mean = sum / static_cast<double>(out.count);
+  m[0] -= sum.x * mean.x, m[1] -= sum.x * mean.y, m[2] -= sum.x * mean.z;
+  m[3] -= sum.y * mean.y, m[4] -= sum.y * mean.z, m[5] -= sum.z * mean.z;
+  return out;
+}
+
+}  // namespace
+
+CoreNormals::CoreNormals(const M3c2Settings& settings, const CloudPtr& source, const CloudPtr& core, Task& task)
+    : settings_(settings), source_(source), core_(core) {
+  if (settings.normals == Kind::kGiven) given_ = require_given_normals(*core);
+  if (settings.normals == Kind::kGiven || settings.normals == Kind::kVertical) return;
+  using Orientation = M3c2Settings::Orientation;
+  const uint64_t without_pose = first_without_pose(*source);
+  if (settings.orientation == Orientation::kStation && without_pose < source->size())
+    fail(Status::kInvalidArgument,
+         "orientation = station: point %llu of the cloud that gives the normals has no station with a known pose",
+         static_cast<unsigned long long>(without_pose));
+  by_station_ = settings.orientation == Orientation::kStation ||
+                (settings.orientation == Orientation::kAutomatic && without_pose == source->size());
+  tree_ = source->octree(task);
+}
+
+CoreNormals::Work CoreNormals::work() const {
+  Work work;
+  if (tree_) work.search = std::make_unique<ShapeSearch>(*tree_);
+  return work;
+}
+
+CoreNormals::Normal CoreNormals::at(size_t core_point, Work& work) const {
+  if (settings_.normals == Kind::kVertical) return {{0, 0, 1}, 0, true};
+  if (settings_.normals == Kind::kGiven) {
+    const Vec3 n = normalized(given(core_point));
+    return {n, 0, is_finite(n) && n != Vec3{}};
+  }
+  const Vec3 centre = core_->point(core_point);
+  Normal normal = plane_at(centre, work);
+  if (!normal.known) return normal;
+  if (settings_.normals == Kind::kHorizontal) {
+    normal.direction = normalized({normal.direction.x, normal.direction.y, 0});
+    if (normal.direction == Vec3{}) return {};
+  }
+  normal.direction = oriented(centre, normal.direction, work);
+  return normal;
+}
+
+Vec3 CoreNormals::given(size_t core_point) const {
+  return {given_->number(core_point, 0), given_->number(core_point, 1), given_->number(core_point, 2)};
+}
+
+// Of the radii given the one whose points have the least surface variation, the smallest on a tie.
+CoreNormals::Normal CoreNormals::plane_at(const Vec3& centre, Work& work) const {
+  const auto offsets = work.search->ball(centre, settings_.normal_radii_m.back());
+  work.squared_m2.resize(offsets.size());
+  for (size_t i = 0; i < offsets.size(); ++i) work.squared_m2[i] = squared_norm(offsets[i]);
+  Normal best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double radius_m : settings_.normal_radii_m) {
+    const Scatter scatter = scatter_within(offsets, work.squared_m2, radius_m * radius_m);
+    if (scatter.count < 3) continue;
+    const Eigen3 e = symmetric_eigen(scatter.matrix);
+    constexpr double kLine = 1e-12;  // the second eigenvalue of points on a line is what rounding leaves of the largest
+    if (!(e.values[1] > kLine * e.values[2])) continue;
+    const double variation = std::max(0.0, e.values[0]) / (e.values[0] + e.values[1] + e.values[2]);
+    if (!(variation < least)) continue;
+    least = variation;
+    best = {e.vectors[0], radius_m, true};
+  }
+  return best;
+}
+
+Vec3 CoreNormals::oriented(const Vec3& centre, Vec3 normal, const Work& work) const {
+  Vec3 toward = settings_.direction;
+  if (settings_.orientation == M3c2Settings::Orientation::kPoint) {
+    toward = settings_.viewpoint - centre;
+  } else if (by_station_) {
+    const auto nearest = std::min_element(work.squared_m2.begin(), work.squared_m2.end());
+    const uint32_t position = work.search->ball_positions()[static_cast<size_t>(nearest - work.squared_m2.begin())];
+    toward = station_of(*source_, tree_->order()[position])->pose.translation() - centre;
+  }
+  return dot(toward, normal) < 0 ? -normal : normal;
+}
+
+}  // namespace jalon

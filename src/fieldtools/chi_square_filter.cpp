@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cloud/neighbourhoods.h"
+#include "fieldtools/chi_square.h"
+#include "fieldtools/field_values.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kGrain = 1 << 14;
+constexpr uint32_t kFewestValues = 9;  // three classes of three
+constexpr uint32_t kMostClasses = 32;  // reached at 1 024 values
+constexpr double kLeastExpected = 1e-3;  // floor of n P_i in relaxed classes: no overflow, a wide range for the cut
+constexpr double kShareForSingles = 0.03;  // of the points: a search by itself costs some 30 of a batch
+
+constexpr ParamRow kRows[] = {
+    choice_row("method", "chi_square", "chi_square|kolmogorov", "",
+               "chi_square: counts in classes against the law; kolmogorov: largest difference of the cumulatives"),
+    integer_row("neighbours", 16, kFewestValues, 256, "points", "",
+                "Nearest points with a value that are tested together, the point itself included; not read when "
+                "radius_m is above 0"),
+    number_row("radius_m", 0, 0, 1e6, "m", "",
+               "Radius of the ball to test instead, free of the density; 0 = neighbours"),
+    number_row("error_margin", 0.001, 1e-9, 0.5, "1", "",
+               "Share of neighbourhoods of pure noise that may count as changed"),
+    choice_row("classes", "equiprobable", "equiprobable|relaxed", "chi_square",
+               "equiprobable: all of one probability, distances saturate; relaxed: of one width up to the largest "
+               "value, distances diverge and leave room for the cut"),
+    choice_row("threshold", "tabulated", "tabulated|empirical|given", "",
+               "The cut: of the error margin; the law's distance to its own sample (chi_square); or cut"),
+    number_row("cut", 0, 0, 1e300, "1", "", "The cut where threshold is given"),
+    integer_row("passes", 2, 1, 2, "", "", "2 tests the points near the limit again, with more neighbours"),
+    integer_row("second_neighbours", 36, kFewestValues, 256, "points", "",
+                "Neighbours of the second pass; a radius grows by the root of their ratio"),
+    number_row("band_low", 0.5, 0, 1, "1", "", "The second pass takes points from this many tabulated cuts ..."),
+    number_row("band_high", 3, 1, 1e6, "1", "", "... to this many"),
+    bool_row("one_sided", true, "",
+             "Only where deviations are above those of the law on average: the test alone also finds places that are "
+             "quieter"),
+    string_row("name", "", "", "Name of the field of distances; empty = that of the method"),
+    string_row("changed", "changed", "", "Name of the field of 0 and 1"),
+};
+
+struct Settings {
+  bool kolmogorov, relaxed, one_sided, second_pass;
+  uint32_t neighbours, second_neighbours;
+  double radius_m, error_margin, band_low, band_high;
+};
+
+Settings settings_of(const ParamSet& o) {
+  const auto whole = [&](const char* name) { return static_cast<uint32_t>(o.integer(name)); };
+  return {o.text("method") == "kolmogorov",
+          o.text("classes") == "relaxed",
+          o.flag("one_sided"),
+          o.integer("passes") == 2,
+          whole("neighbours"),
+          whole("second_neighbours"),
+          o.number("radius_m"),
+          o.number("error_margin"),
+          o.number("band_low"),
+          o.number("band_high")};
+}
+
+/// Outcome of one test, in units of the cut of the first pass: distances of tests with other numbers of classes are
+/// brought to it by the ratio of the tabulated cuts.
+struct Outcome {
+  double distance = std::numeric_limits<double>::quiet_NaN();
+  double saturating = 0;  ///< the same over equally probable classes, which the band is about
+  bool above = false;     ///< deviations above those of the law
+};
+
+struct Scratch {
+  std::vector<double> work;
+};
+
+/// The test of one neighbourhood against the law.
+class LocalTest {
+ public:
+  LocalTest(const NoiseLaw& law, const Settings& settings, const ValuedPoints& valued, Task& task)
+      : law_(law), settings_(settings), valued_(valued), deviation_(expected_deviation(law)) {
+    for (uint32_t k = 2; k <= kMostClasses; ++k) thresholds_[k] = chi_square_threshold(k, settings.error_margin);
+    cumulative_.resize(valued.size());
+    parallel_for(task, valued.size(), kGrain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) cumulative_[i] = law.cumulative(valued.values[i]);
+    });
+  }
+
+  double tabulated() const {
+    return settings_.kolmogorov ? kolmogorov_cut(settings_.neighbours)
+                                : thresholds_[classes_for(settings_.neighbours, kMostClasses)];
+  }
+  double ceiling() const {
+    if (settings_.kolmogorov) return 1;
+    if (settings_.relaxed) return std::numeric_limits<double>::infinity();
+    return settings_.neighbours * (classes_for(settings_.neighbours, kMostClasses) - 1.0);
+  }
+
+  Outcome run(std::span<const uint32_t> members, Scratch& scratch) const {
+    if (members.size() < kFewestValues) return {};
+    Outcome out;
+    if (settings_.kolmogorov) {
+      scratch.work.clear();
+      for (const uint32_t j : members) scratch.work.push_back(cumulative_[j]);
+      out.distance = kolmogorov_distance(scratch.work) * tabulated() / kolmogorov_cut(members.size());
+      out.saturating = out.distance;
+    } else {
+      const uint32_t k = classes_for(members.size(), kMostClasses);
+      const double to_first = tabulated() / thresholds_[k];
+      out.saturating = equiprobable(members, k) * to_first;
+      out.distance = settings_.relaxed ? relaxed(members, k) * to_first : out.saturating;
+    }
+    double sum = 0;
+    for (const uint32_t j : members) sum += deviation_.of(valued_.values[j]);
+    out.above = sum > deviation_.mean * static_cast<double>(members.size());
+    return out;
+  }
+
+ private:
+  /// Sample sizes of an empirical law count, as in a test of two samples.
+  double kolmogorov_cut(size_t n) const {
+    return kolmogorov_threshold(n, law_.kind == LawKind::kEmpirical ? law_.samples : 0, settings_.error_margin);
+  }
+
+  double equiprobable(std::span<const uint32_t> members, uint32_t k) const {
+    std::array<uint32_t, kMostClasses> counts{};
+    for (const uint32_t j : members) ++counts[std::min(k - 1, static_cast<uint32_t>(cumulative_[j] * k))];
+    uint64_t squares = 0;  // sum (N - n/k)^2 / (n/k) = k / n sum N^2 - n
+    for (uint32_t c = 0; c < k; ++c) squares += uint64_t{counts[c]} * counts[c];
+    const auto n = static_cast<double>(members.size());
+    return static_cast<double>(squares) * k / n - n;
+  }
+
+  /// Classes of one width from 0 (the least value of a signed law) to the largest value; the outer ones are open.
+  double relaxed(std::span<const uint32_t> members, uint32_t k) const {
+    double low = deviation_.two_sided ? std::numeric_limits<double>::infinity() : 0, high = low == 0 ? 0 : -low;
+    for (const uint32_t j : members) {
+      low = std::min(low, valued_.values[j]);
+      high = std::max(high, valued_.values[j]);
+    }
+    const double width = (high - low) / k;
+    std::array<uint32_t, kMostClasses> counts{};
+    for (const uint32_t j : members)
+      ++counts[width > 0 ? std::min(k - 1, static_cast<uint32_t>((valued_.values[j] - low) / width)) : 0];
+    const auto n = static_cast<double>(members.size());
+    double distance = 0, from = 0;
+    for (uint32_t c = 0; c < k; ++c) {
+      const double to = c + 1 == k ? 1 : law_.cumulative(low + (c + 1) * width);
+      const double expected = std::max(kLeastExpected, n * (to - from)), d = counts[c] - expected;
+      distance += d * d / expected;
+      from = to;
+    }
+    return distance;
+  }
+
+  const NoiseLaw& law_;
+  const Settings& settings_;
+  const ValuedPoints& valued_;
+  ExpectedDeviation deviation_;
+  std::array<double, kMostClasses + 1> thresholds_{};
+  std::vector<double> cumulative_;  ///< F of each value, by sorted position
+};
+
+double cut_of(const ParamSet& options, const NoiseLaw& law, const LocalTest& test) {
+  const std::string& kind = options.text("threshold");
+  if (kind == "tabulated") return test.tabulated();
+  if (kind == "given") {
+    if (!(options.number("cut") > 0)) fail(Status::kInvalidArgument, "threshold is given, but cut is 0");
+    return options.number("cut");
+  }
+  if (options.text("method") == "kolmogorov")
+    fail(Status::kInvalidArgument, "the empirical threshold is one of method chi_square");
+  if (!(law.sample_chi_square > 0))
+    fail(Status::kInvalidArgument, "the noise law does not tell its distance to a sample: no empirical threshold");
+  return law.sample_chi_square;
+}
+
+/// The second pass: the points of the band, with more neighbours.
+class SecondPass {
+ public:
+  SecondPass(const Cloud& cloud, const ValuedPoints& valued, const Settings& settings, const LocalTest& test)
+      : cloud_(cloud), valued_(valued), settings_(settings), test_(test) {}
+
+  uint64_t run(std::vector<Outcome>& outcomes, Task& task) const {
+    const double low = settings_.band_low * test_.tabulated(), high = settings_.band_high * test_.tabulated();
+    std::vector<uint32_t> band;
+    std::vector<uint8_t> in_band(outcomes.size());
+    for (size_t i = 0; i < outcomes.size(); ++i) {
+      const Outcome& o = outcomes[i];
+      if (std::isnan(o.distance) || !(o.saturating >= low && o.saturating <= high)) continue;
+      in_band[i] = 1;
+      band.push_back(static_cast<uint32_t>(i));
+    }
+    const bool few = static_cast<double>(band.size()) < kShareForSingles * static_cast<double>(outcomes.size());
+    if (settings_.radius_m > 0 || !few) {
+      all_neighbourhoods(in_band, outcomes, task);
+    } else {
+      single_neighbourhoods(band, outcomes, task);
+    }
+    return band.size();
+  }
+
+ private:
+  void all_neighbourhoods(const std::vector<uint8_t>& in_band, std::vector<Outcome>& outcomes, Task& task) const {
+    const double grown = std::sqrt(static_cast<double>(settings_.second_neighbours) / settings_.neighbours);
+    for_each_neighbourhood<Scratch>(*valued_.tree, settings_.second_neighbours, settings_.radius_m * grown, task,
+                                    [&](const Neighbourhood& around, Scratch& scratch) {
+                                      if (in_band[around.point])
+                                        outcomes[around.point] = test_.run(around.neighbours, scratch);
+                                    });
+  }
+
+  /// The same neighbours: both searches are exact with the same order of ties.
+  void single_neighbourhoods(const std::vector<uint32_t>& band, std::vector<Outcome>& outcomes, Task& task) const {
+    const auto order = valued_.tree->order();
+    std::vector<uint32_t> position(order.size());
+    for (size_t i = 0; i < order.size(); ++i) position[order[i]] = static_cast<uint32_t>(i);
+    constexpr size_t kBandGrain = 256;
+    parallel_for(task, band.size(), kBandGrain, [&](size_t begin, size_t end) {
+      Scratch scratch;
+      std::vector<Neighbour> found(settings_.second_neighbours);
+      std::vector<uint32_t> members(found.size());
+      for (size_t i = begin; i < end; ++i) {
+        const Vec3 at = cloud_.point(valued_.points[band[i]]);
+        const size_t n = valued_.tree->knn(at, settings_.second_neighbours, found);
+        for (size_t j = 0; j < n; ++j) members[j] = position[found[j].index];
+        outcomes[band[i]] = test_.run({members.data(), n}, scratch);
+      }
+    });
+  }
+
+  const Cloud& cloud_;
+  const ValuedPoints& valued_;
+  const Settings& settings_;
+  const LocalTest& test_;
+};
+
+void hand_out(const ValuedPoints& valued, const std::vector<Outcome>& outcomes, bool one_sided, ChangeFilter& out) {
+  for (size_t i = 0; i < outcomes.size(); ++i) {
+    const Outcome& o = outcomes[i];
+    const uint32_t point = valued.points[i];
+    if (std::isnan(o.distance)) continue;
+    out.distance[point] = o.distance;
+    out.changed[point] = o.distance > out.threshold && (o.above || !one_sided);
+    ++out.tested;
+    out.changed_count += out.changed[point];
+  }
+}
+
+}  // namespace
+
+std::span<const ParamRow> chi_square_rows() { return kRows; }
+
+ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, const NoiseLaw& law,
+                            const ParamSet& options, Task& task) {
+  const Settings settings = settings_of(options);
+  ChangeFilter out;
+  out.distance.assign(values.size(), kNoValue);
+  out.changed.assign(values.size(), 0);
+  ValuedPoints valued;
+  {
+    Span span(task, 0, 0.2, "index");
+    valued = valued_points(cloud, values, task);
+  }
+  if (valued.size() < kFewestValues)
+    fail(Status::kInsufficientData, "%zu points have a value; the filter needs at least %u", valued.size(),
+         kFewestValues);
+  Span span(task, 0.2, 1, "local test");
+  const LocalTest test(law, settings, valued, task);
+  out.threshold = cut_of(options, law, test);
+  out.ceiling = test.ceiling();
+  // 1. Every neighbourhood.
+  std::vector<Outcome> outcomes(valued.size());
+  {
+    Span first(task, 0, settings.second_pass ? 0.5 : 0.95);
+    for_each_neighbourhood<Scratch>(*valued.tree, settings.neighbours, settings.radius_m, task,
+                                    [&](const Neighbourhood& around, Scratch& scratch) {
+                                      outcomes[around.point] = test.run(around.neighbours, scratch);
+                                    });
+  }
+  // 2. Those near the limit again.
+  if (settings.second_pass) {
+    Span second(task, 0.5, 0.95);
+    out.second_pass = SecondPass(cloud, valued, settings, test).run(outcomes, task);
+  }
+  // 3. What lies above the cut has changed.
+  hand_out(valued, outcomes, settings.one_sided, out);
+  return out;
+}
+
+}  // namespace jalon

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "fieldtools/fast_marching.h"
+#include "fieldtools/field_values.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kCellSpacings = 3;  // cells of a surface then hold some nine points and touch their neighbours
+
+constexpr ParamRow kRows[] = {
+    number_row("cell_m", 0, 0, 1e6, "m", "",
+               "Edge of the grid cells that the front passes through: gaps of two stop it; 0 = 3 mean spacings"),
+    number_row("max_distance_m", 0, 0, 1e9, "m", "", "The front stops here, points beyond have no value; 0 = never"),
+    string_row("name", "geodesic", "", "Name of the field of distances"),
+};
+
+std::vector<uint32_t> checked_seeds(std::span<const uint64_t> seeds, size_t points) {
+  if (seeds.empty()) fail(Status::kInsufficientData, "no seeds: the front has nowhere to start");
+  std::vector<uint32_t> out;
+  for (const uint64_t seed : seeds) {
+    if (seed >= points)
+      fail(Status::kInvalidArgument, "seed %llu is no point of the cloud, which has %zu",
+           static_cast<unsigned long long>(seed), points);
+    out.push_back(static_cast<uint32_t>(seed));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::span<const ParamRow> geodesic_rows() { return kRows; }
+
+Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds, const ParamSet& options, Task& task) {
+  const std::string name = require_field_name(options.text("name"));
+  const std::vector<uint32_t> starts = checked_seeds(seeds, cloud.size());
+  double cell_m = options.number("cell_m"), most_m = options.number("max_distance_m");
+  if (most_m == 0) most_m = std::numeric_limits<double>::max();
+  // 1. The grid, relative to a corner that moves with the cloud.
+  SurfaceCells cells;
+  Buffer<double> xyz;
+  {
+    Span span(task, 0, 0.5, "cells");
+    if (cell_m == 0) {
+      const std::vector<double> all(cloud.size(), 0);
+      cell_m = radius_or_spacings(0, kCellSpacings, cloud, valued_points(cloud, all, task));
+    }
+    xyz = relative_coordinates(cloud, task);
+    cells = surface_cells({xyz.data(), xyz.size()}, cell_m, task);
+  }
+  // 2. The front.
+  Span span(task, 0.5, 1, "front");
+  std::vector<double> distances = surface_distances({xyz.data(), xyz.size()}, cells, starts, most_m, task);
+  for (double& d : distances)
+    if (!std::isfinite(d)) d = kNoValue;
+  return with_field<double>(cloud, name, "m", "distance along the surface from the nearest seed", distances);
+}
+
+}  // namespace jalon

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fieldtools/field_arithmetic.h"
+
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "fieldtools/field_values.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kGrain = 1 << 15;
+
+constexpr ParamRow kRows[] = {
+    choice_row("operation", "add",
+               "add|subtract|multiply|divide|minimum|maximum|power|absolute|negate|sqrt|square|exp|log|log10|dot|norm",
+               "",
+               "a + b and so on; the ones from absolute to log10 and norm read a alone; dot: the scalar product of two "
+               "fields, summed over their components; norm: the length of a's items"),
+    number_row("constant", 0, -1e300, 1e300, "", "", "Stands for b where no second field is named"),
+    string_row("name", "computed", "", "Name of the new field; it may be that of a"),
+    string_row("unit", "", "", "Unit of the new field"),
+};
+
+struct Operator {
+  const char* name;
+  double (*f)(double a, double b);
+};
+constexpr Operator kOperators[] = {
+    {"add", [](double a, double b) { return a + b; }},
+    {"subtract", [](double a, double b) { return a - b; }},
+    {"multiply", [](double a, double b) { return a * b; }},
+    {"divide", [](double a, double b) { return b != 0 ? a / b : kNoValue; }},
+    {"minimum", [](double a, double b) { return a < b ? a : b < a ? b : a + 0 * b; }},
+    {"maximum", [](double a, double b) { return a > b ? a : b > a ? b : a + 0 * b; }},
+    {"power", [](double a, double b) { return std::pow(a, b); }},
+    {"absolute", [](double a, double) { return std::fabs(a); }},
+    {"negate", [](double a, double) { return -a; }},
+    {"sqrt", [](double a, double) { return a >= 0 ? std::sqrt(a) : kNoValue; }},
+    {"square", [](double a, double) { return a * a; }},
+    {"exp", [](double a, double) { return std::exp(a); }},
+    {"log", [](double a, double) { return a > 0 ? std::log(a) : kNoValue; }},
+    {"log10", [](double a, double) { return a > 0 ? std::log10(a) : kNoValue; }},
+    {"dot", [](double a, double b) { return a * b; }},
+    {"norm", [](double a, double) { return a * a; }},
+};
+
+/// All elements of a column as doubles.
+std::vector<double> elements(const Column& column) {
+  std::vector<double> out(column.count() * column.info().components);
+  load_converted(column, ElementType::kFloat64, out.data());
+  return out;
+}
+
+}  // namespace
+
+std::span<const ParamRow> field_arithmetic_rows() { return kRows; }
+
+Cloud with_computed_field(const Cloud& cloud, std::string_view a, std::string_view b, const ParamSet& options,
+                          Task& task) {
+  const std::string name = require_field_name(options.text("name"));
+  const std::string& operation = options.text("operation");
+  const Column& first = cloud.fields.require(a);
+  const Column* second = b.empty() ? nullptr : &cloud.fields.require(b);
+  const uint32_t components = first.info().components;
+  if (second != nullptr && second->info().components != components && second->info().components != 1)
+    fail(Status::kInvalidArgument, "the fields have %u and %u components", components, second->info().components);
+  const Operator* op = kOperators;
+  while (operation != op->name) ++op;
+  const std::vector<double> left = elements(first);
+  const std::vector<double> right = second != nullptr ? elements(*second) : std::vector<double>();
+  const uint32_t right_components = second != nullptr ? second->info().components : 1;
+  const double constant = options.number("constant");
+  const bool summed = operation == "dot" || operation == "norm";
+  std::vector<double> out(summed ? cloud.size() : left.size());
+  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      double sum = 0;
+      for (uint32_t c = 0; c < components; ++c) {
+        const size_t at = i * components + c;
+        const double r = right.empty() ? constant : right[i * right_components + (right_components > 1 ? c : 0)];
+        const double value = op->f(left[at], r);
+        sum += value;
+        if (!summed) out[at] = value;
+      }
+      if (summed) out[i] = operation == "norm" ? std::sqrt(sum) : sum;
+    }
+  });
+  Cloud result = cloud;
+  const std::string meaning = operation + " of " + std::string(a) + (b.empty() ? "" : " and " + std::string(b));
+  result.fields.set(make_column<double>(
+      {name, ElementType::kFloat64, summed ? 1 : components, options.text("unit"), meaning}, out));
+  return result;
+}
+
+}  // namespace jalon

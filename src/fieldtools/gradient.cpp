@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fieldtools/gradient.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cloud/neighbourhoods.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kGrain = 1 << 15;
+constexpr double kSpacings = 4;         // automatic radius, of the 3 to 5 spacings that keep a ball full
+constexpr double kLipschitzSlack = 1e-3;  // distances that went through single precision
+constexpr size_t kFewestForSlopes = 4;  // a plane of the values has three unknowns
+const Vec3 kNoGradient{kNoValue, kNoValue, kNoValue};
+
+constexpr ParamRow kRows[] = {
+    choice_row("method", "corrected", "corrected|thesis|least_squares", "",
+               "thesis: formula 3.9, half the slope on a surface; corrected: twice that; least_squares: slopes over "
+               "the tangent plane, right at borders too"),
+    number_row("radius_m", 0, 0, 1e6, "m", "", "Radius of the ball around each point; 0 = 4 mean spacings"),
+    bool_row("distance_field", true, "",
+             "The field is a distance: pairs of points that differ by more than their own distance are left out"),
+    string_row("name", "gradient", "", "Name of the field of norms"),
+    string_row("vector_name", "", "", "Name of the field of gradients (x 3); empty = none"),
+};
+
+struct NoScratch {};
+
+/// Whether a pair takes part: apart, and not beyond the slope 1 of a distance.
+bool takes_part(double difference, double squared, bool lipschitz) {
+  if (!(squared > 0)) return false;
+  constexpr double kMost = (1 + kLipschitzSlack) * (1 + kLipschitzSlack);
+  return !lipschitz || difference * difference <= kMost * squared;
+}
+
+/// (3.9).
+Vec3 mean_slope(const ValuedPoints& valued, const Neighbourhood& around, bool lipschitz) {
+  const Vec3 p = valued.tree->local(around.point);
+  const double f = valued.values[around.point];
+  Vec3 sum;
+  size_t n = 0;
+  for (const uint32_t j : around.neighbours) {
+    const Vec3 d = valued.tree->local(j) - p;
+    const double difference = valued.values[j] - f, squared = squared_norm(d);
+    if (!takes_part(difference, squared, lipschitz)) continue;
+    sum += d * (difference / squared);
+    ++n;
+  }
+  return n > 0 ? sum / static_cast<double>(n) : kNoGradient;
+}
+
+/// Least squares of f over the two axes of largest extent of the points.
+Vec3 fitted_slope(const ValuedPoints& valued, const Neighbourhood& around, bool lipschitz) {
+  const Vec3 p = valued.tree->local(around.point);
+  const double f = valued.values[around.point];
+  Moments moments;
+  moments.reference = p;
+  Vec3 products;  // sums of d (f_j - f)
+  double sum = 0;
+  for (const uint32_t j : around.neighbours) {
+    const Vec3 q = valued.tree->local(j), d = q - p;
+    const double difference = valued.values[j] - f;
+    if (j != around.point && !takes_part(difference, squared_norm(d), lipschitz)) continue;
+    moments.add(q);
+    products += d * difference;
+    sum += difference;
+  }
+  PrincipalFrame frame;
+  if (moments.n < kFewestForSlopes || !principal_frame(moments, frame)) return kNoGradient;
+  const auto n = static_cast<double>(moments.n);
+  const Vec3 cross_moments = products / n - (frame.centre - p) * (sum / n);
+  return frame.u * (dot(cross_moments, frame.u) / frame.eigenvalues[2]) +
+         frame.v * (dot(cross_moments, frame.v) / frame.eigenvalues[1]);
+}
+
+}  // namespace
+
+std::span<const ParamRow> gradient_rows() { return kRows; }
+
+std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m, GradientMethod method, bool lipschitz,
+                                  Task& task) {
+  std::vector<Vec3> out(valued.size());
+  const double factor = method == GradientMethod::kCorrected ? 2 : 1;
+  for_each_neighbourhood<NoScratch>(*valued.tree, 0, radius_m, task, [&](const Neighbourhood& around, NoScratch&) {
+    out[around.point] = method == GradientMethod::kLeastSquares ? fitted_slope(valued, around, lipschitz)
+                                                                : mean_slope(valued, around, lipschitz) * factor;
+  });
+  return out;
+}
+
+Cloud with_gradient(const Cloud& cloud, std::string_view field, const ParamSet& options, Task& task) {
+  const std::string name = require_field_name(options.text("name")), vector_name = options.text("vector_name");
+  const std::string& text = options.text("method");
+  const GradientMethod method = text == "thesis"      ? GradientMethod::kThesis
+                                : text == "corrected" ? GradientMethod::kCorrected
+                                                      : GradientMethod::kLeastSquares;
+  ValuedPoints valued;
+  {
+    Span span(task, 0, 0.3, "index");
+    valued = valued_points(cloud, scalar_values(cloud, field, task), task);
+  }
+  Span span(task, 0.3, 1, "gradient");
+  const double radius_m = radius_or_spacings(options.number("radius_m"), kSpacings, cloud, valued);
+  const std::vector<Vec3> gradients =
+      field_gradients(valued, radius_m, method, options.flag("distance_field"), task);
+  std::vector<float> norms(cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> vectors(vector_name.empty() ? 0 : 3 * cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  parallel_for(task, valued.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3& g = gradients[i];
+      const size_t point = valued.points[i];
+      norms[point] = static_cast<float>(norm(g));
+      if (vector_name.empty()) continue;
+      for (int c = 0; c < 3; ++c) vectors[3 * point + static_cast<size_t>(c)] = static_cast<float>(g[c]);
+    }
+  });
+  const std::string unit = unit_of(cloud, field) == "m" ? "1" : "";
+  Cloud out = with_field<float>(cloud, name, unit.c_str(), "norm of the gradient along the surface", norms);
+  if (!vector_name.empty())
+    out.fields.set(make_column<float>({vector_name, ElementType::kFloat32, 3, unit, "gradient along the surface"},
+                                      vectors));
+  return out;
+}
+
+}  // namespace jalon

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/field.h"
+#include "fieldtools/noise_law.h"
+
+namespace jalon {
+
+/// Counts of a field's values in bins of one width; the last bin holds its upper end too.
+struct Histogram {
+  double from = 0, to = 0;
+  std::vector<uint64_t> counts;
+  std::vector<double> expected;  ///< by the law; empty without one
+  uint64_t values = 0, missing = 0, below = 0, above = 0;
+  double minimum = 0, maximum = 0, mean = 0, standard_deviation = 0, rms = 0, median = 0, p90 = 0, p95 = 0, p99 = 0;
+  // Against the law, if there is one.
+  double chi_square = 0, p_value = 0, kolmogorov = 0;
+  uint32_t degrees_of_freedom = 0;
+  double width() const { return (to - from) / static_cast<double>(counts.size()); }
+};
+
+std::span<const ParamRow> histogram_rows();
+/// law may be null. kInsufficientData when there is no finite value.
+Histogram field_histogram(std::span<const double> values, const NoiseLaw* law, const ParamSet& options, Task& task);
+/// Bins "from", "to", "count" and, with a law, "expected".
+FieldTable histogram_bins(const Histogram& histogram, const char* unit);
+/// One row: the rest of it.
+FieldTable histogram_summary(const Histogram& histogram, const char* unit);
+
+}  // namespace jalon

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/drawings/png_writer.h"
+
+#include <array>
+
+#include "formats/files/deflate.h"
+
+namespace jalon {
+
+namespace {
+
+std::string big_endian(uint32_t value) {
+  std::string out;
+  for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(value >> shift & 0xff);
+  return out;
+}
+
+// ISO 3309, as annex D of the PNG standard computes it.
+uint32_t crc32(std::string_view bytes) {
+  static constexpr auto kTable = [] {
+    std::array<uint32_t, 256> table{};
+    for (uint32_t n = 0; n < 256; ++n) {
+      uint32_t c = n;
+      for (int k = 0; k < 8; ++k) c = c & 1 ? 0xedb88320u ^ c >> 1 : c >> 1;
+      table[n] = c;
+    }
+    return table;
+  }();
+  uint32_t c = 0xffffffffu;
+  for (const char byte : bytes) c = kTable[(c ^ static_cast<unsigned char>(byte)) & 0xff] ^ c >> 8;
+  return ~c;
+}
+
+void add_chunk(std::string& out, std::string_view type, std::string_view content) {
+  const std::string body = std::string(type).append(content);
+  out += big_endian(static_cast<uint32_t>(content.size()));
+  out += body;
+  out += big_endian(crc32(body));
+}
+
+}  // namespace
+
+std::string hex_of(const Rgb& colour) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string out = "#";
+  for (const uint8_t part : {colour.red, colour.green, colour.blue}) {
+    out += kDigits[part >> 4];
+    out += kDigits[part & 15];
+  }
+  return out;
+}
+
+std::string png_of(const IndexedImage& image) {
+  constexpr char kBitDepth = 8, kPaletteColour = 3, kFilterNone = 0;
+  std::string header = big_endian(image.width) + big_endian(image.height);
+  header += {kBitDepth, kPaletteColour, 0, 0, 0};
+  std::string palette;
+  for (const Rgb& c : image.palette)
+    palette += {static_cast<char>(c.red), static_cast<char>(c.green), static_cast<char>(c.blue)};
+  std::string rows;
+  rows.reserve((image.width + size_t{1}) * image.height);
+  for (uint32_t y = 0; y < image.height; ++y) {
+    rows += kFilterNone;
+    rows.append(reinterpret_cast<const char*>(image.pixels.data()) + size_t{y} * image.width, image.width);
+  }
+  std::string out = "\x89PNG\r\n\x1a\n";
+  add_chunk(out, "IHDR", header);
+  add_chunk(out, "PLTE", palette);
+  if (!image.description.empty()) add_chunk(out, "tEXt", std::string("Description\0", 12) + image.description);
+  add_chunk(out, "IDAT", zlib_of(rows, image.width + size_t{1}));
+  add_chunk(out, "IEND", {});
+  return out;
+}
+
+std::string base64_of(std::string_view bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](size_t k) { return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u; };
+    const uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
+    out += kDigits[three >> 18];
+    out += kDigits[three >> 12 & 63];
+    out += i + 1 < bytes.size() ? kDigits[three >> 6 & 63] : '=';
+    out += i + 2 < bytes.size() ? kDigits[three & 63] : '=';
+  }
+  return out;
+}
+
+}  // namespace jalon

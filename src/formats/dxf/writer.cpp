@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/dxf/drawing.h"
+#include "formats/dxf/sections.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/readers.h"
+
+namespace jalon {
+
+namespace {
+
+using namespace dxf;
+
+constexpr size_t kPieceBytes = size_t{1} << 20;  // of text, before it goes to the file
+constexpr size_t kTicks = 256;                   // entities between two looks at the task
+
+uint64_t handles_before_entities(const Drawing& drawing) { return kFirstFree + drawing.layers.all().size(); }
+
+/// The first handle behind those of the entities, or one beyond: a polyline takes one for itself, each vertex and its
+/// end.
+uint64_t handles_end(const Drawing& drawing) {
+  uint64_t end = handles_before_entities(drawing) + drawing.labels.size() + drawing.triangles.size();
+  for (const Polyline& line : drawing.polylines) end += line.corners.size() + 2;
+  return end;
+}
+
+void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model, Version version, Task& task) {
+  Text text(version);
+  text.group(0, "SECTION").group(2, "ENTITIES");
+  const std::vector<Layer>& layers = drawing.layers.all();
+  const size_t lines = drawing.polylines.size(), total = lines + drawing.triangles.size();
+  uint64_t next_handle = handles_before_entities(drawing);
+  for (size_t i = 0; i < total; ++i) {
+    if (i % kTicks == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(total));
+    if (i < lines) {
+      add_polyline(text, drawing.polylines[i], layers[drawing.polylines[i].layer], model, next_handle);
+    } else {
+      std::array<Vec3, 3> corners;
+      for (size_t k = 0; k < 3; ++k) corners[k] = model.vertices[drawing.triangles[i - lines][k]];
+      add_triangle(text, corners, layers[drawing.triangle_layers[i - lines]], next_handle);
+    }
+    if (text.size() >= kPieceBytes) file.write(text.take());
+  }
+  for (const Label& label : drawing.labels) add_label(text, label, layers[label.layer], next_handle);
+  text.group(0, "ENDSEC");
+  file.write(text.take());
+}
+
+}  // namespace
+
+void write_dxf(const Model& model, const std::string& path, const ParamSet& options, Task& task) {
+  Span span(task, 0, 0.99, "writing DXF");
+  validate(model);
+  const Version version = options.text("dxf_version") == "r12" ? Version::kR12 : Version::kR2000;
+  const Drawing drawing = options.text("dxf_view") == "elevation"
+                              ? draw_elevation(model, options.number("chord_error_m"), task)
+                              : draw_world(model, task);
+  AtomicFile file(path);
+  Text text(version);
+  add_header(text, drawing, handles_end(drawing));
+  if (!text.is_r12()) add_classes(text);
+  add_tables(text, drawing);
+  add_blocks(text);
+  file.write(text.take());
+  write_entities(file, drawing, model, version, task);
+  if (!text.is_r12()) add_objects(text, drawing);
+  text.group(0, "EOF");
+  file.write(text.take());
+  task.checkpoint(1);
+  file.commit();
+}
+
+}  // namespace jalon

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/field.h"
+#include "formats/las/layout.h"
+
+// The standard dimensions of LAS points as fields of a cloud, and where each lies in the record of
+// each format.
+namespace jalon::las {
+
+/// Where a dimension lies: an integer of 1, 2, 4 or 8 bytes, or a float; of a byte, `bits` bits
+/// from `shift` on (0 = all).
+struct Place {
+  ElementType type;
+  int offset = -1;
+  int shift = 0, bits = 0;
+  double factor = 1;  ///< stored number times factor = field value
+};
+
+struct Dimension {
+  FieldInfo field;
+  Place place;
+};
+
+/// The dimensions of a point format in the order of the record.
+std::vector<Dimension> dimensions(unsigned format_id);
+
+}  // namespace jalon::las

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/las/plan.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/text_number.h"
+#include "formats/files/endian.h"
+
+namespace jalon::las {
+
+namespace {
+
+constexpr size_t kGrain = size_t{1} << 18;
+constexpr double kDefaultScale_m = 0.0001;  // a tenth of what a scanner resolves
+constexpr double kLargest = 2147483000;     // of int32, with room for rounding
+constexpr double kExact = 1e-3;  // of a scale step: coordinates that came from such integers
+constexpr uint64_t kMaxLegacyCount = 0xFFFFFFFFull;
+
+struct Origin {
+  std::vector<std::byte> header;
+  std::vector<Record> vlrs, evlrs;
+};
+
+Origin origin_of(const Cloud& cloud) {
+  Origin origin;
+  if (!cloud.attachments) return origin;
+  for (const Attachment& attachment : *cloud.attachments) {
+    if (attachment.key == "las:header" && attachment.bytes.size() >= 227)
+      origin.header = attachment.bytes;
+    if (attachment.key == "las:vlr") origin.vlrs.push_back(record_of(attachment.bytes, kVlrHeader));
+    if (attachment.key == "las:evlr")
+      origin.evlrs.push_back(record_of(attachment.bytes, kEvlrHeader));
+  }
+  return origin;
+}
+
+// The CRS records of the file stay as they are while they still say the cloud's CRS.
+bool says_crs_of(const Origin& origin, const Cloud& cloud) {
+  return crs_text(origin.vlrs, origin.evlrs) == cloud.crs.str();
+}
+
+bool is_extended_header(const std::vector<std::byte>& header) {
+  return !header.empty() && header[25] == std::byte{4} &&
+         (static_cast<unsigned>(header[104]) & 0x3Fu) >= 6;
+}
+
+// The smallest format of a family that has a place for the fields there are.
+unsigned format_in_family(const FieldTable& fields, bool extended) {
+  const bool rgb = fields.find("red") != nullptr || fields.find("green") != nullptr ||
+                   fields.find("blue") != nullptr;
+  if (extended) return fields.find("nir") != nullptr ? 8 : rgb ? 7 : 6;
+  return (fields.find("gps_time") != nullptr ? 1u : 0u) + (rgb ? 2u : 0u);
+}
+
+// Formats 6-8 hold values of standard fields that 0-3 cannot.
+bool needs_extended(const FieldTable& fields, Task& task) {
+  std::vector<ColumnPtr> left_old, left_new;
+  standard_columns(fields, format_in_family(fields, false), left_old, task);
+  standard_columns(fields, format_in_family(fields, true), left_new, task);
+  for (const ColumnPtr& column : left_old) {
+    bool placed = true;
+    for (const ColumnPtr& other : left_new) placed = placed && other != column;
+    if (placed) return true;
+  }
+  return false;
+}
+
+void choose_version(Plan& plan, const Cloud& cloud, const Origin& origin, const ParamSet& options,
+                    Task& task) {
+  const std::string& wanted = options.text("las_version");
+  bool extended = wanted == "1.4";
+  if (wanted == "auto")
+    extended = is_extended_header(origin.header) || cloud.size() > kMaxLegacyCount ||
+               (is_wkt(cloud.crs) && !says_crs_of(origin, cloud)) || !origin.evlrs.empty() ||
+               needs_extended(cloud.fields, task);
+  plan.version_minor = extended ? 4 : 2;
+  plan.format = format_in_family(cloud.fields, extended);
+  if (!extended && cloud.size() > kMaxLegacyCount)
+    fail(Status::kLimit, "LAS 1.2 holds at most 2^32 - 1 points");
+}
+
+void choose_records(Plan& plan, const Cloud& cloud, const Origin& origin, Task& task) {
+  const bool same_crs = says_crs_of(origin, cloud);
+  const auto keep = [&](const Record& record) {
+    return record.user != "laszip encoded" && !record.is(kSpecUser, kExtraBytes) &&
+           (same_crs || !is_crs_record(record));
+  };
+  for (const Record& record : origin.vlrs)
+    if (keep(record)) plan.vlrs.push_back(record);
+  for (const Record& record : origin.evlrs) {
+    if (!keep(record)) continue;
+    if (plan.version_minor == 4) plan.evlrs.push_back(record);
+    else
+      task.log(Task::kWarning, "LAS 1.2 has no extended records: %s %u is left out",
+               record.user.c_str(), record.id);
+  }
+  if (!same_crs)
+    for (Record& record : crs_records(cloud.crs)) {
+      const bool small = record.header_bytes == kVlrHeader;
+      if (!small && plan.version_minor != 4)
+        fail(Status::kLimit, "the CRS text is too long for LAS 1.2");
+      (small ? plan.vlrs : plan.evlrs).push_back(std::move(record));
+    }
+}
+
+// One extra bytes VLR, at the place of the old one; the very old one when nothing changed.
+void add_descriptors(Plan& plan, const Origin& origin) {
+  std::vector<std::byte> data;
+  for (const ExtraColumn& column : plan.extra)
+    data.insert(data.end(), column.descriptor.begin(), column.descriptor.end());
+  const Record* old = nullptr;
+  size_t place = 0;
+  for (const Record& record : origin.vlrs) {
+    if (record.is(kSpecUser, kExtraBytes)) {
+      old = &record;
+      break;
+    }
+    for (const Record& kept : plan.vlrs) place += kept.bytes == record.bytes ? 1 : 0;
+  }
+  if (data.empty()) return;
+  if (data.size() > 0xFFFF)
+    fail(Status::kLimit, "a LAS file describes at most %zu extra fields",
+         0xFFFF / kDescriptorBytes);
+  const bool unchanged = old != nullptr && old->size() == data.size() &&
+                         std::equal(data.begin(), data.end(), old->data());
+  Record record = unchanged ? *old
+                            : make_record(kSpecUser, kExtraBytes, "Extra Bytes Record", data.data(),
+                                          data.size());
+  place = old != nullptr ? std::min(place, plan.vlrs.size()) : plan.vlrs.size();
+  plan.vlrs.insert(plan.vlrs.begin() + static_cast<ptrdiff_t>(place), std::move(record));
+}
+
+Box3 file_bounds(const Cloud& cloud, const LengthUnits& units, Task& task) {
+  Box3 box = bounds(cloud, task);
+  for (Vec3* corner : {&box.min, &box.max})
+    *corner = {corner->x / units.horizontal, corner->y / units.horizontal,
+               corner->z / units.vertical};
+  return box;
+}
+
+// True when the integers of the file that the cloud came from give all coordinates back.
+bool old_steps_fit(const Cloud& cloud, const Plan& plan, const Vec3& scale, const Vec3& offset,
+                   Task& task) {
+  const std::span<const double> xyz = cloud.xyz();
+  const Vec3 unit{plan.units.horizontal, plan.units.horizontal, plan.units.vertical};
+  return parallel_reduce<uint64_t>(task, cloud.size(), kGrain, 0, [&](size_t begin, size_t end) {
+           uint64_t bad = 0;
+           for (size_t i = begin; i < end; ++i)
+             for (int k = 0; k < 3; ++k) {
+               const double steps =
+                   (xyz[3 * i + static_cast<size_t>(k)] / unit[k] - offset[k]) / scale[k];
+               bad += std::fabs(steps) <= kLargest &&
+                              std::fabs(steps - std::nearbyint(steps)) <= kExact
+                          ? 0
+                          : 1;
+             }
+           return bad;
+         }) == 0;
+}
+
+void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, const ParamSet& options,
+                  Task& task) {
+  const double wanted = options.number("scale");
+  if (!plan.old_header.empty() && wanted == 0) {
+    for (int k = 0; k < 3; ++k) {
+      plan.scale[k] = load<double>(plan.old_header.data() + 131 + 8 * k);
+      plan.offset[k] = load<double>(plan.old_header.data() + 155 + 8 * k);
+    }
+    if (old_steps_fit(cloud, plan, plan.scale, plan.offset, task)) return;
+  }
+  const Box3 box =
+      cloud.size() != 0 ? file_bounds(cloud, plan.units, task) : Box3{{0, 0, 0}, {0, 0, 0}};
+  for (int k = 0; k < 3; ++k) {
+    const double metres = k == 2 ? plan.units.vertical : plan.units.horizontal;
+    plan.scale[k] = wanted != 0 ? wanted / metres : kDefaultScale_m;
+    plan.offset[k] = std::floor(box.min[k] / 2 + box.max[k] / 2);
+    const double reach = std::max(box.max[k] - plan.offset[k], plan.offset[k] - box.min[k]);
+    while (wanted == 0 && reach / plan.scale[k] > kLargest && std::isfinite(plan.scale[k]))
+      plan.scale[k] *= 10;
+    if (!(reach / plan.scale[k] <= kLargest) || !std::isfinite(plan.scale[k]))
+      fail(Status::kLimit, "%s: coordinates from %s to %s do not fit 32 bits with a scale of %s",
+           path.c_str(), text_of(box.min[k]).c_str(), text_of(box.max[k]).c_str(),
+           text_of(plan.scale[k]).c_str());
+  }
+}
+
+}  // namespace
+
+Plan make_plan(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task) {
+  Plan plan;
+  Origin origin = origin_of(cloud);
+  const bool same_crs = says_crs_of(origin, cloud);
+  choose_version(plan, cloud, origin, options, task);
+  choose_records(plan, cloud, origin, task);
+
+  std::vector<ColumnPtr> left;
+  plan.standard = standard_columns(cloud.fields, plan.format, left, task);
+  const size_t core = point_format(plan.format)->bytes;
+  const auto known =
+      extra_dimensions(origin.vlrs, origin.evlrs, std::numeric_limits<uint16_t>::max(), task);
+  plan.extra = extra_columns(left, known, core, task);
+  plan.record_bytes = core;
+  for (const ExtraColumn& column : plan.extra)
+    plan.record_bytes += size_of(column.raw_type) * column.components;
+  add_descriptors(plan, origin);
+
+  plan.old_header = std::move(origin.header);
+  plan.units = units_of(plan.vlrs, plan.evlrs, path);
+  if (plan.units.degrees && !same_crs)
+    fail(Status::kUnsupported, "%s: coordinates in metres cannot be written under a CRS in degrees",
+         path.c_str());
+  choose_steps(plan, cloud, path, options, task);
+  return plan;
+}
+
+}  // namespace jalon::las

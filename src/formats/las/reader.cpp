@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "formats/files/endian.h"
+#include "formats/files/large_pages.h"
+#include "formats/files/readers.h"
+#include "formats/las/fields.h"
+#include "formats/las/layout.h"
+
+namespace jalon {
+
+namespace {
+
+using namespace las;
+
+constexpr size_t kGrain = size_t{1} << 16;  // points a chunk: some milliseconds
+constexpr size_t kBlockBytes =
+    size_t{96} << 10;  // read at once: stays in the cache, and below the allocator's mmap limit
+
+/// Copies one dimension of a block of records into its column.
+struct Extraction {
+  std::shared_ptr<Column> column;
+  size_t offset = 0;
+  int shift = 0, bits = 0;
+  ElementType stored = ElementType::kUint8;
+  double factor = 1;
+  const double* scale = nullptr;  ///< of a scaled extra dimension, one a component
+  const double* move = nullptr;
+  void (*run)(const Extraction&, const std::byte* records, size_t stride, size_t n,
+              size_t first) = nullptr;
+};
+
+template <class T>
+void copy_whole(const Extraction& e, const std::byte* records, size_t stride, size_t n,
+                size_t first) {
+  T* out = static_cast<T*>(e.column->raw()) + first;
+  const std::byte* from = records + e.offset;
+  for (size_t i = 0; i < n; ++i) out[i] = load<T>(from + i * stride);
+}
+
+void copy_bits(const Extraction& e, const std::byte* records, size_t stride, size_t n,
+               size_t first) {
+  auto* out = static_cast<uint8_t*>(e.column->raw()) + first;
+  const std::byte* from = records + e.offset;
+  const unsigned mask = (1u << e.bits) - 1;
+  for (size_t i = 0; i < n; ++i)
+    out[i] = static_cast<uint8_t>((static_cast<unsigned>(from[i * stride]) >> e.shift) & mask);
+}
+
+template <class T>
+void copy_angle(const Extraction& e, const std::byte* records, size_t stride, size_t n,
+                size_t first) {
+  auto* out = static_cast<float*>(e.column->raw()) + first;
+  const std::byte* from = records + e.offset;
+  for (size_t i = 0; i < n; ++i) out[i] = static_cast<float>(load<T>(from + i * stride) * e.factor);
+}
+
+// Several components, or a scaled dimension.
+template <class T>
+void copy_components(const Extraction& e, const std::byte* records, size_t stride, size_t n,
+                     size_t first) {
+  const size_t components = e.column->info().components;
+  for (size_t i = 0; i < n; ++i)
+    for (size_t c = 0; c < components; ++c) {
+      const T raw = load<T>(records + i * stride + e.offset + c * sizeof(T));
+      const size_t at = (first + i) * components + c;
+      if (e.scale != nullptr)
+        static_cast<double*>(e.column->raw())[at] =
+            static_cast<double>(raw) * e.scale[c] + e.move[c];
+      else static_cast<T*>(e.column->raw())[at] = raw;
+    }
+}
+
+Extraction extraction_of(const Dimension& dimension, size_t count) {
+  Extraction e;
+  e.column = std::make_shared<Column>(dimension.field, count);
+  e.offset = static_cast<size_t>(dimension.place.offset);
+  e.shift = dimension.place.shift;
+  e.bits = dimension.place.bits;
+  e.factor = dimension.place.factor;
+  if (e.bits != 0) e.run = copy_bits;
+  else if (dimension.field.type != dimension.place.type)
+    e.run = dimension.place.type == ElementType::kInt8 ? copy_angle<int8_t> : copy_angle<int16_t>;
+  else e.run = visit(dimension.place.type, [](auto zero) { return &copy_whole<decltype(zero)>; });
+  return e;
+}
+
+Extraction extraction_of(const ExtraDimension& dimension, size_t extra_offset, size_t count) {
+  Extraction e;
+  e.column = std::make_shared<Column>(dimension.field, count);
+  e.offset = extra_offset + dimension.offset;
+  if (dimension.scaled) {
+    e.scale = dimension.scale;
+    e.move = dimension.shift;
+  }
+  const bool plain = !dimension.scaled && dimension.field.components == 1;
+  e.run = visit(dimension.raw_type, [&](auto zero) {
+    return plain ? &copy_whole<decltype(zero)> : &copy_components<decltype(zero)>;
+  });
+  return e;
+}
+
+// The unit that the user gave, or that the CRS says.
+LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs,
+                         const ByteSource& source, const ParamSet& options, Task& task) {
+  const std::string& unit = options.text("unit");
+  LengthUnits units;
+  units.known = true;
+  if (unit == "foot") units.horizontal = units.vertical = kFoot;
+  if (unit == "us_survey_foot") units.horizontal = units.vertical = kUsFoot;
+  if (unit == "auto") units = units_of(vlrs, evlrs, source.path());
+  if (units.degrees)
+    task.log(Task::kWarning,
+             "%s: the CRS is geographic: x and y are degrees, or the CRS is wrong; project the "
+             "file before measuring in it",
+             source.path().c_str());
+  if (!units.metres())
+    task.log(Task::kInfo, "%s: coordinates are in feet or another unit; converted to metres",
+             source.path().c_str());
+  return units;
+}
+
+void decode_points(const ByteSource& source, const Header& header, const LengthUnits& units,
+                   std::span<double> xyz, const std::vector<Extraction>& extractions, Task& task) {
+  const size_t stride = header.record_bytes;
+  const size_t block = std::max<size_t>(1, kBlockBytes / stride);
+  const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
+  parallel_for(task, header.count, kGrain, [&](size_t begin, size_t end) {
+    const size_t room = std::min(block, end - begin) * stride;
+    const auto records = std::make_unique_for_overwrite<std::byte[]>(room);
+    for (size_t first = begin; first < end; first += block) {
+      const size_t n = std::min(block, end - first);
+      source.read(header.point_offset + uint64_t{first} * stride, records.get(), n * stride);
+      double* out = xyz.data() + 3 * first;
+      for (size_t i = 0; i < n; ++i) {
+        const std::byte* p = records.get() + i * stride;
+        out[3 * i] = (load<int32_t>(p) * header.scale.x + header.offset.x) * unit.x;
+        out[3 * i + 1] = (load<int32_t>(p + 4) * header.scale.y + header.offset.y) * unit.y;
+        out[3 * i + 2] = (load<int32_t>(p + 8) * header.scale.z + header.offset.z) * unit.z;
+      }
+      for (const Extraction& e : extractions) e.run(e, records.get(), stride, n, first);
+    }
+  });
+}
+
+std::shared_ptr<const std::vector<Attachment>> attachments_of(const Header& header,
+                                                              std::vector<Record> vlrs,
+                                                              std::vector<Record> evlrs) {
+  auto out = std::make_shared<std::vector<Attachment>>();
+  out->push_back({"las:header", header.raw});
+  for (Record& record : vlrs) out->push_back({"las:vlr", std::move(record.bytes)});
+  for (Record& record : evlrs) out->push_back({"las:evlr", std::move(record.bytes)});
+  return out;
+}
+
+}  // namespace
+
+Cloud read_las(const ByteSource& source, const ParamSet& options, Task& task) {
+  const Header header = read_header(source);
+  std::vector<Record> vlrs = read_vlrs(source, header, task);
+  std::vector<Record> evlrs = read_evlrs(source, header, task);
+  const LengthUnits units = units_to_use(vlrs, evlrs, source, options, task);
+
+  const size_t count = header.count;
+  const size_t core = point_format(header.format)->bytes;
+  const std::vector<ExtraDimension> extra =
+      extra_dimensions(vlrs, evlrs, header.record_bytes - core, task);
+  std::vector<Extraction> extractions;
+  for (const Dimension& dimension : dimensions(header.format))
+    extractions.push_back(extraction_of(dimension, count));
+  for (const ExtraDimension& dimension : extra)
+    extractions.push_back(extraction_of(dimension, core, count));
+  Buffer<double> xyz(3 * count);
+  prefer_large_pages(xyz.data(), xyz.size() * sizeof(double));
+  for (const Extraction& e : extractions) prefer_large_pages(e.column->raw(), e.column->bytes());
+  {
+    Span span(task, 0, 0.95, "reading LAS");
+    decode_points(source, header, units, xyz, extractions, task);
+  }
+  Cloud cloud = make_cloud(std::move(xyz));
+  for (Extraction& e : extractions)
+    cloud.fields.set(
+        std::move(e.column));  // an extra dimension replaces the standard one of its name
+  cloud.crs = crs_text(vlrs, evlrs);
+  cloud.attachments = attachments_of(header, std::move(vlrs), std::move(evlrs));
+  return finish_cloud(std::move(cloud), source, options, task);
+}
+
+}  // namespace jalon

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/text_number.h"
+#include "formats/files/atomic_file.h"
+#include "formats/files/number_text.h"
+#include "formats/files/readers.h"
+#include "formats/files/utf8.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kGrain = size_t{1} << 13;  // points a chunk
+constexpr size_t kBatch = 32 * kGrain;      // points formatted in parallel, then written in one go
+
+// A name as one cell that no table reader or spreadsheet takes for anything else.
+std::string safe_cell(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const bool plain = static_cast<unsigned char>(c) > 0x20 && c != 0x7f && c != ',' && c != ';' &&
+                       c != '"' && c != '\'' && c != '#' && c != '/';
+    out += plain ? c : '_';
+  }
+  if (out.empty() || out == "-" || out == "_" || (out[0] >= '0' && out[0] <= '9') ||
+      out.find_first_of("=+-@%.") == 0)
+    out.insert(out.begin(), '_');
+  return out;
+}
+
+std::vector<std::string> column_names(const FieldTable& fields) {
+  std::vector<std::string> names{"x", "y", "z"};
+  for (const ColumnPtr& column : fields) {
+    const FieldInfo& field = column->info();
+    for (uint32_t c = 0; c < field.components; ++c) {
+      if (field.name == "normal" && field.components == 3)
+        names.push_back(std::string("n") + "xyz"[c]);
+      else names.push_back(safe_cell(field.components == 1 ? field.name : numbered(field.name, c)));
+    }
+  }
+  return names;
+}
+
+void append_point(std::string& out, const Cloud& cloud, size_t i, char separator, int decimals) {
+  const double* p = cloud.xyz().data() + 3 * i;
+  for (size_t k = 0; k < 3; ++k) {
+    if (k != 0) out += separator;
+    if (decimals < 0) append_number(out, p[k]);
+    else out += text_of(p[k], decimals);
+  }
+  for (const ColumnPtr& column : cloud.fields) append_item(out, *column, i, separator);
+  out += '\n';
+}
+
+}  // namespace
+
+void write_text(const Cloud& cloud, const std::string& path, bool comma, const ParamSet& options,
+                Task& task) {
+  Span span(task, 0, 0.99, "writing text");
+  const char separator = comma ? ',' : ' ';
+  const int decimals = static_cast<int>(options.integer("decimals"));
+  AtomicFile file(path);
+  std::string head;
+  const std::string& crs = cloud.crs.str();
+  if (!comma && !crs.empty() && crs.find_first_of("\r\n") == std::string::npos)
+    head = "# crs: " + crs + "\n";
+  if (!comma) head += "#";
+  bool first_name = comma;
+  for (const std::string& name : column_names(cloud.fields)) {
+    if (!first_name) head += separator;
+    first_name = false;
+    head += name;
+  }
+  file.write(head + "\n");
+  write_in_batches(cloud.size(), kBatch, kGrain, file, task,
+                   [&](size_t begin, size_t end, std::string& out) {
+                     for (size_t i = begin; i < end; ++i)
+                       append_point(out, cloud, i, separator, decimals);
+                   });
+  task.checkpoint(1);
+  file.commit();
+}
+
+}  // namespace jalon

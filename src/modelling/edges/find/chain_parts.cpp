@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/edges/find/chain_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polygon2.h"
+#include "modelling/edges/find/chain_moments.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+// Standard deviation of contour points about their line, in spacings: 0.29 on a grid, up to 0.5 measured on scattered
+// points, which are not independent of their neighbours either.
+constexpr double kNoise = 0.5;
+// Where contour points lie further apart than this many spacings, they stray in proportion.
+constexpr double kStep = 2;
+// A part costs as much as on a ring of so many points at most: what a window's corner is worth on a window.
+constexpr size_t kMostRing = 100;
+// Candidate corners: Douglas-Peucker with this tolerance in spacings, and no two further apart than so many points, for
+// the smooth passage of a line into an arc is no corner.
+constexpr double kCandidateTolerance = 0.8;
+constexpr size_t kCandidateStep = 16;
+constexpr size_t kBesideCorner = 3;
+constexpr size_t kLeastArcPoints = 8;
+// Spacings. The triangulation bridges up to four of them, so that a corner it cuts looks like an arc of that size; one
+// twice as large is a curve that was built.
+constexpr double kLeastSagitta = 4, kLeastRadius = 8;
+// Round heads turn by half a circle at most (a little more for noise); what turns by more is a whole circle.
+constexpr double kLeastTurn = 0.3, kMostTurn = 1.15 * kPi, kWholeTurn = 1.8 * kPi;
+constexpr double kLengthAgreement = 1.5;  // a chain zigzags: it is longer than its arc by up to this factor
+// A part that misses its points by so many sigma on average is not worth extending; looked at for some more candidates.
+constexpr double kHopeless = 36;
+constexpr int kPatience = 4;
+// A part whose middle or ends are further than this from a guide does not lie on it; a step longer than this cuts a
+// corner. In spacings.
+constexpr double kNearGuide = 1, kEndOff = 2, kBridge = 1.5;
+// Slanted edges are rare on facades (facade-modelling A6): a short one costs so many cuts more. In spacings; a tangent.
+constexpr double kOdd = 2, kShort = 12, kSlanted = 0.25;
+constexpr double kLeastSine = 0.3;  // of the angle of a corner that is cut
+
+std::vector<double> weights_of(std::span<const Vec2> chain, double spacing_m) {
+  const size_t n = chain.size();
+  std::vector<double> out(n);
+  for (size_t i = 0; i < n; ++i) {
+    const double step = (norm(chain[(i + 1) % n] - chain[i]) + norm(chain[i] - chain[(i + n - 1) % n])) / 2;
+    const double share = kStep * spacing_m / std::max(step, kStep * spacing_m);
+    out[i] = share * share;
+  }
+  return out;
+}
+
+struct Splitter {
+  std::span<const Vec2> chain;
+  const PartsSetting& setting;
+  ChainMoments moments;
+  double variance, line_cost, arc_cost, cut_cost;
+
+  Splitter(std::span<const Vec2> points, const PartsSetting& s)
+      : chain(points), setting(s), moments(points, weights_of(points, s.spacing_m)) {
+    variance = kNoise * kNoise * s.spacing_m * s.spacing_m;
+    // Schwarz: parameters x ln(n); a cut is one more.
+    const double log_n = std::log(static_cast<double>(std::clamp<size_t>(points.size(), 8, kMostRing)));
+    cut_cost = log_n;
+    line_cost = 3 * log_n;
+    arc_cost = 4 * log_n;
+  }
+  const Vec2& at(size_t i) const { return chain[i % chain.size()]; }
+};
+
+// Angle swept about the centre from the first over the middle to the last point; sign by sense.
+double swept(const Splitter& s, const Circle& circle, size_t first, size_t last) {
+  const auto step = [&](size_t i, size_t j) {
+    const Vec2 a = s.at(i) - circle.centre, b = s.at(j) - circle.centre;
+    return std::atan2(cross(a, b), dot(a, b));
+  };
+  constexpr size_t kSteps = 8;
+  double angle = 0;
+  for (size_t k = 0; k < kSteps; ++k)
+    angle += step(first + (last - first) * k / kSteps, first + (last - first) * (k + 1) / kSteps);
+  return angle;
+}
+
+bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last, double& turn) {
+  const double spacing = s.setting.spacing_m;
+  if (circle.radius < kLeastRadius * spacing) return false;
+  turn = swept(s, circle, first, last);
+  const double angle = std::fabs(turn);
+  if (angle < kLeastTurn || (angle > kMostTurn && angle < kWholeTurn)) return false;
+  if (circle.radius * (1 - std::cos(angle / 2)) < kLeastSagitta * spacing) return false;
+  // Points spread along the arc, none of it empty: its length is theirs.
+  double length = 0;
+  for (size_t i = first; i < last; ++i) length += norm(s.at(i + 1) - s.at(i));
+  return length < kLengthAgreement * circle.radius * angle + 4 * spacing;
+}
+
+struct PartCost {
+  double cost = INFINITY;
+  bool is_arc = false;
+  bool is_hopeless = false;
+  bool is_guided = false;
+  EdgeLine guide;  ///< moved in to the contour points
+};
+
+// A long part has so many points that a few of another part at its end would cost it nothing.
+bool misses_ends(const Splitter& s, const EdgeLine& line, size_t first, size_t last) {
+  if (s.setting.guides == nullptr) return false;
+  const double off = std::max(std::fabs(line.distance(s.at(first))), std::fabs(line.distance(s.at(last))));
+  return off > kEndOff * s.setting.spacing_m;
+}
+
+// The guide that fits a straight part best, if any costs less than a line of its own.
+void try_guides(const Splitter& s, size_t first, size_t last, PartCost& out) {
+  if (s.setting.guides == nullptr) return;
+  const double n = static_cast<double>(last - first + 1);
+  const Vec2 chord = s.at(last) - s.at(first), mean = s.moments.mean(first, last);
+  s.setting.guides->visit(mean, kNearGuide * s.setting.spacing_m + s.setting.set_back_m, [&](EdgeLine line) {
+    if (!(dot(line.direction, chord) > 0)) return;
+    line.point = line.point + Vec2{-line.direction.v, line.direction.u} * s.setting.set_back_m;
+    if (misses_ends(s, line, first, last)) return;
+    const double cost = std::max(n, s.moments.squares_about(line, first, last) / s.variance) + s.cut_cost;
+    if (cost < out.cost) out = {cost, false, false, true, line};
+  });
+}
+
+// A single long step between two parts: the triangulation's way across a corner.
+bool is_bridge(const Splitter& s, size_t first, size_t last) {
+  if (s.setting.guides == nullptr || last - first != 1) return false;
+  const double step = norm(s.at(last) - s.at(first));
+  return step > kBridge * s.setting.spacing_m && step <= s.setting.bridge_m;
+}
+
+// A short part that is neither upright nor level where there are lines to follow.
+bool is_odd(const Splitter& s, size_t first, size_t last) {
+  if (s.setting.guides == nullptr) return false;
+  const Vec2 chord = s.at(last) - s.at(first);
+  const double most = std::max(std::fabs(chord.u), std::fabs(chord.v));
+  return most < kShort * s.setting.spacing_m && std::min(std::fabs(chord.u), std::fabs(chord.v)) > kSlanted * most;
+}
+
+PartCost cost_of(const Splitter& s, size_t first, size_t last) {
+  // Contour points stray together, as where a row of a grid ends beside an edge: nothing is gained by following them
+  // more closely than their standard deviation.
+  const double n = static_cast<double>(last - first + 1);
+  const auto fit = s.moments.line(first, last);
+  const double line = std::max(n, fit.squares / s.variance);
+  PartCost out{line + s.line_cost, false, line > kHopeless * n, false, {}};
+  if (misses_ends(s, fit.line, first, last)) out.cost = INFINITY;
+  if (is_odd(s, first, last)) out.cost += kOdd * s.cut_cost;
+  if (is_bridge(s, first, last)) out.cost = n + s.cut_cost;
+  try_guides(s, first, last, out);
+  if (!s.setting.arcs || last - first + 1 < kLeastArcPoints) return out;
+  const auto curve = s.moments.arc(first, last);
+  const double arc = std::max(n, curve.squares / s.variance);
+  out.is_hopeless = out.is_hopeless && !(arc < kHopeless * n);
+  double turn;
+  if (arc + s.arc_cost < out.cost && is_arc(s, curve.circle, first, last, turn))
+    out = {arc + s.arc_cost, true, false, false, {}};
+  return out;
+}
+
+// Where corners follow closely on each other every point may be one.
+void add_corner_points(std::vector<size_t>& ends) {
+  std::vector<size_t> out;
+  for (size_t k = 0; k < ends.size(); ++k) {
+    const size_t low = k == 0 ? 0 : ends[k - 1] + 1, gap = ends[k] + 1 - low;
+    const size_t from = gap <= 2 * kBesideCorner ? low : ends[k] - kBesideCorner;
+    for (size_t i = from; k > 0 && i < ends[k]; ++i) out.push_back(i);
+    out.push_back(ends[k]);
+    if (k + 1 == ends.size() || ends[k + 1] - ends[k] <= 2 * kBesideCorner) continue;
+    for (size_t i = 1; i <= kBesideCorner; ++i) out.push_back(ends[k] + i);
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  ends = std::move(out);
+}
+
+// Where parts may end, ascending, from 0 to the chain's size (its first point again).
+std::vector<size_t> candidates(const Splitter& s) {
+  std::vector<size_t> out;
+  for (const uint32_t i : simplified(s.chain, kCandidateTolerance * s.setting.spacing_m, true)) {
+    if (!out.empty())
+      for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < i; k += kCandidateStep) out.push_back(k);
+    out.push_back(i);
+  }
+  for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < s.chain.size(); k += kCandidateStep)
+    out.push_back(k);
+  out.push_back(s.chain.size());
+  if (s.setting.guides != nullptr) add_corner_points(out);
+  return out;
+}
+
+// Least total cost of the chain up to each candidate, and where its last part begins.
+std::vector<size_t> cheapest_cuts(const Splitter& s, const std::vector<size_t>& ends) {
+  const size_t n = ends.size();
+  std::vector<double> total(n, INFINITY);
+  std::vector<size_t> from(n, 0);
+  total[0] = 0;
+  for (size_t i = 0; i + 1 < n; ++i) {
+    int hopeless = 0;
+    for (size_t j = i + 1; j < n && hopeless < kPatience; ++j) {
+      const PartCost part = cost_of(s, ends[i], ends[j]);
+      hopeless = part.is_hopeless ? hopeless + 1 : 0;
+      if (!(total[i] + part.cost < total[j])) continue;
+      total[j] = total[i] + part.cost;
+      from[j] = i;
+    }
+  }
+  std::vector<size_t> cuts;
+  for (size_t j = n - 1; j > 0; j = from[j]) cuts.push_back(ends[j]);
+  cuts.push_back(ends[0]);
+  std::reverse(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+// Moves each inner cut to the point where its two parts cost least.
+void settle(const Splitter& s, std::vector<size_t>& cuts) {
+  constexpr size_t kSteps[] = {8, 4, 2, 1};
+  for (const size_t step : kSteps)
+    for (size_t k = 1; k + 1 < cuts.size(); ++k) {
+      const size_t low = cuts[k - 1] + 2, high = cuts[k + 1] - 2;
+      size_t best = cuts[k];
+      double least = cost_of(s, cuts[k - 1], best).cost + cost_of(s, best, cuts[k + 1]).cost;
+      for (const size_t trial : {cuts[k] - std::min(step, cuts[k]), cuts[k] + step}) {
+        if (trial < low || trial > high) continue;
+        const double cost = cost_of(s, cuts[k - 1], trial).cost + cost_of(s, trial, cuts[k + 1]).cost;
+        if (!(cost < least)) continue;
+        least = cost;
+        best = trial;
+      }
+      cuts[k] = best;
+    }
+}
+
+// Removes cuts whose two parts cost less as one.
+void join(const Splitter& s, std::vector<size_t>& cuts) {
+  for (size_t k = 1; k + 1 < cuts.size() && cuts.size() > 3;) {
+    const double two = cost_of(s, cuts[k - 1], cuts[k]).cost + cost_of(s, cuts[k], cuts[k + 1]).cost;
+    if (cost_of(s, cuts[k - 1], cuts[k + 1]).cost < two)
+      cuts.erase(cuts.begin() + static_cast<ptrdiff_t>(k));
+    else
+      ++k;
+  }
+}
+
+// The cut where the chain turns most is a corner whatever the start was.
+size_t sharpest(const Splitter& s, const std::vector<size_t>& cuts) {
+  size_t best = 0;
+  double most = -1;
+  for (size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const size_t before = k == 0 ? cuts[cuts.size() - 2] : cuts[k - 1];
+    const Vec2 in = s.at(cuts[k]) - s.at(before), out = s.at(cuts[k + 1]) - s.at(cuts[k]);
+    const double turn = std::fabs(std::atan2(cross(in, out), dot(in, out)));
+    if (turn <= most) continue;
+    most = turn;
+    best = cuts[k] % s.chain.size();
+  }
+  return best;
+}
+
+ChainPart make_part(const Splitter& s, size_t first, size_t last) {
+  const PartCost cost = cost_of(s, first, last);
+  ChainPart part{first, last - first + 1, cost.is_arc, cost.is_guided, cost.guide, {}, 0};
+  if (part.is_arc) {
+    part.circle = s.moments.arc(first, last).circle;
+    part.turn = swept(s, part.circle, first, last) > 0 ? 1 : -1;
+  } else if (!part.is_guided) {
+    part.line = s.moments.line(first, last).line;
+    if (dot(part.line.direction, s.at(last) - s.at(first)) < 0) part.line.direction = part.line.direction * -1;
+  }
+  return part;
+}
+
+// Steps across corners give way to the corners, where the parts beside them meet near by.
+void drop_bridges(const Splitter& s, std::vector<ChainPart>& parts) {
+  for (size_t i = 0; i < parts.size() && parts.size() > 3;) {
+    const size_t n = parts.size(), first = parts[i].first, last = first + parts[i].count - 1;
+    const ChainPart &a = parts[(i + n - 1) % n], &c = parts[(i + 1) % n];
+    Vec2 corner;
+    const bool is_cut = is_bridge(s, first, last) && !parts[i].is_guided && !a.is_arc && !c.is_arc &&
+                        intersect(a.line, c.line, kLeastSine, corner) &&
+                        norm(corner - s.at(first)) <= s.setting.bridge_m &&
+                        norm(corner - s.at(last)) <= s.setting.bridge_m &&
+                        dot(a.line.direction, corner - s.at(a.first)) > 0 &&
+                        dot(c.line.direction, s.at(c.first + c.count - 1) - corner) > 0;
+    if (is_cut)
+      parts.erase(parts.begin() + static_cast<ptrdiff_t>(i));
+    else
+      ++i;
+  }
+}
+
+std::vector<size_t> cut(const Splitter& s) {
+  std::vector<size_t> cuts = cheapest_cuts(s, candidates(s));
+  settle(s, cuts);
+  join(s, cuts);
+  return cuts;
+}
+
+}  // namespace
+
+std::vector<ChainPart> split_chain(std::span<const Vec2> chain, const PartsSetting& setting) {
+  // 1. From any start, for a corner to start from.  2. From that corner.
+  std::vector<Vec2> turned(chain.begin(), chain.end());
+  const size_t start = [&] {
+    const Splitter first(chain, setting);
+    return sharpest(first, cut(first));
+  }();
+  std::rotate(turned.begin(), turned.begin() + static_cast<ptrdiff_t>(start), turned.end());
+  const Splitter s(turned, setting);
+  const auto cuts = cut(s);
+  std::vector<ChainPart> parts;
+  for (size_t k = 0; k + 1 < cuts.size(); ++k) parts.push_back(make_part(s, cuts[k], cuts[k + 1]));
+  drop_bridges(s, parts);
+  for (ChainPart& part : parts) part.first = (part.first + start) % chain.size();
+  // 3. A ring that is one circle is two arcs: a ring has corners.
+  if (parts.size() == 1 && parts[0].is_arc) {
+    ChainPart half = parts[0];
+    parts[0].count = chain.size() / 2 + 1;
+    half.first = (half.first + chain.size() / 2) % chain.size();
+    half.count = chain.size() - chain.size() / 2 + 1;
+    parts.push_back(half);
+  }
+  return parts;
+}
+
+}  // namespace jalon

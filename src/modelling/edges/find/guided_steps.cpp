@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/edges/find/guided_steps.h"
+
+#include <cmath>
+
+namespace jalon {
+
+namespace {
+
+// Spacings: what a guide may be away, how small a step may be, how short an edge is that may be slanted by noise alone.
+constexpr double kReach = 3, kLeastStep = 1.5, kShort = 12;
+constexpr double kAlong = 0.999;     // cosine of lines of one direction
+constexpr double kLeastSine = 0.5;
+
+bool is_upright(const EdgeShape& s) { return !s.is_arc && (s.line.direction.u == 0 || s.line.direction.v == 0); }
+
+bool are_parallel(const EdgeShape& a, const EdgeShape& b) {
+  return is_upright(a) && is_upright(b) && (a.line.direction.u == 0) == (b.line.direction.u == 0);
+}
+
+// Ends where the neighbours are.
+bool fit_between(const EdgeShape& a, const EdgeShape& b, EdgeShape& edge) {
+  Vec2 from, to;
+  if (!intersect(a.line, edge.line, kLeastSine, from) || !intersect(edge.line, b.line, kLeastSine, to)) return false;
+  if (!(dot(edge.line.direction, to - from) > 0)) return false;
+  edge.set_ends(from, to);
+  return true;
+}
+
+// Across the edges a and b, through p; on a guide where one is near.
+EdgeShape step_between(const GuideLines& guides, double spacing_m, const EdgeShape& a, const EdgeShape& b,
+                       const Vec2& p) {
+  EdgeShape out;
+  const Vec2 along = a.line.direction;
+  const double side = a.line.distance(b.line.point) > 0 ? 1 : -1;
+  out.line = {p, Vec2{-along.v, along.u} * side};
+  out.direction = along.u == 0 ? EdgeDirection::kHorizontal : EdgeDirection::kVertical;
+  double nearest = INFINITY;
+  guides.visit(p, kReach * spacing_m, [&](const EdgeLine& line) {
+    const double distance = std::fabs(line.distance(p));
+    if (dot(line.direction, out.line.direction) < kAlong || distance >= nearest) return;
+    nearest = distance;
+    out.line.point = line.foot(p);
+    out.is_guided = true;
+  });
+  return out;
+}
+
+}  // namespace
+
+void follow_guide(const GuideLines& guides, double spacing_m, const EdgeShape& a, const EdgeShape& b, EdgeShape& edge) {
+  if (!are_parallel(a, b) || !is_upright(edge)) return;
+  EdgeShape guided = step_between(guides, spacing_m, a, b, (edge.first + edge.last) * 0.5);
+  if (guided.is_guided && fit_between(a, b, guided)) edge = guided;
+}
+
+void guide_steps(const GuideLines& guides, double spacing_m, std::vector<EdgeShape>& ring) {
+  // 1. Slanted ones.
+  for (size_t i = 0; i < ring.size() && ring.size() > 3; ++i) {
+    const size_t n = ring.size();
+    const EdgeShape &a = ring[(i + n - 1) % n], &b = ring[(i + 1) % n];
+    EdgeShape& edge = ring[i];
+    if (edge.is_arc || is_upright(edge) || edge.length_m > kShort * spacing_m || !are_parallel(a, b)) continue;
+    EdgeShape guided = step_between(guides, spacing_m, a, b, (edge.first + edge.last) * 0.5);
+    if (guided.is_guided && fit_between(a, b, guided)) edge = guided;
+  }
+  // 2. Missing ones.
+  for (size_t i = 0; i < ring.size() && ring.size() > 2; ++i) {
+    const EdgeShape &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if (!are_parallel(a, b) || dot(a.line.direction, b.line.direction) < kAlong) continue;
+    if (std::fabs(a.line.distance(b.line.point)) < kLeastStep * spacing_m) continue;
+    EdgeShape step = step_between(guides, spacing_m, a, b, (a.last + b.first) * 0.5);
+    if (fit_between(a, b, step)) ring.insert(ring.begin() + static_cast<ptrdiff_t>(i + 1), step);
+  }
+}
+
+}  // namespace jalon

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "base/task.h"
+#include "modelling/edges/join/vectorise_setting.h"
+#include "modelling/plane/vector_plane.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+/// 2D vector models of the planar segments (Boulaassal 2010, 4.2-4.3): out[s] of segments[s], without faces where that
+/// is no plane or has too few points. The same bits for any number of threads. Time follows the points and the length
+/// of the contours: O(n) + 2 us a contour point.
+std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const VectoriseSetting& setting, Task& task);
+
+}  // namespace jalon

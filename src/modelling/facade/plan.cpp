@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/facade/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modelling/plane/ring_tools.h"
+#include "modelling/walls/bays.h"
+#include "modelling/walls/openings.h"
+#include "modelling/walls/sills.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kConsumedShare = 0.6;  // of a segment's points in openings: it is their joinery or reveal
+
+constexpr double kChordOfSpacing = 0.1; // of arcs, where only soundness is asked
+
+// Points of each segment that lie in openings, no further before the wall than what is fixed there.
+// What stands in an opening before its joinery is a part of its own.
+void count_points(std::span<const int32_t> opening_of, const WallSurvey& survey, const FacadeWall& wall,
+                  std::vector<uint64_t>& in_openings) {
+  for (size_t h = 0; h < opening_of.size(); ++h) {
+    if (opening_of[h] < 0) continue;
+    const auto& standing = wall.openings[static_cast<size_t>(opening_of[h])].standing_labels;
+    for (const HolePoint& p : survey.holes[h].points)
+      if (std::find(standing.begin(), standing.end(), p.label) == standing.end()) ++in_openings[p.label];
+  }
+}
+
+PlannedWall planned_wall(const Segmentation& segmentation, const VectorPlane& plane, size_t index) {
+  PlannedWall out;
+  out.plane = index;
+  const Segment& segment = segmentation.segments[index];
+  out.wall.label = plane.label;
+  out.wall.frame = plane.frame;
+  out.wall.spacing_m = plane.spacing_m;
+  out.wall.sigma_m = segment.fit.sigma;
+  out.wall.covariance = segment.fit.covariance;
+  for (const VectorFace& face : plane.faces) out.wall.outlines.push_back(face.outline);
+  return out;
+}
+
+// All walls with their holes, facade by facade.
+struct WallList {
+  std::vector<std::vector<WallHole>> holes;
+  std::vector<SurveyedWall> walls;
+};
+
+// The holes of a wall's faces, and the bays between its pieces.
+std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, size_t wall, const FacadeGroup& group,
+                                       const PlanSetting& setting) {
+  std::vector<WallHole> out = holes_of(planes[wall], setting.group.notch);
+  std::vector<WallHole> bays = bays_of(planes[wall], out, setting.group.notch);
+  std::erase_if(bays, [&](const WallHole& bay) {
+    return std::any_of(group.walls.begin(), group.walls.end(), [&](size_t other) {
+      return other != wall && is_walled_up(bay, planes[wall], planes[other], setting.survey.max_depth_m);
+    });
+  });
+  out.insert(out.end(), bays.begin(), bays.end());
+  return out;
+}
+
+WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan, const PlanSetting& setting) {
+  WallList out;
+  for (const PlannedFacade& facade : plan.facades)
+    for (const size_t plane : facade.group.walls)
+      out.holes.push_back(interruptions_of(plan.planes, plane, facade.group, setting));
+  size_t k = 0;
+  for (const PlannedFacade& facade : plan.facades)
+    for (const size_t plane : facade.group.walls)
+      out.walls.push_back({&plan.planes[plane], out.holes[k++], segmentation.segments[plane].fit.sigma});
+  return out;
+}
+
+// Shadows are no holes: the faces and the outlines close over them.
+void close_shadows(std::span<const WallHole> holes, std::span<const int32_t> opening_of, VectorPlane& plane,
+                   FacadeWall& wall) {
+  for (size_t h = 0; h < holes.size(); ++h)
+    if (opening_of[h] < 0) close_hole(plane.faces[holes[h].piece], holes[h]);
+  for (size_t f = 0; f < plane.faces.size(); ++f) wall.outlines[f] = plane.faces[f].outline;
+}
+
+// The wall's faces with these openings as their holes; notches are in the outlines.
+std::vector<VectorFace> faces_with(const VectorPlane& plane, std::span<const FacadeOpening> openings) {
+  std::vector<VectorFace> faces = plane.faces;
+  for (VectorFace& face : faces) face.openings.clear();
+  for (const FacadeOpening& opening : openings)
+    if (!opening.is_notch) faces[opening.piece].openings.push_back(reversed(opening.outline));
+  return faces;
+}
+
+// Copies of repeated openings go into the faces; one after the other, so that one that does not fit between its
+// neighbours is left out alone.
+void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& wall) {
+  std::vector<FacadeOpening> before = wall.openings;
+  if (!setting.enabled || complete_patterns(wall, setting) == 0) return;
+  std::vector<FacadeOpening> kept = before;
+  for (size_t i = 0; i < wall.openings.size(); ++i) {
+    const FacadeOpening& copy = wall.openings[i];
+    const bool is_new = i >= before.size();
+    if (!is_new && copy.copied_from < 0) continue;
+    if (copy.is_notch || (!is_new && before[i].is_notch)) continue;  // a notch belongs to the outline
+    std::vector<FacadeOpening> trial = kept;
+    if (is_new)
+      trial.push_back(copy);
+    else
+      trial[i] = copy;
+    std::vector<VectorFace> faces = faces_with(plane, trial);
+    if (!is_sound(faces[copy.piece], kChordOfSpacing * plane.spacing_m)) continue;
+    plane.faces = std::move(faces);
+    kept = std::move(trial);
+  }
+  wall.openings = std::move(kept);
+}
+
+}  // namespace
+
+FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes, const PlanSetting& setting,
+                        Task& task) {
+  FacadePlan plan;
+  plan.planes = std::move(planes);
+  // 1. Facades and their walls.
+  for (FacadeGroup& group : group_facades(plan.planes, setting.group))
+    plan.facades.push_back({std::move(group), {}, {}});
+  task.checkpoint(0.05);
+  // 2. One look at the cloud for the holes of all walls.
+  WallList list = list_walls(segmentation, plan, setting);
+  std::vector<WallSurvey> surveys;
+  {
+    const Span span(task, 0.05, 0.8, "looking through openings");
+    surveys = survey_walls(segmentation, list.walls, setting.survey, task);
+  }
+  // 3. Openings and shadows.
+  std::vector<uint64_t> in_openings(segmentation.segments.size() + 1, 0);
+  size_t k = 0;
+  for (PlannedFacade& facade : plan.facades)
+    for (const size_t index : facade.group.walls) {
+      task.checkpoint(0.8);
+      end_at_sills(plan.planes, index, surveys[k], setting.survey.front_m, list.holes[k]);
+      PlannedWall wall = planned_wall(segmentation, plan.planes[index], index);
+      const auto opening_of = judge_holes(segmentation, list.holes[k], surveys[k], setting.survey, wall.wall, task);
+      count_points(opening_of, surveys[k], wall.wall, in_openings);
+      close_shadows(list.holes[k], opening_of, plan.planes[index], wall.wall);
+      add_copies(setting.patterns, plan.planes[index], wall.wall);
+      facade.walls.push_back(std::move(wall));
+      ++k;
+    }
+  // 4. What is left: planes that are neither walls nor in their openings.
+  for (PlannedFacade& facade : plan.facades)
+    for (const size_t index : facade.group.others) {
+      const Segment& segment = segmentation.segments[index];
+      if (static_cast<double>(in_openings[segment.label]) < kConsumedShare * static_cast<double>(segment.point_count()))
+        facade.elements.push_back(index);
+    }
+  return plan;
+}
+
+}  // namespace jalon

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "base/task.h"
+#include "modelling/patterns/patterns.h"
+#include "modelling/plane/plane_joints.h"
+#include "modelling/walls/facade_groups.h"
+#include "modelling/walls/facade_parts.h"
+#include "modelling/walls/survey.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+struct PlannedWall {
+  size_t plane = 0;  ///< index in FacadePlan::planes
+  FacadeWall wall;
+};
+
+struct PlannedFacade {
+  FacadeGroup group;
+  std::vector<PlannedWall> walls;   ///< as group.walls
+  std::vector<size_t> elements;     ///< planes that become parts of their own; joinery and reveals left out
+};
+
+/// All that is known before faces are made; faces of the wall planes are those that stay: shadows are closed in them.
+struct FacadePlan {
+  std::vector<VectorPlane> planes;  ///< one a segment
+  std::vector<PlannedFacade> facades;
+  std::vector<SharedCorner> shared;
+};
+
+struct PlanSetting {
+  GroupSetting group;
+  SurveySetting survey;
+  PatternSetting patterns;
+};
+
+/// Facades, walls, their openings and shadows from the 2D models of the planes.
+FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes, const PlanSetting& setting,
+                        Task& task);
+
+}  // namespace jalon

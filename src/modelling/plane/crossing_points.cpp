@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/plane/crossing_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jalon {
+
+namespace {
+
+constexpr double kFlattest = 0.94;  // |cos| of 20 degrees: flatter planes share more than a row of points
+constexpr double kOn = 3, kLeastSigma_m = 0.001;  // sigma: of points on a plane
+constexpr int kLeastBeside = 2;     // points on one side of a plane before it goes on there
+
+double on_plane_m(const Segment& segment) { return kOn * std::max(segment.fit.sigma, kLeastSigma_m); }
+
+// The offset of a plane far from the origin has lost bits that no result may hang on.
+double height_m(const Segment& segment, const Vec3& p) {
+  return std::round(segment.fit.plane.distance(p) * 0x1p20) * 0x1p-20;
+}
+
+}  // namespace
+
+CrossingPoints::CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment)
+    : segmentation_(segmentation), tree_(tree), own_(segmentation.segments[segment]) {
+  crosses_.assign(segmentation.segments.size() + 1, 0);
+  for (const Segment& other : segmentation.segments)
+    crosses_[other.label] =
+        other.has_plane() && std::fabs(dot(other.fit.plane.normal, own_.fit.plane.normal)) < kFlattest;
+}
+
+bool CrossingPoints::ends_at(const Segment& other, const Vec3& p, const std::vector<Neighbour>& near) const {
+  const double on_other = on_plane_m(other), on_own = on_plane_m(own_);
+  if (std::fabs(height_m(other, p)) > on_other) return false;
+  const Cloud& cloud = *segmentation_.cloud;
+  const auto labels = segmentation_.labels->values<uint32_t>();
+  int before = 0, behind = 0, above = 0, below = 0;
+  for (const Neighbour& n : near) {
+    if (labels[n.index] == other.label) {
+      const double h = height_m(own_, cloud.point(n.index));
+      before += h > on_own;
+      behind += h < -on_own;
+    } else if (labels[n.index] == own_.label) {
+      const double h = height_m(other, cloud.point(n.index));
+      above += h > on_other;
+      below += h < -on_other;
+    }
+  }
+  return std::min(before, behind) >= kLeastBeside && std::min(above, below) < kLeastBeside;
+}
+
+bool CrossingPoints::holds(uint32_t point, double reach_m) const {
+  const Vec3 p = segmentation_.cloud->point(point);
+  const auto labels = segmentation_.labels->values<uint32_t>();
+  std::vector<Neighbour> near;
+  tree_.radius(p, reach_m, near);
+  std::vector<uint32_t> others;
+  for (const Neighbour& n : near)
+    if (const uint32_t label = labels[n.index]; crosses_[label] != 0) others.push_back(label);
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  return std::any_of(others.begin(), others.end(), [&](uint32_t label) {
+    return ends_at(segmentation_.segments[label - 1], p, near);
+  });
+}
+
+}  // namespace jalon

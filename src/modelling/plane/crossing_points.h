@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segment/segmentation.h"
+#include "spatial/octree/octree.h"
+
+namespace jalon {
+
+/// Tells the points of a plane that are as much another plane's, which crosses it there and on which it ends: a soffit
+/// that runs over the tops of posts to the wall behind leaves a row of its points in the plane of the posts, between
+/// them and beside them. Such points bound nothing; where the plane ends the joint with the other one tells.
+class CrossingPoints {
+ public:
+  /// segment: index of the plane in segmentation.segments. The arguments must outlive it.
+  CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment);
+
+  /// Whether a plane that is not parallel to this one goes through the point, with points of its own before and behind
+  /// this plane within reach_m, while this plane has no points on both sides of that one. O(points within reach).
+  bool holds(uint32_t point, double reach_m) const;
+
+ private:
+  bool ends_at(const Segment& other, const Vec3& p, const std::vector<Neighbour>& near) const;
+
+  const Segmentation& segmentation_;
+  const Octree& tree_;
+  const Segment& own_;
+  std::vector<uint8_t> crosses_;  ///< by label: a plane that is not parallel to this one
+};
+
+}  // namespace jalon

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/task.h"
+#include "modelling/plane/vector_plane.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+struct JointSetting {
+  bool enabled = true;
+  double gap_m = 0;  ///< edges this near to another plane are drawn to it; 0: two spacings of its points
+};
+
+/// A vertex that several planes share, by its place in each.
+struct SharedCorner {
+  struct Use {
+    size_t plane = 0;
+    Vec2 place;
+  };
+  Vec3 position;
+  std::vector<Use> uses;
+};
+
+/// Closes the gaps where planes meet (facade-modelling A39): corners of facades, walls on the ground, sills and
+/// cornices on walls. A straight edge of an outline within the gap of a plane that is there moves onto the line in
+/// which both planes intersect (EdgeSource::kPlanes); where both planes have such an edge, ends nearer than the gap
+/// become one vertex. Faces stay exactly plane: corners move in their plane only, and a vertex of three planes is their
+/// common point. A face that would meet itself or its openings keeps its edges. O(faces^2) box tests + the edges of
+/// neighbours. segments: planes[i] is that of segments[i]; their covariances give the joints' sigma_m.
+std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes, std::span<const Segment> segments,
+                                      const JointSetting& setting, Task& task);
+
+}  // namespace jalon

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/coarse/search.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kFewPoints = 400, kMorePoints = 1000, kManyPoints = 6000;  // of each surface
+constexpr double kLooseReach = 2, kLooseOffPlane = 1;  // cells: before poses have settled
+constexpr double kReach = 1.5, kOffPlane = 0.5;        // cells: once they have
+constexpr double kFirstReach = 4, kLastReach = 1.2;    // cells, of the iterations
+constexpr int kIterations = 14, kLastIterations = 8;
+constexpr size_t kSettled = 40, kRivals = 8;           // poses that are settled, and judged in the end
+constexpr double kSamePose = 1;                        // cells: two candidates this near settle alike
+constexpr double kOtherPose = 4;                       // cells: settled poses this far from each other are two
+constexpr double kSlide = 8;                           // cells
+
+// Curved ground can be laid across other ground, salient places and all; but then it crosses it, and what counts as
+// common is spread over the half cell that it may be off: 0.2 to 0.3 cells, 2.2 to 3.4 times the scatter of the cells
+// about their own planes. Surfaces that are the same stay below 0.14 cells, or, where they are rough, 1.3 times that.
+constexpr double kCrossCells = 0.17, kCrossScatters = 1.7;
+
+using Poses = std::vector<RankedPose>;
+
+bool crosses(const RankedPose& pose, double cell_m) {
+  return pose.overlap.rms_m > kCrossCells * cell_m && pose.overlap.rms_m > kCrossScatters * pose.overlap.scatter_m;
+}
+
+void rank(Poses& poses) {
+  std::stable_sort(poses.begin(), poses.end(),
+                   [](const RankedPose& a, const RankedPose& b) { return a.overlap.score() > b.overlap.score(); });
+}
+
+// The best of each group of poses within a distance, at most this many.
+Poses distinct(const Poses& poses, const PoseJudge& judge, double distance_m, size_t most) {
+  Poses out;
+  for (const RankedPose& pose : poses) {
+    if (out.size() == most) break;
+    const bool is_new = std::none_of(out.begin(), out.end(), [&](const RankedPose& other) {
+      return judge.difference(pose.pose, other.pose) <= distance_m;
+    });
+    if (is_new) out.push_back(pose);
+  }
+  return out;
+}
+
+void settle(Poses& poses, const PoseJudge& judge, double first_reach, int iterations, Task& task) {
+  parallel_for(task, poses.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      poses[i].pose = judge.settled(poses[i].pose, first_reach, kLastReach, iterations);
+      poses[i].overlap = judge.overlap(poses[i].pose, kReach, kOffPlane);
+    }
+  });
+}
+
+// Step 1.
+Poses first_look(const PoseJudge& judge, const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted,
+                 Task& task) {
+  Poses out;
+  for (const PoseCandidate& candidate : candidates)
+    if (is_wanted(candidate.pose)) out.push_back({candidate.pose, candidate.source, {}});
+  parallel_for(task, out.size(), 4, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) out[i].overlap = judge.overlap(out[i].pose, kLooseReach, kLooseOffPlane);
+  });
+  rank(out);
+  return out;
+}
+
+// Step 3: both ways along the three weakest of the six directions, turns and shifts made alike by the extent.
+Poses slides(const RankedPose& best, const Square<6>& fixed, const CoarseSurface& moving) {
+  Eigen::Matrix<double, 6, 6> scaled;
+  const auto unit_of = [&](Eigen::Index i) { return i < 3 ? 1 / moving.extent_m : 1.0; };
+  for (Eigen::Index i = 0; i < 6; ++i)
+    for (Eigen::Index k = 0; k < 6; ++k) scaled(i, k) = fixed[static_cast<size_t>(6 * i + k)] * unit_of(i) * unit_of(k);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(scaled);
+  const Vec3 centre = best.pose.point(moving.centroid);
+  Poses out;
+  for (Eigen::Index weak = 0; weak < 3; ++weak)
+    for (const double way : {-kSlide * moving.cell_m, kSlide * moving.cell_m}) {
+      const auto d = solver.eigenvectors().col(weak);
+      const Vec3 turn = Vec3{d(0), d(1), d(2)} * (way / moving.extent_m), shift = Vec3{d(3), d(4), d(5)} * way;
+      out.push_back({motion_about(centre, turn, shift) * best.pose, PoseSource::kSlide, {}});
+    }
+  return out;
+}
+
+}  // namespace
+
+CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& moving,
+                          const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted, Task& task) {
+  const double cell_m = reference.cell_m;
+  const PoseJudge few(reference, moving, kFewPoints), more(reference, moving, kMorePoints),
+      many(reference, moving, kManyPoints);
+  const auto unwanted = [&](const RankedPose& p) { return !is_wanted(p.pose) || crosses(p, cell_m); };
+  CoarseSearch out;
+  Poses poses;
+  {
+    const Span span(task, 0, 0.6, "settling poses");
+    poses = distinct(first_look(few, candidates, is_wanted, task), few, kSamePose * cell_m, kSettled);
+    settle(poses, more, kFirstReach, kIterations, task);
+    std::erase_if(poses, unwanted);
+    rank(poses);
+    poses = distinct(poses, more, kOtherPose * cell_m, kRivals);
+  }
+  if (poses.empty()) return out;
+  const Span span(task, 0.6, 1, "judging poses");
+  settle(poses, many, kReach, kLastIterations, task);
+  std::erase_if(poses, unwanted);
+  if (poses.empty()) return out;
+  rank(poses);
+  poses.front().pose = many.settled(poses.front().pose, kReach, kLastReach, kLastIterations, &out.fixed);
+  const RankedPose best = poses.front();
+  Poses moved = slides(best, out.fixed, moving);
+  settle(moved, more, kFirstReach, kIterations, task);
+  settle(moved, many, kReach, kLastIterations, task);
+  poses.insert(poses.end(), moved.begin(), moved.end());
+  std::erase_if(poses, unwanted);
+  rank(poses);
+  if (many.difference(poses.front().pose, best.pose) <= kOtherPose * cell_m) poses.front().source = best.source;
+  out.poses = distinct(poses, many, kOtherPose * cell_m, kRivals);
+  return out;
+}
+
+}  // namespace jalon

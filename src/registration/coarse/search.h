@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "registration/coarse/candidates.h"
+#include "registration/coarse/pose.h"
+
+namespace jalon {
+
+struct RankedPose {
+  Transform pose;
+  PoseSource source = PoseSource::kFeatures;
+  Overlap overlap;
+};
+
+struct CoarseSearch {
+  std::vector<RankedPose> poses;  ///< clearly different from each other, the best first
+  Square<6> fixed{};              ///< normal equations of the best about the moving centroid
+};
+
+/// Which poses are wanted at all; of poses between the surfaces' own frames.
+using PoseFilter = std::function<bool(const Transform&)>;
+
+/// 1. The overlap of all candidates on few points; 2. the best of them settled by point-to-plane iterations and judged
+/// on more; 3. the best moved along what holds it least and settled again, so that a corridor shows that it is one;
+/// 4. what remains different, on all points.
+CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& moving,
+                          const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted, Task& task);
+
+}  // namespace jalon

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/icp/covariance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "registration/icp/influence.h"
+#include "registration/icp/settle.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr size_t kGrain = 1 << 13;
+constexpr double kCut = 3;
+constexpr double kCutVariance = 0.973337;  // of the standard normal within 3: 1 - 6 phi(3) / (2 Phi(3) - 1)
+
+/// Squares of the residuals and the variances foretold for them.
+struct Scatter {
+  double squares = 0, foretold = 0;
+  Scatter& operator+=(const Scatter& b) {
+    squares += b.squares;
+    foretold += b.foretold;
+    return *this;
+  }
+  // Sums are divided, not each by each: a scatter of a dozen points is no divisor.
+  void add(double residual_m, double variance_m2, double cut_m) {
+    if (std::abs(residual_m) > cut_m) return;
+    squares += residual_m * residual_m;
+    foretold += variance_m2;
+  }
+};
+
+double sigma0_of(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner, const PairRule& rule,
+                 double sigma_m, Task& task) {
+  const auto both = [&](const Buffer<uint32_t>& near, bool from_moving) {
+    return parallel_reduce(task, near.size(), kGrain, Scatter{}, [&](size_t begin, size_t end) {
+      Scatter part;
+      IcpPair pair;
+      for (size_t i = begin; i < end; ++i) {
+        const auto here = static_cast<uint32_t>(i);
+        if (near[i] == kNoPoint) continue;
+        if (pair_of(clouds, inner, from_moving ? here : near[i], from_moving ? near[i] : here, from_moving, rule, pair))
+          part.add(pair.residual_m, pair.variance_m2, kCut * sigma_m);
+      }
+      return part;
+    });
+  };
+  Scatter sum = both(neighbours.of_moving, true);
+  sum += both(neighbours.of_reference, false);
+  return sum.foretold > 0 ? std::sqrt(sum.squares / sum.foretold / kCutVariance) : 1;
+}
+
+// The inverse of the information in the observable directions.
+Square<6> inverse_of(const IcpDirections& directions) {
+  Square<6> out{};
+  for (size_t k = 0; k < 6; ++k) {
+    if (!directions.observable[k]) continue;
+    for (size_t r = 0; r < 6; ++r)
+      for (size_t c = 0; c < 6; ++c)
+        out[6 * r + c] += directions.unit[k][r] * directions.unit[k][c] / directions.information[k];
+  }
+  return out;
+}
+
+// The open directions first, as the information has them; then those of the covariance, the weakest first.
+void set_directions(const Square<6>& scaled, const IcpDirections& found, IcpCovariance& out) {
+  const std::array<PoseDirection, 6> of_covariance = pose_directions(scaled, 1);
+  size_t next = 0;
+  for (size_t k = 0; k < 6; ++k)
+    if (!found.observable[k]) out.directions[next++] = {found.unit[k], kNaN, false};
+  for (size_t k = 0; next < 6; ++k) out.directions[next++] = of_covariance[k];
+}
+
+// What the noise of the points puts into the right-hand side of pairs.
+Square<6> pair_scatter(const IcpClouds& clouds, const IcpState& state, const PairRule& rule, const IcpSums& sums,
+                       uint32_t k, Task& task) {
+  if (rule.metric != IcpMetric::kPointToPlane)
+    return icp_scores(clouds, state.neighbours, state.inner, rule, state.frame());
+  Square<6> out = icp_influence(clouds, state.neighbours, state.inner, rule, state.frame(), k, task);
+  // What robust weights cost is noise of each pair alone: 5 % of what it would be by itself, while points that stand in
+  // many pairs are most of the sum.
+  const double variance_m2 = sums.squares / std::max(sums.weights, 1.0);
+  if (state.kernel.kind != KernelKind::kNone)
+    for (size_t i = 0; i < 36; ++i) out[i] += (1 / RobustKernel::kEfficiency - 1) * variance_m2 * sums.normal[i];
+  return out;
+}
+
+}  // namespace
+
+IcpCovariance icp_covariance(const IcpClouds& clouds, const IcpState& state, uint32_t k, Task& task) {
+  IcpCovariance out;
+  const RobustKernel& kernel = state.kernel;
+  const IcpFrame frame = state.frame();
+  PairRule heard = state.rule;
+  if (kernel.kind == KernelKind::kTukey)
+    heard.most_m = std::min(heard.most_m, RobustKernel::kTukeyCut * kernel.sigma_m);
+  const IcpSums sums = icp_sums(clouds, {}, {}, state.neighbours, state.inner, heard,
+                                {KernelKind::kNone, kernel.sigma_m}, frame, task);
+  const IcpDirections directions = icp_directions(sums);
+  const bool by_planes = heard.metric == IcpMetric::kPointToPlane;  // else the sigma of each pair is in the scores
+  if (by_planes) out.sigma0 = sigma0_of(clouds, state.neighbours, state.inner, heard, kernel.sigma_m, task);
+  out.redundancy = static_cast<double>(sums.pairs) - 6;
+  Square<6> scaled;
+  if (state.patches.patches > 0) {
+    scaled = patch_covariance(state.patches, directions);
+  } else {
+    scaled = sandwich<6>(inverse_of(directions), pair_scatter(clouds, state, heard, sums, k, task));
+    for (double& c : scaled) c *= out.sigma0 * out.sigma0;
+  }
+  set_directions(scaled, directions, out);
+  const bool open = !std::all_of(directions.observable.begin(), directions.observable.end(), [](bool b) { return b; });
+  const auto length = [&](size_t i) { return i < 3 ? frame.extent_m : 1; };
+  for (size_t r = 0; r < 6; ++r)
+    for (size_t c = 0; c < 6; ++c)
+      out.covariance[6 * r + c] = open ? kNaN : scaled[6 * r + c] / (length(r) * length(c));
+  return out;
+}
+
+}  // namespace jalon

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/icp/influence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "registration/icp/plane_points.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kExact = 100'000;     // points of a cloud
+constexpr size_t kRun = 16;            // points of a run in the tree's order: those of a plane, or nearly
+constexpr size_t kMostInfluences = size_t{1} << 17;  // points looked at; of more, every second, third ... run
+constexpr size_t kBetweenReports = 1 << 15;  // pairs or points: some milliseconds
+constexpr double kOneFace = 0.7;       // cosine between the normals of points on one face
+
+/// Six numbers of one point.
+struct Share {
+  float of[6] = {};
+  void add(const Coefficients<6>& j, double factor) {
+    for (size_t i = 0; i < 6; ++i) of[i] += static_cast<float>(factor * j[i]);
+  }
+};
+
+/// A quarter of the work: how much of it is done.
+struct Progress {
+  Task& task;
+  double from;
+  void operator()(size_t done, size_t all) const {
+    task.checkpoint(from + 0.25 * static_cast<double>(done) / static_cast<double>(all));
+  }
+};
+
+/// What one cloud's points put into the right-hand side: each through its own pair, and through its plane.
+class CloudInfluence {
+ public:
+  CloudInfluence(const SurfacePlanes& planes, bool exact)
+      : planes_(planes),
+        stride_(exact ? 1 : (planes.size() + kMostInfluences - 1) / kMostInfluences),
+        exact_(exact),
+        own_(slots()),
+        plane_(slots()),
+        tilt_(exact ? slots() : 0) {}
+
+  bool looks_at(uint32_t position) const { return slot(position) != kUnused; }
+
+  // factor: the sign of the cloud in the residual, and of the pair's normal against that of the point.
+  void add_point(uint32_t position, const Coefficients<6>& j, double factor) {
+    if (const size_t s = slot(position); s != kUnused) own_[s].add(j, factor);
+  }
+  // offset: the pair's place from the plane's point.
+  void add_plane(uint32_t position, const Coefficients<6>& j, double factor, const Vec3& offset) {
+    const size_t s = slot(position);
+    if (s == kUnused) return;
+    plane_[s].add(j, factor);
+    if (!exact_) return;
+    for (int axis = 0; axis < 3; ++axis) tilt_[s][static_cast<size_t>(axis)].add(j, factor * offset[axis]);
+  }
+
+  Square<6> squares(uint32_t k, const Progress& report) {
+    const size_t step = exact_ ? 1 : kRun * stride_;
+    for (size_t first = 0, done = 0; first < planes_.size(); first += step, ++done) {
+      if (done % (kBetweenReports / kRun) == 0) report(first, planes_.size());
+      if (exact_)
+        share_exactly(static_cast<uint32_t>(first), k);
+      else
+        share_in_run(first);
+    }
+    Square<6> out{};
+    for (size_t first = 0; first < planes_.size(); first += kRun * stride_)
+      for (size_t i = first; i < std::min(first + kRun, planes_.size()); ++i) add_square(i, out);
+    for (double& v : out) v *= static_cast<double>(stride_);
+    return out;
+  }
+
+ private:
+  static constexpr size_t kUnused = SIZE_MAX;
+  using Tilt = std::array<Share, 3>;
+
+  size_t slots() const { return (planes_.size() / (kRun * stride_) + 1) * kRun; }
+  size_t slot(size_t position) const {
+    const size_t run = position / kRun;
+    return run % stride_ == 0 ? run / stride_ * kRun + position % kRun : kUnused;
+  }
+  // +1 or -1: which way the normal of b points against that of a; 0: on different faces.
+  double alike(size_t a, size_t b) const {
+    if (a == b) return 1;
+    const double cosine = dot(planes_.planes[a].unit(), planes_.planes[b].unit());
+    return std::abs(cosine) < kOneFace ? 0 : cosine > 0 ? 1 : -1;
+  }
+
+  void share_exactly(uint32_t position, uint32_t k) {
+    const Share& mean = plane_[position];
+    if (std::all_of(mean.of, mean.of + 6, [](float v) { return v == 0; })) return;
+    for (const PlaneShare& share : plane_shares(planes_, position, k)) {
+      const double cosine = dot(planes_.planes[position].unit(), planes_.planes[share.position].unit());
+      const double sign = cosine < 0 ? -1 : 1;
+      for (size_t i = 0; i < 6; ++i) {
+        const double along = tilt_[position][0].of[i] * share.slope.x + tilt_[position][1].of[i] * share.slope.y +
+                             tilt_[position][2].of[i] * share.slope.z;
+        own_[share.position].of[i] += static_cast<float>(sign * (mean.of[i] * share.height + along));
+      }
+    }
+  }
+
+  void share_in_run(size_t first) {
+    const size_t end = std::min(first + kRun, planes_.size());
+    for (size_t p = first; p < end; ++p) {
+      double signs[kRun] = {}, count = 0;
+      for (size_t m = first; m < end; ++m) {
+        signs[m - first] = alike(p, m);
+        count += std::abs(signs[m - first]);
+      }
+      const Share& mean = plane_[slot(p)];
+      for (size_t m = first; m < end; ++m)
+        for (size_t i = 0; i < 6; ++i)
+          own_[slot(m)].of[i] += static_cast<float>(signs[m - first] * double{mean.of[i]} / count);
+    }
+  }
+
+  void add_square(size_t position, Square<6>& out) const {
+    const float* b = own_[slot(position)].of;
+    const double sigma = planes_.flat(position) ? planes_.planes[position].sigma_m : planes_.noise_m;
+    for (size_t r = 0; r < 6; ++r)
+      for (size_t c = 0; c < 6; ++c) out[6 * r + c] += sigma * sigma * b[r] * b[c];
+  }
+
+  const SurfacePlanes& planes_;
+  size_t stride_;
+  bool exact_;
+  std::vector<Share> own_, plane_;
+  std::vector<Tilt> tilt_;
+};
+
+Coefficients<6> coefficients_of(const IcpPair& pair, const IcpFrame& frame) {
+  const Vec3 turn = cross((pair.place - frame.centre) / frame.extent_m, pair.normal);
+  return {turn.x, turn.y, turn.z, pair.normal.x, pair.normal.y, pair.normal.z};
+}
+
+}  // namespace
+
+Square<6> icp_influence(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner,
+                        const PairRule& rule, const IcpFrame& frame, uint32_t k, Task& task) {
+  const bool exact = std::max(clouds.reference.size(), clouds.moving.size()) <= kExact;
+  CloudInfluence reference(clouds.reference, exact), moving(clouds.moving, exact);
+  const Transform back = inverse(inner);
+  const Progress forth{task, 0}, back_again{task, 0.25};
+  IcpPair pair;
+  for (size_t i = 0; i < neighbours.of_moving.size(); ++i) {
+    const uint32_t m = static_cast<uint32_t>(i), r = neighbours.of_moving[i];
+    if (i % kBetweenReports == 0) forth(i, neighbours.of_moving.size());
+    if (r == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
+    if (!pair_of(clouds, inner, m, r, true, rule, pair)) continue;
+    const Coefficients<6> j = coefficients_of(pair, frame);
+    const double sign = dot(pair.normal, inner.direction(clouds.moving.planes[m].unit())) < 0 ? -1 : 1;
+    moving.add_point(m, j, sign);
+    reference.add_plane(r, j, -1, pair.place - clouds.reference.place(r));
+  }
+  for (size_t i = 0; i < neighbours.of_reference.size(); ++i) {
+    const uint32_t r = static_cast<uint32_t>(i), m = neighbours.of_reference[i];
+    if (i % kBetweenReports == 0) back_again(i, neighbours.of_reference.size());
+    if (m == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
+    if (!pair_of(clouds, inner, m, r, false, rule, pair)) continue;
+    const Coefficients<6> j = coefficients_of(pair, frame);
+    const double sign = dot(pair.normal, clouds.reference.planes[r].unit()) < 0 ? -1 : 1;
+    reference.add_point(r, j, -sign);
+    moving.add_plane(m, j, 1, back.point(clouds.reference.place(r)) - clouds.moving.place(m));
+  }
+  Square<6> out = reference.squares(k, {task, 0.5});
+  const Square<6> of_moving = moving.squares(k, {task, 0.75});
+  for (size_t i = 0; i < out.size(); ++i) out[i] += of_moving[i];
+  return out;
+}
+
+}  // namespace jalon

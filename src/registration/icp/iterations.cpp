@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/icp/iterations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/rigid_motion.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kShrink = 0.8, kNoises = 3;  // of the greatest residual (Girardeau-Montaut 2006, 2.1)
+constexpr double kSteps = 3;                  // ... which stays above so many times the last step
+constexpr double kMadToSigma = 1.4826;        // median of |x| of the standard normal, inverted
+constexpr double kLeastSigma_m = 1e-9;        // keeps noise-free points from having no weight
+// A step is small when it is below so many standard deviations of the pose: what it leaves adds nothing to its
+// variance.
+constexpr double kSmallLast = 0.1, kSmallBefore = 0.3;
+// Steps on the same neighbours; those that a step has moved by less than so many noises would be found again.
+constexpr int kStepsOnPairs = 3;
+constexpr double kStillNear = 0.1;
+constexpr size_t kRestless = 15;    // steps of a level
+constexpr size_t kMostBefore = 40;  // steps of a level that is not the last
+// Weights pull less than their slope would: near the end a step that goes by the weights falls short by this ratio.
+constexpr double kMostLengthening = 1.5;
+constexpr double kRounding = 1e-13;           // of the extent: a step that rounding makes
+constexpr uint64_t kLeastPairs = 12;          // two for each unknown
+
+double quantile_of(std::vector<float>& values, double share) {
+  for (float& v : values) v = std::fabs(v);
+  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+PairRule rule_of(const IcpSettings& settings, const IcpPoints& reference, double most_m) {
+  return {settings.metric, most_m, reference.reach_m, settings.least_cosine, static_cast<double>(settings.neighbours)};
+}
+
+// The scale of the residuals; how many were looked at.
+size_t measure_scale(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving,
+                     const IcpSettings& settings, IcpState& state) {
+  const PairRule rule = rule_of(settings, reference, state.distance_m);
+  std::vector<float> residuals = icp_residual_sample(clouds, reference, moving, state.neighbours, state.inner, rule);
+  if (residuals.empty()) return 0;
+  state.sigma_m = std::max(kLeastSigma_m, kMadToSigma * quantile_of(residuals, 0.5));
+  state.worst_m = settings.trim > 0 ? std::min(rule.most_m, quantile_of(residuals, 1 - settings.trim)) : rule.most_m;
+  return residuals.size();
+}
+
+// One step; false when too few points meet.
+bool step_on(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving, const IcpSettings& settings,
+             Task& task, IcpState& state, IcpIteration& row) {
+  const IcpNeighbours& neighbours = state.neighbours;
+  if (measure_scale(clouds, reference, moving, settings, state) < kLeastPairs) return false;
+  state.rule = rule_of(settings, reference, state.worst_m);
+  // While the distance shrinks it is the cut: a scale of its own would hold on to the first surface that fits.
+  const double wide = state.distance_m / RobustKernel::kTukeyCut;
+  state.kernel = {settings.kernel, std::max(state.sigma_m, wide)};
+  state.sums = icp_sums(clouds, reference, moving, neighbours, state.inner, state.rule, state.kernel, state.frame(),
+                        task);
+  row.pairs = state.sums.pairs;
+  row.kept = static_cast<double>(state.sums.of_moving) / static_cast<double>(neighbours.of_moving.size());
+  row.rms_m = std::sqrt(state.sums.squares / std::max(state.sums.weights, 1e-300));
+  row.sigma_m = state.sigma_m;
+  row.distance_m = state.distance_m;
+  return state.sums.pairs >= kLeastPairs && row.kept >= settings.least_overlap;
+}
+
+// Moves; how many standard deviations of the pose the step was.
+double move(IcpState& state, IcpIteration& row) {
+  state.directions = icp_directions(state.sums);
+  Coefficients<6> step = icp_step(state.sums, state.directions);
+  const double lengthening = state.sums.weights / std::max(state.sums.slopes, state.sums.weights / kMostLengthening);
+  for (double& s : step) s *= std::max(1.0, lengthening);
+  const IcpFrame frame = state.frame();
+  const Vec3 turn = Vec3{step[0], step[1], step[2]} / frame.extent_m, shift{step[3], step[4], step[5]};
+  state.inner = motion_about(frame.centre, turn, shift) * state.inner;
+  row.turn_rad = norm(turn);
+  row.shift_m = norm(shift);
+  for (const bool observable : state.directions.observable) row.observable += observable;
+  double squared = 0;
+  for (size_t i = 0; i < 6; ++i) squared += step[i] * state.sums.right[i];
+  return std::sqrt(std::max(0.0, squared)) / state.sigma_m;
+}
+
+}  // namespace
+
+bool icp_iterate(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving, int level, bool last,
+                 const IcpSettings& settings, Task& task, IcpState& state) {
+  const IcpSearch search(clouds, reference, moving, settings.search_cosine(), task);
+  const double noise_m = std::hypot(clouds.reference.noise_m, clouds.moving.noise_m);
+  const double sideways_m = reference.reach_m + 4 * std::max(clouds.reference.radius_m, clouds.moving.radius_m);
+  const double small = last ? kSmallLast : kSmallBefore;
+  const size_t before = state.log.size();
+  state.stopped = StopReason::kIterationLimit;
+  const auto floor_m = [&] {
+    return std::max({kNoises * noise_m, RobustKernel::kTukeyCut * state.sigma_m, settings.min_distance_m});
+  };
+  for (bool first = true;; first = false) {
+    state.neighbours = search.find(state.inner, state.distance_m + sideways_m, task);
+    // What converged on fewer points is where it should be, within the noise of these.
+    if (first && level > 0 && measure_scale(clouds, reference, moving, settings, state) > 0)
+      state.distance_m = std::min(state.distance_m, floor_m());
+    double moved_m = 0;
+    for (int k = 0; k < kStepsOnPairs; ++k) {
+      // Few points need not settle: hard cuts keep some of them coming and going.
+      if (!last && state.log.size() - before >= kMostBefore) return true;
+      if (static_cast<int>(state.log.size()) >= settings.max_iterations) return false;
+      IcpIteration row;
+      row.level = level;
+      const bool enough = step_on(clouds, reference, moving, settings, task, state, row);
+      const double step = enough ? move(state, row) : 0;
+      state.log.push_back(row);
+      task.checkpoint(static_cast<double>(state.log.size()) / settings.max_iterations);
+      if (!enough) {
+        state.stopped = StopReason::kTooFewPairs;
+        return false;
+      }
+      const double length_m = row.shift_m + row.turn_rad * state.extent_m;
+      moved_m += length_m;
+      const bool shrunk = state.distance_m <= floor_m() / kShrink;
+      state.distance_m = std::max({kShrink * state.distance_m, floor_m(), kSteps * length_m});
+      if (!shrunk || moved_m > kStillNear * noise_m) break;  // other neighbours
+      // Pairs that keep coming and going leave steps well below what the noise leaves open.
+      const bool restless = state.log.size() - before >= kRestless && step < kSmallBefore;
+      if (step >= small && !restless) continue;
+      state.stopped = StopReason::kConverged;
+      return true;
+    }
+    // Noise-free clouds, or neighbours that swap for ever: the pairs do not say it better.
+    if (state.log.back().shift_m + state.log.back().turn_rad * state.extent_m <= kRounding * state.extent_m) {
+      state.stopped = StopReason::kConverged;
+      return true;
+    }
+  }
+}
+
+}  // namespace jalon

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/icp/quadric_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/symmetric_eigen.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kUnknowns = 6;
+constexpr size_t kMost = 64;            // neighbours looked at
+constexpr size_t kLeast = 2 * kUnknowns;
+constexpr double kLeastAspect = 0.1;    // of the neighbours' spread, squared: a strip fixes no bend across itself
+constexpr double kSteepest = 1.25;      // slope of the paraboloid at the point: the neighbours' plane is no base for it
+
+// Steps 1 and 2: the offsets of the neighbours, and the plane through them as base.
+bool set_axes(const Vec3* offsets, size_t count, LocalQuadric& out) {
+  Vec3 sum;
+  for (size_t i = 0; i < count; ++i) sum += offsets[i];
+  const Vec3 mean = sum / static_cast<double>(count);
+  Symmetric3 scatter{};
+  for (size_t i = 0; i < count; ++i) {
+    const Vec3 d = offsets[i] - mean;
+    const double row[6] = {d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z};
+    for (size_t c = 0; c < 6; ++c) scatter[c] += row[c];
+  }
+  const Eigen3 e = symmetric_eigen(scatter);
+  if (!(e.values[1] > kLeastAspect * e.values[2])) return false;
+  out.u = e.vectors[2];
+  out.v = e.vectors[1];
+  out.n = e.vectors[0];
+  out.scale_m = std::sqrt((e.values[1] + e.values[2]) / static_cast<double>(count));
+  return true;
+}
+
+}  // namespace
+
+bool local_quadric(const Octree& tree, size_t position, std::span<const uint32_t> neighbours, LocalQuadric& out) {
+  const size_t count = std::min(neighbours.size(), kMost);
+  if (count < kLeast) return false;
+  const double step = tree.grid_step();
+  const int32_t *x = tree.grid_x(), *y = tree.grid_y(), *z = tree.grid_z();
+  Vec3 offsets[kMost];
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t n = neighbours[i];
+    offsets[i] = Vec3{static_cast<double>(x[n] - x[position]), static_cast<double>(y[n] - y[position]),
+                      static_cast<double>(z[n] - z[position])} * step;
+  }
+  if (!set_axes(offsets, count, out)) return false;
+  // Step 3: least squares of the heights.
+  Square<kUnknowns> normal{};
+  Coefficients<kUnknowns> right{};
+  double squares = 0;
+  for (size_t i = 0; i < count; ++i) {
+    const double height = dot(out.n, offsets[i]);
+    const Coefficients<kUnknowns> q = out.terms(offsets[i]);
+    for (size_t r = 0; r < kUnknowns; ++r) {
+      right[r] += q[r] * height;
+      for (size_t c = 0; c <= r; ++c) normal[kUnknowns * r + c] += q[r] * q[c];
+    }
+    squares += height * height;
+  }
+  Cholesky<kUnknowns> factor;
+  if (!factor.factor(normal)) return false;
+  out.a = factor.solve(right);
+  out.cofactors = factor.inverse();
+  for (size_t i = 0; i < kUnknowns; ++i) squares -= out.a[i] * right[i];
+  out.sigma_m = std::sqrt(std::max(0.0, squares) / static_cast<double>(count - kUnknowns));
+  return true;
+}
+
+SurfacePlane tangent_plane(const Octree& tree, size_t position, std::span<const uint32_t> neighbours, double most_m) {
+  SurfacePlane out{{0, 0, 0}, 0, std::numeric_limits<float>::infinity(), 0, 0, SurfaceShape::kPlane};
+  LocalQuadric q;
+  if (!local_quadric(tree, position, neighbours, q) || !(q.sigma_m <= most_m)) return out;
+  const double du = q.a[1] / q.scale_m, dv = q.a[2] / q.scale_m, slope2 = du * du + dv * dv;
+  if (slope2 > kSteepest * kSteepest) return out;
+  const double length = std::sqrt(1 + slope2);
+  const Vec3 normal = (q.n - q.u * du - q.v * dv) / length;
+  for (int c = 0; c < 3; ++c) out.normal[c] = static_cast<float>(normal[c]);
+  out.height_m = static_cast<float>(q.a[0] / length);
+  out.sigma_m = static_cast<float>(q.sigma_m);
+  out.tilt_rad = static_cast<float>(q.sigma_m * std::sqrt(0.5 * (q.cofactors[7] + q.cofactors[14])) / q.scale_m);
+  out.radius_m = static_cast<float>(q.scale_m);
+  out.shape = SurfaceShape::kQuadric;
+  return out;
+}
+
+}  // namespace jalon

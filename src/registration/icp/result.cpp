@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/icp/result.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/table_columns.h"
+#include "registration/icp/covariance.h"
+
+namespace jalon {
+
+namespace {
+
+FieldTable log_table(const std::vector<IcpIteration>& log) {
+  FieldTable t;
+  add_column<int32_t>(t, log, "level", "", "0: the fewest points", [](const auto& r) { return r.level; });
+  add_column<uint64_t>(t, log, "pairs", "", "with a weight, both ways", [](const auto& r) { return r.pairs; });
+  add_column<double>(t, log, "kept", "1", "share of the level's moving points that have a pair",
+                     [](const auto& r) { return r.kept; });
+  add_column<double>(t, log, "rms", "m", "weighted root mean square residual before the step",
+                     [](const auto& r) { return r.rms_m; });
+  add_column<double>(t, log, "sigma", "m", "1.4826 x median absolute residual",
+                     [](const auto& r) { return r.sigma_m; });
+  add_column<double>(t, log, "distance", "m", "greatest residual of a pair",
+                     [](const auto& r) { return r.distance_m; });
+  add_column<double>(t, log, "turn", "rad", "of the step", [](const auto& r) { return r.turn_rad; });
+  add_column<double>(t, log, "shift", "m", "of the step, at the centre", [](const auto& r) { return r.shift_m; });
+  add_column<uint8_t>(t, log, "observable", "", "directions that the pairs fixed",
+                      [](const auto& r) { return r.observable; });
+  return t;
+}
+
+struct Residual {
+  uint32_t moving, reference;
+  float residual_m, weight;
+};
+
+FieldTable residual_table(const IcpClouds& clouds, const IcpSource& reference, const IcpSource& moving,
+                          const IcpState& state) {
+  std::vector<Residual> rows;
+  const auto of_reference = clouds.reference.tree->order(), of_moving = clouds.moving.tree->order();
+  const Buffer<uint32_t>& near = state.neighbours.of_moving;
+  IcpPair pair;
+  const bool all = near.size() == clouds.moving.size();  // else the iterations ended on few points
+  for (size_t i = 0; all && i < near.size(); ++i) {
+    if (near[i] == kNoPoint ||
+        !pair_of(clouds, state.inner, static_cast<uint32_t>(i), near[i], true, state.rule, pair))
+      continue;
+    rows.push_back({moving.original(of_moving[i]), reference.original(of_reference[near[i]]),
+                    static_cast<float>(pair.residual_m),
+                    static_cast<float>(state.kernel.weight(pair.residual_m))});
+  }
+  FieldTable t;
+  add_column<uint32_t>(t, rows, "moving", "", "index of the point", [](const Residual& r) { return r.moving; });
+  add_column<uint32_t>(t, rows, "reference", "", "index of its partner", [](const Residual& r) { return r.reference; });
+  add_column<float>(t, rows, "residual", "m", "moved point above the partner's plane",
+                    [](const Residual& r) { return r.residual_m; });
+  add_column<float>(t, rows, "weight", "1", "of the kernel", [](const Residual& r) { return r.weight; });
+  return t;
+}
+
+void set_unknown(Registration& out) {
+  out.covariance.fill(std::numeric_limits<double>::quiet_NaN());
+  std::array<PoseDirection, 6> directions;
+  for (size_t k = 0; k < 6; ++k) {
+    directions[k].unit[k] = 1;
+    directions[k].sigma_m = std::numeric_limits<double>::quiet_NaN();
+    directions[k].observable = false;
+  }
+  fill_tables(out, directions);
+}
+
+}  // namespace
+
+Registration icp_result(const IcpClouds& clouds, const IcpSource& reference, const IcpSource& moving,
+                        const IcpSettings& settings, const IcpState& state, Task& task) {
+  Registration out;
+  out.pose = clouds.outer(state.inner);
+  out.converged = state.stopped == StopReason::kConverged;
+  out.stopped = state.stopped;
+  out.centre = clouds.reference.tree->cube().origin + state.frame().centre;
+  out.extent_m = state.extent_m;
+  out.pairs = state.sums.pairs;
+  out.iterations = state.log.size();
+  out.rms_m = state.log.empty() ? 0 : state.log.back().rms_m;
+  out.iteration_log = log_table(state.log);
+  out.residuals = residual_table(clouds, reference, moving, state);
+  add_value<double>(out.summary, "kept", "1", "share of the moving points that have a pair",
+                    state.log.empty() ? 0 : state.log.back().kept);
+  add_value<double>(out.summary, "sigma", "m", "of the residuals, robust", state.sigma_m);
+  if (state.neighbours.of_moving.size() != clouds.moving.size() || state.stopped == StopReason::kTooFewPairs) {
+    set_unknown(out);
+    return out;
+  }
+  const IcpCovariance found = icp_covariance(clouds, state, settings.neighbours, task);
+  add_value<double>(out.summary, "sigma0", "1", "a posteriori: residuals over what the planes' scatter foretells",
+                    found.sigma0);
+  add_value<uint64_t>(out.summary, "patches", "", "of both clouds that the pose settled on; 0: it rests on pairs",
+                      state.patches.patches);
+  add_value<double>(out.summary, "redundancy", "", "pairs less unknowns", found.redundancy);
+  out.covariance = found.covariance;
+  fill_tables(out, found.directions);
+  return out;
+}
+
+}  // namespace jalon

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/targets/flat_target.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "geometry/adjustment.h"
+#include "geometry/plane.h"
+#include "registration/targets/intensity_pattern.h"
+#include "spatial/raster.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kSearchSizes = 1.5;
+constexpr int kDraws = 400;
+constexpr double kLeastExplained = 0.5;  // of the brightness: less is no pattern
+constexpr double kPixelSpacings = 2;     // of a plate's raster
+constexpr double kMostSizeOff = 0.5;     // of a plate's size, relative
+
+/// offset(p) = p . normal - offset, as unknowns of adjust(): along the normal and the slopes about the middle.
+struct PlaneModel {
+  using Point = Vec3;
+  static constexpr size_t kUnknowns = 3;
+  Vec3 origin, normal, u, v;  ///< orthonormal
+
+  double residual(const Vec3& p, Coefficients<3>& j) const {
+    const Vec3 d = p - origin;
+    j = {-1, -dot(d, u), -dot(d, v)};
+    return dot(d, normal);
+  }
+  void move(const Coefficients<3>& x) {
+    origin += x[0] * normal;
+    normal = normalized(normal - x[1] * u - x[2] * v);
+    // Both slopes at once lengthen the normal; the axes follow it.
+    u = normalized(u - dot(u, normal) * normal);
+    v = cross(normal, u);
+  }
+};
+
+PlaneModel model_of(const Plane& plane) {
+  PlaneModel out;
+  out.normal = plane.normal;
+  out.origin = plane.offset * plane.normal;
+  const Vec3 away = std::fabs(plane.normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+  out.u = normalized(cross(away, out.normal));
+  out.v = cross(out.normal, out.u);
+  return out;
+}
+
+// Random draws of three points, judged as MLESAC's simpler kin (Torr & Zisserman 2000), then the biweight.
+bool plane_of(const std::vector<Vec3>& points, const MeasuringSetting& setting, Task& task, PlaneModel& out,
+              Adjusted<3>& fit) {
+  double best = 0;
+  for (int i = 0; i < kDraws; ++i) {
+    RandomStream random(setting.seed, static_cast<uint64_t>(i));
+    Plane plane;
+    const auto draw = [&] { return points[random.below(points.size())]; };
+    const Vec3 a = draw(), b = draw(), c = draw();
+    if (!plane_through(a, b, c, plane)) continue;
+    double score = 0;
+    for (const Vec3& p : points) {
+      const double d = plane.distance(p) / setting.tolerance_m;
+      score += d * d < 1 ? 1 - d * d : 0;
+    }
+    if (score > best) best = score, out = model_of(plane);
+  }
+  return best > 0 && adjust(std::span<const Vec3>(points), {setting.tolerance_m, true}, task, out, fit);
+}
+
+// What carries the target: points of the plane, in its own coordinates.
+struct Patch {
+  std::vector<BrightPoint> points;
+  std::vector<Vec2> places;
+};
+
+Patch patch_of(const Surroundings& near, const PlaneModel& plane, const Column* intensity, double tolerance_m) {
+  Patch out;
+  for (size_t i = 0; i < near.points.size(); ++i) {
+    const Vec3 d = near.points[i] - plane.origin;
+    if (std::fabs(dot(d, plane.normal)) > tolerance_m) continue;
+    const Vec2 at{dot(d, plane.u), dot(d, plane.v)};
+    const double value = intensity != nullptr ? intensity->number(near.indices[i]) : 0;
+    if (!std::isfinite(value)) continue;
+    out.places.push_back(at);
+    out.points.push_back({at.u, at.v, value});
+  }
+  return out;
+}
+
+double cross_of(const Vec2& o, const Vec2& a, const Vec2& b) { return cross(a - o, b - o); }
+
+// Andrew (1979): the convex hull, counter-clockwise.
+std::vector<Vec2> hull_of(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(),
+            [](const Vec2& a, const Vec2& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
+  std::vector<Vec2> hull;
+  for (int pass = 0; pass < 2; ++pass) {
+    const size_t first = hull.size();
+    for (const Vec2& p : points) {
+      while (hull.size() >= first + 2 && cross_of(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+Vec2 centroid_of(const std::vector<Vec2>& ring, double& area) {
+  Vec2 sum;
+  area = 0;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+    area += cross(a, b) / 2;
+    sum = sum + (a + b) * (cross(a, b) / 6);
+  }
+  return ring[0] + sum * (1 / area);
+}
+
+// The plate that holds the place: connected, all of it in sight, about as large as it should be. Its edges are known to
+// half the spacing either way; those of a plate that stands along the scan lines are wrong as a whole.
+bool find_plate(const std::vector<Vec2>& places, const Vec2& seed, double search_m, double size_m,
+                PatternCentre& out) {
+  if (places.size() < 3) return false;
+  double area = 0;
+  centroid_of(hull_of(places), area);
+  if (!(area > 0)) return false;
+  const double pixel = kPixelSpacings * std::sqrt(area / static_cast<double>(places.size()));
+  const Raster raster = rasterise(places, pixel, 1);
+  const Regions regions = label_regions(raster);
+  size_t nearest = 0;
+  for (size_t i = 1; i < places.size(); ++i)
+    if (norm(places[i] - seed) < norm(places[nearest] - seed)) nearest = i;
+  const uint32_t label = regions.labels[raster.pixel_of(places[nearest])];
+  std::vector<Vec2> members;
+  for (const Vec2& p : places) {
+    if (regions.labels[raster.pixel_of(p)] != label) continue;
+    if (norm(p - seed) > search_m - pixel) return false;  // goes on beyond what was looked at
+    members.push_back(p);
+  }
+  out.centre = centroid_of(hull_of(members), area);
+  const double across = std::sqrt(area), n = static_cast<double>(members.size());
+  if (!(std::fabs(across - size_m) <= kMostSizeOff * size_m)) return false;
+  const double variance = area / n / 24;
+  out.covariance = {variance, 0, 0, variance};
+  out.points = members.size();
+  return true;
+}
+
+bool find_pattern(const Patch& patch, const Vec2& seed, const MeasuringSetting& setting, bool has_intensity,
+                  double search_m, Task& task, PatternCentre& out, TargetKind& kind) {
+  std::vector<BrightPoint> about = patch.points;  // about the place that was given
+  for (BrightPoint& p : about) p.u -= seed.u, p.v -= seed.v;
+  const bool any = setting.pattern == "automatic";
+  const double reach = std::max(search_m - setting.size_m / 2, setting.size_m / 8);
+  PatternCentre checker, disc;
+  const bool seeks_checker = has_intensity && (any || setting.pattern == "checker");
+  const bool seeks_disc = has_intensity && (any || setting.pattern == "disc");
+  if (!seeks_checker || !find_checker(about, setting.size_m, reach, task, checker)) checker.explained = 0;
+  if (!seeks_disc || !find_disc(about, setting.size_m, reach, task, disc)) disc.explained = 0;
+  if (std::max(checker.explained, disc.explained) >= kLeastExplained) {
+    kind = checker.explained >= disc.explained ? TargetKind::kChecker : TargetKind::kDisc;
+    out = kind == TargetKind::kChecker ? checker : disc;
+    out.centre = out.centre + seed;
+    return true;
+  }
+  kind = TargetKind::kPatch;
+  return (any || setting.pattern == "patch") && find_plate(patch.places, seed, search_m, setting.size_m, out);
+}
+
+// Across: of the pattern; along the normal: of the plane there.
+Square<3> covariance_at(const PlaneModel& plane, const PatternCentre& pattern, const Square<3>& of_plane) {
+  const Coefficients<3> j{1, pattern.centre.u, pattern.centre.v};
+  double along = 0;
+  for (size_t r = 0; r < 3; ++r)
+    for (size_t c = 0; c < 3; ++c) along += j[r] * of_plane[3 * r + c] * j[c];
+  const Square<3> local{pattern.covariance[0], pattern.covariance[1], 0,
+                        pattern.covariance[2], pattern.covariance[3], 0, 0, 0, along};
+  const Vec3 &u = plane.u, &v = plane.v, &n = plane.normal;
+  return propagated<3, 3>({u.x, v.x, n.x, u.y, v.y, n.y, u.z, v.z, n.z}, local);
+}
+
+}  // namespace
+
+MeasuredTarget measure_flat(const Cloud& cloud, const Octree& tree, const Vec3& place, const MeasuringSetting& setting,
+                            Task& task) {
+  const double search_m = setting.search_m > 0 ? setting.search_m : kSearchSizes * setting.size_m;
+  const Surroundings near = surroundings_of(cloud, tree, place, {}, search_m);
+  MeasuredTarget out;
+  out.points = near.points.size();
+  out.status = Status::kInsufficientData;
+  if (near.points.size() < setting.min_points) return out;
+  out.status = Status::kDegenerate;
+  out.points = 0;
+  PlaneModel plane;
+  Adjusted<3> fit;
+  if (!plane_of(near.points, setting, task, plane, fit)) return out;
+  const Column* intensity = cloud.fields.find(setting.intensity);
+  const Patch patch = patch_of(near, plane, intensity, setting.tolerance_m);
+  const Vec2 seed{-dot(plane.origin, plane.u), -dot(plane.origin, plane.v)};
+  PatternCentre pattern;
+  if (!find_pattern(patch, seed, setting, intensity != nullptr, search_m, task, pattern, out.kind)) return out;
+  if (pattern.points < setting.min_points) {
+    out.status = Status::kInsufficientData;
+    out.points = pattern.points;
+    return out;
+  }
+  out.status = Status::kOk;
+  out.centre = plane.origin + pattern.centre.u * plane.u + pattern.centre.v * plane.v;
+  out.covariance = covariance_at(plane, pattern, fit.covariance);
+  if (out.kind == TargetKind::kDisc) out.radius_m = pattern.radius_m, out.radius_sigma_m = pattern.radius_sigma_m;
+  out.normal = plane.normal;
+  out.sigma_m = fit.sigma;
+  out.points = pattern.points;
+  return out;
+}
+
+}  // namespace jalon

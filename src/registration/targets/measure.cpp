@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/targets/measure.h"
+
+#include <cmath>
+
+#include "base/table_columns.h"
+#include "registration/targets/flat_target.h"
+#include "registration/targets/sphere_target.h"
+
+namespace jalon {
+
+namespace {
+
+MeasuringSetting setting_of(const ParamSet& params) {
+  MeasuringSetting s;
+  s.flat = params.text("kind") == "flat";
+  s.pattern = params.text("pattern");
+  s.intensity = params.text("intensity_field");
+  s.radius_m = params.number("radius_m");
+  s.size_m = params.number("size_m");
+  s.search_m = params.number("search_m");
+  s.tolerance_m = params.number("tolerance_m");
+  s.min_points = static_cast<size_t>(params.integer("min_points"));
+  s.seed = static_cast<uint64_t>(params.integer("seed"));
+  return s;
+}
+
+FieldTable table_of(const std::vector<MeasuredTarget>& rows, std::span<const Vec3> places) {
+  FieldTable table;
+  using Row = const MeasuredTarget&;
+  const auto found = [](Row r) { return r.status == Status::kOk; };
+  add_column<int32_t>(table, rows, "status", "", "JALON_OK, or why there is none: JALON_ERROR_...",
+                      [](Row r) { return static_cast<int32_t>(r.status); });
+  add_column<uint8_t>(table, rows, "kind", "", "JALON_TARGET_...; 0: none",
+                      [&](Row r) { return found(r) ? static_cast<uint8_t>(r.kind) : uint8_t{0}; });
+  size_t i = 0;
+  add_columns<double, 3>(table, rows, "centre", "m", "of the target", [&](Row r, double* out) {
+    const Vec3 at = places[i++] + r.centre;
+    for (int k = 0; k < 3; ++k) out[k] = found(r) ? at[k] : NAN;
+  });
+  add_columns<double, 9>(table, rows, "covariance", "m2", "of the centre, row-major", [&](Row r, double* out) {
+    for (size_t k = 0; k < 9; ++k) out[k] = found(r) ? r.covariance[k] : NAN;
+  });
+  add_column<double>(table, rows, "radius", "m", "of a sphere or a disc", [](Row r) { return r.radius_m; });
+  add_column<double>(table, rows, "radius_sigma", "m", "its standard deviation; 0: given",
+                     [](Row r) { return r.radius_sigma_m; });
+  add_columns<double, 3>(table, rows, "normal", "", "of a flat target", [](Row r, double* out) {
+    out[0] = r.normal.x, out[1] = r.normal.y, out[2] = r.normal.z;
+  });
+  add_column<double>(table, rows, "sigma", "m", "of the points from the surface", [](Row r) { return r.sigma_m; });
+  add_column<uint64_t>(table, rows, "points", "", "that carry it", [](Row r) { return r.points; });
+  return table;
+}
+
+}  // namespace
+
+std::span<const ParamRow> target_rows() {
+  static constexpr ParamRow kRows[] = {
+      choice_row("kind", "sphere", "sphere|flat", "", "Of the targets; flat: a disc, a checker, a plate."),
+      number_row("radius_m", 0, 0, 100, "m", "", "Radius of the spheres where it is known; 0: measured."),
+      number_row("size_m", 0.15, 1e-3, 100, "m", "", "Edge or diameter of flat targets, of the pattern on them."),
+      number_row("search_m", 0, 0, 100, "m", "",
+                 "Radius around a place within which the target lies as a whole; 0: 2.5 times the radius of a sphere "
+                 "(0.25 m where it is free), 1.5 times the size of a flat target."),
+      number_row("tolerance_m", 0.01, 1e-6, 10, "m", "",
+                 "Largest distance of a point from the surface: a half-thickness; what lies beyond is an outlier."),
+      choice_row("pattern", "automatic", "automatic|checker|disc|patch", "",
+                 "Of flat targets. checker: four quadrants, dark and bright by turns, meet in the centre; disc: of "
+                 "another brightness than what surrounds it; patch: a plate of its own without a pattern; automatic: "
+                 "by the intensities, else a patch."),
+      string_row("intensity_field", "intensity", "", "Field of the cloud that shows the pattern."),
+      integer_row("min_points", 30, 8, 1e9, "points", "", "Fewer points make no target."),
+      integer_row("seed", 1, 0, 9e15, "1", "", "Seed of the random draws: the same seed gives the same result."),
+  };
+  return kRows;
+}
+
+Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3& place, const Vec3& centre,
+                             double radius_m) {
+  Surroundings out{place, {}, {}};
+  std::vector<Neighbour> near;
+  tree.radius(place + centre, radius_m, near);
+  for (const Neighbour& n : near) {
+    out.indices.push_back(n.index);
+    out.points.push_back(cloud.point(n.index) - place);
+  }
+  return out;
+}
+
+FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places, const ParamSet& params, Task& task) {
+  const MeasuringSetting setting = setting_of(params);
+  const auto tree = cloud.octree(task);
+  std::vector<MeasuredTarget> rows;
+  for (size_t i = 0; i < places.size(); ++i) {
+    task.checkpoint(static_cast<double>(i) / static_cast<double>(places.size()));
+    rows.push_back(setting.flat ? measure_flat(cloud, *tree, places[i], setting, task)
+                                : measure_sphere(cloud, *tree, places[i], setting, task));
+  }
+  return table_of(rows, places);
+}
+
+}  // namespace jalon

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "geometry/cholesky.h"
+#include "registration/targets/adjustment.h"
+
+namespace jalon {
+
+/// How outliers are tested.
+struct SnoopingSetting {
+  double significance = 0.001;  ///< chance that one good target is called an outlier (Baarda 1968: alpha 0)
+  double power = 0.8;           ///< chance that a blunder of the detectable size is found (Baarda 1968: beta 0)
+  bool estimated = false;       ///< sigma0 from the residuals (Pope 1976); else 1 (Baarda 1968)
+};
+
+/// The test of one target as a whole: is its place wrong by any vector? (Baarda 1968 for one dimension, Teunissen 2006,
+/// chapter 4, for more.)
+struct TargetTest {
+  double statistic = 0;            ///< e^T P (P Q_e P)^+ P e, for sigma0 = 1
+  int dimensions = 0;              ///< directions in which the other targets control this one: 0 ... 3
+  double p_value = 1;              ///< of a statistic as large by chance; 1 where nothing controls the target
+  std::array<double, 3> normalised{};    ///< Baarda's w along x, y, z; over sigma0; 0 where nothing controls
+  std::array<double, 3> redundancy{};    ///< diagonal of Q_e P: 0 uncontrolled ... 1; they sum up to the redundancy
+  std::array<double, 3> detectable_m{};  ///< smallest blunder along x, y, z found with the power; infinity: none
+  bool outlier = false;            ///< p_value < significance
+};
+
+/// Tests one target of an adjustment; sigma0: what multiplies standard deviations (1 or estimated).
+class Snooping {
+ public:
+  Snooping(const SnoopingSetting& setting, double weighted_squares, int redundancy);
+
+  /// Factor of standard deviations: 1, or sqrt(e^T P e / redundancy).
+  double sigma0() const { return sigma0_; }
+  TargetTest test(const PairResidual& pair) const;
+  /// Of a target that took no part: its distance from where the pose puts it, with the covariance of that.
+  TargetTest test_prediction(const Vec3& residual_m, const Square<3>& cofactor) const;
+  /// Noncentrality that a blunder in so many dimensions needs to be found with the power; infinity: never found.
+  double noncentrality(int dimensions) const;
+
+ private:
+  double p_value(double statistic, int dimensions) const;
+  double tail(double critical, int dimensions, int more) const;
+  double critical(int dimensions) const;
+  SnoopingSetting setting_;
+  double weighted_squares_;
+  int redundancy_;
+  double sigma0_ = 1;
+  std::array<double, 4> needed_{};  ///< noncentrality by dimensions
+};
+
+/// Chance of e^T P e as large or larger with sigma0 = 1, and as small or smaller: the global test's both sides.
+double variance_factor_p_value(double weighted_squares, int redundancy);
+
+}  // namespace jalon

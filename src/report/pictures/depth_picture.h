@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "compare/visibility/depth_map.h"
+
+namespace jalon {
+
+/// A depth map as a PNG file: the highest row on top, one pixel a cell. Grey 255 for the nearest range, 30 for the
+/// farthest, even in the logarithm; dark blue where empty. Throws kInsufficientData for a map without a point.
+std::string depth_png(const DepthMap& map);
+
+}  // namespace jalon

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "base/params.h"
+#include "base/task.h"
+#include "compare/comparison.h"
+#include "report/pictures/deviation_colours.h"
+
+namespace jalon {
+
+/// Parameter table of operation "deviation_picture".
+std::span<const ParamRow> deviation_picture_rows();
+
+/// The compared points in the colours of their distances as an SVG figure: axes in metres, scale bar, colour scale with
+/// its unit; hidden points pink, others without a value grey where nothing else lies.
+std::string deviation_svg(const Comparison& comparison, const DeviationScale& scale, const ParamSet& options,
+                          Task& task);
+/// The points alone as a PNG file.
+std::string deviation_png(const Comparison& comparison, const DeviationScale& scale, const ParamSet& options,
+                          Task& task);
+
+}  // namespace jalon

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "report/pictures/picture.h"
+
+#include <algorithm>
+
+#include "base/text_number.h"
+#include "report/elevation/title_block.h"
+#include "report/pictures/label_colours.h"
+#include "report/pictures/label_numbers.h"
+#include "report/sheet/svg_parts.h"
+#include "report/sheet/ticks.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kText = 2.5, kSmallText = 2, kRow = 4.2, kSwatch = 6;
+
+struct Picture {
+  const Segmentation& segmentation;
+  LabelRaster raster;
+  std::vector<uint8_t> colours;
+  PictureView view;
+  Sheet sheet;
+
+  Vec2 on_paper(const Vec2& p) const {
+    return {sheet.view.x + sheet.mm_of(p.u - raster.low.u), sheet.view.bottom() - sheet.mm_of(p.v - raster.low.v)};
+  }
+};
+
+PictureView view_of(const ParamSet& options) {
+  return options.text("view") == "plan" ? PictureView::kPlan : PictureView::kFront;
+}
+
+void draw_image(SvgWriter& svg, const Picture& picture) {
+  const Box_mm& v = picture.sheet.view;
+  svg.leaf("image", {{"x", v.x},
+                     {"y", v.y},
+                     {"width", v.width},
+                     {"height", v.height},
+                     {"preserveAspectRatio", "none"},
+                     {"style", "image-rendering:pixelated"},
+                     {"xlink:href",
+                      "data:image/png;base64," + base64_of(png_of(image_of(picture.raster, picture.colours)))}});
+}
+
+// Front: x counts from the left end of the picture, as on the elevation; plan: X and Y of the data.
+void draw_axes(SvgWriter& svg, const Picture& picture) {
+  const LabelRaster& r = picture.raster;
+  const Sheet& sheet = picture.sheet;
+  const Box_mm& v = sheet.view;
+  const bool is_front = picture.view == PictureView::kFront;
+  const double zero = is_front ? r.low.u : 0, mm = sheet.mm_of(1);
+  const Ticks x = make_ticks(r.low.u - zero, r.low.u - zero + r.width_m(), (is_front ? 12 : 18) / mm);
+  const Ticks y = make_ticks(r.low.v, r.low.v + r.height_m(), 8 / mm);
+  for (const double value : x.values) {
+    const double at = picture.on_paper({value + zero, 0}).u;
+    svg_line(svg, {at, v.bottom()}, {at, v.bottom() + 1.5}, kInk, 0.18);
+    svg_text(svg, {at, v.bottom() + 4.8}, kText, Anchor::kMiddle, x.label(value));
+  }
+  for (const double value : y.values) {
+    const double at = picture.on_paper({0, value}).v;
+    svg_line(svg, {v.x - 1.5, at}, {v.x, at}, kInk, 0.18);
+    svg_text(svg, {v.x - 2.3, at + 0.9}, is_front ? kText : kSmallText, Anchor::kEnd, y.label(value));
+  }
+  svg_text(svg, {v.x + v.width / 2, v.bottom() + 9.5}, 2.8, Anchor::kMiddle,
+           is_front ? "Distance along the facade (m)" : "X (m)");
+  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, 2.8, Anchor::kMiddle, is_front ? "Height Z (m)" : "Y (m)", false,
+           true);
+}
+
+// A white border keeps numbers readable on any colour.
+void draw_numbers(SvgWriter& svg, const Picture& picture) {
+  const double mm = picture.sheet.mm_of(picture.raster.pixel_m);
+  for (const LabelNumber& number : place_numbers(picture.raster, kText / mm)) {
+    const Box_mm& v = picture.sheet.view;
+    const Vec2 at{v.x + mm * (number.column + 0.5), v.y + mm * (number.row + 0.5) + 0.36 * kText};
+    const std::string text = std::to_string(number.label);
+    svg.element("text", {{"x", at.u}, {"y", at.v}, {"font-size", kText}, {"text-anchor", "middle"}, {"fill", "#ffffff"},
+                         {"stroke", "#ffffff"}, {"stroke-width", 0.7}, {"stroke-linejoin", "round"}}, text);
+    svg_text(svg, at, kText, Anchor::kMiddle, text);
+  }
+}
+
+void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const std::string& text) {
+  svg.leaf("rect", {{"x", x}, {"y", y}, {"width", kSwatch}, {"height", 3}, {"fill", hex_of(colour)},
+                    {"stroke", kInk}, {"stroke-width", 0.18}});
+  svg_text(svg, {x + kSwatch + 2, y + 2.5}, kText, Anchor::kStart, text);
+}
+
+void draw_legend(SvgWriter& svg, const Picture& picture) {
+  const Segmentation& s = picture.segmentation;
+  const Box_mm& box = picture.sheet.legend;
+  const double x = box.x + 3;
+  double y = std::max(box.y + 4, picture.sheet.view.y);
+  uint64_t noise = s.cloud->size();
+  for (const Segment& segment : s.segments) noise -= segment.point_count();
+  svg_text(svg, {x, y + 2}, 2.8, Anchor::kStart, "Segments (points)", true);
+  y += 4.5;
+  const size_t rows = static_cast<size_t>(std::max(1.0, (box.bottom() - 14 - y) / kRow - 2));
+  for (size_t i = 0; i < std::min(rows, s.segments.size()); ++i, y += kRow)
+    swatch(svg, x, y, segment_palette()[picture.colours[i]],
+           std::to_string(s.segments[i].label) + "  (" + grouped(s.segments[i].point_count()) + ")");
+  if (s.segments.size() > rows) {
+    svg_text(svg, {x, y + 2.5}, kText, Anchor::kStart,
+             "and " + std::to_string(s.segments.size() - rows) + " smaller ones");
+    y += kRow;
+  }
+  swatch(svg, x, y, kNoiseColour, "noise  (" + grouped(noise) + ")");
+}
+
+std::string title_of(const Picture& picture, const ParamSet& options) {
+  const std::string& title = options.text("title");
+  const char* kind = picture.view == PictureView::kFront ? "front view" : "plan view";
+  return (title.empty() ? "" : title + ": ") + kind + ", " + grouped(picture.segmentation.segments.size()) +
+         " segments of " + grouped(picture.segmentation.cloud->size()) + " points";
+}
+
+}  // namespace
+
+std::span<const ParamRow> picture_rows() {
+  static constexpr ParamRow kRows[] = {
+      string_row("title", "", "", "What stands before the kind of view in the title"),
+      choice_row("view", "front", "front|plan", "",
+                 "front: the facade frame from the station side; plan: X and Y from above"),
+      bool_row("numbers", true, "", "Segment numbers on segments that have room for them"),
+  };
+  return kRows;
+}
+
+std::string picture_svg(const Segmentation& segmentation, const ParamSet& options, Task& task) {
+  const Span span(task, 0, 1, "drawing the segments");
+  Picture picture{segmentation, rasterise_labels(segmentation, view_of(options), task), {}, view_of(options), {}};
+  picture.colours = colour_labels(picture.raster, segmentation.segments.size());
+  const bool is_empty = picture.raster.labels.empty();
+  picture.sheet = is_empty ? lay_out_figure(10, 5)
+                           : lay_out_figure(picture.raster.width_m(), picture.raster.height_m());
+  const Sheet& sheet = picture.sheet;
+  SvgWriter svg;
+  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
+                   {"xmlns:xlink", "http://www.w3.org/1999/xlink"},
+                   {"width", svg_number(sheet.width) + "mm"},
+                   {"height", svg_number(sheet.height) + "mm"},
+                   {"viewBox", "0 0 " + svg_number(sheet.width) + " " + svg_number(sheet.height)},
+                   {"font-family", "Helvetica, Arial, sans-serif"}});
+  const std::string title = title_of(picture, options);
+  svg.element("title", {}, title);
+  svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
+  svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
+           fitted_text(title, 3.2, sheet.width - sheet.view.x - 3), true);
+  if (is_empty) {
+    svg_text(svg, {sheet.view.x + 30, sheet.view.y + 20}, 4, Anchor::kMiddle, "no points to draw");
+    return svg.take();
+  }
+  draw_image(svg, picture);
+  svg.leaf("rect",
+           {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width}, {"height", sheet.view.height},
+                    {"fill", "none"}, {"stroke", kInk}, {"stroke-width", 0.25}});
+  draw_axes(svg, picture);
+  if (options.flag("numbers")) draw_numbers(svg, picture);
+  draw_legend(svg, picture);
+  draw_scale_bar(svg, sheet);
+  return svg.take();
+}
+
+std::string picture_png(const Segmentation& segmentation, const ParamSet& options, Task& task) {
+  const Span span(task, 0, 1, "drawing the segments");
+  LabelRaster raster = rasterise_labels(segmentation, view_of(options), task);
+  if (raster.labels.empty()) {  // a picture has at least one pixel
+    raster.columns = raster.rows = 1;
+    raster.labels.assign(1, LabelRaster::kEmpty);
+  }
+  return png_of(image_of(raster, colour_labels(raster, segmentation.segments.size())));
+}
+
+}  // namespace jalon

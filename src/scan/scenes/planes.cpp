@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Small scenes of the segmentation's acceptance tests (facade-segmentation 3.3): S5, S6, S8, S9, S9b. All stand on
+// y = 0 and look along -Y unless they say otherwise.
+#include <string>
+
+#include "scan/scenes/scenes.h"
+
+namespace jalon {
+
+namespace {
+
+const Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+const Frame kFront{{}, kX, kZ};
+constexpr double kWallWidth_m = 10, kWallHeight_m = 6;  // of S9 and S9b
+
+}  // namespace
+
+void build_std(const ParamSet&, SceneBuilder& out) {
+  // Six upright planes that look forward, two that look sideways, two that look up: 1 to 24 m2, none near another.
+  struct Piece {
+    Frame frame;
+    double width_m, height_m;
+  };
+  const Piece kPieces[] = {{{{0, 0, 0}, kX, kZ}, 6, 4},      {{{7, 0.3, 0}, kX, kZ}, 4, 4},
+                           {{{12, 0.6, 0}, kX, kZ}, 3, 3},   {{{16, 0.9, 0}, kX, kZ}, 2, 3.5},
+                           {{{0, 1.2, 5}, kX, kZ}, 5, 1},    {{{6, 1.5, 5}, kX, kZ}, 1, 1},
+                           {{{20, -3, 0}, kZ, kY}, 4, 2},    {{{22, -3, 0}, kZ, kY}, 2, 1},
+                           {{{8, -4, -1}, kX, kY}, 4, 2.5},  {{{14, -4, -0.5}, kX, kY}, 1.5, 1.5}};
+  int number = 0;
+  for (const Piece& p : kPieces)
+    out.face(out.part("plane " + std::to_string(++number), "wall"), p.frame, {0, p.width_m, 0, p.height_m});
+}
+
+void build_normal(const ParamSet&, SceneBuilder& out) {
+  out.face(out.part("plane", "wall"), kFront, {0, 10, 0, 10});
+}
+
+void build_patches(const ParamSet&, SceneBuilder& out) {
+  for (int k = 0; k < 2; ++k)
+    out.face(out.part("patch " + std::to_string(k + 1), "wall"), kFront, {4.0 * k, 4.0 * k + 3, 0, 3});
+}
+
+void build_sills(const ParamSet& params, SceneBuilder& out) {
+  constexpr double kSillHeight_m = 1.0, kSillDepth_m = 0.3;
+  constexpr double kSillFrom_m[] = {2, 7}, kSillWidth_m = 1;  // 4 m apart
+  const double gap = params.number("gap_m");
+  const uint32_t wall = out.part("wall", "wall");
+  out.face(wall, kFront, {0, kWallWidth_m, 0, kWallHeight_m});
+  for (const double from : kSillFrom_m)
+    out.face(out.part("sill", "sill", wall), {{from, -gap, kSillHeight_m}, kX, kY},
+             {0, kSillWidth_m, -kSillDepth_m, 0});
+}
+
+void build_robbery(const ParamSet& params, SceneBuilder& out) {
+  constexpr double kShelfHeight_m = 3;
+  const double depth = params.number("depth_m"), behind = params.flag("crossing") ? depth / 2 : 0;
+  const uint32_t wall = out.part("wall", "wall");
+  out.face(wall, kFront, {0, kWallWidth_m, 0, kWallHeight_m});
+  out.face(out.part("shelf", "band", wall), {{0, 0, kShelfHeight_m}, kX, kY},
+           {0, kWallWidth_m, behind - depth, behind});
+}
+
+}  // namespace jalon

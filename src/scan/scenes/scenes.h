@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/params.h"
+#include "scan/scenes/builder.h"
+
+// One function a scene; scan/scenes.cpp chooses. All facades stand about y = 0 and look along -Y.
+
+namespace jalon {
+
+/// A town house: the bundled sample. The wall stands on y = 0 between x = 0 and the width.
+void build_facade(const ParamSet& params, SceneBuilder& out);
+/// The 60 m street of the measurements: six facades with recessed windows, ground, columns, gutters, boxes, a sphere.
+void build_street(const ParamSet& params, SceneBuilder& out);
+/// Angle about Z by which the street is turned, so that nothing is parallel to an axis.
+constexpr double kStreetAngle_rad = 17 * 0.017453292519943295;
+
+void build_room(const ParamSet& params, SceneBuilder& out);  ///< 6 x 5 x 2.8 m, seen from inside
+void build_box(const ParamSet& params, SceneBuilder& out);   ///< 4.2 x 1.8 x 1.5 m on a ground of 20 x 20 m
+
+// facade-segmentation 3.3
+void build_insa(const ParamSet& params, SceneBuilder& out);       ///< S1: a wall of posts, bands and windows
+void build_surrounds(const ParamSet& params, SceneBuilder& out);  ///< S2: wall, window surrounds, joinery
+void build_unwanted(const ParamSet& params, SceneBuilder& out);   ///< S3: S2 behind trees and cars, with ghosts
+void build_std(const ParamSet& params, SceneBuilder& out);        ///< S5: ten planes of mixed sizes
+void build_normal(const ParamSet& params, SceneBuilder& out);     ///< S6: one plane of 10 x 10 m
+void build_strips(const ParamSet& params, SceneBuilder& out);     ///< S7: six staggered strips
+void build_patches(const ParamSet& params, SceneBuilder& out);    ///< S8: two rectangles of one plane
+void build_sills(const ParamSet& params, SceneBuilder& out);      ///< S9: a wall and two sills on it
+void build_robbery(const ParamSet& params, SceneBuilder& out);    ///< S9b: a wall and a shelf along it
+constexpr double kInsaAngle_rad = 37 * 0.017453292519943295;
+constexpr double kInsaShift_m[] = {1000, 500, 40};
+
+// facade-modelling 3
+void build_insa_surveyed(const ParamSet& params, SceneBuilder& out);  ///< DS1: S1's building, as it was surveyed
+void build_lycee(const ParamSet& params, SceneBuilder& out);          ///< DS2: six facades, eight arched windows
+void build_arches(const ParamSet& params, SceneBuilder& out);         ///< DS3: two walls with eight windows
+void build_residence(const ParamSet& params, SceneBuilder& out);      ///< DS4: DS1 with balconies
+
+// distances-and-change 3
+/// S2: 60 x 40 m of rolling ground with two high walls and a free one, on days 1 to 4. Ids: ground 1, heap 2, pit 3,
+/// back wall 4, side wall 5, free wall 6 to 10, excavator from 11 on.
+void build_earthworks(const ParamSet& params, SceneBuilder& out);
+
+}  // namespace jalon

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growing/points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "cloud/neighbour_planes.h"
+
+namespace jalon {
+
+namespace {
+
+// Thinning pays when it leaves less than this share; a second tree for a few points less would cost more than they.
+constexpr double kThinnedShare = 0.7;
+// The centroid of a half disc of neighbours, at a straight edge, lies 0.42 radii from its centre, that of a quarter at
+// a corner 0.6; an outlier lies almost a whole radius from all of its neighbours.
+constexpr double kIsolated = 0.75;
+constexpr double kReachInSpacings = 2;  // of gap_m = 0: neighbouring leaves touch but for the widest chance gaps
+// 16 points of one octree cell on a surface span 4 to 5 spacings. A leaf that is wider holds an outlier or bits of two
+// surfaces with a gap between: nothing may grow through it.
+constexpr double kLooseInSpacings = 7;
+constexpr size_t kLeavesPerChunk = 1024;
+constexpr size_t kPointsPerChunk = 1 << 15;
+
+// Free points, one of each occupied cell, and where in the scene's order the cells begin.
+struct Representatives {
+  std::vector<uint32_t> points, first;
+  size_t free = 0;
+};
+
+// The middle one of a cell's free points (the first would lie on the low side of the noise); cells have about the
+// tolerance as edge.
+Representatives one_per_cell(const SegmentScene& scene, Task& task) {
+  const double finest = std::log2(scene.tree->cube().edge / scene.settings.distance_tolerance_m);
+  const int level = std::clamp(static_cast<int>(std::ceil(finest)), 0, kMaxLevel);
+  const auto cell = [&](size_t i) { return scene.tree->code(i) >> (3 * (kMaxLevel - level)); };
+  const size_t n = scene.size();
+  std::vector<Representatives> parts((n + kPointsPerChunk - 1) / kPointsPerChunk);
+  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
+    Representatives& part = parts[begin / kPointsPerChunk];
+    size_t i = begin;
+    if (begin > 0)  // a cell belongs to the chunk that holds its first point
+      for (const uint64_t before = cell(begin - 1); i < end && cell(i) == before;) ++i;
+    std::vector<uint32_t> free;
+    while (i < end) {
+      const size_t first = i;
+      free.clear();
+      for (const uint64_t own = cell(first); i < n && cell(i) == own; ++i)
+        if (scene.owner[i] == 0) free.push_back(static_cast<uint32_t>(i));
+      if (free.empty()) continue;
+      part.free += free.size();
+      part.first.push_back(static_cast<uint32_t>(first));
+      part.points.push_back(free[free.size() / 2]);
+    }
+  });
+  Representatives all;
+  for (const Representatives& part : parts) {
+    all.free += part.free;
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+    all.first.insert(all.first.end(), part.first.begin(), part.first.end());
+  }
+  return all;
+}
+
+std::vector<uint32_t> free_points(const SegmentScene& scene) {
+  std::vector<uint32_t> out;
+  for (size_t i = 0; i < scene.size(); ++i)
+    if (scene.owner[i] == 0) out.push_back(static_cast<uint32_t>(i));
+  return out;
+}
+
+GrowingPoints subset(const SegmentScene& scene, const std::vector<uint32_t>& chosen, Task& task) {
+  GrowingPoints points;
+  points.xyz = Buffer<double>(3 * chosen.size());
+  parallel_for(task, chosen.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 p = scene.cloud.point(scene.order[chosen[i]]);
+      for (int k = 0; k < 3; ++k) points.xyz[3 * i + static_cast<size_t>(k)] = p[k];
+    }
+  });
+  points.tree = Octree::build({points.xyz.data(), points.xyz.size()}, scene.tree->cube(), task);
+  points.positions.resize(chosen.size());
+  for (size_t i = 0; i < chosen.size(); ++i) points.positions[i] = chosen[points.tree->order()[i]];
+  return points;
+}
+
+// A strip of neighbours as narrow as the noise has no normal: points of one line of a scan, of which the next lies
+// farther off than k points of this one, as on ground far from the tripod.
+constexpr double kLeastWidthInTolerances = 0.5;  // 1.5 sigma, as in extraction.cpp
+
+// Rms extent across the longest one of the neighbours' plane, grid steps.
+double width_of(const NeighbourPlane& plane) {
+  const Symmetric3& m = *plane.scatter;
+  const double trace = m[0] + m[3] + m[5], smallest = plane.variation * trace;
+  const double minors = (m[0] * m[3] - m[1] * m[1]) + (m[0] * m[5] - m[2] * m[2]) + (m[3] * m[5] - m[4] * m[4]);
+  const double sum = trace - smallest, product = minors - smallest * sum;  // of the other two eigenvalues
+  const double middle = sum / 2 - std::sqrt(std::max(0.0, sum * sum / 4 - product));
+  return std::sqrt(std::max(0.0, middle) / static_cast<double>(plane.count));
+}
+
+// Normals of the planes through the k nearest points (Hoppe et al. 1992), spacing as that of k points evenly spread
+// over the disc that holds them, and which points are isolated.
+void look_around(SegmentScene& scene, GrowingPoints& points, const GrowingSettings& settings, Task& task) {
+  const Octree& tree = *points.tree;
+  const size_t k = std::min<size_t>(settings.k, tree.size());
+  const double step = tree.grid_step();
+  const double least_width = kLeastWidthInTolerances * scene.settings.distance_tolerance_m;
+  points.isolated = Buffer<uint8_t>(tree.size());
+  tree.for_each_knn(static_cast<uint32_t>(k), task, [&](const Octree::Batch& b) {
+    NeighbourPlanes planes(tree, [&](const NeighbourPlane& plane) {
+      const double squared_radius = b.squared[(plane.position - b.first) * k + k - 1];
+      const size_t position = points.position(plane.position);
+      scene.spacing[position] = static_cast<float>(std::sqrt(std::numbers::pi * squared_radius / static_cast<double>(k)));
+      points.isolated[plane.position] =
+          plane.squared_offset * step * step > kIsolated * kIsolated * squared_radius ? 1 : 0;
+      if (settings.field_normals) return;
+      const bool known = plane.normal != nullptr && width_of(plane) * step >= least_width;
+      for (size_t c = 0; c < 3; ++c)
+        scene.normals[3 * position + c] = known ? static_cast<float>(plane.normal[c]) : kNotANumber;
+    });
+    for (size_t i = 0; i < b.count; ++i) planes.add(b.first + i, b.neighbours + i * k, k);
+    planes.flush();
+  });
+}
+
+// The other free points of a cell get what its representative has.
+void spread_to_cells(SegmentScene& scene, const Representatives& cells, bool normals, Task& task) {
+  parallel_for(task, cells.points.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const size_t from = cells.first[i], own = cells.points[i];
+      const size_t to = i + 1 == cells.first.size() ? scene.size() : cells.first[i + 1];
+      for (size_t p = from; p < to; ++p) {
+        if (scene.owner[p] != 0) continue;
+        scene.spacing[p] = scene.spacing[own];
+        for (size_t c = 0; normals && c < 3; ++c) scene.normals[3 * p + c] = scene.normals[3 * own + c];
+      }
+    }
+  });
+}
+
+// Largest extent of the points of a leaf on an axis.
+double extent_of(const Octree& tree, size_t first, size_t last) {
+  Box3 box;
+  for (size_t i = first; i < last; ++i) box.add(tree.local(i));
+  const Vec3 sides = box.max - box.min;
+  return std::max({sides.x, sides.y, sides.z});
+}
+
+// Median spacing of the points that are not isolated; -1 when there are none, or when the leaf is too wide for it.
+float spacing_of_leaf(const SegmentScene& scene, const GrowingPoints& points, size_t first, size_t last) {
+  std::array<float, kMostLeafPoints> spacings;
+  size_t count = 0;
+  for (size_t i = first; i < last; ++i)
+    if (points.isolated[i] == 0) spacings[count++] = scene.spacing[points.position(i)];
+  if (count == 0) return -1;
+  std::nth_element(spacings.begin(), spacings.begin() + count / 2, spacings.begin() + count);
+  const float middle = spacings[count / 2];
+  return extent_of(*points.tree, first, last) > kLooseInSpacings * middle ? -1 : middle;
+}
+
+void connect_leaves(const SegmentScene& scene, GrowingPoints& points, const GrowingSettings& settings, Task& task) {
+  const auto first = points.leaf_first();
+  points.leaf_spacing = Buffer<float>(points.leaves());
+  std::vector<float> reach(points.leaves());
+  parallel_for(task, points.leaves(), kLeavesPerChunk, [&](size_t begin, size_t end) {
+    for (size_t leaf = begin; leaf < end; ++leaf) {
+      const float spacing = spacing_of_leaf(scene, points, first[leaf], first[leaf + 1]);
+      points.leaf_spacing[leaf] = spacing;
+      reach[leaf] = spacing < 0           ? -1
+                    : settings.gap_m > 0 ? static_cast<float>(settings.gap_m)
+                                         : static_cast<float>(kReachInSpacings) * spacing;
+    }
+  });
+  points.graph = leaf_graph(*points.tree, reach, task);
+}
+
+}  // namespace
+
+GrowingPoints points_to_grow(SegmentScene& scene, const GrowingSettings& settings, Task& task) {
+  const Representatives cells = one_per_cell(scene, task);
+  const bool thin = static_cast<double>(cells.points.size()) < kThinnedShare * static_cast<double>(cells.free);
+  GrowingPoints points = thin                         ? subset(scene, cells.points, task)
+                         : cells.free == scene.size() ? GrowingPoints{.tree = scene.tree}
+                                                      : subset(scene, free_points(scene), task);
+  points.points_per_member = static_cast<double>(cells.free) / static_cast<double>(points.tree->size());
+  look_around(scene, points, settings, task);
+  if (thin) spread_to_cells(scene, cells, !settings.field_normals, task);
+  connect_leaves(scene, points, settings, task);
+  return points;
+}
+
+}  // namespace jalon

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/ransac/extraction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr int kMaxRounds = 12;          // a plane from a 0.2 m cell reaches a 20 m wall in 3-5
+constexpr double kStable = 0.001;       // change of the number of points that ends the rounds
+constexpr double kSigmas = 3;
+constexpr double kLeastReach = 0.1;     // of the tolerance: keeps noise-free planes from reaching nothing
+// A strip of n points with rms width s fixes the plane's turn about its long side to sigma / (s sqrt(n)) (fit_plane's
+// covariance). Sigma is that of a scan for which the tolerance was chosen, 3 sigma, not the fit's own: least squares
+// through a single column finds hardly any residual. Twice the usual tolerance of 1 degree for orientations.
+constexpr double kLargestTurn_rad = 0.035;
+// A strip whose width is that of the noise has no direction however many its points.
+constexpr double kLeastWidthInSigmas = 1.5;
+constexpr size_t kPointsPerChunk = 1 << 14;
+// The surface is followed from the candidate's cell outward: looking at a whole infinite plane for each small surface
+// would cost far more than the surface.
+constexpr double kFirstWindow = 4;      // half side, in edges of the cell
+constexpr double kWindowGrowth = 3;
+
+struct Members {
+  std::vector<uint32_t> slots;
+  double area_m2 = 0, pixel_m = 0;
+};
+
+// Millions of points: each loop over them looks at the cancel.
+void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane, Task& task,
+                         Members& members) {
+  std::vector<float> spacings(members.slots.size());
+  std::vector<Vec2> uv(members.slots.size());
+  const PlaneFrame frame = plane_frame(plane, pool.point(members.slots[0]));
+  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      spacings[i] = scene.spacing[pool.position(members.slots[i])];
+      uv[i] = frame(pool.point(members.slots[i]));
+    }
+  });
+  members.pixel_m = connectivity_pixel(scene.settings, std::move(spacings));
+  task.checkpoint(0);
+  if (!scene.settings.connectivity) {
+    members.area_m2 = occupied_area_m2(bounded_raster(uv, members.pixel_m, 0));
+    return;
+  }
+  const RansacSettings& settings = scene.settings;
+  const RegionRule rule{members.pixel_m, settings.gap_m, settings.min_area_m2, settings.strip_width_m};
+  const Region region = largest_region(uv, rule);
+  members.area_m2 = region.area_m2;
+  for (size_t i = 0; i < region.members.size(); ++i) members.slots[i] = members.slots[region.members[i]];
+  members.slots.resize(region.members.size());
+}
+
+bool fit_members(const PointPool& pool, const Members& members, Task& task, PlaneFit& fit) {
+  Moments zero;
+  zero.reference = pool.point(members.slots[0]);
+  const Moments moments =
+      parallel_reduce(task, members.slots.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+        Moments part = zero;
+        for (size_t i = begin; i < end; ++i) part.add(pool.point(members.slots[i]));
+        return part;
+      });
+  return fit_plane(moments, fit);
+}
+
+bool large_enough(const RansacSettings& settings, const Members& members) {
+  return members.slots.size() >= std::max<size_t>(3, settings.min_points) &&
+         members.area_m2 >= settings.min_area_m2;
+}
+
+// The cube around the candidate in which its surface is looked for.
+struct Window {
+  Vec3 centre;
+  double half_m = 0, all_m = 0;  ///< all_m: the half side that holds every point
+
+  Box3 box() const {
+    const Vec3 h{half_m, half_m, half_m};
+    Box3 out;
+    out.min = centre - h;
+    out.max = centre + h;
+    return out;
+  }
+  bool whole() const { return half_m >= all_m; }
+  // True when the region might go on outside; then the window has grown.
+  bool grow_if_touched(const PointPool& pool, const Members& members, double margin_m) {
+    if (whole()) return false;
+    bool touched = false;
+    for (const uint32_t slot : members.slots) {
+      const Vec3 d = pool.point(slot) - centre;
+      const double reach = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+      touched |= reach > half_m - margin_m;
+    }
+    if (touched) half_m *= kWindowGrowth;
+    return touched;
+  }
+};
+
+Window first_window(const SegmentScene& scene, const Candidate& candidate) {
+  const double edge = scene.tree->cube().edge;
+  Window window{scene.local(candidate.seed), std::ldexp(kFirstWindow * edge, -scene.level[candidate.seed]), edge};
+  if (!scene.settings.connectivity) window.half_m = edge;
+  return window;
+}
+
+// Rounds of collect - region - least squares; members are those of the last round.
+bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, Surface& surface, Window& window,
+                  Members& members) {
+  const RansacSettings& settings = scene.settings;
+  if (!settings.refit) {
+    window.half_m = window.all_m;
+    surface.sigma_m = settings.distance_tolerance_m / kSigmas;
+    return true;
+  }
+  double reach = settings.distance_tolerance_m;
+  size_t previous = 0;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    members.slots = pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
+    if (members.slots.empty()) return false;
+    keep_largest_region(scene, pool, surface.plane, task, members);
+    PlaneFit fit;
+    if (members.slots.size() < 3 || !fit_members(pool, members, task, fit)) return false;
+    surface.plane = fit.plane;
+    surface.sigma_m = fit.sigma;
+    reach = core_reach(settings, fit.sigma);
+    const bool grown = window.grow_if_touched(pool, members, settings.gap_m + 2 * members.pixel_m);
+    if (!grown && (!large_enough(settings, members) || !wide_enough(settings, fit))) return false;
+    if (too_rough(settings, fit.sigma)) return false;
+    const double change = std::fabs(static_cast<double>(members.slots.size()) - static_cast<double>(previous));
+    if (!grown && round > 1 && change <= kStable * static_cast<double>(previous)) break;
+    previous = members.slots.size();
+  }
+  return true;
+}
+
+// The points of the settled plane: all within its core, and out to the tolerance those whose normals agree.
+Members members_of(const SegmentScene& scene, const PointPool& pool, const Surface& surface, const Window& window,
+                   Task& task) {
+  Members members;
+  const PlaneTest test = scene.test(surface.plane, scene.settings.distance_tolerance_m, 0);
+  members.slots = pool.collect(test, window.box(), task);
+  const double cosine = scene.min_cosine(), core = core_reach(scene.settings, surface.sigma_m);
+  std::erase_if(members.slots, [&](uint32_t slot) {
+    return std::fabs(surface.plane.distance(pool.point(slot))) > core &&
+           scene.inconsistent(pool.position(slot), surface.plane.normal, cosine);
+  });
+  if (!members.slots.empty()) keep_largest_region(scene, pool, surface.plane, task, members);
+  return members;
+}
+
+// Notes on the points of a surface that it was none, so that they do not lead to it for ever.
+void reject(SegmentScene& scene, const PointPool& pool, const Candidate& candidate, const Members& members) {
+  const auto note = [&](uint32_t position) {
+    if (position != kNoPoint && scene.rejections[position] < 255) ++scene.rejections[position];
+  };
+  note(candidate.seed);
+  for (const uint32_t slot : members.slots) note(pool.position(slot));
+}
+
+// Slots go through the pool's pieces one after the other, so their positions are a few ascending runs.
+void sort_runs(std::vector<uint32_t>& positions) {
+  auto sorted = std::is_sorted_until(positions.begin(), positions.end());
+  while (sorted != positions.end()) {
+    const auto next = std::is_sorted_until(sorted, positions.end());
+    std::inplace_merge(positions.begin(), sorted, next);
+    sorted = next;
+  }
+}
+
+}  // namespace
+
+std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface) {
+  std::vector<Vec2> uv(surface.positions.size());
+  if (surface.is_plane()) {
+    const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+    for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
+    return uv;
+  }
+  std::vector<Vec3> points(uv.size());
+  for (size_t i = 0; i < uv.size(); ++i) points[i] = scene.local(surface.positions[i]);
+  const SurfaceMap map = surface.curved.map(points);
+  for (size_t i = 0; i < uv.size(); ++i) uv[i] = map(points[i]);
+  return uv;
+}
+
+bool wide_enough(const RansacSettings& settings, const PlaneFit& fit) {
+  if (!settings.uses_normals()) return true;  // the plain method: any three points are a plane
+  const double sigma = settings.distance_tolerance_m / kSigmas;
+  const double width = std::sqrt(fit.eigenvalues[1]);
+  return width >= kLeastWidthInSigmas * sigma &&
+         width * std::sqrt(static_cast<double>(fit.n)) * kLargestTurn_rad >= sigma;
+}
+
+bool too_rough(const RansacSettings& settings, double sigma_m) {
+  // Points evenly spread over the tolerance, as where a plane cuts through clutter, a pipe or a step, have an rms of
+  // 0.46 tolerances after the core is cut and more before; noise with the tolerance at 2.5 sigma has 0.38.
+  constexpr double kMaxRoughness = 0.42;
+  return settings.uses_normals() && sigma_m > kMaxRoughness * settings.distance_tolerance_m;
+}
+
+double core_reach(const RansacSettings& settings, double sigma_m) {
+  const double tolerance = settings.distance_tolerance_m;
+  if (!settings.uses_normals()) return tolerance;  // the plain method of Boulaassal 2010: the buffer zone alone decides
+  return std::clamp(kSigmas * sigma_m, kLeastReach * tolerance, tolerance);
+}
+
+double settled_sigma(const SegmentScene& scene, const PointPool& pool, const Candidate& candidate, Task& task) {
+  Surface surface;
+  surface.plane = candidate.plane;
+  Window window = first_window(scene, candidate);
+  Members members;
+  return settle_plane(scene, pool, task, surface, window, members) ? surface.sigma_m : INFINITY;
+}
+
+bool extract_surface(SegmentScene& scene, PointPool& pool, const OrientationPass& pass, const Candidate& candidate,
+                     uint32_t owner_id, Task& task, Surface& out) {
+  Surface surface;
+  surface.plane = candidate.plane;
+  Window window = first_window(scene, candidate);
+  Members members;
+  const bool settled = settle_plane(scene, pool, task, surface, window, members) && pass.accepts(surface.plane.normal);
+  if (settled) members = members_of(scene, pool, surface, window, task);
+  if (!settled || !large_enough(scene.settings, members)) {
+    reject(scene, pool, candidate, members);
+    return false;
+  }
+  surface.area_m2 = members.area_m2;
+  surface.pixel_m = members.pixel_m;
+  surface.positions.resize(members.slots.size());
+  parallel_for(task, members.slots.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      surface.positions[i] = pool.position(members.slots[i]);
+      scene.owner[surface.positions[i]] = owner_id;
+    }
+  });
+  for (const uint32_t slot : members.slots) pool.remove(slot);
+  sort_runs(surface.positions);
+  out = std::move(surface);
+  return true;
+}
+
+}  // namespace jalon

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/ransac/point_pool.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "base/simd.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kSmallPool = 8192;    // below, one piece: the whole is counted at once
+constexpr size_t kBlocksPerChunk = 256;
+constexpr uint64_t kPieceStream = 0x70696563;  // keeps this choice apart from the draws
+
+// 1, 3, 12 and 48 of 64 parts.
+uint8_t random_piece(uint64_t seed, uint32_t position) {
+  RandomStream random(seed ^ kPieceStream, position);
+  const uint64_t part = random.bits() >> 58;
+  return part < 1 ? 0 : part < 4 ? 1 : part < 16 ? 2 : 3;
+}
+
+uint32_t mark(const PointColumns& points, const PlaneTest& test, uint32_t mask[kBlockPoints / 32]) {
+  return mark_block(points, test, mask);
+}
+uint32_t mark(const PointColumns& points, const CurvedTest& test, uint32_t mask[kBlockPoints / 32]) {
+  return mark_curved(points, test, mask);
+}
+
+}  // namespace
+
+PointPool::PointPool(const SegmentScene& scene, Task& task) : avx2_(use_avx2()) {
+  std::vector<uint32_t> free;
+  for (size_t i = 0; i < scene.size(); ++i)
+    if (scene.owner[i] == 0) free.push_back(static_cast<uint32_t>(i));
+  free_ = built_ = free.size();
+  std::vector<uint8_t> piece(free.size(), kPieces - 1);
+  if (free.size() >= kSmallPool)
+    parallel_for(task, free.size(), 1 << 15, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) piece[i] = random_piece(scene.settings.seed, free[i]);
+    });
+  for (const uint8_t p : piece) ++piece_free_[p];
+  std::array<size_t, kPieces> next{};
+  for (size_t p = 0; p < kPieces; ++p) {
+    next[p] = first_block_[p] * kBlockPoints;
+    first_block_[p + 1] = first_block_[p] + (piece_free_[p] + kBlockPoints - 1) / kBlockPoints;
+  }
+  slots_ = first_block_[kPieces] * kBlockPoints;
+  positions_ = Buffer<uint32_t>(slots_);
+  std::fill(positions_.begin(), positions_.end(), kNoPoint);
+  for (size_t i = 0; i < free.size(); ++i) positions_[next[piece[i]]++] = free[i];
+  values_ = Buffer<float>(6 * slots_);
+  boxes_ = Buffer<float>(6 * first_block_[kPieces]);
+  parallel_for(task, first_block_[kPieces], kBlocksPerChunk, [&](size_t begin, size_t end) {
+    for (size_t block = begin; block < end; ++block) fill_block(scene, block);
+  });
+}
+
+void PointPool::fill_block(const SegmentScene& scene, size_t block) {
+  Box3 box;
+  for (size_t slot = block * kBlockPoints; slot < (block + 1) * kBlockPoints; ++slot) {
+    const uint32_t position = positions_[slot];
+    float v[6] = {kNotANumber, 0, 0, kNotANumber, 0, 0};
+    if (position != kNoPoint) {
+      const Vec3 p = scene.local(position);
+      for (int k = 0; k < 3; ++k) v[k] = static_cast<float>(p[k]);
+      for (size_t k = 0; k < 3; ++k) v[3 + k] = scene.normals[3 * position + k];
+      box.add({v[0], v[1], v[2]});
+    }
+    for (size_t k = 0; k < 6; ++k) values_[k * slots_ + slot] = v[k];
+  }
+  for (int k = 0; k < 3; ++k) {
+    const size_t at = 6 * block + static_cast<size_t>(k);
+    boxes_[at] = static_cast<float>((box.min[k] + box.max[k]) / 2);
+    boxes_[at + 3] = static_cast<float>((box.max[k] - box.min[k]) / 2);
+  }
+}
+
+size_t PointPool::points_upto(size_t last) const {
+  size_t sum = 0;
+  for (size_t p = 0; p <= last; ++p) sum += piece_free_[p];
+  return sum;
+}
+
+bool PointPool::may_touch(size_t block, const PlaneTest& t) const {
+  const float* b = &boxes_[6 * block];
+  const float distance = b[0] * t.nx + b[1] * t.ny + b[2] * t.nz - t.offset;
+  const float reach = b[3] * std::fabs(t.nx) + b[4] * std::fabs(t.ny) + b[5] * std::fabs(t.nz) + t.tolerance;
+  // A few roundings of the terms above, so that pruning never loses a point that the kernel would count.
+  const float slack = 1e-6f * (std::fabs(b[0]) + std::fabs(b[1]) + std::fabs(b[2]) + std::fabs(t.offset) + reach);
+  return std::fabs(distance) <= reach + slack;
+}
+
+// By the ball around the box.
+bool PointPool::may_touch(size_t block, const CurvedTest& t) const {
+  const float* b = &boxes_[6 * block];
+  const Vec3 axis{t.ax, t.ay, t.az};
+  Vec3 d{double{b[0]} - t.cx, double{b[1]} - t.cy, double{b[2]} - t.cz};
+  const double far = norm(d), half = norm(Vec3{b[3], b[4], b[5]});
+  d -= dot(d, axis) * axis;
+  const double inner = std::sqrt(double{t.inner2}), outer = std::sqrt(double{t.outer2});
+  const double distance = norm(d), reach = half + 1e-6 * (far + half + outer);  // with a few roundings of the kernel
+  return distance + reach >= inner && distance - reach <= outer;
+}
+
+PointColumns PointPool::columns(size_t block) const {
+  const float* p = values_.data() + block * kBlockPoints;
+  return {p, p + slots_, p + 2 * slots_, p + 3 * slots_, p + 4 * slots_, p + 5 * slots_};
+}
+
+template <class Test>
+uint32_t PointPool::count_of(size_t piece, const Test& test) const {
+  uint32_t sum = 0;
+  for (size_t block = first_block_[piece]; block < first_block_[piece + 1]; ++block)
+    if (may_touch(block, test)) sum += count_in_block(block, test);
+  return sum;
+}
+template uint32_t PointPool::count_of(size_t, const PlaneTest&) const;
+template uint32_t PointPool::count_of(size_t, const CurvedTest&) const;
+
+uint32_t PointPool::count_in_block(size_t block, const PlaneTest& test) const {
+  return avx2_ ? count_block_avx2(columns(block), test) : count_block_baseline(columns(block), test);
+}
+
+uint32_t PointPool::count_in_block(size_t block, const CurvedTest& test) const {
+  return avx2_ ? count_curved_avx2(columns(block), test) : count_curved_baseline(columns(block), test);
+}
+
+bool PointPool::overlaps(size_t block, const Box3& box) const {
+  const float* b = &boxes_[6 * block];
+  for (int k = 0; k < 3; ++k)
+    if (b[k] - b[3 + k] > box.max[k] || b[k] + b[3 + k] < box.min[k]) return false;
+  return true;
+}
+
+template <class Test>
+uint32_t PointPool::write_inliers(size_t block, const Test& test, const Box3& box, uint32_t* out) const {
+  uint32_t mask[kBlockPoints / 32], written = 0;
+  const PointColumns c = columns(block);
+  mark(c, test, mask);
+  for (size_t word = 0; word < kBlockPoints / 32; ++word)
+    for (uint32_t bits = mask[word]; bits != 0; bits &= bits - 1) {
+      const size_t i = 32 * word + static_cast<size_t>(std::countr_zero(bits));
+      if (box.contains({c.x[i], c.y[i], c.z[i]})) out[written++] = static_cast<uint32_t>(block * kBlockPoints + i);
+    }
+  return written;
+}
+
+// 1. each block's inliers are counted, wherever in the block; 2. those in the box are written into that room; 3. the
+// rooms are moved together.
+template <class Test>
+std::vector<uint32_t> PointPool::slots_of(const Test& test, const Box3& box, Task& task) const {
+  std::vector<uint32_t> counts(first_block_[kPieces]), firsts(counts.size());
+  parallel_for(task, counts.size(), kBlocksPerChunk, [&](size_t begin, size_t end) {
+    for (size_t block = begin; block < end; ++block)
+      counts[block] = overlaps(block, box) && may_touch(block, test) ? count_in_block(block, test) : 0;
+  });
+  std::exclusive_scan(counts.begin(), counts.end(), firsts.begin(), 0u);
+  std::vector<uint32_t> slots(counts.empty() ? 0 : firsts.back() + counts.back());
+  parallel_for(task, counts.size(), kBlocksPerChunk, [&](size_t begin, size_t end) {
+    for (size_t block = begin; block < end; ++block)
+      if (counts[block] != 0) counts[block] = write_inliers(block, test, box, &slots[firsts[block]]);
+  });
+  auto out = slots.begin();
+  for (size_t block = 0; block < counts.size(); ++block)
+    out = std::copy_n(slots.begin() + firsts[block], counts[block], out);
+  slots.erase(out, slots.end());
+  return slots;
+}
+
+std::vector<uint32_t> PointPool::collect(const PlaneTest& test, const Box3& box, Task& task) const {
+  return slots_of(test, box, task);
+}
+
+std::vector<uint32_t> PointPool::collect(const CurvedTest& test, Task& task) const {
+  Box3 everywhere;
+  std::swap(everywhere.min, everywhere.max);
+  return slots_of(test, everywhere, task);
+}
+
+void PointPool::remove(uint32_t slot) {
+  values_[slot] = kNotANumber;
+  const size_t block = slot / kBlockPoints;
+  for (size_t p = 0; p < kPieces; ++p)
+    if (block < first_block_[p + 1]) {
+      --piece_free_[p];
+      break;
+    }
+  --free_;
+}
+
+}  // namespace jalon

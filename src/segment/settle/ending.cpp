@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/settle/ending.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "segment/ransac/curved_extraction.h"
+#include "segment/result/facade.h"
+#include "segment/result/point_columns.h"
+#include "segment/settle/assignment.h"
+#include "segment/settle/splitting.h"
+#include "segment/settle/surface_fit.h"
+#include "segment/surface/primitive_fits.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr int kAssignmentRounds = 3;
+constexpr int kFitRounds = 3;
+
+// A plane that was looked for as one of an orientation class stays in it: the points are few that leave it.
+void settle_within_class(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
+  PlaneFit settled = fit;
+  if (!settle_surface(scene, surface, task, settled)) return;
+  const auto class_of = [&](const PlaneFit& f) {
+    return scene.axes->classify(f.plane.normal, scene.settings.orientation_tolerance_rad);
+  };
+  if (!scene.axes || class_of(settled) == class_of(fit)) fit = settled;
+}
+
+void fit_plane_segment(const SegmentScene& scene, Surface& surface, Task& task, Segment& segment) {
+  segment.area_m2 = surface.area_m2;
+  for (int round = 0; round < kFitRounds; ++round) {  // the core depends on the plane: to a fixed point
+    if (!fit_core(scene, surface, task, segment.fit)) fail(Status::kInternal, "a segment lost its plane");
+    surface.plane = segment.fit.plane;
+    surface.sigma_m = segment.fit.sigma;
+  }
+  settle_within_class(scene, surface, task, segment.fit);
+  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+  const Vec3 axes[2] = {segment.fit.axis_u, segment.fit.axis_v};
+  for (const uint32_t position : surface.positions) {
+    const Vec3 d = scene.exact(position) - segment.fit.centroid;
+    for (size_t k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], dot(d, axes[k]));
+      high[k] = std::max(high[k], dot(d, axes[k]));
+    }
+  }
+  segment.length_u_m = high[0] - low[0];
+  segment.length_v_m = high[1] - low[1];
+}
+
+// Rows of the surfaces, largest first, fits in the local frame.
+std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  std::stable_sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) {
+    return a.positions.size() > b.positions.size();
+  });
+  std::vector<Segment> segments(surfaces.size());
+  for (size_t s = 0; s < surfaces.size(); ++s) {
+    Segment& segment = segments[s];
+    segment.label = static_cast<uint32_t>(s + 1);
+    if (surfaces[s].is_plane())
+      fit_plane_segment(scene, surfaces[s], task, segment);
+    else if (!fit_curved_core(scene, surfaces[s], true, task, segment) &&
+             !fit_curved_core(scene, surfaces[s], false, task, segment))
+      fail(Status::kInternal, "a segment lost its sphere or cylinder");
+  }
+  return segments;
+}
+
+std::shared_ptr<Column> label_points(const SegmentScene& scene, const std::vector<Surface>& surfaces) {
+  auto column = make_label_column(scene.size());
+  const auto labels = column->values<uint32_t>();
+  std::fill(labels.begin(), labels.end(), 0u);
+  for (size_t s = 0; s < surfaces.size(); ++s)
+    for (const uint32_t position : surfaces[s].positions) labels[scene.order[position]] = static_cast<uint32_t>(s + 1);
+  return column;
+}
+
+}  // namespace
+
+// Fewer than 3 points, all equal or on one line: nothing that a plane could be fitted to.
+void require_area(const Cloud& cloud, Task& task) {
+  if (cloud.size() < 3)
+    fail(Status::kInsufficientData, "the cloud has %zu points; a plane needs 3", cloud.size());
+  Moments zero;
+  zero.reference = cloud.point(0);
+  const Moments moments = parallel_reduce(task, cloud.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+    Moments part = zero;
+    for (size_t i = begin; i < end; ++i) part.add(cloud.point(i));
+    return part;
+  });
+  PlaneFit fit;
+  if (!fit_plane(moments, fit))
+    fail(Status::kDegenerate, "all %zu points are equal or on one line", cloud.size());
+}
+
+void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  if (!scene.settings.reassign) return;
+  const auto settle = [&] {
+    for (int round = 0; round < kAssignmentRounds; ++round) {
+      assign_points(scene, surfaces, task);
+      if (!refit_surfaces(scene, surfaces, task) && round > 0) break;
+    }
+  };
+  settle();
+  if (!scene.settings.connectivity || !split_surfaces(scene, surfaces, task)) return;
+  refit_surfaces(scene, surfaces, task);
+  settle();
+}
+
+Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scene, std::vector<Surface>& surfaces,
+                                 const ParamSet& params, Task& task) {
+  const RansacSettings& settings = scene.settings;
+  Segmentation out;
+  out.cloud = cloud;
+  out.parameters_json = params.to_json();
+  out.segments = make_segments(scene, surfaces, task);
+  const auto label_column = label_points(scene, surfaces);
+  const auto labels = label_column->values<uint32_t>();
+  out.labels = label_column;
+  const FacadeContext context{*cloud, scene.origin, settings.orientation_tolerance_rad, settings.distance_tolerance_m,
+                              settings.facade_frame, scene.axes ? &*scene.axes : nullptr};
+  turn_normals(context, labels, out.segments, task);
+  classify(context, out.segments);
+  out.T_facade_world = facade_transform(context, out.segments);
+  add_point_columns(out, scene.origin, task);
+  for (size_t s = 0; s < surfaces.size(); ++s) {
+    Segment& segment = out.segments[s];
+    shift_origin(segment, scene.origin);
+    segment.fit.n = segment.sphere.n = segment.cylinder.n = surfaces[s].positions.size();
+  }
+  return out;
+}
+
+}  // namespace jalon

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "segment/ransac/extraction.h"
+#include "segment/segmentation.h"
+
+namespace jalon {
+
+// What the methods that find planes share: the check before them and the steps after them.
+
+/// kInsufficientData below 3 points, kDegenerate when all are equal or on one line: nothing that a plane could be
+/// fitted to.
+void require_area(const Cloud& cloud, Task& task);
+
+/// All points shared out anew among all planes, which are refitted after each round.
+void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
+
+/// Last fit, normals turned, orientation classes, facade frame, tables of points and segments. Sorts the surfaces,
+/// largest first.
+Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scene, std::vector<Surface>& surfaces,
+                                 const ParamSet& params, Task& task);
+
+}  // namespace jalon

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/settle/surface_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "geometry/contaminated_plane.h"
+#include "geometry/curved_plane.h"
+#include "segment/ransac/curved_extraction.h"
+#include "segment/surface/border.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kPointsPerChunk = 1 << 14;
+// Share of the points, and of the variance of their narrow side, that those away from the border must have to stand for
+// the surface: strips keep all.
+constexpr double kLeastInner = 0.3;
+// And their number: the shift is a tenth of sigma at most, which fewer do not know to a third.
+constexpr size_t kLeastInnerPoints = 1000;
+constexpr double kBendSigmas = 4;         // beyond doubt: 1 in 30 000 flat surfaces is taken for a curved one
+constexpr double kCoreSigmas = 4;         // rejection of outliers in the last fit: biases sigma by 0.05 %
+constexpr uint32_t kLeftOut = 2;          // zone of a point that is no sample
+constexpr double kBorderReach = 3;        // spacings within which a point has neighbours on all sides
+constexpr size_t kMostForBorder = 50000;  // larger surfaces tell their border by pixels
+
+// For each point of the surface, 1 when it lies away from the surface's border. Where another surface meets this one at
+// an angle, that one's points are within reach on one side only and shift the plane: 0.3 mm at a pane of 1.2 m whose
+// reveals have too few points to be found as planes. Nothing else tells those points from the surface's own.
+std::vector<uint8_t> inner_points(const SegmentScene& scene, const Surface& surface, Task& task) {
+  const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+  std::vector<Vec2> uv(surface.positions.size());
+  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) uv[i] = frame(scene.local(surface.positions[i]));
+  });
+  const Raster inner = eroded(closed(bounded_raster(uv, surface.pixel_m, 1), 1), 1);
+  std::vector<uint8_t> out(uv.size());
+  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) out[i] = inner.pixels[inner.pixel_of(uv[i])];
+  });
+  return out;
+}
+
+struct CoreMoments {
+  Moments all, inner;
+  CoreMoments& operator+=(const CoreMoments& b) {
+    all += b.all;
+    inner += b.inner;
+    return *this;
+  }
+};
+
+CoreMoments core_moments(const SegmentScene& scene, const Surface& surface, Task& task) {
+  const RansacSettings& settings = scene.settings;
+  const double reach =
+      settings.uses_normals() && surface.sigma_m > 0
+          ? std::min(settings.distance_tolerance_m,
+                     std::max(kCoreSigmas * surface.sigma_m, core_reach(settings, surface.sigma_m)))
+          : INFINITY;
+  const double min_cosine = scene.min_cosine();
+  std::vector<uint8_t> inner(surface.positions.size(), 0);
+  if (settings.connectivity && settings.reassign) inner = inner_points(scene, surface, task);
+  CoreMoments zero;
+  zero.all.reference = zero.inner.reference = scene.local(surface.positions[0]);
+  const auto part_of = [&](size_t begin, size_t end) {
+    CoreMoments part = zero;
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 p = scene.exact(surface.positions[i]);
+      if (std::fabs(surface.plane.distance(p)) > reach) continue;
+      if (scene.inconsistent(surface.positions[i], surface.plane.normal, min_cosine)) continue;
+      part.all.add(p);
+      if (inner[i] != 0) part.inner.add(p);
+    }
+    return part;
+  };
+  return parallel_reduce(task, surface.positions.size(), kPointsPerChunk, zero, part_of);
+}
+
+// Do the fits to all points and to the inner ones differ by more than chance? The difference of an efficient and a
+// consistent estimate has the difference of their variances (Hausman 1978, 2.4): of the height at the inner points'
+// centroid and of the two slopes there.
+bool border_shifts(const PlaneFit& all, const PlaneFit& inner) {
+  constexpr double kHeightAndSlopes99 = 11.345;  // chi-square, 3 degrees of freedom, 0.99
+  const double n_all = static_cast<double>(all.n), n_inner = static_cast<double>(inner.n);
+  const double squared = inner.sigma * inner.sigma;
+  const auto term = [&](double difference, double inner_weight, double all_weight) {
+    const double variance = squared * std::max(1 / inner_weight - 1 / all_weight, 0.1 / inner_weight);
+    return difference * difference / variance;
+  };
+  const double sign = dot(all.plane.normal, inner.plane.normal) < 0 ? -1 : 1;
+  const Vec3 turn = sign * all.plane.normal - inner.plane.normal;
+  const double height = term(all.plane.distance(inner.centroid), n_inner, n_all);
+  const double slope_u = term(dot(turn, inner.axis_u), n_inner * inner.eigenvalues[2], n_all * all.eigenvalues[2]);
+  const double slope_v = term(dot(turn, inner.axis_v), n_inner * inner.eigenvalues[1], n_all * all.eigenvalues[1]);
+  return height + slope_u + slope_v > kHeightAndSlopes99;
+}
+
+}  // namespace
+
+bool fit_core(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
+  if (surface.positions.size() < 3) return false;
+  const CoreMoments core = core_moments(scene, surface, task);
+  if (!fit_plane(core.all, fit)) return false;
+  PlaneFit inner;
+  const auto share = static_cast<double>(core.inner.n) / static_cast<double>(core.all.n);
+  if (core.inner.n < kLeastInnerPoints || share < kLeastInner) return true;
+  if (!fit_plane(core.inner, inner) || inner.eigenvalues[1] < kLeastInner * fit.eigenvalues[1]) return true;
+  if (!border_shifts(fit, inner)) return true;
+  fit = inner;
+  fit.sigma = rms_about(core.all, fit.plane);
+  return true;
+}
+
+namespace {
+
+// The points of a surface as seen from its plane, each with its zone: its normal must agree, as in the core.
+std::vector<PlaneSample> samples_of(const SegmentScene& scene, const Surface& surface, const PlaneFit& fit,
+                                    Task& task) {
+  const double tolerance = scene.settings.distance_tolerance_m, min_cosine = scene.min_cosine();
+  const bool by_pixels = surface.positions.size() > kMostForBorder;
+  std::vector<uint8_t> zones(surface.positions.size(), 1);
+  if (by_pixels) zones = inner_points(scene, surface, task);
+  std::vector<PlaneSample> samples(surface.positions.size());
+  parallel_for(task, samples.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 d = scene.exact(surface.positions[i]) - fit.centroid;
+      const double across = dot(d, fit.plane.normal);
+      const bool own = std::fabs(across) <= tolerance &&
+                       !scene.inconsistent(surface.positions[i], fit.plane.normal, min_cosine);
+      samples[i] = {static_cast<float>(dot(d, fit.axis_u)), static_cast<float>(dot(d, fit.axis_v)),
+                    static_cast<float>(across), own ? zones[i] : kLeftOut};
+    }
+  });
+  std::erase_if(samples, [](const PlaneSample& s) { return s.zone == kLeftOut; });
+  if (by_pixels) return samples;
+  // Surfaces at right angles to this one have all their points within the noise of its border; at 45 degrees, within
+  // the tolerance of it.
+  const double spacing = std::sqrt(surface.area_m2 / static_cast<double>(surface.positions.size()));
+  std::vector<Vec2> uv;
+  for (const PlaneSample& s : samples) uv.push_back({static_cast<double>(s.u), static_cast<double>(s.v)});
+  const auto border = border_points(uv, tolerance, std::max(kBorderReach * spacing, 2 * tolerance), task);
+  for (size_t i = 0; i < samples.size(); ++i) samples[i].zone = 1u - border[i];
+  return samples;
+}
+
+}  // namespace
+
+bool settle_surface(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
+  std::vector<PlaneSample> samples = samples_of(scene, surface, fit, task);
+  return settle_contaminated_plane(samples, scene.settings.distance_tolerance_m, task, fit);
+}
+
+namespace {
+
+// True when the surface bends, beyond doubt, more tightly than the least radius.
+bool bends(const SegmentScene& scene, const Surface& surface, const PlaneFit& fit, Task& task) {
+  const double radius = scene.settings.least_radius_m;
+  // Noise aside, a surface of that radius is within the tolerance on both sides of a plane over sqrt(16 r t) only.
+  const double width = std::sqrt(16 * radius * scene.settings.distance_tolerance_m);
+  const double narrow = std::sqrt(12 * fit.eigenvalues[1]);  // of evenly spread points
+  if (radius == 0 || narrow > width) return false;
+  const double long_m = std::sqrt(fit.eigenvalues[2]), across_m = std::sqrt(fit.eigenvalues[1]);
+  if (!(across_m > 0)) return false;
+  const auto sums_of = [&](size_t begin, size_t end) {
+    BendSums part;
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 d = scene.exact(surface.positions[i]) - fit.centroid;
+      part.add(dot(d, fit.axis_u) / long_m, dot(d, fit.axis_v) / across_m, dot(d, fit.plane.normal));
+    }
+    return part;
+  };
+  const BendSums sums = parallel_reduce(task, surface.positions.size(), kPointsPerChunk, BendSums{}, sums_of);
+  Bend bend;
+  if (!largest_bend(sums, long_m, across_m, bend)) return false;
+  return std::fabs(bend.curvature) > 1 / radius && std::fabs(bend.curvature) - 1 / radius > kBendSigmas * bend.sigma;
+}
+
+// The plane, its sigma and its area anew from the surface's points; false when it is none any more.
+bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
+  const RansacSettings& settings = scene.settings;
+  PlaneFit fit;
+  const bool good = surface.positions.size() >= std::max<size_t>(3, settings.min_points) &&
+                    fit_core(scene, surface, task, fit) && wide_enough(settings, fit) &&
+                    !too_rough(settings, fit.sigma) && !bends(scene, surface, fit, task);
+  if (!good) return false;
+  surface.plane = fit.plane;
+  surface.sigma_m = fit.sigma;
+  surface.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, surface), surface.pixel_m, 0));
+  return surface.area_m2 >= settings.min_area_m2;
+}
+
+}  // namespace
+
+bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  bool dropped = false;
+  for (Surface& surface : surfaces) {
+    if (surface.is_plane() ? refit_plane(scene, surface, task) : refit_curved(scene, surface, task)) continue;
+    for (const uint32_t position : surface.positions) scene.owner[position] = 0;
+    surface.positions.clear();
+    dropped = true;
+  }
+  std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
+  return dropped;
+}
+
+}  // namespace jalon

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/surface/connectivity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jalon {
+
+namespace {
+
+constexpr double kSpacingsPerPixel = 2;       // 4 points a pixel on average: 2 % of the pixels of a surface stay empty
+constexpr double kSpacingPercentile = 0.8;
+constexpr double kMaxPixels = 1 << 24;        // 16 MiB; longer scenes get coarser pixels
+constexpr uint32_t kMaxGapPixels = 256;
+
+// Keeps the regions of at least `least` pixels, and the largest one in any case.
+void drop_small(Raster& raster, const Regions& regions, uint64_t least) {
+  for (size_t i = 0; i < raster.size(); ++i) {
+    const uint32_t label = regions.labels[i];
+    if (label > 1 && regions.pixel_counts[label] < least) raster.pixels[i] = 0;
+  }
+}
+
+// Empties what is narrower than the width: a morphological opening of the image, whose single empty pixels are filled
+// first so that they do not eat the surface.
+void cut_strips(Raster& raster, double width_m) {
+  const double pixels = std::ceil(width_m / raster.pixel_m);
+  const auto radius = static_cast<uint32_t>(std::clamp(std::floor(pixels / 2), 1.0, static_cast<double>(kMaxGapPixels)));
+  const Raster kept = opened(closed(raster, 1), radius);
+  for (size_t i = 0; i < raster.size(); ++i) raster.pixels[i] &= kept.pixels[i];
+}
+
+// Label of the group with most occupied pixels; ties to the smaller label.
+uint32_t largest_group(const Raster& occupied, const Regions& groups, uint64_t& pixels) {
+  std::vector<uint64_t> counts(groups.count() + 1, 0);
+  for (size_t i = 0; i < occupied.size(); ++i)
+    if (occupied.pixels[i] != 0) ++counts[groups.labels[i]];
+  uint32_t best = 0;
+  pixels = 0;
+  for (uint32_t label = 1; label < counts.size(); ++label)
+    if (counts[label] > pixels) {
+      best = label;
+      pixels = counts[label];
+    }
+  return best;
+}
+
+}  // namespace
+
+PlaneFrame plane_frame(const Plane& plane, const Vec3& near) {
+  const PlaneAxes axes = plane_axes(plane.normal);
+  return {near, axes.u, axes.v};
+}
+
+double connectivity_pixel(const RansacSettings& settings, std::vector<float> spacings) {
+  if (settings.pixel_m > 0) return settings.pixel_m;
+  if (spacings.empty()) return settings.distance_tolerance_m;
+  const auto at = static_cast<ptrdiff_t>(kSpacingPercentile * static_cast<double>(spacings.size() - 1));
+  std::nth_element(spacings.begin(), spacings.begin() + at, spacings.end());
+  const double spacing = spacings[static_cast<size_t>(at)];
+  return std::max(settings.distance_tolerance_m, kSpacingsPerPixel * spacing);
+}
+
+double occupied_area_m2(const Raster& raster) {
+  const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
+  return static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
+}
+
+Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin) {
+  double u0 = points[0].u, u1 = u0, v0 = points[0].v, v1 = v0;
+  for (const Vec2& p : points) {
+    u0 = std::min(u0, p.u);
+    u1 = std::max(u1, p.u);
+    v0 = std::min(v0, p.v);
+    v1 = std::max(v1, p.v);
+  }
+  const auto pixels = [&](double edge) {
+    const double border = 1 + 2.0 * margin;
+    return ((u1 - u0) / edge + border) * ((v1 - v0) / edge + border);
+  };
+  while (pixels(pixel_m) > kMaxPixels) pixel_m *= 2;
+  return rasterise(points, pixel_m, margin);
+}
+
+Region largest_region(std::span<const Vec2> points, const RegionRule& rule) {
+  Region region;
+  if (points.empty()) return region;
+  // Square dilation by r joins pieces up to 2 r empty pixels apart.
+  const auto margin =
+      static_cast<uint32_t>(std::min<double>(kMaxGapPixels, std::floor(rule.gap_m / (2 * rule.pixel_m))));
+  Raster raster = bounded_raster(points, rule.pixel_m, std::max(margin, rule.strip_width_m > 0 ? 1u : 0u));
+  if (rule.strip_width_m > 0) cut_strips(raster, rule.strip_width_m);
+  const double pixel_area = raster.pixel_m * raster.pixel_m;
+  Regions regions = label_regions(raster);
+  if (margin > 0 && regions.count() > 1) {
+    drop_small(raster, regions, static_cast<uint64_t>(std::ceil(rule.min_piece_m2 / pixel_area)));
+    regions = label_regions(dilated(raster, margin));
+  }
+  uint64_t pixels = 0;
+  const uint32_t best = largest_group(raster, regions, pixels);
+  region.area_m2 = static_cast<double>(pixels) * pixel_area;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const size_t pixel = raster.pixel_of(points[i]);
+    if (raster.pixels[pixel] != 0 && regions.labels[pixel] == best) region.members.push_back(static_cast<uint32_t>(i));
+  }
+  return region;
+}
+
+}  // namespace jalon

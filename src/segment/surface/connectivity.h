@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "segment/surface/scene.h"
+#include "spatial/raster.h"
+
+namespace jalon {
+
+/// Projection of local coordinates on a plane.
+struct PlaneFrame {
+  Vec3 centre, u, v;
+  Vec2 operator()(const Vec3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
+};
+PlaneFrame plane_frame(const Plane& plane, const Vec3& near);
+
+/// One connected surface among points on a plane.
+struct Region {
+  std::vector<uint32_t> members;  ///< indices into the points given, ascending
+  double area_m2 = 0;             ///< occupied pixels
+};
+
+/// Pixel of the connectivity raster: the user's, or twice the spacing (its 80th percentile among the points, since
+/// holes of the raster matter where points are sparse), never below the tolerance, which is as fine as the plane
+/// itself is known.
+double connectivity_pixel(const RansacSettings& settings, std::vector<float> spacings);
+
+/// What makes a surface one.
+struct RegionRule {
+  double pixel_m = 0;
+  double gap_m = 0;
+  double min_piece_m2 = 0;
+  double strip_width_m = 0;
+};
+
+/// The largest region by area (Boulaassal 2010, 3.4.6): occupied pixels, 8-neighbourhood; pieces of at least
+/// min_piece_m2 that come within gap_m of each other count as one region, smaller ones belong to it only when they
+/// touch. Parts narrower than strip_width_m are cut off first: the line of points where the plane cuts another surface
+/// touches the surface sought and would come with it.
+Region largest_region(std::span<const Vec2> points, const RegionRule& rule);
+
+/// Area of the occupied pixels.
+double occupied_area_m2(const Raster& raster);
+
+/// The raster of points with a pixel that keeps it within a bound on memory.
+Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin);
+
+}  // namespace jalon

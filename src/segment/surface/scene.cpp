@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/surface/scene.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "segment/surface/cell_firsts.h"
+#include "segment/surface/tolerance.h"
+
+namespace jalon {
+
+namespace {
+
+// Smallest cells for normals and draws: sides of a few tolerances, so that the spread of three points is well above
+// the noise; the largest ones are 2^kLevels times as wide.
+constexpr double kFineCellTolerances = 4;
+constexpr int kLevels = 6;
+
+// A cube that starts at the smallest coordinates, so that any shift of the cloud, not only one by whole metres,
+// leaves the cells and with them all draws as they are; the cloud's own octree keeps to whole metres and would cut
+// the surfaces elsewhere.
+Cube anchored_cube(const Box3& box) {
+  const Vec3 sides = box.max - box.min;
+  const double extent = std::max({sides.x, sides.y, sides.z});
+  Cube cube;
+  cube.origin = box.min;
+  cube.edge = std::ldexp(1.0, std::ilogb(extent) + 1);
+  return cube;
+}
+
+}  // namespace
+
+SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
+  const Cube anchored = anchored_cube(bounds(cloud, task));
+  SegmentScene scene{.cloud = cloud, .settings = settings, .tree = Octree::build(cloud.xyz(), anchored, task)};
+  resolve_tolerance(cloud, *scene.tree, scene.settings, task);
+  scene.order = scene.tree->order();
+  scene.origin = scene.tree->cube().origin;
+  scene.owner.assign(scene.size(), 0);
+  scene.rejections.assign(scene.size(), 0);
+  if (scene.settings.curved()) scene.curved_rejections.assign(scene.size(), 0);
+  scene.normals = Buffer<float>(3 * scene.size());
+  scene.spacing = Buffer<float>(scene.size());
+  return scene;
+}
+
+SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
+  SegmentScene scene = indexed_scene(cloud, settings, task);
+  const Cube& cube = scene.tree->cube();
+  const double finest = std::log2(cube.edge / (kFineCellTolerances * scene.settings.distance_tolerance_m));
+  scene.fine_level = std::clamp(static_cast<int>(std::floor(finest)), 0, kMaxLevel);
+  scene.coarse_level = std::max(0, scene.fine_level - kLevels);
+  scene.level = Buffer<uint8_t>(scene.size());
+  scene.cell_firsts = cell_firsts(*scene.tree, scene.coarse_level, scene.fine_level, scene.level, task);
+  estimate_local_surface(scene, task);
+  return scene;
+}
+
+PlaneAxes plane_axes(const Vec3& normal) {
+  constexpr double kHorizontal = 0.95;  // nz beyond which "up in the plane" is ill defined
+  const Vec3 reference = std::fabs(normal.z) < kHorizontal ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  const Vec3 u = normalized(cross(reference, normal));
+  return {u, cross(normal, u)};
+}
+
+}  // namespace jalon

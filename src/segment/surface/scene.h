@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/buffer.h"
+#include "base/task.h"
+#include "cloud/cloud.h"
+#include "geometry/plane.h"
+#include "segment/ransac_settings.h"
+#include "segment/surface/plane_kernel.h"
+#include "spatial/octree/octree.h"
+
+namespace jalon {
+
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
+constexpr uint8_t kMostRejections = 3;
+
+/// What all steps of one run share. Points are named by their position in the octree's order; coordinates are
+/// relative to the octree's cube, which is the run's own and moves with the cloud.
+struct SegmentScene {
+  const Cloud& cloud;
+  RansacSettings settings;
+  std::shared_ptr<const Octree> tree;
+  std::span<const uint32_t> order = {};
+  Vec3 origin = {};                      ///< of the local frame
+  int fine_level = 0, coarse_level = 0;
+  std::vector<std::vector<uint32_t>> cell_firsts = {};  ///< of levels coarse_level ... fine_level, with the end behind
+
+  std::vector<uint32_t> owner = {};   ///< segment that took the point, 0 = free
+  std::vector<uint8_t> rejections = {};  ///< surfaces with the point that were no planes, since the last that was
+  std::vector<uint8_t> curved_rejections = {};  ///< the same of spheres and cylinders; empty when none are looked for
+  Buffer<float> normals = {};       ///< 3 a point, NaN = unknown
+  Buffer<float> spacing = {};       ///< local point spacing, m
+  Buffer<uint8_t> level = {};            ///< level of the cell that gave normal and spacing
+
+  std::optional<FacadeAxes> axes = {};  ///< when orientation classes were extracted one by one
+
+  size_t size() const { return order.size(); }
+  /// A free point that a draw may start from: not where draw after draw has led to the same surface and that was none.
+  bool may_seed(size_t position) const { return owner[position] == 0 && rejections[position] < kMostRejections; }
+  bool may_seed_curved(size_t position) const {
+    return owner[position] == 0 && curved_rejections[position] < kMostRejections;
+  }
+  /// Edge of the cell that gave normal and spacing of the point.
+  double cell_edge_m(size_t position) const { return std::ldexp(tree->cube().edge, -level[position]); }
+  /// From the octree's grid: right to edge / 2^32.
+  Vec3 local(size_t position) const { return tree->local(position); }
+  /// From the caller's doubles.
+  Vec3 exact(size_t position) const { return cloud.point(order[position]) - origin; }
+  /// Tolerance of the normal test as a cosine; 0 switches it off.
+  double min_cosine() const { return settings.uses_normals() ? std::cos(settings.normal_tolerance_rad) : 0.0; }
+  PlaneTest test(const Plane& plane, double tolerance_m, double cosine) const {
+    return {static_cast<float>(plane.normal.x), static_cast<float>(plane.normal.y),
+            static_cast<float>(plane.normal.z), static_cast<float>(plane.offset),
+            static_cast<float>(tolerance_m), static_cast<float>(cosine)};
+  }
+  /// True when the point has a normal that disagrees with the plane's.
+  bool inconsistent(size_t position, const Vec3& normal, double cosine) const {
+    const float* m = &normals[3 * position];
+    return std::fabs(m[0] * normal.x + m[1] * normal.y + m[2] * normal.z) < cosine;
+  }
+};
+
+/// Index and room for the columns of the points, all of them free; normals and spacing are still to be written.
+SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, Task& task);
+/// The same with the octree's cells, and normals and spacing from them.
+SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task);
+
+/// Normal, spacing and level of every free point: the finest cell with enough points decides (local_surface.cpp).
+void estimate_local_surface(SegmentScene& scene, Task& task);
+
+/// Normals of the points from the cloud's field "normal"; those that are not finite or zero count as unknown.
+void take_field_normals(SegmentScene& scene, Task& task);
+
+/// Axes of a plane that depend on its normal alone: u horizontal, v upward (for horizontal planes u = X).
+struct PlaneAxes {
+  Vec3 u, v;
+};
+PlaneAxes plane_axes(const Vec3& normal);
+
+}  // namespace jalon

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/surface/tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/distributions.h"
+#include "base/parallel.h"
+#include "geometry/plane.h"
+#include "geometry/symmetric_eigen.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kSamples = 8192;        // the median of a scene with half its points on planes is right to 2 %
+constexpr size_t kSamplesPerChunk = 128;
+constexpr uint32_t kLeastNeighbours = 32, kMostNeighbours = 256;
+// The neighbourhood's rms width against the noise: at 8, the plane follows the noise by 1 / (2 x 8^2), under 1 %.
+constexpr double kWidths = 8;
+// The ranges of the parameters: noise-free clouds have no sigma.
+constexpr double kLeastSigma_m = 1e-6, kLeastTolerance_m = 1e-5, kMostTolerance_m = 10;
+
+/// Variances across and along the narrow side of the neighbourhoods, medians over the sample.
+struct LocalSpread {
+  double across = 0, along = 0;
+};
+
+/// A neighbourhood's variance is chi-square / dof about the true one, and the median of that lies below 1: (1 - 2 / (9
+/// dof))^3 (Wilson & Hilferty 1931).
+double median_of_variances(double dof) {
+  const double root = 1 - 2 / (9 * dof);
+  return root * root * root;
+}
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+LocalSpread local_spread(const Cloud& cloud, const Octree& tree, uint32_t k, Task& task) {
+  const size_t samples = std::min(kSamples, tree.size());
+  std::vector<double> across(samples), along(samples);
+  parallel_for(task, samples, kSamplesPerChunk, [&](size_t begin, size_t end) {
+    std::vector<Neighbour> near(k);
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 query = cloud.point(tree.order()[i * tree.size() / samples]);
+      const size_t found = tree.knn(query, k, near);
+      Moments moments;
+      moments.reference = query;
+      for (size_t j = 0; j < found; ++j) moments.add(cloud.point(near[j].index));
+      const Eigen3 eigen = symmetric_eigen(moments.covariance());
+      // covariance() divides by n; least squares leaves n - 3 degrees of freedom.
+      const double n = static_cast<double>(found);
+      across[i] = found > 3 ? std::max(0.0, eigen.values[0]) * n / (n - 3) : 0;
+      along[i] = std::max(0.0, eigen.values[1]);
+    }
+  });
+  const double dof = static_cast<double>(std::min<size_t>(k, tree.size())) - 3;
+  return {median(across) / (dof > 0 ? median_of_variances(dof) : 1), median(along)};
+}
+
+}  // namespace
+
+double tolerance_of_sigma(double sigma_m, double probability, int dof) {
+  return std::sqrt(chi_square_quantile(dof, probability)) * sigma_m;
+}
+
+double estimate_sigma(const Cloud& cloud, const Octree& tree, Task& task) {
+  LocalSpread spread;
+  for (uint32_t k = kLeastNeighbours; k <= kMostNeighbours; k *= 2) {
+    spread = local_spread(cloud, tree, k, task);
+    if (spread.along >= kWidths * kWidths * spread.across || k >= tree.size()) break;
+  }
+  return std::sqrt(spread.across);
+}
+
+void resolve_tolerance(const Cloud& cloud, const Octree& tree, RansacSettings& settings, Task& task) {
+  if (settings.tolerance_from == ToleranceSource::kHand) return;
+  if (settings.tolerance_from == ToleranceSource::kEstimate)
+    settings.sigma_m = std::clamp(estimate_sigma(cloud, tree, task), kLeastSigma_m, kMostTolerance_m);
+  const double tolerance = tolerance_of_sigma(settings.sigma_m, settings.tolerance_probability, settings.tolerance_dof);
+  settings.distance_tolerance_m = std::clamp(tolerance, kLeastTolerance_m, kMostTolerance_m);
+}
+
+}  // namespace jalon

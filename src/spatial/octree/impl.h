@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/buffer.h"
+#include "geometry/vec.h"
+#include "spatial/octree/morton.h"
+#include "spatial/octree/octree.h"
+#include "spatial/octree/view.h"
+
+namespace jalon {
+
+constexpr int kGridBits = 31;             ///< bits of a fixed-point coordinate; the top 21 make the code
+constexpr uint32_t kLeafPoints = 16;      ///< most points of a leaf, and so queries of a group (kMostQueries)
+/// A point on the grid, with the caller's index: what the sort moves.
+struct alignas(16) GridPoint {
+  int32_t x, y, z;
+  uint32_t index;
+};
+
+inline uint64_t code_of(int32_t x, int32_t y, int32_t z) {
+  constexpr int shift = kGridBits - kMaxLevel;
+  return morton_code(static_cast<uint32_t>(x) >> shift, static_cast<uint32_t>(y) >> shift,
+                     static_cast<uint32_t>(z) >> shift);
+}
+
+/// Leaves are runs of at most kLeafPoints points inside one octree cell, in curve order. Above them stands a tree
+/// without pointers: block b of level i + 1 holds the boxes of blocks 8 b ... 8 b + 7 of level i; the last level is one
+/// block.
+struct Octree::Impl {
+  std::span<const double> xyz;
+  Cube cube;
+  double step = 1, inverse_step = 1;
+  bool on_grid = true;  ///< every coordinate equals origin + grid * step: the doubles need not be read
+  size_t count = 0;
+  Buffer<int32_t> x, y, z;
+  Buffer<uint32_t> order;
+  size_t leaves = 0;
+  Buffer<uint32_t> leaf_first;  ///< leaves + 1
+  std::vector<Buffer<BoxBlock>> levels;
+  OctreeView view{};
+
+  Vec3 grid_point(size_t i) const {
+    return {static_cast<double>(x[i]), static_cast<double>(y[i]), static_cast<double>(z[i])};
+  }
+  /// The caller's coordinates, bit for bit.
+  Vec3 exact_point(size_t i) const {
+    if (on_grid) {
+      return {cube.origin.x + x[i] * step, cube.origin.y + y[i] * step, cube.origin.z + z[i] * step};
+    }
+    const double* p = xyz.data() + 3 * static_cast<size_t>(order[i]);
+    return {p[0], p[1], p[2]};
+  }
+  /// First sorted position with (code >> shift) >= prefix.
+  size_t lower_bound(uint64_t prefix, int shift, size_t from, size_t to) const {
+    while (from < to) {
+      const size_t middle = from + (to - from) / 2;
+      if (code_of(x[middle], y[middle], z[middle]) >> shift < prefix)
+        from = middle + 1;
+      else
+        to = middle;
+    }
+    return from;
+  }
+
+  /// Sorted positions of the k <= 256 nearest points of a point, itself included, filled up with kNoPoint.
+  void nearest_of_point(size_t position, uint32_t k, uint32_t* neighbours) const;
+
+  /// The sorted position of the point nearest to a place, of equally near ones that of the smallest index.
+  uint32_t nearest_position(const Vec3& q) const;
+
+  void sort_points(Task& task);             ///< fills x, y, z, order, leaf_first (octree_sort.cpp)
+  void build_boxes(Task& task);             ///< fills levels (octree_boxes.cpp)
+};
+
+}  // namespace jalon

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The reveal beside an edge, wherever the edge was assumed.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "modelling/edges/adjust/edge_reveal.h"
+
+using namespace jalon;
+
+namespace {
+
+constexpr RevealSetting kSetting{2, 0.025, 0.003};
+constexpr double kDepth_m = 0.2;
+
+/// A pane behind an opening that ends at the reveal, in columns as a tripod leaves them. d: into the solid.
+std::vector<RevealPoint> pane(double reveal_d_m, RandomStream& random) {
+  std::vector<RevealPoint> out;
+  for (double d = reveal_d_m - 0.025 * random.uniform(); d > -0.05; d -= 0.025)
+    for (double t = 0; t < kSetting.length_m; t += 0.025)
+      out.push_back({t, d, -kDepth_m + kSetting.sigma_m * random.normal()});
+  return out;
+}
+
+std::vector<RevealPoint> pane_and_reveal(double reveal_d_m, RandomStream& random) {
+  std::vector<RevealPoint> out = pane(reveal_d_m, random);
+  for (double h = 0.06 * random.uniform(); h < kDepth_m; h += 0.06)
+    for (double t = 0; t < kSetting.length_m; t += 0.05)
+      out.push_back({t, reveal_d_m + kSetting.sigma_m * random.normal(), -h});
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("edge_reveal__is_found_wherever_the_edge_was_assumed") {
+  double worst_m = 0, squares_m2 = 0;
+  constexpr int kTrials = 200;
+  for (uint64_t k = 0; k < kTrials; ++k) {
+    RandomStream random(k, 1);
+    const double truth_m = kSetting.spacing_m * (2 * random.uniform() - 1);  // half a spacing, and noise
+    Reveal reveal;
+    CAPTURE(truth_m);
+    REQUIRE(find_reveal(pane_and_reveal(truth_m, random), kSetting, reveal));
+    const double error_m = reveal.offset_m - truth_m;
+    worst_m = std::max(worst_m, std::fabs(error_m));
+    squares_m2 += error_m * error_m;
+  }
+  const double rms_m = std::sqrt(squares_m2 / kTrials);
+  MESSAGE("FIGURE reveals within a spacing of the assumed edge: all found, " << 1000 * rms_m << " mm off (RMS), worst "
+                                                                             << 1000 * worst_m << " mm");
+  CHECK(rms_m <= 0.001);
+  CHECK(worst_m <= 0.005);
+}
+
+TEST_CASE("edge_reveal__a_pane_alone_has_none") {
+  for (uint64_t k = 0; k < 200; ++k) {
+    RandomStream random(k, 2);
+    Reveal reveal;
+    CHECK_FALSE(find_reveal(pane(0.02 * random.uniform(), random), kSetting, reveal));
+  }
+}

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "modelling/plane/plane_joints.h"
+
+using namespace jalon;
+
+namespace {
+
+struct Planes {
+  std::vector<VectorPlane> planes;
+  std::vector<Segment> segments;
+
+  /// A rectangle on a plane through a point, from low to high in the plane's own coordinates relative to that point.
+  void add(const Vec3& normal, const Vec3& through, const Vec2& low, const Vec2& high) {
+    Segment segment;
+    segment.label = static_cast<uint32_t>(segments.size() + 1);
+    segment.fit.plane = {normalized(normal), dot(normalized(normal), through)};
+    segments.push_back(segment);
+    VectorPlane plane;
+    plane.label = segment.label;
+    plane.frame = plane_frame(segment.fit.plane, {}, {1, 0, 0});
+    plane.spacing_m = 0.02;
+    const Vec2 o = plane.frame.project(through);
+    VectorRing ring;
+    ring.corners = {o + low, o + Vec2{high.u, low.v}, o + high, o + Vec2{low.u, high.v}};
+    ring.edges.resize(4);
+    plane.faces.push_back({ring, {}});
+    planes.push_back(plane);
+  }
+  std::vector<SharedCorner> join(double gap_m = 0) {
+    Task task;
+    return join_planes(planes, segments, {true, gap_m}, task);
+  }
+  std::vector<Vec3> corners(size_t plane) const {
+    std::vector<Vec3> out;
+    for (const Vec2& p : planes[plane].faces[0].outline.corners) out.push_back(planes[plane].frame.lift(p));
+    return out;
+  }
+};
+
+double nearest(const std::vector<Vec3>& corners, const Vec3& p) {
+  double least = INFINITY;
+  for (const Vec3& c : corners) least = std::min(least, norm(c - p));
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("joints: two walls meet in one edge where their planes do") {
+  Planes p;
+  p.add({0, -1, 0}, {0, 0, 0}, {0, 0}, {4.97, 3});       // along x, ends 3 cm before the corner at x = 5
+  p.add({1, 0, 0}, {5, 0, 0}, {0.025, 0.01}, {6, 3.01});  // along y from there, 1 cm higher
+  const auto shared = p.join();
+  REQUIRE(shared.size() == 2);
+  for (const SharedCorner& corner : shared) {
+    CHECK(corner.uses.size() == 2);
+    CHECK(std::hypot(corner.position.x - 5, corner.position.y) < 1e-12);
+    for (const auto& use : corner.uses)
+      CHECK(norm(p.planes[use.plane].frame.lift(use.place) - corner.position) < 1e-12);
+  }
+  CHECK(nearest(p.corners(0), {5, 0, 0.005}) < 1e-12);
+  CHECK(nearest(p.corners(1), {5, 0, 3.005}) < 1e-12);
+  CHECK(p.planes[0].faces[0].outline.edges[1].source == EdgeSource::kPlanes);
+}
+
+TEST_CASE("joints: three planes have their common point, and leaning ones too") {
+  Planes p;
+  p.add({0.001, -1, 0.002}, {0, 0, 0}, {0.02, 0.02}, {5, 3});
+  p.add({-1, 0.002, 0.001}, {0, 0, 0}, {-5, 0.02}, {-0.02, 3.2});
+  p.add({0.001, 0.002, 1}, {0, 0, 0}, {0.03, -4}, {4, -0.03});
+  const auto shared = p.join();
+  size_t triple = 0;
+  for (const SharedCorner& corner : shared)
+    if (norm(corner.position) < 1e-9) triple = std::max(triple, corner.uses.size());
+  CHECK(triple == 3);
+  for (size_t k = 0; k < 3; ++k) {
+    CHECK(nearest(p.corners(k), {0, 0, 0}) < 1e-9);
+    for (const Vec3& corner : p.corners(k)) CHECK(std::fabs(p.segments[k].fit.plane.distance(corner)) < 1e-12);
+  }
+}
+
+TEST_CASE("joints: edges too far from a plane, or beside what is there of it, stay") {
+  Planes p;
+  p.add({0, -1, 0}, {0, 0, 0}, {0, 0}, {4.9, 3});  // ends 10 cm before the other plane: five spacings
+  p.add({1, 0, 0}, {5, 0, 0}, {0, 0}, {6, 3});
+  p.add({1, 0, 0}, {0, 20, 0}, {0, 0}, {6, 3});    // its plane passes the first wall's end, its face does not
+  CHECK(p.join().empty());
+  CHECK(nearest(p.corners(0), {4.9, 0, 0}) < 1e-12);
+  CHECK(p.join(0.2).size() == 2);
+  CHECK(nearest(p.corners(0), {5, 0, 0}) < 1e-12);
+}
+
+TEST_CASE("joints: a face that would meet its opening keeps its edges") {
+  Planes p;
+  p.add({0, -1, 0}, {0, 0, 0}, {0, 0}, {5.03, 3});
+  p.add({1, 0, 0}, {5, 0, 0}, {0, 0}, {6, 3});
+  const Vec2 o = p.planes[0].faces[0].outline.corners[0];
+  VectorRing hole;
+  hole.corners = {o + Vec2{4, 1}, o + Vec2{4, 2}, o + Vec2{5.02, 2}, o + Vec2{5.02, 1}};
+  hole.edges.resize(4);
+  p.planes[0].faces[0].openings.push_back(hole);
+  p.join();
+  CHECK(nearest(p.corners(0), {5.03, 0, 0}) < 1e-12);
+}

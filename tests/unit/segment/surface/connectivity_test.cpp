@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include "segment/surface/connectivity.h"
+
+using namespace jalon;
+
+namespace {
+
+void grid(std::vector<Vec2>& out, double u0, double v0, int columns, int rows) {
+  for (int i = 0; i < columns; ++i)
+    for (int k = 0; k < rows; ++k) out.push_back({u0 + 0.1 * i, v0 + 0.1 * k});
+}
+
+}  // namespace
+
+TEST_CASE("the largest region is kept, with pieces across a gap and without") {
+  std::vector<Vec2> points;
+  grid(points, 0, 0, 20, 20);    // 400 pixels
+  grid(points, 2.45, 0, 10, 20);  // 200 more behind a gap of 0.5 m
+  grid(points, 9, 9, 18, 30);    // 540, alone
+  CHECK(largest_region(points, {0.15, 0, 0.05, 0}).members.size() == 540);
+  const Region joined = largest_region(points, {0.15, 0.7, 0.05, 0});
+  CHECK(joined.members.size() == 600);
+  CHECK(joined.members.front() == 0);
+  CHECK(joined.area_m2 == doctest::Approx(6.0).epsilon(0.15));
+}
+
+TEST_CASE("fragments below the minimum area do not ride along") {
+  std::vector<Vec2> points;
+  grid(points, 0, 0, 20, 20);
+  grid(points, 2.2, 0, 1, 2);  // 0.02 m2 at 0.3 m
+  CHECK(largest_region(points, {0.15, 0.7, 0.05, 0}).members.size() == 400);
+  CHECK(largest_region(points, {0.15, 0.7, 0, 0}).members.size() == 402);
+}
+
+TEST_CASE("the pixel follows the spacing but never falls below the tolerance") {
+  RansacSettings settings;
+  CHECK(connectivity_pixel(settings, {}) == settings.distance_tolerance_m);
+  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.001f)) == settings.distance_tolerance_m);
+  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == doctest::Approx(0.2));
+  settings.pixel_m = 0.07;
+  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == 0.07);
+}
