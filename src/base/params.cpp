@@ -15,6 +15,7 @@ namespace jalon {
 namespace {
 
 ParamSet::Value default_of(const ParamRow& row) {
+  if (row.initial != nullptr) return row.initial(row);
   ParamSet::Value value;
   switch (row.type) {
     case ParamType::kDouble: value.number = row.number; break;
@@ -49,16 +50,6 @@ void check_range(const ParamRow& row, double value) {
     fail(Status::kInvalidArgument, "parameter \"%s\" = %s%s%s is outside %s ... %s", row.name,
          text_of(value).c_str(), *row.unit ? " " : "", row.unit, text_of(row.minimum).c_str(),
          text_of(row.maximum).c_str());
-}
-
-bool is_choice(const ParamRow& row, std::string_view value) {
-  std::string_view rest = row.choices;
-  for (;;) {
-    const size_t end = std::min(rest.find('|'), rest.size());
-    if (rest.substr(0, end) == value) return true;
-    if (end == rest.size()) return false;
-    rest.remove_prefix(end + 1);
-  }
 }
 
 void write_value(JsonWriter& json, ParamType type, const ParamSet::Value& value) {
@@ -106,6 +97,26 @@ void set_from_json(ParamSet& set, const JsonValue& value) {
 }
 
 }  // namespace
+
+size_t choice_place(const ParamRow& row, std::string_view choice) {
+  std::string_view rest = row.choices;
+  for (size_t place = 0;; ++place) {
+    const size_t end = std::min(rest.find('|'), rest.size());
+    if (rest.substr(0, end) == choice) return place;
+    if (end == rest.size()) return place + 1;
+    rest.remove_prefix(end + 1);
+  }
+}
+
+std::string choice_at(const ParamRow& row, size_t place) {
+  std::string_view rest = row.choices;
+  for (;; --place) {
+    const size_t end = std::min(rest.find('|'), rest.size());
+    if (place == 0) return std::string(rest.substr(0, end));
+    if (end == rest.size()) return "";
+    rest.remove_prefix(end + 1);
+  }
+}
 
 ParamSet::ParamSet(const char* owner, std::span<const ParamRow> rows) : owner_(owner), rows_(rows) { reset(); }
 
@@ -156,7 +167,7 @@ void ParamSet::set_text(std::string_view name, std::string_view value) {
   const size_t i = index_of(name);
   const ParamRow& row = rows_[i];
   if (row.type != ParamType::kString && row.type != ParamType::kChoice) wrong_type(row, "a text");
-  if (row.type == ParamType::kChoice && !is_choice(row, value))
+  if (row.type == ParamType::kChoice && choice_at(row, choice_place(row, value)).empty())
     fail(Status::kInvalidArgument, "parameter \"%s\" = \"%.*s\" is none of %s", row.name,
          static_cast<int>(std::min<size_t>(value.size(), 100)), value.data(), row.choices);
   values_[i].text = std::string(value);
@@ -202,6 +213,13 @@ void ParamSet::from_json(std::string_view json) {
   ParamSet trial = *this;
   for (const JsonValue& value : JsonChildren(values[0])) set_from_json(trial, value);
   values_.swap(trial.values_);
+}
+
+void ParamSet::load_into(void* settings, const char* tag) const {
+  for (size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].settings != tag) fail(Status::kInternal, "parameter \"%s\" belongs to other settings", rows_[i].name);
+    rows_[i].load(rows_[i], values_[i], settings);
+  }
 }
 
 std::string ParamSet::default_text(size_t i) const {

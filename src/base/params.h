@@ -14,41 +14,63 @@ namespace jalon {
 /// The numbers of jalon/params.h.
 enum class ParamType : int32_t { kDouble = 1, kInt64 = 2, kBool = 3, kString = 4, kChoice = 5, kDoubles = 6 };
 
-/// One row of a parameter table. Tables are constexpr arrays, made with the functions below.
+/// A value of a row; the member of the row's type counts. (A std::variant would do, but libstdc++ leaves one without a value
+/// when a copy runs out of memory.)
+struct ParamValue {
+  double number = 0;
+  int64_t integer = 0;
+  bool flag = false;
+  std::string text;
+  std::vector<double> numbers;
+};
+
+/// One row of a parameter table. Tables are constexpr arrays, made with the functions of base/setting_rows.h, which bind
+/// each row to a member of a settings struct.
 struct ParamRow {
-  const char* name;
-  ParamType type;
-  const char* unit;
-  const char* methods;  ///< comma-separated; "" = all
-  const char* help;
-  double number = 0;           ///< default of double, int64, bool
-  const char* text = "";       ///< default of string and choice; of doubles: numbers separated by spaces
-  const char* choices = "";    ///< separated by '|'
+  const char* name = "";
+  ParamType type = ParamType::kDouble;
+  const char* unit = "";
+  const char* methods = "";  ///< comma-separated; "" = all
+  const char* help = "";
+  const char* choices = "";  ///< separated by '|'
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
+  ParamValue (*initial)(const ParamRow&) = nullptr;                      ///< what a new settings struct holds
+  ParamValue (*save)(const ParamRow&, const void* settings) = nullptr;   ///< what this one holds
+  void (*load)(const ParamRow&, const ParamValue&, void* settings) = nullptr;
+  const char* settings = nullptr;  ///< &kSettingsTag of the struct
+  double number = 0;               ///< (rows that are not bound yet) default of double, int64, bool
+  const char* text = "";           ///< (rows that are not bound yet) default of string, choice and doubles
 };
+/// Its address tells the settings struct.
+template <class S>
+inline constexpr char kSettingsTag = 0;
+
+/// The place of a choice among the row's, from 0, or the number of choices; and the choice at a place.
+size_t choice_place(const ParamRow& row, std::string_view choice);
+std::string choice_at(const ParamRow& row, size_t place);
 
 constexpr ParamRow number_row(const char* name, double value, double minimum, double maximum, const char* unit,
                               const char* methods, const char* help) {
-  return {name, ParamType::kDouble, unit, methods, help, value, "", "", minimum, maximum};
+  return {.name = name, .type = ParamType::kDouble, .unit = unit, .methods = methods, .help = help, .minimum = minimum, .maximum = maximum, .number = value};
 }
 constexpr ParamRow integer_row(const char* name, int64_t value, double minimum, double maximum, const char* unit,
                                const char* methods, const char* help) {
-  return {name, ParamType::kInt64, unit, methods, help, static_cast<double>(value), "", "", minimum, maximum};
+  return {.name = name, .type = ParamType::kInt64, .unit = unit, .methods = methods, .help = help, .minimum = minimum, .maximum = maximum, .number = static_cast<double>(value)};
 }
 constexpr ParamRow bool_row(const char* name, bool value, const char* methods, const char* help) {
-  return {name, ParamType::kBool, "", methods, help, value ? 1.0 : 0.0};
+  return {.name = name, .type = ParamType::kBool, .methods = methods, .help = help, .number = value ? 1.0 : 0.0};
 }
 constexpr ParamRow string_row(const char* name, const char* value, const char* methods, const char* help) {
-  return {name, ParamType::kString, "", methods, help, 0, value};
+  return {.name = name, .type = ParamType::kString, .methods = methods, .help = help, .text = value};
 }
 constexpr ParamRow choice_row(const char* name, const char* value, const char* choices, const char* methods,
                               const char* help) {
-  return {name, ParamType::kChoice, "", methods, help, 0, value, choices};
+  return {.name = name, .type = ParamType::kChoice, .methods = methods, .help = help, .choices = choices, .text = value};
 }
 constexpr ParamRow doubles_row(const char* name, const char* values, double minimum, double maximum, const char* unit,
                                const char* methods, const char* help) {
-  return {name, ParamType::kDoubles, unit, methods, help, 0, values, "", minimum, maximum};
+  return {.name = name, .type = ParamType::kDoubles, .unit = unit, .methods = methods, .help = help, .minimum = minimum, .maximum = maximum, .text = values};
 }
 
 /// Values of a table's rows. Setters check name, type and range and throw Error(kInvalidArgument) or, for an unknown
@@ -56,15 +78,7 @@ constexpr ParamRow doubles_row(const char* name, const char* values, double mini
 /// (kInternal).
 class ParamSet {
  public:
-  /// The member of the row's type counts. (A std::variant would do, but libstdc++ leaves one without a value when a
-  /// copy runs out of memory.)
-  struct Value {
-    double number = 0;
-    int64_t integer = 0;
-    bool flag = false;
-    std::string text;
-    std::vector<double> numbers;
-  };
+  using Value = ParamValue;
 
   /// rows must live as long as the set (static tables do).
   ParamSet(const char* owner, std::span<const ParamRow> rows);
@@ -90,6 +104,8 @@ class ParamSet {
   void from_json(std::string_view json);  ///< all or nothing
   /// The default of row i as JSON text.
   std::string default_text(size_t i) const;
+  /// Fills a settings struct that all rows are bound to; see settings_from.
+  void load_into(void* settings, const char* tag) const;
 
  private:
   const Value& typed(std::string_view name, ParamType type) const;
@@ -97,5 +113,13 @@ class ParamSet {
   std::span<const ParamRow> rows_;
   std::vector<Value> values_;
 };
+
+/// The values as the settings struct that the table's rows are bound to.
+template <class S>
+S settings_from(const ParamSet& params) {
+  S settings{};
+  params.load_into(&settings, &kSettingsTag<S>);
+  return settings;
+}
 
 }  // namespace jalon
