@@ -67,21 +67,21 @@ struct Clean {
 
 }  // namespace
 
-void add_clean(CLI::App& app) {
-  auto* command = app.add_subcommand("clean", "Removes duplicates, outliers and unwanted points; thins");
+void add_clean(Command& app) {
+  Command command = app.subcommand("clean", "Removes duplicates, outliers and unwanted points; thins");
   auto state = std::make_shared<Clean>();
-  state->job.add_to(*command, "-o,--output", "Parameters of --set (for --outliers)", "outliers",
+  state->job.add_to(command, "-o,--output", "Parameters of --set (for --outliers)", "outliers",
                     "Example: jalon clean scan.las -o clean.las --outliers --voxel 0.02");
-  command->add_option("--duplicate-tolerance", state->duplicate_tolerance_m,
+  command.option("--duplicate-tolerance", state->duplicate_tolerance_m,
                       "Points that agree after rounding to this length are one (m)")
-      ->capture_default_str();
-  command->add_flag("--keep-duplicates", state->keep_duplicates, "Do not look for duplicates");
-  command->add_flag("--facade", state->facade_only,
+      .shows_default();
+  command.flag("--keep-duplicates", state->keep_duplicates, "Do not look for duplicates");
+  command.flag("--facade", state->facade_only,
                     "Keep the largest vertical entity: drops obstacles in front and ghosts behind");
-  command->add_flag("--outliers", state->remove_outliers, "Remove isolated points");
-  command->add_option("--voxel", state->voxel_m, "Thin to one point a cell of this edge length (m)")
-      ->check(CLI::PositiveNumber);
-  command->callback([state] { state->run(); });
+  command.flag("--outliers", state->remove_outliers, "Remove isolated points");
+  command.option("--voxel", state->voxel_m, "Thin to one point a cell of this edge length (m)")
+      .positive();
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/clearance_inputs.h"
+#include "cli/inputs/clearance_inputs.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
 #include "cli/table.h"
@@ -171,21 +171,21 @@ struct Clearance {
 
 }  // namespace
 
-void add_clearance(CLI::App& app) {
-  auto* command = app.add_subcommand("clearance", "Clearance of a model from a cloud or model; sweeps a gauge");
+void add_clearance(Command& app) {
+  Command command = app.subcommand("clearance", "Clearance of a model from a cloud or model; sweeps a gauge");
   auto state = std::make_shared<Clearance>();
-  command->add_option("inputs", state->inputs,
+  command.option("inputs", state->inputs,
                       "A model and a cloud or another model; with a gauge a cloud, a model or both")
-      ->required()->expected(1, 2)->type_name("FILE");
-  command->add_option("--gauge", state->gauge, "Gauge: a JSON file, or a model whose parts are convex")
-      ->type_name("FILE");
-  command->add_option("--trajectory", state->trajectory, "Poses of the gauge, a line each")->type_name("FILE");
-  command->add_option("--part", state->part, "Row of the model's part; else all of it")->check(CLI::NonNegativeNumber);
-  command->add_option("--other-part", state->other_part, "The same of the other model")->check(CLI::NonNegativeNumber);
-  command->add_option("-o,--output", state->output, "Also write tables, drawing and JSON here")->type_name("DIR");
-  state->settings.add_to(*command);
-  add_common(*command, state->common);
-  command->footer([] {
+      .required().expected(1, 2).type_name("FILE");
+  command.option("--gauge", state->gauge, "Gauge: a JSON file, or a model whose parts are convex")
+      .type_name("FILE");
+  command.option("--trajectory", state->trajectory, "Poses of the gauge, a line each").type_name("FILE");
+  command.option("--part", state->part, "Row of the model's part; else all of it").non_negative();
+  command.option("--other-part", state->other_part, "The same of the other model").non_negative();
+  command.option("-o,--output", state->output, "Also write tables, drawing and JSON here").type_name("DIR");
+  state->settings.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
     return "Parameters of --set:\n" + describe(make_params("clearance").get()) + R"(
 Clearances are signed: negative is the depth inside. A gauge is a file such as
   {"pieces": [{"type": "box", "size": [4, 2.6, 3.2], "at": [0, 0, 1.6]},
@@ -199,7 +199,7 @@ Examples:
   jalon clearance pipe.obj scan.las --set margin_m=0.05 -o result
   jalon clearance tunnel.las --gauge gauge.json --trajectory track.txt -o result)";
   });
-  command->callback([state] { state->run(); });
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

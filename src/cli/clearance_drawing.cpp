@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/clearance_inputs.h"
+#include "cli/inputs/clearance_inputs.h"
 #include "cli/console.h"
 
 namespace jalon::cli {

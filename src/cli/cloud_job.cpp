@@ -6,12 +6,12 @@
 
 namespace jalon::cli {
 
-void CloudJob::add_to(CLI::App& command, const char* output_option, const char* heading, const char* operation,
+void CloudJob::add_to(Command& command, const char* output_option, const char* heading, const char* operation,
                       const char* examples) {
   input.add_to(command);
-  command.add_option(output_option, output, "File to write: .las, .ply, .xyz, .txt, .csv")
-      ->required()
-      ->type_name("OUTPUT");
+  command.option(output_option, output, "File to write: .las, .ply, .xyz, .txt, .csv")
+      .required()
+      .type_name("OUTPUT");
   settings.add_to(command);
   add_common(command, common);
   command.footer(

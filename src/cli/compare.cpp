@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/compare_inputs.h"
+#include "cli/inputs/compare_inputs.h"
 #include "cli/compare_listing.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
-#include "cli/registration_file.h"
+#include "cli/inputs/registration_file.h"
 #include "cli/table.h"
 
 namespace jalon::cli {
@@ -258,46 +258,46 @@ std::string tables() {
 
 }  // namespace
 
-void add_compare(CLI::App& app) {
-  auto* command = app.add_subcommand("compare", "Two scans, a model and a scan, or two models: distances and changes");
+void add_compare(Command& app) {
+  Command command = app.subcommand("compare", "Two scans, a model and a scan, or two models: distances and changes");
   auto state = std::make_shared<Compare>();
-  command->add_option("reference", state->reference.path,
+  command.option("reference", state->reference.path,
                       "The scan (before) or the model (.obj, .stl, .json) that distances are taken from")
-      ->required()
-      ->type_name("REFERENCE");
-  command->add_option("compared", state->compared.path,
+      .required()
+      .type_name("REFERENCE");
+  command.option("compared", state->compared.path,
                       "The scan whose points get them (after), or a model, which gives points on its surfaces")
-      ->required()
-      ->type_name("COMPARED");
-  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
-  command->add_option("--method", state->method,
+      .required()
+      .type_name("COMPARED");
+  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
+  command.option("--method", state->method,
                       "How distances are measured; the parameters below tell which there are")
-      ->capture_default_str()
-      ->type_name("NAME");
-  command->add_option("--registration", state->registration,
+      .shows_default()
+      .type_name("NAME");
+  command.option("--registration", state->registration,
                       "registration.json of \"jalon register\": its covariance joins m3c2's level of detection")
-      ->type_name("FILE");
-  command->add_option("--threshold", state->threshold_m, "Distance (m) above which a point has changed")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--one-way", state->is_one_way,
+      .type_name("FILE");
+  command.option("--threshold", state->threshold_m, "Distance (m) above which a point has changed")
+      .positive();
+  command.flag("--one-way", state->is_one_way,
                     "Only the compared side with the reference: regions instead of classes of changes");
   for (const bool is_reference : {true, false}) {
     Input& input = is_reference ? state->reference : state->compared;
     const std::string prefix = is_reference ? "--reference-" : "--compared-";
-    command->add_option(prefix + "columns", input.columns,
+    command.option(prefix + "columns", input.columns,
                         "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
-        ->type_name("NAMES");
-    command->add_option(prefix + "station", input.station, "Where its scanner stood, for all points")
-        ->type_name("X,Y,Z");
+        .type_name("NAMES");
+    command.option(prefix + "station", input.station, "Where its scanner stood, for all points")
+        .type_name("X,Y,Z");
   }
-  command->add_flag_callback(
+  command.flag(
       "--drop-invalid", [state] { state->reference.drop_invalid = state->compared.drop_invalid = true; },
       "Drop points whose coordinates are not finite");
-  state->settings.add_to(*command);
-  state->change_settings.add_to(*command, "change-");
-  state->sample_settings.add_to(*command, "sample-");
-  add_common(*command, state->common);
-  command->footer([] {
+  state->settings.add_to(command);
+  state->change_settings.add_to(command, "change-");
+  state->sample_settings.add_to(command, "sample-");
+  add_common(command, state->common);
+  command.footer([] {
     return "Where the scans tell where their scanners stood, or --reference-station and --compared-station do, method\n"
            "distance leaves out what these could not see, takes distances from planes through the reference's points\n"
            "and widens the threshold where these lie far apart: visibility=stations, local_model=plane and\n"
@@ -310,7 +310,7 @@ void add_compare(CLI::App& app) {
            "  jalon compare planned.obj built.obj -o models --sample-set spacing_m=0.02\n"
            "  jalon compare march.las april.las -o creep --method m3c2 --set core_spacing_m=0.5";
   });
-  command->callback([state] { state->run(); });
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

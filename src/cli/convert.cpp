@@ -20,13 +20,13 @@ void run(const CloudJob& job) {
 
 }  // namespace
 
-void add_convert(CLI::App& app) {
-  auto* command = app.add_subcommand("convert", "Reads a scan and writes it in the format of the new extension");
+void add_convert(Command& app) {
+  Command command = app.subcommand("convert", "Reads a scan and writes it in the format of the new extension");
   auto job = std::make_shared<CloudJob>();
-  job->add_to(*command, "output", "Parameters of --set", "write",
+  job->add_to(command, "output", "Parameters of --set", "write",
               "Examples:\n  jalon convert scan.las scan.ply\n"
               "  jalon convert scan.txt scan.las --columns \"x y z intensity\"");
-  command->callback([job] { run(*job); });
+  command.on_run([job] { run(*job); });
 }
 
 }  // namespace jalon::cli

@@ -111,48 +111,48 @@ struct Evaluate {
   }
 };
 
-void add_options(CLI::App& command, Evaluate& state) {
+void add_options(Command& command, Evaluate& state) {
   Side &a = state.automatic, &r = state.reference;
-  command.add_option("automatic", a.input.path, "Labelled scan to judge")->required()->type_name("AUTO");
-  command.add_option("reference", r.input.path,
+  command.option("automatic", a.input.path, "Labelled scan to judge").required().type_name("AUTO");
+  command.option("reference", r.input.path,
                       "Labelled scan that is right, the same points; none: fields of AUTO")
-      ->type_name("REFERENCE");
-  command.add_option("--labels", a.labels, "Field of AUTO with a whole number a segment")
-      ->default_val("label")->type_name("FIELD");
-  command.add_option("--reference-labels", r.labels,
+      .type_name("REFERENCE");
+  command.option("--labels", a.labels, "Field of AUTO with a whole number a segment")
+      .default_text("label").type_name("FIELD");
+  command.option("--reference-labels", r.labels,
                       "Field of the reference; with two files the same name by default")
-      ->type_name("FIELD");
-  command.add_option("--noise-label", a.noise,
+      .type_name("FIELD");
+  command.option("--noise-label", a.noise,
                       "Value of AUTO's field that means no segment; 0 by default (repeatable)")
-      ->allow_extra_args(false);
-  command.add_option("--reference-noise-label", r.noise, "The same of the reference (repeatable)")
-      ->allow_extra_args(false);
-  command.add_option("--class-field", a.class_field, "Field of AUTO with a class a point: also a confusion matrix")
-      ->type_name("FIELD");
-  command.add_option("--reference-class-field", r.class_field, "Field of the reference with the true class")
-      ->type_name("FIELD");
-  command.add_option("--ignore-class", state.ignored_classes,
+      .one_each_time();
+  command.option("--reference-noise-label", r.noise, "The same of the reference (repeatable)")
+      .one_each_time();
+  command.option("--class-field", a.class_field, "Field of AUTO with a class a point: also a confusion matrix")
+      .type_name("FIELD");
+  command.option("--reference-class-field", r.class_field, "Field of the reference with the true class")
+      .type_name("FIELD");
+  command.option("--ignore-class", state.ignored_classes,
                       "Leave points of this reference class out (repeatable)")
-      ->allow_extra_args(false);
-  command.add_flag("--classes-only", state.only_classes, "No segments, only classes");
-  command.add_option("--columns", a.input.columns,
+      .one_each_time();
+  command.flag("--classes-only", state.only_classes, "No segments, only classes");
+  command.option("--columns", a.input.columns,
                       "Columns of a text file, e.g. \"x y z intensity class instance\"")
-      ->type_name("NAMES");
-  command.add_option("--reference-columns", r.input.columns, "The same of REFERENCE; AUTO's by default")
-      ->type_name("NAMES");
-  command.add_option("--csv", state.csv, "Also write the table of pairs as CSV")->type_name("FILE");
+      .type_name("NAMES");
+  command.option("--reference-columns", r.input.columns, "The same of REFERENCE; AUTO's by default")
+      .type_name("NAMES");
+  command.option("--csv", state.csv, "Also write the table of pairs as CSV").type_name("FILE");
 }
 
 }  // namespace
 
-void add_evaluate(CLI::App& app) {
-  auto* command = app.add_subcommand("evaluate-segmentation",
+void add_evaluate(Command& app) {
+  Command command = app.subcommand("evaluate-segmentation",
                                      "Compares segments, and classes, with a reference of the same points");
   auto state = std::make_shared<Evaluate>();
-  add_options(*command, *state);
-  state->settings.add_to(*command);
-  add_common(*command, state->common);
-  command->footer([] {
+  add_options(command, *state);
+  state->settings.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
     return "Parameters of --set:\n" + describe(make_params("evaluation").get()) + R"(
 TDR = I / Card SR (detected share of a reference segment), TDA = I / Card A (right share of an automatic one),
 D+ and D- the points of one side alone. Segments are paired one to one with the largest total overlap.
@@ -164,7 +164,7 @@ Examples:
   jalon evaluate-segmentation scan.las --labels label --reference-labels face --reference-noise-label 4294967295
   jalon evaluate-segmentation scan.las --classes-only --class-field found --reference-class-field class --json)";
   });
-  command->callback([state] { state->run(); });
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

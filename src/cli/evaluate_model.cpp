@@ -141,17 +141,17 @@ struct EvaluateModel {
 
 }  // namespace
 
-void add_evaluate_model(CLI::App& app) {
-  auto* command = app.add_subcommand("evaluate-model",
+void add_evaluate_model(Command& app) {
+  Command command = app.subcommand("evaluate-model",
                                      "Compares a vector model with a reference: areas, contours, vertices");
   auto state = std::make_shared<EvaluateModel>();
-  command->add_option("model", state->automatic, "Model to judge")->required()->type_name("MODEL");
-  command->add_option("reference", state->reference, "Model that is right")->required()->type_name("REFERENCE");
-  command->add_option("-o,--output", state->output, "Also write faces.csv, vertices.csv and evaluation.json here")
-      ->type_name("DIR");
-  state->settings.add_to(*command);
-  add_common(*command, state->common);
-  command->footer([] {
+  command.option("model", state->automatic, "Model to judge").required().type_name("MODEL");
+  command.option("reference", state->reference, "Model that is right").required().type_name("REFERENCE");
+  command.option("-o,--output", state->output, "Also write faces.csv, vertices.csv and evaluation.json here")
+      .type_name("DIR");
+  state->settings.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
     return "Parameters of --set:\n" + describe(make_params("model_evaluation").get()) + R"(
 A and R are the areas of a face and its reference in one plane: compl(eteness) = A n R / R, corr(ectness) = A n R / A,
 qual(ity) = A n R / A u R, branch(ing) = A \ R / A n R, miss = R \ A / A n R, FP/R = A \ R / R. H95: 95 % of both
@@ -163,7 +163,7 @@ Examples:
   jalon evaluate-model result/model.city.json survey.obj
   jalon evaluate-model model.obj drawn.obj --set mode=relative --set compare=openings -o result)";
   });
-  command->callback([state] { state->run(); });
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

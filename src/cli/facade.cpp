@@ -126,28 +126,28 @@ std::string tables() {
 
 }  // namespace
 
-void add_facade(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("facade", "From a scan to planes, a model with windows and doors, a drawing and a report");
+void add_facade(Command& app) {
+  Command command =
+      app.subcommand("facade", "From a scan to planes, a model with windows and doors, a drawing and a report");
   auto state = std::make_shared<Facade>();
-  state->input.add_to(*command);
-  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
-  command->add_option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
-      ->check(CLI::PositiveNumber);
-  state->settings.add_to(*command);
-  command->add_option("--model-method", state->model_method,
+  state->input.add_to(command);
+  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
+  command.option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
+      .positive();
+  state->settings.add_to(command);
+  command.option("--model-method", state->model_method,
                       "How the model is made; the parameters below tell which methods there are")
-      ->capture_default_str()
-      ->type_name("NAME");
-  state->model_settings.add_to(*command, "model-");
-  state->files.add_to(*command);
-  add_common(*command, state->common);
-  command->footer([] {
+      .shows_default()
+      .type_name("NAME");
+  state->model_settings.add_to(command, "model-");
+  state->files.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
     return tables() +
            "\nExamples:\n  jalon facade scan.las -o result\n"
            "  jalon facade scan.txt -o result --columns \"x y z intensity\" --set seed=7";
   });
-  command->callback([state] { state->run(); });
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

@@ -118,14 +118,14 @@ void run_info(const Common& common, const Input& input) {
 
 }  // namespace
 
-void add_info(CLI::App& app) {
-  auto* command = app.add_subcommand("info", "What a scan holds: points, box, CRS, stations, fields");
+void add_info(Command& app) {
+  Command command = app.subcommand("info", "What a scan holds: points, box, CRS, stations, fields");
   auto common = std::make_shared<Common>();
   auto input = std::make_shared<Input>();
-  input->add_to(*command);
-  add_common(*command, *common);
-  command->footer("Example: jalon info scan.las --json");
-  command->callback([=] { run_info(*common, *input); });
+  input->add_to(command);
+  add_common(command, *common);
+  command.footer("Example: jalon info scan.las --json");
+  command.on_run([=] { run_info(*common, *input); });
 }
 
 }  // namespace jalon::cli

@@ -43,28 +43,24 @@ int exit_code(jalon_status status) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Jalon: laser scans in, planes, facade models and drawings out."};
-  app.footer(kFooter);
-  app.set_version_flag("--version", std::string("jalon ") + jalon_version());
-  app.require_subcommand(1);
-  add_info(app);
-  add_convert(app);
-  add_clean(app);
-  add_normals(app);
-  add_facade(app);
-  add_segment(app);
-  add_model(app);
-  add_evaluate(app);
-  add_evaluate_model(app);
-  add_register(app);
-  add_compare(app);
-  add_clearance(app);
-  add_scan(app);
+  const auto declare = [](Command& app) {
+    add_info(app);
+    add_convert(app);
+    add_clean(app);
+    add_normals(app);
+    add_facade(app);
+    add_segment(app);
+    add_model(app);
+    add_evaluate(app);
+    add_evaluate_model(app);
+    add_register(app);
+    add_compare(app);
+    add_clearance(app);
+    add_scan(app);
+  };
   try {
-    app.parse(argc, argv);
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return run_commands(argc, argv, "Jalon: laser scans in, planes, facade models and drawings out.", kFooter,
+                        (std::string("jalon ") + jalon_version()).c_str(), declare);
   } catch (const Failure& failure) {
     std::fprintf(stderr, "jalon: %s\n", failure.text.c_str());
     return exit_code(failure.status);

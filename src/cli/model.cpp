@@ -102,32 +102,32 @@ struct ModelJob {
 
 }  // namespace
 
-void add_model(CLI::App& app) {
-  auto* command = app.add_subcommand("model", "From segments to a vector model: files for CAD, a drawing and a report");
+void add_model(Command& app) {
+  Command command = app.subcommand("model", "From segments to a vector model: files for CAD, a drawing and a report");
   auto state = std::make_shared<ModelJob>();
-  state->input.add_to(*command);
-  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
-  command->add_option("--labels", state->labels,
+  state->input.add_to(command);
+  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
+  command.option("--labels", state->labels,
                       "Field with the segment of each point (what \"jalon segment\" wrote, hand labels ...); "
                       "without it the points are segmented first")
-      ->type_name("FIELD");
-  command->add_option("--noise-label", state->noise, "A label that is no segment; default 0 (repeatable)")
-      ->type_name("LABEL")
-      ->allow_extra_args(false);
-  command->add_option("--method", state->method,
+      .type_name("FIELD");
+  command.option("--noise-label", state->noise, "A label that is no segment; default 0 (repeatable)")
+      .type_name("LABEL")
+      .one_each_time();
+  command.option("--method", state->method,
                       "How the model is made; the parameters below tell which methods there are")
-      ->capture_default_str()
-      ->type_name("NAME");
-  command->add_option("--segmenter", state->segmenter, "How segments are found without --labels")
-      ->capture_default_str()
-      ->type_name("NAME");
-  command->add_option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
-      ->check(CLI::PositiveNumber);
-  state->settings.add_to(*command);
-  state->segment_settings.add_to(*command, "segment-");
-  state->files.add_to(*command);
-  add_common(*command, state->common);
-  command->footer([] {
+      .shows_default()
+      .type_name("NAME");
+  command.option("--segmenter", state->segmenter, "How segments are found without --labels")
+      .shows_default()
+      .type_name("NAME");
+  command.option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
+      .positive();
+  state->settings.add_to(command);
+  state->segment_settings.add_to(command, "segment-");
+  state->files.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
     return modeller_tables("--set") + segmenter_tables("--segment-set") + "Parameters of --drawing-set:\n" +
            describe(make_params("elevation").get()) + "\nParameters of --scanner-set (precision of the scanner):\n" +
            describe(make_params("precision").get()) +
@@ -136,7 +136,7 @@ void add_model(CLI::App& app) {
            "  jalon model scan.las -o result --segmenter region_growing --tolerance 0.01 --drawing-set scale=50\n"
            "  jalon model scan.las -o result --station 12.5,-8,1.7 --scanner-set sigma_range_m=0.002";
   });
-  command->callback([state] { state->run(); });
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

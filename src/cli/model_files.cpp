@@ -115,7 +115,7 @@ std::string modeller_tables(const std::string& option) {
   });
 }
 
-void ModelFiles::add_to(CLI::App& command) {
+void ModelFiles::add_to(Command& command) {
   drawing.add_to(command, "drawing-");
   scanner.add_to(command, "scanner-");
 }

@@ -24,7 +24,7 @@ struct ModelFiles {
   Settings drawing;  ///< of operation "elevation"
   Settings scanner;  ///< of operation "precision"; none: not told
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
   /// The notes of a report with what was told of the scanner. Refuses it for a cloud without stations.
   void note_scanner(jalon_cloud* cloud, nlohmann::ordered_json& notes) const;
   /// model.obj, model.dxf ...: each vector format that the library writes; elevation.svg of the whole, elevation_1.svg

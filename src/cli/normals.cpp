@@ -25,12 +25,12 @@ void run(const CloudJob& job) {
 
 }  // namespace
 
-void add_normals(CLI::App& app) {
-  auto* command = app.add_subcommand("normals", "Computes a normal for every point");
+void add_normals(Command& app) {
+  Command command = app.subcommand("normals", "Computes a normal for every point");
   auto job = std::make_shared<CloudJob>();
-  job->add_to(*command, "-o,--output", "Parameters of --set", "normals",
+  job->add_to(command, "-o,--output", "Parameters of --set", "normals",
               "Example: jalon normals scan.las -o normals.ply --set k=24 --set orientation=centroid");
-  command->callback([job] { run(*job); });
+  command.on_run([job] { run(*job); });
 }
 
 }  // namespace jalon::cli

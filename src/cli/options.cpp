@@ -9,19 +9,19 @@
 
 namespace jalon::cli {
 
-void add_common(CLI::App& command, Common& common) {
-  command.add_flag("-q,--quiet", common.quiet, "Print nothing but errors");
-  command.add_flag("--json", common.json, "Print the result as one JSON object");
-  command.add_option("--threads", common.threads, "Threads; 0 = all processors. The result does not depend on it")
-      ->check(CLI::Range(0, 256));
+void add_common(Command& command, Common& common) {
+  command.flag("-q,--quiet", common.quiet, "Print nothing but errors");
+  command.flag("--json", common.json, "Print the result as one JSON object");
+  command.option("--threads", common.threads, "Threads; 0 = all processors. The result does not depend on it")
+      .between(0, 256);
 }
 
-void Settings::add_to(CLI::App& command, const std::string& prefix) {
-  command.add_option("--" + prefix + "set", assignments,
+void Settings::add_to(Command& command, const std::string& prefix) {
+  command.option("--" + prefix + "set", assignments,
                      "Set a parameter, e.g. --" + prefix + "set min_area_m2=0.2 (repeatable)")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
-  command.add_option("--" + prefix + "params", json_file, "Read parameters from a JSON file")->type_name("FILE");
+      .type_name("NAME=VALUE")
+      .one_each_time();
+  command.option("--" + prefix + "params", json_file, "Read parameters from a JSON file").type_name("FILE");
 }
 
 namespace {
@@ -86,14 +86,14 @@ std::string describe(jalon_params* params) {
   return text;
 }
 
-void Input::add_to(CLI::App& command, bool required) {
-  command.add_option("scan", path, "Scan file: LAS, PLY, XYZ, TXT, CSV")->required(required)->type_name("SCAN");
-  command.add_option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
-      ->type_name("NAMES");
-  command.add_option("--station", station,
+void Input::add_to(Command& command, bool required) {
+  command.option("scan", path, "Scan file: LAS, PLY, XYZ, TXT, CSV").required(required).type_name("SCAN");
+  command.option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
+      .type_name("NAMES");
+  command.option("--station", station,
                      "Where the scanner stood, for all points: tells the front of surfaces and what was seen")
-      ->type_name("X,Y,Z");
-  command.add_flag("--drop-invalid", drop_invalid, "Drop points whose coordinates are not finite");
+      .type_name("X,Y,Z");
+  command.flag("--drop-invalid", drop_invalid, "Drop points whose coordinates are not finite");
 }
 
 Cloud Input::read(Console& console) const {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command.h"
 #include "cli/console.h"
 #include "cli/handles.h"
 
@@ -18,12 +18,12 @@ struct Settings {
   std::string json_file;
 
   /// prefix: "" or e.g. "outline-" for a command with two sets.
-  void add_to(CLI::App& command, const std::string& prefix = "");
+  void add_to(Command& command, const std::string& prefix = "");
   void apply(jalon_params* params) const;
   bool is_given() const { return !assignments.empty() || !json_file.empty(); }
 };
 
-void add_common(CLI::App& command, Common& common);
+void add_common(Command& command, Common& common);
 
 /// The parameter set of an operation.
 Params make_params(const char* operation);
@@ -38,7 +38,7 @@ struct Input {
   std::string station;  ///< "X,Y,Z" of the one scanner position; "": as the file tells
   bool drop_invalid = false;
 
-  void add_to(CLI::App& command, bool required = true);
+  void add_to(Command& command, bool required = true);
   Cloud read(Console& console) const;
 };
 
@@ -47,18 +47,18 @@ uint64_t count_of(const Cloud& cloud);
 jalon_transform pose_at(const std::string& text);
 
 // One function a command: declares it and what runs it.
-void add_info(CLI::App& app);
-void add_convert(CLI::App& app);
-void add_clean(CLI::App& app);
-void add_normals(CLI::App& app);
-void add_facade(CLI::App& app);
-void add_segment(CLI::App& app);
-void add_model(CLI::App& app);
-void add_evaluate(CLI::App& app);
-void add_evaluate_model(CLI::App& app);
-void add_register(CLI::App& app);
-void add_compare(CLI::App& app);
-void add_clearance(CLI::App& app);
-void add_scan(CLI::App& app);
+void add_info(Command& app);
+void add_convert(Command& app);
+void add_clean(Command& app);
+void add_normals(Command& app);
+void add_facade(Command& app);
+void add_segment(Command& app);
+void add_model(Command& app);
+void add_evaluate(Command& app);
+void add_evaluate_model(Command& app);
+void add_register(Command& app);
+void add_compare(Command& app);
+void add_clearance(Command& app);
+void add_scan(Command& app);
 
 }  // namespace jalon::cli

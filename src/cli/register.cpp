@@ -7,9 +7,9 @@
 
 #include "cli/options.h"
 #include "cli/output_folder.h"
-#include "cli/pose_file.h"
+#include "cli/inputs/pose_file.h"
 #include "cli/table.h"
-#include "cli/targets_file.h"
+#include "cli/inputs/targets_file.h"
 
 namespace jalon::cli {
 
@@ -175,40 +175,40 @@ std::string tables() {
 
 }  // namespace
 
-void add_register(CLI::App& app) {
-  auto* command = app.add_subcommand("register", "Lays one scan onto another: the pose, and what it is worth");
+void add_register(Command& app) {
+  Command command = app.subcommand("register", "Lays one scan onto another: the pose, and what it is worth");
   auto state = std::make_shared<Register>();
-  command->add_option("reference", state->reference.path, "The scan that stays")->required()->type_name("REFERENCE");
-  command->add_option("moving", state->moving.path, "The scan that is laid onto it")->required()->type_name("MOVING");
-  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
-  command->add_option("--method", state->method,
+  command.option("reference", state->reference.path, "The scan that stays").required().type_name("REFERENCE");
+  command.option("moving", state->moving.path, "The scan that is laid onto it").required().type_name("MOVING");
+  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
+  command.option("--method", state->method,
                       "automatic: from anywhere, coarse, then icp (the default); icp: from a start that is about right "
                       "(the default with --start); coarse: from anywhere, roughly; targets: see --targets")
-      ->type_name("NAME");
-  command->add_option("--start", state->start, "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")
-      ->type_name("FILE");
-  command->add_option("--targets", state->targets,
+      .type_name("NAME");
+  command.option("--start", state->start, "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")
+      .type_name("FILE");
+  command.option("--targets", state->targets,
                       "Two files with the targets of REFERENCE and of MOVING, which are then registered by them; a "
                       "line each: name x y z [sigma | sx sy sz] in metres, - for no name")
-      ->expected(2)
-      ->type_name("FILE FILE");
+      .expected(2, 2)
+      .type_name("FILE FILE");
   for (const bool is_reference : {true, false}) {
     Input& input = is_reference ? state->reference : state->moving;
-    command->add_option(std::string(is_reference ? "--reference-" : "--moving-") + "columns", input.columns,
+    command.option(std::string(is_reference ? "--reference-" : "--moving-") + "columns", input.columns,
                         "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
-        ->type_name("NAMES");
+        .type_name("NAMES");
   }
-  command->add_flag_callback(
+  command.flag(
       "--drop-invalid", [state] { state->reference.drop_invalid = state->moving.drop_invalid = true; },
       "Drop points whose coordinates are not finite");
-  state->settings.add_to(*command);
-  add_common(*command, state->common);
-  command->footer([] {
+  state->settings.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
     return tables() + "Examples:\n  jalon register hall_1.las hall_2.las -o joined\n"
                       "  jalon register hall_1.las hall_2.las -o joined --start pose.txt\n"
                       "  jalon register hall_1.las hall_2.las -o joined --targets control.txt spheres_2.txt";
   });
-  command->callback([state] {
+  command.on_run([state] {
     if (!state->targets.empty()) state->method = "targets";
     if (state->method.empty()) state->method = state->start.empty() ? "automatic" : "icp";
     state->run();

@@ -67,24 +67,24 @@ std::string scanner_table(const char* method) {
 
 }  // namespace
 
-void add_scan(CLI::App& app) {
-  auto* command = app.add_subcommand(
+void add_scan(Command& app) {
+  Command command = app.subcommand(
       "scan", "Scans a ready-made scene with a virtual scanner; the truth comes along as fields");
   auto state = std::make_shared<Scan>();
-  command->add_option("--scene", state->scene, "Scene to scan; names below")->capture_default_str()->type_name("NAME");
-  command->add_option("--method", state->method, "static: a tripod scanner; sample: random points on all faces")
-      ->capture_default_str()
-      ->type_name("NAME");
-  command->add_option("-o,--output", state->output, "Scan to write")->required()->type_name("FILE");
-  command->add_option("--model", state->model_output, "Also write the scene as a model (.obj)")->type_name("FILE");
+  command.option("--scene", state->scene, "Scene to scan; names below").shows_default().type_name("NAME");
+  command.option("--method", state->method, "static: a tripod scanner; sample: random points on all faces")
+      .shows_default()
+      .type_name("NAME");
+  command.option("-o,--output", state->output, "Scan to write").required().type_name("FILE");
+  command.option("--model", state->model_output, "Also write the scene as a model (.obj)").type_name("FILE");
   command
-      ->add_option("--station", state->stations, "Scanner position; without one, two are placed in front (repeatable)")
-      ->type_name("X,Y,Z")
-      ->allow_extra_args(false);
-  state->settings.add_to(*command);
-  state->scene_settings.add_to(*command, "scene-");
-  add_common(*command, state->common);
-  command->footer([] {
+      .option("--station", state->stations, "Scanner position; without one, two are placed in front (repeatable)")
+      .type_name("X,Y,Z")
+      .one_each_time();
+  state->settings.add_to(command);
+  state->scene_settings.add_to(command, "scene-");
+  add_common(command, state->common);
+  command.footer([] {
     return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) +
            "\nParameters of --set with --method static:\n" + scanner_table("static") +
            "\nParameters of --set with --method sample:\n" + scanner_table("sample") +
@@ -93,7 +93,7 @@ void add_scan(CLI::App& app) {
            "--set glass_return_max=0.3 -o insa.las\n"
            "          jalon scan --scene patches --method sample --set points=60000 -o patches.las";
   });
-  command->callback([state] { state->run(); });
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

@@ -123,31 +123,31 @@ std::string tables() {
 
 }  // namespace
 
-void add_segment(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("segment", "From a scan to labelled points, a table of the segments and a picture of them");
+void add_segment(Command& app) {
+  Command command =
+      app.subcommand("segment", "From a scan to labelled points, a table of the segments and a picture of them");
   auto state = std::make_shared<Segment>();
-  state->input.add_to(*command);
-  command->add_option("-o,--output", state->output, "Folder for the results")->required()->type_name("DIR");
-  command->add_option("--method", state->method,
+  state->input.add_to(command);
+  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
+  command.option("--method", state->method,
                       "How segments are found: ransac, ...; the parameters below tell which there are")
-      ->capture_default_str()
-      ->type_name("NAME");
-  command->add_option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the method's")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--view", state->view,
+      .shows_default()
+      .type_name("NAME");
+  command.option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the method's")
+      .positive();
+  command.option("--view", state->view,
                       "What the picture shows")
-      ->check(CLI::IsMember({"front", "plan"}))->capture_default_str();
-  state->settings.add_to(*command);
-  add_common(*command, state->common);
-  command->footer([] {
+      .among({"front", "plan"}).shows_default();
+  state->settings.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
     return tables() +
            "Examples:\n  jalon segment scan.las -o result\n"
            "  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set min_area_m2=0.2\n"
            "  jalon segment plant.las -o result --set primitives=all --set max_radius_m=1\n"
            "  jalon evaluate-segmentation result/segments.las reference.las";
   });
-  command->callback([state] { state->run(); });
+  command.on_run([state] { state->run(); });
 }
 
 }  // namespace jalon::cli

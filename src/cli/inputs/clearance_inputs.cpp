@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/clearance_inputs.h"
+#include "cli/inputs/clearance_inputs.h"
 
 #include <algorithm>
 #include <array>

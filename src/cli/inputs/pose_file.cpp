@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/pose_file.h"
+#include "cli/inputs/pose_file.h"
 
 #include <algorithm>
 #include <charconv>

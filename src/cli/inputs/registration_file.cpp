@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/registration_file.h"
+#include "cli/inputs/registration_file.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/targets_file.h"
+#include "cli/inputs/targets_file.h"
 
 #include <algorithm>
 #include <charconv>
