@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+"""Builds what the chosen suites need and runs them, two at a time; tests/run.sh sets up the machine and calls it.
+
+The last line is "N passed, N failed, N skipped"; before it stand the slowest suites and, in JSON, build/logs/suites.json.
+"""
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import time
+
+from counting import counts, figures, troubles
+from parts import part_of
+from suites import BUILDS, ROOT, SANITIZED, all_suites, folder
+
+LOGS = os.path.join(ROOT, "build", "logs")
+AT_ONCE = 2  # the machine that the project is tested on has two cores
+SLOWEST = 10
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="tests/run.sh", description="Sets up, builds and passes the tests.")
+    parser.add_argument("--full", nargs="?", const="1/1", metavar="I/N",
+                        help="also what is too long for every change; 1/4 ... 4/4: in parts, all of which make the whole")
+    parser.add_argument("--only", default="", metavar="PATTERN", help="the suites whose name matches the regular expression")
+    parser.add_argument("--list", action="store_true", help="names the suites and ends")
+    return parser.parse_args()
+
+
+def chosen_suites(options):
+    suites = [s for s in all_suites() if options.full or not s.full]
+    if options.full:
+        try:
+            part, parts = (int(n) for n in options.full.split("/"))
+        except ValueError:
+            raise SystemExit("tests/run.sh: --full takes I/N, such as 1/4, not " + options.full)
+        suites = part_of(suites, part, parts)
+    return [s for s in suites if re.search(options.only, s.name)]
+
+
+class Runner:
+    def __init__(self, is_full):
+        self.started = time.monotonic()
+        self.environment = dict(os.environ, **({"JALON_FULL": "1"} if is_full else {}))
+        self.total, self.failed_suites, self.rows = [0, 0, 0], [], []
+
+    def seconds(self):
+        return time.monotonic() - self.started
+
+    def build(self, build, suites):
+        """Configures, then builds what these suites need; a failure ends the run: nothing after it would mean anything."""
+        print("== building %s (%.0f s)" % (build, self.seconds()), flush=True)
+        begin, log = time.monotonic(), os.path.join(LOGS, "build_%s.log" % build)
+        targets = sorted({t for s in suites for t in s.targets})
+        with open(log, "w", encoding="utf-8") as out:
+            ok = subprocess.run(["cmake", "-S", ROOT, "--preset", build], cwd=ROOT, stdout=out, stderr=subprocess.STDOUT,
+                                stdin=subprocess.DEVNULL).returncode == 0
+            if ok and targets:
+                ok = subprocess.run(["ninja", "-C", folder(build)] + targets, stdout=out, stderr=subprocess.STDOUT,
+                                    stdin=subprocess.DEVNULL).returncode == 0
+        if not ok:
+            lines = open(log, encoding="utf-8", errors="replace").read().splitlines()
+            print("\n".join([line for line in lines if re.search("error|FAILED", line)][:40] + lines[-20:]))
+            print("0 passed, 1 failed, 0 skipped")
+            sys.exit(1)
+        self.rows.append({"suite": "build " + build, "wall_s": time.monotonic() - begin, "passed": 0})
+
+    def start(self, suite):
+        log = os.path.join(LOGS, suite.name + ".log")
+        os.makedirs(os.path.dirname(log), exist_ok=True)
+        work = os.path.join(ROOT, "build", "work", suite.name)  # some write files of odd names
+        os.makedirs(work, exist_ok=True)
+        is_program = len(suite.command) == 1
+        with open(log, "wb") as out:
+            process = subprocess.Popen(suite.command, cwd=work if is_program else ROOT, stdout=out, stderr=subprocess.STDOUT,
+                                       stdin=subprocess.DEVNULL, env=dict(self.environment, **suite.environment))
+        return process, suite, time.monotonic(), log
+
+    def finish(self, job, code, usage):
+        _, suite, begin, log = job
+        text = open(log, encoding="utf-8", errors="replace").read()
+        passed, failed, skipped = counts(text, code)
+        for i, n in enumerate((passed, failed, skipped)):
+            self.total[i] += n
+        wall, cpu = time.monotonic() - begin, usage.ru_utime + usage.ru_stime
+        self.rows.append({"suite": suite.name, "passed": passed, "failed": failed, "skipped": skipped, "wall_s": wall, "cpu_s": cpu})
+        print("%-34s %5d passed %3d failed %3d skipped %5.0f s %5.0f s of processor" % (suite.name, passed, failed, skipped, wall, cpu))
+        for line in figures(text):
+            print("  " + line)
+        if failed:
+            self.failed_suites.append(suite.name)
+            print("\n".join(troubles(text)))
+        sys.stdout.flush()
+
+    def run(self, suites):
+        """Two at a time, in order; those that want no company by themselves at the end."""
+        for group, most in (([s for s in suites if not s.is_alone], AT_ONCE), ([s for s in suites if s.is_alone], 1)):
+            waiting, running = list(group), {}
+            while waiting or running:
+                while waiting and len(running) < most:
+                    job = self.start(waiting.pop(0))
+                    running[job[0].pid] = job
+                pid, status, usage = os.wait4(-1, 0)
+                if pid in running:
+                    self.finish(running.pop(pid), os.waitstatus_to_exitcode(status), usage)
+
+    def close(self):
+        os.makedirs(LOGS, exist_ok=True)
+        with open(os.path.join(LOGS, "suites.json"), "w", encoding="utf-8") as out:
+            json.dump(self.rows, out, indent=1)
+        print("the slowest:")
+        for row in sorted(self.rows, key=lambda r: -r["wall_s"])[:SLOWEST]:
+            print("  %-34s %5.0f s" % (row["suite"], row["wall_s"]))
+        if self.failed_suites:
+            print("failed: " + " ".join(self.failed_suites))
+        print("took %.0f s" % self.seconds())
+        print("%d passed, %d failed, %d skipped" % tuple(self.total))
+        return 1 if self.total[1] or not sum(self.total) else 0
+
+
+def need_packages(suites):
+    names = sorted({n for s in suites for n in s.packages})
+    return not names or subprocess.run(["bash", "-c", '. "$0/examples/packages.sh" && need_packages "$@"', ROOT] + names).returncode == 0
+
+
+def main():
+    options = arguments()
+    suites = chosen_suites(options)
+    if options.list:
+        print("\n".join(s.name for s in suites))
+        return 0
+    if not suites:
+        raise SystemExit("tests/run.sh: no suite matches %s" % options.only)
+    os.makedirs(LOGS, exist_ok=True)
+    if not need_packages(suites):
+        return 1
+    runner = Runner(options.full is not None)
+    for build in BUILDS:
+        of_build = [s for s in suites if s.build == build]
+        if of_build:
+            runner.build(build, of_build)
+            runner.run(of_build)
+    return runner.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

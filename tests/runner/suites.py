@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: 2026 The Jalon authors
+# SPDX-License-Identifier: Apache-2.0
+"""The suites: what each runs, of which build, what must be built for it, and whether it may have company."""
+
+import os
+from dataclasses import dataclass, field
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BUILDS = ("release", "asan", "tsan")
+SANITIZED = {
+    "release": {},
+    "asan": {"JALON_SANITIZED": "1", "ASAN_OPTIONS": "detect_leaks=1:allocator_may_return_null=1",
+             "UBSAN_OPTIONS": "print_stacktrace=1"},
+    "tsan": {"JALON_SANITIZED": "1", "TSAN_OPTIONS": "halt_on_error=1"},
+}
+# Programs with promises about latency, memory or the threads of the machine: nothing else runs beside them.
+ALONE = {"capi_cancel_test", "capi_threads_test", "capi_allocation_test", "bindings_python", "bindings_csharp", "bindings_java",
+         "fresh_root", "bench", "bindings_from_source"}
+# Rooms whose unit tests also run under the thread sanitizer; the first in every run.
+THREADED = ["unit_base"]
+THREADED_FULL = ["unit_spatial", "unit_cloud", "unit_segment", "unit_scan", "unit_modelling"]
+
+
+@dataclass
+class Suite:
+    name: str
+    command: list
+    build: str = "release"
+    targets: list = field(default_factory=list)  # of ninja; none: only the build's configuration
+    full: bool = False  # too long for every change
+    packages: list = field(default_factory=list)  # of Debian, beyond those of run.sh
+
+    @property
+    def is_alone(self):
+        return os.path.basename(self.name) in ALONE
+
+    @property
+    def environment(self):
+        return SANITIZED[self.build]
+
+
+def folder(build):
+    return os.path.join(ROOT, "build", build)
+
+
+def unit_programs():
+    """A doctest program for each room with tests."""
+    unit = os.path.join(ROOT, "tests", "unit")
+    rooms = (r for r in sorted(os.listdir(unit)) if os.path.isdir(os.path.join(unit, r)))
+    return ["unit_" + r for r in rooms if any(n.endswith("_test.cpp") for _, _, names in os.walk(os.path.join(unit, r)) for n in names)]
+
+
+def c_programs():
+    names = sorted(os.listdir(os.path.join(ROOT, "tests", "capi")))
+    return ["capi_" + n[:-2] for n in names if n.endswith("_test.c")] + ["capi_null_wild"]
+
+
+def program(name, build, full=False):
+    return Suite(build + "/" + name, [os.path.join(folder(build), "tests", name)], build, [name], full)
+
+
+def script(name, path, targets, arguments=None, full=False, packages=(), build="release"):
+    interpreter = "python3" if path.endswith(".py") else "bash"
+    return Suite(name, [interpreter, path] + ([folder(build)] if arguments is None else arguments), build, targets, full,
+                 list(packages))
+
+
+def release_suites():
+    tool = os.path.join(folder("release"), "src", "jalon")
+    everything = ["bindings", "examples/all", "jalon_cli"]
+    return [program(name, "release") for name in unit_programs() + c_programs()] + [
+        script("style", "tests/style/check.py", []),
+        script("abi", "tests/abi/check.sh", ["jalon"]),
+        script("install", "tests/install/check.sh", ["jalon", "jalon_cli"]),
+        script("libccd", "tests/install/single_ccd.sh", [], []),
+        script("comma_locale", "tests/capi/comma_locale.sh", ["c_tests", "jalon_cli"]),
+        script("bits", "tests/scenarios/bits.sh", ["bits"]),
+        script("cli", "tests/scenarios/cli.sh", ["jalon_cli"], [tool]),
+        script("malformed", "tests/fuzz/malformed.sh", ["malformed_files"]),
+        script("laspy", "tests/fuzz/laspy.sh", ["jalon"]),
+        script("laspy_offline", "tests/offline.sh", [], ["tests/fuzz/laspy.sh", "laspy"]),
+        script("validators", "tests/formats/validators.sh", ["jalon_cli", "house_files", "scan_files"]),
+        script("validators_offline", "tests/offline.sh", [], ["tests/formats/validators.sh", "ezdxf.*"]),
+        Suite("accuracy", [os.path.join(folder("release"), "tests", "accuracy", "accuracy")], targets=["accuracy"]),
+        script("examples", "tests/scenarios/examples.sh", ["jalon_cli", "examples/all"]),
+        script("bindings", "tests/bindings/reachable.py", ["bindings"]),
+        script("bindings_python", "tests/bindings/python.sh", everything),
+        script("bindings_offline", "tests/offline.sh", [], ["tests/bindings/python.sh", "numpy and scikit-build-core"]),
+        script("bindings_csharp", "tests/bindings/csharp.sh", everything),
+        script("bindings_java", "tests/bindings/java.sh", everything),
+    ]
+
+
+def sanitized_suites():
+    """Every change runs what sees the whole library through its C surface; --full adds the unit tests."""
+    asan = [program(name, "asan") for name in c_programs()] + [
+        script("asan/cli", "tests/scenarios/cli.sh", ["jalon_cli"], [os.path.join(folder("asan"), "src", "jalon")], build="asan"),
+        script("asan/malformed", "tests/fuzz/malformed.sh", ["malformed_files"], build="asan")]
+    asan += [program(name, "asan", full=True) for name in unit_programs()]
+    tsan = [program(name, "tsan") for name in THREADED + ["capi_threads_test", "capi_search_test"]]
+    return asan + tsan + [program(name, "tsan", full=True) for name in THREADED_FULL]
+
+
+def full_suites():
+    return [
+        script("bindings_from_source", "tests/bindings/from_source.sh", ["bindings", "examples/all", "jalon_cli"], full=True,
+               packages=["maven"]),
+        script("bindings_asan", "tests/bindings/python_asan.sh", ["bindings"], full=True),
+        script("fresh_root", "tests/install/fresh_root.sh", [], [], full=True),
+        script("bench", "tests/bench/run.sh", [], [], full=True),
+    ]
+
+
+def all_suites():
+    return release_suites() + sanitized_suites() + full_suites()
