@@ -11,8 +11,23 @@ need_packages "${build_packages[@]}"
 build=$root/build/example
 [ -f "$build/build.ninja" ] ||
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DJALON_BUILD_EXAMPLES=ON >/dev/null
-echo "building (the first time takes a few minutes) ..."
-ninja -C "$build" --quiet
+# How far the build is: a moving count on a terminal, a line every tenth elsewhere; what the compiler says, in any case.
+show_build() {
+  local terminal=0
+  [ ! -t 1 ] || terminal=1
+  NINJA_STATUS='@%f/%t@' ninja -C "$build" | awk -v terminal=$terminal '
+    /^@[0-9]+\/[0-9]+@/ {
+      split(substr($0, 2), n, /[\/@]/)
+      if (terminal) printf "\rbuilding: %d of %d files", n[1], n[2]
+      else if (int(10 * n[1] / n[2]) > tenth) { tenth = int(10 * n[1] / n[2]); print "building: " n[1] " of " n[2] " files" }
+      fflush(); seen = 1; next
+    }
+    /^ninja: (no work to do|Entering directory)/ { next }
+    { print }
+    END { if (seen && terminal) print "" }'
+}
+echo "building: the first time takes about $((10 / $(nproc) + 1)) minutes on the $(nproc) processors of this machine"
+show_build
 
 out=$root/out
 mkdir -p "$out"
