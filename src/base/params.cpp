@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/json_reader.h"
 #include "base/json_writer.h"
+#include "base/settings_json.h"
 #include "base/text_number.h"
 
 namespace jalon {
@@ -220,6 +221,18 @@ void ParamSet::load_into(void* settings, const char* tag) const {
     if (rows_[i].settings != tag) fail(Status::kInternal, "parameter \"%s\" belongs to other settings", rows_[i].name);
     rows_[i].load(rows_[i], values_[i], settings);
   }
+}
+
+std::string settings_json(std::span<const ParamRow> rows, const void* settings, const char* tag) {
+  JsonWriter json;
+  json.begin_object();
+  for (const ParamRow& row : rows) {
+    if (row.settings != tag)
+      fail(Status::kInternal, "parameter \"%s\" belongs to other settings", row.name);
+    json.name(row.name);
+    write_value(json, row.type, row.save(row, settings));
+  }
+  return json.end_object().take();
 }
 
 std::string ParamSet::default_text(size_t i) const {
