@@ -33,7 +33,7 @@ jalon_status jalon_segmentation_from_labels(const jalon_cloud* cloud, const char
     require(cloud, "cloud");
     require(out, "out");
     const std::string field = require_text(label_field, "label_field");
-    const ParamSet set = options_or_default(options, "labels");
+    const auto set = settings_from<LabelSettings>(options_or_default(options, "labels"));
     auto handle = std::make_unique<jalon_segmentation>();
     with_task(task, [&](Task& t) {
       handle->segmentation =
@@ -49,7 +49,7 @@ jalon_status jalon_segmentation_evaluate(const jalon_segmentation* automatic, co
     require(automatic, "automatic");
     require(reference, "reference");
     require(out, "out");
-    const ParamSet set = options_or_default(options, "evaluation");
+    const auto set = settings_from<EvaluationSettings>(options_or_default(options, "evaluation"));
     auto handle = std::make_unique<jalon_evaluation>();
     with_task(task, [&](Task& t) {
       handle->evaluation = evaluate_segmentation(*automatic->segmentation, *reference->segmentation, set, t);
@@ -84,7 +84,7 @@ jalon_status jalon_cloud_confusion(const jalon_cloud* cloud, const char* class_f
     require(cloud, "cloud");
     const std::string found = require_text(class_field, "class_field"),
         truth = require_text(reference_field, "reference_field");
-    const ParamSet set = options_or_default(options, "confusion");
+    const auto set = settings_from<ConfusionSettings>(options_or_default(options, "confusion"));
     Owned<jalon_fields> rows = own<jalon_fields>(nullptr), sums = own<jalon_fields>(nullptr);
     with_task(task, [&](Task& t) {
       const Confusion confusion = confusion_of(*cloud->cloud, found, truth, set, t);

@@ -113,7 +113,8 @@ jalon_status jalon_segmentation_plane_covariances(const jalon_segmentation* segm
     require(out, "out");
     const ParamSet chosen = options_or_default(options, "precision");
     *out = with_task(task, [&](Task& t) {
-             const auto planes = propagate_planes(*segmentation->segmentation, chosen, t);
+             const auto planes =
+                 propagate_planes(*segmentation->segmentation, scanner_precision(chosen), t);
              return own(new_fields(propagated_plane_table(planes)));
            }).release();
   });

@@ -55,7 +55,8 @@ jalon_status jalon_cloud_fit_sphere(const jalon_cloud* cloud, const uint64_t* in
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "primitive");
+    const auto chosen =
+        settings_from<PrimitiveFitSettings>(options_or_default(options, "primitive"));
     const auto list = index_list(indices, count);
     *out = with_task(task, [&](Task& t) {
              return own(new_fields(one_row(sphere_segment(*cloud->cloud, list, chosen, t))));
@@ -69,7 +70,8 @@ jalon_status jalon_cloud_fit_cylinder(const jalon_cloud* cloud, const uint64_t* 
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "primitive");
+    const auto chosen =
+        settings_from<PrimitiveFitSettings>(options_or_default(options, "primitive"));
     const auto list = index_list(indices, count);
     const Vec3 axis = direction != nullptr ? from_c(*direction) : Vec3{};
     if (!is_finite(axis)) fail(Status::kInvalidArgument, "the direction of the axis is not finite");
@@ -85,7 +87,8 @@ jalon_status jalon_cloud_fit_circle(const jalon_cloud* cloud, const uint64_t* in
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "primitive");
+    const auto chosen =
+        settings_from<PrimitiveFitSettings>(options_or_default(options, "primitive"));
     const auto list = index_list(indices, count);
     *out = with_task(task, [&](Task& t) {
              return own(new_fields(circle_table(*cloud->cloud, list, chosen, t)));
@@ -110,7 +113,7 @@ jalon_status jalon_segmentation_pick(const jalon_segmentation* segmentation, int
     require(out, "out");
     if (primitive < JALON_PRIMITIVE_PLANE || primitive > JALON_PRIMITIVE_CYLINDER)
       fail(Status::kInvalidArgument, "%d is no primitive: 1 plane, 2 sphere, 3 cylinder", primitive);
-    const ParamSet chosen = options_or_default(options, "pick");
+    const auto chosen = settings_from<PickSettings>(options_or_default(options, "pick"));
     const std::vector<Vec3> list = pick_list(picks, count);
     *out = with_task(task, [&](Task& t) {
              return own(new_segmentation(with_pick(*segmentation->segmentation, static_cast<PrimitiveType>(primitive),

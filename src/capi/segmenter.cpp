@@ -3,6 +3,7 @@
 #include "jalon/segmenter.h"
 
 #include "capi/support/guard.h"
+#include "capi/support/methods.h"
 #include "capi/support/worker_handles.h"
 #include "segment/result/residuals.h"
 #include "segment/result/tables.h"
@@ -10,43 +11,15 @@
 using namespace jalon;
 using namespace jalon::capi;
 
-namespace {
-
-struct Method {
-  const char* name;
-  const char* owner;  ///< of its parameters
-  std::span<const ParamRow> (*rows)();
-  Segmentation (*run)(const CloudPtr&, const ParamSet&, Task&);
-};
-constexpr Method kMethods[] = {{"ransac", "segmenter ransac", ransac_rows, segment_ransac},
-                               {"region_growing", "segmenter region_growing", region_growing_rows,
-                                segment_region_growing}};
-
-const Method& method_of(const std::string& name) {
-  for (const Method& method : kMethods)
-    if (name == method.name) return method;
-  fail(Status::kNotFound, "no segmentation method \"%.100s\"; there are: ransac, region_growing", name.c_str());
-}
-
-}  // namespace
-
 jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out) {
-  return guard([&] {
-    require(out, "out");
-    const std::string name = method != nullptr ? require_text(method, "method") : "ransac";
-    const Method& found = method_of(name);
-    auto handle = std::make_unique<jalon_segmenter>();
-    handle->method = name;
-    handle->values = std::make_shared<ParamSet>(found.owner, found.rows());
-    *out = handle.release();
-  });
+  return create_worker(segment_methods(), method, "segmentation method", out);
 }
 
 jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter) { return retain(segmenter); }
 void jalon_segmenter_release(jalon_segmenter* segmenter) { release(segmenter); }
 
 jalon_status jalon_segmenter_params(jalon_segmenter* segmenter, jalon_params** out) {
-  return give_params(segmenter, "segmenter", out);
+  return give_worker_params(segmenter, "segmenter", out);
 }
 
 jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_cloud* cloud, jalon_task* task,
@@ -55,13 +28,13 @@ jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_c
     require(segmenter, "segmenter");
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet values = *segmenter->values;  // a progress callback may set the next run's
-    auto handle = std::make_unique<jalon_segmentation>();
-    with_task(task, [&](Task& t) {
-      handle->segmentation =
-          std::make_shared<const Segmentation>(method_of(segmenter->method).run(cloud->cloud, values, t));
-    });
-    *out = handle.release();
+    const auto run = segmenter->method->run;
+    *out = run_worker(*segmenter, task, [&](const ParamSet& values, Task& t) {
+             auto handle = std::make_unique<jalon_segmentation>();
+             handle->segmentation =
+                 std::make_shared<const Segmentation>(run(cloud->cloud, values, t));
+             return handle;
+           }).release();
   });
 }
 

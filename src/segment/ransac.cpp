@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "base/settings_json.h"
 #include "segment/ransac/sequence.h"
 #include "segment/segmentation.h"
 #include "segment/settle/ending.h"
 #include "segment/settle/merging.h"
+#include "segment/surface/tolerance.h"
 
 namespace jalon {
 
 namespace {
 
 // With orientation classes asked for, planes that turned out to be of another one once all points were shared out.
-void drop_other_classes(SegmentScene& scene, std::vector<Surface>& surfaces) {
+void drop_other_classes(RansacScene& scene, std::vector<Surface>& surfaces) {
   if (!scene.axes) return;
-  const OrientationOrder& order = scene.settings.order;
+  const OrientationOrder& order = scene.order;
   const auto asked_for = [&](const Surface& surface) {
     if (!surface.is_plane()) return true;
     const Orientation own = scene.axes->classify(surface.plane.normal, scene.settings.orientation_tolerance_rad);
@@ -31,13 +33,20 @@ void drop_other_classes(SegmentScene& scene, std::vector<Surface>& surfaces) {
 
 // 1. sequence of planes; 2. coplanar neighbours joined; 3. points shared out anew among all planes; 4. last fit; 5.
 // normals, orientation classes and facade frame.
-Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task& task) {
-  const RansacSettings asked = ransac_settings(params);
+Segmentation segment_ransac(const CloudPtr& cloud, const RansacSettings& settings, Task& task) {
+  const OrientationOrder order = orientation_order(settings.draw.orientation_order);
   require_area(*cloud, task);
   std::vector<Surface> surfaces;
-  SegmentScene scene = [&] {
+  RansacSettings used = settings;  // the tolerance may come from the cloud
+  RansacScene scene = [&] {
     Span span(task, 0, 0.3, "indexing");
-    return make_scene(*cloud, asked, task);
+    RansacScene made{indexed_scene(*cloud, settings.surface, task), settings.draw, order};
+    const Tolerance tolerance = tolerance_of(*cloud, *made.tree, settings, task);
+    used.surface.distance_tolerance_m = tolerance.distance_tolerance_m;
+    used.tolerance.sigma_m = tolerance.sigma_m;
+    made.settings = used.surface;
+    look_at_cells(made, task);
+    return made;
   }();
   {
     Span span(task, 0.3, 0.85, "finding planes");
@@ -51,10 +60,9 @@ Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task&
     drop_other_classes(scene, surfaces);
   }
   Span span(task, 0.95, 1, "last fit");
-  ParamSet used = params;  // the tolerance may have come from the cloud
-  used.set_number("distance_tolerance_m", scene.settings.distance_tolerance_m);
-  used.set_number("sigma_m", scene.settings.sigma_m);
-  return finish_segmentation(cloud, scene, surfaces, used, task);
+  Segmentation out = finish_segmentation(cloud, scene, surfaces, task);
+  out.parameters_json = settings_json(ransac_rows(), used);
+  return out;
 }
 
 }  // namespace jalon

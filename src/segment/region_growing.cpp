@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/settings_json.h"
 #include "segment/growing/growing.h"
 #include "segment/segmentation.h"
 #include "segment/settle/ending.h"
@@ -15,9 +16,9 @@ namespace {
 constexpr int kRounds = 2;  // the second finds what stands at the edges of the first one's surfaces
 
 // Regions that did not become large enough with their coplanar neighbours; their points may go to others.
-void drop_small(const RansacSettings& settings, double points_per_member, std::vector<Surface>& surfaces) {
+void drop_small(uint32_t min_points, double points_per_member, std::vector<Surface>& surfaces) {
   std::erase_if(surfaces, [&](const Surface& surface) {
-    return static_cast<double>(surface.positions.size()) * points_per_member < settings.min_points;
+    return static_cast<double>(surface.positions.size()) * points_per_member < min_points;
   });
 }
 
@@ -26,14 +27,14 @@ void drop_small(const RansacSettings& settings, double points_per_member, std::v
 // Surface growing with the steps of plane-extraction from running sums:
 // 1. normals from neighbours; 2. regions from the flattest seeds; 3. coplanar neighbours joined and points shared out;
 // 4. steps 1-3 among the points left over; 5. last fit, orientation classes and facade frame.
-Segmentation segment_region_growing(const CloudPtr& cloud, const ParamSet& params, Task& task) {
-  const GrowingSettings settings = growing_settings(params);
+Segmentation segment_region_growing(const CloudPtr& cloud, const GrowingSettings& settings,
+                                    Task& task) {
   require_area(*cloud, task);
   SegmentScene scene = [&] {
     Span span(task, 0, 0.1, "indexing");
-    return indexed_scene(*cloud, settings.planes, task);
+    return indexed_scene(*cloud, settings.surface, task);
   }();
-  if (settings.field_normals) take_field_normals(scene, task);
+  if (settings.field_normals()) take_field_normals(scene, task);
   std::vector<Surface> surfaces;
   for (int round = 0; round < kRounds; ++round) {
     if (std::count(scene.owner.begin(), scene.owner.end(), 0u) < 3) break;
@@ -50,12 +51,14 @@ Segmentation segment_region_growing(const CloudPtr& cloud, const ParamSet& param
     points = {};
     surfaces.insert(surfaces.end(), std::make_move_iterator(grown.begin()), std::make_move_iterator(grown.end()));
     Span span(task, from + 0.35, from + 0.43, "sharing out points");
-    if (settings.planes.merge_gap_m > 0) merge_coplanar(scene, surfaces, task);
-    drop_small(settings.planes, points_per_member, surfaces);
+    if (settings.surface.merge_gap_m > 0) merge_coplanar(scene, surfaces, task);
+    drop_small(settings.surface.min_points, points_per_member, surfaces);
     share_out_points(scene, surfaces, task);
   }
   Span span(task, 0.96, 1, "last fit");
-  return finish_segmentation(cloud, scene, surfaces, params, task);
+  Segmentation out = finish_segmentation(cloud, scene, surfaces, task);
+  out.parameters_json = settings_json(region_growing_rows(), settings);
+  return out;
 }
 
 }  // namespace jalon

@@ -19,6 +19,9 @@
 
 namespace jalon {
 
+struct RansacSettings;   // ransac_settings.h
+struct GrowingSettings;  // growing_settings.h
+
 /// What a segment is; the numbers of jalon/segmenter.h (type codes of Boulaassal 2010, 5.5.2).
 enum class PrimitiveType : uint8_t { kPlane = 1, kSphere = 2, kCylinder = 3 };
 
@@ -73,11 +76,12 @@ using SegmentationPtr = std::shared_ptr<const Segmentation>;
 /// Parameter table of method "ransac".
 std::span<const ParamRow> ransac_rows();
 /// Sequential planes by seeded adaptive RANSAC (see ransac.cpp for the steps).
-Segmentation segment_ransac(const CloudPtr& cloud, const ParamSet& params, Task& task);
+Segmentation segment_ransac(const CloudPtr& cloud, const RansacSettings& settings, Task& task);
 
 /// Parameter table of method "region_growing".
 std::span<const ParamRow> region_growing_rows();
 /// Planes grown from the flattest places (see region_growing.cpp for the steps).
-Segmentation segment_region_growing(const CloudPtr& cloud, const ParamSet& params, Task& task);
+Segmentation segment_region_growing(const CloudPtr& cloud, const GrowingSettings& settings,
+                                    Task& task);
 
 }  // namespace jalon

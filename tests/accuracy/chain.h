@@ -11,6 +11,7 @@
 
 #include "modelling/outlines.h"
 #include "scan/scanner.h"
+#include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
 namespace jalon::test {
@@ -32,7 +33,7 @@ struct Chain {
     scanner.set_number("outliers", outliers);
     scanner.set_integer("seed", static_cast<int64_t>(seed));
     cloud = std::make_shared<const Cloud>(scan_static(scene, {}, scanner, task));
-    segmentation = segment_ransac(cloud, ParamSet("segmenter", ransac_rows()), task);
+    segmentation = segment_ransac(cloud, RansacSettings{}, task);
     outlines = model_outlines(segmentation, ParamSet("modeller", outlines_rows()), task);
   }
 };

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "chain.h"
+#include "segment/growing_settings.h"
 
 using namespace jalon;
 using namespace jalon::test;
@@ -129,9 +130,9 @@ TEST_CASE("chain_growing__finds_every_plane_of_the_scanned_street_once_and_unsla
     scanner.set_number("outliers", 0.05);
     scanner.set_integer("seed", seed);
     const auto cloud = std::make_shared<const Cloud>(scan_static(model, {}, scanner, task));
-    ParamSet params("segmenter", region_growing_rows());
-    params.set_number("merge_gap_m", kMergeGap_m);
-    const Segmentation s = segment_region_growing(cloud, params, task);
+    GrowingSettings settings;
+    settings.surface.merge_gap_m = kMergeGap_m;
+    const Segmentation s = segment_region_growing(cloud, settings, task);
     const Figures f = judge(truth, s);
     MESSAGE("FIGURE street by region_growing, seed " << seed << ", " << cloud->size() << " points: " << f.once << " of "
             << f.planes << " once, worst angle " << f.angle_deg << " deg, shift " << 1000 * f.shift_m

@@ -65,10 +65,10 @@ struct Insa {
 // Panes are 0.30 m apart at a point spacing of 0.10 m: pixels of 1.5 spacings tell them apart, and no gap is bridged.
 Segmentation segment(const CloudPtr& cloud) {
   Task task;
-  ParamSet params("segmenter", ransac_rows());
-  for (const char* name : {"gap_m", "merge_gap_m"}) params.set_number(name, 0);
-  params.set_number("pixel_m", 0.15);
-  return segment_ransac(cloud, params, task);
+  RansacSettings settings;
+  settings.surface.gap_m = settings.surface.merge_gap_m = 0;
+  settings.surface.pixel_m = 0.15;
+  return segment_ransac(cloud, settings, task);
 }
 
 // The true plane that most points of each segment belong to; 0 = none.
@@ -165,10 +165,10 @@ TEST_CASE("chain_insa__with_misfit_between_stations_detection_and_accuracy_are_t
     const CloudPtr cloud = insa.scan(seed, kMisfit_m);
     const Segmentation automatic = segment(cloud);
     const Segmentation reference =
-        segmentation_from_labels(cloud, "segment", ParamSet("labels", labels_rows()), task);
-    ParamSet params("evaluation", evaluation_rows());
-    params.set_integer("min_points", 50);  // the segmenter's own
-    const EvaluationTotals totals = evaluate_segmentation(automatic, reference, params, task).totals;
+        segmentation_from_labels(cloud, "segment", LabelSettings{}, task);
+    const EvaluationSettings settings{.min_points = 50};  // the segmenter's own
+    const EvaluationTotals totals =
+        evaluate_segmentation(automatic, reference, settings, task).totals;
     tdr += totals.mean_tdr / static_cast<double>(seeds);
     tda += totals.mean_tda / static_cast<double>(seeds);
     CHECK(totals.pairs >= 400);  // of some 480 true planes with 50 points

@@ -16,7 +16,7 @@ using namespace jalon::test;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180, kTurn_rad = 37 * kDegree;
-constexpr int64_t kLeastPoints = 50;
+constexpr uint64_t kLeastPoints = 50;
 constexpr double kLarge_m2 = 4;
 // The parameters of the thesis (facade-segmentation 2.D): pixels of twice the spacing, small planes first. The parts of
 // the facade stand 0.15-0.4 m apart, so nothing bridges gaps.

@@ -49,7 +49,7 @@ struct Job {
     scanner.from_json(scanner_json);
     scanner.set_integer("seed", static_cast<int64_t>(seed));
     cloud = std::make_shared<const Cloud>(scan_static(scene, stations_of(tripods), scanner, task));
-    const Segmentation planes = segment_ransac(cloud, ParamSet("segmenter ransac", ransac_rows()), task);
+    const Segmentation planes = segment_ransac(cloud, RansacSettings{}, task);
     model = model_facade(planes, ParamSet("modeller facade", facade_rows()), task);
   }
 

@@ -13,6 +13,7 @@
 #include "scan/truth.h"
 #include "segment/evaluation/evaluation.h"
 #include "segment/labels/from_labels.h"
+#include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
 namespace jalon::test {
@@ -43,21 +44,21 @@ inline Segmentation ransac(const CloudPtr& cloud, const std::string& json, uint6
   Task task;
   ParamSet params("segmenter ransac", ransac_rows());
   params.from_json(json);
-  params.set_integer("seed", static_cast<int64_t>(seed));
-  return segment_ransac(cloud, params, task);
+  auto settings = settings_from<RansacSettings>(params);
+  settings.draw.seed = seed;
+  return segment_ransac(cloud, settings, task);
 }
 
 /// The true planes that the scanner wrote down: field "segment".
 inline Segmentation true_segmentation(const CloudPtr& cloud) {
   Task task;
-  return segmentation_from_labels(cloud, "segment", ParamSet("labels", labels_rows()), task);
+  return segmentation_from_labels(cloud, "segment", LabelSettings{}, task);
 }
 
-inline Evaluation evaluated(const Segmentation& found, const Segmentation& truth, int64_t min_points) {
+inline Evaluation evaluated(const Segmentation& found, const Segmentation& truth,
+                            uint64_t min_points) {
   Task task;
-  ParamSet params("evaluation", evaluation_rows());
-  params.set_integer("min_points", min_points);
-  return evaluate_segmentation(found, truth, params, task);
+  return evaluate_segmentation(found, truth, {.min_points = min_points}, task);
 }
 
 /// Share of the points of a true plane that carry the label; label 0: of those of any segment.

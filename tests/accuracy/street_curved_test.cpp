@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "../bench/street_points.h"
+#include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
 using namespace jalon;
@@ -47,13 +48,13 @@ struct Run {
   double cpu_s = 0;
   std::vector<std::map<uint32_t, uint64_t>> counts;  ///< of each segment, by surface
 
-  Run(const Scan& scan, const char* primitives, uint64_t seed) {
+  Run(const Scan& scan, Primitives primitives, uint64_t seed) {
     Task task;
-    ParamSet params("segmenter", ransac_rows());
-    params.set_text("primitives", primitives);
-    params.set_integer("seed", static_cast<int64_t>(seed));
+    RansacSettings settings;
+    settings.surface.primitives = primitives;
+    settings.draw.seed = seed;
     const std::clock_t start = std::clock();
-    segmentation = segment_ransac(scan.cloud, params, task);
+    segmentation = segment_ransac(scan.cloud, settings, task);
     cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     counts.resize(segmentation.segments.size());
     const auto labels = segmentation.labels->values<uint32_t>();
@@ -169,7 +170,7 @@ TEST_CASE("chain_street__columns_gutters_and_ball_are_found_as_what_they_are_and
     std::vector<uint64_t> points(scan.street.surfaces.size());
     for (const uint32_t surface : scan.surfaces)
       if (surface != bench::kOutlier) ++points[surface];
-    const Run all(scan, "all", seed), planes(scan, "planes", seed);
+    const Run all(scan, Primitives::kAll, seed), planes(scan, Primitives::kPlanes, seed);
     check_curved(scan, all, points, worst);
     check_planes(scan, all, planes);
     with_s += all.cpu_s;

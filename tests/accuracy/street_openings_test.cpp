@@ -9,6 +9,7 @@
 
 #include "labelled_street.h"
 #include "modelling/facade/facade.h"
+#include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 #include "wall_figures.h"
 
@@ -49,7 +50,7 @@ Count count_found(const std::string& file) {
     return {kObjects, kWanted};
   }
   Task task;
-  const Segmentation planes = segment_ransac(street.cloud, ParamSet("segmenter ransac", ransac_rows()), task);
+  const Segmentation planes = segment_ransac(street.cloud, RansacSettings{}, task);
   const Model model = model_facade(planes, ParamSet("modeller facade", facade_rows()), task);
   const WallAxes axes(planes.segments[0].fit.plane, planes.segments[0].fit.centroid);
   const std::vector<Drawn> found = candidates(model, axes);

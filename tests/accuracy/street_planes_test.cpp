@@ -184,10 +184,10 @@ TEST_CASE("chain_street__finds_the_28_true_planes_of_the_measured_street_once_an
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     CAPTURE(seed);
     const Street street(seed);
-    ParamSet params("segmenter", ransac_rows());
-    params.set_number("merge_gap_m", kMergeGap_m);
-    params.set_integer("seed", static_cast<int64_t>(seed));
-    const Segmentation s = segment_ransac(street.cloud, params, task);
+    RansacSettings settings;
+    settings.surface.merge_gap_m = kMergeGap_m;
+    settings.draw.seed = seed;
+    const Segmentation s = segment_ransac(street.cloud, settings, task);
     const std::vector<Match> segments = matches(street, s);
     check_true_planes(street, s, segments, worst);
     check_segments(street, s, segments, worst);

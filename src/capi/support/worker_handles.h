@@ -7,10 +7,11 @@
 
 #include "base/params.h"
 #include "capi/support/handles.h"
+#include "segment/methods.h"
 #include "segment/segmentation.h"
 
 struct jalon_segmenter : jalon::capi::Counted {
-  std::string method;
+  const jalon::SegmentMethod* method = nullptr;
   std::shared_ptr<jalon::ParamSet> values;  ///< shared with the jalon_params handles of this segmenter
 };
 

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "segment/labels/whole_numbers.h"
 #include "segment/labels/key_counts.h"
 
@@ -72,20 +73,18 @@ void add(FieldTable& table, size_t rows, uint32_t components, const char* name, 
   table.set(column);
 }
 
+constexpr auto kConfusionRows = setting_rows(doubles_row<&ConfusionSettings::ignored_classes>(
+    "ignored_classes", -kWholeDoubles, kWholeDoubles, "1", "",
+    "Points of these reference classes are left out, e.g. 0 where it means unclassified."));
+
 }  // namespace
 
-std::span<const ParamRow> confusion_rows() {
-  static constexpr ParamRow kRows[] = {
-      doubles_row("ignored_classes", "", -kWholeDoubles, kWholeDoubles, "1", "",
-                  "Points of these reference classes are left out, e.g. 0 where it means unclassified."),
-  };
-  return kRows;
-}
+std::span<const ParamRow> confusion_rows() { return kConfusionRows; }
 
 Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::string_view reference,
-                       const ParamSet& params, Task& task) {
+                       const ConfusionSettings& settings, Task& task) {
   const WholeNumbers found(cloud.fields.require(predicted), {});
-  const WholeNumbers truth(cloud.fields.require(reference), params.numbers("ignored_classes"));
+  const WholeNumbers truth(cloud.fields.require(reference), settings.ignored_classes);
   const size_t n = cloud.size();
   const std::vector<uint64_t> classes = [&] {
     Span span(task, 0, 0.6, "counting classes");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "base/params.h"
 #include "cloud/cloud.h"
@@ -19,10 +20,13 @@ struct Confusion {
   uint64_t count(size_t reference, size_t predicted) const { return counts[reference * size() + predicted]; }
 };
 
-/// Parameter table of operation "confusion".
+/// The parameters of operation "confusion".
+struct ConfusionSettings {
+  std::vector<double> ignored_classes;  ///< of the reference
+};
 std::span<const ParamRow> confusion_rows();
 Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::string_view reference,
-                       const ParamSet& params, Task& task);
+                       const ConfusionSettings& settings, Task& task);
 
 /// The tables of jalon/evaluate.h.
 FieldTable class_table(const Confusion& confusion);

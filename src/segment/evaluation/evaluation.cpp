@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "segment/evaluation/parts.h"
 
 namespace jalon {
@@ -44,16 +45,14 @@ void require_same_points(const Cloud& a, const Cloud& b, double tolerance_m, Tas
 }
 
 // The same threshold for both sides (5.5.3.2: details that are too small to matter are left out of the reference).
-std::vector<SegmentVerdict> judge_sizes(const Segmentation& s, const ParamSet& params) {
-  const auto min_points = static_cast<uint64_t>(params.integer("min_points"));
-  const double min_area_m2 = params.number("min_area_m2");
+std::vector<SegmentVerdict> judge_sizes(const Segmentation& s, const EvaluationSettings& settings) {
   std::vector<SegmentVerdict> out;
   out.reserve(s.segments.size());
   for (const Segment& segment : s.segments) {
     SegmentVerdict verdict;
     verdict.points = segment.point_count();
-    verdict.kept = segment.point_count() >= std::max<uint64_t>(1, min_points) &&
-        (min_area_m2 <= 0 || segment.area_m2 >= min_area_m2);
+    verdict.kept = segment.point_count() >= std::max<uint64_t>(1, settings.min_points) &&
+                   (settings.min_area_m2 <= 0 || segment.area_m2 >= settings.min_area_m2);
     out.push_back(verdict);
   }
   return out;
@@ -78,51 +77,58 @@ std::vector<int64_t> source_labels(const Segmentation& s) {
   return out;
 }
 
+constexpr auto kEvaluationRows = setting_rows(
+    integer_row<&EvaluationSettings::min_points>(
+        "min_points", 0, 4e9, "points", "",
+        "Segments of fewer points are left out, on both sides; give the segmenter's own."),
+    number_row<&EvaluationSettings::min_area_m2>(
+        "min_area_m2", 0, 1e9, "m2", "",
+        "Segments of a smaller area are left out, on both sides; give the segmenter's own."),
+    number_row<&EvaluationSettings::min_iou>(
+        "min_iou", 0, 1, "1", "",
+        "Segments that overlap less (intersection over union) are no pair: chance contacts "
+        "stay unmatched."),
+    number_row<&EvaluationSettings::part_share>(
+        "part_share", 0.5, 1, "1", "",
+        "A segment is a part of another when this share of its points lies in it: a reference "
+        "with 2 parts is over-segmented, an automatic segment with 2 is under-segmented."),
+    number_row<&EvaluationSettings::covered_share>(
+        "covered_share", 0, 1, "1", "",
+        "A reference is non-segmented when automatic segments hold less than this share of "
+        "its points."),
+    number_row<&EvaluationSettings::coordinate_tolerance_m>(
+        "coordinate_tolerance_m", 0, 1, "m", "",
+        "Largest distance between the two clouds' points of one index: a radius, what file "
+        "formats round."));
+
 }  // namespace
 
-std::span<const ParamRow> evaluation_rows() {
-  static constexpr ParamRow kRows[] = {
-      integer_row("min_points", 0, 0, 4e9, "points", "",
-                  "Segments of fewer points are left out, on both sides; give the segmenter's own."),
-      number_row("min_area_m2", 0, 0, 1e9, "m2", "",
-                 "Segments of a smaller area are left out, on both sides; give the segmenter's own."),
-      number_row("min_iou", 0.1, 0, 1, "1", "",
-                 "Segments that overlap less (intersection over union) are no pair: chance contacts stay unmatched."),
-      number_row("part_share", 0.5, 0.5, 1, "1", "",
-                 "A segment is a part of another when this share of its points lies in it: a reference with 2 parts is "
-                 "over-segmented, an automatic segment with 2 is under-segmented."),
-      number_row("covered_share", 0.5, 0, 1, "1", "",
-                 "A reference is non-segmented when automatic segments hold less than this share of its points."),
-      number_row("coordinate_tolerance_m", 0.001, 0, 1, "m", "",
-                 "Largest distance between the two clouds' points of one index: a radius, what file formats round."),
-  };
-  return kRows;
-}
+std::span<const ParamRow> evaluation_rows() { return kEvaluationRows; }
 
 // 1. same points; 2. same size threshold; 3. overlaps; 4. pairs; 5. geometry; 6. totals.
-Evaluation evaluate_segmentation(const Segmentation& automatic, const Segmentation& reference, const ParamSet& params,
-                                 Task& task) {
+Evaluation evaluate_segmentation(const Segmentation& automatic, const Segmentation& reference,
+                                 const EvaluationSettings& settings, Task& task) {
   Evaluation out;
   {
     Span span(task, 0, 0.1, "comparing points");
-    require_same_points(*automatic.cloud, *reference.cloud, params.number("coordinate_tolerance_m"), task);
+    require_same_points(*automatic.cloud, *reference.cloud, settings.coordinate_tolerance_m, task);
   }
-  out.automatic = judge_sizes(automatic, params);
-  out.reference = judge_sizes(reference, params);
+  out.automatic = judge_sizes(automatic, settings);
+  out.reference = judge_sizes(reference, settings);
   out.automatic_source = source_labels(automatic);
   out.reference_source = source_labels(reference);
   const std::vector<Overlap> overlaps = [&] {
     Span span(task, 0.1, 0.4, "counting overlaps");
     return count_overlaps(automatic, reference, out, task);
   }();
-  judge_overlaps(overlaps, params.number("part_share"), out);
+  judge_overlaps(overlaps, settings.part_share, out);
   {
     Span span(task, 0.4, 0.6, "pairing segments");
-    pair_segments(overlaps, params.number("min_iou"), out, task);
+    pair_segments(overlaps, settings.min_iou, out, task);
   }
   Span span(task, 0.6, 1, "comparing planes");
   compare_planes(automatic, reference, out.pairs, task);
-  out.totals = total_up(out, params.number("covered_share"));
+  out.totals = total_up(out, settings.covered_share);
   return out;
 }
 

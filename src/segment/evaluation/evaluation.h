@@ -62,13 +62,21 @@ struct Evaluation {
   EvaluationTotals totals;
 };
 
-/// Parameter table of operation "evaluation".
+/// The parameters of operation "evaluation".
+struct EvaluationSettings {
+  uint64_t min_points = 0;  ///< of a segment that counts
+  double min_area_m2 = 0;
+  double min_iou = 0.1;        ///< of a pair
+  double part_share = 0.5;     ///< of the points of a segment that is a part of another
+  double covered_share = 0.5;  ///< of the points of a reference that is found at all
+  double coordinate_tolerance_m = 0.001;
+};
 std::span<const ParamRow> evaluation_rows();
 
 /// Two segmentations of one cloud (points equal by index): overlaps, one-to-one pairs of the largest total overlap,
 /// geometry of the pairs, counts of over-, under- and non-segmentation.
-Evaluation evaluate_segmentation(const Segmentation& automatic, const Segmentation& reference, const ParamSet& params,
-                                 Task& task);
+Evaluation evaluate_segmentation(const Segmentation& automatic, const Segmentation& reference,
+                                 const EvaluationSettings& settings, Task& task);
 
 /// The tables of jalon/evaluate.h.
 FieldTable pair_table(const Evaluation& evaluation);

@@ -111,7 +111,7 @@ class Grower {
 
   // The finished region as a surface; false when it is too small, too rough or bent.
   bool settle(GrowingRegion& region, Surface& surface) const {
-    const RansacSettings& settings = scene_.settings;
+    const SurfaceSettings& settings = scene_.settings;
     PlaneFit fit;
     const double least = std::max(3.0, kPieceShare * settings.min_points / points_.points_per_member);
     if (static_cast<double>(region.members.size()) < least || !fit_plane(region.moments, fit)) return false;

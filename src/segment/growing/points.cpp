@@ -117,7 +117,7 @@ void look_around(SegmentScene& scene, GrowingPoints& points, const GrowingSettin
       scene.spacing[position] = static_cast<float>(std::sqrt(std::numbers::pi * squared_radius / static_cast<double>(k)));
       points.isolated[plane.position] =
           plane.squared_offset * step * step > kIsolated * kIsolated * squared_radius ? 1 : 0;
-      if (settings.field_normals) return;
+      if (settings.field_normals()) return;
       const bool known = plane.normal != nullptr && width_of(plane) * step >= least_width;
       for (size_t c = 0; c < 3; ++c)
         scene.normals[3 * position + c] = known ? static_cast<float>(plane.normal[c]) : kNotANumber;
@@ -188,7 +188,7 @@ GrowingPoints points_to_grow(SegmentScene& scene, const GrowingSettings& setting
                                                       : subset(scene, free_points(scene), task);
   points.points_per_member = static_cast<double>(cells.free) / static_cast<double>(points.tree->size());
   look_around(scene, points, settings, task);
-  if (thin) spread_to_cells(scene, cells, !settings.field_normals, task);
+  if (thin) spread_to_cells(scene, cells, !settings.field_normals(), task);
   connect_leaves(scene, points, settings, task);
   return points;
 }

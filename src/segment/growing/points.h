@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "segment/growing/settings.h"
+#include "segment/growing_settings.h"
 #include "segment/surface/scene.h"
 #include "spatial/octree/leaf_graph.h"
 

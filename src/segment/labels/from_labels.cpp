@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/json_writer.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "cloud/statistics.h"
 #include "segment/labels/given_segment.h"
 #include "segment/labels/key_counts.h"
@@ -67,36 +68,41 @@ std::shared_ptr<Column> label_column(const WholeNumbers& field, const Rows& rows
   return column;
 }
 
-std::string parameters_text(std::string_view field, const ParamSet& params) {
+std::string parameters_text(std::string_view field, double pixel_m) {
   JsonWriter json;
   json.begin_object().name("method").value("labels").name("label_field").value(field);
-  json.name("pixel_m").value(params.number("pixel_m"));
+  json.name("pixel_m").value(pixel_m);
   return json.end_object().take();
 }
 
+constexpr auto kLabelRows = setting_rows(
+    doubles_row<&LabelSettings::noise_labels>(
+        "noise_labels", -kWholeDoubles, kWholeDoubles, "1", "",
+        "Values of the field that mean no segment; the scanner's \"face\" has 4294967295 for "
+        "outliers."),
+    number_row<&LabelSettings::pixel_m>(
+        "pixel_m", 0, 100, "m", "",
+        "Edge of a raster pixel for the area; 0 = so that a pixel holds four points on "
+        "average."),
+    number_row<&LabelSettings::orientation_tolerance_rad>(
+        "orientation_tolerance_rad", 1e-4, 0.785398, "rad", "",
+        "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."),
+    bool_row<&LabelSettings::facade_frame>(
+        "facade_frame", "",
+        "Turns the main facade parallel to OXZ in the facade frame; off: the frame is the "
+        "identity."));
+
 }  // namespace
 
-std::span<const ParamRow> labels_rows() {
-  static constexpr ParamRow kRows[] = {
-      doubles_row("noise_labels", "0", -kWholeDoubles, kWholeDoubles, "1", "",
-                  "Values of the field that mean no segment; the scanner's \"face\" has 4294967295 for outliers."),
-      number_row("pixel_m", 0, 0, 100, "m", "",
-                 "Edge of a raster pixel for the area; 0 = so that a pixel holds four points on average."),
-      number_row("orientation_tolerance_rad", 0.0174533, 1e-4, 0.785398, "rad", "",
-                 "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."),
-      bool_row("facade_frame", true, "",
-               "Turns the main facade parallel to OXZ in the facade frame; off: the frame is the identity."),
-  };
-  return kRows;
-}
+std::span<const ParamRow> labels_rows() { return kLabelRows; }
 
 // 1. count the labels; 2. number them by size; 3. fit each segment; 4. normals, orientation classes, facade frame.
-Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view field, const ParamSet& params,
-                                      Task& task) {
-  const WholeNumbers labels(cloud->fields.require(field), params.numbers("noise_labels"));
+Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view field,
+                                      const LabelSettings& settings, Task& task) {
+  const WholeNumbers labels(cloud->fields.require(field), settings.noise_labels);
   Segmentation out;
   out.cloud = cloud;
-  out.parameters_json = parameters_text(field, params);
+  out.parameters_json = parameters_text(field, settings.pixel_m);
   const size_t n = cloud->size();
   const Rows rows = [&] {
     Span span(task, 0, 0.2, "counting labels");
@@ -118,14 +124,14 @@ Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view fi
     out.segments.resize(rows.size());
     groups.for_each(task, [&](uint32_t row) {
       Segment& segment = out.segments[row - 1];
-      segment = describe_given({*cloud, groups.of(row), origin}, params.number("pixel_m"), task);
+      segment = describe_given({*cloud, groups.of(row), origin}, settings.pixel_m, task);
       segment.label = row;
       segment.source_label = rows.label(row);
     });
   }
   Span inner(task, 0.9, 1);
-  const FacadeContext context{*cloud, origin, params.number("orientation_tolerance_rad"), kNearPlane_m,
-                              params.flag("facade_frame")};
+  const FacadeContext context{*cloud, origin, settings.orientation_tolerance_rad, kNearPlane_m,
+                              settings.facade_frame};
   turn_normals(context, dense, out.segments, task);
   classify(context, out.segments);
   out.T_facade_world = facade_transform(context, out.segments);

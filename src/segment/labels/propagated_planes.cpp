@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/table_columns.h"
-#include "cloud/precision.h"
 #include "geometry/cholesky.h"
 #include "segment/labels/label_groups.h"
 
@@ -117,10 +116,11 @@ PropagatedPlane solved(const NormalEquations& sums, const PlaneFit& start) {
 
 }  // namespace
 
-std::vector<PropagatedPlane> propagate_planes(const Segmentation& segmentation, const ParamSet& params, Task& task) {
+std::vector<PropagatedPlane> propagate_planes(const Segmentation& segmentation,
+                                              const ScannerPrecision& precision, Task& task) {
   std::vector<PropagatedPlane> out(segmentation.segments.size());
   for (size_t s = 0; s < out.size(); ++s) out[s].label = segmentation.segments[s].label;
-  const Adjustment adjustment(*segmentation.cloud, without_common_errors(scanner_precision(params)));
+  const Adjustment adjustment(*segmentation.cloud, without_common_errors(precision));
   const LabelGroups groups = [&] {
     Span span(task, 0, 0.3);
     return LabelGroups(segmentation.labels->values<uint32_t>(), segmentation.segments.size(), task);

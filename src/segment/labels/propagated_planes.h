@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/field.h"
-#include "base/params.h"
 #include "base/task.h"
+#include "cloud/precision.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
@@ -33,7 +33,8 @@ struct PropagatedPlane {
 /// Weighted least squares of each planar segment, weights 1 / (n^T C_i n) from the scanner's precision (facade-modelling
 /// A25; Mikhail & Gracie 1981): covariance N^-1, a priori. Errors of points are independent; what all points of a station
 /// have in common (its position, back-sight, level) does not average out and is left out. Other segments have NaN. O(n).
-std::vector<PropagatedPlane> propagate_planes(const Segmentation& segmentation, const ParamSet& params, Task& task);
+std::vector<PropagatedPlane> propagate_planes(const Segmentation& segmentation,
+                                              const ScannerPrecision& precision, Task& task);
 FieldTable propagated_plane_table(const std::vector<PropagatedPlane>& planes);
 
 }  // namespace jalon

@@ -5,24 +5,17 @@
 #include <span>
 #include <vector>
 
+#include "segment/picks/picks.h"
 #include "segment/surface/primitive_fits.h"
 
 namespace jalon {
-
-/// What a pick is grown with; names and help stand in picks.cpp.
-struct PickSetting {
-  PrimitiveSetting primitive;
-  double min_area_m2 = 0, gap_m = 0, pixel_m = 0;
-  uint64_t min_points = 0;
-  uint32_t k = 0;
-};
 
 /// The free points of a cloud, in coordinates relative to the first pick's whole metres.
 struct PickScene {
   const Cloud& cloud;
   std::span<const uint32_t> labels;  ///< 0 = free
   Vec3 origin;
-  PickSetting setting;
+  PickSettings setting;
   std::vector<Vec3> picks;  ///< local
   Vec3 local(size_t i) const { return cloud.point(i) - origin; }
 };

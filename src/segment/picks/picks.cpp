@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "cloud/operations.h"
 #include "segment/picks/growth.h"
@@ -18,19 +19,6 @@ namespace jalon {
 namespace {
 
 constexpr double kMostlyHorizontal = 0.985;  // |nz| within 10 degrees of the vertical
-
-PickSetting pick_setting(const ParamSet& params) {
-  PickSetting s;
-  s.primitive.tolerance_m = params.number("tolerance_m");
-  s.primitive.min_radius_m = params.number("min_radius_m");
-  s.primitive.max_radius_m = params.number("max_radius_m");
-  s.min_area_m2 = params.number("min_area_m2");
-  s.gap_m = params.number("gap_m");
-  s.pixel_m = params.number("pixel_m");
-  s.min_points = static_cast<uint64_t>(params.integer("min_points"));
-  s.k = static_cast<uint32_t>(params.integer("k"));
-  return s;
-}
 
 // Toward the station that saw most of the points; without stations upward, or toward the middle of the cloud.
 // The segment is relative to the origin.
@@ -79,8 +67,9 @@ void add_members(const Segmentation& before, const Vec3& origin, const Picked& p
 }
 
 // Orientation of the new plane; when it is the new main facade, of all planes and of the frame.
-void orient(const Segmentation& before, const ParamSet& params, Segmentation& out) {
-  const FacadeContext context{*out.cloud, {}, params.number("orientation_tolerance_rad"), params.number("tolerance_m"), true};
+void orient(const Segmentation& before, const PickSettings& settings, Segmentation& out) {
+  const FacadeContext context{
+      *out.cloud, {}, settings.orientation_tolerance_rad, settings.primitive.tolerance_m, true};
   std::vector<Segment> classed = out.segments;
   classify(context, classed);
   if (main_facade(out.segments) == main_facade(before.segments)) {
@@ -91,27 +80,41 @@ void orient(const Segmentation& before, const ParamSet& params, Segmentation& ou
   out.T_facade_world = facade_transform(context, out.segments);
 }
 
+// Origins: Boulaassal 2010, 5.5.2.2 (tolerances of 0.5 to 4 cm), 3.4.5.2 (1 degree).
+constexpr auto kPickTolerance = setting_rows(number_row<&PrimitiveSetting::tolerance_m>(
+    "tolerance_m", 1e-6, 10, "m", "",
+    "Largest distance of a point from the surface: a half-thickness; 0.015 keeps sills "
+    "and frames, 0.04 smooths."));
+constexpr auto kPickRadii = setting_rows(
+    number_row<&PrimitiveSetting::min_radius_m>("min_radius_m", 1e-6, 1e6, "m", "",
+                                                "Smallest radius of a sphere or cylinder."),
+    number_row<&PrimitiveSetting::max_radius_m>("max_radius_m", 1e-6, 1e6, "m", "",
+                                                "Largest radius of a sphere or cylinder."));
+constexpr auto kPickRows = setting_rows(
+    nested_rows<&PickSettings::primitive, kPickTolerance>(),
+    number_row<&PickSettings::min_area_m2>(
+        "min_area_m2", 0, 1e9, "m2", "",
+        "Smallest connected piece that belongs to the segment, the smallest detail that means "
+        "something."),
+    integer_row<&PickSettings::min_points>("min_points", 3, 4e9, "points", "",
+                                           "Fewest points of a segment."),
+    number_row<&PickSettings::gap_m>(
+        "gap_m", 0, 100, "m", "",
+        "Widest gap over which a segment grows from a seed or around its picks."),
+    number_row<&PickSettings::pixel_m>(
+        "pixel_m", 0, 100, "m", "",
+        "Edge of a raster pixel for connectivity and area; 0 = twice the point spacing around "
+        "the picks."),
+    nested_rows<&PickSettings::primitive, kPickRadii>(),
+    integer_row<&PickSettings::k>("k", 3, 256, "points", "",
+                                  "Neighbours that give a seed its plane and a pick its normal."),
+    number_row<&PickSettings::orientation_tolerance_rad>(
+        "orientation_tolerance_rad", 1e-4, 0.785398, "rad", "",
+        "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."));
+
 }  // namespace
 
-std::span<const ParamRow> pick_rows() {
-  // Origins: Boulaassal 2010, 5.5.2.2 (tolerances of 0.5 to 4 cm), 3.4.5.2 (1 degree).
-  static constexpr ParamRow kRows[] = {
-      number_row("tolerance_m", 0.02, 1e-6, 10, "m", "",
-                 "Largest distance of a point from the surface: a half-thickness; 0.015 keeps sills and frames, 0.04 smooths."),
-      number_row("min_area_m2", 0.01, 0, 1e9, "m2", "",
-                 "Smallest connected piece that belongs to the segment, the smallest detail that means something."),
-      integer_row("min_points", 4, 3, 4e9, "points", "", "Fewest points of a segment."),
-      number_row("gap_m", 0.2, 0, 100, "m", "", "Widest gap over which a segment grows from a seed or around its picks."),
-      number_row("pixel_m", 0, 0, 100, "m", "",
-                 "Edge of a raster pixel for connectivity and area; 0 = twice the point spacing around the picks."),
-      number_row("min_radius_m", 0.001, 1e-6, 1e6, "m", "", "Smallest radius of a sphere or cylinder."),
-      number_row("max_radius_m", 100, 1e-6, 1e6, "m", "", "Largest radius of a sphere or cylinder."),
-      integer_row("k", 24, 3, 256, "points", "", "Neighbours that give a seed its plane and a pick its normal."),
-      number_row("orientation_tolerance_rad", 0.0174533, 1e-4, 0.785398, "rad", "",
-                 "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."),
-  };
-  return kRows;
-}
+std::span<const ParamRow> pick_rows() { return kPickRows; }
 
 Segmentation empty_segmentation(const CloudPtr& cloud, Task& task) {
   Segmentation out;
@@ -124,11 +127,11 @@ Segmentation empty_segmentation(const CloudPtr& cloud, Task& task) {
   return out;
 }
 
-Segmentation with_pick(const Segmentation& before, PrimitiveType type, std::span<const Vec3> picks, const ParamSet& params,
-                       Task& task) {
+Segmentation with_pick(const Segmentation& before, PrimitiveType type, std::span<const Vec3> picks,
+                       const PickSettings& settings, Task& task) {
   if (picks.empty()) fail(Status::kInsufficientData, "no picks");
   const Vec3 origin{std::floor(picks[0].x), std::floor(picks[0].y), std::floor(picks[0].z)};
-  PickScene scene{*before.cloud, before.labels->values<uint32_t>(), origin, pick_setting(params), {}};
+  PickScene scene{*before.cloud, before.labels->values<uint32_t>(), origin, settings, {}};
   for (const Vec3& pick : picks) scene.picks.push_back(pick - origin);
   Picked picked = type == PrimitiveType::kPlane    ? pick_plane(scene, task)
                   : type == PrimitiveType::kSphere ? pick_sphere(scene, task)
@@ -138,7 +141,7 @@ Segmentation with_pick(const Segmentation& before, PrimitiveType type, std::span
   Segmentation out = before;
   out.segments.push_back(picked.segment);
   shift_origin(out.segments.back(), origin);
-  orient(before, params, out);
+  orient(before, settings, out);
   add_members(before, origin, picked, out);
   if (main_facade(out.segments) != main_facade(before.segments)) {
     auto orientations = copy_of<uint8_t>(*out.orientations);

@@ -57,7 +57,7 @@ std::array<Moments, kArcs> moments_of_arcs(const Surface& surface, std::span<con
 
 }  // namespace
 
-bool bends(const RansacSettings& settings, const Surface& surface, std::span<const Vec3> points) {
+bool bends(const SurfaceSettings& settings, const Surface& surface, std::span<const Vec3> points) {
   if (turn_rad(surface.curved, points) < 2 * settings.normal_tolerance_rad) return false;
   PlaneFit plane;
   return fit_plane(points, plane) && plane.sigma >= kLeastGain * surface.sigma_m;

@@ -8,7 +8,7 @@ namespace jalon {
 
 /// False when the surface turns by less than twice the normal tolerance over its points (then each of them agrees with
 /// the plane in its middle) or when a plane fits them nearly as well.
-bool bends(const RansacSettings& settings, const Surface& surface, std::span<const Vec3> points);
+bool bends(const SurfaceSettings& settings, const Surface& surface, std::span<const Vec3> points);
 
 /// True when a few planes along a cylinder's axis fit its points as well: the corner of a wall, a square post.
 bool is_faceted(const Surface& surface, std::span<const Vec3> points);

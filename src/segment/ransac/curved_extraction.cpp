@@ -28,7 +28,7 @@ struct Members {
   double area_m2 = 0, pixel_m = 0;
 };
 
-bool too_rough_to_bend(const RansacSettings& settings, double sigma_m) {
+bool too_rough_to_bend(const SurfaceSettings& settings, double sigma_m) {
   return settings.uses_normals() && sigma_m > kMaxRoughness * settings.distance_tolerance_m;
 }
 
@@ -58,12 +58,12 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
   members.slots.resize(region.members.size());
 }
 
-bool large_enough(const RansacSettings& settings, const Members& members) {
+bool large_enough(const SurfaceSettings& settings, const Members& members) {
   return members.slots.size() >= std::max<size_t>(3, settings.min_points) &&
          members.area_m2 >= settings.min_area_m2;
 }
 
-PrimitiveSetting fit_setting(const RansacSettings& settings, bool robust) {
+PrimitiveSetting fit_setting(const SurfaceSettings& settings, bool robust) {
   PrimitiveSetting out;
   out.tolerance_m = settings.distance_tolerance_m;
   out.min_radius_m = settings.min_radius_m;
@@ -93,7 +93,7 @@ bool fit_members(const SegmentScene& scene, const PointPool& pool, const Members
 // Rounds of collect - region - least squares; members are those of the last round.
 bool settle(const SegmentScene& scene, const PointPool& pool, double edge_m, Task& task, Surface& surface,
             Members& members) {
-  const RansacSettings& settings = scene.settings;
+  const SurfaceSettings& settings = scene.settings;
   double reach = settings.distance_tolerance_m;
   size_t previous = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
@@ -133,7 +133,7 @@ bool settle_as_what_it_is(const SegmentScene& scene, const PointPool& pool, doub
   if (!surface.curved.is_sphere()) return true;
   const PrimitiveSetting setting = fit_setting(scene.settings, false);
   if (!better_as_cylinder(surface, sample_of(pool, members), setting, task, surface.curved)) return true;
-  return scene.settings.cylinders && settle(scene, pool, edge_m, task, surface, members);
+  return scene.settings.cylinders() && settle(scene, pool, edge_m, task, surface, members);
 }
 
 // Is it a curved surface, and one by itself?
@@ -192,7 +192,7 @@ bool fit_curved_core(const SegmentScene& scene, const Surface& surface, bool rob
 }
 
 bool refit_curved(const SegmentScene& scene, Surface& surface, Task& task) {
-  const RansacSettings& settings = scene.settings;
+  const SurfaceSettings& settings = scene.settings;
   if (surface.positions.size() < std::max<size_t>(3, settings.min_points)) return false;
   Segment fitted;
   if (!fit_curved_core(scene, surface, true, task, fitted)) return false;

@@ -31,9 +31,9 @@ constexpr double kLeastElongation = 1.5;
 /// neighbours and so reach radii that the spacing of the points is coarse for.
 enum class Recipe { kSphereOfNormals, kSphereOfPoints, kCylinderOfNormals, kCylinderOfPoints };
 
-Recipe recipe_of(const RansacSettings& settings, uint64_t draw) {
+Recipe recipe_of(const SurfaceSettings& settings, uint64_t draw) {
   const bool points_alone = draw % 2 == 1;
-  const bool sphere = settings.spheres && (!settings.cylinders || draw % 4 < 2);
+  const bool sphere = settings.spheres() && (!settings.cylinders() || draw % 4 < 2);
   if (sphere) return points_alone ? Recipe::kSphereOfPoints : Recipe::kSphereOfNormals;
   return points_alone ? Recipe::kCylinderOfPoints : Recipe::kCylinderOfNormals;
 }
@@ -129,7 +129,7 @@ bool from_points(std::span<const Vec3> sample, const Eigen3& spread, bool sphere
   return true;
 }
 
-bool allows(const RansacSettings& settings, double radius_m) {
+bool allows(const SurfaceSettings& settings, double radius_m) {
   return radius_m >= settings.min_radius_m && radius_m <= settings.max_radius_m;
 }
 
@@ -185,8 +185,9 @@ bool curved_inconsistent(const SegmentScene& scene, const Curved& curved, size_t
 // 1. a free point at random; 2. a cell of a random level around it whose points bend; 3. a sphere or a cylinder from
 // two points with normals or from points alone; 4. tested and refined on the cell's points, which no plane may fit
 // nearly as well.
-bool draw_curved(const SegmentScene& scene, const PointPool& pool, uint64_t draw, Task& task, Candidate& out) {
-  RandomStream random(scene.settings.seed ^ kCurvedStream, draw);
+bool draw_curved(const RansacScene& scene, const PointPool& pool, uint64_t draw, Task& task,
+                 Candidate& out) {
+  RandomStream random(scene.draw.seed ^ kCurvedStream, draw);
   Candidate candidate;
   if (!pick_seed(scene, pool, random, candidate.seed)) return false;
   const Octree::Cell cell = cell_at(scene, candidate.seed, static_cast<int>(random.below(kLevelsUp)));

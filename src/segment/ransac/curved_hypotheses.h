@@ -8,7 +8,8 @@ namespace jalon {
 
 /// Draw number `draw` of a sphere or a cylinder (steps in curved_hypotheses.cpp); false when it gives none that its
 /// surroundings support.
-bool draw_curved(const SegmentScene& scene, const PointPool& pool, uint64_t draw, Task& task, Candidate& out);
+bool draw_curved(const RansacScene& scene, const PointPool& pool, uint64_t draw, Task& task,
+                 Candidate& out);
 
 /// The inlier test of a curved surface; a cell's normal turns by edge / (2 r) from its middle to its side, which the
 /// test allows for.

@@ -50,7 +50,7 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
     members.area_m2 = occupied_area_m2(bounded_raster(uv, members.pixel_m, 0));
     return;
   }
-  const RansacSettings& settings = scene.settings;
+  const SurfaceSettings& settings = scene.settings;
   const RegionRule rule{members.pixel_m, settings.gap_m, settings.min_area_m2, settings.strip_width_m};
   const Region region = largest_region(uv, rule);
   members.area_m2 = region.area_m2;
@@ -70,7 +70,7 @@ bool fit_members(const PointPool& pool, const Members& members, Task& task, Plan
   return fit_plane(moments, fit);
 }
 
-bool large_enough(const RansacSettings& settings, const Members& members) {
+bool large_enough(const SurfaceSettings& settings, const Members& members) {
   return members.slots.size() >= std::max<size_t>(3, settings.min_points) &&
          members.area_m2 >= settings.min_area_m2;
 }
@@ -110,10 +110,10 @@ Window first_window(const SegmentScene& scene, const Candidate& candidate) {
 }
 
 // Rounds of collect - region - least squares; members are those of the last round.
-bool settle_plane(const SegmentScene& scene, const PointPool& pool, Task& task, Surface& surface, Window& window,
-                  Members& members) {
-  const RansacSettings& settings = scene.settings;
-  if (!settings.refit) {
+bool settle_plane(const RansacScene& scene, const PointPool& pool, Task& task, Surface& surface,
+                  Window& window, Members& members) {
+  const SurfaceSettings& settings = scene.settings;
+  if (!scene.draw.refit) {
     window.half_m = window.all_m;
     surface.sigma_m = settings.distance_tolerance_m / kSigmas;
     return true;
@@ -189,7 +189,7 @@ std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface)
   return uv;
 }
 
-bool wide_enough(const RansacSettings& settings, const PlaneFit& fit) {
+bool wide_enough(const SurfaceSettings& settings, const PlaneFit& fit) {
   if (!settings.uses_normals()) return true;  // the plain method: any three points are a plane
   const double sigma = settings.distance_tolerance_m / kSigmas;
   const double width = std::sqrt(fit.eigenvalues[1]);
@@ -197,20 +197,21 @@ bool wide_enough(const RansacSettings& settings, const PlaneFit& fit) {
          width * std::sqrt(static_cast<double>(fit.n)) * kLargestTurn_rad >= sigma;
 }
 
-bool too_rough(const RansacSettings& settings, double sigma_m) {
+bool too_rough(const SurfaceSettings& settings, double sigma_m) {
   // Points evenly spread over the tolerance, as where a plane cuts through clutter, a pipe or a step, have an rms of
   // 0.46 tolerances after the core is cut and more before; noise with the tolerance at 2.5 sigma has 0.38.
   constexpr double kMaxRoughness = 0.42;
   return settings.uses_normals() && sigma_m > kMaxRoughness * settings.distance_tolerance_m;
 }
 
-double core_reach(const RansacSettings& settings, double sigma_m) {
+double core_reach(const SurfaceSettings& settings, double sigma_m) {
   const double tolerance = settings.distance_tolerance_m;
   if (!settings.uses_normals()) return tolerance;  // the plain method of Boulaassal 2010: the buffer zone alone decides
   return std::clamp(kSigmas * sigma_m, kLeastReach * tolerance, tolerance);
 }
 
-double settled_sigma(const SegmentScene& scene, const PointPool& pool, const Candidate& candidate, Task& task) {
+double settled_sigma(const RansacScene& scene, const PointPool& pool, const Candidate& candidate,
+                     Task& task) {
   Surface surface;
   surface.plane = candidate.plane;
   Window window = first_window(scene, candidate);
@@ -218,8 +219,8 @@ double settled_sigma(const SegmentScene& scene, const PointPool& pool, const Can
   return settle_plane(scene, pool, task, surface, window, members) ? surface.sigma_m : INFINITY;
 }
 
-bool extract_surface(SegmentScene& scene, PointPool& pool, const OrientationPass& pass, const Candidate& candidate,
-                     uint32_t owner_id, Task& task, Surface& out) {
+bool extract_surface(RansacScene& scene, PointPool& pool, const OrientationPass& pass,
+                     const Candidate& candidate, uint32_t owner_id, Task& task, Surface& out) {
   Surface surface;
   surface.plane = candidate.plane;
   Window window = first_window(scene, candidate);

@@ -28,20 +28,21 @@ std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface)
 /// From a candidate to a surface: collect, keep the largest connected region, refit by least squares, until stable;
 /// then the points of the surface are taken out of the pool and belong to owner_id. False when no region is large,
 /// flat and dense enough.
-bool extract_surface(SegmentScene& scene, PointPool& pool, const OrientationPass& pass, const Candidate& candidate,
-                     uint32_t owner_id, Task& task, Surface& out);
+bool extract_surface(RansacScene& scene, PointPool& pool, const OrientationPass& pass,
+                     const Candidate& candidate, uint32_t owner_id, Task& task, Surface& out);
 
 /// Sigma of the plane that the candidate settles on, taking nothing; infinite when it settles on none.
-double settled_sigma(const SegmentScene& scene, const PointPool& pool, const Candidate& candidate, Task& task);
+double settled_sigma(const RansacScene& scene, const PointPool& pool, const Candidate& candidate,
+                     Task& task);
 
 /// False when the points are so narrow a strip that noise, not the surface, turns the plane about its long side: a
 /// single column of a scan is spread along the ray by the noise alone, and least squares follows that spread.
-bool wide_enough(const RansacSettings& settings, const PlaneFit& fit);
+bool wide_enough(const SurfaceSettings& settings, const PlaneFit& fit);
 
 /// True when the points are spread over the tolerance rather than about a plane.
-bool too_rough(const RansacSettings& settings, double sigma_m);
+bool too_rough(const SurfaceSettings& settings, double sigma_m);
 
 /// Reach of a plane of this sigma: 3 sigma, between a tenth of the tolerance and the tolerance.
-double core_reach(const RansacSettings& settings, double sigma_m);
+double core_reach(const SurfaceSettings& settings, double sigma_m);
 
 }  // namespace jalon

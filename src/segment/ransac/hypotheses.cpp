@@ -91,11 +91,11 @@ uint32_t inliers(const SegmentScene& scene, const PointPool& pool, const Candida
 // 1. a free point at random; 2. a cell of a random level around it; 3. two more free points of that cell, well apart
 // (Schnabel et al. 2007, 4.3: points close together belong to one surface); 4. the plane of the three, tested and
 // refined on the cell's points; 5. in a pass for one orientation class, turned onto its axis and tested again.
-bool draw_candidate(const SegmentScene& scene, const PointPool& pool, const OrientationPass& pass, uint64_t draw,
-                    Candidate& out) {
-  RandomStream random(scene.settings.seed, draw);
+bool draw_candidate(const RansacScene& scene, const PointPool& pool, const OrientationPass& pass,
+                    uint64_t draw, Candidate& out) {
+  RandomStream random(scene.draw.seed, draw);
   Candidate candidate;
-  if (!scene.settings.local_sampling) {
+  if (scene.draw.sampling == Sampling::kGlobal) {
     if (!draw_globally(scene, pool, random, candidate)) return false;
     if (!pass.shape(candidate.plane, scene.local(candidate.seed))) return false;
     if (scene.inconsistent(candidate.seed, candidate.plane.normal, scene.min_cosine())) return false;

@@ -23,8 +23,8 @@ struct Candidate {
 };
 
 /// Draw number `draw` (steps in hypotheses.cpp); false when it gives no plane that its surroundings support.
-bool draw_candidate(const SegmentScene& scene, const PointPool& pool, const OrientationPass& pass, uint64_t draw,
-                    Candidate& out);
+bool draw_candidate(const RansacScene& scene, const PointPool& pool, const OrientationPass& pass,
+                    uint64_t draw, Candidate& out);
 
 /// Looks at the next piece and narrows the bounds.
 void score_next_piece(const SegmentScene& scene, const PointPool& pool, Candidate& candidate);

@@ -32,15 +32,15 @@ bool OrientationPass::accepts(const Vec3& normal) const {
   return axes.classify(normal, kSettledTolerances * tolerance_rad) == wanted;
 }
 
-std::vector<OrientationPass> orientation_passes(SegmentScene& scene, Task& task) {
-  const RansacSettings& settings = scene.settings;
-  if (settings.order.count == 0) return {OrientationPass{}};
+std::vector<OrientationPass> orientation_passes(RansacScene& scene, Task& task) {
+  if (scene.order.count == 0) return {OrientationPass{}};
   std::vector<OrientationPass> passes;
   const FacadeAxes axes = facade_axes(scene, task);
   scene.axes = axes;
-  for (uint32_t i = 0; i < settings.order.count; ++i)
-    passes.push_back({settings.order.classes[i], axes, settings.orientation_tolerance_rad,
-                      std::max(kDrawTolerance_rad, settings.orientation_tolerance_rad)});
+  const double tolerance_rad = scene.settings.orientation_tolerance_rad;
+  for (uint32_t i = 0; i < scene.order.count; ++i)
+    passes.push_back(
+        {scene.order.classes[i], axes, tolerance_rad, std::max(kDrawTolerance_rad, tolerance_rad)});
   return passes;
 }
 

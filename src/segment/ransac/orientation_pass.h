@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "segment/orientation.h"
-#include "segment/surface/scene.h"
+#include "segment/ransac/ransac_scene.h"
 
 namespace jalon {
 
@@ -26,7 +26,7 @@ struct OrientationPass {
 };
 
 /// The passes of a run: one for all planes, or one a class in the order asked for; then scene.axes is set.
-std::vector<OrientationPass> orientation_passes(SegmentScene& scene, Task& task);
+std::vector<OrientationPass> orientation_passes(RansacScene& scene, Task& task);
 
 /// Axes of the main facade by the normals of the upright cells (facade_direction.cpp).
 FacadeAxes facade_axes(const SegmentScene& scene, Task& task);

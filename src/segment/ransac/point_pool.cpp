@@ -34,7 +34,7 @@ uint32_t mark(const PointColumns& points, const CurvedTest& test, uint32_t mask[
 
 }  // namespace
 
-PointPool::PointPool(const SegmentScene& scene, Task& task) : avx2_(use_avx2()) {
+PointPool::PointPool(const RansacScene& scene, Task& task) : avx2_(use_avx2()) {
   std::vector<uint32_t> free;
   for (size_t i = 0; i < scene.size(); ++i)
     if (scene.owner[i] == 0) free.push_back(static_cast<uint32_t>(i));
@@ -42,7 +42,7 @@ PointPool::PointPool(const SegmentScene& scene, Task& task) : avx2_(use_avx2()) 
   std::vector<uint8_t> piece(free.size(), kPieces - 1);
   if (free.size() >= kSmallPool)
     parallel_for(task, free.size(), 1 << 15, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) piece[i] = random_piece(scene.settings.seed, free[i]);
+      for (size_t i = begin; i < end; ++i) piece[i] = random_piece(scene.draw.seed, free[i]);
     });
   for (const uint8_t p : piece) ++piece_free_[p];
   std::array<size_t, kPieces> next{};

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "segment/ransac/curved_kernel.h"
-#include "segment/surface/scene.h"
+#include "segment/ransac/ransac_scene.h"
 
 namespace jalon {
 
@@ -21,7 +21,7 @@ class PointPool {
 
   PointPool() = default;
   /// Collects the points with owner 0.
-  PointPool(const SegmentScene& scene, Task& task);
+  PointPool(const RansacScene& scene, Task& task);
 
   size_t free_points() const { return free_; }
   size_t built_points() const { return built_; }

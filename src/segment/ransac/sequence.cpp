@@ -37,8 +37,8 @@ constexpr size_t kCompetitors = 8;
 
 class Sequence {
  public:
-  Sequence(SegmentScene& scene, Task& task) : scene_(scene), task_(task), pool_(scene, task) {
-    needed_ = -std::log(1 - scene.settings.probability);
+  Sequence(RansacScene& scene, Task& task) : scene_(scene), task_(task), pool_(scene, task) {
+    needed_ = -std::log(1 - scene.draw.probability);
   }
 
   std::vector<Surface> run() {
@@ -84,7 +84,7 @@ class Sequence {
   }
   size_t least_points() const { return std::max<size_t>(3, scene_.settings.min_points); }
   bool enough_planes() const {
-    return scene_.settings.max_planes != 0 && surfaces_.size() >= scene_.settings.max_planes;
+    return scene_.draw.max_planes != 0 && surfaces_.size() >= scene_.draw.max_planes;
   }
   // Expected number of good draws on a plane of that many points: each draw hits it with probability points / free x
   // kLocalSuccess.
@@ -93,8 +93,8 @@ class Sequence {
   // (Boulaassal 2010, 3.4.3.2).
   bool sure_of(double points) const {
     const auto fruitless = static_cast<double>(fruitless_draws_);
-    if (scene_.settings.draws != 0) return fruitless_draws_ >= scene_.settings.draws;
-    if (!scene_.settings.local_sampling) return fruitless >= global_draws(points);
+    if (scene_.draw.draws != 0) return fruitless_draws_ >= scene_.draw.draws;
+    if (scene_.draw.sampling == Sampling::kGlobal) return fruitless >= global_draws(points);
     return hits(points) >= needed_;
   }
   // N = log(1 - P) / log(1 - W^3) (Boulaassal 2010, 3.11), W the plane's share of the points that are left.
@@ -108,7 +108,8 @@ class Sequence {
   }
 
   void draw_batch() {
-    const uint64_t left = scene_.settings.draws != 0 ? scene_.settings.draws - fruitless_draws_ : kDrawsPerBatch;
+    const uint64_t left =
+        scene_.draw.draws != 0 ? scene_.draw.draws - fruitless_draws_ : kDrawsPerBatch;
     const size_t draws = std::min<size_t>(kDrawsPerBatch, left);
     add_drawn(draws, [&](size_t i, Candidate& c) { return draw_candidate(scene_, pool_, pass_, draws_ + i, c); });
     if (scene_.settings.curved())
@@ -209,7 +210,8 @@ class Sequence {
       size_t best = best_candidate();
       if (candidates_[best].upper < static_cast<double>(least_points())) return false;
       if (!sure_of(candidates_[best].lower)) return false;
-      if (scene_.settings.criterion == Criterion::kStandardDeviation && !candidates_[best].curved.exists())
+      if (scene_.draw.criterion == Criterion::kStandardDeviation &&
+          !candidates_[best].curved.exists())
         best = least_spread(best);
       const Candidate candidate = candidates_[best];
       candidates_.erase(candidates_.begin() + static_cast<ptrdiff_t>(best));
@@ -240,7 +242,7 @@ class Sequence {
     for (Candidate& c : candidates_) c.epoch = epoch_ - 1;  // their pieces were those of the old pool
   }
 
-  SegmentScene& scene_;
+  RansacScene& scene_;
   Task& task_;
   PointPool pool_;
   OrientationPass pass_;
@@ -254,6 +256,8 @@ class Sequence {
 
 }  // namespace
 
-std::vector<Surface> extract_sequence(SegmentScene& scene, Task& task) { return Sequence(scene, task).run(); }
+std::vector<Surface> extract_sequence(RansacScene& scene, Task& task) {
+  return Sequence(scene, task).run();
+}
 
 }  // namespace jalon

@@ -113,12 +113,11 @@ void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task&
   settle();
 }
 
-Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scene, std::vector<Surface>& surfaces,
-                                 const ParamSet& params, Task& task) {
-  const RansacSettings& settings = scene.settings;
+Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scene,
+                                 std::vector<Surface>& surfaces, Task& task) {
+  const SurfaceSettings& settings = scene.settings;
   Segmentation out;
   out.cloud = cloud;
-  out.parameters_json = params.to_json();
   out.segments = make_segments(scene, surfaces, task);
   const auto label_column = label_points(scene, surfaces);
   const auto labels = label_column->values<uint32_t>();

@@ -18,9 +18,9 @@ void require_area(const Cloud& cloud, Task& task);
 /// All points shared out anew among all planes, which are refitted after each round.
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 
-/// Last fit, normals turned, orientation classes, facade frame, tables of points and segments. Sorts the surfaces,
-/// largest first.
-Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scene, std::vector<Surface>& surfaces,
-                                 const ParamSet& params, Task& task);
+/// Last fit, normals turned, orientation classes, facade frame, tables of points and segments; all
+/// but parameters_json. Sorts the surfaces, largest first.
+Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scene,
+                                 std::vector<Surface>& surfaces, Task& task);
 
 }  // namespace jalon

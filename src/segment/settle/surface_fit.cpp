@@ -54,7 +54,7 @@ struct CoreMoments {
 };
 
 CoreMoments core_moments(const SegmentScene& scene, const Surface& surface, Task& task) {
-  const RansacSettings& settings = scene.settings;
+  const SurfaceSettings& settings = scene.settings;
   const double reach =
       settings.uses_normals() && surface.sigma_m > 0
           ? std::min(settings.distance_tolerance_m,
@@ -180,7 +180,7 @@ bool bends(const SegmentScene& scene, const Surface& surface, const PlaneFit& fi
 
 // The plane, its sigma and its area anew from the surface's points; false when it is none any more.
 bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
-  const RansacSettings& settings = scene.settings;
+  const SurfaceSettings& settings = scene.settings;
   PlaneFit fit;
   const bool good = surface.positions.size() >= std::max<size_t>(3, settings.min_points) &&
                     fit_core(scene, surface, task, fit) && wide_enough(settings, fit) &&

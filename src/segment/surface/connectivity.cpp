@@ -53,7 +53,7 @@ PlaneFrame plane_frame(const Plane& plane, const Vec3& near) {
   return {near, axes.u, axes.v};
 }
 
-double connectivity_pixel(const RansacSettings& settings, std::vector<float> spacings) {
+double connectivity_pixel(const SurfaceSettings& settings, std::vector<float> spacings) {
   if (settings.pixel_m > 0) return settings.pixel_m;
   if (spacings.empty()) return settings.distance_tolerance_m;
   const auto at = static_cast<ptrdiff_t>(kSpacingPercentile * static_cast<double>(spacings.size() - 1));

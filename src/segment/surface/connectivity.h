@@ -27,7 +27,7 @@ struct Region {
 /// Pixel of the connectivity raster: the user's, or twice the spacing (its 80th percentile among the points, since
 /// holes of the raster matter where points are sparse), never below the tolerance, which is as fine as the plane
 /// itself is known.
-double connectivity_pixel(const RansacSettings& settings, std::vector<float> spacings);
+double connectivity_pixel(const SurfaceSettings& settings, std::vector<float> spacings);
 
 /// What makes a surface one.
 struct RegionRule {

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "geometry/circle.h"
 #include "segment/surface/connectivity.h"
@@ -49,6 +50,29 @@ double occupied_area(std::span<const Vec2> uv, double pixel_m) {
   const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
   return static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
 }
+
+constexpr auto kPrimitiveFit = setting_rows(
+    number_row<&PrimitiveSetting::tolerance_m>(
+        "tolerance_m", 1e-6, 10, "m", "",
+        "Largest distance of a point from the surface: a half-thickness; what lies beyond is "
+        "an outlier."),
+    number_row<&PrimitiveSetting::min_radius_m>("min_radius_m", 1e-6, 1e6, "m", "",
+                                                "Smallest radius."),
+    number_row<&PrimitiveSetting::max_radius_m>("max_radius_m", 1e-6, 1e6, "m", "",
+                                                "Largest radius."),
+    bool_row<&PrimitiveSetting::robust>(
+        "robust", "",
+        "Random draws, then weights that leave outliers out; off: least squares on every "
+        "point given."));
+constexpr auto kPrimitiveSeed = setting_rows(integer_row<&PrimitiveSetting::seed>(
+    "seed", 0, 9e15, "1", "", "Seed of the random draws: the same seed gives the same result."));
+constexpr auto kPrimitiveRows = setting_rows(
+    nested_rows<&PrimitiveFitSettings::fit, kPrimitiveFit>(),
+    integer_row<&PrimitiveFitSettings::k>(
+        "k", 3, 256, "points", "",
+        "Neighbours for the normals of a cylinder's points, where the cloud has no field "
+        "\"normal\"."),
+    nested_rows<&PrimitiveFitSettings::fit, kPrimitiveSeed>());
 
 }  // namespace
 
@@ -97,30 +121,7 @@ std::vector<Vec3> listed_normals(const Cloud& cloud, std::span<const uint64_t> i
   return out;
 }
 
-std::span<const ParamRow> primitive_rows() {
-  static constexpr ParamRow kRows[] = {
-      number_row("tolerance_m", 0.025, 1e-6, 10, "m", "",
-                 "Largest distance of a point from the surface: a half-thickness; what lies beyond is an outlier."),
-      number_row("min_radius_m", 0.001, 1e-6, 1e6, "m", "", "Smallest radius."),
-      number_row("max_radius_m", 1000, 1e-6, 1e6, "m", "", "Largest radius."),
-      bool_row("robust", true, "",
-               "Random draws, then weights that leave outliers out; off: least squares on every point given."),
-      integer_row("k", 16, 3, 256, "points", "",
-                  "Neighbours for the normals of a cylinder's points, where the cloud has no field \"normal\"."),
-      integer_row("seed", 1, 0, 9e15, "1", "", "Seed of the random draws: the same seed gives the same result."),
-  };
-  return kRows;
-}
-
-PrimitiveSetting primitive_setting(const ParamSet& params) {
-  PrimitiveSetting s;
-  s.tolerance_m = params.number("tolerance_m");
-  s.min_radius_m = params.number("min_radius_m");
-  s.max_radius_m = params.number("max_radius_m");
-  s.robust = params.flag("robust");
-  s.seed = static_cast<uint64_t>(params.integer("seed"));
-  return s;
-}
+std::span<const ParamRow> primitive_rows() { return kPrimitiveRows; }
 
 void describe_curved(std::span<const Vec3> points, double pixel_m, Segment& segment) {
   const SurfaceMap map = SurfaceMap::of(segment, points);
@@ -147,9 +148,10 @@ void shift_origin(Segment& segment, const Vec3& origin) {
   segment.cylinder.cylinder.point += origin;
 }
 
-Segment sphere_segment(const Cloud& cloud, std::span<const uint64_t> indices, const ParamSet& params, Task& task) {
+Segment sphere_segment(const Cloud& cloud, std::span<const uint64_t> indices,
+                       const PrimitiveFitSettings& settings, Task& task) {
   const PointList list = listed_points(cloud, indices, task);
-  const PrimitiveSetting setting = primitive_setting(params);
+  const PrimitiveSetting& setting = settings.fit;
   require_points(list, 4, "a sphere");
   Segment out;
   out.label = 1;
@@ -160,10 +162,10 @@ Segment sphere_segment(const Cloud& cloud, std::span<const uint64_t> indices, co
   return out;
 }
 
-Segment cylinder_segment(const Cloud& cloud, std::span<const uint64_t> indices, const Vec3* direction,
-                         const ParamSet& params, Task& task) {
+Segment cylinder_segment(const Cloud& cloud, std::span<const uint64_t> indices,
+                         const Vec3* direction, const PrimitiveFitSettings& settings, Task& task) {
   const PointList list = listed_points(cloud, indices, task);
-  const PrimitiveSetting setting = primitive_setting(params);
+  const PrimitiveSetting& setting = settings.fit;
   Segment out;
   out.label = 1;
   out.type = PrimitiveType::kCylinder;
@@ -174,7 +176,7 @@ Segment cylinder_segment(const Cloud& cloud, std::span<const uint64_t> indices, 
     found = fit_cylinder_along(normalized(*direction), list.points, setting, task, out.cylinder);
   } else {
     require_points(list, 5, "a cylinder");
-    const auto normals = listed_normals(cloud, indices, static_cast<uint32_t>(params.integer("k")), task);
+    const auto normals = listed_normals(cloud, indices, settings.k, task);
     found = fit_cylinder(list.points, normals, setting, task, out.cylinder);
   }
   if (!found) refuse(list, "cylinder", setting);
@@ -183,9 +185,10 @@ Segment cylinder_segment(const Cloud& cloud, std::span<const uint64_t> indices, 
   return out;
 }
 
-FieldTable circle_table(const Cloud& cloud, std::span<const uint64_t> indices, const ParamSet& params, Task& task) {
+FieldTable circle_table(const Cloud& cloud, std::span<const uint64_t> indices,
+                        const PrimitiveFitSettings& settings, Task& task) {
   const PointList list = listed_points(cloud, indices, task);
-  const PrimitiveSetting setting = primitive_setting(params);
+  const PrimitiveSetting& setting = settings.fit;
   require_points(list, 3, "a circle");
   PlaneFit plane;
   CircleFit fit;

@@ -19,19 +19,24 @@ std::vector<Vec3> listed_normals(const Cloud& cloud, std::span<const uint64_t> i
 /// Normal of the least-squares plane through the k points nearest to a place; NaN when they have none.
 Vec3 normal_near(const Cloud& cloud, const Octree& tree, const Vec3& place, uint32_t k);
 
-/// Parameter table of operation "primitive", and what it says.
+/// The parameters of operation "primitive".
+struct PrimitiveFitSettings {
+  PrimitiveSetting fit;
+  uint32_t k = 16;  ///< neighbours of a cylinder's normals, where the cloud has no field "normal"
+};
 std::span<const ParamRow> primitive_rows();
-PrimitiveSetting primitive_setting(const ParamSet& params);
 
 /// One segment, in world coordinates; Error(kInsufficientData) for too few points, Error(kDegenerate) when they do not fix
 /// the primitive.
-Segment sphere_segment(const Cloud& cloud, std::span<const uint64_t> indices, const ParamSet& params, Task& task);
+Segment sphere_segment(const Cloud& cloud, std::span<const uint64_t> indices,
+                       const PrimitiveFitSettings& settings, Task& task);
 /// direction: of the axis, or null when it is to be found.
-Segment cylinder_segment(const Cloud& cloud, std::span<const uint64_t> indices, const Vec3* direction,
-                         const ParamSet& params, Task& task);
+Segment cylinder_segment(const Cloud& cloud, std::span<const uint64_t> indices,
+                         const Vec3* direction, const PrimitiveFitSettings& settings, Task& task);
 /// A circle in the least-squares plane of its points: one row of "centre", "normal", "radius", "sigma", "inliers",
 /// "covariance".
-FieldTable circle_table(const Cloud& cloud, std::span<const uint64_t> indices, const ParamSet& params, Task& task);
+FieldTable circle_table(const Cloud& cloud, std::span<const uint64_t> indices,
+                        const PrimitiveFitSettings& settings, Task& task);
 
 /// Area, length and arc of a sphere or cylinder from its points (in the frame of its fit).
 void describe_curved(std::span<const Vec3> points, double pixel_m, Segment& segment);

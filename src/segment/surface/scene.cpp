@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "segment/surface/cell_firsts.h"
-#include "segment/surface/tolerance.h"
 
 namespace jalon {
 
@@ -31,10 +30,10 @@ Cube anchored_cube(const Box3& box) {
 
 }  // namespace
 
-SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
+SegmentScene indexed_scene(const Cloud& cloud, const SurfaceSettings& settings, Task& task) {
   const Cube anchored = anchored_cube(bounds(cloud, task));
-  SegmentScene scene{.cloud = cloud, .settings = settings, .tree = Octree::build(cloud.xyz(), anchored, task)};
-  resolve_tolerance(cloud, *scene.tree, scene.settings, task);
+  SegmentScene scene{
+      .cloud = cloud, .settings = settings, .tree = Octree::build(cloud.xyz(), anchored, task)};
   scene.order = scene.tree->order();
   scene.origin = scene.tree->cube().origin;
   scene.owner.assign(scene.size(), 0);
@@ -45,8 +44,7 @@ SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, T
   return scene;
 }
 
-SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task) {
-  SegmentScene scene = indexed_scene(cloud, settings, task);
+void look_at_cells(SegmentScene& scene, Task& task) {
   const Cube& cube = scene.tree->cube();
   const double finest = std::log2(cube.edge / (kFineCellTolerances * scene.settings.distance_tolerance_m));
   scene.fine_level = std::clamp(static_cast<int>(std::floor(finest)), 0, kMaxLevel);
@@ -54,7 +52,6 @@ SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task
   scene.level = Buffer<uint8_t>(scene.size());
   scene.cell_firsts = cell_firsts(*scene.tree, scene.coarse_level, scene.fine_level, scene.level, task);
   estimate_local_surface(scene, task);
-  return scene;
 }
 
 PlaneAxes plane_axes(const Vec3& normal) {

@@ -14,8 +14,9 @@
 #include "base/task.h"
 #include "cloud/cloud.h"
 #include "geometry/plane.h"
-#include "segment/ransac_settings.h"
+#include "segment/orientation.h"
 #include "segment/surface/plane_kernel.h"
+#include "segment/surface_settings.h"
 #include "spatial/octree/octree.h"
 
 namespace jalon {
@@ -27,7 +28,7 @@ constexpr uint8_t kMostRejections = 3;
 /// relative to the octree's cube, which is the run's own and moves with the cloud.
 struct SegmentScene {
   const Cloud& cloud;
-  RansacSettings settings;
+  SurfaceSettings settings;
   std::shared_ptr<const Octree> tree;
   std::span<const uint32_t> order = {};
   Vec3 origin = {};                      ///< of the local frame
@@ -70,9 +71,9 @@ struct SegmentScene {
 };
 
 /// Index and room for the columns of the points, all of them free; normals and spacing are still to be written.
-SegmentScene indexed_scene(const Cloud& cloud, const RansacSettings& settings, Task& task);
-/// The same with the octree's cells, and normals and spacing from them.
-SegmentScene make_scene(const Cloud& cloud, const RansacSettings& settings, Task& task);
+SegmentScene indexed_scene(const Cloud& cloud, const SurfaceSettings& settings, Task& task);
+/// Adds the octree's cells, and normals and spacing from them.
+void look_at_cells(SegmentScene& scene, Task& task);
 
 /// Normal, spacing and level of every free point: the finest cell with enough points decides (local_surface.cpp).
 void estimate_local_surface(SegmentScene& scene, Task& task);

@@ -79,12 +79,18 @@ double estimate_sigma(const Cloud& cloud, const Octree& tree, Task& task) {
   return std::sqrt(spread.across);
 }
 
-void resolve_tolerance(const Cloud& cloud, const Octree& tree, RansacSettings& settings, Task& task) {
-  if (settings.tolerance_from == ToleranceSource::kHand) return;
-  if (settings.tolerance_from == ToleranceSource::kEstimate)
-    settings.sigma_m = std::clamp(estimate_sigma(cloud, tree, task), kLeastSigma_m, kMostTolerance_m);
-  const double tolerance = tolerance_of_sigma(settings.sigma_m, settings.tolerance_probability, settings.tolerance_dof);
-  settings.distance_tolerance_m = std::clamp(tolerance, kLeastTolerance_m, kMostTolerance_m);
+Tolerance tolerance_of(const Cloud& cloud, const Octree& tree, const RansacSettings& settings,
+                       Task& task) {
+  const ToleranceSettings& from = settings.tolerance;
+  if (from.tolerance_from == ToleranceSource::kHand)
+    return {settings.surface.distance_tolerance_m, from.sigma_m};
+  Tolerance out{0, from.sigma_m};
+  if (from.tolerance_from == ToleranceSource::kEstimate)
+    out.sigma_m = std::clamp(estimate_sigma(cloud, tree, task), kLeastSigma_m, kMostTolerance_m);
+  const double tolerance =
+      tolerance_of_sigma(out.sigma_m, from.tolerance_probability, from.tolerance_dof);
+  out.distance_tolerance_m = std::clamp(tolerance, kLeastTolerance_m, kMostTolerance_m);
+  return out;
 }
 
 }  // namespace jalon

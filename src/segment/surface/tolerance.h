@@ -18,7 +18,11 @@ double tolerance_of_sigma(double sigma_m, double probability, int dof);
 /// the least-squares plane of the k nearest points, k large enough that the noise does not turn the plane.
 double estimate_sigma(const Cloud& cloud, const Octree& tree, Task& task);
 
-/// Sets distance_tolerance_m, and sigma_m when it is estimated, as tolerance_from says.
-void resolve_tolerance(const Cloud& cloud, const Octree& tree, RansacSettings& settings, Task& task);
+/// What a run works with, as tolerance_from says.
+struct Tolerance {
+  double distance_tolerance_m = 0, sigma_m = 0;
+};
+Tolerance tolerance_of(const Cloud& cloud, const Octree& tree, const RansacSettings& settings,
+                       Task& task);
 
 }  // namespace jalon

@@ -12,6 +12,7 @@
 #include "modelling/facade/facade.h"
 #include "scan/scanner.h"
 #include "segment/labels/from_labels.h"
+#include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
 namespace facades {
@@ -32,7 +33,7 @@ struct Scan {
     ParamSet scanner("scanner", static_scanner_rows());
     scanner.from_json(scanner_json);
     cloud = std::make_shared<const Cloud>(scan_static(scene, {}, scanner, task));
-    segmentation = segment_ransac(cloud, ParamSet("segmenter", ransac_rows()), task);
+    segmentation = segment_ransac(cloud, RansacSettings{}, task);
   }
 };
 

@@ -12,10 +12,10 @@
 
 namespace jalon::test {
 
-inline ParamSet evaluation_params(const char* json = "{}") {
+inline EvaluationSettings evaluation_params(const char* json = "{}") {
   ParamSet params("evaluation", evaluation_rows());
   params.from_json(json);
-  return params;
+  return settings_from<EvaluationSettings>(params);
 }
 
 inline Segmentation from_labels(const CloudPtr& cloud, const char* field, const char* json = "{}",
@@ -25,7 +25,7 @@ inline Segmentation from_labels(const CloudPtr& cloud, const char* field, const 
   Task task(hooks);
   ParamSet params("labels", labels_rows());
   params.from_json(json);
-  return segmentation_from_labels(cloud, field, params, task);
+  return segmentation_from_labels(cloud, field, settings_from<LabelSettings>(params), task);
 }
 
 /// A cloud with the fields "automatic" and "reference".

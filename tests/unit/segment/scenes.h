@@ -10,6 +10,8 @@
 
 #include "base/random.h"
 #include "base/text_number.h"
+#include "segment/growing_settings.h"
+#include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
 namespace jalon::test {
@@ -44,18 +46,20 @@ inline CloudPtr cloud_of(const std::vector<Vec3>& points, const Vec3& shift = {}
   return std::make_shared<const Cloud>(make_cloud(std::move(xyz)));
 }
 
-inline ParamSet ransac_params(const char* json = "{}", uint64_t seed = 1) {
+inline RansacSettings ransac_params(const char* json = "{}", uint64_t seed = 1) {
   ParamSet params("segmenter ransac", ransac_rows());
   params.from_json(json);
-  params.set_integer("seed", static_cast<int64_t>(seed));
-  return params;
+  auto settings = settings_from<RansacSettings>(params);
+  settings.draw.seed = seed;
+  return settings;
 }
 
-inline Segmentation run(const CloudPtr& cloud, const ParamSet& params, unsigned threads = 2) {
+inline Segmentation run(const CloudPtr& cloud, const RansacSettings& settings,
+                        unsigned threads = 2) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return segment_ransac(cloud, params, task);
+  return segment_ransac(cloud, settings, task);
 }
 
 inline Segmentation grow(const CloudPtr& cloud, const char* json = "{}", unsigned threads = 2) {
@@ -64,7 +68,7 @@ inline Segmentation grow(const CloudPtr& cloud, const char* json = "{}", unsigne
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return segment_region_growing(cloud, params, task);
+  return segment_region_growing(cloud, settings_from<GrowingSettings>(params), task);
 }
 
 /// Points of the face that carry the label.

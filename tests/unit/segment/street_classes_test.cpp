@@ -82,9 +82,8 @@ double purity(const std::vector<std::array<size_t, 4>>& rows, size_t points) {
 
 Segmentation segmented(const Scene& scene, const std::string& method, Task& task) {
   const CloudPtr cloud = cloud_of(scene.points);
-  return method == "ransac"
-             ? segment_ransac(cloud, ParamSet("segmenter ransac", ransac_rows()), task)
-             : segment_region_growing(cloud, ParamSet("segmenter region_growing", region_growing_rows()), task);
+  return method == "ransac" ? segment_ransac(cloud, RansacSettings{}, task)
+                            : segment_region_growing(cloud, GrowingSettings{}, task);
 }
 
 void check_street(const std::string& file, const std::string& method) {

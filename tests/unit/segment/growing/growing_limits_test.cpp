@@ -110,6 +110,5 @@ TEST_CASE("growing is cancelled from outside") {
   Task::Hooks hooks;
   hooks.cancel = &cancel;
   Task task(hooks);
-  const ParamSet params("segmenter region_growing", region_growing_rows());
-  CHECK_THROWS_AS(segment_region_growing(cloud_of(scene.points), params, task), Error);
+  CHECK_THROWS_AS(segment_region_growing(cloud_of(scene.points), GrowingSettings{}, task), Error);
 }

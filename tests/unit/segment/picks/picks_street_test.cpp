@@ -25,10 +25,10 @@ struct Facade {
 // Counts of the labels: street_test.cpp tells the same of the planes that ransac finds.
 constexpr Facade kFacades[] = {{"street_1.txt", 0.22, 22700, 950}, {"street_3.txt", 0.14, 19200, 400}};
 
-ParamSet pick_params(const char* json) {
+PickSettings pick_params(const char* json) {
   ParamSet params("pick", pick_rows());
   params.from_json(json);
-  return params;
+  return settings_from<PickSettings>(params);
 }
 
 // Where an operator would pick: the labelled wall point nearest to the middle of a segment of the automatic method
@@ -65,7 +65,8 @@ const Segment* recess_of(const Scene& scene, const Segmentation& s, double depth
 }  // namespace
 
 TEST_CASE("with_pick__real_facades__one_pick_gives_the_wall_another_the_recess_behind_it") {
-  const ParamSet params = pick_params("{\"tolerance_m\": 0.025, \"gap_m\": 0.5, \"min_area_m2\": 0.05}");
+  const PickSettings settings =
+      pick_params("{\"tolerance_m\": 0.025, \"gap_m\": 0.5, \"min_area_m2\": 0.05}");
   for (const Facade& facade : kFacades) {
     CAPTURE(facade.file);
     const Scene scene = street(facade.file);
@@ -81,9 +82,9 @@ TEST_CASE("with_pick__real_facades__one_pick_gives_the_wall_another_the_recess_b
     Task task;
     const Segmentation start = empty_segmentation(cloud, task);
     const Vec3 on_wall[] = {place_on(scene, automatic, automatic.segments[0])};
-    const Segmentation one = with_pick(start, PrimitiveType::kPlane, on_wall, params, task);
+    const Segmentation one = with_pick(start, PrimitiveType::kPlane, on_wall, settings, task);
     const Vec3 on_recess[] = {place_on(scene, automatic, *behind)};
-    const Segmentation two = with_pick(one, PrimitiveType::kPlane, on_recess, params, task);
+    const Segmentation two = with_pick(one, PrimitiveType::kPlane, on_recess, settings, task);
     const size_t wall = overlap(scene, two, kWall, 1), recess = overlap(scene, two, kWall, 2);
     const Segment &w = two.segments[0], &r = two.segments[1];
     const double depth = std::fabs(w.fit.plane.distance(r.fit.centroid));  // without a station no side is the front
@@ -103,6 +104,6 @@ TEST_CASE("with_pick__real_facades__one_pick_gives_the_wall_another_the_recess_b
     CHECK(remaining_points(two, task).size() == cloud->size() - w.fit.n - r.fit.n);
     // A pick on the wall once it is taken, and one in the air.
     for (const Vec3& place : {on_wall[0], on_wall[0] + 30 * w.fit.plane.normal})
-      CHECK_THROWS_AS(with_pick(two, PrimitiveType::kPlane, {&place, 1}, params, task), Error);
+      CHECK_THROWS_AS(with_pick(two, PrimitiveType::kPlane, {&place, 1}, settings, task), Error);
   }
 }

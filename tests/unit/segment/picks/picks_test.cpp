@@ -42,10 +42,10 @@ Scene yard() {
   return scene;
 }
 
-ParamSet pick_params(const char* json = "{}") {
+PickSettings pick_params(const char* json = "{}") {
   ParamSet params("pick", pick_rows());
   params.from_json(json);
-  return params;
+  return settings_from<PickSettings>(params);
 }
 
 std::vector<Vec3> shifted(std::vector<Vec3> picks) {

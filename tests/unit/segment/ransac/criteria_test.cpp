@@ -87,9 +87,9 @@ TEST_CASE("S2 surrounds: the five tolerances shatter, split and merge the facade
     for (const Row& row : kRows) {
       CAPTURE(seed);
       CAPTURE(row.tolerance_m);
-      ParamSet params = ransac_params(plain("\"min_points\": 600").c_str(), seed);
-      params.set_number("distance_tolerance_m", row.tolerance_m);
-      const Segmentation s = run(cloud, params);
+      RansacSettings settings = ransac_params(plain("\"min_points\": 600").c_str(), seed);
+      settings.surface.distance_tolerance_m = row.tolerance_m;
+      const Segmentation s = run(cloud, settings);
       CHECK(s.segments.size() >= row.least);
       CHECK(s.segments.size() <= row.most);
       REQUIRE(!s.segments.empty());
@@ -141,9 +141,9 @@ TEST_CASE("orientation classes come in the order asked for, and no others") {
   CHECK(flat.segments.size() <= 7);
   for (const Segment& segment : flat.segments) CHECK(segment.orientation == Orientation::kHorizontal);
   for (const char* bad : {"sideways", "parallel parallel", "Parallel"}) {
-    ParamSet params = ransac_params();
-    params.set_text("orientation_order", bad);
-    CHECK_THROWS_AS(run(cloud, params), Error);
+    RansacSettings settings;
+    settings.draw.orientation_order = bad;
+    CHECK_THROWS_AS(run(cloud, settings), Error);
   }
 }
 

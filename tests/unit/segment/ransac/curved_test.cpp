@@ -200,11 +200,11 @@ TEST_CASE("ransac_primitives__threads_and_shift__same_bits") {
   const Scene scene = yard();
   const std::vector<Vec3> points = snapped(scene.points);
   const CloudPtr cloud = cloud_of(points);
-  const ParamSet params = ransac_params("{\"primitives\": \"all\"}");
-  const Segmentation one = run(cloud, params, 1);
+  const RansacSettings settings = ransac_params("{\"primitives\": \"all\"}");
+  const Segmentation one = run(cloud, settings, 1);
   CHECK(curved_count(one) == 4);
   for (const unsigned threads : {2u, 7u}) {
-    const Segmentation other = run(cloud, params, threads);
+    const Segmentation other = run(cloud, settings, threads);
     check_same(one, other, false);
     for (size_t i = 0; i < one.segments.size(); ++i) {
       CHECK(one.segments[i].type == other.segments[i].type);
@@ -214,6 +214,6 @@ TEST_CASE("ransac_primitives__threads_and_shift__same_bits") {
       CHECK(one.segments[i].cylinder.covariance == other.segments[i].cylinder.covariance);
     }
   }
-  const Segmentation grid = run(cloud_of(points, {652000, 6861000, 0}), params);
+  const Segmentation grid = run(cloud_of(points, {652000, 6861000, 0}), settings);
   CHECK(same_bytes(one.labels, grid.labels));
 }

@@ -37,14 +37,13 @@ void check_share(const std::string& what, bool one_sided, Covers&& covers) {
 }
 
 TEST_CASE("sphere_segment__noise_and_outliers__ellipsoid_covers_the_truth") {
-  const ParamSet params("primitive", primitive_rows());
   Task task;
   for (const bool one_sided : {false, true}) {
     Recipe recipe;
     recipe.one_sided = one_sided;
     check_share("sphere r 0.9 m", one_sided, [&](uint64_t seed) {
       const CloudPtr cloud = cloud_of(sphere_draw(recipe, kBall, 31000 + seed).points, kGrid);
-      Segment found = sphere_segment(*cloud, {}, params, task);
+      Segment found = sphere_segment(*cloud, {}, {}, task);
       shift_origin(found, -kGrid);
       return sphere_miss(found.sphere, kBall) <= kChiSquare4;
     });
@@ -52,14 +51,13 @@ TEST_CASE("sphere_segment__noise_and_outliers__ellipsoid_covers_the_truth") {
 }
 
 TEST_CASE("cylinder_segment__noise_and_outliers__ellipsoid_covers_the_truth") {
-  const ParamSet params("primitive", primitive_rows());
   Task task;
   for (const bool one_sided : {false, true}) {
     Recipe recipe;
     recipe.one_sided = one_sided;
     check_share("cylinder r 0.25 m, 3 m", one_sided, [&](uint64_t seed) {
       const CloudPtr cloud = cloud_of(cylinder_draw(recipe, kColumn, 3.0, 52000 + seed).points, kGrid);
-      Segment found = cylinder_segment(*cloud, {}, nullptr, params, task);
+      Segment found = cylinder_segment(*cloud, {}, nullptr, {}, task);
       shift_origin(found, -kGrid);
       return cylinder_miss(found.cylinder, kColumn) <= kChiSquare5;
     });

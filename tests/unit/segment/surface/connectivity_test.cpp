@@ -36,7 +36,7 @@ TEST_CASE("fragments below the minimum area do not ride along") {
 }
 
 TEST_CASE("the pixel follows the spacing but never falls below the tolerance") {
-  RansacSettings settings;
+  SurfaceSettings settings;
   CHECK(connectivity_pixel(settings, {}) == settings.distance_tolerance_m);
   CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.001f)) == settings.distance_tolerance_m);
   CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == doctest::Approx(0.2));

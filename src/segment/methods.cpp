@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/methods.h"
+
+#include "segment/growing_settings.h"
+#include "segment/ransac_settings.h"
+
+namespace jalon {
+
+namespace {
+
+template <class Settings, Segmentation (*Segment)(const CloudPtr&, const Settings&, Task&)>
+Segmentation run(const CloudPtr& cloud, const ParamSet& params, Task& task) {
+  return Segment(cloud, settings_from<Settings>(params), task);
+}
+
+constexpr SegmentMethod kMethods[] = {
+    {"ransac", "segmenter ransac", ransac_rows, run<RansacSettings, segment_ransac>},
+    {"region_growing", "segmenter region_growing", region_growing_rows,
+     run<GrowingSettings, segment_region_growing>},
+};
+
+}  // namespace
+
+std::span<const SegmentMethod> segment_methods() { return kMethods; }
+
+}  // namespace jalon
