@@ -7,59 +7,14 @@
 
 #include "capi/support/comparison_handles.h"
 #include "capi/support/guard.h"
+#include "capi/support/methods.h"
 #include "capi/support/registration_handles.h"
-#include "registration/automatic.h"
-#include "registration/coarse/coarse.h"
-#include "registration/icp/icp.h"
 #include "registration/targets/targets.h"
 
 using namespace jalon;
 using namespace jalon::capi;
 
 namespace {
-
-struct Method {
-  const char* name;
-  const char* owner;  ///< of its parameters
-  std::span<const ParamRow> (*rows)();
-  std::span<const ParamRow> (*more_rows)();  ///< of a second step, or nullptr
-  /// Of clouds, or nullptr.
-  Registration (*run)(const CloudPtr& reference, const CloudPtr& moving, const Transform& start, const ParamSet&,
-                      Task&);
-  /// Of targets, or nullptr.
-  Registration (*run_targets)(std::span<const Target> reference, std::span<const Target> moving, const ParamSet&,
-                              Task&);
-};
-constexpr Method kMethods[] = {
-    {"icp", "registrar icp", icp_rows, nullptr, register_icp, nullptr},
-    {"targets", "registrar targets", targets_rows, nullptr, nullptr, register_targets},
-    {"coarse", "registrar coarse", coarse_rows, nullptr, register_coarse, nullptr},
-    {"automatic", "registrar automatic", coarse_rows, icp_rows, register_automatic, nullptr},
-};
-
-const Method& method_of(const std::string& name) {
-  for (const Method& method : kMethods)
-    if (name == method.name) return method;
-  fail(Status::kNotFound, "no registration method \"%.100s\"; there are: icp, targets, coarse, automatic",
-       name.c_str());
-}
-
-/// Parameters with the rows they are values of.
-struct OwnedParams {
-  std::vector<ParamRow> rows;
-  ParamSet values;
-};
-std::shared_ptr<ParamSet> params_of(const Method& method) {
-  const auto add = [](std::vector<ParamRow>& to, std::span<const ParamRow> from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
-  std::vector<ParamRow> rows;
-  add(rows, method.rows());
-  if (method.more_rows != nullptr) add(rows, method.more_rows());
-  const std::span<const ParamRow> view = rows;  // moving a vector keeps its elements where they are
-  auto owned = std::make_shared<OwnedParams>(OwnedParams{std::move(rows), ParamSet(method.owner, view)});
-  return {owned, &owned->values};
-}
 
 // A handle of what a method made, with the parameters it was made with.
 std::unique_ptr<jalon_registration> handle_of(Registration made, const ParamSet& values, const SharedText& crs) {
@@ -106,22 +61,14 @@ std::vector<Target> targets_from(const jalon_target* targets, uint64_t count, co
 }  // namespace
 
 jalon_status jalon_registrar_create(const char* method, jalon_registrar** out) {
-  return guard([&] {
-    require(out, "out");
-    const std::string name = method != nullptr ? require_text(method, "method") : kMethods[0].name;
-    const Method& found = method_of(name);
-    auto handle = std::make_unique<jalon_registrar>();
-    handle->method = name;
-    handle->values = params_of(found);
-    *out = handle.release();
-  });
+  return create_worker(registration_methods(), method, "registration method", out);
 }
 
 jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar) { return retain(registrar); }
 void jalon_registrar_release(jalon_registrar* registrar) { release(registrar); }
 
 jalon_status jalon_registrar_params(jalon_registrar* registrar, jalon_params** out) {
-  return give_params(registrar, "registrar", out);
+  return give_worker_params(registrar, "registrar", out);
 }
 
 jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_cloud* reference,
@@ -135,12 +82,11 @@ jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_c
     require_same_crs(reference->cloud->crs, moving->cloud->crs);
     const Transform from = start != nullptr ? from_c(*start) : Transform{};
     require_rigid(from);
-    const std::shared_ptr<const ParamSet> owner = registrar->values;  // of the rows, should a callback release the rest
-    const ParamSet values = *owner;  // a progress callback may set the next run's
-    const Method& method = method_of(registrar->method);
+    const RegistrationMethod& method = *registrar->method;
     if (method.run == nullptr)
-      fail(Status::kUnsupported, "method \"%s\" registers targets; see jalon_registrar_run_targets", method.name);
-    *out = with_task(task, [&](Task& t) {
+      fail(Status::kUnsupported, "method \"%s\" registers targets; see jalon_registrar_run_targets",
+           method.name);
+    *out = run_worker(*registrar, task, [&](const ParamSet& values, Task& t) {
              return handle_of(method.run(reference->cloud, moving->cloud, from, values, t), values,
                               reference->cloud->crs);
            }).release();
@@ -155,12 +101,10 @@ jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar, const
     require(out, "out");
     const std::vector<Target> to = targets_from(reference, reference_count, "reference");
     const std::vector<Target> from = targets_from(moving, moving_count, "moving");
-    const ParamSet values = *registrar->values;  // a progress callback may set the next run's
-    const Method& method = method_of(registrar->method);
-    if (method.run_targets == nullptr)
-      fail(Status::kUnsupported, "method \"%s\" registers clouds; use \"targets\"", method.name);
-    *out = with_task(task, [&](Task& t) {
-             return handle_of(method.run_targets(to, from, values, t), values, {});
+    const auto run = require_run(registration_methods(), *registrar->method,
+                                 &RegistrationMethod::run_targets, "registers clouds");
+    *out = run_worker(*registrar, task, [&](const ParamSet& values, Task& t) {
+             return handle_of(run(to, from, values, t), values, {});
            }).release();
   });
 }

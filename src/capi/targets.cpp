@@ -37,7 +37,7 @@ jalon_status jalon_cloud_measure_targets(const jalon_cloud* cloud, const double*
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "target");
+    const auto chosen = settings_from<MeasuringSettings>(options_or_default(options, "target"));
     const std::vector<Vec3> list = places_from(places, count);
     *out = with_task(task, [&](Task& t) {
              return own(new_fields(measure_targets(*cloud->cloud, list, chosen, t)));

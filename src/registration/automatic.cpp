@@ -3,20 +3,32 @@
 #include "registration/automatic.h"
 
 #include "registration/coarse/coarse.h"
+#include "registration/coarse/rows.h"
 #include "registration/icp/icp.h"
+#include "registration/icp/rows.h"
 
 namespace jalon {
 
-Registration register_automatic(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
-                                const ParamSet& params, Task& task) {
+namespace {
+
+constexpr auto kAutomaticRows = setting_rows(nested_rows<&AutomaticSettings::coarse, kCoarseRows>(),
+                                             nested_rows<&AutomaticSettings::icp, kIcpRows>());
+
+}  // namespace
+
+std::span<const ParamRow> automatic_rows() { return kAutomaticRows; }
+
+Registration register_automatic(const CloudPtr& reference, const CloudPtr& moving,
+                                const Transform& start, const AutomaticSettings& settings,
+                                Task& task) {
   Registration coarse;
   {
     const Span span(task, 0, 0.5, nullptr);
-    coarse = register_coarse(reference, moving, start, params, task);
+    coarse = register_coarse(reference, moving, start, settings.coarse, task);
   }
   if (!coarse.converged) return coarse;
   const Span span(task, 0.5, 1, nullptr);
-  Registration out = register_icp(reference, moving, coarse.pose, params, task);
+  Registration out = register_icp(reference, moving, coarse.pose, settings.icp, task);
   for (const char* name : {"score", "overlap_moving", "overlap_reference", "likeness", "ambiguous", "second_score"})
     out.summary.set(coarse.summary.find_shared(name));
   return out;

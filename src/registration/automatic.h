@@ -5,14 +5,24 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
+#include "registration/coarse/settings.h"
+#include "registration/icp/settings.h"
 #include "registration/registration.h"
 
 namespace jalon {
 
-/// Method "automatic": method "coarse", then "icp" from the pose it gives, with the parameters of both. What comes of
-/// coarse without a pose, or with more than one, is the result as it is; else it is that of ICP, with the scores of
-/// coarse in the summary.
-Registration register_automatic(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
-                                const ParamSet& params, Task& task);
+/// The parameters of method "automatic": those of its two steps, one after the other.
+struct AutomaticSettings {
+  CoarseSettings coarse;
+  IcpSettings icp;
+};
+std::span<const ParamRow> automatic_rows();
+
+/// Method "automatic": method "coarse", then "icp" from the pose it gives, with the settings of
+/// both. What comes of coarse without a pose, or with more than one, is the result as it is; else
+/// it is that of ICP, with the scores of coarse in the summary.
+Registration register_automatic(const CloudPtr& reference, const CloudPtr& moving,
+                                const Transform& start, const AutomaticSettings& settings,
+                                Task& task);
 
 }  // namespace jalon

@@ -3,15 +3,15 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "base/params.h"
 #include "base/shared_text.h"
 #include "capi/support/handles.h"
+#include "registration/methods.h"
 #include "registration/registration.h"
 
 struct jalon_registrar : jalon::capi::Counted {
-  std::string method;
+  const jalon::RegistrationMethod* method = nullptr;
   std::shared_ptr<jalon::ParamSet> values;  ///< shared with the jalon_params handles of this registrar
 };
 

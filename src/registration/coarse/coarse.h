@@ -7,6 +7,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
+#include "registration/coarse/settings.h"
 #include "registration/registration.h"
 
 namespace jalon {
@@ -20,7 +21,7 @@ std::span<const ParamRow> coarse_rows();
 /// angles and distances; 3. the candidates' overlap from both sides, the best settled point to plane (Chen & Medioni
 /// 1992); 4. the best against the best one that is clearly different. start: one candidate more, and what the limits
 /// are counted from. Draws nothing by chance.
-Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
-                             const ParamSet& params, Task& task);
+Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving,
+                             const Transform& start, const CoarseSettings& settings, Task& task);
 
 }  // namespace jalon

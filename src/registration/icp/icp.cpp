@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/table_columns.h"
 #include "registration/icp/result.h"
+#include "registration/icp/rows.h"
 #include "registration/icp/settle.h"
 #include "registration/icp/thinning.h"
 
@@ -80,9 +81,10 @@ void iterate(const IcpClouds& clouds, const IcpSettings& settings, Task& task, I
 
 }  // namespace
 
+std::span<const ParamRow> icp_rows() { return kIcpRows; }
+
 Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
-                          const ParamSet& params, Task& task) {
-  const IcpSettings settings = icp_settings(params);
+                          const IcpSettings& settings, Task& task) {
   double cell_m = 0;
   if (reference->size() < kLeastPoints || moving->size() < kLeastPoints)
     fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud", reference->size(),
@@ -98,8 +100,8 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, con
     if (of_reference.cloud->size() < kLeastPoints || of_moving.cloud->size() < kLeastPoints)
       fail(Status::kInsufficientData, "thinned to its cells the clouds have %zu and %zu points; they need %zu",
            of_reference.cloud->size(), of_moving.cloud->size(), kLeastPoints);
-    clouds.reference = surface_planes(of_reference.cloud->octree(task), settings.neighbours, task);
-    clouds.moving = surface_planes(of_moving.cloud->octree(task), settings.neighbours, task);
+    clouds.reference = surface_planes(of_reference.cloud->octree(task), settings.k, task);
+    clouds.moving = surface_planes(of_moving.cloud->octree(task), settings.k, task);
   }
   IcpState state;
   state.inner = clouds.inner(start);

@@ -7,6 +7,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
+#include "registration/icp/settings.h"
 #include "registration/registration.h"
 
 namespace jalon {
@@ -19,6 +20,6 @@ std::span<const ParamRow> icp_rows();
 /// within a distance that shrinks (Girardeau-Montaut 2006, 2.1), robust weights, one step of the adjustment in the
 /// directions that the pairs fix; 3. covariance and directions.
 Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
-                          const ParamSet& params, Task& task);
+                          const IcpSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -36,7 +36,8 @@ double quantile_of(std::vector<float>& values, double share) {
 }
 
 PairRule rule_of(const IcpSettings& settings, const IcpPoints& reference, double most_m) {
-  return {settings.metric, most_m, reference.reach_m, settings.least_cosine, static_cast<double>(settings.neighbours)};
+  return {settings.metric, most_m, reference.reach_m, settings.least_cosine(),
+          static_cast<double>(settings.k)};
 }
 
 // The scale of the residuals; how many were looked at.
@@ -46,7 +47,9 @@ size_t measure_scale(const IcpClouds& clouds, const IcpPoints& reference, const 
   std::vector<float> residuals = icp_residual_sample(clouds, reference, moving, state.neighbours, state.inner, rule);
   if (residuals.empty()) return 0;
   state.sigma_m = std::max(kLeastSigma_m, kMadToSigma * quantile_of(residuals, 0.5));
-  state.worst_m = settings.trim > 0 ? std::min(rule.most_m, quantile_of(residuals, 1 - settings.trim)) : rule.most_m;
+  state.worst_m = settings.trim() > 0
+                      ? std::min(rule.most_m, quantile_of(residuals, 1 - settings.trim()))
+                      : rule.most_m;
   return residuals.size();
 }
 
@@ -66,7 +69,7 @@ bool step_on(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoint
   row.rms_m = std::sqrt(state.sums.squares / std::max(state.sums.weights, 1e-300));
   row.sigma_m = state.sigma_m;
   row.distance_m = state.distance_m;
-  return state.sums.pairs >= kLeastPairs && row.kept >= settings.least_overlap;
+  return state.sums.pairs >= kLeastPairs && row.kept >= settings.least_overlap();
 }
 
 // Moves; how many standard deviations of the pose the step was.

@@ -93,7 +93,7 @@ Registration icp_result(const IcpClouds& clouds, const IcpSource& reference, con
     set_unknown(out);
     return out;
   }
-  const IcpCovariance found = icp_covariance(clouds, state, settings.neighbours, task);
+  const IcpCovariance found = icp_covariance(clouds, state, settings.k, task);
   add_value<double>(out.summary, "sigma0", "1", "a posteriori: residuals over what the planes' scatter foretells",
                     found.sigma0);
   add_value<uint64_t>(out.summary, "patches", "", "of both clouds that the pose settled on; 0: it rests on pairs",

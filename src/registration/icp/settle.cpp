@@ -55,8 +55,9 @@ bool says_enough(const PatchSums& sums, const IcpDirections& directions) {
 }  // namespace
 
 void icp_settle(const IcpClouds& clouds, const IcpSettings& settings, Task& task, IcpState& state) {
-  if (settings.metric != IcpMetric::kPointToPlane || settings.kernel == KernelKind::kNone || settings.trim > 0 ||
-      state.stopped != StopReason::kConverged || state.neighbours.of_moving.size() != clouds.moving.size())
+  if (settings.metric != IcpMetric::kPointToPlane || settings.kernel == KernelKind::kNone ||
+      settings.trim() > 0 || state.stopped != StopReason::kConverged ||
+      state.neighbours.of_moving.size() != clouds.moving.size())
     return;
   const Basis basis = observable(state.directions);
   if (basis.cols() == 0) return;

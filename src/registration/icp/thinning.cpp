@@ -68,7 +68,7 @@ double cell_of(const Cloud& cloud, uint32_t k, Task& task) {
 double thinning_cell_m(const Cloud& reference, const Cloud& moving, const IcpSettings& settings, Task& task) {
   if (settings.cell_m > 0) return settings.cell_m;
   if (settings.metric == IcpMetric::kPointToPoint) return 0;
-  return std::max(cell_of(reference, settings.neighbours, task), cell_of(moving, settings.neighbours, task));
+  return std::max(cell_of(reference, settings.k, task), cell_of(moving, settings.k, task));
 }
 
 IcpSource thinned_source(const CloudPtr& cloud, double cell_m, Task& task) {

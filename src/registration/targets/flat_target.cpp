@@ -52,8 +52,8 @@ PlaneModel model_of(const Plane& plane) {
 }
 
 // Random draws of three points, judged as MLESAC's simpler kin (Torr & Zisserman 2000), then the biweight.
-bool plane_of(const std::vector<Vec3>& points, const MeasuringSetting& setting, Task& task, PlaneModel& out,
-              Adjusted<3>& fit) {
+bool plane_of(const std::vector<Vec3>& points, const MeasuringSettings& setting, Task& task,
+              PlaneModel& out, Adjusted<3>& fit) {
   double best = 0;
   for (int i = 0; i < kDraws; ++i) {
     RandomStream random(setting.seed, static_cast<uint64_t>(i));
@@ -151,15 +151,16 @@ bool find_plate(const std::vector<Vec2>& places, const Vec2& seed, double search
   return true;
 }
 
-bool find_pattern(const Patch& patch, const Vec2& seed, const MeasuringSetting& setting, bool has_intensity,
-                  double search_m, Task& task, PatternCentre& out, TargetKind& kind) {
+bool find_pattern(const Patch& patch, const Vec2& seed, const MeasuringSettings& setting,
+                  bool has_intensity, double search_m, Task& task, PatternCentre& out,
+                  TargetKind& kind) {
   std::vector<BrightPoint> about = patch.points;  // about the place that was given
   for (BrightPoint& p : about) p.u -= seed.u, p.v -= seed.v;
-  const bool any = setting.pattern == "automatic";
+  const bool any = setting.pattern == TargetPattern::kAutomatic;
   const double reach = std::max(search_m - setting.size_m / 2, setting.size_m / 8);
   PatternCentre checker, disc;
-  const bool seeks_checker = has_intensity && (any || setting.pattern == "checker");
-  const bool seeks_disc = has_intensity && (any || setting.pattern == "disc");
+  const bool seeks_checker = has_intensity && (any || setting.pattern == TargetPattern::kChecker);
+  const bool seeks_disc = has_intensity && (any || setting.pattern == TargetPattern::kDisc);
   if (!seeks_checker || !find_checker(about, setting.size_m, reach, task, checker)) checker.explained = 0;
   if (!seeks_disc || !find_disc(about, setting.size_m, reach, task, disc)) disc.explained = 0;
   if (std::max(checker.explained, disc.explained) >= kLeastExplained) {
@@ -169,7 +170,8 @@ bool find_pattern(const Patch& patch, const Vec2& seed, const MeasuringSetting& 
     return true;
   }
   kind = TargetKind::kPatch;
-  return (any || setting.pattern == "patch") && find_plate(patch.places, seed, search_m, setting.size_m, out);
+  return (any || setting.pattern == TargetPattern::kPatch) &&
+         find_plate(patch.places, seed, search_m, setting.size_m, out);
 }
 
 // Across: of the pattern; along the normal: of the plane there.
@@ -186,8 +188,8 @@ Square<3> covariance_at(const PlaneModel& plane, const PatternCentre& pattern, c
 
 }  // namespace
 
-MeasuredTarget measure_flat(const Cloud& cloud, const Octree& tree, const Vec3& place, const MeasuringSetting& setting,
-                            Task& task) {
+MeasuredTarget measure_flat(const Cloud& cloud, const Octree& tree, const Vec3& place,
+                            const MeasuringSettings& setting, Task& task) {
   const double search_m = setting.search_m > 0 ? setting.search_m : kSearchSizes * setting.size_m;
   const Surroundings near = surroundings_of(cloud, tree, place, {}, search_m);
   MeasuredTarget out;
@@ -199,7 +201,7 @@ MeasuredTarget measure_flat(const Cloud& cloud, const Octree& tree, const Vec3& 
   PlaneModel plane;
   Adjusted<3> fit;
   if (!plane_of(near.points, setting, task, plane, fit)) return out;
-  const Column* intensity = cloud.fields.find(setting.intensity);
+  const Column* intensity = cloud.fields.find(setting.intensity_field);
   const Patch patch = patch_of(near, plane, intensity, setting.tolerance_m);
   const Vec2 seed{-dot(plane.origin, plane.u), -dot(plane.origin, plane.v)};
   PatternCentre pattern;

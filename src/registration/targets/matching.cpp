@@ -56,9 +56,14 @@ class Distances {
 
 class Matcher {
  public:
-  Matcher(const TargetSets& sets, std::span<const IndexPair> named, const TargetSetting& setting, Task& task)
-      : setting_(setting), task_(task), nodes_(named.begin(), named.end()), named_(named.size()),
-        reference_(sets.reference, setting.sigma_m), moving_(sets.moving, setting.sigma_m) {
+  Matcher(const TargetSets& sets, std::span<const IndexPair> named, const TargetSettings& setting,
+          Task& task)
+      : setting_(setting),
+        task_(task),
+        nodes_(named.begin(), named.end()),
+        named_(named.size()),
+        reference_(sets.reference, setting.sigma_m),
+        moving_(sets.moving, setting.sigma_m) {
     std::vector<bool> to(sets.reference.size()), from(sets.moving.size());
     for (const IndexPair& pair : named) to[pair.reference] = from[pair.moving] = true;
     for (size_t i = 0; i < to.size(); ++i)
@@ -68,11 +73,11 @@ class Matcher {
   }
 
   Matching run() {
-    const size_t most = setting_.with_scale ? kMostScaled : kMostNodes;
+    const size_t most = setting_.with_scale() ? kMostScaled : kMostNodes;
     if (nodes_.size() > most)
       fail(Status::kLimit, "%zu pairs of unnamed targets are possible; distances tell at most %zu apart: name them",
            nodes_.size(), most);
-    return setting_.with_scale ? by_ratios() : by_lengths();
+    return setting_.with_scale() ? by_ratios() : by_lengths();
   }
 
  private:
@@ -85,7 +90,7 @@ class Matcher {
     const double r = reference_.length(p.reference, q.reference), m = moving_.length(p.moving, q.moving);
     const double vr = reference_.variance(p.reference, q.reference), vm = moving_.variance(p.moving, q.moving);
     const double given = setting_.match_tolerance_m;
-    if (!setting_.with_scale) {
+    if (!setting_.with_scale()) {
       edge = {a, b, r - m, given > 0 ? given : kSigmas * std::sqrt(vr + vm)};
       return std::fabs(edge.ratio) <= edge.tolerance;
     }
@@ -193,7 +198,7 @@ class Matcher {
     return out;
   }
 
-  const TargetSetting& setting_;
+  const TargetSettings& setting_;
   Task& task_;
   std::vector<IndexPair> nodes_;
   size_t named_;
@@ -203,8 +208,8 @@ class Matcher {
 
 }  // namespace
 
-Matching match_by_distances(const TargetSets& sets, std::span<const IndexPair> named, const TargetSetting& setting,
-                            Task& task) {
+Matching match_by_distances(const TargetSets& sets, std::span<const IndexPair> named,
+                            const TargetSettings& setting, Task& task) {
   return Matcher(sets, named, setting, task).run();
 }
 

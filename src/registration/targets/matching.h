@@ -19,7 +19,7 @@ struct Matching {
 /// a similarity: have the same ratio); the largest sets of pairs that all agree are the ways. named: pairs that are
 /// known; to them are added those of the other targets of which one at least has no name. kLimit for more targets than
 /// can be matched.
-Matching match_by_distances(const TargetSets& sets, std::span<const IndexPair> named, const TargetSetting& setting,
-                            Task& task);
+Matching match_by_distances(const TargetSets& sets, std::span<const IndexPair> named,
+                            const TargetSettings& setting, Task& task);
 
 }  // namespace jalon

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "registration/targets/flat_target.h"
 #include "registration/targets/sphere_target.h"
@@ -11,20 +12,6 @@
 namespace jalon {
 
 namespace {
-
-MeasuringSetting setting_of(const ParamSet& params) {
-  MeasuringSetting s;
-  s.flat = params.text("kind") == "flat";
-  s.pattern = params.text("pattern");
-  s.intensity = params.text("intensity_field");
-  s.radius_m = params.number("radius_m");
-  s.size_m = params.number("size_m");
-  s.search_m = params.number("search_m");
-  s.tolerance_m = params.number("tolerance_m");
-  s.min_points = static_cast<size_t>(params.integer("min_points"));
-  s.seed = static_cast<uint64_t>(params.integer("seed"));
-  return s;
-}
 
 FieldTable table_of(const std::vector<MeasuredTarget>& rows, std::span<const Vec3> places) {
   FieldTable table;
@@ -53,28 +40,37 @@ FieldTable table_of(const std::vector<MeasuredTarget>& rows, std::span<const Vec
   return table;
 }
 
+constexpr auto kTargetRows = setting_rows(
+    choice_row<&MeasuringSettings::kind>("kind", "sphere|flat", "",
+                                         "Of the targets; flat: a disc, a checker, a plate."),
+    number_row<&MeasuringSettings::radius_m>(
+        "radius_m", 0, 100, "m", "", "Radius of the spheres where it is known; 0: measured."),
+    number_row<&MeasuringSettings::size_m>(
+        "size_m", 1e-3, 100, "m", "", "Edge or diameter of flat targets, of the pattern on them."),
+    number_row<&MeasuringSettings::search_m>(
+        "search_m", 0, 100, "m", "",
+        "Radius around a place within which the target lies as a whole; 0: 2.5 times the "
+        "radius of a sphere (0.25 m where it is free), 1.5 times the size of a flat target."),
+    number_row<&MeasuringSettings::tolerance_m>(
+        "tolerance_m", 1e-6, 10, "m", "",
+        "Largest distance of a point from the surface: a half-thickness; what lies beyond is "
+        "an outlier."),
+    choice_row<&MeasuringSettings::pattern>(
+        "pattern", "automatic|checker|disc|patch", "",
+        "Of flat targets. checker: four quadrants, dark and bright by turns, meet in the "
+        "centre; disc: of another brightness than what surrounds it; patch: a plate of its "
+        "own without a pattern; automatic: by the intensities, else a patch."),
+    string_row<&MeasuringSettings::intensity_field>("intensity_field", "",
+                                                    "Field of the cloud that shows the pattern."),
+    integer_row<&MeasuringSettings::min_points>("min_points", 8, 1e9, "points", "",
+                                                "Fewer points make no target."),
+    integer_row<&MeasuringSettings::seed>(
+        "seed", 0, 9e15, "1", "",
+        "Seed of the random draws: the same seed gives the same result."));
+
 }  // namespace
 
-std::span<const ParamRow> target_rows() {
-  static constexpr ParamRow kRows[] = {
-      choice_row("kind", "sphere", "sphere|flat", "", "Of the targets; flat: a disc, a checker, a plate."),
-      number_row("radius_m", 0, 0, 100, "m", "", "Radius of the spheres where it is known; 0: measured."),
-      number_row("size_m", 0.15, 1e-3, 100, "m", "", "Edge or diameter of flat targets, of the pattern on them."),
-      number_row("search_m", 0, 0, 100, "m", "",
-                 "Radius around a place within which the target lies as a whole; 0: 2.5 times the radius of a sphere "
-                 "(0.25 m where it is free), 1.5 times the size of a flat target."),
-      number_row("tolerance_m", 0.01, 1e-6, 10, "m", "",
-                 "Largest distance of a point from the surface: a half-thickness; what lies beyond is an outlier."),
-      choice_row("pattern", "automatic", "automatic|checker|disc|patch", "",
-                 "Of flat targets. checker: four quadrants, dark and bright by turns, meet in the centre; disc: of "
-                 "another brightness than what surrounds it; patch: a plate of its own without a pattern; automatic: "
-                 "by the intensities, else a patch."),
-      string_row("intensity_field", "intensity", "", "Field of the cloud that shows the pattern."),
-      integer_row("min_points", 30, 8, 1e9, "points", "", "Fewer points make no target."),
-      integer_row("seed", 1, 0, 9e15, "1", "", "Seed of the random draws: the same seed gives the same result."),
-  };
-  return kRows;
-}
+std::span<const ParamRow> target_rows() { return kTargetRows; }
 
 Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3& place, const Vec3& centre,
                              double radius_m) {
@@ -88,14 +84,15 @@ Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3&
   return out;
 }
 
-FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places, const ParamSet& params, Task& task) {
-  const MeasuringSetting setting = setting_of(params);
+FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places,
+                           const MeasuringSettings& settings, Task& task) {
   const auto tree = cloud.octree(task);
   std::vector<MeasuredTarget> rows;
   for (size_t i = 0; i < places.size(); ++i) {
     task.checkpoint(static_cast<double>(i) / static_cast<double>(places.size()));
-    rows.push_back(setting.flat ? measure_flat(cloud, *tree, places[i], setting, task)
-                                : measure_sphere(cloud, *tree, places[i], setting, task));
+    rows.push_back(settings.kind == TargetShape::kFlat
+                       ? measure_flat(cloud, *tree, places[i], settings, task)
+                       : measure_sphere(cloud, *tree, places[i], settings, task));
   }
   return table_of(rows, places);
 }

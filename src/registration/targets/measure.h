@@ -3,30 +3,18 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "base/params.h"
 #include "cloud/cloud.h"
 #include "geometry/cholesky.h"
+#include "registration/targets/settings.h"
 
 namespace jalon {
 
 /// How a centre was found; the numbers of jalon/targets.h.
 enum class TargetKind : uint8_t { kSphere = 1, kChecker = 2, kDisc = 3, kPatch = 4 };
-
-struct MeasuringSetting {
-  bool flat = false;
-  std::string pattern;        ///< automatic, checker, disc, patch
-  std::string intensity;      ///< name of the field
-  double radius_m = 0;        ///< of the sphere; 0: free
-  double size_m = 0;          ///< edge or diameter of a flat target
-  double search_m = 0;        ///< radius around the place
-  double tolerance_m = 0.01;  ///< half-thickness
-  size_t min_points = 30;
-  uint64_t seed = 1;
-};
 
 /// A target measured in a cloud, relative to the place it was looked for.
 struct MeasuredTarget {
@@ -52,6 +40,7 @@ Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3&
 /// Parameter table of operation "target".
 std::span<const ParamRow> target_rows();
 /// A row a place: see jalon/targets.h. Places must be finite.
-FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places, const ParamSet& params, Task& task);
+FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places,
+                           const MeasuringSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -29,8 +29,8 @@ std::vector<TargetPair> measured(const TargetSets& sets, std::span<const IndexPa
 }
 
 // Those that give a pose, the best first.
-std::vector<SolvedWay> solved(const TargetSets& sets, const Matching& matching, const TargetSetting& setting,
-                              Task& task) {
+std::vector<SolvedWay> solved(const TargetSets& sets, const Matching& matching,
+                              const TargetSettings& setting, Task& task) {
   std::vector<SolvedWay> out;
   std::string why, first;
   for (size_t w = 0; w < matching.ways.size(); ++w) {
@@ -59,7 +59,7 @@ bool puts_elsewhere(const SolvedWay& other, const SolvedWay& best, std::span<con
 // A pose whose residuals the covariances explain may be the true one, however much better another fits: the squares of
 // the best are only the least of many. Where they are too large for the covariances themselves, they set the measure.
 uint64_t count_solutions(const std::vector<SolvedWay>& ways, std::span<const TargetPair> pairs,
-                         const TargetSetting& setting, bool complete) {
+                         const TargetSettings& setting, bool complete) {
   const TargetAdjustment& best = ways[0].adjustment;
   const int redundancy = std::max(1, best.redundancy);
   const double factor = std::max(1.0, best.weighted_squares / redundancy);
@@ -79,7 +79,7 @@ uint64_t count_solutions(const std::vector<SolvedWay>& ways, std::span<const Tar
 
 }  // namespace
 
-Pairing pair_targets(const TargetSets& sets, const TargetSetting& setting, Task& task) {
+Pairing pair_targets(const TargetSets& sets, const TargetSettings& setting, Task& task) {
   std::vector<IndexPair> named = pairs_by_name(sets.reference, sets.moving);
   if (!has_unnamed(sets.reference) && !has_unnamed(sets.moving)) return {std::move(named), 1};
   if (std::min(sets.reference.size(), sets.moving.size()) < 3)

@@ -16,6 +16,6 @@ struct Pairing {
 /// By name; then, where targets without a name are left on either side, by distances. Of several ways the one with the
 /// least weighted squares stands, and those poses are counted that move the targets elsewhere and whose residuals the
 /// covariances explain too (global test). kInsufficientData when no three have the same distances.
-Pairing pair_targets(const TargetSets& sets, const TargetSetting& setting, Task& task);
+Pairing pair_targets(const TargetSets& sets, const TargetSettings& setting, Task& task);
 
 }  // namespace jalon

@@ -66,9 +66,9 @@ double controlled_form(const Square<3>& whole, const Square<3>& controlled, cons
 
 }  // namespace
 
-Snooping::Snooping(const SnoopingSetting& setting, double weighted_squares, int redundancy)
+Snooping::Snooping(const SnoopingSettings& setting, double weighted_squares, int redundancy)
     : setting_(setting), weighted_squares_(weighted_squares), redundancy_(redundancy) {
-  if (setting.estimated) sigma0_ = redundancy > 0 ? std::sqrt(weighted_squares / redundancy) : 0;
+  if (setting.estimated()) sigma0_ = redundancy > 0 ? std::sqrt(weighted_squares / redundancy) : 0;
   for (int q = 1; q <= 3; ++q) needed_[static_cast<size_t>(q)] = noncentrality(q);
 }
 
@@ -76,18 +76,18 @@ Snooping::Snooping(const SnoopingSetting& setting, double weighted_squares, int 
 // Pope's tau test (1976).
 double Snooping::tail(double critical, int dimensions, int more) const {
   const double q = dimensions + 2 * more;
-  if (!setting_.estimated) return chi_square_tail(q, critical);
+  if (!setting_.estimated()) return chi_square_tail(q, critical);
   return beta_tail(q / 2, (redundancy_ - dimensions) / 2.0, std::clamp(critical, 0.0, 1.0));
 }
 
 double Snooping::p_value(double statistic, int dimensions) const {
   if (dimensions == 0 || weighted_squares_ <= kRounding) return 1;
-  if (!setting_.estimated) return tail(statistic, dimensions, 0);
+  if (!setting_.estimated()) return tail(statistic, dimensions, 0);
   return redundancy_ > dimensions ? tail(statistic / weighted_squares_, dimensions, 0) : 1;
 }
 
 double Snooping::critical(int dimensions) const {
-  if (!setting_.estimated) return chi_square_upper_quantile(dimensions, setting_.significance);
+  if (!setting_.estimated()) return chi_square_upper_quantile(dimensions, setting_.significance);
   double low = 0, high = 1;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
@@ -98,7 +98,7 @@ double Snooping::critical(int dimensions) const {
 
 // The power is a Poisson mixture of central tails (Johnson, Kotz & Balakrishnan 1995, 29.2).
 double Snooping::noncentrality(int dimensions) const {
-  if (setting_.estimated && redundancy_ <= dimensions) return INFINITY;
+  if (setting_.estimated() && redundancy_ <= dimensions) return INFINITY;
   const double limit = critical(dimensions);
   std::vector<double> tails;
   const auto power = [&](double lambda) {
@@ -151,7 +151,7 @@ TargetTest Snooping::test_prediction(const Vec3& residual_m, const Square<3>& co
   out.statistic = residual_m.x * x[0] + residual_m.y * x[1] + residual_m.z * x[2];
   // Independent of the adjusted squares: an F test, as a share of both sums.
   const double share = out.statistic / (out.statistic + weighted_squares_);
-  if (!setting_.estimated) out.p_value = chi_square_tail(3, out.statistic);
+  if (!setting_.estimated()) out.p_value = chi_square_tail(3, out.statistic);
   else if (redundancy_ > 0 && out.statistic > 0) out.p_value = beta_tail(1.5, redundancy_ / 2.0, std::min(share, 1.0));
   out.outlier = out.p_value < setting_.significance;
   const Square<3> inverse = factor.inverse();

@@ -6,15 +6,9 @@
 
 #include "geometry/cholesky.h"
 #include "registration/targets/adjustment.h"
+#include "registration/targets/settings.h"
 
 namespace jalon {
-
-/// How outliers are tested.
-struct SnoopingSetting {
-  double significance = 0.001;  ///< chance that one good target is called an outlier (Baarda 1968: alpha 0)
-  double power = 0.8;           ///< chance that a blunder of the detectable size is found (Baarda 1968: beta 0)
-  bool estimated = false;       ///< sigma0 from the residuals (Pope 1976); else 1 (Baarda 1968)
-};
 
 /// The test of one target as a whole: is its place wrong by any vector? (Baarda 1968 for one dimension, Teunissen 2006,
 /// chapter 4, for more.)
@@ -31,7 +25,7 @@ struct TargetTest {
 /// Tests one target of an adjustment; sigma0: what multiplies standard deviations (1 or estimated).
 class Snooping {
  public:
-  Snooping(const SnoopingSetting& setting, double weighted_squares, int redundancy);
+  Snooping(const SnoopingSettings& setting, double weighted_squares, int redundancy);
 
   /// Factor of standard deviations: 1, or sqrt(e^T P e / redundancy).
   double sigma0() const { return sigma0_; }
@@ -45,7 +39,7 @@ class Snooping {
   double p_value(double statistic, int dimensions) const;
   double tail(double critical, int dimensions, int more) const;
   double critical(int dimensions) const;
-  SnoopingSetting setting_;
+  SnoopingSettings setting_;
   double weighted_squares_;
   int redundancy_;
   double sigma0_ = 1;

@@ -71,18 +71,19 @@ TestedPair predicted(const IndexPair& pair, const TargetPair& measured, const Ta
 
 }  // namespace
 
-std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs, const TargetSetting& setting,
-                                            std::string& why) {
+std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs,
+                                            const TargetSettings& setting, std::string& why) {
   why = on_one_line("");
   SimilarityFit start;
-  if (!fit_similarity(places_of(pairs), setting.with_scale, start)) return {};
+  if (!fit_similarity(places_of(pairs), setting.with_scale(), start)) return {};
   if (is_mirrored(start, pairs)) {
     why = "the targets of one side are the mirror image of the other's: an axis has the wrong sign, or two are swapped";
     return {};
   }
   TargetAdjustment out;
   size_t wrong = 0;
-  const AdjustmentFailure failure = adjust_targets(pairs, setting.with_scale, start.pose, out, wrong);
+  const AdjustmentFailure failure =
+      adjust_targets(pairs, setting.with_scale(), start.pose, out, wrong);
   if (failure == AdjustmentFailure::kWeights)
     fail(Status::kInvalidArgument, "pair %zu: its two covariances add up to one without an inverse", wrong);
   if (failure != AdjustmentFailure::kNone) return {};
@@ -92,8 +93,8 @@ std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs, c
   return {};
 }
 
-TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pairs, const TargetSetting& setting,
-                             Task& task) {
+TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pairs,
+                             const TargetSettings& setting, Task& task) {
   TargetSolution out;
   std::vector<IndexPair> removed;
   const auto measured = [&](std::span<const IndexPair> of) {

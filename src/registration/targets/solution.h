@@ -13,14 +13,6 @@
 
 namespace jalon {
 
-struct TargetSetting {
-  bool with_scale = false;
-  double sigma_m = 0.003;
-  SnoopingSetting snooping;
-  bool remove_outliers = false;
-  double match_tolerance_m = 0;  ///< difference of distances; 0: from the covariances
-};
-
 /// Both sets, relative to their origins.
 struct TargetSets {
   std::span<const Target> reference, moving;
@@ -46,12 +38,12 @@ struct TargetSolution {
 
 /// Closed form, then adjustment, of 3 pairs or more. Nothing, and why, for pairs along one line, as far as the
 /// covariances can tell, and for mirrored sets.
-std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs, const TargetSetting& setting,
-                                            std::string& why);
+std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs,
+                                            const TargetSettings& setting, std::string& why);
 /// Adjusts, tests and, where the setting asks for it, removes the worst outlier and starts again while 3 pairs and more
 /// are left. kInsufficientData below 3 pairs; kDegenerate where they give no pose.
-TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pairs, const TargetSetting& setting,
-                             Task& task);
+TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pairs,
+                             const TargetSettings& setting, Task& task);
 /// Back from the origins of the sets to the coordinates that came.
 Transform placed(const Transform& pose, const TargetSets& sets);
 

@@ -73,7 +73,8 @@ bool draw_near(const std::vector<Vec3>& points, const Vec3& first, double reach_
 }
 
 // Step 1 with a known radius: two spheres to three points that are no further apart than it allows.
-bool draw_known(const Surroundings& near, const MeasuringSetting& setting, Task& task, Sphere& best) {
+bool draw_known(const Surroundings& near, const MeasuringSettings& setting, Task& task,
+                Sphere& best) {
   std::vector<Vec3> sample;
   const size_t step = near.points.size() / kScored + 1;
   for (size_t i = 0; i < near.points.size(); i += step) sample.push_back(near.points[i]);
@@ -95,7 +96,7 @@ bool draw_known(const Surroundings& near, const MeasuringSetting& setting, Task&
   return best_score > 0;
 }
 
-PrimitiveSetting free_setting(const MeasuringSetting& setting, double search_m) {
+PrimitiveSetting free_setting(const MeasuringSettings& setting, double search_m) {
   PrimitiveSetting out;
   out.tolerance_m = setting.tolerance_m;
   out.min_radius_m = kLeastRadius_m;
@@ -150,8 +151,9 @@ std::vector<Vec3> rays_of(const Cloud& cloud, const Surroundings& near, const Sp
 }
 
 // Step 3.
-bool adjusted(const Cloud& cloud, const Surroundings& near, const MeasuringSetting& setting,
-              const PrimitiveSetting& limits, const Sphere& start, Task& task, MeasuredTarget& out) {
+bool adjusted(const Cloud& cloud, const Surroundings& near, const MeasuringSettings& setting,
+              const PrimitiveSetting& limits, const Sphere& start, Task& task,
+              MeasuredTarget& out) {
   const std::vector<Vec3>& points = near.points;
   SphereFit fit;
   if (setting.radius_m > 0) {
@@ -180,7 +182,7 @@ bool adjusted(const Cloud& cloud, const Surroundings& near, const MeasuringSetti
 }  // namespace
 
 MeasuredTarget measure_sphere(const Cloud& cloud, const Octree& tree, const Vec3& place,
-                              const MeasuringSetting& setting, Task& task) {
+                              const MeasuringSettings& setting, Task& task) {
   const bool known = setting.radius_m > 0;
   const double search_m = setting.search_m > 0 ? setting.search_m : known ? kSearchRadii * setting.radius_m
                                                                           : kFreeSearch_m;

@@ -10,6 +10,6 @@ namespace jalon {
 /// with Tukey's biweight, with or without the radius, and what noise along the rays does to it taken off; 4. refused
 /// when the points show too small a cap: a wall touches any sphere.
 MeasuredTarget measure_sphere(const Cloud& cloud, const Octree& tree, const Vec3& place,
-                              const MeasuringSetting& setting, Task& task);
+                              const MeasuringSettings& setting, Task& task);
 
 }  // namespace jalon

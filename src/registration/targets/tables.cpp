@@ -60,7 +60,8 @@ double gyration_m(const TargetSolution& solution) {
   return std::sqrt(sum / static_cast<double>(solution.used.size()));
 }
 
-FieldTable global_columns(const TargetSets& sets, const TargetSolution& solution, const TargetSetting& setting) {
+FieldTable global_columns(const TargetSets& sets, const TargetSolution& solution,
+                          const TargetSettings& setting) {
   const TargetAdjustment& a = solution.adjustment;
   FieldTable table;
   const uint64_t pairs = solution.pairs.size();
@@ -71,7 +72,8 @@ FieldTable global_columns(const TargetSets& sets, const TargetSolution& solution
   add_value<uint64_t>(table, "redundancy", "", "observations more than unknowns", static_cast<uint64_t>(a.redundancy));
   const double factor = a.redundancy > 0 ? std::sqrt(a.weighted_squares / a.redundancy) : NAN;
   add_value<double>(table, "sigma0", "1", "of unit weight, by the residuals: 1 where covariances are right", factor);
-  add_value<uint8_t>(table, "sigma0_estimated", "", "1: the covariance is scaled by it", setting.snooping.estimated);
+  add_value<uint8_t>(table, "sigma0_estimated", "", "1: the covariance is scaled by it",
+                     setting.snooping.estimated());
   const double p = variance_factor_p_value(a.weighted_squares, a.redundancy);
   add_value<double>(table, "global_p_value", "1", "of the test of sigma0 against 1, two-sided", p);
   add_value<uint8_t>(table, "global_accepted", "", "1: residuals and covariances agree",
@@ -83,8 +85,8 @@ FieldTable global_columns(const TargetSets& sets, const TargetSolution& solution
 
 }  // namespace
 
-void describe_targets(const TargetSets& sets, const TargetSolution& solution, const TargetSetting& setting,
-                      Registration& out) {
+void describe_targets(const TargetSets& sets, const TargetSolution& solution,
+                      const TargetSettings& setting, Registration& out) {
   const TargetAdjustment& a = solution.adjustment;
   out.pose = placed(a.pose, sets);
   out.scale = a.scale;

@@ -8,7 +8,7 @@
 namespace jalon {
 
 /// Pose, covariance and tables of a solution; converged and stopped are set before.
-void describe_targets(const TargetSets& sets, const TargetSolution& solution, const TargetSetting& setting,
-                      Registration& out);
+void describe_targets(const TargetSets& sets, const TargetSolution& solution,
+                      const TargetSettings& setting, Registration& out);
 
 }  // namespace jalon

@@ -9,6 +9,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "registration/registration.h"
+#include "registration/targets/settings.h"
 
 namespace jalon {
 
@@ -24,6 +25,6 @@ std::span<const ParamRow> targets_rows();
 /// The rigid or similarity motion that lays the moving targets onto the reference targets: 1. pairs by name, the
 /// rest by distances; 2. closed form; 3. weighted adjustment; 4. data snooping, on demand with removal.
 Registration register_targets(std::span<const Target> reference, std::span<const Target> moving,
-                              const ParamSet& params, Task& task);
+                              const TargetSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -23,12 +23,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-std::vector<ParamRow> automatic_rows() {
-  std::vector<ParamRow> rows(coarse_rows().begin(), coarse_rows().end());
-  rows.insert(rows.end(), icp_rows().begin(), icp_rows().end());
-  return rows;
-}
-
 }  // namespace
 
 TEST_CASE("automatic__lays_real_scans_onto_each_other_from_any_start") {
@@ -37,8 +31,7 @@ TEST_CASE("automatic__lays_real_scans_onto_each_other_from_any_start") {
   const Cloud source = scans.source();
   const auto target = std::make_shared<const Cloud>(scans.target());
   const Transform truth = scans.pose();
-  const std::vector<ParamRow> rows = automatic_rows();
-  const ParamSet as_published = RealScans::as_published({"registrar automatic", rows});
+  const AutomaticSettings as_published{{}, RealScans::as_published()};
   const uint64_t draws = std::getenv("JALON_FULL") ? 20 : std::getenv("JALON_SANITIZED") ? 1 : 5;
   for (const bool any_axis : {false, true}) {
     double most_m = 0, most_deg = 0;

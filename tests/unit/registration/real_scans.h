@@ -13,6 +13,7 @@
 #include "base/text_number.h"
 #include "formats/formats.h"
 #include "geometry/rigid_motion.h"
+#include "registration/icp/settings.h"
 
 namespace jalon::test {
 
@@ -44,14 +45,13 @@ struct RealScans {
   /// Settings of method "icp" by which a peer comes to that pose: generalised ICP on centroids of 10 cm cubes, 10
   /// neighbours, all pairs within a metre, no robust weights. The scans were taken in motion and do not fit to better
   /// than centimetres; other choices give poses that differ by 0.1 to 0.2 degrees, whatever the library.
-  static ParamSet as_published(ParamSet params) {
-    params.set_number("cell_m", 0.1);
-    params.set_integer("k", 10);
-    params.set_number("max_distance_m", 1);
-    params.set_number("min_distance_m", 1);
-    params.set_number("max_angle_rad", std::numbers::pi / 2);
-    params.set_text("kernel", "none");
-    return params;
+  static IcpSettings as_published() {
+    return {.kernel = KernelKind::kNone,
+            .max_distance_m = 1,
+            .min_distance_m = 1,
+            .max_angle_rad = std::numbers::pi / 2,
+            .cell_m = 0.1,
+            .k = 10};
   }
 
  private:

@@ -87,10 +87,10 @@ inline TargetSides measured_sides(const Layout& layout, const Transform& truth, 
   return out;
 }
 
-inline ParamSet target_params(const char* json = "{}") {
+inline TargetSettings target_params(const char* json = "{}") {
   ParamSet params("registrar targets", targets_rows());
   params.from_json(json);
-  return params;
+  return settings_from<TargetSettings>(params);
 }
 
 inline Registration registered(const TargetSides& sides, const char* json = "{}") {

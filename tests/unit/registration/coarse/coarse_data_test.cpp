@@ -27,8 +27,7 @@ TEST_CASE("coarse__finds_real_scans_from_any_start") {
       const Transform start = random_start(draw, any_axis);
       Task task;
       const auto moving = std::make_shared<const Cloud>(transformed(source, start, task));
-      const Registration r =
-          register_coarse(target, moving, {}, ParamSet("registrar coarse", coarse_rows()), task);
+      const Registration r = register_coarse(target, moving, {}, CoarseSettings{}, task);
       const Transform off = r.pose * start * inverse(truth);
       const auto value = [&](const char* name) { return r.summary.require(name).values<double>()[0]; };
       CHECK(r.converged);
@@ -66,7 +65,7 @@ TEST_CASE("coarse__does_not_lay_one_facade_on_another") {
   const std::vector<Vec3> first = read_facade("street_1.txt"), other = read_facade("street_3.txt");
   const auto run = [&](const std::vector<Vec3>& reference, const std::vector<Vec3>& moving) {
     Task task;
-    return register_coarse(shared(reference), shared(moving), {}, ParamSet("registrar coarse", coarse_rows()), task);
+    return register_coarse(shared(reference), shared(moving), {}, CoarseSettings{}, task);
   };
   const Registration wrong = run(first, other);
   MESSAGE("FIGURE coarse on two facades: stopped " << static_cast<int>(wrong.stopped));

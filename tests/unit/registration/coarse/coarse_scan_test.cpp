@@ -35,7 +35,7 @@ CloudPtr scanned(const char* scene_name, const Vec3& from, uint64_t seed) {
 Registration found(const CloudPtr& reference, const CloudPtr& moving, const Transform& start) {
   Task task;
   const auto away = std::make_shared<const Cloud>(transformed(*moving, start, task));
-  return register_coarse(reference, away, {}, ParamSet("registrar coarse", coarse_rows()), task);
+  return register_coarse(reference, away, {}, CoarseSettings{}, task);
 }
 
 }  // namespace

@@ -22,18 +22,14 @@ constexpr size_t kPoints = 30'000;
 constexpr double kNoise_m = 0.003;
 
 // Fewer cells than by default: half the time.
-ParamSet coarse_params() {
-  ParamSet params("registrar coarse", coarse_rows());
-  params.set_integer("cells", 10000);
-  return params;
-}
+constexpr CoarseSettings kFewerCells{.cells = 10000};
 
-Registration registered(const Case& c, const ParamSet& params = coarse_params(), const Transform& start = {},
-                        unsigned threads = 0) {
+Registration registered(const Case& c, const CoarseSettings& settings = kFewerCells,
+                        const Transform& start = {}, unsigned threads = 0) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return register_coarse(c.reference, c.moving, start, params, task);
+  return register_coarse(c.reference, c.moving, start, settings, task);
 }
 
 CloudPtr shared_cloud(const std::vector<Vec3>& points) { return std::make_shared<const Cloud>(cloud_of(points)); }
@@ -151,19 +147,19 @@ TEST_CASE("coarse__finds_nothing_in_clouds_of_different_places") {
 
 TEST_CASE("coarse__limits_decide_between_poses_that_fit_alike") {
   const Case c = case_of(bare_room(), rotation_by({0, 0, 0.2}), 3);
-  ParamSet params = coarse_params();
-  params.set_number("max_turn_rad", 0.5);
-  const Registration r = registered(c, params);
+  CoarseSettings settings = kFewerCells;
+  settings.max_turn_rad = 0.5;
+  const Registration r = registered(c, settings);
   check_found(r, rotation_by({0, 0, 0.2}), {3, 2.5, 1});
-  params.set_number("max_shift_m", 0.001);
-  CHECK(registered(c, params).stopped == StopReason::kNothingFound);
+  settings.max_shift_m = 0.001;
+  CHECK(registered(c, settings).stopped == StopReason::kNothingFound);
 }
 
 TEST_CASE("coarse__keeps_clouds_upright_on_demand") {
-  ParamSet params = coarse_params();
-  params.set_bool("gravity", true);
+  CoarseSettings settings = kFewerCells;
+  settings.gravity = true;
   const Transform start = random_start(4);
-  const Registration r = registered(case_of(bare_room(), start, 4), params);
+  const Registration r = registered(case_of(bare_room(), start, 4), settings);
   CHECK(r.stopped == StopReason::kAmbiguous);  // half a turn about the vertical remains
   const auto poses = r.iteration_log.require("pose").values<double>();
   for (size_t i = 0; i < poses.size(); i += 12) CHECK(poses[i + 10] > 0.99);
@@ -186,9 +182,9 @@ TEST_CASE("coarse__is_the_same_wherever_the_clouds_lie") {
 
 TEST_CASE("coarse__gives_the_same_bits_with_any_number_of_threads") {
   const Case c = case_of(furnished_room(), random_start(6), 6);
-  const Registration one = registered(c, coarse_params(), {}, 1);
+  const Registration one = registered(c, kFewerCells, {}, 1);
   for (const unsigned threads : {2u, 7u}) {
-    const Registration other = registered(c, coarse_params(), {}, threads);
+    const Registration other = registered(c, kFewerCells, {}, threads);
     CHECK(std::memcmp(one.pose.m.data(), other.pose.m.data(), sizeof one.pose.m) == 0);
     CHECK(value_of(one, "second_score") == value_of(other, "second_score"));
   }

@@ -68,7 +68,7 @@ Tally registered(const scenes::Scene& scene, size_t run) {
   const auto reference = std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 1));
   const auto moving = std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 2, inverse(truth)));
   Tally tally;
-  judge(register_icp(reference, moving, {}, {"registrar icp", icp_rows()}, task), truth, scene, tally);
+  judge(register_icp(reference, moving, {}, IcpSettings{}, task), truth, scene, tally);
   return tally;
 }
 

@@ -20,15 +20,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-ParamSet icp_params() { return {"registrar icp", icp_rows()}; }
-
-Registration run(const Cloud& reference, const Cloud& moving, const Transform& start = {}, unsigned threads = 1,
-                 const ParamSet& params = icp_params()) {
+Registration run(const Cloud& reference, const Cloud& moving, const Transform& start = {},
+                 unsigned threads = 1, const IcpSettings& settings = {}) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return register_icp(std::make_shared<const Cloud>(reference), std::make_shared<const Cloud>(moving), start, params,
-                      task);
+  return register_icp(std::make_shared<const Cloud>(reference),
+                      std::make_shared<const Cloud>(moving), start, settings, task);
 }
 
 double first(const FieldTable& table, const char* column) { return table.require(column).number(0); }
@@ -40,9 +38,10 @@ TEST_CASE("icp__real_scans_land_within_a_centimetre_of_the_published_pose") {
   if (!scans.exist()) return;
   const Cloud target = scans.target(), source = scans.source();
   const Transform truth = scans.pose();
-  ParamSet as_published = test::RealScans::as_published(icp_params());
-  const auto check = [&](const char* what, const ParamSet& params, double most_m, double most_deg) {
-    const Registration r = run(target, source, {}, 1, params);
+  IcpSettings as_published = test::RealScans::as_published();
+  const auto check = [&](const char* what, const IcpSettings& settings, double most_m,
+                         double most_deg) {
+    const Registration r = run(target, source, {}, 1, settings);
     const Transform error = r.pose * inverse(truth);
     const double off_m = norm(error.point(r.centre) - r.centre), turn_deg = norm(rotation_vector(error)) / kDegree;
     MESSAGE("FIGURE icp real scans, " << std::string(what) << ": " << 1000 * off_m << " mm, " << turn_deg << " deg, "
@@ -53,11 +52,11 @@ TEST_CASE("icp__real_scans_land_within_a_centimetre_of_the_published_pose") {
     CHECK(r.unobservable == 0);
   };
   check("point to plane as published", as_published, 0.01, 0.05);
-  check("point to plane, defaults", icp_params(), 0.03, 0.25);
-  as_published.set_text("metric", "plane_to_plane");
-  as_published.set_number("max_angle_rad", std::numbers::pi / 4);
+  check("point to plane, defaults", {}, 0.03, 0.25);
+  as_published.metric = IcpMetric::kPlaneToPlane;
+  as_published.max_angle_rad = std::numbers::pi / 4;
   check("plane to plane as published", as_published, 0.01, 0.06);
-  as_published.set_text("metric", "point_to_point");
+  as_published.metric = IcpMetric::kPointToPoint;
   check("point to point", as_published, 0.06, 0.4);
 }
 
@@ -65,18 +64,18 @@ TEST_CASE("icp__every_metric_and_kernel_finds_the_pose") {
   const Transform moved = motion_about({3, 2, 1}, {0.01, -0.02, 0.03}, {0.1, -0.05, 0.04});
   const Cloud reference = scenes::sampled(scenes::room(), 21, {}, 12000);
   const Cloud moving = scenes::sampled(scenes::room(), 22, moved, 12000);
-  for (const char* metric : {"point_to_point", "point_to_plane", "plane_to_plane"})
-    for (const char* kernel : {"none", "tukey", "cauchy", "huber"}) {
-      ParamSet params = icp_params();
-      params.set_text("metric", metric);
-      params.set_text("kernel", kernel);
-      if (kernel[0] == 'h') params.set_number("trim_percent", 10);
-      const Registration r = run(reference, moving, {}, 1, params);
+  using enum IcpMetric;
+  using enum KernelKind;
+  for (const IcpMetric metric : {kPointToPoint, kPointToPlane, kPlaneToPlane})
+    for (const KernelKind kernel : {kNone, kTukey, kCauchy, kHuber}) {
+      IcpSettings settings{.metric = metric, .kernel = kernel};
+      if (kernel == kHuber) settings.trim_percent = 10;
+      const Registration r = run(reference, moving, {}, 1, settings);
       const Transform error = r.pose * moved;
-      INFO(std::string(metric) << " " << std::string(kernel));
+      INFO("metric " << static_cast<int>(metric) << ", kernel " << static_cast<int>(kernel));
       CHECK(r.converged);
-      CHECK(norm(error.point(r.centre) - r.centre) < (metric[10] == 'o' ? 0.02 : 0.001));
-      CHECK(norm(rotation_vector(error)) < (metric[10] == 'o' ? 0.01 : 0.001));
+      CHECK(norm(error.point(r.centre) - r.centre) < (metric == kPointToPoint ? 0.02 : 0.001));
+      CHECK(norm(rotation_vector(error)) < (metric == kPointToPoint ? 0.01 : 0.001));
       CHECK(r.covariance[35] > 0);
     }
 }

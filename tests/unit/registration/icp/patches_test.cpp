@@ -34,13 +34,15 @@ Cloud column_over_ground(size_t points) {
   return make_cloud(std::move(xyz));
 }
 
-Registration registered(const scenes::Scene& scene, uint64_t run, const Transform& truth, const ParamSet& params) {
+Registration registered(const scenes::Scene& scene, uint64_t run, const Transform& truth,
+                        const IcpSettings& settings) {
   Task::Hooks hooks;
   hooks.threads = 1;
   Task task(hooks);
-  return register_icp(std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 1)),
-                      std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 2, inverse(truth))), {}, params,
-                      task);
+  return register_icp(
+      std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 1)),
+      std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 2, inverse(truth))), {},
+      settings, task);
 }
 
 double patches_of(const Registration& r) { return r.summary.require("patches").number(0); }
@@ -82,8 +84,8 @@ TEST_CASE("icp_patches__planes_touch_a_column_instead_of_cutting_through_it") {
 }
 
 TEST_CASE("icp_patches__a_pose_that_settles_on_them_is_nearer_than_one_of_pairs") {
-  ParamSet of_pairs{"registrar icp", icp_rows()};
-  of_pairs.set_text("kernel", "none");  // which nothing needs here: all noise is normal
+  const IcpSettings of_pairs{
+      .kernel = KernelKind::kNone};  // which nothing needs here: all noise is normal
   const Transform truth = motion_about({5, 5, 1}, {0.003, -0.002, 0.004}, {0.02, -0.01, 0.015});
   constexpr uint64_t kRuns = 60;
   double on_patches = 0, on_pairs = 0;
@@ -92,7 +94,7 @@ TEST_CASE("icp_patches__a_pose_that_settles_on_them_is_nearer_than_one_of_pairs"
       const Vec3 off = r.pose.point(r.centre) - truth.point(r.centre);
       return off.x * off.x + off.y * off.y;
     };
-    const Registration settled = registered(scenes::room(), run, truth, {"registrar icp", icp_rows()});
+    const Registration settled = registered(scenes::room(), run, truth, {});
     const Registration not_settled = registered(scenes::room(), run, truth, of_pairs);
     CHECK(patches_of(settled) > 10);
     CHECK(patches_of(not_settled) == 0);

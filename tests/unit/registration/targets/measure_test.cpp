@@ -75,15 +75,15 @@ CloudPtr noisy_scene(const Rays& rays, double noise_m, RandomStream& random) {
   return cloud_of(points);
 }
 
-ParamSet params_of(const char* json) {
+MeasuringSettings settings_of(const char* json) {
   ParamSet params("target", target_rows());
   params.from_json(json);
-  return params;
+  return settings_from<MeasuringSettings>(params);
 }
 
 FieldTable measured(const CloudPtr& cloud, const Vec3& place, const char* json) {
   Task task;
-  return measure_targets(*cloud, {&place, 1}, params_of(json), task);
+  return measure_targets(*cloud, {&place, 1}, settings_of(json), task);
 }
 
 Vec3 centre_of(const FieldTable& table) {

@@ -77,18 +77,19 @@ TEST_CASE("snooping__calls_good_targets_outliers_as_often_as_the_significance_sa
 TEST_CASE("snooping__finds_detectable_blunders_with_the_stated_power") {
   power(R"({"significance": 0.01})", "known sigma0", 1);
   // The share of squares needs a larger blunder: the ratio of the noncentralities of both tests.
-  const Snooping known({0.01, 0.8, false}, 12, 12), estimated({0.01, 0.8, true}, 12, 12);
+  const Snooping known({UnitWeight::kKnown, 0.01, 0.8}, 12, 12),
+      estimated({UnitWeight::kEstimated, 0.01, 0.8}, 12, 12);
   power(R"({"significance": 0.01, "sigma0": "estimated"})", "estimated sigma0",
         std::sqrt(estimated.noncentrality(3) / known.noncentrality(3)));
 }
 
 TEST_CASE("snooping__has_the_noncentralities_of_the_literature") {
   // Baarda 1968: 4.13 for alpha = 0.001 and beta = 0.80; Teunissen 2006 for more dimensions.
-  const Snooping snooping({0.001, 0.8, false}, 1, 12);
+  const Snooping snooping({UnitWeight::kKnown, 0.001, 0.8}, 1, 12);
   CHECK(std::sqrt(snooping.noncentrality(1)) == doctest::Approx(4.1321).epsilon(1e-4));
   CHECK(snooping.noncentrality(1) == doctest::Approx(17.075).epsilon(1e-4));
   CHECK(snooping.noncentrality(3) > snooping.noncentrality(2));
-  CHECK(std::isinf(Snooping({0.001, 0.8, true}, 1, 3).noncentrality(3)));
+  CHECK(std::isinf(Snooping({UnitWeight::kEstimated, 0.001, 0.8}, 1, 3).noncentrality(3)));
 }
 
 TEST_CASE("snooping__of_one_dimension_is_popes_tau_test") {

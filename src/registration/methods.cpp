@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/methods.h"
+
+#include "registration/automatic.h"
+#include "registration/coarse/coarse.h"
+#include "registration/icp/icp.h"
+#include "registration/targets/targets.h"
+
+namespace jalon {
+
+namespace {
+
+template <class Settings, Registration (*Register)(const CloudPtr&, const CloudPtr&,
+                                                   const Transform&, const Settings&, Task&)>
+Registration run(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
+                 const ParamSet& params, Task& task) {
+  return Register(reference, moving, start, settings_from<Settings>(params), task);
+}
+
+Registration run_targets(std::span<const Target> reference, std::span<const Target> moving,
+                         const ParamSet& params, Task& task) {
+  return register_targets(reference, moving, settings_from<TargetSettings>(params), task);
+}
+
+constexpr RegistrationMethod kMethods[] = {
+    {"icp", "registrar icp", icp_rows, run<IcpSettings, register_icp>, nullptr},
+    {"targets", "registrar targets", targets_rows, nullptr, run_targets},
+    {"coarse", "registrar coarse", coarse_rows, run<CoarseSettings, register_coarse>, nullptr},
+    {"automatic", "registrar automatic", automatic_rows, run<AutomaticSettings, register_automatic>,
+     nullptr},
+};
+
+}  // namespace
+
+std::span<const RegistrationMethod> registration_methods() { return kMethods; }
+
+}  // namespace jalon
