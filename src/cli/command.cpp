@@ -38,7 +38,7 @@ Option& Option::non_negative() {
   option_->check(CLI::NonNegativeNumber);
   return *this;
 }
-Option& Option::between(double least, double most) {
+Option& Option::between(int least, int most) {
   option_->check(CLI::Range(least, most));
   return *this;
 }

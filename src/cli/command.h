@@ -30,7 +30,7 @@ class Option {
   Option& expected(int least, int most);
   Option& positive();
   Option& non_negative();
-  Option& between(double least, double most);
+  Option& between(int least, int most);
   Option& among(const std::vector<std::string>& names);
 
  private:
