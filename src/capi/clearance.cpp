@@ -90,16 +90,21 @@ struct TablePair {
   }
 };
 
+ClearanceSettings settings_of(const jalon_params* options) {
+  return settings_from<ClearanceSettings>(options_or_default(options, "clearance"));
+}
+
 // gauge() may take a while: it belongs to the task.
 template <class Gauge>
-void sweep(Gauge&& gauge, const std::vector<Transform>& poses, const jalon_cloud* cloud, const jalon_model* model,
-           const ParamSet& params, jalon_task* task, jalon_fields** places, jalon_fields** intervals) {
+void sweep(Gauge&& gauge, const std::vector<Transform>& poses, const jalon_cloud* cloud,
+           const jalon_model* model, const ClearanceSettings& settings, jalon_task* task,
+           jalon_fields** places, jalon_fields** intervals) {
   if (cloud == nullptr && model == nullptr) fail(Status::kInvalidArgument, "cloud and model are both NULL");
   TablePair tables;
   with_task(task, [&](Task& t) {
     const std::vector<ConvexPiece> pieces = gauge();
     SweepTables made = sweep_tables(pieces, poses, cloud != nullptr ? cloud->cloud.get() : nullptr,
-                                    model != nullptr ? model->model.get() : nullptr, params, t);
+                                    model != nullptr ? model->model.get() : nullptr, settings, t);
     tables.make(places, std::move(made.places), intervals, std::move(made.intervals));
   });
   tables.hand_out(places, intervals);
@@ -113,10 +118,10 @@ jalon_status jalon_model_clearance(const jalon_model* model, uint64_t part, cons
   return guard([&] {
     require(model, "model");
     require(cloud, "cloud");
-    const ParamSet params = options_or_default(options, "clearance");
+    const ClearanceSettings settings = settings_of(options);
     TablePair tables;
     with_task(task, [&](Task& t) {
-      ClearanceTables made = clearance_to_cloud(*model->model, part, *cloud->cloud, params, t);
+      ClearanceTables made = clearance_to_cloud(*model->model, part, *cloud->cloud, settings, t);
       tables.make(summary, std::move(made.summary), near_points, std::move(made.near));
     });
     tables.hand_out(summary, near_points);
@@ -129,10 +134,11 @@ jalon_status jalon_model_clearance_to_model(const jalon_model* model, uint64_t p
   return guard([&] {
     require(model, "model");
     require(other, "other");
-    const ParamSet params = options_or_default(options, "clearance");
+    const ClearanceSettings settings = settings_of(options);
     TablePair tables;
     with_task(task, [&](Task& t) {
-      ClearanceTables made = clearance_to_model(*model->model, part, *other->model, other_part, params, t);
+      ClearanceTables made =
+          clearance_to_model(*model->model, part, *other->model, other_part, settings, t);
       tables.make(summary, std::move(made.summary), near_faces, std::move(made.near));
     });
     tables.hand_out(summary, near_faces);
@@ -144,10 +150,10 @@ jalon_status jalon_gauge_sweep(const jalon_gauge_piece* pieces, uint64_t piece_c
                                const jalon_cloud* cloud, const jalon_model* model, const jalon_params* options,
                                jalon_task* task, jalon_fields** places, jalon_fields** intervals) {
   return guard([&] {
-    const ParamSet params = options_or_default(options, "clearance");
+    const ClearanceSettings settings = settings_of(options);
     const std::vector<ConvexPiece> gauge = gauge_of(pieces, piece_count, hull_points, hull_point_count);
     const std::vector<Transform> list = pose_list(poses, pose_count);
-    sweep([&] { return gauge; }, list, cloud, model, params, task, places, intervals);
+    sweep([&] { return gauge; }, list, cloud, model, settings, task, places, intervals);
   });
 }
 
@@ -156,9 +162,9 @@ jalon_status jalon_gauge_sweep_model(const jalon_model* gauge, const jalon_trans
                                      jalon_task* task, jalon_fields** places, jalon_fields** intervals) {
   return guard([&] {
     require(gauge, "gauge");
-    const ParamSet params = options_or_default(options, "clearance");
+    const ClearanceSettings settings = settings_of(options);
     const std::vector<Transform> list = pose_list(poses, pose_count);
-    sweep([&] { return gauge_of_model(*gauge->model, params.number("chord_m")); }, list, cloud, model, params, task,
-          places, intervals);
+    sweep([&] { return gauge_of_model(*gauge->model, settings.chord_m); }, list, cloud, model,
+          settings, task, places, intervals);
   });
 }

@@ -27,10 +27,10 @@ jalon_status jalon_cloud_volume(const jalon_cloud* reference, const jalon_cloud*
     require(reference, "reference");
     require(compared, "compared");
     require_same_crs(reference->cloud->crs, compared->cloud->crs);
-    const ParamSet values = options_or_default(options, "volume");
+    const auto settings = settings_from<VolumeSettings>(options_or_default(options, "volume"));
     const CloudPtr before = reference->cloud, after = compared->cloud;
-    hand_out(with_task(task, [&](Task& t) { return volume_between(*before, *after, values, t); }), out_summary,
-             out_cells);
+    hand_out(with_task(task, [&](Task& t) { return volume_between(*before, *after, settings, t); }),
+             out_summary, out_cells);
   });
 }
 
@@ -40,10 +40,10 @@ jalon_status jalon_model_volume(const jalon_model* reference, const jalon_model*
     require(reference, "reference");
     require(compared, "compared");
     require_same_crs(reference->model->crs, compared->model->crs);
-    const ParamSet values = options_or_default(options, "volume");
+    const auto settings = settings_from<VolumeSettings>(options_or_default(options, "volume"));
     const ModelPtr before = reference->model, after = compared->model;
-    hand_out(with_task(task, [&](Task& t) { return volume_between(*before, *after, values, t); }), out_summary,
-             out_cells);
+    hand_out(with_task(task, [&](Task& t) { return volume_between(*before, *after, settings, t); }),
+             out_summary, out_cells);
   });
 }
 
@@ -52,8 +52,11 @@ jalon_status jalon_model_sample(const jalon_model* model, const jalon_params* op
   return guard([&] {
     require(model, "model");
     require(out, "out");
-    const ParamSet values = options_or_default(options, "model_sample");
+    const auto settings =
+        settings_from<ModelSampleSettings>(options_or_default(options, "model_sample"));
     const ModelPtr surfaces = model->model;
-    *out = with_task(task, [&](Task& t) { return own(new_cloud(sample_model(*surfaces, values, t))); }).release();
+    *out = with_task(task, [&](Task& t) {
+             return own(new_cloud(sample_model(*surfaces, settings, t)));
+           }).release();
   });
 }

@@ -74,9 +74,7 @@ class PlantMesh {
 
 /// The room as scanned: five pipes more than the mesh has, and noise.
 CloudPtr scan_of_room(size_t points, Task& task) {
-  ParamSet params("model_sample", model_sample_rows());
-  params.set_integer("points", static_cast<int64_t>(points));
-  const Cloud exact = sample_model(PlantMesh(5000, true).take(), params, task);
+  const Cloud exact = sample_model(PlantMesh(5000, true).take(), {.points = points}, task);
   Buffer<double> xyz(3 * points);
   RandomStream random(5, 0);
   for (size_t i = 0; i < xyz.size(); ++i) xyz[i] = exact.xyz()[i] + kNoise_m * random.normal();

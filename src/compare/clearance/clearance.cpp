@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "solid/surface_pair.h"
 #include "solid/surface_points.h"
@@ -13,6 +14,20 @@
 namespace jalon {
 
 namespace {
+
+using S = ClearanceSettings;
+
+constexpr auto kRows = setting_rows(
+    number_row<&S::margin_m>("margin_m", 0, 1e6, "m", "",
+                             "distance: what comes this close, or closer, is listed"),
+    number_row<&S::reach_m>(
+        "reach_m", 0, 1e6, "m", "sweep",
+        "the least clearance of each pose interval is found up to this distance"),
+    number_row<&S::chord_m>("chord_m", 1e-6, 1, "m", "",
+                            "arcs of faces become chords at most this distance from them"),
+    number_row<&S::depth_tolerance_m>(
+        "depth_tolerance_m", 1e-5, 1, "m", "model",
+        "the depth in a closed surface that is not convex is at most this much too small"));
 
 void put(const Vec3& v, double* out) {
   out[0] = v.x;
@@ -74,26 +89,16 @@ void require_one_crs(const SharedText& a, const SharedText& b) {
     fail(Status::kInvalidArgument, "the CRS of the two (%.60s and %.60s) differ", a.c_str(), b.c_str());
 }
 
-std::span<const ParamRow> clearance_rows() {
-  static constexpr ParamRow kRows[] = {
-      number_row("margin_m", 0.1, 0, 1e6, "m", "", "distance: what comes this close, or closer, is listed"),
-      number_row("reach_m", 1, 0, 1e6, "m", "sweep",
-                 "the least clearance of each pose interval is found up to this distance"),
-      number_row("chord_m", 0.001, 1e-6, 1, "m", "", "arcs of faces become chords at most this distance from them"),
-      number_row("depth_tolerance_m", 0.005, 1e-5, 1, "m", "model",
-                 "the depth in a closed surface that is not convex is at most this much too small"),
-  };
-  return kRows;
-}
+std::span<const ParamRow> clearance_rows() { return kRows; }
 
-ClearanceTables clearance_to_cloud(const Model& model, uint64_t part, const Cloud& cloud, const ParamSet& params,
-                                   Task& task) {
+ClearanceTables clearance_to_cloud(const Model& model, uint64_t part, const Cloud& cloud,
+                                   const ClearanceSettings& settings, Task& task) {
   require_one_crs(model.crs, cloud.crs);
   if (cloud.size() == 0) fail(Status::kInsufficientData, "the cloud has no points");
-  const PartTriangles triangles = triangles_of_part(model, part, params.number("chord_m"));
+  const PartTriangles triangles = triangles_of_part(model, part, settings.chord_m);
   const PartSurface surface = surface_of(triangles, task);
   const PointClearance found =
-      clearance_of_points(surface, *cloud.octree(task), cloud.xyz(), params.number("margin_m"), task);
+      clearance_of_points(surface, *cloud.octree(task), cloud.xyz(), settings.margin_m, task);
 
   ClearanceTables tables{near_points_table({found.least}, cloud, triangles), {}};
   const double depth = !surface.is_closed() ? std::numeric_limits<double>::quiet_NaN()
@@ -105,15 +110,15 @@ ClearanceTables clearance_to_cloud(const Model& model, uint64_t part, const Clou
   return tables;
 }
 
-ClearanceTables clearance_to_model(const Model& model, uint64_t part, const Model& other, uint64_t other_part,
-                                   const ParamSet& params, Task& task) {
+ClearanceTables clearance_to_model(const Model& model, uint64_t part, const Model& other,
+                                   uint64_t other_part, const ClearanceSettings& settings,
+                                   Task& task) {
   require_one_crs(model.crs, other.crs);
-  const double chord = params.number("chord_m");
-  const PartTriangles first = triangles_of_part(model, part, chord);
-  const PartTriangles second = triangles_of_part(other, other_part, chord);
+  const PartTriangles first = triangles_of_part(model, part, settings.chord_m);
+  const PartTriangles second = triangles_of_part(other, other_part, settings.chord_m);
   const PartSurface a = surface_of(first, task), b = surface_of(second, task);
   const PairClearance found =
-      clearance_of_surfaces(a, b, {params.number("margin_m"), params.number("depth_tolerance_m")}, task);
+      clearance_of_surfaces(a, b, {settings.margin_m, settings.depth_tolerance_m}, task);
 
   // Where they interfere, the row tells how deep and where deepest; the triangles are those of the nearest pair.
   NearTriangle row = found.least;

@@ -59,8 +59,9 @@ FieldTable table_of(const std::vector<SweepPlace>& rows, const PartTriangles* tr
 
 }  // namespace
 
-SweepTables sweep_tables(std::span<const ConvexPiece> pieces, std::span<const Transform> poses, const Cloud* cloud,
-                         const Model* model, const ParamSet& params, Task& task) {
+SweepTables sweep_tables(std::span<const ConvexPiece> pieces, std::span<const Transform> poses,
+                         const Cloud* cloud, const Model* model, const ClearanceSettings& settings,
+                         Task& task) {
   for (size_t i = 0; i < poses.size(); ++i) require_rigid(poses[i], ("pose " + std::to_string(i)).c_str());
   if (cloud != nullptr && model != nullptr) require_one_crs(cloud->crs, model->crs);
   Obstacles obstacles;
@@ -74,13 +75,13 @@ SweepTables sweep_tables(std::span<const ConvexPiece> pieces, std::span<const Tr
   std::optional<PartTriangles> triangles;
   std::optional<TriangleBoxes> boxes;
   if (model != nullptr) {
-    triangles = triangles_of_part(*model, kWholeModel, params.number("chord_m"));
+    triangles = triangles_of_part(*model, kWholeModel, settings.chord_m);
     boxes.emplace(triangles->vertices, triangles->triangles);
     obstacles.triangles = &*boxes;
   }
   const Span span(task, 0.3, 1, "sweeping");
   SweepResult result =
-      sweep_gauge(pieces, poses, obstacles, {params.number("margin_m"), params.number("reach_m")}, task);
+      sweep_gauge(pieces, poses, obstacles, {settings.margin_m, settings.reach_m}, task);
   std::sort(result.places.begin(), result.places.end(), [](const SweepPlace& a, const SweepPlace& b) {
     return std::tuple(parameter_of(a), a.kind, a.index) < std::tuple(parameter_of(b), b.kind, b.index);
   });

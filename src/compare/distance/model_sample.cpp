@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/setting_rows.h"
 #include "compare/distance/model_surface.h"
 
 namespace jalon {
@@ -17,13 +18,18 @@ namespace {
 constexpr size_t kGrain = 1 << 14;
 constexpr double kMostPoints = 4294967294.0;
 
-constexpr ParamRow kRows[] = {
-    integer_row("points", 0, 0, kMostPoints, "points", "", "Number of points; 0 = by the spacing."),
-    number_row("spacing_m", 0.05, 1e-5, 1e6, "m", "",
-               "One point a square of this side on the average, unless the number of points is given."),
-    number_row("chord_error_m", 1e-4, 1e-7, 1, "m", "", "Largest distance of chords from the arcs they stand for."),
-    integer_row("seed", 1, 0, 9007199254740992.0, "", "", "The same seed gives the same bits."),
-};
+using S = ModelSampleSettings;
+
+constexpr auto kRows = setting_rows(
+    integer_row<&S::points>("points", 0, kMostPoints, "points", "",
+                            "Number of points; 0 = by the spacing."),
+    number_row<&S::spacing_m>(
+        "spacing_m", 1e-5, 1e6, "m", "",
+        "One point a square of this side on the average, unless the number of points is given."),
+    number_row<&S::chord_error_m>("chord_error_m", 1e-7, 1, "m", "",
+                                  "Largest distance of chords from the arcs they stand for."),
+    integer_row<&S::seed>("seed", 0, 9007199254740992.0, "", "",
+                          "The same seed gives the same bits."));
 
 /// Running sums of the triangles' areas.
 std::vector<double> cumulated_areas(const ModelSurface& surface) {
@@ -38,10 +44,9 @@ std::vector<double> cumulated_areas(const ModelSurface& surface) {
   return sums;
 }
 
-size_t point_count(const ParamSet& params, double area_m2) {
-  const int64_t points = params.integer("points");
-  if (points > 0) return static_cast<size_t>(points);
-  const double spacing = params.number("spacing_m"), n = std::ceil(area_m2 / (spacing * spacing));
+size_t point_count(const ModelSampleSettings& settings, double area_m2) {
+  if (settings.points > 0) return settings.points;
+  const double n = std::ceil(area_m2 / (settings.spacing_m * settings.spacing_m));
   if (!(n <= kMostPoints)) fail(Status::kLimit, "the spacing gives more than 2^32 - 2 points");
   return static_cast<size_t>(n);
 }
@@ -84,18 +89,17 @@ class Sample {
 
 std::span<const ParamRow> model_sample_rows() { return kRows; }
 
-Cloud sample_model(const Model& model, const ParamSet& params, Task& task) {
-  const ModelSurface surface(model, params.number("chord_error_m"), task);
+Cloud sample_model(const Model& model, const ModelSampleSettings& settings, Task& task) {
+  const ModelSurface surface(model, settings.chord_error_m, task);
   const std::vector<double> sums = cumulated_areas(surface);
   if (!(sums.back() > 0)) fail(Status::kDegenerate, "the model's surfaces have no area");
-  const size_t n = point_count(params, sums.back());
-  const auto seed = static_cast<uint64_t>(params.integer("seed"));
+  const size_t n = point_count(settings, sums.back());
   Sample sample(n);
   // The area is cut into as many equal parts as there are points, one drawn from each: every triangle gets its share to
   // within two points. Point i is a pure function of the seed and its number.
   parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      RandomStream random(seed, i);
+      RandomStream random(settings.seed, i);
       const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(n) * sums.back();
       const auto t = static_cast<uint32_t>(std::upper_bound(sums.begin(), sums.end() - 1, at) - sums.begin());
       const auto& [a, b, c] = surface.triangles()[t];

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
@@ -9,10 +12,16 @@
 
 namespace jalon {
 
+struct ModelSampleSettings {
+  uint64_t points = 0;      ///< 0: by the spacing
+  double spacing_m = 0.05;  ///< one point a square of this side on the average
+  double chord_error_m = 1e-4;
+  uint64_t seed = 1;
+};
 /// Parameter table of operation "model_sample".
 std::span<const ParamRow> model_sample_rows();
 /// Points on all surfaces of a model, uniform by area (octree-and-applications 2.23), with fields "normal", "face",
 /// "triangle", "part".
-Cloud sample_model(const Model& model, const ParamSet& params, Task& task);
+Cloud sample_model(const Model& model, const ModelSampleSettings& settings, Task& task);
 
 }  // namespace jalon

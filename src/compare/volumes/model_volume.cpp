@@ -68,35 +68,39 @@ Volume enclosed_difference(const State& reference, const State& compared) {
   return out;
 }
 
-Volume prisms(const State& reference, const State& compared, const ParamSet& params, Task& task) {
-  const VolumeGrid axes = volume_axes(reference.box, compared.box, params);
+Volume prisms(const State& reference, const State& compared, const VolumeSettings& settings,
+              Task& task) {
+  const VolumeGrid axes = volume_axes(reference.box, compared.box, settings.direction);
   Box3 both = projected_box(reference, axes);
   both += projected_box(compared, axes);
   const double extent = std::max(both.max.x - both.min.x, both.max.y - both.min.y);
-  const double wanted = params.number("cell_m");
+  const double wanted = settings.cell_m;
   const double cell_m = wanted > 0 ? wanted : extent > 0 ? extent / kCellsAcross : 1;
   const VolumeGrid grid = grid_over(axes, both, cell_m);
   const double top = both.max.z + 1;
   const CellHeights before = surface_heights(reference, grid, top, task);
   const CellHeights after = surface_heights(compared, grid, top, task);
-  return sum_up_volume(grid, before, after, params, task);
+  return sum_up_volume(grid, before, after, settings.dead_band_m, task);
 }
 
 }  // namespace
 
-Volume volume_between(const Model& reference, const Model& compared, const ParamSet& params, Task& task) {
+Volume volume_between(const Model& reference, const Model& compared, const VolumeSettings& settings,
+                      Task& task) {
   const State before(reference, task), after(compared, task);
-  const std::string& surfaces = params.text("surfaces");
+  using Surfaces = VolumeSettings::Surfaces;
+  const Surfaces surfaces = settings.surfaces;
   const bool both_closed = before.closure.is_closed() && after.closure.is_closed();
-  if (surfaces == "closed" && !both_closed) {
+  if (surfaces == Surfaces::kClosed && !both_closed) {
     const State& open = before.closure.is_closed() ? after : before;
     fail(Status::kDegenerate,
          "the %s model is not closed: %llu sides at a border, %llu where triangles run opposite ways",
          &open == &before ? "reference" : "compared", static_cast<unsigned long long>(open.closure.border_sides),
          static_cast<unsigned long long>(open.closure.inconsistent_sides));
   }
-  const bool closed = surfaces == "closed" || (surfaces == "automatic" && both_closed);
-  Volume out = closed ? enclosed_difference(before, after) : prisms(before, after, params, task);
+  const bool closed =
+      surfaces == Surfaces::kClosed || (surfaces == Surfaces::kAutomatic && both_closed);
+  Volume out = closed ? enclosed_difference(before, after) : prisms(before, after, settings, task);
   add_value<double>(out.summary, "reference_volume", "m3", "that the reference encloses; NaN unless closed",
                     before.enclosed_m3);
   add_value<double>(out.summary, "compared_volume", "m3", "that the compared model encloses; NaN unless closed",

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "base/table_columns.h"
 
 namespace jalon {
@@ -16,19 +17,28 @@ constexpr size_t kGrain = 1 << 15;
 constexpr double kSpacings = 3;  // of the thinner cloud: nine points a cell on the average
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-constexpr ParamRow kRows[] = {
-    doubles_row("direction", "0 0 1", -1e9, 1e9, "", "",
-                "Three numbers: the direction along which heights are counted, upward."),
-    number_row("cell_m", 0, 0, 1e6, "m", "",
-               "Side of the cells; 0 = three mean spacings of the thinner cloud, of models a 500th of their extent."),
-    choice_row("cell_value", "mean", "mean|median|interpolated", "",
-               "Of a cloud: height of a cell from its points, or at its centre from the plane through its points and "
-               "those of the eight cells around, which also fills single gaps."),
-    number_row("dead_band_m", 0, 0, 1e6, "m", "",
-               "Cells whose height changed by no more count neither as cut nor as fill: noise else adds to both."),
-    choice_row("surfaces", "automatic", "automatic|closed|prisms", "",
-               "Of models: the volume that each encloses, or prisms between both; automatic = closed if both are."),
-};
+using S = VolumeSettings;
+
+constexpr auto kRows = setting_rows(
+    doubles_row<&S::direction>(
+        "direction", -1e9, 1e9, "", "",
+        "Three numbers: the direction along which heights are counted, upward."),
+    number_row<&S::cell_m>(
+        "cell_m", 0, 1e6, "m", "",
+        "Side of the cells; 0 = three mean spacings of the thinner cloud, of models a 500th of "
+        "their extent."),
+    choice_row<&S::cell_value>(
+        "cell_value", "mean|median|interpolated", "",
+        "Of a cloud: height of a cell from its points, or at its centre from the plane through "
+        "its points and those of the eight cells around, which also fills single gaps."),
+    number_row<&S::dead_band_m>(
+        "dead_band_m", 0, 1e6, "m", "",
+        "Cells whose height changed by no more count neither as cut nor as fill: noise else adds "
+        "to both."),
+    choice_row<&S::surfaces>(
+        "surfaces", "automatic|closed|prisms", "",
+        "Of models: the volume that each encloses, or prisms between both; automatic = closed if "
+        "both are."));
 
 Box3 projected_box(const Cloud& cloud, const VolumeGrid& grid, Task& task) {
   return parallel_reduce(task, cloud.size(), kGrain, Box3{}, [&](size_t begin, size_t end) {
@@ -129,44 +139,40 @@ FieldTable table_of_cells(const VolumeGrid& grid, const CellHeights& reference, 
   return table;
 }
 
-CellValue value_of(const std::string& name) {
-  if (name == "median") return CellValue::kMedian;
-  return name == "interpolated" ? CellValue::kInterpolated : CellValue::kMean;
-}
-
 }  // namespace
 
 std::span<const ParamRow> volume_rows() { return kRows; }
 
-Volume sum_up_volume(const VolumeGrid& grid, const CellHeights& reference, const CellHeights& compared,
-                     const ParamSet& params, Task& task) {
-  const double dead_band = params.number("dead_band_m");
+Volume sum_up_volume(const VolumeGrid& grid, const CellHeights& reference,
+                     const CellHeights& compared, double dead_band_m, Task& task) {
   const Totals totals = parallel_reduce(task, grid.cells(), kGrain, Totals{}, [&](size_t begin, size_t end) {
     Totals part;
     for (size_t c = begin; c < end; ++c) {
       const uint8_t status = status_of(reference.height[c], compared.height[c]);
       ++part.of_status[status];
       if (status == kBoth)
-        part.add(compared.height[c] - reference.height[c], reference.variance[c] + compared.variance[c], dead_band);
+        part.add(compared.height[c] - reference.height[c],
+                 reference.variance[c] + compared.variance[c], dead_band_m);
     }
     return part;
   });
   return {summary_of(totals, grid), table_of_cells(grid, reference, compared)};
 }
 
-Volume volume_between(const Cloud& reference, const Cloud& compared, const ParamSet& params, Task& task) {
+Volume volume_between(const Cloud& reference, const Cloud& compared, const VolumeSettings& settings,
+                      Task& task) {
   if (reference.size() == 0) fail(Status::kInsufficientData, "the reference cloud is empty");
   if (compared.size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
-  const VolumeGrid axes = volume_axes(bounds(reference, task), bounds(compared, task), params);
+  const VolumeGrid axes =
+      volume_axes(bounds(reference, task), bounds(compared, task), settings.direction);
   const Box3 first = projected_box(reference, axes, task), second = projected_box(compared, axes, task);
   const double spacing = std::max(spacing_of(first, reference.size()), spacing_of(second, compared.size()));
   Box3 both = first;
   both += second;
-  const VolumeGrid grid = grid_over(axes, both, chosen_cell(params.number("cell_m"), kSpacings * spacing));
-  const CellValue value = value_of(params.text("cell_value"));
-  const CellHeights before = cloud_heights(reference, grid, value, task);
-  const CellHeights after = cloud_heights(compared, grid, value, task);
-  return sum_up_volume(grid, before, after, params, task);
+  const VolumeGrid grid = grid_over(axes, both, chosen_cell(settings.cell_m, kSpacings * spacing));
+  const CellHeights before = cloud_heights(reference, grid, settings.cell_value, task);
+  const CellHeights after = cloud_heights(compared, grid, settings.cell_value, task);
+  return sum_up_volume(grid, before, after, settings.dead_band_m, task);
 }
 
 }  // namespace jalon

@@ -144,8 +144,7 @@ Vec3 VolumeGrid::place(size_t cell, double height) const {
   return origin + (u * at_u + v * at_v + up * height);
 }
 
-VolumeGrid volume_axes(const Box3& first, const Box3& second, const ParamSet& params) {
-  const auto& direction = params.numbers("direction");
+VolumeGrid volume_axes(const Box3& first, const Box3& second, std::span<const double> direction) {
   if (direction.size() != 3) fail(Status::kInvalidArgument, "direction takes three numbers");
   const Vec3 along{direction[0], direction[1], direction[2]};
   if (!is_finite(along) || !(norm(along) > 0)) fail(Status::kInvalidArgument, "direction must not be zero");

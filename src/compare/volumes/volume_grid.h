@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "base/buffer.h"
-#include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
 #include "geometry/vec.h"
@@ -35,8 +35,9 @@ struct VolumeGrid {
 
 /// The grid over a box of projected points; the number of cells is bounded (kLimit). The grid given has its axes.
 VolumeGrid grid_over(VolumeGrid axes, const Box3& projected, double cell_m);
-/// Axes and origin for what lies in both boxes (world coordinates) from the parameter "direction".
-VolumeGrid volume_axes(const Box3& first, const Box3& second, const ParamSet& params);
+/// Axes and origin for what lies in both boxes (world coordinates). Throws kInvalidArgument unless
+/// the direction has three numbers and a length.
+VolumeGrid volume_axes(const Box3& first, const Box3& second, std::span<const double> direction);
 
 /// Heights of one state, one a cell.
 struct CellHeights {

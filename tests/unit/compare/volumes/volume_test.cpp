@@ -46,7 +46,6 @@ Cloud survey(bool after, uint64_t seed, size_t points = 250000, bool with_shadow
   return cloud_of(out);
 }
 
-ParamSet settings() { return {"volume", volume_rows()}; }
 double of(const Volume& volume, const char* name) { return volume.summary.require(name).number(0); }
 
 /// A box with its corners anticlockwise seen from outside; without its top: open.
@@ -85,14 +84,17 @@ Model terrain(bool after) {
 TEST_CASE("volume__of_a_pit_and_a_heap_is_right_to_one_percent") {
   const Cloud before = survey(false, 1), after = survey(true, 2);
   Task task;
-  for (const char* value : {"mean", "median", "interpolated"}) {
-    ParamSet params = settings();
-    params.set_text("cell_value", value);
-    params.set_number("cell_m", 0.25);  // nine points in a cell where they are thin, which leaves few empty
-    params.set_number("dead_band_m", 0.02);
-    const Volume found = volume_between(before, after, params, task);
-    MESSAGE("FIGURE volume by ", std::string(value), ": cut ", of(found, "cut"), " of ", kPit_m3, " m3, fill ",
-            of(found, "fill"), " of ", kHeap_m3, " m3, cells of ", of(found, "cell"), " m");
+  for (const auto& [name, value] : {std::pair{"mean", CellValue::kMean},
+                                    {"median", CellValue::kMedian},
+                                    {"interpolated", CellValue::kInterpolated}}) {
+    VolumeSettings settings;
+    settings.cell_value = value;
+    settings.cell_m = 0.25;  // nine points in a cell where they are thin, which leaves few empty
+    settings.dead_band_m = 0.02;
+    const Volume found = volume_between(before, after, settings, task);
+    MESSAGE("FIGURE volume by ", std::string(name), ": cut ", of(found, "cut"), " of ", kPit_m3,
+            " m3, fill ", of(found, "fill"), " of ", kHeap_m3, " m3, cells of ", of(found, "cell"),
+            " m");
     CHECK(std::abs(of(found, "cut") - kPit_m3) < 0.01 * kPit_m3);
     CHECK(std::abs(of(found, "fill") - kHeap_m3) < 0.01 * kHeap_m3);
     CHECK(of(found, "net") == doctest::Approx(of(found, "fill") - of(found, "cut")));
@@ -105,8 +107,9 @@ TEST_CASE("volume__of_nothing_moved_lies_within_its_sigma") {
   double squares = 0;
   constexpr int kRuns = 20;
   for (int run = 0; run < kRuns; ++run) {
-    const Volume found = volume_between(survey(false, 10 + static_cast<uint64_t>(run), 20000),
-                                        survey(false, 60 + static_cast<uint64_t>(run), 20000), settings(), task);
+    const Volume found =
+        volume_between(survey(false, 10 + static_cast<uint64_t>(run), 20000),
+                       survey(false, 60 + static_cast<uint64_t>(run), 20000), {}, task);
     squares += std::pow(of(found, "net") / of(found, "sigma"), 2);
   }
   MESSAGE("FIGURE net volume over its sigma, where nothing moved: ", std::sqrt(squares / kRuns));
@@ -118,9 +121,9 @@ TEST_CASE("volume__of_nothing_moved_lies_within_its_sigma") {
 TEST_CASE("volume__lists_and_counts_the_cells_without_data") {
   const Cloud before = survey(false, 1), after = survey(false, 2, 250000, true);
   Task task;
-  ParamSet params = settings();
-  params.set_number("cell_m", 0.5);
-  const Volume found = volume_between(before, after, params, task);
+  VolumeSettings settings;
+  settings.cell_m = 0.5;
+  const Volume found = volume_between(before, after, settings, task);
   CHECK(of(found, "without_compared") == 6 * 8);
   const auto status = found.cells.require("status").values<uint8_t>();
   size_t listed = 0;
@@ -142,21 +145,21 @@ TEST_CASE("volume__along_another_direction") {
       before.push_back({3, 0.05 + 0.1 * i, 0.05 + 0.1 * j});
       after.push_back({3.1, 0.05 + 0.1 * i, 0.05 + 0.1 * j});
     }
-  ParamSet params = settings();
-  params.set_numbers("direction", std::vector<double>{2, 0, 0});
-  params.set_number("cell_m", 0.5);
+  VolumeSettings settings;
+  settings.direction = {2, 0, 0};
+  settings.cell_m = 0.5;
   Task task;
-  const Volume found = volume_between(cloud_of(before), cloud_of(after), params, task);
+  const Volume found = volume_between(cloud_of(before), cloud_of(after), settings, task);
   CHECK(of(found, "fill") == doctest::Approx(10 * 5 * 0.1).epsilon(1e-12));
   CHECK(of(found, "cut") == 0);
-  params.set_numbers("direction", std::vector<double>{0, 0, 0});
-  CHECK_THROWS_AS(volume_between(cloud_of(before), cloud_of(after), params, task), Error);
+  settings.direction = {0, 0, 0};
+  CHECK_THROWS_AS(volume_between(cloud_of(before), cloud_of(after), settings, task), Error);
 }
 
 TEST_CASE("volume__of_closed_meshes_is_exact_and_open_ones_are_told") {
   Task task;
   const Model small = box({652000, 6861000, 30}, {2, 3, 4}), large = box({652000, 6861000, 30}, {3, 3, 5});
-  const Volume found = volume_between(small, large, settings(), task);
+  const Volume found = volume_between(small, large, {}, task);
   CHECK(of(found, "net") == doctest::Approx(45 - 24).epsilon(1e-12));
   CHECK(of(found, "reference_volume") == doctest::Approx(24).epsilon(1e-12));
   CHECK(found.cells.size() == 0);
@@ -164,9 +167,9 @@ TEST_CASE("volume__of_closed_meshes_is_exact_and_open_ones_are_told") {
   const MeshClosure closure = closure_of(open.vertices, open.triangles, task);
   CHECK(closure.border_sides == 4);
   CHECK(closure.inconsistent_sides == 0);
-  ParamSet params = settings();
-  params.set_text("surfaces", "closed");
-  CHECK_THROWS_AS(volume_between(open, large, params, task), Error);
+  VolumeSettings settings;
+  settings.surfaces = VolumeSettings::Surfaces::kClosed;
+  CHECK_THROWS_AS(volume_between(open, large, settings, task), Error);
   Model turned = small;
   std::swap(turned.triangles[11][0], turned.triangles[11][1]);
   CHECK(closure_of(turned.vertices, turned.triangles, task).inconsistent_sides == 3);
@@ -174,7 +177,7 @@ TEST_CASE("volume__of_closed_meshes_is_exact_and_open_ones_are_told") {
 
 TEST_CASE("volume__between_open_meshes_by_prisms") {
   Task task;
-  const Volume found = volume_between(terrain(false), terrain(true), settings(), task);
+  const Volume found = volume_between(terrain(false), terrain(true), {}, task);
   MESSAGE("FIGURE heap between two terrain meshes: ", of(found, "fill"), " of ", kHeap_m3, " m3");
   CHECK(std::abs(of(found, "fill") - kHeap_m3) < 0.01 * kHeap_m3);
   CHECK(of(found, "cut") < 1e-6);
@@ -183,13 +186,13 @@ TEST_CASE("volume__between_open_meshes_by_prisms") {
 
 TEST_CASE("volume__same_bits_for_any_threads") {
   const Cloud before = survey(false, 1, 30000), after = survey(true, 2, 30000);
-  ParamSet params = settings();
-  params.set_text("cell_value", "interpolated");
+  VolumeSettings settings;
+  settings.cell_value = CellValue::kInterpolated;
   const auto run = [&](unsigned threads) {
     Task::Hooks hooks;
     hooks.threads = threads;
     Task task(hooks);
-    return volume_between(before, after, params, task);
+    return volume_between(before, after, settings, task);
   };
   const Volume one = run(1), four = run(4);
   for (const FieldTable* pair : {&one.summary, &one.cells})
@@ -209,10 +212,8 @@ TEST_CASE("model_sample__is_uniform_by_area_with_normals_and_faces") {
                         {{1, 0.5, 0}, {1, 1.5, 0}, {2, 1.5, 0}, {2, 0.5, 0}}});
   face.plane = {{1, 0, 0}, 4};
   model.add_face(face, {{{4, 0, 0}, {4, 2, 0}, {4, 2, 1}, {4, 0, 1}}});
-  ParamSet params("model_sample", model_sample_rows());
-  params.set_integer("points", 9000);
   Task task;
-  const Cloud cloud = sample_model(model, params, task);
+  const Cloud cloud = sample_model(model, {.points = 9000}, task);
   REQUIRE(cloud.size() == 9000);
   size_t first = 0, left = 0;
   const auto faces = cloud.fields.require("face").values<uint32_t>();
