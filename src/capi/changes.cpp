@@ -15,9 +15,9 @@ jalon_status jalon_comparison_regions(const jalon_comparison* comparison, const 
                                       jalon_task* task, jalon_fields** out_points, jalon_fields** out_regions) {
   return guard([&] {
     require(comparison, "comparison");
-    const ParamSet set = options_or_default(options, "regions");
+    const auto settings = settings_from<RegionSettings>(options_or_default(options, "regions"));
     auto tables = with_task(task, [&](Task& t) {
-      const Regions found = change_regions(*comparison->comparison, set, t);
+      const Regions found = change_regions(*comparison->comparison, settings, t);
       return std::pair(own(new_fields(region_points_table(found))), own(new_fields(regions_table(found))));
     });
     if (out_points != nullptr) *out_points = tables.first.release();
@@ -31,12 +31,12 @@ jalon_status jalon_comparison_diagnose(const jalon_comparison* forward, const ja
   return guard([&] {
     require(forward, "forward");
     require(reverse, "reverse");
-    const ParamSet set = options_or_default(options, "diagnosis");
+    const auto settings = settings_from<RegionSettings>(options_or_default(options, "diagnosis"));
     struct Tables {
       Owned<jalon_fields> forward, reverse, changes;
     };
     Tables made = with_task(task, [&](Task& t) {
-      const Diagnosis found = diagnose(*forward->comparison, *reverse->comparison, set, t);
+      const Diagnosis found = diagnose(*forward->comparison, *reverse->comparison, settings, t);
       return Tables{own(new_fields(diagnosis_points_table(found, true))),
                     own(new_fields(diagnosis_points_table(found, false))), own(new_fields(changes_table(found)))};
     });

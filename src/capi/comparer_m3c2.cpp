@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "capi/support/comparison_handles.h"
-#include "capi/support/guard.h"
-#include "compare/m3c2/file.h"
+#include "capi/support/methods.h"
 #include "formats/files/byte_source.h"
 #include "jalon/comparer.h"
 
@@ -26,10 +25,10 @@ jalon_status jalon_comparer_read_m3c2_file(jalon_comparer* comparer, const char*
   return guard([&] {
     require(comparer, "comparer");
     require_text(path, "path");
-    if (comparer->method != "m3c2")
-      fail(Status::kUnsupported, "method \"%.100s\" has no such file; use \"m3c2\"", comparer->method.c_str());
+    const auto read = require_run(compare_methods(), *comparer->method, &CompareMethod::read_file,
+                                  "has no such file");
     with_task(task, [&](Task& t) {
-      for (const std::string& line : read_cloudcompare_m3c2(text_of_file(path), *comparer->values))
+      for (const std::string& line : read(text_of_file(path), *comparer->values))
         t.log(Task::kWarning, "%s", line.c_str());
     });
   });

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
 #include <cmath>
 
 #include "capi/support/comparison_handles.h"
-#include "capi/support/guard.h"
+#include "capi/support/methods.h"
 #include "capi/support/registration_handles.h"
 #include "cloud/operations.h"
 #include "jalon/registrar.h"
@@ -30,16 +29,13 @@ jalon_status jalon_comparer_use_registration(jalon_comparer* comparer, const jal
   return guard([&] {
     require(comparer, "comparer");
     require(registration, "registration");
-    if (comparer->method != "m3c2")
-      fail(Status::kUnsupported, "method \"%.100s\" has no level of detection; use \"m3c2\"", comparer->method.c_str());
+    const auto use = require_run(compare_methods(), *comparer->method,
+                                 &CompareMethod::use_registration, "has no level of detection");
     const Registration& r = *registration->registration;
     for (const double value : r.covariance)
       if (!std::isfinite(value))
         fail(Status::kDegenerate, "the registration leaves %llu directions open; it has no covariance there",
              static_cast<unsigned long long>(r.unobservable));
-    ParamSet values = *comparer->values;
-    values.set_numbers("registration_covariance", r.covariance);
-    values.set_numbers("registration_centre", std::array{r.centre.x, r.centre.y, r.centre.z});
-    *comparer->values = std::move(values);
+    use(r.covariance, r.centre, *comparer->values);
   });
 }

@@ -15,8 +15,8 @@ using namespace jalon::capi;
 
 namespace {
 
-DepthMap map_of(const jalon_cloud* reference, uint64_t station, const ParamSet& options, Task& task) {
-  return station_depth_map(*reference->cloud, station, DepthSettings::from(options), task);
+DepthSettings settings_of(const jalon_params* options) {
+  return settings_from<DepthSettings>(options_or_default(options, "visibility"));
 }
 
 }  // namespace
@@ -26,9 +26,10 @@ jalon_status jalon_cloud_compute_visibility(jalon_cloud* cloud, const jalon_clou
   return guard([&] {
     require(cloud, "cloud");
     require(reference, "reference");
-    const ParamSet chosen = options_or_default(options, "visibility");
+    const DepthSettings settings = settings_of(options);
     auto changed = with_task(task, [&](Task& t) {
-      return std::make_shared<const Cloud>(with_visibility(*reference->cloud, *cloud->cloud, chosen, t));
+      return std::make_shared<const Cloud>(
+          with_visibility(*reference->cloud, *cloud->cloud, settings, t));
     });
     cloud->cloud = std::move(changed);
   });
@@ -39,10 +40,10 @@ jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t statio
   return guard([&] {
     require(reference, "reference");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "visibility");
+    const DepthSettings settings = settings_of(options);
     AngularGrid grid;
     *out = with_task(task, [&](Task& t) {
-             const DepthMap map = map_of(reference, station, chosen, t);
+             const DepthMap map = station_depth_map(*reference->cloud, station, settings, t);
              grid = map.grid();
              return own(new_fields(depth_table(map)));
            }).release();
@@ -56,10 +57,10 @@ jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t 
   return guard([&] {
     require(reference, "reference");
     const std::string target = require_text(path, "path");
-    const ParamSet chosen = options_or_default(options, "visibility");
+    const DepthSettings settings = settings_of(options);
     with_task(task, [&](Task& t) {
       AtomicFile file(target);
-      file.write(depth_png(map_of(reference, station, chosen, t)));
+      file.write(depth_png(station_depth_map(*reference->cloud, station, settings, t)));
       file.commit();
     });
   });

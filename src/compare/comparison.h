@@ -4,11 +4,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "base/field.h"
-#include "base/params.h"
 #include "cloud/cloud.h"
 #include "model/model.h"
 
@@ -35,10 +33,5 @@ struct Comparison {
   std::string parameters_json;
 };
 using ComparisonPtr = std::shared_ptr<const Comparison>;
-
-/// Parameter table of method "distance".
-std::span<const ParamRow> distance_rows();
-/// Distance of every compared point from the reference cloud.
-Comparison compare_distance(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task);
 
 }  // namespace jalon

@@ -8,6 +8,7 @@
 
 #include "change_scenes.h"
 #include "compare/changes/diagnosis.h"
+#include "compare/distance/distance.h"
 #include "geometry/cholesky.h"
 #include "recipe.h"
 
@@ -28,19 +29,17 @@ struct Setting {
 
 Comparison compared_with(const CloudPtr& reference, const CloudPtr& compared, const Setting& setting) {
   Task task;
-  ParamSet params("comparer distance", distance_rows());
-  params.set_text("local_model", "plane");
-  params.set_text("visibility", "stations");
-  params.set_number("depth_margin_m", setting.margin_m);
-  return compare_distance(reference, compared, params, task);
+  DistanceSettings settings;
+  settings.local_model = LocalModelKind::kPlane;
+  settings.visibility = DistanceSettings::VisibleFrom::kStations;
+  settings.depth.margin_m = setting.margin_m;
+  return compare_distance(reference, compared, settings, task);
 }
 
 Diagnosis diagnosed(const CloudPtr& before, const CloudPtr& after, const Setting& setting) {
   Task task;
   const Comparison forward = compared_with(before, after, setting), reverse = compared_with(after, before, setting);
-  ParamSet options("diagnosis", diagnosis_rows());
-  options.set_number("threshold_m", setting.threshold_m);
-  return diagnose(forward, reverse, options, task);
+  return diagnose(forward, reverse, {.threshold_m = setting.threshold_m}, task);
 }
 
 /// Object whose points a change has most of, in either epoch.

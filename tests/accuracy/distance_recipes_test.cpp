@@ -11,7 +11,7 @@
 #include <string>
 
 #include "base/random.h"
-#include "compare/comparison.h"
+#include "compare/distance/distance.h"
 #include "compare/preview/preview.h"
 #include "recipe.h"
 
@@ -41,12 +41,6 @@ CloudPtr earthworks(size_t points, uint64_t day, bool with_heap) {
   return cloud_of(xyz);
 }
 
-ParamSet distance_params(const char* model = "none") {
-  ParamSet params("comparer distance", distance_rows());
-  params.set_text("local_model", model);
-  return params;
-}
-
 // Processor seconds on one thread of the best of three runs, on clouds without an index.
 template <class Run>
 double seconds_of(const CloudPtr& reference, const CloudPtr& compared, Run run) {
@@ -73,13 +67,15 @@ struct Row {
 };
 
 // Sum over the rows; both indexes included, which the printed times are without.
-double total_seconds(std::span<const Row> rows, const char* table, const ParamSet& params) {
+double total_seconds(std::span<const Row> rows, const char* table,
+                     const DistanceSettings& settings) {
   double sum = 0, printed = 0;
   for (const Row& row : rows) {
     const auto reference = earthworks(row.reference, 1, false), compared = earthworks(row.compared, 2, true);
-    const double s = seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
-      compare_distance(a, b, params, task);
-    });
+    const double s =
+        seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
+          compare_distance(a, b, settings, task);
+        });
     MESSAGE("FIGURE " << std::string(table) << ": " << row.reference << " / " << row.compared << " points " << s
                       << " s, printed " << row.printed_s << " s, " << row.printed_s / s << " x faster");
     sum += s;
@@ -113,10 +109,11 @@ TEST_CASE("T4_T5__distances_between_clouds_at_least_30_times_faster_than_printed
   if (std::getenv("JALON_SANITIZED") != nullptr) return;
   const Row plain[] = {{177171, 171380, 1.83}, {220931, 171380, 5.58}, {764665, 177171, 4.32},
                        {220931, 177171, 5.14}, {177171, 764665, 16.91}};
-  CHECK(total_seconds(plain, "T4", distance_params()) < (1.83 + 5.58 + 4.32 + 5.14 + 16.91) / 30);
+  CHECK(total_seconds(plain, "T4", {}) < (1.83 + 5.58 + 4.32 + 5.14 + 16.91) / 30);
   // Row 1 of T5 contradicts T4.
   const Row modelled[] = {{609804, 837125, 29.47}, {146352, 292389, 10.46}};
-  CHECK(total_seconds(modelled, "T5 Delaunay", distance_params("delaunay")) < (29.47 + 10.46) / 30);
+  const DistanceSettings delaunay{.local_model = LocalModelKind::kDelaunay};
+  CHECK(total_seconds(modelled, "T5 Delaunay", delaunay) < (29.47 + 10.46) / 30);
 }
 
 TEST_CASE("T9__previews_and_nearest_points_at_least_30_times_faster_than_printed") {
@@ -124,30 +121,29 @@ TEST_CASE("T9__previews_and_nearest_points_at_least_30_times_faster_than_printed
   struct Set {
     size_t reference, compared;
     double octrees, mean, angle, recursive, nearest;
-    int64_t level;
+    int level;
   } const sets[] = {{170000, 765000, 1.25, 2.21, 0.11, 0.47, 7.07, 5},
                     {850000, 612000, 1.76, 14.97, 0.19, 1.33, 21.38, 6}};
   double sum = 0, printed = 0;
   for (const Set& set : sets) {
     const auto reference = earthworks(set.reference, 1, false), compared = earthworks(set.compared, 2, true);
-    const auto preview = [&](const char* measure, int64_t level, int64_t last) {
-      ParamSet params("comparer preview", preview_rows());
-      params.set_text("measure", measure);
-      params.set_integer("level", level);
-      params.set_integer("last_level", last);
+    using Measure = PreviewSettings::Measure;
+    const auto preview = [&](const PreviewSettings& settings) {
       return seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
-        compare_preview(a, b, params, task);
+        compare_preview(a, b, settings, task);
       });
     };
     const double octrees = seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
       a->octree(task);
       b->octree(task);
     });
-    const double mean = preview("mean", set.level, 0), angle = preview("plane_angle", set.level, 0),
-                 recursive = preview("plane_angle", set.level, 10);
-    const double nearest = seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
-      compare_distance(a, b, distance_params(), task);
-    });
+    const double mean = preview({Measure::kMean, set.level}),
+                 angle = preview({Measure::kPlaneAngle, set.level}),
+                 recursive = preview({Measure::kPlaneAngle, set.level, 10});
+    const double nearest =
+        seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
+          compare_distance(a, b, {}, task);
+        });
     MESSAGE("FIGURE T9 " << set.reference << " / " << set.compared << ", s (printed): octrees " << octrees << " ("
                          << set.octrees << "), beyond them mean " << mean - octrees << " (" << set.mean
                          << "), angle of planes " << angle - octrees << " (" << set.angle << "), recursive "
@@ -165,8 +161,8 @@ TEST_CASE("tower__plain_distances_are_biased_by_sampling_and_local_models_are_no
   const size_t points = is_full() ? 2000000 : 150000;
   const auto reference = cloud_of(tower(points, 1, 0.01, 0)), compared = cloud_of(tower(points, 2, 0.025, 0.0141));
   Task task;
-  const auto shares = [&](const char* model) {
-    const Comparison made = compare_distance(reference, compared, distance_params(model), task);
+  const auto shares = [&](const char* name, LocalModelKind model) {
+    const Comparison made = compare_distance(reference, compared, {.local_model = model}, task);
     double below5 = 0, below10 = 0;
     for (const double d : made.points.require("distance").values<double>()) {
       below5 += d < 0.05;
@@ -174,14 +170,17 @@ TEST_CASE("tower__plain_distances_are_biased_by_sampling_and_local_models_are_no
     }
     const double mean = made.summary.require("mean").number(0);
     const auto n = static_cast<double>(points);
-    MESSAGE("FIGURE tower, local model " << std::string(model) << ": mean " << 100 * mean << " cm, " << 100 * below5 / n
-                                         << " % below 5 cm, " << 100 * below10 / n << " % below 10 cm");
+    MESSAGE("FIGURE tower, local model " << std::string(name) << ": mean " << 100 * mean << " cm, "
+                                         << 100 * below5 / n << " % below 5 cm, "
+                                         << 100 * below10 / n << " % below 10 cm");
     return std::array{mean, below5 / n, below10 / n};
   };
-  const auto plain = shares("none");
+  const auto plain = shares("none", LocalModelKind::kNone);
   CHECK((plain[0] > 0.03 && plain[0] < 0.045));
-  for (const char* model : {"plane", "delaunay", "quadric"}) {
-    const auto modelled = shares(model);
+  for (const auto& [name, model] : {std::pair{"plane", LocalModelKind::kPlane},
+                                    {"delaunay", LocalModelKind::kDelaunay},
+                                    {"quadric", LocalModelKind::kQuadric}}) {
+    const auto modelled = shares(name, model);
     CHECK(modelled[0] < plain[0] - 0.01);
     CHECK(modelled[1] > 0.88);
     CHECK(modelled[2] >= 0.999);
@@ -192,7 +191,7 @@ TEST_CASE("nearest_points__equal_brute_force_to_1e9_on_uneven_clouds") {
   const size_t points = is_full() ? 60000 : 6000;
   const auto reference = earthworks(points, 5, false), compared = earthworks(points, 6, true);
   Task task;
-  const Comparison made = compare_distance(reference, compared, distance_params(), task);
+  const Comparison made = compare_distance(reference, compared, {}, task);
   const auto distance = made.points.require("distance").values<double>();
   double worst = 0;
   for (size_t i = 0; i < points; ++i) {

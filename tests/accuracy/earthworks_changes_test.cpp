@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "compare/changes/regions.h"
+#include "compare/distance/distance.h"
 #include "compare/visibility/recovery.h"
 #include "earthworks.h"
 
@@ -13,17 +14,24 @@ using namespace jalon::test;
 
 namespace {
 
-ParamSet seen_by_stations(std::vector<std::pair<const char*, const char*>> texts = {}) {
-  ParamSet params("comparer distance", distance_rows());
-  params.set_text("visibility", "stations");
-  for (const auto& [name, value] : texts) params.set_text(name, value);
-  return params;
+DistanceSettings seen_by_stations() {
+  DistanceSettings settings;
+  settings.visibility = DistanceSettings::VisibleFrom::kStations;
+  return settings;
 }
 
-Comparison compared(int reference, int day, const ParamSet& params) {
+/// With planes through 32 points of the reference.
+DistanceSettings with_planes() {
+  DistanceSettings settings = seen_by_stations();
+  settings.local_model = LocalModelKind::kPlane;
+  settings.k = 32;
+  return settings;
+}
+
+Comparison compared(int reference, int day, const DistanceSettings& settings) {
   Task task;
   return compare_distance(site_days()[static_cast<size_t>(reference - 1)].cloud,
-                          site_days()[static_cast<size_t>(day - 1)].cloud, params, task);
+                          site_days()[static_cast<size_t>(day - 1)].cloud, settings, task);
 }
 
 uint32_t face_of(const Comparison& comparison, size_t i) { return values<uint32_t>(*comparison.cloud, "face")[i]; }
@@ -95,7 +103,9 @@ double old_ground_m(const Vec3& p) {
 
 TEST_CASE("earthworks__the_pit_is_hidden_by_the_filter_and_recovered_along_the_vertical") {
   const Comparison left = compared(2, 3, seen_by_stations());
-  const Comparison made = compared(2, 3, seen_by_stations({{"hidden", "vertical"}}));
+  DistanceSettings settings = seen_by_stations();
+  settings.hidden.way = HiddenSettings::Way::kVertical;
+  const Comparison made = compared(2, 3, settings);
   size_t deep = 0, hidden = 0, recovered = 0;
   double squares = 0;
   for (size_t i = 0; i < made.cloud->size(); ++i) {
@@ -120,8 +130,7 @@ TEST_CASE("earthworks__the_pit_is_hidden_by_the_filter_and_recovered_along_the_v
 
 TEST_CASE("earthworks__behind_the_wall_that_is_gone_nothing_has_changed") {
   const SiteDay& before = site_days()[2];
-  ParamSet blind("comparer distance", distance_rows());
-  const Comparison all = compared(3, 4, blind), seen = compared(3, 4, seen_by_stations());
+  const Comparison all = compared(3, 4, {}), seen = compared(3, 4, seen_by_stations());
   // In the wall's shadow: a ray from day 3's scanner meets it more than a metre before the point.
   size_t shadow = 0, false_all = 0, false_seen = 0;
   for (size_t i = 0; i < seen.cloud->size(); ++i) {
@@ -143,19 +152,18 @@ TEST_CASE("earthworks__behind_the_wall_that_is_gone_nothing_has_changed") {
 }
 
 TEST_CASE("earthworks__every_planted_change_is_found_and_false_regions_lie_along_edges_in_depth") {
-  ParamSet params = seen_by_stations({{"local_model", "plane"}});
-  params.set_integer("k", 32);
-  params.set_bool("reference_spacing", true);
-  ParamSet options("regions", regions_rows());
-  options.set_number("threshold_m", 0.15);
-  options.set_number("cell_m", 0.5);
-  options.set_integer("min_points", 11);
+  DistanceSettings settings = with_planes();
+  settings.reference_spacing = true;
+  RegionSettings changed;
+  changed.threshold_m = 0.15;
+  changed.cell_m = 0.5;
+  changed.min_points = 11;
   for (int reference = 1; reference <= 4; ++reference)
     for (int day = 1; day <= 4; ++day) {
       if (reference == day) continue;
-      const Comparison comparison = compared(reference, day, params);
+      const Comparison comparison = compared(reference, day, settings);
       Task task;
-      const Regions found = change_regions(comparison, options, task);
+      const Regions found = change_regions(comparison, changed, task);
       std::vector<bool> is_planted(found.regions.size(), false);
       for (const Planted& planted : kPlanted) {
         if (!planted.is_new(reference, day)) continue;
@@ -179,9 +187,8 @@ TEST_CASE("earthworks__every_planted_change_is_found_and_false_regions_lie_along
 
 TEST_CASE("earthworks__local_models_bring_the_static_ground_down_to_a_third") {
   for (const auto& [reference, day] : {std::pair{1, 2}, std::pair{2, 1}}) {
-    ParamSet params = seen_by_stations({{"local_model", "plane"}});
-    params.set_integer("k", 32);
-    const Comparison plain = compared(reference, day, seen_by_stations()), modelled = compared(reference, day, params);
+    const Comparison plain = compared(reference, day, seen_by_stations()),
+                     modelled = compared(reference, day, with_planes());
     double squares = 0, modelled_squares = 0;
     size_t n = 0;
     for (size_t i = 0; i < plain.cloud->size(); ++i) {

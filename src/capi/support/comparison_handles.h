@@ -3,16 +3,16 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "base/error.h"
 #include "base/params.h"
 #include "base/shared_text.h"
 #include "capi/support/handles.h"
 #include "compare/comparison.h"
+#include "compare/methods.h"
 
 struct jalon_comparer : jalon::capi::Counted {
-  std::string method;
+  const jalon::CompareMethod* method = nullptr;
   std::shared_ptr<jalon::ParamSet> values;  ///< shared with the jalon_params handles of this comparer
 };
 

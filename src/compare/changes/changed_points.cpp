@@ -56,15 +56,17 @@ std::vector<uint8_t> set_in(const Comparison& comparison, const std::string& nam
 
 }  // namespace
 
-std::vector<uint8_t> changed_points(const Comparison& comparison, const ParamSet& options, Task& task) {
-  const std::string& criterion = options.text("criterion");
+std::vector<uint8_t> changed_points(const Comparison& comparison, const RegionSettings& settings,
+                                    Task& task) {
+  using Criterion = RegionSettings::Criterion;
+  const Criterion criterion = settings.criterion;
   const bool has_level = comparison.points.find("significant") != nullptr;
-  if (criterion == "field") return set_in(comparison, options.text("field"), task);
-  if (criterion == "significance" && !has_level)
+  if (criterion == Criterion::kField) return set_in(comparison, settings.field, task);
+  if (criterion == Criterion::kSignificance && !has_level)
     fail(Status::kInvalidArgument, "this comparison has no level of detection; method m3c2 gives one");
-  if (criterion == "significance" || (criterion == "automatic" && has_level))
+  if (criterion == Criterion::kSignificance || (criterion == Criterion::kAutomatic && has_level))
     return set_in(comparison, "significant", task);
-  return beyond(comparison, options.number("threshold_m"), options.number("spacing_share"), task);
+  return beyond(comparison, settings.threshold_m, settings.spacing_share, task);
 }
 
 }  // namespace jalon

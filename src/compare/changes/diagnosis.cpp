@@ -172,7 +172,7 @@ SeenTest seen_by(const Epoch& epoch, double margin_m, Task& task) {
   uint64_t placed = 0;
   for (const Station& s : epoch.cloud().stations) placed += s.has_pose ? s.count : 0;
   if (placed < epoch.cloud().size()) return {};
-  DepthSettings settings = DepthSettings::from(ParamSet("visibility", visibility_rows()));
+  DepthSettings settings;
   settings.margin_m = margin_m;
   const auto test = std::make_shared<const VisibilityTest>(epoch.cloud(), settings, task);
   const Vec3 origin = epoch.origin;
@@ -198,11 +198,12 @@ Change one_sided(const Job& job, ChangedObject object, bool is_after) {
 
 }  // namespace
 
-Diagnosis diagnose(const Comparison& forward, const Comparison& reverse, const ParamSet& options, Task& task) {
+Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
+                   const RegionSettings& settings, Task& task) {
   for (const Comparison* c : {&forward, &reverse})
     if (c->points.find("nearest") == nullptr)
       fail(Status::kInvalidArgument, "the diagnosis needs two comparisons of method distance between clouds");
-  const double threshold_m = options.number("threshold_m");
+  const double threshold_m = settings.threshold_m;
   if (!(threshold_m > 0))
     fail(Status::kInvalidArgument, "threshold_m is 0; half of it is the tolerance of the diagnosis");
   Diagnosis out;
@@ -210,8 +211,8 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse, const P
   out.before.comparison = &reverse;
   {
     Span span(task, 0, 0.3, "regions");
-    out.after.regions = change_regions(forward, options, task, reverse.cloud.get());
-    out.before.regions = change_regions(reverse, options, task, forward.cloud.get());
+    out.after.regions = change_regions(forward, settings, task, reverse.cloud.get());
+    out.before.regions = change_regions(reverse, settings, task, forward.cloud.get());
     out.after.origin = out.before.origin = local_origin(*forward.cloud, task);
   }
   const double cell_m = std::max({out.before.regions.cell_m, out.after.regions.cell_m, 1e-6});

@@ -37,7 +37,8 @@ std::span<const ParamRow> diagnosis_rows();
 /// reverse the other way round. 1. Changed regions of both; 2. whole objects; 3. objects changed in both epochs moved
 /// rigidly or were deformed; 4. those of one epoch alone: a soft border is a deformation, a twin in the other epoch a
 /// displacement, a different object at the same place a deformation; 5. the others appeared or disappeared.
-Diagnosis diagnose(const Comparison& forward, const Comparison& reverse, const ParamSet& options, Task& task);
+Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
+                   const RegionSettings& settings, Task& task);
 
 /// Columns "changed", "region", "change" of an epoch's points.
 FieldTable diagnosis_points_table(const Diagnosis& diagnosis, bool is_after);

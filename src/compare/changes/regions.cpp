@@ -8,44 +8,50 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "cloud/select.h"
 #include "cloud/statistics.h"
 #include "compare/changes/changed_points.h"
 #include "compare/changes/measured_steps.h"
 #include "compare/changes/point_discs.h"
-#include "spatial/voxels/components.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr ParamRow kRows[] = {
-    choice_row("criterion", "automatic", "automatic|threshold|significance|field", "",
-               "Which points are changed: beyond threshold_m, beyond their level of detection, or those whose field is "
-               "not 0; automatic: by the level of detection where there is one, else by the threshold"),
-    number_row("threshold_m", 0.05, 0, 1e9, "m", "", "Distance (of either sign) above which a point is changed"),
-    number_row("spacing_share", 0.6, 0, 100, "1", "",
-               "For the threshold: how much of the column reference_spacing, where there is one, is added to it: half, "
-               "the way from a row of points to the middle between two, and a fifth more"),
-    string_row("field", "changed", "", "Name of the field for criterion field: of the comparison or of its cloud"),
-    number_row("cell_m", 0, 0, 1e6, "m", "",
-               "Edge length of the grid cells that connect changed points; 0 = from their density"),
-    choice_row("connectivity", "26", "6|18|26", "",
-               "Neighbours of a cell: those that share a face (6), also an edge (18), also a corner (26)"),
-    integer_row("min_points", 10, 1, 1e15, "points", "", "Regions of fewer points are dropped"),
-};
+using S = RegionSettings;
 
-Connectivity3 connectivity_of(const std::string& text) {
-  return text == "6" ? Connectivity3::k6 : text == "18" ? Connectivity3::k18 : Connectivity3::k26;
-}
+constexpr auto kRows = setting_rows(
+    choice_row<&S::criterion>(
+        "criterion", "automatic|threshold|significance|field", "",
+        "Which points are changed: beyond threshold_m, beyond their level of detection, or those "
+        "whose field is not 0; automatic: by the level of detection where there is one, else by "
+        "the threshold"),
+    number_row<&S::threshold_m>("threshold_m", 0, 1e9, "m", "",
+                                "Distance (of either sign) above which a point is changed"),
+    number_row<&S::spacing_share>(
+        "spacing_share", 0, 100, "1", "",
+        "For the threshold: how much of the column reference_spacing, where there is one, is "
+        "added to it: half, the way from a row of points to the middle between two, and a fifth "
+        "more"),
+    string_row<&S::field>(
+        "field", "", "Name of the field for criterion field: of the comparison or of its cloud"),
+    number_row<&S::cell_m>(
+        "cell_m", 0, 1e6, "m", "",
+        "Edge length of the grid cells that connect changed points; 0 = from their density"),
+    choice_row<&S::connectivity>(
+        "connectivity", "6|18|26", "",
+        "Neighbours of a cell: those that share a face (6), also an edge (18), also a corner "
+        "(26)"),
+    integer_row<&S::min_points>("min_points", 1, 1e15, "points", "",
+                                "Regions of fewer points are dropped"));
 
 // Step 2: labels of the changed points among themselves.
-std::vector<uint32_t> connect(const Cloud& part, const ParamSet& options, Regions& out, Task& task) {
-  const Connectivity3 connectivity = connectivity_of(options.text("connectivity"));
-  const auto min_points = static_cast<uint64_t>(options.integer("min_points"));
-  const Components found =
-      connected_components(part.xyz(), local_origin(part, task), out.cell_m, connectivity, min_points, task);
+std::vector<uint32_t> connect(const Cloud& part, const RegionSettings& settings, Regions& out,
+                              Task& task) {
+  const Components found = connected_components(part.xyz(), local_origin(part, task), out.cell_m,
+                                                settings.connectivity, settings.min_points, task);
   out.regions.resize(found.count());
   return found.labels;
 }
@@ -90,18 +96,19 @@ void measure_volume(Region& region, const MeasuredSteps& steps, const std::vecto
 
 std::span<const ParamRow> regions_rows() { return kRows; }
 
-Regions change_regions(const Comparison& comparison, const ParamSet& options, Task& task, const Cloud* reference) {
+Regions change_regions(const Comparison& comparison, const RegionSettings& settings, Task& task,
+                       const Cloud* reference) {
   Regions out;
-  out.changed = changed_points(comparison, options, task);
+  out.changed = changed_points(comparison, settings, task);
   out.labels.assign(comparison.cloud->size(), 0);
   const std::vector<uint64_t> rows = indices_of(out.changed, 1, task);
   if (rows.empty()) return out;
   const Cloud part = select_unchecked(*comparison.cloud, rows, task);
   const std::vector<PointDisc> discs = point_discs(*comparison.cloud, rows, task);
   out.spacing_m = radius_quantile(discs, 0.5);
-  out.cell_m = options.number("cell_m");
+  out.cell_m = settings.cell_m;
   if (!(out.cell_m > 0)) out.cell_m = joining_distance(discs);
-  const std::vector<uint32_t> labels = connect(part, options, out, task);
+  const std::vector<uint32_t> labels = connect(part, settings, out, task);
   std::vector<uint32_t> row_in_part(comparison.cloud->size(), 0);
   for (size_t i = 0; i < rows.size(); ++i) {
     row_in_part[rows[i]] = static_cast<uint32_t>(i);

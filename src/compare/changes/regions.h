@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "compare/changes/region_settings.h"
 #include "compare/comparison.h"
 #include "geometry/plane.h"
 
@@ -32,11 +33,9 @@ struct Regions {
   double spacing_m = 0;            ///< sqrt(A / (N pi)) of the changed points (eq. 2.6), median
 };
 
-/// Parameter table of operation "regions".
-std::span<const ParamRow> regions_rows();
 /// 1. Which points are changed; 2. their connected components on a grid (A19); 3. what each measures; 4. its volume.
 /// reference: the cloud that the comparison was made with, where it is at hand: it tells where distances lead to.
-Regions change_regions(const Comparison& comparison, const ParamSet& options, Task& task,
+Regions change_regions(const Comparison& comparison, const RegionSettings& settings, Task& task,
                        const Cloud* reference = nullptr);
 
 /// Columns "changed" (uint8) and "region" (uint32) of the comparison's points.

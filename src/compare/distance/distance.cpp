@@ -3,15 +3,15 @@
 
 // Method "distance": from each compared point to the nearest reference point (Girardeau-Montaut 2006, 2.3.1).
 
+#include "compare/distance/distance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
 #include "base/table_columns.h"
-#include "compare/comparison.h"
 #include "compare/distance/distance_columns.h"
-#include "compare/distance/distance_setting.h"
 #include "compare/distance/hausdorff.h"
 #include "compare/distance/local_models.h"
 #include "compare/distance/sampling_error.h"
@@ -67,40 +67,40 @@ void add_sampling_error(const Octree& reference, const DistanceColumns& columns,
   add_value<double>(made.summary, "sampling_mean", "m", "mean distance that sampling alone would make", error.mean_m);
 }
 
-Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
-  const DistanceSetting setting = distance_setting(params);
+Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared,
+                       const DistanceSettings& settings, Task& task) {
   Trees trees;
   {
     Span span(task, 0, 0.3);
     trees = trees_of(*reference, *compared, task);
   }
-  const DistanceColumns columns(compared->size(), setting.differences);
+  const DistanceColumns columns(compared->size(), settings.differences);
   Comparison made;
   made.cloud = compared;
-  const bool with_model = setting.model != LocalModelKind::kNone;
+  const bool with_model = settings.local_model != LocalModelKind::kNone;
   uint64_t modelled = 0;
   {
     Span span(task, 0.3, 0.8);
     Buffer<uint32_t> positions(with_model ? compared->size() : 0);
     {
       Span part(task, 0, with_model ? 0.3 : 1, "nearest points");
-      nearest_points(*reference, *compared, trees, setting.max_distance_m, columns,
+      nearest_points(*reference, *compared, trees, settings.limit_m(), columns,
                      {positions.data(), positions.size()}, task);
     }
     Span part(task, with_model ? 0.3 : 1, 1, "local models");
     if (with_model)
-      modelled = apply_local_models(*trees.reference, *trees.compared, *compared, {positions.data(), positions.size()},
-                                    setting, columns, task);
+      modelled = apply_local_models(*trees.reference, *trees.compared, *compared,
+                                    {positions.data(), positions.size()}, settings, columns, task);
   }
   columns.attach(made.points);
   made.summary = summarise(columns.distance->values<double>(), columns.status->values<uint8_t>(), task);
   if (with_model)
     add_value<uint64_t>(made.summary, "modelled", "", "points whose distance is to a local surface", modelled);
-  if (setting.sampling_error) {
+  if (settings.sampling_error) {
     Span span(task, 0.8, 0.9, "sampling error");
     add_sampling_error(*trees.reference, columns, made, task);
   }
-  if (setting.hausdorff) {
+  if (settings.hausdorff) {
     Span span(task, 0.9, 1);
     add_hausdorff(*trees.reference, *trees.compared, task, made.summary);
   }
@@ -109,11 +109,13 @@ Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared, cons
 
 }  // namespace
 
-Comparison compare_distance(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
+Comparison compare_distance(const CloudPtr& reference, const CloudPtr& compared,
+                            const DistanceSettings& settings, Task& task) {
   if (reference->size() == 0) fail(Status::kInsufficientData, "the reference cloud is empty");
   if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
-  if (params.text("visibility") == "none") return compare_all(reference, compared, params, task);
-  return compare_visible(reference, compared, params, compare_all, task);
+  if (settings.visibility == DistanceSettings::VisibleFrom::kAnywhere)
+    return compare_all(reference, compared, settings, task);
+  return compare_visible(reference, compared, settings, compare_all, task);
 }
 
 }  // namespace jalon

@@ -35,7 +35,8 @@ struct Work {
   const Octree& reference;
   const Octree& compared;
   const Cloud& compared_cloud;
-  const DistanceSetting& setting;
+  const DistanceSettings& settings;
+  uint32_t k;
   const DistanceColumns& columns;
   std::atomic<uint64_t>& modelled;
 };
@@ -78,7 +79,7 @@ class ModelMaker {
     const double spacing = farthest / std::sqrt(static_cast<double>(request.neighbours.size()));
     surface_.set_plane({plane.normal[0], plane.normal[1], plane.normal[2]}, plane.offset * step_,
                        std::min(farthest, kReachOfSpacing * spacing));
-    LocalModelKind kind = work_.setting.model;
+    LocalModelKind kind = work_.settings.local_model;
     if (kind != LocalModelKind::kPlane) {
       load_points(request);
       const bool made = kind == LocalModelKind::kQuadric ? surface_.set_quadric(points_)
@@ -127,8 +128,8 @@ class ModelMaker {
 
 // Neighbours of every reference point, in the tree's order.
 void model_all(const Work& work, const NearestGroups& groups, Task& task) {
-  if (work.setting.radius_m > 0) {
-    work.reference.for_each_ball(work.setting.radius_m, task, [&](const Octree::BallBatch& batch) {
+  if (work.settings.radius_m > 0) {
+    work.reference.for_each_ball(work.settings.radius_m, task, [&](const Octree::BallBatch& batch) {
       ModelMaker maker(work);
       for (size_t i = 0; i < batch.count; ++i) {
         const size_t begin = batch.offsets[i], end = batch.offsets[i + 1];
@@ -139,7 +140,7 @@ void model_all(const Work& work, const NearestGroups& groups, Task& task) {
     });
     return;
   }
-  work.reference.for_each_knn(work.setting.k, task, [&](const Octree::Batch& batch) {
+  work.reference.for_each_knn(work.k, task, [&](const Octree::Batch& batch) {
     ModelMaker maker(work);
     for (size_t i = 0; i < batch.count; ++i) {
       const uint32_t* neighbours = batch.neighbours + i * batch.k;
@@ -154,16 +155,16 @@ void model_all(const Work& work, const NearestGroups& groups, Task& task) {
 // Neighbours of single places.
 class OneNeighbourhood {
  public:
-  explicit OneNeighbourhood(const Work& work) : work_(work), maker_(work), found_(work.setting.k) {}
+  explicit OneNeighbourhood(const Work& work) : work_(work), maker_(work), found_(work.k) {}
 
   void model(const Vec3& place, size_t centre, std::span<const uint32_t> queries) {
     size_t n;
-    if (work_.setting.radius_m > 0) {
-      work_.reference.radius_positions(place, work_.setting.radius_m, found_);
+    if (work_.settings.radius_m > 0) {
+      work_.reference.radius_positions(place, work_.settings.radius_m, found_);
       n = found_.size();
     } else {
-      found_.resize(work_.setting.k);
-      n = work_.reference.knn_positions(place, work_.setting.k, found_);
+      found_.resize(work_.k);
+      n = work_.reference.knn_positions(place, work_.k, found_);
     }
     positions_.clear();
     double farthest2 = 0;
@@ -207,12 +208,14 @@ void model_around_points(const Work& work, std::span<const uint32_t> nearest, Ta
 
 }  // namespace
 
-uint64_t apply_local_models(const Octree& reference, const Octree& compared, const Cloud& compared_cloud,
-                            std::span<const uint32_t> nearest, const DistanceSetting& setting,
-                            const DistanceColumns& columns, Task& task) {
+uint64_t apply_local_models(const Octree& reference, const Octree& compared,
+                            const Cloud& compared_cloud, std::span<const uint32_t> nearest,
+                            const DistanceSettings& settings, const DistanceColumns& columns,
+                            Task& task) {
   std::atomic<uint64_t> modelled{0};
-  const Work work{reference, compared, compared_cloud, setting, columns, modelled};
-  if (setting.around_point) {
+  const Work work{reference, compared, compared_cloud, settings, settings.model_points(),
+                  columns,   modelled};
+  if (settings.neighbourhood == DistanceSettings::Neighbourhood::kPoint) {
     model_around_points(work, nearest, task);
     return modelled;
   }

@@ -29,29 +29,18 @@ constexpr size_t kGrain = 1 << 15;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr uint8_t kInTolerance = 1, kOffTolerance = 0, kNotJudged = 2;
 
-struct ModelSetting {
-  double max_distance_m, tolerance_m, chord_error_m;
-  bool is_signed, differences;
-};
-
 // What is asked for and only clouds can give is refused, not passed over.
-void require_for_models(const ParamSet& params) {
+void require_for_models(const DistanceSettings& settings) {
   const auto refuse = [](const char* name, const char* instead) {
     fail(Status::kUnsupported, "parameter \"%s\" is for a reference cloud; with a model %s", name, instead);
   };
-  if (params.text("visibility") != "none")
+  if (settings.visibility != DistanceSettings::VisibleFrom::kAnywhere)
     refuse("visibility", "leave it at none: nothing tells from where the model was seen");
-  if (params.text("local_model") != "none") refuse("local_model", "leave it at none: its faces are the surface");
-  if (params.flag("sampling_error")) refuse("sampling_error", "leave it off: surfaces have no sampling");
-  if (params.flag("hausdorff"))
+  if (settings.local_model != LocalModelKind::kNone)
+    refuse("local_model", "leave it at none: its faces are the surface");
+  if (settings.sampling_error) refuse("sampling_error", "leave it off: surfaces have no sampling");
+  if (settings.hausdorff)
     refuse("hausdorff", "take points on it (jalon_model_sample) and compare these with the cloud for the way back");
-}
-
-ModelSetting setting_of(const ParamSet& params) {
-  require_for_models(params);
-  const double limit_m = params.number("max_distance_m");
-  return {limit_m > 0 ? limit_m : std::numeric_limits<double>::infinity(), params.number("tolerance_m"),
-          params.number("chord_error_m"), params.flag("signed"), params.flag("differences")};
 }
 
 template <class T>
@@ -67,16 +56,20 @@ struct NewColumn {
 /// One row a compared point.
 class ModelColumns {
  public:
-  ModelColumns(size_t points, const ModelSetting& setting)
-      : setting_(setting),
+  ModelColumns(size_t points, const DistanceSettings& settings)
+      : is_signed_(settings.is_signed),
         distance_("distance", "m", "from the model; negative behind it", points),
         status_("status", "", "0 compared, 4 nothing within max_distance_m", points),
-        face_("face", "", "row of the model's faces that is nearest; 4294967295 = a triangle of its mesh", points),
-        triangle_("triangle", "", "row of the model's triangles that is nearest; 4294967295 = a face", points),
+        face_("face", "",
+              "row of the model's faces that is nearest; 4294967295 = a triangle of its mesh",
+              points),
+        triangle_("triangle", "",
+                  "row of the model's triangles that is nearest; 4294967295 = a face", points),
         part_("part", "", "row of the model's parts; 4294967295 = none", points),
-        side_("side", "", "0 certain, 1 at a border of the surface, 2 where triangles run opposite ways around",
-              setting.is_signed ? points : 0) {
-    if (!setting.differences) return;
+        side_("side", "",
+              "0 certain, 1 at a border of the surface, 2 where triangles run opposite ways around",
+              settings.is_signed ? points : 0) {
+    if (!settings.differences) return;
     for (const char* name : {"difference_x", "difference_y", "difference_z"})
       differences_.emplace_back(name, "m", "from the foot on the model to the point", points);
   }
@@ -89,14 +82,14 @@ class ModelColumns {
     face_.values[i] = source.face;
     triangle_.values[i] = source.triangle;
     part_.values[i] = source.part;
-    if (setting_.is_signed) side_.values[i] = static_cast<uint8_t>(answer.side);
+    if (is_signed_) side_.values[i] = static_cast<uint8_t>(answer.side);
     for (size_t a = 0; a < differences_.size(); ++a)
       differences_[a].values[i] = found ? answer.from_foot[static_cast<int>(a)] : kNaN;
   }
   void attach(FieldTable& table) const {
     for (const auto& column : {distance_.column, status_.column, face_.column, triangle_.column, part_.column})
       table.set(column);
-    if (setting_.is_signed) table.set(side_.column);
+    if (is_signed_) table.set(side_.column);
     for (const auto& difference : differences_) table.set(difference.column);
   }
   std::span<const double> distances() const { return distance_.column->values<double>(); }
@@ -105,7 +98,7 @@ class ModelColumns {
   std::span<const uint8_t> sides() const { return side_.column->values<uint8_t>(); }
 
  private:
-  ModelSetting setting_;
+  bool is_signed_;
   NewColumn<double> distance_;
   NewColumn<uint8_t> status_;
   NewColumn<uint32_t> face_, triangle_, part_;
@@ -122,10 +115,11 @@ uint64_t count_of(std::span<const uint8_t> values, uint8_t value, Task& task) {
 }
 
 /// Step 3.
-void measure(const ModelSurface& surface, const NearestTriangles& tree, const Cloud& compared, const Octree& octree,
-             const ModelSetting& setting, ModelColumns& columns, Task& task) {
-  tree.for_each(compared.xyz(), octree.order(), setting.max_distance_m,
-                {setting.is_signed, setting.differences}, task,
+void measure(const ModelSurface& surface, const NearestTriangles& tree, const Cloud& compared,
+             const Octree& octree, const DistanceSettings& settings, ModelColumns& columns,
+             Task& task) {
+  tree.for_each(compared.xyz(), octree.order(), settings.limit_m(),
+                {settings.is_signed, settings.differences}, task,
                 [&](uint32_t i, const TriangleAnswer& answer) { columns.set(i, answer, surface); });
 }
 
@@ -157,26 +151,27 @@ void judge(const ModelColumns& columns, double tolerance_m, Comparison& made, Ta
 }
 
 /// Step 4.
-void sum_up(const ModelColumns& columns, const Model& model, const ModelSetting& setting, Comparison& made,
-            Task& task) {
+void sum_up(const ModelColumns& columns, const Model& model, const DistanceSettings& settings,
+            Comparison& made, Task& task) {
   made.summary = summarise(columns.distances(), columns.statuses(), task);
   const double least = made.summary.require("minimum").number(0), most = made.summary.require("maximum").number(0);
   add_value<double>(made.summary, "maximum_absolute", "m",
                     "largest distance on either side: directed Hausdorff distance",
                     std::max(std::abs(least), std::abs(most)));
-  if (setting.is_signed) add_sides(columns, made.summary, task);
-  if (setting.tolerance_m > 0) judge(columns, setting.tolerance_m, made, task);
+  if (settings.is_signed) add_sides(columns, made.summary, task);
+  if (settings.tolerance_m > 0) judge(columns, settings.tolerance_m, made, task);
   if (!model.parts.empty())
-    made.parts =
-        part_statistics(columns.distances(), columns.parts(), model.parts.size(), setting.tolerance_m, task);
+    made.parts = part_statistics(columns.distances(), columns.parts(), model.parts.size(),
+                                 settings.tolerance_m, task);
 }
 
 }  // namespace
 
-Comparison compare_with_model(const ModelPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
+Comparison compare_with_model(const ModelPtr& reference, const CloudPtr& compared,
+                              const DistanceSettings& settings, Task& task) {
   if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
-  const ModelSetting setting = setting_of(params);
-  const ModelSurface surface(*reference, setting.chord_error_m, task);
+  require_for_models(settings);
+  const ModelSurface surface(*reference, settings.chord_error_m, task);
   // The octree first: what it takes to make it is given back before the rest is there.
   std::shared_ptr<const Octree> octree;
   {
@@ -188,16 +183,16 @@ Comparison compare_with_model(const ModelPtr& reference, const CloudPtr& compare
     const Span span(task, 0.15, 0.4, "index of the model");
     tree = NearestTriangles::build(surface.vertices(), surface.triangles(), task);
   }
-  ModelColumns columns(compared->size(), setting);
+  ModelColumns columns(compared->size(), settings);
   {
     const Span span(task, 0.4, 0.9, "nearest triangles");
-    measure(surface, *tree, *compared, *octree, setting, columns, task);
+    measure(surface, *tree, *compared, *octree, settings, columns, task);
   }
   const Span span(task, 0.9, 1, "statistics");
   Comparison made;
   made.cloud = compared;
   columns.attach(made.points);
-  sum_up(columns, *reference, setting, made, task);
+  sum_up(columns, *reference, settings, made, task);
   return made;
 }
 

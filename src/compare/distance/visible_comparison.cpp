@@ -97,12 +97,12 @@ ColumnPtr spacing_column(const VisibilityTest& test, const Cloud& cloud, Task& t
 
 }  // namespace
 
-Comparison compare_visible(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, CompareRun run,
-                           Task& task) {
+Comparison compare_visible(const CloudPtr& reference, const CloudPtr& compared,
+                           const DistanceSettings& settings, CompareRun run, Task& task) {
   // 1. Labels.
   const auto test = [&] {
     const Span span(task, 0, 0.2);
-    return VisibilityTest(*reference, DepthSettings::from(params), task);
+    return VisibilityTest(*reference, settings.depth, task);
   }();
   const auto labels = [&] {
     const Span span(task, 0.2, 0.3, "visibility");
@@ -117,17 +117,18 @@ Comparison compare_visible(const CloudPtr& reference, const CloudPtr& compared, 
       DistanceColumns(0, false).attach(made.points);
     } else {
       const CloudPtr seen = visible.size() == compared->size() ? compared : points_of(*compared, visible, task);
-      made = run(reference, seen, params, task);
+      made = run(reference, seen, settings, task);
     }
   }
   made.cloud = compared;
   made.points = all_rows(made.points, visible, labels);
-  if (params.flag("reference_spacing")) made.points.set(spacing_column(test, *compared, task));
+  if (settings.reference_spacing) made.points.set(spacing_column(test, *compared, task));
   // 3. Hidden points.
   const Span span(task, 0.8, 1, "hidden points");
-  const HiddenRule rule = HiddenRule::from(params);
-  if (rule.way != HiddenRule::Way::kLeave)
-    recover_hidden(*reference, *compared, test, points_with(labels, Visibility::kHidden), rule, made.points, task);
+  settings.hidden.check();
+  if (settings.hidden.way != HiddenSettings::Way::kLeave)
+    recover_hidden(*reference, *compared, test, points_with(labels, Visibility::kHidden),
+                   settings.hidden, made.points, task);
   made.summary = whole_summary(made.points, made.summary, task);
   return made;
 }

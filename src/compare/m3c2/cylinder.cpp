@@ -9,21 +9,26 @@
 
 namespace jalon {
 
-CylinderComparer::CylinderComparer(const M3c2Settings& settings, const CloudPtr& reference, const CloudPtr& compared,
-                                   Task& task)
+CylinderComparer::CylinderComparer(const M3c2Settings& settings, const CloudPtr& reference,
+                                   const CloudPtr& compared, Task& task)
     : settings_(settings),
+      gap_m_(settings.gap_m()),
+      at_median_(settings.position == M3c2Settings::Position::kMedian),
+      by_covariances_(settings.precision_from == M3c2Settings::PrecisionFrom::kCovariances),
+      registration_(settings.registration()),
       reference_(epoch(reference, "reference", task)),
       compared_(epoch(compared, "compared", task)),
       detection_(settings.confidence) {}
 
 CylinderComparer::Epoch CylinderComparer::epoch(const CloudPtr& cloud, const char* name, Task& task) const {
   Epoch out{cloud, cloud->octree(task), {}};
-  if (settings_.point_covariances) out.covariances = PointCovariances(*cloud, name);
+  if (by_covariances_) out.covariances = PointCovariances(*cloud, name);
   return out;
 }
 
 CylinderComparer::Side CylinderComparer::side(const Epoch& epoch) const {
-  return {ShapeSearch(*epoch.tree), SurfaceFinder(settings_.surface_gap_m, settings_.min_points), {}, {}, {}, {}, {}};
+  return {
+      ShapeSearch(*epoch.tree), SurfaceFinder(gap_m_, settings_.min_points), {}, {}, {}, {}, {}};
 }
 
 CylinderComparer::Work CylinderComparer::work() const { return {side(reference_), side(compared_)}; }
@@ -42,13 +47,13 @@ SurfaceInCylinder CylinderComparer::measure(const Epoch& epoch, const Vec3& norm
   const auto along_m = std::span(side.along_m).subspan(surface.first, surface.count);
   SurfaceInCylinder out;
   out.count = static_cast<uint32_t>(surface.count);
-  out.position = settings_.median ? median_(along_m) : mean_position(along_m);
-  if (!settings_.point_covariances) return out;
+  out.position = at_median_ ? median_(along_m) : mean_position(along_m);
+  if (!by_covariances_) return out;
   side.variances.clear();
   for (const ShapeSearch::Along& point : side.points)
     if (point.along_m >= along_m.front() && point.along_m <= along_m.back())
       side.variances.add(epoch.covariances.variance_along(epoch.tree->order()[point.position], normal));
-  out.position.variance_m2 = settings_.median ? side.variances.of_median() : side.variances.of_mean();
+  out.position.variance_m2 = at_median_ ? side.variances.of_median() : side.variances.of_mean();
   out.position.dof = std::numeric_limits<double>::infinity();
   return out;
 }
@@ -67,7 +72,7 @@ CylinderResult CylinderComparer::at(const Vec3& centre, const Vec3& normal, Work
   result.reference = measure(reference_, normal, work.reference, work.reference.surfaces[pair.reference]);
   result.compared = measure(compared_, normal, work.compared, work.compared.surfaces[pair.compared]);
   result.distance_m = result.compared.position.position_m - result.reference.position.position_m;
-  const double registration_m2 = settings_.registration ? settings_.registration->variance_along(centre, normal) : 0;
+  const double registration_m2 = registration_ ? registration_->variance_along(centre, normal) : 0;
   result.lod_m = detection_.level_m(result.reference.position, result.compared.position,
                                     settings_.registration_error_m, registration_m2);
   return result;

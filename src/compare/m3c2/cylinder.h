@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cloud/cloud.h"
@@ -66,6 +67,9 @@ class CylinderComparer {
   SurfaceInCylinder measure(const Epoch& epoch, const Vec3& normal, Side& side, const CylinderSurface& surface) const;
 
   const M3c2Settings& settings_;
+  double gap_m_;
+  bool at_median_, by_covariances_;
+  std::optional<RigidUncertainty> registration_;
   Epoch reference_, compared_;
   MedianEstimator median_;
   LevelOfDetection detection_;

@@ -11,7 +11,6 @@
 #include "cloud/operations.h"
 #include "compare/m3c2/cylinder.h"
 #include "compare/m3c2/normals.h"
-#include "compare/m3c2/settings.h"
 #include "compare/summary.h"
 
 namespace jalon {
@@ -130,8 +129,9 @@ CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference, con
 
 }  // namespace
 
-Comparison compare_m3c2(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
-  const M3c2Settings settings = m3c2_settings(params);
+Comparison compare_m3c2(const CloudPtr& reference, const CloudPtr& compared,
+                        const M3c2Settings& settings, Task& task) {
+  settings.check();
   const CloudPtr& source = source_cloud(settings.core_from, reference, compared, reference);
   if (source->size() == 0) fail(Status::kInsufficientData, "the cloud that gives the core points is empty");
   CloudPtr core;
@@ -140,15 +140,15 @@ Comparison compare_m3c2(const CloudPtr& reference, const CloudPtr& compared, con
     core = core_points(source, settings.core_spacing_m, task);
   }
   Span span(task, 0.1, 1);
-  return compare_m3c2_core(reference, compared, core, params, task);
+  return compare_m3c2_core(reference, compared, core, settings, task);
 }
 
-Comparison compare_m3c2_core(const CloudPtr& reference, const CloudPtr& compared, const CloudPtr& core,
-                             const ParamSet& params, Task& task) {
+Comparison compare_m3c2_core(const CloudPtr& reference, const CloudPtr& compared,
+                             const CloudPtr& core, const M3c2Settings& settings, Task& task) {
   if (reference->size() == 0) fail(Status::kInsufficientData, "the reference cloud is empty");
   if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
   if (core->size() == 0) fail(Status::kInsufficientData, "there are no core points");
-  const M3c2Settings settings = m3c2_settings(params);
+  settings.check();
   const CoreColumns columns = measure(settings, reference, compared, core, task);
   Comparison made;
   made.cloud = core;

@@ -33,6 +33,8 @@ ColumnPtr require_given_normals(const Cloud& core) {
   return column;
 }
 
+Vec3 vec_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+
 // Scatter of the points no farther than a distance from the core point, about their mean.
 struct Scatter {
   size_t count = 0;
@@ -59,8 +61,15 @@ Scatter scatter_within(std::span<const Vec3> offsets, std::span<const double> sq
 
 }  // namespace
 
-CoreNormals::CoreNormals(const M3c2Settings& settings, const CloudPtr& source, const CloudPtr& core, Task& task)
-    : settings_(settings), source_(source), core_(core) {
+CoreNormals::CoreNormals(const M3c2Settings& settings, const CloudPtr& source, const CloudPtr& core,
+                         Task& task)
+    : kind_(settings.normals),
+      orientation_(settings.orientation),
+      radii_m_(settings.radii_m()),
+      direction_(vec_of(settings.orientation_direction)),
+      viewpoint_(vec_of(settings.viewpoint)),
+      source_(source),
+      core_(core) {
   if (settings.normals == Kind::kGiven) given_ = require_given_normals(*core);
   if (settings.normals == Kind::kGiven || settings.normals == Kind::kVertical) return;
   using Orientation = M3c2Settings::Orientation;
@@ -81,15 +90,15 @@ CoreNormals::Work CoreNormals::work() const {
 }
 
 CoreNormals::Normal CoreNormals::at(size_t core_point, Work& work) const {
-  if (settings_.normals == Kind::kVertical) return {{0, 0, 1}, 0, true};
-  if (settings_.normals == Kind::kGiven) {
+  if (kind_ == Kind::kVertical) return {{0, 0, 1}, 0, true};
+  if (kind_ == Kind::kGiven) {
     const Vec3 n = normalized(given(core_point));
     return {n, 0, is_finite(n) && n != Vec3{}};
   }
   const Vec3 centre = core_->point(core_point);
   Normal normal = plane_at(centre, work);
   if (!normal.known) return normal;
-  if (settings_.normals == Kind::kHorizontal) {
+  if (kind_ == Kind::kHorizontal) {
     normal.direction = normalized({normal.direction.x, normal.direction.y, 0});
     if (normal.direction == Vec3{}) return {};
   }
@@ -103,12 +112,12 @@ Vec3 CoreNormals::given(size_t core_point) const {
 
 // Of the radii given the one whose points have the least surface variation, the smallest on a tie.
 CoreNormals::Normal CoreNormals::plane_at(const Vec3& centre, Work& work) const {
-  const auto offsets = work.search->ball(centre, settings_.normal_radii_m.back());
+  const auto offsets = work.search->ball(centre, radii_m_.back());
   work.squared_m2.resize(offsets.size());
   for (size_t i = 0; i < offsets.size(); ++i) work.squared_m2[i] = squared_norm(offsets[i]);
   Normal best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double radius_m : settings_.normal_radii_m) {
+  for (const double radius_m : radii_m_) {
     const Scatter scatter = scatter_within(offsets, work.squared_m2, radius_m * radius_m);
     if (scatter.count < 3) continue;
     const Eigen3 e = symmetric_eigen(scatter.matrix);
@@ -123,9 +132,9 @@ CoreNormals::Normal CoreNormals::plane_at(const Vec3& centre, Work& work) const 
 }
 
 Vec3 CoreNormals::oriented(const Vec3& centre, Vec3 normal, const Work& work) const {
-  Vec3 toward = settings_.direction;
-  if (settings_.orientation == M3c2Settings::Orientation::kPoint) {
-    toward = settings_.viewpoint - centre;
+  Vec3 toward = direction_;
+  if (orientation_ == M3c2Settings::Orientation::kPoint) {
+    toward = viewpoint_ - centre;
   } else if (by_station_) {
     const auto nearest = std::min_element(work.squared_m2.begin(), work.squared_m2.end());
     const uint32_t position = work.search->ball_positions()[static_cast<size_t>(nearest - work.squared_m2.begin())];

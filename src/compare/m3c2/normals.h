@@ -35,7 +35,10 @@ class CoreNormals {
   Vec3 oriented(const Vec3& centre, Vec3 normal, const Work& work) const;
   Vec3 given(size_t core_point) const;
 
-  const M3c2Settings& settings_;
+  M3c2Settings::Normals kind_;
+  M3c2Settings::Orientation orientation_;
+  std::vector<double> radii_m_;  ///< ascending
+  Vec3 direction_, viewpoint_;
   CloudPtr source_, core_;
   std::shared_ptr<const Octree> tree_;
   ColumnPtr given_;

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "compare/preview/cell_planes.h"
 #include "compare/preview/homologous_cells.h"
 #include "compare/summary.h"
@@ -18,28 +19,26 @@ namespace jalon {
 
 namespace {
 
-constexpr ParamRow kRows[] = {
-    choice_row("measure", "mean", "mean|minimum|maximum|plane_angle", "",
-               "Value of a cell: mean, least or largest distance of its compared points from the reference points in "
-               "it, or the angle between the least-squares planes of both, which sees tilts and not shifts."),
-    integer_row("level", 6, 1, 12, "", "",
-                "Level of the cells: the cube around both clouds is halved so many times. Movements should be smaller "
-                "than a cell."),
-    integer_row("last_level", 0, 0, 12, "", "",
-                "Above level: all levels from level to this one, and each point keeps its least value. 0 = one level."),
-};
+constexpr auto kRows = setting_rows(
+    choice_row<&PreviewSettings::measure>(
+        "measure", "mean|minimum|maximum|plane_angle", "",
+        "Value of a cell: mean, least or largest distance of its compared points from the "
+        "reference points in it, or the angle between the least-squares planes of both, which "
+        "sees tilts and not shifts."),
+    integer_row<&PreviewSettings::level>(
+        "level", 1, 12, "", "",
+        "Level of the cells: the cube around both clouds is halved so many times. Movements "
+        "should be smaller than a cell."),
+    integer_row<&PreviewSettings::last_level>(
+        "last_level", 0, 12, "", "",
+        "Above level: all levels from level to this one, and each point keeps its least value. 0 "
+        "= one level."));
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Pairs that share a hand-over to a thread.
 constexpr size_t kGroupPoints = size_t{1} << 13;
 
-enum class Measure { kMean, kMinimum, kMaximum, kPlaneAngle };
-
-Measure measure_of(const std::string& name) {
-  if (name == "minimum") return Measure::kMinimum;
-  if (name == "maximum") return Measure::kMaximum;
-  return name == "mean" ? Measure::kMean : Measure::kPlaneAngle;
-}
+using Measure = PreviewSettings::Measure;
 
 // Both clouds in one cube, and the nearest reference point of each compared one wherever it lies (sorted positions).
 struct Scene {
@@ -167,13 +166,12 @@ Comparison comparison_of(const CloudPtr& compared, std::span<const double> value
 
 std::span<const ParamRow> preview_rows() { return kRows; }
 
-Comparison compare_preview(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params, Task& task) {
+Comparison compare_preview(const CloudPtr& reference, const CloudPtr& compared,
+                           const PreviewSettings& settings, Task& task) {
   if (reference->size() == 0) fail(Status::kInsufficientData, "the reference cloud is empty");
   if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
-  const Measure measure = measure_of(params.text("measure"));
-  const bool angles = measure == Measure::kPlaneAngle;
-  const int first = static_cast<int>(params.integer("level")),
-            last = std::max(first, static_cast<int>(params.integer("last_level")));
+  const bool angles = settings.measure == Measure::kPlaneAngle;
+  const int first = settings.level, last = std::max(first, settings.last_level);
   Scene scene;
   {
     Span span(task, 0, 0.6);
@@ -184,7 +182,7 @@ Comparison compare_preview(const CloudPtr& reference, const CloudPtr& compared, 
   for (int level = first; level <= last; ++level) {
     const double steps = last - first + 1;
     Span span(task, 0.6 + 0.35 * (level - first) / steps, 0.6 + 0.35 * (level + 1 - first) / steps, "cells");
-    measure_level(scene, level, measure, {values.data(), values.size()}, task);
+    measure_level(scene, level, settings.measure, {values.data(), values.size()}, task);
   }
   return comparison_of(compared, {values.data(), values.size()}, scene.compared->order(), angles, task);
 }

@@ -6,34 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "base/params.h"
 #include "cloud/cloud.h"
 #include "compare/visibility/depth_angles.h"
 #include "compare/visibility/depth_steps.h"
+#include "compare/visibility/settings.h"
 
 namespace jalon {
-
-/// Which of the points of a cell the map keeps (2.3.3 leaves it open; annex E takes the nearest).
-enum class CellRule : uint8_t { kNearest, kFarthest, kMean };
-/// What a cell without a point says: everything in it is hidden, or nothing is (annex E.1).
-enum class EmptyCell : uint8_t { kHides, kFree };
-
-/// How depth maps are made and asked. Rule and cell are the best of those tried on the days of scene "earthworks":
-/// with (mean, 1.5) 98.5 % at least of the points more than the margin behind the seen surface are found hidden on
-/// each of the twelve pairs of days, and 1.0 % at most of those on it are lost; (mean, 1) 82 % and 1.4 %, (mean, 1.75)
-/// 98.4 % and 1.4 %, (min, 1.5) 98.5 % and 1.5 %, (max, 1.5) 95.5 % and 0.7 %.
-struct DepthSettings {
-  double horizontal_step_rad = 0, vertical_step_rad = 0;  ///< 0: from the points
-  double cell_factor = 1.5;                               ///< cell over step
-  CellRule rule = CellRule::kMean;
-  int fill_passes = 2;
-  EmptyCell empty = EmptyCell::kHides;
-  double margin_m = 0.1, margin_factor = 1.002;
-  double max_range_m = 0;  ///< 0: unknown
-  Vec3 second_centre_m{};  ///< in the scanner's frame; zero: none
-
-  static DepthSettings from(const ParamSet& params);
-};
 
 /// Range image of one station from one optical centre (Girardeau-Montaut 2006, 2.3.3): rays never cross, so the two
 /// angles order all that the station saw.

@@ -10,6 +10,7 @@
 namespace jalon {
 
 DepthMap station_depth_map(const Cloud& cloud, uint64_t station, const DepthSettings& settings, Task& task) {
+  settings.check();
   if (station >= cloud.stations.size())
     fail(Status::kInvalidArgument, "station %llu of a cloud with %zu stations",
          static_cast<unsigned long long>(station), cloud.stations.size());

@@ -55,25 +55,13 @@ struct Target {
 
 }  // namespace
 
-HiddenRule HiddenRule::from(const ParamSet& params) {
-  HiddenRule rule;
-  const std::string& way = params.text("hidden");
-  rule.way = way == "leave" ? Way::kLeave : way == "vertical" ? Way::kVertical : Way::kOccluders;
-  const auto& d = params.numbers("hidden_direction");
-  if (d.size() != 3) fail(Status::kInvalidArgument, "hidden_direction takes three numbers");
-  rule.direction = normalized({d[0], d[1], d[2]});
-  if (!(squared_norm(rule.direction) > 0)) fail(Status::kInvalidArgument, "hidden_direction has no length");
-  rule.radius_m = params.number("hidden_radius_m");
-  rule.zone_m = params.number("hidden_zone_m");
-  rule.shape_ratio = params.number("hidden_shape_ratio");
-  return rule;
-}
-
 void recover_hidden(const Cloud& reference, const Cloud& compared, const VisibilityTest& test,
-                    std::span<const uint64_t> hidden, const HiddenRule& rule, FieldTable& points, Task& task) {
-  if (rule.way == HiddenRule::Way::kVertical) {
+                    std::span<const uint64_t> hidden, const HiddenSettings& settings,
+                    FieldTable& points, Task& task) {
+  if (settings.way == HiddenSettings::Way::kVertical) {
     const Target target(points, "height", "of a recovered point over the reference's surface");
-    const auto heights = heights_along(reference, compared, hidden, rule.direction, rule.radius_m, task);
+    const auto heights = heights_along(reference, compared, hidden, settings.unit_direction(),
+                                       settings.radius_m, task);
     for (size_t k = 0; k < hidden.size(); ++k) {
       if (std::isnan(heights[k])) continue;
       target.set(hidden[k], std::abs(heights[k]), Recovered::kAlongDirection);
@@ -82,10 +70,12 @@ void recover_hidden(const Cloud& reference, const Cloud& compared, const Visibil
     target.attach(points);
   } else {
     const Target target(points, "shape_residual", "of a hidden zone after a rigid fit to what hides it");
-    const OccluderMatch match = match_occluders(reference, compared, test, hidden, rule.zone_m, task);
+    const OccluderMatch match =
+        match_occluders(reference, compared, test, hidden, settings.zone_m, task);
     for (size_t k = 0; k < hidden.size(); ++k) {
       target.value->values<double>()[hidden[k]] = match.residuals[k];
-      if (match.ratios[k] <= rule.shape_ratio) target.set(hidden[k], match.distances[k], Recovered::kOccluder);
+      if (match.ratios[k] <= settings.shape_ratio)
+        target.set(hidden[k], match.distances[k], Recovered::kOccluder);
     }
     target.attach(points);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/comparison.h"
+#include "compare/visibility/settings.h"
 #include "compare/visibility/visibility.h"
 
 // What can still be said of points that the reference's scanners did not see (Girardeau-Montaut 2006, 2.4.4 and annex
@@ -20,16 +21,6 @@ enum class Recovered : uint8_t {
   kOccluder = 2,             ///< from the points that hide it, which have the same shape
   kProbablyUnchanged = 3,    ///< unchanged between the epochs before and after
   kChangedMeanwhile = 4,     ///< changed between them: when is open
-};
-
-struct HiddenRule {
-  enum class Way : uint8_t { kLeave, kVertical, kOccluders };
-  Way way = Way::kLeave;
-  Vec3 direction{0, 0, 1};
-  double radius_m = 2;
-  double zone_m = 0.5;
-  double shape_ratio = 2;
-  static HiddenRule from(const ParamSet& params);
 };
 
 /// Heights of the points above the surface of the reference along a unit direction, NaN where there is none: the
@@ -51,7 +42,8 @@ OccluderMatch match_occluders(const Cloud& reference, const Cloud& compared, con
 /// Gives the hidden points their values in the table: "distance" and status compared where recovered, and columns
 /// "recovered", with kVertical "height" (signed), with kOccluders "shape_residual".
 void recover_hidden(const Cloud& reference, const Cloud& compared, const VisibilityTest& test,
-                    std::span<const uint64_t> hidden, const HiddenRule& rule, FieldTable& points, Task& task);
+                    std::span<const uint64_t> hidden, const HiddenSettings& settings,
+                    FieldTable& points, Task& task);
 
 /// Third epoch: of two comparisons of the same points, with the epoch t and with the one beyond it, what is hidden at t
 /// but known across: kProbablyUnchanged within the tolerance, else kChangedMeanwhile; values and status stay. Errors:

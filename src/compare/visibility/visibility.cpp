@@ -33,8 +33,10 @@ void require_stations(const Cloud& cloud) {
 
 VisibilityTest::VisibilityTest(const Cloud& reference, const DepthSettings& settings, Task& task)
     : settings_(settings) {
+  settings.check();
   require_stations(reference);
-  const bool has_second = squared_norm(settings.second_centre_m) > 0;
+  const Vec3 second_centre = settings.second_centre();
+  const bool has_second = squared_norm(second_centre) > 0;
   maps_each_ = has_second ? 2 : 1;
   uint64_t done = 0;
   for (const Station& station : reference.stations) {
@@ -43,7 +45,8 @@ VisibilityTest::VisibilityTest(const Cloud& reference, const DepthSettings& sett
     const Span span(task, share(done), share(done + station.count), "depth maps");
     done += station.count;
     maps_.push_back(DepthMap::build(reference, station, {}, settings, task));
-    if (has_second) maps_.push_back(DepthMap::build(reference, station, settings.second_centre_m, settings, task));
+    if (has_second)
+      maps_.push_back(DepthMap::build(reference, station, second_centre, settings, task));
   }
 }
 
@@ -53,7 +56,7 @@ Visibility VisibilityTest::from_map(const DepthMap& map, const Sighting& s, uint
   if (settings_.max_range_m > 0 && s.range_m >= settings_.max_range_m) return Visibility::kOutOfRange;
   const double surface = map.surface_range_m(place);
   if (surface == 0) {
-    if (settings_.empty == EmptyCell::kFree) return Visibility::kVisible;
+    if (settings_.empty_is_free()) return Visibility::kVisible;
   } else if (s.range_m <= surface * settings_.margin_factor + settings_.margin_m) {
     return Visibility::kVisible;
   }
@@ -116,8 +119,8 @@ std::vector<uint8_t> visibility_labels(const VisibilityTest& test, const Cloud& 
   return labels;
 }
 
-Cloud with_visibility(const Cloud& reference, const Cloud& cloud, const ParamSet& params, Task& task) {
-  const DepthSettings settings = DepthSettings::from(params);
+Cloud with_visibility(const Cloud& reference, const Cloud& cloud, const DepthSettings& settings,
+                      Task& task) {
   const auto labels = [&] {
     const auto test = [&] {
       const Span span(task, 0, 0.5);

@@ -40,9 +40,7 @@ class VisibilityTest {
 std::vector<uint8_t> visibility_labels(const VisibilityTest& test, const Cloud& cloud, Task& task);
 
 /// The cloud with the field "visibility" (uint8).
-Cloud with_visibility(const Cloud& reference, const Cloud& cloud, const ParamSet& params, Task& task);
-
-/// Parameter table of the operation "visibility".
-std::span<const ParamRow> visibility_rows();
+Cloud with_visibility(const Cloud& reference, const Cloud& cloud, const DepthSettings& settings,
+                      Task& task);
 
 }  // namespace jalon

@@ -10,7 +10,7 @@
 #include "cloud/operations.h"
 #include "cloud/select.h"
 #include "cloud/subsample_cells.h"
-#include "compare/comparison.h"
+#include "compare/distance/distance.h"
 #include "report/charts/convergence_chart.h"
 #include "report/charts/distance_chart.h"
 #include "report/pages/html_frame.h"
@@ -41,9 +41,10 @@ CloudPtr as_registered(const CloudPtr& reference, const Registration& r, Task& t
 
 // Distances from local planes of the reference: the spacing of its points is no part of them.
 std::vector<double> distances(const CloudPtr& reference, Cloud cloud, Task& task) {
-  ParamSet params("comparer distance", distance_rows());
-  params.set_text("local_model", "plane");
-  const Comparison made = compare_distance(reference, std::make_shared<const Cloud>(std::move(cloud)), params, task);
+  DistanceSettings settings;
+  settings.local_model = LocalModelKind::kPlane;
+  const Comparison made =
+      compare_distance(reference, std::make_shared<const Cloud>(std::move(cloud)), settings, task);
   std::vector<double> out;
   for (const double d : made.points.require("distance").values<double>())
     if (std::isfinite(d)) out.push_back(std::abs(d));

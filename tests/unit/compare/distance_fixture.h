@@ -8,7 +8,7 @@
 
 #include "base/random.h"
 #include "base/task.h"
-#include "compare/comparison.h"
+#include "compare/distance/distance.h"
 
 namespace jalon::test {
 
@@ -18,14 +18,12 @@ inline CloudPtr cloud_of(const std::vector<double>& xyz) {
   return std::make_shared<const Cloud>(make_cloud(std::move(buffer)));
 }
 
-inline ParamSet distance_params() { return {"comparer distance", distance_rows()}; }
-
-inline Comparison compared(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params,
-                           unsigned threads = 2) {
+inline Comparison compared(const CloudPtr& reference, const CloudPtr& compared,
+                           const DistanceSettings& settings = {}, unsigned threads = 2) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return compare_distance(reference, compared, params, task);
+  return compare_distance(reference, compared, settings, task);
 }
 
 inline double summary(const Comparison& comparison, const char* name) {

@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "compare/changes/regions.h"
+#include "compare/distance/distance.h"
 
 using namespace jalon;
 
@@ -44,12 +45,12 @@ Plate two_squares(uint64_t seed) {
 
 Regions regions_of(const Comparison& comparison, unsigned threads = 1, double threshold_m = 0.05,
                    const Cloud* reference = nullptr) {
-  ParamSet options("regions", regions_rows());
-  options.set_number("threshold_m", threshold_m);
+  RegionSettings settings;
+  settings.threshold_m = threshold_m;
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return change_regions(comparison, options, task, reference);
+  return change_regions(comparison, settings, task, reference);
 }
 
 using Height = double (*)(double x, double y);
@@ -67,10 +68,10 @@ CloudPtr terrain(Height height, uint64_t seed) {
 }
 Comparison compared(Height height, uint64_t seed, CloudPtr& reference) {
   reference = terrain([](double, double) { return 0.0; }, seed);
-  ParamSet params("comparer distance", distance_rows());
-  params.set_text("local_model", "plane");
+  DistanceSettings settings;
+  settings.local_model = LocalModelKind::kPlane;
   Task task;
-  return compare_distance(reference, terrain(height, seed + 1), params, task);
+  return compare_distance(reference, terrain(height, seed + 1), settings, task);
 }
 double heap(double x, double y) { return std::max(0.0, 1 - std::hypot(x - 5, y - 6) / 3); }
 double pit(double x, double y) { return -0.8 * std::max(0.0, 1 - (std::pow(x - 14, 2) + std::pow(y - 6, 2)) / 9); }
@@ -125,8 +126,7 @@ TEST_CASE("regions__volumes_of_a_heap_a_pit_and_a_slab_are_right_to_three_percen
 TEST_CASE("regions__volume_of_a_standing_box_is_that_below_its_top") {
   const Comparison before = comparison_of(standing_box(false)), after = comparison_of(standing_box(true));
   Task task;
-  const ParamSet params("comparer distance", distance_rows());
-  const Comparison made = compare_distance(before.cloud, after.cloud, params, task);
+  const Comparison made = compare_distance(before.cloud, after.cloud, {}, task);
   const Regions found = regions_of(made, 1, 0.05, before.cloud.get());
   REQUIRE(found.regions.size() == 1);
   MESSAGE("FIGURE volume of a standing box of 2 m3: " << found.regions[0].volume_m3);

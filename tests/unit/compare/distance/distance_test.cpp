@@ -30,10 +30,10 @@ double largest_by_force(const Cloud& from, const Cloud& to) {
 TEST_CASE("distance__equals_brute_force_and_its_differences_add_up_to_it") {
   const auto reference = cloud_of(random_square(3000, 10, 0, 1, 0.05));
   const auto other = cloud_of(random_square(2000, 12, 0.1, 2, 0.05));
-  ParamSet params = distance_params();
-  params.set_number("max_distance_m", 0.5);
-  params.set_bool("differences", true);
-  const Comparison made = compared(reference, other, params);
+  DistanceSettings settings;
+  settings.max_distance_m = 0.5;
+  settings.differences = true;
+  const Comparison made = compared(reference, other, settings);
   const auto distance = made.points.require("distance").values<double>();
   const auto status = made.points.require("status").values<uint8_t>();
   const auto nearest = made.points.require("nearest").values<uint32_t>();
@@ -59,10 +59,10 @@ TEST_CASE("distance__equals_brute_force_and_its_differences_add_up_to_it") {
 
 TEST_CASE("distance__hausdorff_distances_equal_brute_force_whatever_the_greatest_distance") {
   const auto reference = cloud_of(random_square(1500, 10, 0, 3)), other = cloud_of(random_square(900, 8, 2, 4));
-  ParamSet params = distance_params();
-  params.set_bool("hausdorff", true);
-  params.set_number("max_distance_m", 1);
-  const Comparison made = compared(reference, other, params);
+  DistanceSettings settings;
+  settings.hausdorff = true;
+  settings.max_distance_m = 1;
+  const Comparison made = compared(reference, other, settings);
   const double forward = largest_by_force(*other, *reference), reverse = largest_by_force(*reference, *other);
   CHECK(summary(made, "hausdorff_forward") == doctest::Approx(forward).epsilon(1e-12));
   CHECK(summary(made, "hausdorff_reverse") == doctest::Approx(reverse).epsilon(1e-12));
@@ -87,9 +87,9 @@ TEST_CASE("distance__sampling_error_on_a_plane_follows_the_theory_and_is_predict
       for (size_t i = 0; i < all.size(); i += 3)
         if (std::min(all[i], all[i + 1]) > 0.003 && std::max(all[i], all[i + 1]) < 0.097)
           inner.insert(inner.end(), {all[i], all[i + 1], all[i + 2]});
-      ParamSet params = distance_params();
-      params.set_bool("sampling_error", true);
-      const Comparison made = compared(reference, cloud_of(inner), params);
+      DistanceSettings settings;
+      settings.sampling_error = true;
+      const Comparison made = compared(reference, cloud_of(inner), settings);
       const double n = summary(made, "compared"), rms = summary(made, "rms");
       squares += n * rms * rms;
       roots += n * summary(made, "mean");
@@ -109,21 +109,21 @@ TEST_CASE("distance__one_point_equal_points_and_empty_overlap_have_a_value_or_a_
   const auto one = cloud_of({1, 2, 3}), square = cloud_of(random_square(200, 1, 0, 5));
   std::vector<double> equal;
   for (int i = 0; i < 5000; ++i) equal.insert(equal.end(), {0.5, 0.5, 7});
-  ParamSet params = distance_params();
-  params.set_bool("sampling_error", true);
-  params.set_bool("hausdorff", true);
+  DistanceSettings settings;
+  settings.sampling_error = true;
+  settings.hausdorff = true;
   for (const auto& [reference, other] : {std::pair{one, square}, {square, one}, {one, one}, {cloud_of(equal), square},
                                          {square, cloud_of(equal)}, {cloud_of(equal), cloud_of(equal)}}) {
-    const Comparison made = compared(reference, other, params);
+    const Comparison made = compared(reference, other, settings);
     CHECK(summary(made, "compared") == static_cast<double>(other->size()));
-    CHECK(summary(made, "hausdorff") == summary(compared(other, reference, params), "hausdorff"));
+    CHECK(summary(made, "hausdorff") == summary(compared(other, reference, settings), "hausdorff"));
   }
-  CHECK(std::isnan(summary(compared(one, square, params), "sampling_rms")));
-  params.set_number("max_distance_m", 0.5);
-  const Comparison nothing = compared(one, square, params);
+  CHECK(std::isnan(summary(compared(one, square, settings), "sampling_rms")));
+  settings.max_distance_m = 0.5;
+  const Comparison nothing = compared(one, square, settings);
   CHECK(summary(nothing, "nothing_near") == 200);
   CHECK(std::isnan(summary(nothing, "mean")));
   const auto empty = cloud_of({});
-  CHECK_THROWS_AS(compared(empty, one, params), Error);
-  CHECK_THROWS_AS(compared(one, empty, params), Error);
+  CHECK_THROWS_AS(compared(empty, one, settings), Error);
+  CHECK_THROWS_AS(compared(one, empty, settings), Error);
 }

@@ -17,14 +17,21 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr const char* kModels[] = {"plane", "delaunay", "quadric"};
+constexpr LocalModelKind kModels[] = {LocalModelKind::kPlane, LocalModelKind::kDelaunay,
+                                      LocalModelKind::kQuadric};
 
-ParamSet with_model(const char* model, int64_t k = 0, double radius_m = 0) {
-  ParamSet params = distance_params();
-  params.set_text("local_model", model);
-  params.set_integer("k", k);
-  params.set_number("radius_m", radius_m);
-  return params;
+std::string name_of(LocalModelKind model) {
+  return model == LocalModelKind::kPlane      ? "plane"
+         : model == LocalModelKind::kDelaunay ? "delaunay"
+                                              : "quadric";
+}
+
+DistanceSettings with_model(LocalModelKind model, uint32_t k = 0, double radius_m = 0) {
+  DistanceSettings settings;
+  settings.local_model = model;
+  settings.k = k;
+  settings.radius_m = radius_m;
+  return settings;
 }
 
 std::span<const double> distances(const Comparison& made) { return made.points.require("distance").values<double>(); }
@@ -55,16 +62,16 @@ TEST_CASE("local_model__makes_distances_on_an_unchanged_or_lifted_plane_true") {
   for (const double height : {0.0, 0.005}) {
     const auto reference = cloud_of(random_square(10000, 1, 0.0, 1));
     const auto other = cloud_of(inner(3000, 1, 0.05, height, 2));
-    const double plain = summary(compared(reference, other, distance_params()), "rms");
-    for (const char* model : kModels) {
+    const double plain = summary(compared(reference, other), "rms");
+    for (const LocalModelKind model : kModels) {
       for (const double radius : {0.0, 0.03}) {
         const Comparison made = compared(reference, other, with_model(model, 0, radius));
         size_t off = 0;
         for (const double d : distances(made)) off += std::fabs(d - height) > 1e-6;
-        MESSAGE("FIGURE ", std::string(model), " radius ", radius, ": ", off, " of 3000 are not ", height,
-                " m; rms ", summary(made, "rms"), ", plain ", plain);
+        MESSAGE("FIGURE ", name_of(model), " radius ", radius, ": ", off, " of 3000 are not ",
+                height, " m; rms ", summary(made, "rms"), ", plain ", plain);
         // A foot outside the few triangles, or farther than the neighbours reach, keeps its plain distance.
-        CHECK(off < (radius == 0 && model == std::string("delaunay") ? 120 : 30));
+        CHECK(off < (radius == 0 && model == LocalModelKind::kDelaunay ? 120 : 30));
         CHECK(summary(made, "modelled") >= 2900);
       }
     }
@@ -74,24 +81,26 @@ TEST_CASE("local_model__makes_distances_on_an_unchanged_or_lifted_plane_true") {
 TEST_CASE("local_model__of_a_noisy_plane_is_four_times_better_than_the_nearest_point") {
   const auto reference = cloud_of(random_square(20000, 10, 0, 1, 0.003));
   const auto other = cloud_of(inner(5000, 10, 0.3, 0, 2));
-  const double plain = summary(compared(reference, other, distance_params()), "rms");
-  for (const char* model : kModels) {
+  const double plain = summary(compared(reference, other), "rms");
+  for (const LocalModelKind model : kModels) {
     const Comparison made = compared(reference, other, with_model(model));
-    MESSAGE("FIGURE noisy plane, ", std::string(model), ": rms ", summary(made, "rms"), ", plain ", plain);
+    MESSAGE("FIGURE noisy plane, ", name_of(model), ": rms ", summary(made, "rms"), ", plain ",
+            plain);
     CHECK(summary(made, "rms") < plain / 4);
   }
 }
 
 TEST_CASE("local_model__quadric_follows_a_sphere_where_the_plane_does_not") {
   const auto reference = cloud_of(sphere(4000, 1, 3)), other = cloud_of(sphere(2000, 1.01, 4));
-  const auto mean_error = [&](const char* model, double radius) {
+  const auto mean_error = [&](LocalModelKind model, double radius) {
     const Comparison made = compared(reference, other, with_model(model, 0, radius));
     double sum = 0;
     for (const double d : distances(made)) sum += std::fabs(d - 0.01);
     return sum / 2000;
   };
   for (const double radius : {0.0, 0.15}) {
-    const double plane = mean_error("plane", radius), quadric = mean_error("quadric", radius);
+    const double plane = mean_error(LocalModelKind::kPlane, radius),
+                 quadric = mean_error(LocalModelKind::kQuadric, radius);
     MESSAGE("FIGURE sphere, radius ", radius, ": plane ", plane, " m, quadric ", quadric, " m off");
     CHECK(quadric < plane / 5);
   }
@@ -100,14 +109,15 @@ TEST_CASE("local_model__quadric_follows_a_sphere_where_the_plane_does_not") {
 TEST_CASE("local_model__is_never_worse_than_the_nearest_point_and_its_foot_is_consistent") {
   auto xyz = random_square(3000, 10, 0, 7, 0.2);  // a crumpled sheet
   const auto reference = cloud_of(xyz), other = cloud_of(random_square(2000, 12, 0.3, 8, 0.5));
-  const Comparison plain = compared(reference, other, distance_params());
-  for (const char* model : kModels)
-    for (const char* where : {"nearest", "point"})
+  const Comparison plain = compared(reference, other);
+  for (const LocalModelKind model : kModels)
+    for (const auto where :
+         {DistanceSettings::Neighbourhood::kNearest, DistanceSettings::Neighbourhood::kPoint})
       for (const double radius : {0.0, 0.4}) {
-        ParamSet params = with_model(model, 0, radius);
-        params.set_text("neighbourhood", where);
-        params.set_bool("differences", true);
-        const Comparison made = compared(reference, other, params);
+        DistanceSettings settings = with_model(model, 0, radius);
+        settings.neighbourhood = where;
+        settings.differences = true;
+        const Comparison made = compared(reference, other, settings);
         for (size_t i = 0; i < other->size(); ++i) {
           REQUIRE(distances(made)[i] <= distances(plain)[i]);
           const Vec3 d{made.points.require("difference_x").number(i), made.points.require("difference_y").number(i),
@@ -123,8 +133,8 @@ TEST_CASE("local_model__does_not_continue_a_surface_beyond_its_points") {
   std::vector<double> beyond = random_square(500, 0.5, 0, 6);
   for (size_t i = 0; i < beyond.size(); i += 3) beyond[i] += 1.1;
   const auto other = cloud_of(beyond);
-  const Comparison plain = compared(reference, other, distance_params());
-  for (const char* model : kModels)
+  const Comparison plain = compared(reference, other);
+  for (const LocalModelKind model : kModels)
     for (const double radius : {0.0, 0.05, 0.2}) {
       const Comparison made = compared(reference, other, with_model(model, 0, radius));
       for (size_t i = 0; i < other->size(); ++i) REQUIRE(distances(made)[i] > 0.9 * distances(plain)[i]);
@@ -137,8 +147,8 @@ TEST_CASE("local_model__falls_back_on_few_points_lines_and_duplicates") {
   for (int i = 0; i < 300; ++i) equal.insert(equal.end(), {0.1, 0.2, 0.3});
   const auto other = cloud_of(random_square(200, 1, 0.2, 5));
   for (const auto& reference : {cloud_of({0, 0, 0}), cloud_of({0, 0, 0, 1, 0, 0}), cloud_of(line), cloud_of(equal)}) {
-    const Comparison plain = compared(reference, other, distance_params());
-    for (const char* model : kModels)
+    const Comparison plain = compared(reference, other);
+    for (const LocalModelKind model : kModels)
       for (const double radius : {0.0, 0.5}) {
         const Comparison made = compared(reference, other, with_model(model, 0, radius));
         CHECK(std::ranges::equal(distances(made), distances(plain)));
@@ -160,15 +170,17 @@ TEST_CASE("local_model__does_not_depend_on_order_threads_or_a_shift_by_whole_met
   const auto a = random_square(8000, 10, 0, 7, 0.1), b = random_square(6000, 10, 0.1, 8, 0.1);
   const auto reference = cloud_of(snapped(a, {})), other = cloud_of(snapped(b, {}));
   const Vec3 national{652000, 6861000, 130};
-  for (const char* model : kModels)
+  for (const LocalModelKind model : kModels)
     for (const double radius : {0.0, 0.4}) {
-      const ParamSet params = with_model(model, 0, radius);
-      const Comparison one = compared(reference, other, params, 1);
+      const DistanceSettings settings = with_model(model, 0, radius);
+      const Comparison one = compared(reference, other, settings, 1);
       const auto expected = distances(one);
-      CHECK(std::ranges::equal(expected, distances(compared(reference, other, params, 7))));
-      const Comparison far = compared(cloud_of(snapped(a, national)), cloud_of(snapped(b, national)), params);
+      CHECK(std::ranges::equal(expected, distances(compared(reference, other, settings, 7))));
+      const Comparison far =
+          compared(cloud_of(snapped(a, national)), cloud_of(snapped(b, national)), settings);
       CHECK(std::ranges::equal(expected, distances(far)));
-      const Comparison back = compared(cloud_of(snapped(a, {})), cloud_of(reversed(snapped(b, {}))), params);
+      const Comparison back =
+          compared(cloud_of(snapped(a, {})), cloud_of(reversed(snapped(b, {}))), settings);
       for (size_t i = 0; i < expected.size(); ++i) REQUIRE(distances(back)[expected.size() - 1 - i] == expected[i]);
     }
 }
@@ -178,10 +190,11 @@ TEST_CASE("local_model__finds_the_same_for_few_compared_points") {
   const auto reference = cloud_of(random_square(30000, 10, 0, 7, 0.01));
   const auto all = random_square(6000, 10, 0.05, 8, 0.01);
   const auto other = cloud_of(all), few = cloud_of({all.begin(), all.begin() + 3 * 1000});
-  for (const char* model : kModels)
+  for (const LocalModelKind model : kModels)
     for (const double radius : {0.0, 0.2}) {
-      const ParamSet params = with_model(model, 0, radius);
-      const Comparison many = compared(reference, other, params), some = compared(reference, few, params);
+      const DistanceSettings settings = with_model(model, 0, radius);
+      const Comparison many = compared(reference, other, settings),
+                       some = compared(reference, few, settings);
       for (size_t i = 0; i < 1000; ++i) REQUIRE(std::fabs(distances(many)[i] - distances(some)[i]) < 1e-7);
     }
 }

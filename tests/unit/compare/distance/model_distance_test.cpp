@@ -22,13 +22,12 @@ CloudPtr cloud_of(const std::vector<Vec3>& points) {
   return std::make_shared<const Cloud>(make_cloud(std::move(xyz)));
 }
 
-ParamSet settings() { return {"test", distance_rows()}; }
-
-Comparison compared(const Model& model, const std::vector<Vec3>& points, const ParamSet& params, unsigned threads = 0) {
+Comparison compared(const Model& model, const std::vector<Vec3>& points,
+                    const DistanceSettings& settings = {}, unsigned threads = 0) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return compare_with_model(std::make_shared<const Model>(model), cloud_of(points), params, task);
+  return compare_with_model(std::make_shared<const Model>(model), cloud_of(points), settings, task);
 }
 
 std::vector<double> distances(const Comparison& made) {
@@ -66,7 +65,7 @@ Vec3 on_grid(RandomStream& random, double size) {
 TEST_CASE("model_distance__is_signed_names_face_and_part_and_sees_through_openings") {
   const std::vector<Vec3> points = {{1, -0.25, 1}, {1, 0.5, 1}, {5, -0.3, 1.2},
                                     {5, 0.1, 1.2}, {12, 0, 1},  {5, -2, 2.5}};
-  const Comparison made = compared(wall(), points, settings());
+  const Comparison made = compared(wall(), points);
   const std::vector<double> d = distances(made);
   CHECK(d[0] == 0.25);
   CHECK(d[1] == -0.5);
@@ -81,10 +80,10 @@ TEST_CASE("model_distance__is_signed_names_face_and_part_and_sees_through_openin
   CHECK(cell(made, "side", 0) == 0);
   CHECK(cell(made, "side", 2) == 1);
   CHECK(cell(made, "triangle", 0) == kNoFace);
-  ParamSet params = settings();
-  params.set_bool("signed", false);
-  params.set_bool("differences", true);
-  const Comparison plain = compared(wall(), {{1, 0.5, 1}}, params);
+  DistanceSettings settings;
+  settings.is_signed = false;
+  settings.differences = true;
+  const Comparison plain = compared(wall(), {{1, 0.5, 1}}, settings);
   CHECK(distances(plain)[0] == 0.5);
   CHECK(plain.points.find("side") == nullptr);
   CHECK(cell(plain, "difference_x", 0) == 0);
@@ -98,27 +97,28 @@ TEST_CASE("model_distance__takes_arcs_to_the_chord_error") {
   disc.parts = {Part{"disc", "plate"}};
   disc.add_face(face, {{{-2, 0, 0}, {2, 0, 0}}});
   disc.sagittas = {2, 2};
-  ParamSet params = settings();
+  DistanceSettings settings;
   std::vector<Vec3> around;
   for (int i = 0; i < 360; ++i) {
     const double angle = i * std::numbers::pi / 180;
     around.push_back({3 * std::cos(angle), 3 * std::sin(angle), 0});
   }
   for (const double error_m : {1e-4, 1e-3}) {
-    params.set_number("chord_error_m", error_m);
+    settings.chord_error_m = error_m;
     double worst = 0;
-    for (const double d : distances(compared(disc, around, params))) worst = std::max(worst, std::abs(d) - 1);
+    for (const double d : distances(compared(disc, around, settings)))
+      worst = std::max(worst, std::abs(d) - 1);
     CHECK(worst <= error_m);
     CHECK(worst > error_m / 8);
   }
 }
 
 TEST_CASE("model_distance__judges_by_tolerance_in_all_and_part_by_part") {
-  ParamSet params = settings();
-  params.set_number("tolerance_m", 0.05);
-  params.set_number("max_distance_m", 1);
-  const Comparison made =
-      compared(wall(), {{1, -0.05, 1}, {2, 0.03, 1}, {3, -0.5, 1}, {5, 0.19, 1.4}, {5, 40, 1}}, params);
+  DistanceSettings settings;
+  settings.tolerance_m = 0.05;
+  settings.max_distance_m = 1;
+  const Comparison made = compared(
+      wall(), {{1, -0.05, 1}, {2, 0.03, 1}, {3, -0.5, 1}, {5, 0.19, 1.4}, {5, 40, 1}}, settings);
   const uint8_t expected[] = {1, 1, 0, 1, 2};
   for (size_t i = 0; i < 5; ++i) CHECK(cell(made, "within_tolerance", i) == expected[i]);
   CHECK(cell(made, "status", 4) == 4);
@@ -144,7 +144,7 @@ TEST_CASE("model_distance__counts_triangles_that_stand_for_no_face_and_not_those
   model.vertices.insert(model.vertices.end(), {{0, -5, 0}, {10, -5, 0}, {0, -5, 3}, {0, 2, 0}, {10, 2, 0}, {0, 2, 3}});
   model.triangles = {{first, first + 1, first + 2}, {first + 3, first + 4, first + 5}};
   model.triangle_faces = {77, 0};  // the second says that it is the first face's; it is no surface of its own
-  const Comparison made = compared(model, {{1, -4.5, 0.5}, {1, 1.9, 0.5}}, settings());
+  const Comparison made = compared(model, {{1, -4.5, 0.5}, {1, 1.9, 0.5}});
   CHECK(cell(made, "triangle", 0) == 0);
   CHECK(cell(made, "face", 0) == kNoFace);
   CHECK(cell(made, "part", 0) == kNoPart);
@@ -152,8 +152,8 @@ TEST_CASE("model_distance__counts_triangles_that_stand_for_no_face_and_not_those
 }
 
 TEST_CASE("model_distance__without_surface_or_points_is_told") {
-  CHECK_THROWS_AS(compared(Model{}, {{0, 0, 0}}, settings()), Error);
-  CHECK_THROWS_AS(compared(wall(), {}, settings()), Error);
+  CHECK_THROWS_AS(compared(Model{}, {{0, 0, 0}}), Error);
+  CHECK_THROWS_AS(compared(wall(), {}), Error);
 }
 
 TEST_CASE("model_distance__same_bits_for_any_threads_and_whole_metre_shifts") {
@@ -167,14 +167,14 @@ TEST_CASE("model_distance__same_bits_for_any_threads_and_whole_metre_shifts") {
     mesh.triangle_faces.push_back(t);
     points.push_back(on_grid(random, 32));
   }
-  const Comparison one = compared(mesh, points, settings(), 1);
+  const Comparison one = compared(mesh, points, {}, 1);
   const Vec3 by{652000, 6861000, 35};
   Model far_mesh = mesh;
   for (Vec3& v : far_mesh.vertices) v += by;
   std::vector<Vec3> far_points = points;
   for (Vec3& p : far_points) p += by;
-  const Comparison others[] = {compared(mesh, points, settings(), 2), compared(mesh, points, settings(), 4),
-                               compared(far_mesh, far_points, settings())};
+  const Comparison others[] = {compared(mesh, points, {}, 2), compared(mesh, points, {}, 4),
+                               compared(far_mesh, far_points)};
   for (const Comparison& other : others)
     for (const ColumnPtr& column : one.points) {
       const Column& again = other.points.require(column->info().name);

@@ -50,21 +50,25 @@ Discs discs(size_t side, size_t points, uint64_t stream, Noise noise) {
 }
 
 /// Share of the centres where |distance| <= lod, of those compared.
-double share_within(const CloudPtr& reference, const CloudPtr& compared, size_t side, const ParamSet& params) {
+double share_within(const CloudPtr& reference, const CloudPtr& compared, size_t side,
+                    const M3c2Settings& settings) {
   std::vector<double> centres;
   for (size_t d = 0; d < side * side; ++d)
     for (const double c : {static_cast<double>(d % side), static_cast<double>(d / side), 0.0}) centres.push_back(c);
   Task task;
-  const Comparison made = compare_m3c2_core(reference, compared, cloud_of(centres), params, task);
+  const Comparison made = compare_m3c2_core(reference, compared, cloud_of(centres), settings, task);
   REQUIRE(made.summary.require("compared").number(0) == static_cast<double>(side * side));
   return 1 - made.summary.require("significant").number(0) / static_cast<double>(side * side);
 }
 
-ParamSet vertical(const char* position) {
-  ParamSet p("comparer m3c2", m3c2_rows());
-  p.set_text("normals", "vertical");
-  p.set_text("position", position);
-  return p;
+using Position = M3c2Settings::Position;
+std::string name_of(Position position) { return position == Position::kMedian ? "median" : "mean"; }
+
+M3c2Settings vertical(Position position) {
+  M3c2Settings settings;
+  settings.normals = M3c2Settings::Normals::kVertical;
+  settings.position = position;
+  return settings;
 }
 
 double normal_noise(RandomStream& random, double&) { return kNoise * random.normal(); }
@@ -74,12 +78,12 @@ double normal_noise(RandomStream& random, double&) { return kNoise * random.norm
 TEST_CASE("lod__false_alarms_are_five_percent_where_nothing_moved") {
   const size_t side = 60;  // 3600 cylinders: the share is known to 0.4 %
   for (const size_t n : {10, 11, 15, 20, 30, 60}) {
-    for (const char* position : {"median", "mean"}) {
+    for (const Position position : {Position::kMedian, Position::kMean}) {
       const auto a = cloud_of(discs(side, n, 2 * n, normal_noise).xyz);
       const auto b = cloud_of(discs(side, n, 2 * n + 1, normal_noise).xyz);
       const double share = share_within(a, b, side, vertical(position));
-      MESSAGE("FIGURE " << std::string(position) << " of " << n << " + " << n << " points: " << 100 * share
-                        << " % within the level of detection");
+      MESSAGE("FIGURE " << name_of(position) << " of " << n << " + " << n
+                        << " points: " << 100 * share << " % within the level of detection");
       CHECK(share >= 0.93);
       CHECK(share <= 0.97);
     }
@@ -89,9 +93,10 @@ TEST_CASE("lod__false_alarms_are_five_percent_where_nothing_moved") {
 TEST_CASE("lod__holds_for_unequal_samples_rough_noise_and_slopes") {
   const size_t side = 50;
   const auto check = [&](const char* what, const Discs& a, const Discs& b) {
-    for (const char* position : {"median", "mean"}) {
+    for (const Position position : {Position::kMedian, Position::kMean}) {
       const double share = share_within(cloud_of(a.xyz), cloud_of(b.xyz), side, vertical(position));
-      MESSAGE("FIGURE " << std::string(what) << ", " << std::string(position) << ": " << 100 * share << " %");
+      MESSAGE("FIGURE " << std::string(what) << ", " << name_of(position) << ": " << 100 * share
+                        << " %");
       CHECK(share >= 0.93);
       CHECK(share <= 0.98);
     }
@@ -120,14 +125,15 @@ TEST_CASE("lod__normals_from_the_points_keep_the_false_alarms") {
   for (double x = 0.5; x < 14.5; x += 0.33)
     for (double y = 0.5; y < 14.5; y += 0.33)
       for (const double c : {x, y, 0.3 * x - 0.2 * y}) centres.push_back(c);
-  for (const char* position : {"median", "mean"}) {
-    ParamSet p("comparer m3c2", m3c2_rows());
-    p.set_text("position", position);
+  for (const Position position : {Position::kMedian, Position::kMean}) {
+    M3c2Settings settings;
+    settings.position = position;
     Task task;
-    const Comparison made = compare_m3c2_core(slope(1), slope(2), cloud_of(centres), p, task);
+    const Comparison made =
+        compare_m3c2_core(slope(1), slope(2), cloud_of(centres), settings, task);
     const double n = made.summary.require("compared").number(0);
     const double share = 1 - made.summary.require("significant").number(0) / n;
-    MESSAGE("FIGURE " << std::string(position) << ", normals at scale: " << 100 * share << " % of " << n
+    MESSAGE("FIGURE " << name_of(position) << ", normals at scale: " << 100 * share << " % of " << n
                       << " cylinders within the level of detection");
     CHECK(n >= 1000);
     CHECK(share >= 0.93);
@@ -169,15 +175,16 @@ TEST_CASE("lod__point_covariances_are_propagated") {
     return sigma * random.normal();
   };
   const Discs a = discs(side, 15, 201, mixed), b = discs(side, 24, 202, mixed);
-  for (const char* position : {"median", "mean"}) {
-    ParamSet p = vertical(position);
-    p.set_text("precision_from", "covariances");
-    p.set_text("surfaces", "all");
-    const double share = share_within(cloud_of(a.xyz, a.covariances), cloud_of(b.xyz, b.covariances), side, p);
-    MESSAGE("FIGURE point covariances, " << std::string(position) << ": " << 100 * share << " %");
+  for (const Position position : {Position::kMedian, Position::kMean}) {
+    M3c2Settings settings = vertical(position);
+    settings.precision_from = M3c2Settings::PrecisionFrom::kCovariances;
+    settings.surfaces = M3c2Settings::Surfaces::kAll;
+    const double share = share_within(cloud_of(a.xyz, a.covariances),
+                                      cloud_of(b.xyz, b.covariances), side, settings);
+    MESSAGE("FIGURE point covariances, " << name_of(position) << ": " << 100 * share << " %");
     CHECK(share >= 0.93);
     CHECK(share <= 0.97);
-    CHECK_THROWS(share_within(cloud_of(a.xyz), cloud_of(b.xyz, b.covariances), side, p));
+    CHECK_THROWS(share_within(cloud_of(a.xyz), cloud_of(b.xyz, b.covariances), side, settings));
   }
 }
 

@@ -24,13 +24,18 @@ CloudPtr cloud_of(const std::vector<Vec3>& points) {
   return std::make_shared<const Cloud>(make_cloud(std::move(xyz)));
 }
 
-ParamSet params() { return {"comparer m3c2", m3c2_rows()}; }
+using S = M3c2Settings;
 
-Comparison run(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& p, unsigned threads = 2) {
+std::string name_of(S::Position position) {
+  return position == S::Position::kMedian ? "median" : "mean";
+}
+
+Comparison run(const CloudPtr& reference, const CloudPtr& compared, const S& settings = {},
+               unsigned threads = 2) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return compare_m3c2(reference, compared, p, task);
+  return compare_m3c2(reference, compared, settings, task);
 }
 
 std::span<const double> doubles(const Comparison& made, const char* name) {
@@ -93,14 +98,15 @@ TEST_CASE("m3c2__finds_planted_displacements_within_three_tenths_of_a_millimetre
     const Vec3 normal{0.4, -0.3, 0.8};
     const auto reference = cloud_of(plane(8000, 4, normal, 0, 1));
     const auto compared = cloud_of(plane(8000, 4, normal, moved_m, 2));
-    for (const char* position : {"median", "mean"}) {
-      ParamSet p = params();
-      p.set_text("position", position);
-      p.set_number("core_spacing_m", 0.15);
-      const Comparison made = run(reference, compared, p);
+    for (const auto position : {S::Position::kMedian, S::Position::kMean}) {
+      S s;
+      s.position = position;
+      s.core_spacing_m = 0.15;
+      const Comparison made = run(reference, compared, s);
       const Errors e = errors(made, moved_m, 0.3, 4);
-      MESSAGE("FIGURE " << std::string(position) << " of " << 1000 * moved_m << " mm: " << e.count
-                        << " core points, mean " << 1000 * e.mean << " mm off, RMS " << 1000 * e.rms << " mm");
+      MESSAGE("FIGURE " << name_of(position) << " of " << 1000 * moved_m << " mm: " << e.count
+                        << " core points, mean " << 1000 * e.mean << " mm off, RMS " << 1000 * e.rms
+                        << " mm");
       CHECK(e.count > 300);
       CHECK(std::fabs(e.mean) < 0.0003);
       CHECK(e.rms < 0.0015);
@@ -117,12 +123,13 @@ TEST_CASE("m3c2__equals_a_slow_independent_implementation") {
   for (size_t i = 0; i < 300; ++i) core.push_back(reference[20 * i] + Vec3{0.01, 0.002, -0.01});
   for (const bool median : {true, false}) {
     for (const bool nearest : {true, false}) {
-      ParamSet p = params();
-      p.set_text("position", median ? "median" : "mean");
-      p.set_text("surfaces", nearest ? "nearest" : "all");
-      p.set_number("registration_error_m", 0.001);
+      S s;
+      s.position = median ? S::Position::kMedian : S::Position::kMean;
+      s.surfaces = nearest ? S::Surfaces::kNearest : S::Surfaces::kAll;
+      s.registration_error_m = 0.001;
       Task task;
-      const Comparison made = compare_m3c2_core(cloud_of(reference), cloud_of(compared), cloud_of(core), p, task);
+      const Comparison made =
+          compare_m3c2_core(cloud_of(reference), cloud_of(compared), cloud_of(core), s, task);
       SlowM3c2 slow;
       slow.median = median;
       slow.gap_m = nearest ? slow.cylinder_radius_m / 3 : 0;
@@ -152,16 +159,15 @@ TEST_CASE("m3c2__medians_and_surfaces_stand_outliers_and_second_surfaces_that_ru
   const auto reference = cloud_of(pane_and_curtain(40000, 3)), compared = cloud_of(pane_and_curtain(40000, 4));
   double rms[2];
   for (const bool robust : {true, false}) {
-    ParamSet p = params();
-    p.set_number("core_spacing_m", 0.1);
+    S s;
+    s.core_spacing_m = 0.1;
     if (!robust) {
-      p.set_text("surfaces", "all");
-      p.set_text("position", "mean");
+      s.surfaces = S::Surfaces::kAll;
+      s.position = S::Position::kMean;
     }
-    p.set_text("orientation", "point");
-    const double viewpoint[] = {2, -20, 1.5};
-    p.set_numbers("viewpoint", viewpoint);
-    const Comparison made = run(reference, compared, p);
+    s.orientation = S::Orientation::kPoint;
+    s.viewpoint = {2, -20, 1.5};
+    const Comparison made = run(reference, compared, s);
     const auto distance = doubles(made, "distance");
     double sum = 0;
     size_t count = 0, far = 0;
@@ -190,16 +196,15 @@ TEST_CASE("m3c2__gives_the_same_bits_for_any_number_of_threads_and_on_the_nation
   };
   const auto a = pane_and_curtain(20000, 5), b = pane_and_curtain(20000, 6);
   const Vec3 far{652000, 6861000, 120};
-  ParamSet p = params();
+  S s;
   const double covariance_diagonal[] = {1e-8, 1e-8, 1e-8, 1e-6, 1e-6, 1e-6};
-  std::vector<double> covariance(36, 0.0), centre{2, 0, 1};
-  for (size_t i = 0; i < 6; ++i) covariance[7 * i] = covariance_diagonal[i];
-  p.set_numbers("registration_covariance", covariance);
-  p.set_numbers("registration_centre", centre);
-  const Comparison one = run(snap(a, {}), snap(b, {}), p, 1), three = run(snap(a, {}), snap(b, {}), p, 3);
-  centre = {2 + far.x, far.y, 1 + far.z};
-  p.set_numbers("registration_centre", centre);
-  const Comparison away = run(snap(a, far), snap(b, far), p, 2);
+  s.registration_covariance.assign(36, 0.0);
+  for (size_t i = 0; i < 6; ++i) s.registration_covariance[7 * i] = covariance_diagonal[i];
+  s.registration_centre = {2, 0, 1};
+  const Comparison one = run(snap(a, {}), snap(b, {}), s, 1),
+                   three = run(snap(a, {}), snap(b, {}), s, 3);
+  s.registration_centre = {2 + far.x, far.y, 1 + far.z};
+  const Comparison away = run(snap(a, far), snap(b, far), s, 2);
   for (const ColumnPtr& column : one.points) {
     const Column& other = three.points.require(column->info().name);
     const Column& shifted = away.points.require(column->info().name);
@@ -214,7 +219,7 @@ TEST_CASE("m3c2__says_why_a_core_point_has_no_distance") {
   std::vector<Vec3> compared;
   for (const Vec3& p : plane(4000, 4, {0, 0, 1}, 0, 8))
     if (p.x < 2) compared.push_back(p);
-  const Comparison made = run(cloud_of(reference), cloud_of(compared), params());
+  const Comparison made = run(cloud_of(reference), cloud_of(compared));
   const auto distance = doubles(made, "distance");
   const auto status = made.points.require("status").values<uint8_t>();
   for (size_t i = 0; i < reference.size(); ++i) {
@@ -227,7 +232,7 @@ TEST_CASE("m3c2__says_why_a_core_point_has_no_distance") {
   // No overlap at all: a success that says so.
   std::vector<Vec3> elsewhere = compared;
   for (Vec3& p : elsewhere) p.x += 1000;
-  const Comparison apart = run(cloud_of(reference), cloud_of(elsewhere), params());
+  const Comparison apart = run(cloud_of(reference), cloud_of(elsewhere));
   CHECK(apart.summary.require("compared").number(0) == 0);
   CHECK(std::isnan(apart.summary.require("mean").number(0)));
 }
@@ -243,26 +248,26 @@ TEST_CASE("m3c2__normals_follow_their_mode_and_orientation") {
   station.count = points.size();
   with_pose.stations = {station};
   const auto reference = std::make_shared<const Cloud>(with_pose);
-  const auto normal_of_middle = [&](const ParamSet& p) {
+  const auto normal_of_middle = [&](const S& settings) {
     Task task;
-    const Comparison made = compare_m3c2_core(reference, reference, cloud_of({{2, 2, 2}}), p, task);
+    const Comparison made =
+        compare_m3c2_core(reference, reference, cloud_of({{2, 2, 2}}), settings, task);
     const auto n = doubles(made, "normal");
     return Vec3{n[0], n[1], n[2]};
   };
-  ParamSet p = params();
-  CHECK(norm(normal_of_middle(p) + slope) < 0.01);  // automatic: toward the station
-  p.set_text("orientation", "direction");
-  CHECK(norm(normal_of_middle(p) - slope) < 0.01);
-  const double viewpoint[] = {0, 0, -9};
-  p.set_text("orientation", "point");
-  p.set_numbers("viewpoint", viewpoint);
-  CHECK(norm(normal_of_middle(p) + slope) < 0.01);
-  p.set_text("normals", "horizontal");
-  CHECK(norm(normal_of_middle(p) - Vec3{-1, 0, 0}) < 0.01);
-  p.set_text("normals", "vertical");
-  CHECK(normal_of_middle(p) == Vec3{0, 0, 1});
-  p.set_text("normals", "given");
-  CHECK_THROWS_AS(normal_of_middle(p), Error);
+  S s;
+  CHECK(norm(normal_of_middle(s) + slope) < 0.01);  // automatic: toward the station
+  s.orientation = S::Orientation::kDirection;
+  CHECK(norm(normal_of_middle(s) - slope) < 0.01);
+  s.orientation = S::Orientation::kPoint;
+  s.viewpoint = {0, 0, -9};
+  CHECK(norm(normal_of_middle(s) + slope) < 0.01);
+  s.normals = S::Normals::kHorizontal;
+  CHECK(norm(normal_of_middle(s) - Vec3{-1, 0, 0}) < 0.01);
+  s.normals = S::Normals::kVertical;
+  CHECK(normal_of_middle(s) == Vec3{0, 0, 1});
+  s.normals = S::Normals::kGiven;
+  CHECK_THROWS_AS(normal_of_middle(s), Error);
 }
 
 TEST_CASE("m3c2__several_scales_take_the_flattest") {
@@ -275,11 +280,10 @@ TEST_CASE("m3c2__several_scales_take_the_flattest") {
   }
   const auto cloud = cloud_of(points);
   const auto radius_at = [&](double x) {
-    ParamSet p = params();
-    const double radii[] = {0.8, 0.2};
-    p.set_numbers("normal_radii_m", radii);
+    S s;
+    s.normal_radii_m = {0.8, 0.2};
     Task task;
-    const Comparison made = compare_m3c2_core(cloud, cloud, cloud_of({{x, 2, 0}}), p, task);
+    const Comparison made = compare_m3c2_core(cloud, cloud, cloud_of({{x, 2, 0}}), s, task);
     CHECK(doubles(made, "normal")[2] > 0.999);
     return doubles(made, "normal_radius")[0];
   };

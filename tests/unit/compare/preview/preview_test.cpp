@@ -17,24 +17,19 @@ using namespace jalon::test;
 
 namespace {
 
-ParamSet preview(const char* measure, int64_t level, int64_t last = 0) {
-  ParamSet params("comparer preview", preview_rows());
-  params.set_text("measure", measure);
-  params.set_integer("level", level);
-  params.set_integer("last_level", last);
-  return params;
-}
+using Measure = PreviewSettings::Measure;
 
-Comparison previewed(const CloudPtr& reference, const CloudPtr& compared, const ParamSet& params,
-                     unsigned threads = 2) {
+Comparison previewed(const CloudPtr& reference, const CloudPtr& compared,
+                     const PreviewSettings& settings, unsigned threads = 2) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return compare_preview(reference, compared, params, task);
+  return compare_preview(reference, compared, settings, task);
 }
 
 // Value by cell number, by brute force over all pairs in a cell.
-std::vector<double> by_force(const Cloud& reference, const Cloud& compared, const std::string& measure, int level) {
+std::vector<double> by_force(const Cloud& reference, const Cloud& compared, Measure measure,
+                             int level) {
   Task task;
   Box3 box = bounds(reference, task);
   box += bounds(compared, task);
@@ -61,8 +56,9 @@ std::vector<double> by_force(const Cloud& reference, const Cloud& compared, cons
     const auto& all = found[cell_of(compared.point(i))];
     double sum = 0;
     for (const double d : all) sum += d;
-    out.push_back(measure == "mean" ? sum / static_cast<double>(all.size())
-                  : measure == "minimum" ? *std::ranges::min_element(all) : *std::ranges::max_element(all));
+    out.push_back(measure == Measure::kMean      ? sum / static_cast<double>(all.size())
+                  : measure == Measure::kMinimum ? *std::ranges::min_element(all)
+                                                 : *std::ranges::max_element(all));
   }
   return out;
 }
@@ -72,10 +68,10 @@ std::vector<double> by_force(const Cloud& reference, const Cloud& compared, cons
 TEST_CASE("preview__equals_brute_force_in_each_cell_and_takes_the_least_of_the_levels") {
   const auto reference = cloud_of(random_square(3000, 10, 0, 1, 0.3));
   const auto other = cloud_of(random_square(2500, 11, 0.4, 2, 0.3));
-  for (const char* measure : {"mean", "minimum", "maximum"}) {
+  for (const Measure measure : {Measure::kMean, Measure::kMinimum, Measure::kMaximum}) {
     std::vector<double> least(other->size(), std::numeric_limits<double>::infinity());
     for (const int level : {3, 4, 5}) {
-      const Comparison made = previewed(reference, other, preview(measure, level));
+      const Comparison made = previewed(reference, other, {measure, level});
       const auto expected = by_force(*reference, *other, measure, level);
       for (size_t i = 0; i < other->size(); ++i) {
         const double d = made.points.require("distance").number(i);
@@ -87,7 +83,7 @@ TEST_CASE("preview__equals_brute_force_in_each_cell_and_takes_the_least_of_the_l
           REQUIRE(std::fabs(d - expected[i]) < 1e-6);
       }
     }
-    const Comparison made = previewed(reference, other, preview(measure, 3, 5));
+    const Comparison made = previewed(reference, other, {measure, 3, 5});
     for (size_t i = 0; i < other->size(); ++i)
       if (!std::isinf(least[i])) REQUIRE(std::fabs(made.points.require("distance").number(i) - least[i]) < 1e-6);
   }
@@ -97,8 +93,8 @@ TEST_CASE("preview__angle_of_planes_sees_a_tilt_and_no_shift") {
   const auto flat = random_square(20000, 10, 0.01, 1), again = random_square(20000, 10, 0.05, 2);
   std::vector<double> tilted = again;
   for (size_t i = 0; i < tilted.size(); i += 3) tilted[i + 2] += 0.02 * (tilted[i] - 5);
-  const Comparison shifted = previewed(cloud_of(flat), cloud_of(again), preview("plane_angle", 2));
-  const Comparison turned = previewed(cloud_of(flat), cloud_of(tilted), preview("plane_angle", 1));
+  const Comparison shifted = previewed(cloud_of(flat), cloud_of(again), {Measure::kPlaneAngle, 2});
+  const Comparison turned = previewed(cloud_of(flat), cloud_of(tilted), {Measure::kPlaneAngle, 1});
   MESSAGE("FIGURE angle of planes: shifted ", shifted.summary.require("angle_maximum").number(0), " rad, tilted by ",
           std::atan(0.02), " rad: ", turned.summary.require("angle_mean").number(0));
   CHECK(shifted.summary.require("angle_maximum").number(0) < 1e-3);
@@ -116,12 +112,13 @@ TEST_CASE("preview__is_the_same_for_any_number_of_threads_and_after_a_shift_and_
   const auto reference = cloud_of(snapped(a, {})), other = cloud_of(snapped(b, {}));
   Task task;
   const auto kept = reference->octree(task);
-  for (const char* measure : {"mean", "plane_angle"}) {
-    const ParamSet params = preview(measure, 3, 5);
-    const char* name = std::string(measure) == "mean" ? "distance" : "plane_angle";
-    const Comparison one = previewed(reference, other, params, 1), seven = previewed(reference, other, params, 7);
+  for (const Measure measure : {Measure::kMean, Measure::kPlaneAngle}) {
+    const PreviewSettings settings{measure, 3, 5};
+    const char* name = measure == Measure::kMean ? "distance" : "plane_angle";
+    const Comparison one = previewed(reference, other, settings, 1),
+                     seven = previewed(reference, other, settings, 7);
     const Comparison far = previewed(cloud_of(snapped(a, {652000, 6861000, 130})),
-                                     cloud_of(snapped(b, {652000, 6861000, 130})), params);
+                                     cloud_of(snapped(b, {652000, 6861000, 130})), settings);
     const auto same = [](double x, double y) { return x == y || (x != x && y != y); };
     const auto values = [&](const Comparison& c) { return c.points.require(name).values<double>(); };
     CHECK(std::ranges::equal(values(one), values(seven), same));
@@ -132,20 +129,22 @@ TEST_CASE("preview__is_the_same_for_any_number_of_threads_and_after_a_shift_and_
 
 TEST_CASE("preview__of_single_equal_and_far_points") {
   const auto one = cloud_of({1, 2, 3}), far = cloud_of({5000, 0, 0}), square = cloud_of(random_square(200, 1, 0, 5));
-  for (const char* measure : {"mean", "plane_angle"}) {
-    CHECK(previewed(one, one, preview(measure, 6)).points.require("status").number(0) == (*measure == 'm' ? 0 : 4));
-    CHECK(previewed(one, far, preview(measure, 6)).points.require("status").number(0) == 4);
-    CHECK_NOTHROW(previewed(one, square, preview(measure, 1, 12)));
-    CHECK_THROWS_AS(previewed(cloud_of({}), square, preview(measure, 6)), Error);
-    CHECK_THROWS_AS(previewed(square, cloud_of({}), preview(measure, 6)), Error);
+  for (const Measure measure : {Measure::kMean, Measure::kPlaneAngle}) {
+    const PreviewSettings settings{measure};
+    CHECK(previewed(one, one, settings).points.require("status").number(0) ==
+          (measure == Measure::kMean ? 0 : 4));
+    CHECK(previewed(one, far, settings).points.require("status").number(0) == 4);
+    CHECK_NOTHROW(previewed(one, square, {measure, 1, 12}));
+    CHECK_THROWS_AS(previewed(cloud_of({}), square, settings), Error);
+    CHECK_THROWS_AS(previewed(square, cloud_of({}), settings), Error);
   }
 }
 
 TEST_CASE("closest_points__are_the_reference_points_that_are_nearest_to_some_point_each_once") {
   const auto reference = cloud_of(random_square(3000, 10, 0, 1)), other = cloud_of(random_square(400, 12, 0.1, 2));
-  ParamSet params = distance_params();
-  params.set_number("max_distance_m", 0.5);
-  const Comparison made = compared(reference, other, params);
+  DistanceSettings settings;
+  settings.max_distance_m = 0.5;
+  const Comparison made = compared(reference, other, settings);
   std::vector<bool> expected(reference->size());
   for (const uint32_t i : made.points.require("nearest").values<uint32_t>())
     if (i != kNoPoint) expected[i] = true;
@@ -156,7 +155,8 @@ TEST_CASE("closest_points__are_the_reference_points_that_are_nearest_to_some_poi
     if (expected[i]) REQUIRE(closest.point(at++) == reference->point(i));
   CHECK(at == closest.size());
   CHECK_THROWS_AS(closest_points(made, *cloud_of({0, 0, 0}), task), Error);
-  CHECK_THROWS_AS(closest_points(previewed(reference, other, preview("mean", 4)), *reference, task), Error);
+  const Comparison seen = previewed(reference, other, {Measure::kMean, 4});
+  CHECK_THROWS_AS(closest_points(seen, *reference, task), Error);
 }
 
 TEST_CASE("occupied_cells__equal_those_of_the_octree") {

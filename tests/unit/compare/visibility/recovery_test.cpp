@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "compare/distance/distance.h"
 #include "unit/compare/lattice.h"
 
 using namespace jalon;
@@ -14,16 +15,19 @@ using namespace jalon::test;
 
 namespace {
 
-ParamSet distance_params(std::vector<std::pair<const char*, const char*>> texts = {}) {
-  ParamSet params("comparer distance", distance_rows());
-  params.set_text("visibility", "stations");
-  for (const auto& [name, value] : texts) params.set_text(name, value);
-  return params;
+using Way = HiddenSettings::Way;
+
+DistanceSettings seen_by_stations(Way hidden = Way::kLeave) {
+  DistanceSettings settings;
+  settings.visibility = DistanceSettings::VisibleFrom::kStations;
+  settings.hidden.way = hidden;
+  return settings;
 }
 
-Comparison compared(const Cloud& reference, const Cloud& cloud, const ParamSet& params) {
+Comparison compared(const Cloud& reference, const Cloud& cloud, const DistanceSettings& settings) {
   Task task;
-  return compare_distance(std::make_shared<const Cloud>(reference), std::make_shared<const Cloud>(cloud), params, task);
+  return compare_distance(std::make_shared<const Cloud>(reference),
+                          std::make_shared<const Cloud>(cloud), settings, task);
 }
 
 double number(const FieldTable& table, const char* column, size_t row = 0) {
@@ -59,8 +63,8 @@ auto waved_wall(double recess_m) {
 
 TEST_CASE("recovery__a_pit_is_hidden_and_recovered_by_its_depth") {
   const Cloud before = lattice(kDown, {}, ground(2)), after = lattice(kDown, {}, ground_with_pit);
-  const Comparison left = compared(before, after, distance_params());
-  const Comparison made = compared(before, after, distance_params({{"hidden", "vertical"}}));
+  const Comparison left = compared(before, after, seen_by_stations());
+  const Comparison made = compared(before, after, seen_by_stations(Way::kVertical));
   size_t deep = 0, hidden = 0, recovered = 0;
   double worst = 0;
   for (size_t i = 0; i < after.size(); ++i) {
@@ -102,8 +106,8 @@ TEST_CASE("recovery__a_receded_surface_has_the_shape_of_what_hides_it_and_a_floo
   const Look look{-0.3, 0.3, -0.2, 0.3, 0.005, 0.005, 0};
   const Cloud before = lattice(look, {}, waved_wall(0));
   // The wall stands half a metre back.
-  const ParamSet params = distance_params({{"hidden", "occluders"}});
-  const Comparison moved = compared(before, lattice(look, {}, waved_wall(0.5)), params);
+  const DistanceSettings settings = seen_by_stations(Way::kOccluders);
+  const Comparison moved = compared(before, lattice(look, {}, waved_wall(0.5)), settings);
   size_t recovered = 0, hidden = 0;
   double sum = 0;
   for (size_t i = 0; i < moved.cloud->size(); ++i) {
@@ -118,7 +122,7 @@ TEST_CASE("recovery__a_receded_surface_has_the_shape_of_what_hides_it_and_a_floo
   CHECK(sum / static_cast<double>(recovered) == doctest::Approx(0.45).epsilon(0.15).scale(0));
   // The wall is gone and shows a floor behind it.
   const auto floor = [](const Vec3& d) { return d.z < -0.06 ? -1.5 / d.z : 0; };
-  const Comparison gone = compared(before, lattice(look, {}, floor), params);
+  const Comparison gone = compared(before, lattice(look, {}, floor), settings);
   hidden = recovered = 0;
   for (size_t i = 0; i < gone.cloud->size(); ++i) {
     hidden += number(gone.points, "status", i) == 1;
@@ -135,8 +139,8 @@ TEST_CASE("recovery__a_removed_screen_makes_no_change_behind_it") {
   Look look;
   look.angle_noise = 1e-4;
   const Cloud before = lattice(look, {}, screen), after = lattice(look, {}, wall_at(10));
-  ParamSet blind("comparer distance", distance_rows());
-  const Comparison all = compared(before, after, blind), seen = compared(before, after, distance_params());
+  const Comparison all = compared(before, after, {}),
+                   seen = compared(before, after, seen_by_stations());
   size_t false_all = 0, false_seen = 0;
   for (size_t i = 0; i < after.size(); ++i) {
     false_all += number(all.points, "distance", i) > 0.3;
@@ -149,15 +153,14 @@ TEST_CASE("recovery__a_removed_screen_makes_no_change_behind_it") {
 
 TEST_CASE("recovery__all_hidden_is_a_result") {
   const Cloud before = lattice({}, {}, wall_at(5)), after = lattice({}, {}, wall_at(10));
-  const Comparison made = compared(before, after, distance_params());
+  const Comparison made = compared(before, after, seen_by_stations());
   CHECK(number(made.summary, "hidden") == static_cast<double>(after.size()));
   CHECK(number(made.summary, "compared") == 0);
   CHECK(std::isnan(number(made.summary, "mean")));
   CHECK(std::isnan(number(made.points, "distance", 7)));
-  ParamSet params = distance_params();
-  const double nowhere[] = {0, 0, 0};
-  params.set_numbers("hidden_direction", nowhere);
-  CHECK_THROWS_AS(compared(before, after, params), Error);
+  DistanceSettings nowhere = seen_by_stations();
+  nowhere.hidden.direction = {0, 0, 0};
+  CHECK_THROWS_AS(compared(before, after, nowhere), Error);
 }
 
 TEST_CASE("recovery__a_third_epoch_tells_what_probably_did_not_move") {
@@ -165,9 +168,8 @@ TEST_CASE("recovery__a_third_epoch_tells_what_probably_did_not_move") {
   const auto screen = [](const Vec3& d) { return std::abs(d.x / d.y) < 0.2 ? 3 / d.y : wall_at(10)(d); };
   const auto moved = [](const Vec3& d) { return std::abs(d.x / d.y) < 0.1 && d.z > 0 ? 9.5 / d.y : wall_at(10)(d); };
   const Cloud before = lattice({}, {}, wall_at(10)), now = lattice({}, {}, screen), later = lattice({}, {}, moved);
-  const Comparison hidden = compared(now, before, distance_params());
-  ParamSet blind("comparer distance", distance_rows());
-  const Comparison across = compared(later, before, blind);
+  const Comparison hidden = compared(now, before, seen_by_stations());
+  const Comparison across = compared(later, before, {});
   Task task;
   const Comparison made = with_third_epoch(hidden, across, 0.1, task);
   size_t same = 0, changed = 0, wrong = 0;
@@ -188,6 +190,6 @@ TEST_CASE("recovery__a_third_epoch_tells_what_probably_did_not_move") {
   CHECK(same > 500);
   CHECK(changed > 300);
   CHECK(wrong == 0);
-  CHECK_THROWS_AS(with_third_epoch(hidden, compared(now, later, blind), 0.1, task), Error);
+  CHECK_THROWS_AS(with_third_epoch(hidden, compared(now, later, {}), 0.1, task), Error);
   CHECK_THROWS_AS(with_third_epoch(hidden, across, -1, task), Error);
 }
