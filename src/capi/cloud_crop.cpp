@@ -172,7 +172,7 @@ jalon_status jalon_cloud_split_interest(const jalon_cloud* cloud, const jalon_pa
                                         jalon_cloud** interest, jalon_cloud** unwanted) {
   return guard([&] {
     require(cloud, "cloud");
-    const ParamSet chosen = options_or_default(options, "interest");
+    const auto chosen = settings_from<InterestSettings>(options_or_default(options, "interest"));
     split(cloud, task, interest, unwanted, [&](Task& t) { return points_of_interest(*cloud->cloud, chosen, t); });
   });
 }

@@ -35,7 +35,7 @@ using namespace jalon::capi;
 jalon_status jalon_cloud_compute_normals(jalon_cloud* cloud, const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
-    const ParamSet chosen = options_or_default(options, "normals");
+    const auto chosen = settings_from<NormalsSettings>(options_or_default(options, "normals"));
     change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_normals(c, chosen, t); });
   });
 }
@@ -50,7 +50,7 @@ jalon_status jalon_cloud_invert_normals(jalon_cloud* cloud, jalon_task* task) {
 jalon_status jalon_cloud_compute_features(jalon_cloud* cloud, const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
-    const ParamSet chosen = options_or_default(options, "features");
+    const auto chosen = settings_from<FeaturesSettings>(options_or_default(options, "features"));
     change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_features(c, chosen, t); });
   });
 }
@@ -60,7 +60,8 @@ jalon_status jalon_cloud_compute_components(jalon_cloud* cloud, const jalon_para
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "components");
+    const auto chosen =
+        settings_from<ComponentsSettings>(options_or_default(options, "components"));
     uint64_t count = 0;
     change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_components(c, chosen, t, count); });
     *out = count;
@@ -106,7 +107,7 @@ jalon_status jalon_cloud_remove_outliers(const jalon_cloud* cloud, const jalon_p
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "outliers");
+    const auto chosen = settings_from<OutliersSettings>(options_or_default(options, "outliers"));
     reduce_cloud(cloud, task, out, report, [&](const Cloud& c, Task& t) { return without_outliers(c, chosen, t); });
   });
 }
@@ -116,7 +117,7 @@ jalon_status jalon_cloud_subsample(const jalon_cloud* cloud, const jalon_params*
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "subsample");
+    const auto chosen = settings_from<SubsampleSettings>(options_or_default(options, "subsample"));
     reduce_cloud(cloud, task, out, report, [&](const Cloud& c, Task& t) { return subsampled(c, chosen, t); });
   });
 }

@@ -74,9 +74,9 @@ jalon_status jalon_cloud_compute_chi_square(jalon_cloud* cloud, const char* fiel
     require(law, "law");
     require(summary, "summary");
     const std::string from = require_text(field, "field");
-    const ParamSet chosen = options_or_default(options, "chi_square");
-    const std::string asked = chosen.text("name"), name = asked.empty() ? chosen.text("method") : asked;
-    const std::string changed_name = require_field_name(chosen.text("changed"));
+    const auto chosen = settings_from<ChiSquareSettings>(options_or_default(options, "chi_square"));
+    const std::string name = chosen.distance_field();
+    const std::string changed_name = require_field_name(chosen.changed);
     change_cloud_with_table(cloud, task, summary, [&](const Cloud& c, Task& t, FieldTable& table) {
       const ChangeFilter found = filter_changes(c, scalar_values(c, from, t), law->law, chosen, t);
       table = filter_table(found);
@@ -94,8 +94,8 @@ jalon_status jalon_cloud_classify_field(jalon_cloud* cloud, const char* field, c
     require(cloud, "cloud");
     require(summary, "summary");
     const std::string from = require_text(field, "field");
-    const ParamSet chosen = options_or_default(options, "classes");
-    const std::string name = require_field_name(chosen.text("name"));
+    const auto chosen = settings_from<ClassesSettings>(options_or_default(options, "classes"));
+    const std::string name = require_field_name(chosen.name);
     change_cloud_with_table(cloud, task, summary, [&](const Cloud& c, Task& t, FieldTable& table) {
       const FieldClasses found = classify_values(scalar_values(c, from, t), chosen, t);
       table = class_table(found);
@@ -109,7 +109,7 @@ jalon_status jalon_cloud_compute_gradient(jalon_cloud* cloud, const char* field,
   return guard([&] {
     require(cloud, "cloud");
     const std::string from = require_text(field, "field");
-    const ParamSet chosen = options_or_default(options, "gradient");
+    const auto chosen = settings_from<GradientSettings>(options_or_default(options, "gradient"));
     change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_gradient(c, from, chosen, t); });
   });
 }
@@ -119,7 +119,8 @@ jalon_status jalon_cloud_filter_field(jalon_cloud* cloud, const char* field, con
   return guard([&] {
     require(cloud, "cloud");
     const std::string from = require_text(field, "field");
-    const ParamSet chosen = options_or_default(options, "field_filter");
+    const auto chosen =
+        settings_from<FieldFilterSettings>(options_or_default(options, "field_filter"));
     change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_filtered_field(c, from, chosen, t); });
   });
 }
@@ -130,7 +131,8 @@ jalon_status jalon_cloud_compute_field(jalon_cloud* cloud, const char* field, co
     require(cloud, "cloud");
     const std::string a = require_text(field, "field"), b = other != nullptr ? require_text(other, "other") : "";
     if (other != nullptr && b.empty()) fail(Status::kInvalidArgument, "other is an empty name");
-    const ParamSet chosen = options_or_default(options, "field_arithmetic");
+    const auto chosen =
+        settings_from<FieldArithmeticSettings>(options_or_default(options, "field_arithmetic"));
     change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_computed_field(c, a, b, chosen, t); });
   });
 }
@@ -140,7 +142,7 @@ jalon_status jalon_cloud_compute_geodesic(jalon_cloud* cloud, const uint64_t* se
   return guard([&] {
     require(cloud, "cloud");
     require_array(seeds, JALON_UINT64, count, 1, 0, "seeds");
-    const ParamSet chosen = options_or_default(options, "geodesic");
+    const auto chosen = settings_from<GeodesicSettings>(options_or_default(options, "geodesic"));
     change_cloud(cloud, task, [&](const Cloud& c, Task& t) {
       return with_geodesic_distance(c, {seeds, static_cast<size_t>(count)}, chosen, t);
     });
@@ -153,8 +155,9 @@ jalon_status jalon_cloud_segment_propagation(jalon_cloud* cloud, const char* fie
     require(cloud, "cloud");
     require(regions, "regions");
     const std::string from = require_text(field, "field"), slope = require_text(gradient_field, "gradient_field");
-    const ParamSet chosen = options_or_default(options, "propagation");
-    const std::string name = require_field_name(chosen.text("name")), arrival = chosen.text("arrival_name");
+    const auto chosen =
+        settings_from<PropagationSettings>(options_or_default(options, "propagation"));
+    const std::string name = require_field_name(chosen.name), arrival = chosen.arrival_name;
     change_cloud_with_table(cloud, task, regions, [&](const Cloud& c, Task& t, FieldTable& table) {
       PropagationResult found =
           segment_by_propagation(c, scalar_values(c, from, t), scalar_values(c, slope, t), chosen, t);
@@ -172,7 +175,8 @@ jalon_status jalon_cloud_compute_map_distance(jalon_cloud* cloud, const jalon_cl
   return guard([&] {
     require(cloud, "cloud");
     require(reference, "reference");
-    const ParamSet chosen = options_or_default(options, "distance_map");
+    const auto chosen =
+        settings_from<DistanceMapSettings>(options_or_default(options, "distance_map"));
     const CloudPtr from = reference->cloud;  // it may be the same handle
     change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_map_distance(c, *from, chosen, t); });
   });
@@ -183,7 +187,8 @@ jalon_status jalon_cloud_distance_map(const jalon_cloud* cloud, const jalon_para
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "distance_map");
+    const auto chosen =
+        settings_from<DistanceMapSettings>(options_or_default(options, "distance_map"));
     *out = with_task(task, [&](Task& t) {
              return own(new_cloud(distance_map_cloud(*cloud->cloud, chosen, t)));
            }).release();

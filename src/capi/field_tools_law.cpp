@@ -39,7 +39,7 @@ jalon_status jalon_noise_law_fit(const jalon_cloud* cloud, const char* field, co
     require(cloud, "cloud");
     require(out, "out");
     const std::string name = require_text(field, "field");
-    const ParamSet chosen = options_or_default(options, "noise_law");
+    const auto chosen = settings_from<NoiseLawSettings>(options_or_default(options, "noise_law"));
     *out = with_task(task, [&](Task& t) {
              return handle_of(fit_noise_law(scalar_values(*cloud->cloud, name, t), chosen, t));
            }).release();
@@ -94,7 +94,7 @@ jalon_status jalon_cloud_field_histogram(const jalon_cloud* cloud, const char* f
   return guard([&] {
     require(cloud, "cloud");
     const std::string name = require_text(field, "field");
-    const ParamSet chosen = options_or_default(options, "histogram");
+    const auto chosen = settings_from<HistogramSettings>(options_or_default(options, "histogram"));
     Owned<jalon_fields> made_bins = own<jalon_fields>(nullptr), made_summary = own<jalon_fields>(nullptr);
     with_task(task, [&](Task& t) {
       const Histogram h = field_histogram(scalar_values(*cloud->cloud, name, t), law != nullptr ? &law->law : nullptr,

@@ -83,7 +83,8 @@ jalon_status jalon_precision_budget(const double* ranges_m, const double* vertic
     require(out, "out");
     const auto ranges = numbers(ranges_m, count, "ranges_m");
     require_positive(ranges);
-    const ScannerPrecision precision = scanner_precision(options_or_default(options, "precision"));
+    const auto precision =
+        settings_from<ScannerPrecision>(options_or_default(options, "precision"));
     std::vector<PointBudget> rows;
     for (size_t i = 0; i < ranges.size(); ++i) {
       const double v = right_angle_at_most(vertical_rad, i, "the vertical angle");
@@ -98,7 +99,7 @@ jalon_status jalon_precision_budget(const double* ranges_m, const double* vertic
 jalon_status jalon_cloud_compute_covariances(jalon_cloud* cloud, const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
-    const ParamSet chosen = options_or_default(options, "precision");
+    const auto chosen = settings_from<ScannerPrecision>(options_or_default(options, "precision"));
     auto changed = with_task(task, [&](Task& t) {
       return std::make_shared<const Cloud>(with_point_covariances(*cloud->cloud, chosen, t));
     });
@@ -111,7 +112,7 @@ jalon_status jalon_segmentation_plane_covariances(const jalon_segmentation* segm
   return guard([&] {
     require(segmentation, "segmentation");
     require(out, "out");
-    const ParamSet chosen = options_or_default(options, "precision");
+    const auto chosen = settings_from<ScannerPrecision>(options_or_default(options, "precision"));
     *out = with_task(task, [&](Task& t) {
              const auto planes =
                  propagate_planes(*segmentation->segmentation, scanner_precision(chosen), t);

@@ -1,31 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "spatial/voxels/components.h"
-
 #include <cmath>
 
 #include "base/error.h"
+#include "base/setting_rows.h"
 #include "cloud/operations.h"
 
 namespace jalon {
 
 namespace {
-
-constexpr ParamRow kRows[] = {
-    number_row("cell_m", 0.1, 1e-6, 1e6, "m", "",
-               "Edge length of the grid cells: points closer than this are connected (26); not "
-               "read when level is 0 or more"),
-    integer_row("level", -1, -1, kMaxLevel, "", "",
-                "Take the cells of this octree level (0 = the whole cube, 21 = smallest) "
-                "instead of cell_m; -1 = use cell_m"),
-    choice_row("connectivity", "26", "6|18|26", "",
-               "Neighbours of a cell: those that share a face (6), also an edge (18), also a corner (26)"),
-    integer_row("min_points", 10, 1, 1e15, "points", "", "Components of fewer points get the number 0"),
-    string_row("field", "", "",
-               "Connect only the points whose field of this name has the value below (\"changed\" and 1 for those that "
-               "a filter found); the others get the number 0; empty = all points"),
-    number_row("value", 1, -1e300, 1e300, "", "", "The value that the field must have"),
-};
 
 /// The points that take part, ascending, and their coordinates.
 struct Chosen {
@@ -51,30 +34,49 @@ Chosen points_with_value(const Cloud& cloud, const std::string& field, double va
 
 }  // namespace
 
-std::span<const ParamRow> components_rows() { return kRows; }
+std::span<const ParamRow> components_rows() {
+  using S = ComponentsSettings;
+  static constexpr auto kRows = setting_rows(
+      number_row<&S::cell_m>("cell_m", 1e-6, 1e6, "m", "",
+                             "Edge length of the grid cells: points closer than this are connected "
+                             "(26); not read when level is 0 or more"),
+      integer_row<&S::level>("level", -1, kMaxLevel, "", "",
+                             "Take the cells of this octree level (0 = the whole cube, 21 = "
+                             "smallest) instead of cell_m; -1 = use cell_m"),
+      choice_row<&S::connectivity>("connectivity", "6|18|26", "",
+                                   "Neighbours of a cell: those that share a face (6), also an "
+                                   "edge (18), also a corner (26)"),
+      integer_row<&S::min_points>("min_points", 1, 1e15, "points", "",
+                                  "Components of fewer points get the number 0"),
+      string_row<&S::field>(
+          "field", "",
+          "Connect only the points whose field of this name has the value below (\"changed\" and 1 "
+          "for those that a filter found); the others get the number 0; empty = all points"),
+      number_row<&S::value>("value", -1e300, 1e300, "", "", "The value that the field must have"));
+  return kRows;
+}
 
-Cloud with_components(const Cloud& cloud, const ParamSet& options, Task& task, uint64_t& count) {
+Cloud with_components(const Cloud& cloud, const ComponentsSettings& settings, Task& task,
+                      uint64_t& count) {
   Cube cube;
-  double cell_m = options.number("cell_m");
+  double cell_m = settings.cell_m;
   if (cloud.size() != 0) {
     Span span(task, 0, 0.1);
-    const int64_t level = options.integer("level");
-    cube = level >= 0 ? cloud.octree(task)->cube() : enclosing_cube(bounds(cloud, task));
-    if (level >= 0) cell_m = std::ldexp(cube.edge, -static_cast<int>(level));
+    const bool by_level = settings.level >= 0;
+    cube = by_level ? cloud.octree(task)->cube() : enclosing_cube(bounds(cloud, task));
+    if (by_level) cell_m = std::ldexp(cube.edge, -settings.level);
   }
   Span span(task, 0.1, 1);
-  const std::string& text = options.text("connectivity");
-  const Connectivity3 connectivity = text == "6"    ? Connectivity3::k6
-                                     : text == "18" ? Connectivity3::k18
-                                                    : Connectivity3::k26;
-  const std::string& field = options.text("field");
-  const auto least = static_cast<uint64_t>(options.integer("min_points"));
+  const auto connected = [&](std::span<const double> xyz) {
+    return connected_components(xyz, cube.origin, cell_m, settings.connectivity,
+                                settings.min_points, task);
+  };
   Components components;
-  if (field.empty()) {
-    components = connected_components(cloud.xyz(), cube.origin, cell_m, connectivity, least, task);
+  if (settings.field.empty()) {
+    components = connected(cloud.xyz());
   } else {
-    const Chosen chosen = points_with_value(cloud, field, options.number("value"));
-    components = connected_components(chosen.xyz, cube.origin, cell_m, connectivity, least, task);
+    const Chosen chosen = points_with_value(cloud, settings.field, settings.value);
+    components = connected(chosen.xyz);
     std::vector<uint32_t> labels(cloud.size(), 0);
     for (size_t i = 0; i < chosen.points.size(); ++i) labels[chosen.points[i]] = components.labels[i];
     components.labels = std::move(labels);

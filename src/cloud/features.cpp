@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
 #include "cloud/operations.h"
 
@@ -14,14 +15,9 @@ namespace jalon {
 
 namespace {
 
-constexpr ParamRow kRows[] = {
-    string_row("which", "density roughness surface_variation linearity planarity sphericity verticality", "",
-               "Fields to compute, separated by spaces or commas: density roughness mean_curvature gaussian_curvature "
-               "surface_variation linearity planarity sphericity verticality, or all"),
-    integer_row("k", 16, 3, 256, "points", "",
-                "Number of nearest neighbours, the point itself included; not read when radius_m is above 0"),
-    number_row("radius_m", 0, 0, 1e6, "m", "", "Radius of the ball of neighbours; 0 = take the k nearest instead"),
-};
+constexpr const char* kWhichHelp =
+    "Fields to compute, separated by spaces or commas: density roughness mean_curvature "
+    "gaussian_curvature surface_variation linearity planarity sphericity verticality, or all";
 
 enum Feature : size_t {
   kDensity,
@@ -69,11 +65,11 @@ Choice parse_which(std::string_view text) {
     size_t i = 0;
     while (i < kFeatures && word != kInfos[i].name) ++i;
     if (i == kFeatures)
-      fail(Status::kInvalidArgument, "no feature \"%.*s\"; %s", static_cast<int>(std::min<size_t>(word.size(), 100)),
-           word.data(), kRows[0].help);
+      fail(Status::kInvalidArgument, "no feature \"%.*s\"; %s",
+           static_cast<int>(std::min<size_t>(word.size(), 100)), word.data(), kWhichHelp);
     chosen[i] = true;
   }
-  if (!any) fail(Status::kInvalidArgument, "which names no feature; %s", kRows[0].help);
+  if (!any) fail(Status::kInvalidArgument, "which names no feature; %s", kWhichHelp);
   return chosen;
 }
 
@@ -142,12 +138,21 @@ Values features_at(const Octree& tree, const Neighbourhood& around, double radiu
 
 }  // namespace
 
-std::span<const ParamRow> features_rows() { return kRows; }
+std::span<const ParamRow> features_rows() {
+  using S = FeaturesSettings;
+  static constexpr auto kRows = setting_rows(
+      string_row<&S::which>("which", "", kWhichHelp),
+      integer_row<&S::k>("k", 3, 256, "points", "",
+                         "Number of nearest neighbours, the point itself included; not read when "
+                         "radius_m is above 0"),
+      number_row<&S::radius_m>("radius_m", 0, 1e6, "m", "",
+                               "Radius of the ball of neighbours; 0 = take the k nearest instead"));
+  return kRows;
+}
 
-Cloud with_features(const Cloud& cloud, const ParamSet& options, Task& task) {
-  const Choice chosen = parse_which(options.text("which"));
-  const auto k = static_cast<uint32_t>(options.integer("k"));
-  const double radius_m = options.number("radius_m");
+Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& task) {
+  const Choice chosen = parse_which(settings.which);
+  const double radius_m = settings.radius_m;
   std::array<std::shared_ptr<Column>, kFeatures> columns;
   std::array<float*, kFeatures> out{};
   for (size_t f = 0; f < kFeatures; ++f) {
@@ -163,12 +168,13 @@ Cloud with_features(const Cloud& cloud, const ParamSet& options, Task& task) {
   }
   Span span(task, 0.2, 1, "features");
   const auto order = tree->order();
-  for_each_neighbourhood<Scratch>(*tree, k, radius_m, task, [&](const Neighbourhood& around, Scratch& scratch) {
-    const Values values = features_at(*tree, around, radius_m, chosen, scratch);
-    const size_t i = order[around.point];
-    for (size_t f = 0; f < kFeatures; ++f)
-      if (out[f] != nullptr) out[f][i] = static_cast<float>(values[f]);
-  });
+  for_each_neighbourhood<Scratch>(
+      *tree, settings.k, radius_m, task, [&](const Neighbourhood& around, Scratch& scratch) {
+        const Values values = features_at(*tree, around, radius_m, chosen, scratch);
+        const size_t i = order[around.point];
+        for (size_t f = 0; f < kFeatures; ++f)
+          if (out[f] != nullptr) out[f][i] = static_cast<float>(values[f]);
+      });
   Cloud result = cloud;
   for (auto& column : columns)
     if (column) result.fields.set(std::move(column));

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "cloud/facade_plane.h"
 #include "cloud/operations.h"
 #include "cloud/statistics.h"
@@ -15,26 +16,6 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGrain = 1 << 15;
-
-constexpr ParamRow kRows[] = {
-    number_row("distance_tolerance_m", 0.1, 1e-6, 1e3, "m", "",
-               "Half-thickness of the layer that counts for the main vertical plane"),
-    number_row("vertical_tolerance_rad", 0.052, 0, 0.8, "rad", "", "Largest lean of the main plane from the vertical"),
-    number_row("front_m", 2.0, 0, 1e3, "m", "",
-               "Depth kept in front of the main plane, toward the scanner: at least the deepest "
-               "projection (cornice, balcony)"),
-    number_row("back_m", 0.6, 0, 1e3, "m", "", "Depth kept behind the main plane: at least the deepest reveal"),
-    number_row("pixel_m", 0.25, 1e-3, 1e3, "m", "",
-               "Pixel edge of the image in the plane in which the largest entity is sought: 1.5 "
-               "to 3 times the point spacing"),
-    number_row("gap_m", 1.0, 0, 1e3, "m", "",
-               "Entities within this distance of the largest one, in the plane, stay with it"),
-    bool_row("remove_ground", false, "", "Also drop the points of the horizontal plane at the foot"),
-    doubles_row("viewpoint", "", -1e9, 1e9, "m", "",
-                "Where the scanner stood (x, y, z), to tell front from back; empty = the "
-                "stations, else the side with more points"),
-    integer_row("seed", 1, 0, 0x1p53, "", "", "Seed of the random draws"),
-};
 
 struct SlabPoint {
   uint32_t index;
@@ -95,8 +76,7 @@ void remove_ground(const Cloud& cloud, const FacadePlane& facade, double toleran
   });
 }
 
-Viewpoint viewpoint_of(const ParamSet& options, const Cloud& cloud) {
-  const auto& p = options.numbers("viewpoint");
+Viewpoint viewpoint_of(const std::vector<double>& p, const Cloud& cloud) {
   if (p.size() == 3) return {true, {p[0], p[1], p[2]}};
   if (!p.empty()) fail(Status::kInvalidArgument, "viewpoint has %zu numbers; it needs x, y, z", p.size());
   for (const Station& station : cloud.stations)
@@ -106,26 +86,53 @@ Viewpoint viewpoint_of(const ParamSet& options, const Cloud& cloud) {
 
 }  // namespace
 
-std::span<const ParamRow> interest_rows() { return kRows; }
+std::span<const ParamRow> interest_rows() {
+  using S = InterestSettings;
+  static constexpr auto kRows = setting_rows(
+      number_row<&S::distance_tolerance_m>(
+          "distance_tolerance_m", 1e-6, 1e3, "m", "",
+          "Half-thickness of the layer that counts for the main vertical plane"),
+      number_row<&S::vertical_tolerance_rad>("vertical_tolerance_rad", 0, 0.8, "rad", "",
+                                             "Largest lean of the main plane from the vertical"),
+      number_row<&S::front_m>("front_m", 0, 1e3, "m", "",
+                              "Depth kept in front of the main plane, toward the scanner: at least "
+                              "the deepest projection (cornice, balcony)"),
+      number_row<&S::back_m>("back_m", 0, 1e3, "m", "",
+                             "Depth kept behind the main plane: at least the deepest reveal"),
+      number_row<&S::pixel_m>("pixel_m", 1e-3, 1e3, "m", "",
+                              "Pixel edge of the image in the plane in which the largest entity is "
+                              "sought: 1.5 to 3 times the point spacing"),
+      number_row<&S::gap_m>(
+          "gap_m", 0, 1e3, "m", "",
+          "Entities within this distance of the largest one, in the plane, stay with it"),
+      bool_row<&S::remove_ground>("remove_ground", "",
+                                  "Also drop the points of the horizontal plane at the foot"),
+      doubles_row<&S::viewpoint>("viewpoint", -1e9, 1e9, "m", "",
+                                 "Where the scanner stood (x, y, z), to tell front from back; "
+                                 "empty = the stations, else the side with more points"),
+      integer_row<&S::seed>("seed", 0, 0x1p53, "", "", "Seed of the random draws"));
+  return kRows;
+}
 
-std::vector<uint8_t> points_of_interest(const Cloud& cloud, const ParamSet& options, Task& task) {
-  const Viewpoint viewpoint = viewpoint_of(options, cloud);
-  const double tolerance_m = options.number("distance_tolerance_m");
-  const auto seed = static_cast<uint64_t>(options.integer("seed"));
+std::vector<uint8_t> points_of_interest(const Cloud& cloud, const InterestSettings& settings,
+                                        Task& task) {
+  const Viewpoint viewpoint = viewpoint_of(settings.viewpoint, cloud);
+  const double tolerance_m = settings.distance_tolerance_m;
   if (cloud.size() >= 0xffffffffu) fail(Status::kLimit, "more than 2^32 - 2 points");
   FacadePlane facade;
   {
     Span span(task, 0, 0.6, "main plane");
-    facade = find_facade_plane(cloud, tolerance_m, options.number("vertical_tolerance_rad"), viewpoint, seed, task);
+    facade = find_facade_plane(cloud, tolerance_m, settings.vertical_tolerance_rad, viewpoint,
+                               settings.seed, task);
   }
   std::vector<SlabPoint> slab;
   {
     Span span(task, 0.6, 0.8, "slab");
-    slab = points_in_slab(cloud, facade, options.number("front_m"), options.number("back_m"), task);
+    slab = points_in_slab(cloud, facade, settings.front_m, settings.back_m, task);
   }
   Span span(task, 0.8, 1, "largest entity");
-  std::vector<uint8_t> mask = largest_entity(cloud, slab, options.number("pixel_m"), options.number("gap_m"));
-  if (options.flag("remove_ground")) remove_ground(cloud, facade, tolerance_m, seed, task, mask);
+  std::vector<uint8_t> mask = largest_entity(cloud, slab, settings.pixel_m, settings.gap_m);
+  if (settings.remove_ground) remove_ground(cloud, facade, tolerance_m, settings.seed, task, mask);
   return mask;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "cloud/normals_parts.h"
 #include "cloud/normals_pca.h"
 #include "cloud/operations.h"
@@ -11,25 +12,9 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+using Orientation = NormalsSettings::Orientation;
 
-constexpr ParamRow kRows[] = {
-    choice_row("method", "pca", "pca|quadric|triangulation", "",
-               "pca: plane through the neighbours; quadric: curved surface through them; "
-               "triangulation: quick preview"),
-    integer_row("k", 16, 3, 256, "points", "pca,quadric",
-                "Number of nearest neighbours, the point itself included; not read when radius_m is above 0"),
-    number_row("radius_m", 0, 0, 1e6, "m", "pca,quadric",
-               "Radius of the ball of neighbours; 0 = take the k nearest instead"),
-    bool_row("curvature", false, "pca",
-             "Also keep the surface variation of each neighbourhood, as field \"curvature\""),
-    choice_row("orientation", "none", "none|station|point|centroid", "",
-               "Turn normals toward each point's scan station, toward viewpoint, or away from the centroid"),
-    doubles_row("viewpoint", "0 0 0", -1e9, 1e9, "m", "",
-                "The point (x, y, z) that orientation = point turns normals to"),
-    bool_row("outward", true, "",
-             "For orientation = centroid: true turns normals away from the centroid, false toward it"),
-};
+constexpr size_t kGrain = 1 << 15;
 
 const Column& require_normals(const Cloud& cloud) {
   const Column& normal = cloud.fields.require("normal");
@@ -59,37 +44,52 @@ void require_station_poses(const Cloud& cloud) {
 
 }  // namespace
 
-std::span<const ParamRow> normals_rows() { return kRows; }
-
-Orientation orientation_of(const Cloud& cloud, const ParamSet& options) {
-  Orientation orientation;
-  const std::string& kind = options.text("orientation");
-  if (kind == "station") {
-    orientation.kind = Orientation::Kind::kStation;
-    require_station_poses(cloud);
-  } else if (kind == "point") {
-    orientation.kind = Orientation::Kind::kPoint;
-    const auto& p = options.numbers("viewpoint");
-    if (p.size() != 3) fail(Status::kInvalidArgument, "viewpoint has %zu numbers; it needs x, y, z", p.size());
-    orientation.viewpoint = {p[0], p[1], p[2]};
-  } else if (kind == "centroid") {
-    orientation.kind = Orientation::Kind::kCentroid;
-    orientation.outward = options.flag("outward");
-  }
-  return orientation;
+std::span<const ParamRow> normals_rows() {
+  using S = NormalsSettings;
+  static constexpr auto kRows = setting_rows(
+      choice_row<&S::method>("method", "pca|quadric|triangulation", "",
+                             "pca: plane through the neighbours; quadric: curved surface through "
+                             "them; triangulation: quick preview"),
+      integer_row<&S::k>("k", 3, 256, "points", "pca,quadric",
+                         "Number of nearest neighbours, the point itself included; not read when "
+                         "radius_m is above 0"),
+      number_row<&S::radius_m>("radius_m", 0, 1e6, "m", "pca,quadric",
+                               "Radius of the ball of neighbours; 0 = take the k nearest instead"),
+      bool_row<&S::curvature>(
+          "curvature", "pca",
+          "Also keep the surface variation of each neighbourhood, as field \"curvature\""),
+      choice_row<&S::orientation>("orientation", "none|station|point|centroid", "",
+                                  "Turn normals toward each point's scan station, toward "
+                                  "viewpoint, or away from the centroid"),
+      doubles_row<&S::viewpoint>("viewpoint", -1e9, 1e9, "m", "",
+                                 "The point (x, y, z) that orientation = point turns normals to"),
+      bool_row<&S::outward>("outward", "",
+                            "For orientation = centroid: true turns normals away from the "
+                            "centroid, false toward it"));
+  return kRows;
 }
 
-void orient(const Cloud& cloud, const Orientation& orientation, Column& normal, Task& task) {
-  if (orientation.kind == Orientation::Kind::kNone || cloud.size() == 0) return;
-  Vec3 origin, target = orientation.viewpoint;
+void require_orientation(const Cloud& cloud, const NormalsSettings& settings) {
+  if (settings.orientation == Orientation::kStation) require_station_poses(cloud);
+  if (const size_t n = settings.viewpoint.size();
+      settings.orientation == Orientation::kPoint && n != 3)
+    fail(Status::kInvalidArgument, "viewpoint has %zu numbers; it needs x, y, z", n);
+}
+
+void orient(const Cloud& cloud, const NormalsSettings& settings, Column& normal, Task& task) {
+  const Orientation orientation = settings.orientation;
+  if (orientation == Orientation::kNone || cloud.size() == 0) return;
+  Vec3 origin, target;
   double side = 1;
-  if (orientation.kind == Orientation::Kind::kCentroid) {
+  if (orientation == Orientation::kPoint) {
+    target = {settings.viewpoint[0], settings.viewpoint[1], settings.viewpoint[2]};
+  } else if (orientation == Orientation::kCentroid) {
     const CloudCovariance whole = covariance_of(cloud, task);
     origin = whole.origin;
     target = whole.local_centroid;
-    side = orientation.outward ? -1 : 1;
+    side = settings.outward ? -1 : 1;
   }
-  const bool by_station = orientation.kind == Orientation::Kind::kStation;
+  const bool by_station = orientation == Orientation::kStation;
   const auto normals = normal.values<float>();
   parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
     const Station* station = nullptr;
@@ -101,11 +101,9 @@ void orient(const Cloud& cloud, const Orientation& orientation, Column& normal, 
   });
 }
 
-Cloud with_normals(const Cloud& cloud, const ParamSet& options, Task& task) {
-  const Orientation orientation = orientation_of(cloud, options);
-  const auto k = static_cast<uint32_t>(options.integer("k"));
-  const double radius_m = options.number("radius_m");
-  const std::string& method = options.text("method");
+Cloud with_normals(const Cloud& cloud, const NormalsSettings& settings, Task& task) {
+  using Method = NormalsSettings::Method;
+  require_orientation(cloud, settings);
   Cloud out = cloud;
   std::shared_ptr<const Octree> tree;
   {
@@ -115,16 +113,17 @@ Cloud with_normals(const Cloud& cloud, const ParamSet& options, Task& task) {
   PcaNormals normals;
   {
     Span span(task, 0.2, 0.95, "normals");
-    if (method == "quadric")
-      normals.normal = quadric_normals(*tree, k, radius_m, task);
-    else if (method == "triangulation")
+    if (settings.method == Method::kQuadric)
+      normals.normal = quadric_normals(*tree, settings.k, settings.radius_m, task);
+    else if (settings.method == Method::kTriangulation)
       normals.normal = triangulation_normals(*tree, task);
     else
-      normals = radius_m > 0 ? pca_normals_radius(*tree, radius_m, options.flag("curvature"), task)
-                             : pca_normals(*tree, k, options.flag("curvature"), task);
+      normals = settings.radius_m > 0
+                    ? pca_normals_radius(*tree, settings.radius_m, settings.curvature, task)
+                    : pca_normals(*tree, settings.k, settings.curvature, task);
   }
   Span span(task, 0.95, 1, "orientation");
-  orient(cloud, orientation, *normals.normal, task);
+  orient(cloud, settings, *normals.normal, task);
   out.fields.set(std::move(normals.normal));
   if (normals.curvature) out.fields.set(std::move(normals.curvature));
   return out;

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "base/field.h"
-#include "base/params.h"
 #include "cloud/cloud.h"
+#include "cloud/operations.h"
 #include "spatial/octree/octree.h"
 
 namespace jalon {
@@ -24,16 +24,10 @@ std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double r
 /// the others, and worst at cell borders. Caller's order.
 std::shared_ptr<Column> triangulation_normals(const Octree& tree, Task& task);
 
-/// Orientation of the operation "normals".
-struct Orientation {
-  enum class Kind { kNone, kStation, kPoint, kCentroid } kind = Kind::kNone;
-  Vec3 viewpoint;       ///< for kPoint
-  bool outward = true;  ///< for kCentroid
-};
-/// Reads and checks the options against the cloud, before the long work: Error(kInvalidArgument)
+/// Checks the orientation against the cloud, before the long work: Error(kInvalidArgument)
 /// when a point has no station pose, or the viewpoint is not three numbers.
-Orientation orientation_of(const Cloud& cloud, const ParamSet& options);
-/// Flips normals where needed; NaN stays.
-void orient(const Cloud& cloud, const Orientation& orientation, Column& normal, Task& task);
+void require_orientation(const Cloud& cloud, const NormalsSettings& settings);
+/// Flips normals where needed; NaN stays. The orientation must have passed the check.
+void orient(const Cloud& cloud, const NormalsSettings& settings, Column& normal, Task& task);
 
 }  // namespace jalon

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "cloud/operations.h"
 
 namespace jalon {
@@ -10,19 +11,6 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGrain = 1 << 15;
-
-constexpr ParamRow kRows[] = {
-    choice_row("method", "statistical", "statistical|radius", "",
-               "statistical: far from its neighbours compared with the other points; radius: "
-               "too few neighbours in a ball"),
-    integer_row("k", 16, 1, 255, "points", "statistical", "Number of nearest neighbours, the point itself not counted"),
-    number_row("sigmas", 2, 0, 100, "1", "statistical",
-               "A point goes when its mean distance to its neighbours exceeds the mean of all "
-               "by this many standard deviations"),
-    number_row("radius_m", 0.1, 1e-6, 1e6, "m", "radius", "Radius of the ball around each point"),
-    integer_row("neighbours", 4, 1, 255, "points", "radius",
-                "A point stays when at least this many others are in its ball"),
-};
 
 struct Sums {
   double sum = 0;
@@ -92,9 +80,25 @@ std::vector<uint8_t> radius_mask(const Octree& tree, double radius_m, uint32_t n
 
 }  // namespace
 
-std::span<const ParamRow> outliers_rows() { return kRows; }
+std::span<const ParamRow> outliers_rows() {
+  using S = OutliersSettings;
+  static constexpr auto kRows = setting_rows(
+      choice_row<&S::method>("method", "statistical|radius", "",
+                             "statistical: far from its neighbours compared with the other points; "
+                             "radius: too few neighbours in a ball"),
+      integer_row<&S::k>("k", 1, 255, "points", "statistical",
+                         "Number of nearest neighbours, the point itself not counted"),
+      number_row<&S::sigmas>("sigmas", 0, 100, "1", "statistical",
+                             "A point goes when its mean distance to its neighbours exceeds the "
+                             "mean of all by this many standard deviations"),
+      number_row<&S::radius_m>("radius_m", 1e-6, 1e6, "m", "radius",
+                               "Radius of the ball around each point"),
+      integer_row<&S::neighbours>("neighbours", 1, 255, "points", "radius",
+                                  "A point stays when at least this many others are in its ball"));
+  return kRows;
+}
 
-Cloud without_outliers(const Cloud& cloud, const ParamSet& options, Task& task) {
+Cloud without_outliers(const Cloud& cloud, const OutliersSettings& settings, Task& task) {
   if (cloud.size() == 0) return cloud;
   std::shared_ptr<const Octree> tree;
   {
@@ -104,11 +108,9 @@ Cloud without_outliers(const Cloud& cloud, const ParamSet& options, Task& task) 
   std::vector<uint8_t> keep;
   {
     Span span(task, 0.2, 0.9, "outliers");
-    keep = options.text("method") == "radius"
-               ? radius_mask(*tree, options.number("radius_m"),
-                             static_cast<uint32_t>(options.integer("neighbours")), task)
-               : statistical_mask(*tree, static_cast<uint32_t>(options.integer("k")),
-                                  options.number("sigmas"), task);
+    keep = settings.method == OutliersSettings::Method::kRadius
+               ? radius_mask(*tree, settings.radius_m, settings.neighbours, task)
+               : statistical_mask(*tree, settings.k, settings.sigmas, task);
   }
   Span span(task, 0.9, 1, "copying");
   return select_mask(cloud, keep, 1, task);

@@ -45,8 +45,7 @@ class Incidence {
 
 }  // namespace
 
-Cloud with_point_covariances(const Cloud& cloud, const ParamSet& params, Task& task) {
-  const ScannerPrecision precision = scanner_precision(params);
+Cloud with_point_covariances(const Cloud& cloud, const ScannerPrecision& precision, Task& task) {
   require_poses(cloud);
   auto covariance = std::make_shared<Column>(
       FieldInfo{"covariance", ElementType::kFloat32, 6, "m2", "of the point: xx, xy, xz, yy, yz, zz"}, cloud.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/setting_rows.h"
 #include "geometry/ranging.h"
 
 namespace jalon {
@@ -35,66 +36,59 @@ double snr_at(const ScannerPrecision& p, double intensity) {
 
 std::span<const ParamRow> precision_rows() {
   constexpr double kRightAngle = std::numbers::pi / 2;
-  static constexpr ParamRow kRows[] = {
-      number_row("sigma_range_m", 0.007, 0, 100, "m", "", "Standard deviation of the range (default: Trimble GX)"),
-      number_row("range_ppm", 0, 0, 1e6, "ppm", "", "What is added to it: millionths of the range"),
-      number_row("sigma_horizontal_rad", 60e-6, 0, 1, "rad", "", "Standard deviation of the horizontal angle"),
-      number_row("sigma_vertical_rad", 70e-6, 0, 1, "rad", "", "Standard deviation of the vertical angle"),
-      number_row("beam_divergence_rad", 0, 0, 1, "rad", "",
-                 "Full angle of the beam; a quarter of it times the range is added across the ray; 0: left out"),
-      number_row("pulse_bandwidth_hz", 0, 0, 1e15, "Hz", "", "Receiver bandwidth, for pulse noise; 0: left out"),
-      number_row("snr", 100, 1e-6, 1e12, "1", "", "Signal-to-noise ratio of a pulse"),
-      number_row("snr_range_m", 0, 0, 1e6, "m", "",
-                 "Range at which a white surface met squarely has that ratio; elsewhere it follows the returned "
-                 "intensity; 0: the same everywhere"),
-      number_row("shots", 1, 1, 1e6, "1", "", "Independent pulses averaged for a point"),
-      number_row("reflectance", 1, 1e-6, 1, "1", "", "Reflection coefficient of the surface"),
-      number_row("incidence_exponent", 4, 0, 16, "1", "",
-                 "Power of the cosine of the incidence angle in the returned intensity: 4 (Hancock 1999), 1 (Lambert)"),
-      number_row("attenuation_per_m", 0, 0, 10, "1/m", "", "Absorption and scattering of the air"),
-      number_row("rise_time_s", 0, 0, 1, "s", "", "Rise time of the pulse, for time walk; 0: left out"),
-      number_row("time_walk_factor", 1, -1e6, 1e6, "1", "", "Share of the rise time at the mean amplitude"),
-      number_row("amplitude", 1, 1e-6, 1e6, "1", "", "Amplitude of the return against the mean one"),
-      number_row("temperature_drift_m_per_k", 0, -1, 1, "m/K", "", "Linear drift of the range with temperature"),
-      number_row("temperature_difference_k", 0, -200, 200, "K", "", "Temperature less that of the calibration"),
-      number_row("sigma_station_m", 0, 0, 1e3, "m", "", "Standard deviation of the station, each horizontal axis"),
-      number_row("sigma_station_z_m", 0, 0, 1e3, "m", "", "Standard deviation of the station's height"),
-      number_row("sigma_instrument_height_m", 0, 0, 1e3, "m", "", "Standard deviation of the instrument's height"),
-      number_row("backsight_distance_m", 0, 0, 1e6, "m", "", "Distance of the back-sight target; 0: left out"),
-      number_row("sigma_backsight_m", 0.002, 0, 1e3, "m", "",
-                 "Standard deviation of the coordinates of scanner and back-sight target"),
-      number_row("level_sensitivity_rad", 0, 0, kRightAngle, "rad", "",
-                 "Sensitivity of the level or compensator; a fifth of it is the levelling error"),
-  };
+  using S = ScannerPrecision;
+  static constexpr auto kRows = setting_rows(
+      number_row<&S::sigma_range_m>("sigma_range_m", 0, 100, "m", "",
+                                    "Standard deviation of the range (default: Trimble GX)"),
+      number_row<&S::range_ppm>("range_ppm", 0, 1e6, "ppm", "",
+                                "What is added to it: millionths of the range"),
+      number_row<&S::sigma_horizontal_rad>("sigma_horizontal_rad", 0, 1, "rad", "",
+                                           "Standard deviation of the horizontal angle"),
+      number_row<&S::sigma_vertical_rad>("sigma_vertical_rad", 0, 1, "rad", "",
+                                         "Standard deviation of the vertical angle"),
+      number_row<&S::beam_divergence_rad>("beam_divergence_rad", 0, 1, "rad", "",
+                                          "Full angle of the beam; a quarter of it times the range "
+                                          "is added across the ray; 0: left out"),
+      number_row<&S::pulse_bandwidth_hz>("pulse_bandwidth_hz", 0, 1e15, "Hz", "",
+                                         "Receiver bandwidth, for pulse noise; 0: left out"),
+      number_row<&S::snr>("snr", 1e-6, 1e12, "1", "", "Signal-to-noise ratio of a pulse"),
+      number_row<&S::snr_range_m>(
+          "snr_range_m", 0, 1e6, "m", "",
+          "Range at which a white surface met squarely has that ratio; elsewhere it follows the "
+          "returned intensity; 0: the same everywhere"),
+      number_row<&S::shots>("shots", 1, 1e6, "1", "", "Independent pulses averaged for a point"),
+      number_row<&S::reflectance>("reflectance", 1e-6, 1, "1", "",
+                                  "Reflection coefficient of the surface"),
+      number_row<&S::incidence_exponent>("incidence_exponent", 0, 16, "1", "",
+                                         "Power of the cosine of the incidence angle in the "
+                                         "returned intensity: 4 (Hancock 1999), 1 (Lambert)"),
+      number_row<&S::attenuation_per_m>("attenuation_per_m", 0, 10, "1/m", "",
+                                        "Absorption and scattering of the air"),
+      number_row<&S::rise_time_s>("rise_time_s", 0, 1, "s", "",
+                                  "Rise time of the pulse, for time walk; 0: left out"),
+      number_row<&S::time_walk_factor>("time_walk_factor", -1e6, 1e6, "1", "",
+                                       "Share of the rise time at the mean amplitude"),
+      number_row<&S::amplitude>("amplitude", 1e-6, 1e6, "1", "",
+                                "Amplitude of the return against the mean one"),
+      number_row<&S::temperature_drift_m_per_k>("temperature_drift_m_per_k", -1, 1, "m/K", "",
+                                                "Linear drift of the range with temperature"),
+      number_row<&S::temperature_difference_k>("temperature_difference_k", -200, 200, "K", "",
+                                               "Temperature less that of the calibration"),
+      number_row<&S::sigma_station_m>("sigma_station_m", 0, 1e3, "m", "",
+                                      "Standard deviation of the station, each horizontal axis"),
+      number_row<&S::sigma_station_z_m>("sigma_station_z_m", 0, 1e3, "m", "",
+                                        "Standard deviation of the station's height"),
+      number_row<&S::sigma_instrument_height_m>("sigma_instrument_height_m", 0, 1e3, "m", "",
+                                                "Standard deviation of the instrument's height"),
+      number_row<&S::backsight_distance_m>("backsight_distance_m", 0, 1e6, "m", "",
+                                           "Distance of the back-sight target; 0: left out"),
+      number_row<&S::sigma_backsight_m>(
+          "sigma_backsight_m", 0, 1e3, "m", "",
+          "Standard deviation of the coordinates of scanner and back-sight target"),
+      number_row<&S::level_sensitivity_rad>(
+          "level_sensitivity_rad", 0, kRightAngle, "rad", "",
+          "Sensitivity of the level or compensator; a fifth of it is the levelling error"));
   return kRows;
-}
-
-ScannerPrecision scanner_precision(const ParamSet& params) {
-  ScannerPrecision p;
-  p.sigma_range_m = params.number("sigma_range_m");
-  p.range_ppm = params.number("range_ppm");
-  p.sigma_horizontal_rad = params.number("sigma_horizontal_rad");
-  p.sigma_vertical_rad = params.number("sigma_vertical_rad");
-  p.beam_divergence_rad = params.number("beam_divergence_rad");
-  p.pulse_bandwidth_hz = params.number("pulse_bandwidth_hz");
-  p.snr = params.number("snr");
-  p.snr_range_m = params.number("snr_range_m");
-  p.shots = params.number("shots");
-  p.reflectance = params.number("reflectance");
-  p.incidence_exponent = params.number("incidence_exponent");
-  p.attenuation_per_m = params.number("attenuation_per_m");
-  p.rise_time_s = params.number("rise_time_s");
-  p.time_walk_factor = params.number("time_walk_factor");
-  p.amplitude = params.number("amplitude");
-  p.temperature_drift_m_per_k = params.number("temperature_drift_m_per_k");
-  p.temperature_difference_k = params.number("temperature_difference_k");
-  p.sigma_station_m = params.number("sigma_station_m");
-  p.sigma_station_z_m = params.number("sigma_station_z_m");
-  p.sigma_instrument_height_m = params.number("sigma_instrument_height_m");
-  p.backsight_distance_m = params.number("backsight_distance_m");
-  p.sigma_backsight_m = params.number("sigma_backsight_m");
-  p.level_sensitivity_rad = params.number("level_sensitivity_rad");
-  return p;
 }
 
 double PointBudget::instrument_m() const {

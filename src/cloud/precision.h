@@ -10,22 +10,23 @@
 
 namespace jalon {
 
-/// What a scanner's points are worth (facade-modelling A25-A32), read from the parameters of operation "precision".
+/// What a scanner's points are worth (facade-modelling A25-A32): the settings of operation
+/// "precision".
 struct ScannerPrecision {
-  double sigma_range_m = 0, range_ppm = 0, sigma_horizontal_rad = 0, sigma_vertical_rad = 0;
+  double sigma_range_m = 0.007, range_ppm = 0;
+  double sigma_horizontal_rad = 60e-6, sigma_vertical_rad = 70e-6;
   double beam_divergence_rad = 0;
-  double pulse_bandwidth_hz = 0, snr = 0, shots = 1;  ///< 0 hertz: no pulse noise
+  double pulse_bandwidth_hz = 0, snr = 100, shots = 1;  ///< 0 hertz: no pulse noise
   double snr_range_m = 0;                             ///< 0: one SNR for all points
   double reflectance = 1, incidence_exponent = 4, attenuation_per_m = 0;
   double rise_time_s = 0, time_walk_factor = 1, amplitude = 1;
   double temperature_drift_m_per_k = 0, temperature_difference_k = 0;
   double sigma_station_m = 0, sigma_station_z_m = 0, sigma_instrument_height_m = 0;
-  double backsight_distance_m = 0, sigma_backsight_m = 0;  ///< 0 m: no azimuth by back-sight
+  double backsight_distance_m = 0, sigma_backsight_m = 0.002;  ///< 0 m: no azimuth by back-sight
   double level_sensitivity_rad = 0;
 };
 
 std::span<const ParamRow> precision_rows();
-ScannerPrecision scanner_precision(const ParamSet& params);
 
 /// Share of each influence in the position of one point (m, standard deviations), by the general quadrature s =
 /// sqrt(sum s_i^2) (Baltsavias 1999).
@@ -46,6 +47,6 @@ PointBudget point_budget(const ScannerPrecision& precision, const Vec3& ray, con
 
 /// The cloud with the fields "covariance" (float32 x 6: xx, xy, xz, yy, yz, zz, m2) and "point_sigma" (float32, m).
 /// Each point needs a station with a pose: Error(kInvalidArgument) naming the first without one, or that lies on it.
-Cloud with_point_covariances(const Cloud& cloud, const ParamSet& params, Task& task);
+Cloud with_point_covariances(const Cloud& cloud, const ScannerPrecision& precision, Task& task);
 
 }  // namespace jalon

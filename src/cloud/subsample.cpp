@@ -6,37 +6,15 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/setting_rows.h"
 #include "cloud/operations.h"
 #include "cloud/select.h"
-#include "cloud/subsample_cells.h"
 
 namespace jalon {
 
 namespace {
 
 constexpr size_t kGrain = 1 << 15;
-
-constexpr ParamRow kRows[] = {
-    choice_row("method", "voxel", "voxel|minimum_distance|random|octree", "",
-               "voxel: one point a grid cell; minimum_distance: no two closer; random: a share "
-               "or number; octree: one a cell"),
-    number_row("cell_m", 0.05, 1e-6, 1e6, "m", "voxel", "Edge length of the grid cells"),
-    choice_row("keep", "centroid", "centroid|nearest", "voxel,octree",
-               "centroid: a new point amid the cell's points, with the fields of the one "
-               "nearest to it; nearest: the original "
-               "point nearest to the cell's centre"),
-    number_row("distance_m", 0.05, 1e-9, 1e6, "m", "minimum_distance",
-               "Kept points lie farther apart than this; every removed one lies within it of a "
-               "kept one (a radius)"),
-    number_row("fraction", 0.1, 0, 1, "1", "random", "Share of the points to keep; not read when count is above 0"),
-    integer_row("count", 0, 0, 1e15, "points", "random", "Number of points to keep; 0 = use fraction"),
-    integer_row("seed", 1, 0, 0x1p53, "", "random", "Another seed gives another choice; the same one the same choice"),
-    integer_row("level", -1, -1, kMaxLevel, "", "octree",
-                "Octree level whose cells give one point each: 0 = the whole cube ... 21 = "
-                "smallest cells; -1 = use max_points"),
-    integer_row("max_points", 1000000, 1, 1e15, "points", "octree",
-                "For level = -1: the deepest level with at most this many occupied cells"),
-};
 
 /// Greedy in order of the points: whoever is still there stays, and sends all within the distance away.
 Cloud at_minimum_distance(const Cloud& cloud, double distance_m, Task& task) {
@@ -110,26 +88,57 @@ Cloud at_random(const Cloud& cloud, uint64_t wanted, uint64_t seed, Task& task) 
   return select_mask(cloud, keep, 1, task);
 }
 
-uint64_t wanted_count(const Cloud& cloud, const ParamSet& options) {
-  if (const int64_t count = options.integer("count"); count > 0) return static_cast<uint64_t>(count);
-  return static_cast<uint64_t>(std::llround(options.number("fraction") * static_cast<double>(cloud.size())));
+uint64_t wanted_count(const Cloud& cloud, const SubsampleSettings& settings) {
+  if (settings.count > 0) return settings.count;
+  return static_cast<uint64_t>(std::llround(settings.fraction * static_cast<double>(cloud.size())));
 }
 
 }  // namespace
 
-std::span<const ParamRow> subsample_rows() { return kRows; }
+std::span<const ParamRow> subsample_rows() {
+  using S = SubsampleSettings;
+  static constexpr auto kRows = setting_rows(
+      choice_row<&S::method>("method", "voxel|minimum_distance|random|octree", "",
+                             "voxel: one point a grid cell; minimum_distance: no two closer; "
+                             "random: a share or number; octree: one a cell"),
+      number_row<&S::cell_m>("cell_m", 1e-6, 1e6, "m", "voxel", "Edge length of the grid cells"),
+      choice_row<&S::keep>(
+          "keep", "centroid|nearest", "voxel,octree",
+          "centroid: a new point amid the cell's points, with the fields of the one nearest to it; "
+          "nearest: the original point nearest to the cell's centre"),
+      number_row<&S::distance_m>("distance_m", 1e-9, 1e6, "m", "minimum_distance",
+                                 "Kept points lie farther apart than this; every removed one lies "
+                                 "within it of a kept one (a radius)"),
+      number_row<&S::fraction>("fraction", 0, 1, "1", "random",
+                               "Share of the points to keep; not read when count is above 0"),
+      integer_row<&S::count>("count", 0, 1e15, "points", "random",
+                             "Number of points to keep; 0 = use fraction"),
+      integer_row<&S::seed>("seed", 0, 0x1p53, "", "random",
+                            "Another seed gives another choice; the same one the same choice"),
+      integer_row<&S::level>("level", -1, kMaxLevel, "", "octree",
+                             "Octree level whose cells give one point each: 0 = the whole cube ... "
+                             "21 = smallest cells; -1 = use max_points"),
+      integer_row<&S::max_points>(
+          "max_points", 1, 1e15, "points", "octree",
+          "For level = -1: the deepest level with at most this many occupied cells"));
+  return kRows;
+}
 
-Cloud subsampled(const Cloud& cloud, const ParamSet& options, Task& task) {
-  const std::string& method = options.text("method");
+Cloud subsampled(const Cloud& cloud, const SubsampleSettings& settings, Task& task) {
+  using Method = SubsampleSettings::Method;
+  const SubsampleSettings& s = settings;
   if (cloud.size() == 0) return cloud;
-  if (method == "minimum_distance") return at_minimum_distance(cloud, options.number("distance_m"), task);
-  if (method == "random")
-    return at_random(cloud, wanted_count(cloud, options), static_cast<uint64_t>(options.integer("seed")), task);
-  const Keep keep = options.text("keep") == "nearest" ? Keep::kNearest : Keep::kCentroid;
-  if (method == "octree")
-    return one_per_octree_cell(cloud, static_cast<int>(options.integer("level")),
-                               static_cast<uint64_t>(options.integer("max_points")), keep, task);
-  return one_per_voxel(cloud, options.number("cell_m"), keep, task);
+  switch (s.method) {
+    case Method::kMinimumDistance:
+      return at_minimum_distance(cloud, s.distance_m, task);
+    case Method::kRandom:
+      return at_random(cloud, wanted_count(cloud, s), s.seed, task);
+    case Method::kOctree:
+      return one_per_octree_cell(cloud, s.level, s.max_points, s.keep, task);
+    case Method::kVoxel:
+      break;
+  }
+  return one_per_voxel(cloud, s.cell_m, s.keep, task);
 }
 
 }  // namespace jalon

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/params.h"
@@ -44,12 +45,20 @@ std::vector<float> chamfer_distances(const DistanceGrid& grid, std::span<const u
 std::vector<float> marched_distances(const DistanceGrid& grid, std::span<const uint64_t> occupied,
                                      std::span<const float> starts, Task& task);
 
+struct DistanceMapSettings {
+  enum class Method { kChamfer, kFastMarching } method = Method::kChamfer;
+  double cell_m = 0;          ///< 0: some two million cells
+  double max_distance_m = 0;  ///< 0: all
+  std::string name = "map_distance";
+};
 std::span<const ParamRow> distance_map_rows();
 /// The map of the reference's distances over both clouds' boxes; see jalon/field_tools.h.
-DistanceMap distance_map(const Cloud& reference, const Box3& box, const ParamSet& options, Task& task);
+DistanceMap distance_map(const Cloud& reference, const Box3& box,
+                         const DistanceMapSettings& settings, Task& task);
 /// The compared cloud with the field of the map's distances.
-Cloud with_map_distance(const Cloud& compared, const Cloud& reference, const ParamSet& options, Task& task);
+Cloud with_map_distance(const Cloud& compared, const Cloud& reference,
+                        const DistanceMapSettings& settings, Task& task);
 /// The centres of the map's cells as points with the field "distance".
-Cloud distance_map_cloud(const Cloud& reference, const ParamSet& options, Task& task);
+Cloud distance_map_cloud(const Cloud& reference, const DistanceMapSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "fieldtools/chamfer.h"
 #include "fieldtools/field_values.h"
 
@@ -16,15 +17,6 @@ constexpr size_t kGrain = 1 << 14;
 constexpr double kAutomaticCells = 2e6;       // of the automatic cell size
 constexpr double kMostCells = 0x1p27;         // 0.8 GiB at the peak of either method
 constexpr double kMostAlong = 20000;          // cells on an axis: thirds of a cell fit 16 bits along it
-
-constexpr ParamRow kRows[] = {
-    choice_row("method", "chamfer", "chamfer|fast_marching", "",
-               "chamfer: whole steps of 3, 4 and 5 thirds of a cell, fast and coarse; fast_marching: the distance from "
-               "the points themselves, read between cells"),
-    number_row("cell_m", 0, 0, 1e6, "m", "", "Edge of the grid cells; 0 = such that there are about two million"),
-    number_row("max_distance_m", 0, 0, 1e9, "m", "", "Distances above it are no value; 0 = all"),
-    string_row("name", "map_distance", "", "Name of the field of distances"),
-};
 
 DistanceGrid grid_around(const Box3& box, double cell_m) {
   const Vec3 extent = box.max - box.min;
@@ -124,38 +116,52 @@ void require_points(const Cloud& reference) {
   if (reference.size() == 0) fail(Status::kInsufficientData, "the reference has no points");
 }
 
-double limit_of(const ParamSet& options) {
-  const double limit = options.number("max_distance_m");
-  return limit > 0 ? limit : std::numeric_limits<double>::max();
+double limit_of(const DistanceMapSettings& settings) {
+  return settings.max_distance_m > 0 ? settings.max_distance_m : std::numeric_limits<double>::max();
 }
 
 }  // namespace
 
-std::span<const ParamRow> distance_map_rows() { return kRows; }
+std::span<const ParamRow> distance_map_rows() {
+  using S = DistanceMapSettings;
+  static constexpr auto kRows = setting_rows(
+      choice_row<&S::method>(
+          "method", "chamfer|fast_marching", "",
+          "chamfer: whole steps of 3, 4 and 5 thirds of a cell, fast and coarse; fast_marching: "
+          "the distance from the points themselves, read between cells"),
+      number_row<&S::cell_m>("cell_m", 0, 1e6, "m", "",
+                             "Edge of the grid cells; 0 = such that there are about two million"),
+      number_row<&S::max_distance_m>("max_distance_m", 0, 1e9, "m", "",
+                                     "Distances above it are no value; 0 = all"),
+      string_row<&S::name>("name", "", "Name of the field of distances"));
+  return kRows;
+}
 
-DistanceMap distance_map(const Cloud& reference, const Box3& box, const ParamSet& options, Task& task) {
+DistanceMap distance_map(const Cloud& reference, const Box3& box,
+                         const DistanceMapSettings& settings, Task& task) {
   DistanceMap out;
-  out.grid = grid_around(box, options.number("cell_m"));
+  out.grid = grid_around(box, settings.cell_m);
   Occupied occupied;
   {
     Span span(task, 0, 0.1);
     occupied = occupied_cells(out.grid, reference, task);
   }
   Span span(task, 0.1, 1, "distance map");
-  out.distance_m = options.text("method") == "chamfer"
+  out.distance_m = settings.method == DistanceMapSettings::Method::kChamfer
                        ? chamfer_distances(out.grid, occupied.cells, task)
                        : marched_distances(out.grid, occupied.cells, occupied.starts, task);
   return out;
 }
 
-Cloud with_map_distance(const Cloud& compared, const Cloud& reference, const ParamSet& options, Task& task) {
-  const std::string name = require_field_name(options.text("name"));
+Cloud with_map_distance(const Cloud& compared, const Cloud& reference,
+                        const DistanceMapSettings& settings, Task& task) {
+  const std::string name = require_field_name(settings.name);
   require_points(reference);
   Box3 box = bounds(reference, task);
   if (compared.size() != 0) box += bounds(compared, task);
-  const DistanceMap map = distance_map(reference, box, options, task);
-  const bool chamfer = options.text("method") == "chamfer";
-  const double limit_m = limit_of(options);
+  const DistanceMap map = distance_map(reference, box, settings, task);
+  const bool chamfer = settings.method == DistanceMapSettings::Method::kChamfer;
+  const double limit_m = limit_of(settings);
   std::vector<double> distances(compared.size());
   parallel_for(task, distances.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
@@ -167,11 +173,11 @@ Cloud with_map_distance(const Cloud& compared, const Cloud& reference, const Par
   return with_field<double>(compared, name, "m", "distance by a grid of cells", distances);
 }
 
-Cloud distance_map_cloud(const Cloud& reference, const ParamSet& options, Task& task) {
-  const std::string name = require_field_name(options.text("name"));
+Cloud distance_map_cloud(const Cloud& reference, const DistanceMapSettings& settings, Task& task) {
+  const std::string name = require_field_name(settings.name);
   require_points(reference);
-  const DistanceMap map = distance_map(reference, bounds(reference, task), options, task);
-  const double limit_m = limit_of(options);
+  const DistanceMap map = distance_map(reference, bounds(reference, task), settings, task);
+  const double limit_m = limit_of(settings);
   std::vector<uint64_t> cells;
   for (uint64_t c = 0; c < map.distance_m.size(); ++c)
     if (double{map.distance_m[c]} <= limit_m) cells.push_back(c);

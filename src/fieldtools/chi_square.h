@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "cloud/cloud.h"
 #include "fieldtools/noise_law.h"
@@ -32,6 +34,29 @@ double kolmogorov_threshold(size_t n, uint64_t m, double error_margin);
 /// sup |F_n - F| from the law's F at the n values, in place sorted.
 double kolmogorov_distance(std::span<double> cumulative);
 
+/// A neighbourhood of fewer values is not tested: three classes of three.
+constexpr uint32_t kFewestTested = 9;
+
+/// Of the local filter.
+struct ChiSquareSettings {
+  enum class Method { kChiSquare, kKolmogorov } method = Method::kChiSquare;
+  uint32_t neighbours = 16;
+  double radius_m = 0;  ///< above 0: in place of neighbours
+  double error_margin = 0.001;
+  enum class Classes { kEquiprobable, kRelaxed } classes = Classes::kEquiprobable;
+  enum class Threshold { kTabulated, kEmpirical, kGiven } threshold = Threshold::kTabulated;
+  double cut = 0;  ///< where it is given
+  int passes = 2;
+  uint32_t second_neighbours = 36;
+  double band_low = 0.5, band_high = 3;  ///< of the second pass, in tabulated cuts
+  bool one_sided = true;
+  std::string name{};  ///< of the field of distances; empty: that of the method
+  std::string changed = "changed";
+
+  bool kolmogorov() const { return method == Method::kKolmogorov; }
+  bool relaxed() const { return classes == Classes::kRelaxed; }
+  std::string distance_field() const;
+};
 std::span<const ParamRow> chi_square_rows();
 
 /// What the local filter found.
@@ -44,6 +69,6 @@ struct ChangeFilter {
 };
 /// Local filter (3.2.3); see jalon/field_tools.h. values: one a point.
 ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, const NoiseLaw& law,
-                            const ParamSet& options, Task& task);
+                            const ChiSquareSettings& settings, Task& task);
 
 }  // namespace jalon

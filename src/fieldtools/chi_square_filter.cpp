@@ -16,58 +16,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGrain = 1 << 14;
-constexpr uint32_t kFewestValues = 9;  // three classes of three
 constexpr uint32_t kMostClasses = 32;  // reached at 1 024 values
 constexpr double kLeastExpected = 1e-3;  // floor of n P_i in relaxed classes: no overflow, a wide range for the cut
 constexpr double kShareForSingles = 0.03;  // of the points: a search by itself costs some 30 of a batch
-
-constexpr ParamRow kRows[] = {
-    choice_row("method", "chi_square", "chi_square|kolmogorov", "",
-               "chi_square: counts in classes against the law; kolmogorov: largest difference of the cumulatives"),
-    integer_row("neighbours", 16, kFewestValues, 256, "points", "",
-                "Nearest points with a value that are tested together, the point itself included; not read when "
-                "radius_m is above 0"),
-    number_row("radius_m", 0, 0, 1e6, "m", "",
-               "Radius of the ball to test instead, free of the density; 0 = neighbours"),
-    number_row("error_margin", 0.001, 1e-9, 0.5, "1", "",
-               "Share of neighbourhoods of pure noise that may count as changed"),
-    choice_row("classes", "equiprobable", "equiprobable|relaxed", "chi_square",
-               "equiprobable: all of one probability, distances saturate; relaxed: of one width up to the largest "
-               "value, distances diverge and leave room for the cut"),
-    choice_row("threshold", "tabulated", "tabulated|empirical|given", "",
-               "The cut: of the error margin; the law's distance to its own sample (chi_square); or cut"),
-    number_row("cut", 0, 0, 1e300, "1", "", "The cut where threshold is given"),
-    integer_row("passes", 2, 1, 2, "", "", "2 tests the points near the limit again, with more neighbours"),
-    integer_row("second_neighbours", 36, kFewestValues, 256, "points", "",
-                "Neighbours of the second pass; a radius grows by the root of their ratio"),
-    number_row("band_low", 0.5, 0, 1, "1", "", "The second pass takes points from this many tabulated cuts ..."),
-    number_row("band_high", 3, 1, 1e6, "1", "", "... to this many"),
-    bool_row("one_sided", true, "",
-             "Only where deviations are above those of the law on average: the test alone also finds places that are "
-             "quieter"),
-    string_row("name", "", "", "Name of the field of distances; empty = that of the method"),
-    string_row("changed", "changed", "", "Name of the field of 0 and 1"),
-};
-
-struct Settings {
-  bool kolmogorov, relaxed, one_sided, second_pass;
-  uint32_t neighbours, second_neighbours;
-  double radius_m, error_margin, band_low, band_high;
-};
-
-Settings settings_of(const ParamSet& o) {
-  const auto whole = [&](const char* name) { return static_cast<uint32_t>(o.integer(name)); };
-  return {o.text("method") == "kolmogorov",
-          o.text("classes") == "relaxed",
-          o.flag("one_sided"),
-          o.integer("passes") == 2,
-          whole("neighbours"),
-          whole("second_neighbours"),
-          o.number("radius_m"),
-          o.number("error_margin"),
-          o.number("band_low"),
-          o.number("band_high")};
-}
 
 /// Outcome of one test, in units of the cut of the first pass: distances of tests with other numbers of classes are
 /// brought to it by the ratio of the tabulated cuts.
@@ -84,7 +35,8 @@ struct Scratch {
 /// The test of one neighbourhood against the law.
 class LocalTest {
  public:
-  LocalTest(const NoiseLaw& law, const Settings& settings, const ValuedPoints& valued, Task& task)
+  LocalTest(const NoiseLaw& law, const ChiSquareSettings& settings, const ValuedPoints& valued,
+            Task& task)
       : law_(law), settings_(settings), valued_(valued), deviation_(expected_deviation(law)) {
     for (uint32_t k = 2; k <= kMostClasses; ++k) thresholds_[k] = chi_square_threshold(k, settings.error_margin);
     cumulative_.resize(valued.size());
@@ -94,19 +46,19 @@ class LocalTest {
   }
 
   double tabulated() const {
-    return settings_.kolmogorov ? kolmogorov_cut(settings_.neighbours)
-                                : thresholds_[classes_for(settings_.neighbours, kMostClasses)];
+    return settings_.kolmogorov() ? kolmogorov_cut(settings_.neighbours)
+                                  : thresholds_[classes_for(settings_.neighbours, kMostClasses)];
   }
   double ceiling() const {
-    if (settings_.kolmogorov) return 1;
-    if (settings_.relaxed) return std::numeric_limits<double>::infinity();
+    if (settings_.kolmogorov()) return 1;
+    if (settings_.relaxed()) return std::numeric_limits<double>::infinity();
     return settings_.neighbours * (classes_for(settings_.neighbours, kMostClasses) - 1.0);
   }
 
   Outcome run(std::span<const uint32_t> members, Scratch& scratch) const {
-    if (members.size() < kFewestValues) return {};
+    if (members.size() < kFewestTested) return {};
     Outcome out;
-    if (settings_.kolmogorov) {
+    if (settings_.kolmogorov()) {
       scratch.work.clear();
       for (const uint32_t j : members) scratch.work.push_back(cumulative_[j]);
       out.distance = kolmogorov_distance(scratch.work) * tabulated() / kolmogorov_cut(members.size());
@@ -115,7 +67,7 @@ class LocalTest {
       const uint32_t k = classes_for(members.size(), kMostClasses);
       const double to_first = tabulated() / thresholds_[k];
       out.saturating = equiprobable(members, k) * to_first;
-      out.distance = settings_.relaxed ? relaxed(members, k) * to_first : out.saturating;
+      out.distance = settings_.relaxed() ? relaxed(members, k) * to_first : out.saturating;
     }
     double sum = 0;
     for (const uint32_t j : members) sum += deviation_.of(valued_.values[j]);
@@ -161,21 +113,21 @@ class LocalTest {
   }
 
   const NoiseLaw& law_;
-  const Settings& settings_;
+  const ChiSquareSettings& settings_;
   const ValuedPoints& valued_;
   ExpectedDeviation deviation_;
   std::array<double, kMostClasses + 1> thresholds_{};
   std::vector<double> cumulative_;  ///< F of each value, by sorted position
 };
 
-double cut_of(const ParamSet& options, const NoiseLaw& law, const LocalTest& test) {
-  const std::string& kind = options.text("threshold");
-  if (kind == "tabulated") return test.tabulated();
-  if (kind == "given") {
-    if (!(options.number("cut") > 0)) fail(Status::kInvalidArgument, "threshold is given, but cut is 0");
-    return options.number("cut");
+double cut_of(const ChiSquareSettings& settings, const NoiseLaw& law, const LocalTest& test) {
+  using Threshold = ChiSquareSettings::Threshold;
+  if (settings.threshold == Threshold::kTabulated) return test.tabulated();
+  if (settings.threshold == Threshold::kGiven) {
+    if (!(settings.cut > 0)) fail(Status::kInvalidArgument, "threshold is given, but cut is 0");
+    return settings.cut;
   }
-  if (options.text("method") == "kolmogorov")
+  if (settings.kolmogorov())
     fail(Status::kInvalidArgument, "the empirical threshold is one of method chi_square");
   if (!(law.sample_chi_square > 0))
     fail(Status::kInvalidArgument, "the noise law does not tell its distance to a sample: no empirical threshold");
@@ -185,7 +137,8 @@ double cut_of(const ParamSet& options, const NoiseLaw& law, const LocalTest& tes
 /// The second pass: the points of the band, with more neighbours.
 class SecondPass {
  public:
-  SecondPass(const Cloud& cloud, const ValuedPoints& valued, const Settings& settings, const LocalTest& test)
+  SecondPass(const Cloud& cloud, const ValuedPoints& valued, const ChiSquareSettings& settings,
+             const LocalTest& test)
       : cloud_(cloud), valued_(valued), settings_(settings), test_(test) {}
 
   uint64_t run(std::vector<Outcome>& outcomes, Task& task) const {
@@ -238,7 +191,7 @@ class SecondPass {
 
   const Cloud& cloud_;
   const ValuedPoints& valued_;
-  const Settings& settings_;
+  const ChiSquareSettings& settings_;
   const LocalTest& test_;
 };
 
@@ -256,11 +209,8 @@ void hand_out(const ValuedPoints& valued, const std::vector<Outcome>& outcomes, 
 
 }  // namespace
 
-std::span<const ParamRow> chi_square_rows() { return kRows; }
-
 ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, const NoiseLaw& law,
-                            const ParamSet& options, Task& task) {
-  const Settings settings = settings_of(options);
+                            const ChiSquareSettings& settings, Task& task) {
   ChangeFilter out;
   out.distance.assign(values.size(), kNoValue);
   out.changed.assign(values.size(), 0);
@@ -269,24 +219,24 @@ ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, 
     Span span(task, 0, 0.2, "index");
     valued = valued_points(cloud, values, task);
   }
-  if (valued.size() < kFewestValues)
-    fail(Status::kInsufficientData, "%zu points have a value; the filter needs at least %u", valued.size(),
-         kFewestValues);
+  if (valued.size() < kFewestTested)
+    fail(Status::kInsufficientData, "%zu points have a value; the filter needs at least %u",
+         valued.size(), kFewestTested);
   Span span(task, 0.2, 1, "local test");
   const LocalTest test(law, settings, valued, task);
-  out.threshold = cut_of(options, law, test);
+  out.threshold = cut_of(settings, law, test);
   out.ceiling = test.ceiling();
   // 1. Every neighbourhood.
   std::vector<Outcome> outcomes(valued.size());
   {
-    Span first(task, 0, settings.second_pass ? 0.5 : 0.95);
+    Span first(task, 0, settings.passes == 2 ? 0.5 : 0.95);
     for_each_neighbourhood<Scratch>(*valued.tree, settings.neighbours, settings.radius_m, task,
                                     [&](const Neighbourhood& around, Scratch& scratch) {
                                       outcomes[around.point] = test.run(around.neighbours, scratch);
                                     });
   }
   // 2. Those near the limit again.
-  if (settings.second_pass) {
+  if (settings.passes == 2) {
     Span second(task, 0.5, 0.95);
     out.second_pass = SecondPass(cloud, valued, settings, test).run(outcomes, task);
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,8 +50,14 @@ double arrival_time(std::span<AxisStep> axes);
 std::vector<double> surface_distances(std::span<const double> xyz, const SurfaceCells& cells,
                                       std::span<const uint32_t> seeds, double most_m, Task& task);
 
+struct GeodesicSettings {
+  double cell_m = 0;          ///< 0: from the spacing
+  double max_distance_m = 0;  ///< 0: never
+  std::string name = "geodesic";
+};
 std::span<const ParamRow> geodesic_rows();
 /// The cloud with the field of distances; see jalon/field_tools.h.
-Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds, const ParamSet& options, Task& task);
+Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds,
+                             const GeodesicSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "fieldtools/fast_marching.h"
 #include "fieldtools/field_values.h"
 
@@ -13,13 +14,6 @@ namespace jalon {
 namespace {
 
 constexpr double kCellSpacings = 3;  // cells of a surface then hold some nine points and touch their neighbours
-
-constexpr ParamRow kRows[] = {
-    number_row("cell_m", 0, 0, 1e6, "m", "",
-               "Edge of the grid cells that the front passes through: gaps of two stop it; 0 = 3 mean spacings"),
-    number_row("max_distance_m", 0, 0, 1e9, "m", "", "The front stops here, points beyond have no value; 0 = never"),
-    string_row("name", "geodesic", "", "Name of the field of distances"),
-};
 
 std::vector<uint32_t> checked_seeds(std::span<const uint64_t> seeds, size_t points) {
   if (seeds.empty()) fail(Status::kInsufficientData, "no seeds: the front has nowhere to start");
@@ -35,12 +29,24 @@ std::vector<uint32_t> checked_seeds(std::span<const uint64_t> seeds, size_t poin
 
 }  // namespace
 
-std::span<const ParamRow> geodesic_rows() { return kRows; }
+std::span<const ParamRow> geodesic_rows() {
+  using S = GeodesicSettings;
+  static constexpr auto kRows =
+      setting_rows(number_row<&S::cell_m>("cell_m", 0, 1e6, "m", "",
+                                          "Edge of the grid cells that the front passes through: "
+                                          "gaps of two stop it; 0 = 3 mean spacings"),
+                   number_row<&S::max_distance_m>(
+                       "max_distance_m", 0, 1e9, "m", "",
+                       "The front stops here, points beyond have no value; 0 = never"),
+                   string_row<&S::name>("name", "", "Name of the field of distances"));
+  return kRows;
+}
 
-Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds, const ParamSet& options, Task& task) {
-  const std::string name = require_field_name(options.text("name"));
+Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds,
+                             const GeodesicSettings& settings, Task& task) {
+  const std::string name = require_field_name(settings.name);
   const std::vector<uint32_t> starts = checked_seeds(seeds, cloud.size());
-  double cell_m = options.number("cell_m"), most_m = options.number("max_distance_m");
+  double cell_m = settings.cell_m, most_m = settings.max_distance_m;
   if (most_m == 0) most_m = std::numeric_limits<double>::max();
   // 1. The grid, relative to a corner that moves with the cloud.
   SurfaceCells cells;

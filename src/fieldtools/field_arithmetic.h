@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/params.h"
@@ -10,10 +11,33 @@
 
 namespace jalon {
 
+struct FieldArithmeticSettings {
+  enum class Operation {
+    kAdd,
+    kSubtract,
+    kMultiply,
+    kDivide,
+    kMinimum,
+    kMaximum,
+    kPower,
+    kAbsolute,
+    kNegate,
+    kSqrt,
+    kSquare,
+    kExp,
+    kLog,
+    kLog10,
+    kDot,
+    kNorm
+  } operation = Operation::kAdd;
+  double constant = 0;
+  std::string name = "computed";
+  std::string unit{};
+};
 std::span<const ParamRow> field_arithmetic_rows();
 
 /// The cloud with the field a (operation) b, point by point; b empty: the option "constant". See jalon/field_tools.h.
-Cloud with_computed_field(const Cloud& cloud, std::string_view a, std::string_view b, const ParamSet& options,
-                          Task& task);
+Cloud with_computed_field(const Cloud& cloud, std::string_view a, std::string_view b,
+                          const FieldArithmeticSettings& settings, Task& task);
 
 }  // namespace jalon

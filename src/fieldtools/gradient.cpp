@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
 
 namespace jalon {
@@ -17,17 +18,6 @@ constexpr double kSpacings = 4;         // automatic radius, of the 3 to 5 spaci
 constexpr double kLipschitzSlack = 1e-3;  // distances that went through single precision
 constexpr size_t kFewestForSlopes = 4;  // a plane of the values has three unknowns
 const Vec3 kNoGradient{kNoValue, kNoValue, kNoValue};
-
-constexpr ParamRow kRows[] = {
-    choice_row("method", "corrected", "corrected|thesis|least_squares", "",
-               "thesis: formula 3.9, half the slope on a surface; corrected: twice that; least_squares: slopes over "
-               "the tangent plane, right at borders too"),
-    number_row("radius_m", 0, 0, 1e6, "m", "", "Radius of the ball around each point; 0 = 4 mean spacings"),
-    bool_row("distance_field", true, "",
-             "The field is a distance: pairs of points that differ by more than their own distance are left out"),
-    string_row("name", "gradient", "", "Name of the field of norms"),
-    string_row("vector_name", "", "", "Name of the field of gradients (x 3); empty = none"),
-};
 
 struct NoScratch {};
 
@@ -80,7 +70,23 @@ Vec3 fitted_slope(const ValuedPoints& valued, const Neighbourhood& around, bool 
 
 }  // namespace
 
-std::span<const ParamRow> gradient_rows() { return kRows; }
+std::span<const ParamRow> gradient_rows() {
+  using S = GradientSettings;
+  static constexpr auto kRows = setting_rows(
+      choice_row<&S::method>(
+          "method", "corrected|thesis|least_squares", "",
+          "thesis: formula 3.9, half the slope on a surface; corrected: twice that; least_squares: "
+          "slopes over the tangent plane, right at borders too"),
+      number_row<&S::radius_m>("radius_m", 0, 1e6, "m", "",
+                               "Radius of the ball around each point; 0 = 4 mean spacings"),
+      bool_row<&S::distance_field>("distance_field", "",
+                                   "The field is a distance: pairs of points that differ by more "
+                                   "than their own distance are left out"),
+      string_row<&S::name>("name", "", "Name of the field of norms"),
+      string_row<&S::vector_name>("vector_name", "",
+                                  "Name of the field of gradients (x 3); empty = none"));
+  return kRows;
+}
 
 std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m, GradientMethod method, bool lipschitz,
                                   Task& task) {
@@ -93,21 +99,19 @@ std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m, G
   return out;
 }
 
-Cloud with_gradient(const Cloud& cloud, std::string_view field, const ParamSet& options, Task& task) {
-  const std::string name = require_field_name(options.text("name")), vector_name = options.text("vector_name");
-  const std::string& text = options.text("method");
-  const GradientMethod method = text == "thesis"      ? GradientMethod::kThesis
-                                : text == "corrected" ? GradientMethod::kCorrected
-                                                      : GradientMethod::kLeastSquares;
+Cloud with_gradient(const Cloud& cloud, std::string_view field, const GradientSettings& settings,
+                    Task& task) {
+  const std::string name = require_field_name(settings.name);
+  const std::string& vector_name = settings.vector_name;
   ValuedPoints valued;
   {
     Span span(task, 0, 0.3, "index");
     valued = valued_points(cloud, scalar_values(cloud, field, task), task);
   }
   Span span(task, 0.3, 1, "gradient");
-  const double radius_m = radius_or_spacings(options.number("radius_m"), kSpacings, cloud, valued);
+  const double radius_m = radius_or_spacings(settings.radius_m, kSpacings, cloud, valued);
   const std::vector<Vec3> gradients =
-      field_gradients(valued, radius_m, method, options.flag("distance_field"), task);
+      field_gradients(valued, radius_m, settings.method, settings.distance_field, task);
   std::vector<float> norms(cloud.size(), std::numeric_limits<float>::quiet_NaN());
   std::vector<float> vectors(vector_name.empty() ? 0 : 3 * cloud.size(), std::numeric_limits<float>::quiet_NaN());
   parallel_for(task, valued.size(), kGrain, [&](size_t begin, size_t end) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "cloud/cloud.h"
@@ -10,8 +11,15 @@
 
 namespace jalon {
 
-enum class GradientMethod { kThesis, kCorrected, kLeastSquares };
+enum class GradientMethod { kCorrected, kThesis, kLeastSquares };
 
+struct GradientSettings {
+  GradientMethod method = GradientMethod::kCorrected;
+  double radius_m = 0;         ///< 0: from the spacing
+  bool distance_field = true;  ///< slopes above 1 are left out
+  std::string name = "gradient";
+  std::string vector_name{};  ///< empty: none
+};
 std::span<const ParamRow> gradient_rows();
 
 /// Gradients along the surface of values known at points (Girardeau-Montaut 2006, 3.3.2), by sorted position; NaN
@@ -24,6 +32,7 @@ std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m, G
                                   Task& task);
 
 /// The cloud with the field of the gradient's norm and, when asked, of the gradient itself; see jalon/field_tools.h.
-Cloud with_gradient(const Cloud& cloud, std::string_view field, const ParamSet& options, Task& task);
+Cloud with_gradient(const Cloud& cloud, std::string_view field, const GradientSettings& settings,
+                    Task& task);
 
 }  // namespace jalon

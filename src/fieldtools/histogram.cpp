@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "fieldtools/chi_square.h"
 #include "fieldtools/field_values.h"
@@ -16,16 +17,6 @@ namespace {
 
 constexpr size_t kMostAutomaticBins = 256;
 
-constexpr ParamRow kRows[] = {
-    integer_row("bins", 0, 0, 1 << 20, "", "", "Number of bins; 0 = the root of the number of values, 1 to 256"),
-    number_row("minimum", 0, -1e300, 1e300, "", "",
-               "Lower end of the first bin; minimum and maximum equal = from the least to the largest value"),
-    number_row("maximum", 0, -1e300, 1e300, "", "", "Upper end of the last bin"),
-    integer_row("classes", 0, 0, 1000, "", "",
-                "Equally probable classes of the chi-square distance to the noise law; 0 = the root of the "
-                "number of values"),
-};
-
 /// The value that this share of the ascending values does not exceed: between neighbours by a straight line.
 double quantile_of(const std::vector<double>& sorted, double p) {
   const double at = p * static_cast<double>(sorted.size() - 1);
@@ -34,9 +25,9 @@ double quantile_of(const std::vector<double>& sorted, double p) {
   return sorted[i] + (at - static_cast<double>(i)) * (sorted[next] - sorted[i]);
 }
 
-void set_range(const ParamSet& options, Histogram& h) {
-  h.from = options.number("minimum");
-  h.to = options.number("maximum");
+void set_range(const HistogramSettings& settings, Histogram& h) {
+  h.from = settings.minimum;
+  h.to = settings.maximum;
   if (h.to < h.from) fail(Status::kInvalidArgument, "maximum is below minimum");
   if (h.from < h.to) return;
   h.from = h.minimum;
@@ -50,9 +41,23 @@ void set_range(const ParamSet& options, Histogram& h) {
 
 }  // namespace
 
-std::span<const ParamRow> histogram_rows() { return kRows; }
+std::span<const ParamRow> histogram_rows() {
+  using S = HistogramSettings;
+  static constexpr auto kRows = setting_rows(
+      integer_row<&S::bins>("bins", 0, 1 << 20, "", "",
+                            "Number of bins; 0 = the root of the number of values, 1 to 256"),
+      number_row<&S::minimum>("minimum", -1e300, 1e300, "", "",
+                              "Lower end of the first bin; minimum and maximum equal = from the "
+                              "least to the largest value"),
+      number_row<&S::maximum>("maximum", -1e300, 1e300, "", "", "Upper end of the last bin"),
+      integer_row<&S::classes>("classes", 0, 1000, "", "",
+                               "Equally probable classes of the chi-square distance to the noise "
+                               "law; 0 = the root of the number of values"));
+  return kRows;
+}
 
-Histogram field_histogram(std::span<const double> values, const NoiseLaw* law, const ParamSet& options, Task& task) {
+Histogram field_histogram(std::span<const double> values, const NoiseLaw* law,
+                          const HistogramSettings& settings, Task& task) {
   const std::vector<double> sorted = sorted_values(finite_values(values), task);
   if (sorted.empty()) fail(Status::kInsufficientData, "the field has no finite value");
   Histogram h;
@@ -68,10 +73,10 @@ Histogram field_histogram(std::span<const double> values, const NoiseLaw* law, c
   h.p90 = quantile_of(sorted, 0.9);
   h.p95 = quantile_of(sorted, 0.95);
   h.p99 = quantile_of(sorted, 0.99);
-  set_range(options, h);
-  const auto asked = static_cast<size_t>(options.integer("bins"));
+  set_range(settings, h);
   const auto root = static_cast<size_t>(std::sqrt(static_cast<double>(sorted.size())));
-  h.counts.resize(asked > 0 ? asked : std::clamp<size_t>(root, 1, kMostAutomaticBins));
+  h.counts.resize(settings.bins > 0 ? settings.bins
+                                    : std::clamp<size_t>(root, 1, kMostAutomaticBins));
   const double width = h.width();
   for (const double v : sorted) {
     if (v < h.from) {
@@ -89,8 +94,7 @@ Histogram field_histogram(std::span<const double> values, const NoiseLaw* law, c
     h.expected.push_back((after - before) * static_cast<double>(h.values));
     before = after;
   }
-  const ChiSquareDistance d =
-      chi_square_distance(sorted, *law, static_cast<uint32_t>(options.integer("classes")), task);
+  const ChiSquareDistance d = chi_square_distance(sorted, *law, settings.classes, task);
   h.chi_square = d.distance;
   h.degrees_of_freedom = d.classes - 1;
   h.p_value = d.p_value;

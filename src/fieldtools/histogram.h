@@ -23,9 +23,15 @@ struct Histogram {
   double width() const { return (to - from) / static_cast<double>(counts.size()); }
 };
 
+struct HistogramSettings {
+  uint64_t bins = 0;                ///< 0: the root of the number of values
+  double minimum = 0, maximum = 0;  ///< equal: from the least to the largest value
+  uint32_t classes = 0;  ///< of the chi-square distance; 0: the root of the number of values
+};
 std::span<const ParamRow> histogram_rows();
 /// law may be null. kInsufficientData when there is no finite value.
-Histogram field_histogram(std::span<const double> values, const NoiseLaw* law, const ParamSet& options, Task& task);
+Histogram field_histogram(std::span<const double> values, const NoiseLaw* law,
+                          const HistogramSettings& settings, Task& task);
 /// Bins "from", "to", "count" and, with a law, "expected".
 FieldTable histogram_bins(const Histogram& histogram, const char* unit);
 /// One row: the rest of it.

@@ -15,7 +15,7 @@
 namespace jalon {
 
 /// How deviations scatter where nothing has changed (Girardeau-Montaut 2006, 3.2.3).
-enum class LawKind : uint8_t { kGauss, kWeibull, kEmpirical };
+enum class LawKind : uint8_t { kGauss, kWeibull, kEmpirical };  // numbers of noise_law_table
 
 struct NoiseLaw {
   LawKind kind = LawKind::kGauss;
@@ -49,10 +49,16 @@ std::string to_json(const NoiseLaw& law);
 /// kInvalidArgument tells what is wrong.
 NoiseLaw noise_law_from_json(std::string_view json);
 
+struct NoiseLawSettings {
+  enum class Law { kWeibull, kGauss, kEmpirical } law = Law::kWeibull;
+  bool shift = false;    ///< of the Weibull law, estimated too
+  uint32_t classes = 0;  ///< of the chi-square distance; 0: the root of the number of values
+};
 std::span<const ParamRow> noise_law_rows();
 /// Maximum likelihood over the finite values; see jalon/field_tools.h. kInsufficientData for fewer than 9 values,
 /// kDegenerate for values that do not scatter.
-NoiseLaw fit_noise_law(std::span<const double> values, const ParamSet& options, Task& task);
+NoiseLaw fit_noise_law(std::span<const double> values, const NoiseLawSettings& settings,
+                       Task& task);
 /// One row: what is known of the law.
 FieldTable noise_law_table(const NoiseLaw& law);
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "fieldtools/chi_square.h"
 #include "fieldtools/field_values.h"
 #include "fieldtools/noise_law.h"
@@ -19,15 +20,6 @@ constexpr size_t kFewestValues = 9;       // three classes of three (Saporta 199
 constexpr size_t kMostQuantiles = 4096;   // of an empirical law: steps far below what a neighbourhood can tell
 constexpr size_t kMostForShift = 1 << 14; // order statistics that the shift is sought with
 constexpr double kLeastShape = 0.05, kMostShape = 50;
-
-constexpr ParamRow kRows[] = {
-    choice_row("law", "weibull", "weibull|gauss|empirical", "",
-               "weibull: for distances without sign; gauss: for signed ones; empirical: the sample itself"),
-    bool_row("shift", false, "", "Also estimate the shift x0 of the Weibull law; else it is 0"),
-    integer_row("classes", 0, 0, 1000, "", "",
-                "Equally probable classes of the chi-square distance between law and sample; 0 = the root of the "
-                "number of values"),
-};
 
 struct WeibullSums {
   double w = 0, wl = 0, wll = 0;  ///< sums of y^a, y^a ln y, y^a (ln y)^2
@@ -132,7 +124,20 @@ std::vector<double> thinned(std::span<const double> sorted, size_t most) {
 
 }  // namespace
 
-std::span<const ParamRow> noise_law_rows() { return kRows; }
+std::span<const ParamRow> noise_law_rows() {
+  using S = NoiseLawSettings;
+  static constexpr auto kRows =
+      setting_rows(choice_row<&S::law>("law", "weibull|gauss|empirical", "",
+                                       "weibull: for distances without sign; gauss: for signed "
+                                       "ones; empirical: the sample itself"),
+                   bool_row<&S::shift>(
+                       "shift", "", "Also estimate the shift x0 of the Weibull law; else it is 0"),
+                   integer_row<&S::classes>("classes", 0, 1000, "", "",
+                                            "Equally probable classes of the chi-square distance "
+                                            "between law and sample; 0 = the root of the "
+                                            "number of values"));
+  return kRows;
+}
 
 NoiseLaw fit_gauss(std::span<const double> values, Task& task) {
   const MeanAndVariance m = mean_and_variance(values, task);
@@ -202,28 +207,29 @@ NoiseLaw empirical_law(std::span<const double> sorted) {
   return law;
 }
 
-NoiseLaw fit_noise_law(std::span<const double> values, const ParamSet& options, Task& task) {
+NoiseLaw fit_noise_law(std::span<const double> values, const NoiseLawSettings& settings,
+                       Task& task) {
   const std::vector<double> known = finite_values(values);
   if (known.size() < kFewestValues)
     fail(Status::kInsufficientData, "%zu values; a noise law needs at least %zu", known.size(), kFewestValues);
-  const std::string& kind = options.text("law");
+  using Law = NoiseLawSettings::Law;
   NoiseLaw law;
   {
     Span span(task, 0, 0.9, "fitting a noise law");
-    if (kind == "gauss") {
+    if (settings.law == Law::kGauss) {
       law = fit_gauss(known, task);
     } else {
-      const bool shifted = kind == "weibull" && options.flag("shift");
+      const bool empirical = settings.law == Law::kEmpirical;
+      const bool shifted = !empirical && settings.shift;
       const std::vector<double> sorted =
-          shifted || kind == "empirical" ? sorted_values(known, task) : std::vector<double>();
-      law = kind == "empirical" ? empirical_law(sorted)
-                                : fit_weibull(known, shifted ? most_likely_shift(sorted, task) : 0, task);
+          shifted || empirical ? sorted_values(known, task) : std::vector<double>();
+      law = empirical ? empirical_law(sorted)
+                      : fit_weibull(known, shifted ? most_likely_shift(sorted, task) : 0, task);
     }
   }
   Span span(task, 0.9, 1);
   law.samples = known.size();
-  const ChiSquareDistance own =
-      chi_square_distance(known, law, static_cast<uint32_t>(options.integer("classes")), task);
+  const ChiSquareDistance own = chi_square_distance(known, law, settings.classes, task);
   law.sample_chi_square = own.distance;
   law.sample_classes = own.classes;
   return law;

@@ -36,7 +36,7 @@ double Propagation::local_time(uint32_t cell) const {
   for (const uint32_t q : cells_.neighbours(cell)) {
     if (!accepted_[q]) continue;
     const double slow = slowness(q, cell);
-    if (!settings_.whole_front && slow > settings_.jump) continue;
+    if (!whole_front() && slow > settings_.jump) continue;
     int apart = 0;
     size_t axis = 0;
     for (size_t c = 0; c < 3; ++c)
@@ -71,7 +71,7 @@ FrontRegion Propagation::spread(uint32_t seed_cell, Task& task) {
   while (!queue.empty()) {
     const FrontQueue::Entry next = queue.pop();
     if (accepted_[next.node] || next.time > time_[next.node]) continue;
-    if (settings_.whole_front && next.time - last > settings_.jump * cells_.cell_m) {
+    if (whole_front() && next.time - last > settings_.jump * cells_.cell_m) {
       region.next_time_m = next.time;
       break;
     }

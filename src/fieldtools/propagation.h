@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/params.h"
@@ -14,9 +15,15 @@ namespace jalon {
 
 /// How a front spreads over cells whose deviations and gradients are known (Girardeau-Montaut 2006, 3.3.2).
 struct PropagationSettings {
-  double alpha = 50;         ///< F = exp(alpha (g_j - g_i)) from cell i to cell j (3.11)
-  double jump = 100;         ///< of arrival time, in steps of one cell at speed 1
-  bool whole_front = true;   ///< stop at the first jump; else only the step that would take so long is barred
+  double cell_m = 0;  ///< 0: from the spacing
+  double alpha = 50;  ///< F = exp(alpha (g_j - g_i)) from cell i to cell j (3.11)
+  /// Stop at the first jump, or bar only the step that would take so long.
+  enum class Scope { kFront, kStep } scope = Scope::kFront;
+  double jump = 100;        ///< of arrival time, in steps of one cell at speed 1
+  double minimum_seed = 0;  ///< 0: the cut of two means of the deviations
+  uint64_t min_points = 10;
+  std::string name = "region";
+  std::string arrival_name{};  ///< empty: none
 };
 
 /// One cell taken by a front.
@@ -41,6 +48,7 @@ class Propagation {
   FrontRegion spread(uint32_t seed_cell, Task& task);
 
  private:
+  bool whole_front() const { return settings_.scope == PropagationSettings::Scope::kFront; }
   double slowness(uint32_t from, uint32_t to) const;
   double local_time(uint32_t cell) const;
 
@@ -61,6 +69,7 @@ struct PropagationResult {
 };
 /// Segmentation by gradient-constrained propagation; see jalon/field_tools.h.
 PropagationResult segment_by_propagation(const Cloud& cloud, std::span<const double> deviations,
-                                         std::span<const double> gradients, const ParamSet& options, Task& task);
+                                         std::span<const double> gradients,
+                                         const PropagationSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "fieldtools/field_values.h"
 #include "fieldtools/propagation.h"
@@ -18,22 +19,6 @@ namespace {
 
 constexpr double kCellSpacings = 3;  // some nine points a cell: means of gradients, and cells that touch
 constexpr size_t kGrain = 1 << 12;
-
-constexpr ParamRow kRows[] = {
-    number_row("cell_m", 0, 0, 1e6, "m", "", "Edge of the grid cells that fronts pass through; 0 = 3 mean spacings"),
-    number_row("alpha", 50, 0, 1e4, "1", "",
-               "Speed from cell i to cell j is exp(alpha (g_j - g_i)), g = gradient: up the gradient fast, down slow"),
-    choice_row("scope", "front", "front|step", "",
-               "front: a front ends where its next arrival takes too long; step: only the step from cell to cell that "
-               "would take too long is barred"),
-    number_row("jump", 100, 0, 1e300, "1", "",
-               "What takes too long, in steps of one cell at speed 1; small values are strict: pieces, no leaks"),
-    number_row("minimum_seed", 0, 0, 1e300, "", "",
-               "Deviations below it start no front; 0 = the cut of two means of the deviations"),
-    integer_row("min_points", 10, 1, 1e15, "points", "", "Regions of fewer points get the number 0"),
-    string_row("name", "region", "", "Name of the field of region numbers"),
-    string_row("arrival_name", "", "", "Name of a field of arrival times; empty = none"),
-};
 
 /// The points that have both values.
 struct Nodes {
@@ -133,31 +118,53 @@ FieldTable region_table(const std::vector<const Found*>& rows, const Nodes& node
 
 }  // namespace
 
-std::span<const ParamRow> propagation_rows() { return kRows; }
+std::span<const ParamRow> propagation_rows() {
+  using S = PropagationSettings;
+  static constexpr auto kRows = setting_rows(
+      number_row<&S::cell_m>(
+          "cell_m", 0, 1e6, "m", "",
+          "Edge of the grid cells that fronts pass through; 0 = 3 mean spacings"),
+      number_row<&S::alpha>("alpha", 0, 1e4, "1", "",
+                            "Speed from cell i to cell j is exp(alpha (g_j - g_i)), g = gradient: "
+                            "up the gradient fast, down slow"),
+      choice_row<&S::scope>("scope", "front|step", "",
+                            "front: a front ends where its next arrival takes too long; step: only "
+                            "the step from cell to cell that would take too long is barred"),
+      number_row<&S::jump>("jump", 0, 1e300, "1", "",
+                           "What takes too long, in steps of one cell at speed 1; small values are "
+                           "strict: pieces, no leaks"),
+      number_row<&S::minimum_seed>(
+          "minimum_seed", 0, 1e300, "", "",
+          "Deviations below it start no front; 0 = the cut of two means of the deviations"),
+      integer_row<&S::min_points>("min_points", 1, 1e15, "points", "",
+                                  "Regions of fewer points get the number 0"),
+      string_row<&S::name>("name", "", "Name of the field of region numbers"),
+      string_row<&S::arrival_name>("arrival_name", "",
+                                   "Name of a field of arrival times; empty = none"));
+  return kRows;
+}
 
 PropagationResult segment_by_propagation(const Cloud& cloud, std::span<const double> deviations,
-                                         std::span<const double> gradients, const ParamSet& options, Task& task) {
+                                         std::span<const double> gradients,
+                                         const PropagationSettings& settings, Task& task) {
   PropagationResult out;
   Nodes nodes;
   {
     Span span(task, 0, 0.4, "cells");
-    nodes = nodes_of(cloud, deviations, gradients, options.number("cell_m"), task);
-    out.minimum_seed = options.number("minimum_seed");
+    nodes = nodes_of(cloud, deviations, gradients, settings.cell_m, task);
+    out.minimum_seed = settings.minimum_seed;
     if (out.minimum_seed == 0) out.minimum_seed = two_means(sorted_values(nodes.deviations, task)).cut;
   }
   Span span(task, 0.4, 1, "propagation");
-  const PropagationSettings settings{options.number("alpha"), options.number("jump"),
-                                     options.text("scope") == "front"};
   const std::vector<Found> found = all_fronts(nodes, settings, out.minimum_seed, task);
   std::vector<uint64_t> sizes;
   for (const Found& f : found) sizes.push_back(f.points);
   const std::vector<uint32_t> ranks = ranks_by_size(sizes);
-  const auto least = static_cast<uint64_t>(options.integer("min_points"));
   out.labels.assign(cloud.size(), 0);
   out.arrival_m.assign(cloud.size(), kNoValue);
   std::vector<const Found*> rows;
   for (size_t f = 0; f < found.size(); ++f) {
-    if (found[f].points < least) continue;
+    if (found[f].points < settings.min_points) continue;
     if (rows.size() < ranks[f]) rows.resize(ranks[f]);
     rows[ranks[f] - 1] = &found[f];
     for (const Arrival& a : found[f].front.arrivals)

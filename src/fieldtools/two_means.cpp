@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/setting_rows.h"
 #include "fieldtools/field_values.h"
 
 namespace jalon {
@@ -14,18 +15,21 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr ParamRow kRows[] = {
-    choice_row("method", "two_means", "two_means|thresholds", "",
-               "two_means: the cut that parts the values best into two groups; thresholds: at low and high"),
-    number_row("low", 0, -1e300, 1e300, "", "thresholds", "Values above it are in group 1 at least"),
-    number_row("high", 1e300, -1e300, 1e300, "", "thresholds",
-               "Values above it are in group 2; the default gives two groups"),
-    string_row("name", "class", "", "Name of the field of group numbers"),
-};
-
 }  // namespace
 
-std::span<const ParamRow> classes_rows() { return kRows; }
+std::span<const ParamRow> classes_rows() {
+  using S = ClassesSettings;
+  static constexpr auto kRows = setting_rows(
+      choice_row<&S::method>("method", "two_means|thresholds", "",
+                             "two_means: the cut that parts the values best into two groups; "
+                             "thresholds: at low and high"),
+      number_row<&S::low>("low", -1e300, 1e300, "", "thresholds",
+                          "Values above it are in group 1 at least"),
+      number_row<&S::high>("high", -1e300, 1e300, "", "thresholds",
+                           "Values above it are in group 2; the default gives two groups"),
+      string_row<&S::name>("name", "", "Name of the field of group numbers"));
+  return kRows;
+}
 
 TwoMeans two_means(std::span<const double> sorted) {
   const size_t n = sorted.size();
@@ -50,14 +54,15 @@ TwoMeans two_means(std::span<const double> sorted) {
   return out;
 }
 
-FieldClasses classify_values(std::span<const double> values, const ParamSet& options, Task& task) {
+FieldClasses classify_values(std::span<const double> values, const ClassesSettings& settings,
+                             Task& task) {
   FieldClasses out;
-  if (options.text("method") == "two_means") {
+  if (settings.method == ClassesSettings::Method::kTwoMeans) {
     out.low_cut = two_means(sorted_values(finite_values(values), task)).cut;
     out.high_cut = kInfinity;
   } else {
-    out.low_cut = options.number("low");
-    out.high_cut = options.number("high");
+    out.low_cut = settings.low;
+    out.high_cut = settings.high;
     if (out.high_cut < out.low_cut) fail(Status::kInvalidArgument, "high is below low");
   }
   out.group.resize(values.size(), kNoGroup);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "base/params.h"
 #include "cloud/cloud.h"
@@ -18,6 +20,11 @@ struct TwoMeans {
 /// kInsufficientData below two.
 TwoMeans two_means(std::span<const double> sorted);
 
+struct ClassesSettings {
+  enum class Method { kTwoMeans, kThresholds } method = Method::kTwoMeans;
+  double low = 0, high = 1e300;
+  std::string name = "class";
+};
 std::span<const ParamRow> classes_rows();
 
 /// Groups 0, 1, 2 by up to two cuts; 255 = no value.
@@ -29,6 +36,7 @@ struct FieldClasses {
   uint64_t missing = 0;
 };
 constexpr uint8_t kNoGroup = 255;
-FieldClasses classify_values(std::span<const double> values, const ParamSet& options, Task& task);
+FieldClasses classify_values(std::span<const double> values, const ClassesSettings& settings,
+                             Task& task);
 
 }  // namespace jalon

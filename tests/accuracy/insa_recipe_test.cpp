@@ -64,7 +64,7 @@ struct Insa {
  private:
   CloudPtr clean(Task& task) {
     const Cloud& cloud = *recipe.cloud;
-    const auto mask = points_of_interest(cloud, ParamSet("interest", interest_rows()), task);
+    const auto mask = points_of_interest(cloud, InterestSettings{}, task);
     const auto planes = cloud.fields.require("segment").values<uint32_t>();
     double kept[2] = {0, 0}, all[2] = {0, 0};
     for (size_t i = 0; i < mask.size(); ++i) {

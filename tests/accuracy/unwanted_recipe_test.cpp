@@ -43,7 +43,7 @@ TEST_CASE("S3_unwanted__99_percent_of_the_facade_stay_and_95_of_what_stands_befo
         R"({"name": "unwanted", "rotation_rad": 0.6458, "shift_m": [652000, 6861000, 140], "seed": )";
     const Recipe recipe((scene + std::to_string(seed) + "}").c_str(), "static", kScanner, seed);
     const std::vector<uint8_t> truth = wanted(recipe);
-    const auto mask = points_of_interest(*recipe.cloud, ParamSet("interest", interest_rows()), task);
+    const auto mask = points_of_interest(*recipe.cloud, InterestSettings{}, task);
     double counts[2][2] = {};  // [wanted][kept]
     for (size_t i = 0; i < mask.size(); ++i) counts[truth[i]][mask[i]] += 1;
     const double recall = counts[1][1] / (counts[1][0] + counts[1][1]);

@@ -80,11 +80,8 @@ const CloudPtr& source_cloud(M3c2Settings::Source source, const CloudPtr& refere
 
 CloudPtr core_points(const CloudPtr& cloud, double spacing_m, Task& task) {
   if (spacing_m == 0) return cloud;
-  ParamSet options("subsample", subsample_rows());
-  options.set_text("method", "voxel");
-  options.set_text("keep", "nearest");
-  options.set_number("cell_m", spacing_m);
-  return std::make_shared<const Cloud>(subsampled(*cloud, options, task));
+  const SubsampleSettings thinning{.cell_m = spacing_m, .keep = Keep::kNearest};
+  return std::make_shared<const Cloud>(subsampled(*cloud, thinning, task));
 }
 
 FieldTable summary_of(const CoreColumns& columns, size_t n, Task& task) {

@@ -45,18 +45,17 @@ Fitted fit(const Comparison& comparison, const DeviationScale& scale, double thr
   std::vector<double> quiet;
   for (const double d : values)
     if (!(threshold_m > 0) || std::abs(d) <= threshold_m) quiet.push_back(d);
-  ParamSet law_options("noise_law", noise_law_rows());
-  law_options.set_text("law", scale.is_signed ? "gauss" : "weibull");
+  using Law = NoiseLawSettings::Law;
+  const Law kind = scale.is_signed ? Law::kGauss : Law::kWeibull;
   try {
-    out.law = fit_noise_law(quiet, law_options, task);
+    out.law = fit_noise_law(quiet, {.law = kind}, task);
   } catch (const Error& error) {  // too few values, or all the same: a histogram without a curve
     if (error.status() != Status::kInsufficientData && error.status() != Status::kDegenerate) throw;
   }
-  ParamSet options("histogram", histogram_rows());
-  options.set_integer("bins", bins);
-  options.set_number("minimum", scale.lowest_m());
-  options.set_number("maximum", scale.limit_m);
-  if (!values.empty()) out.histogram = field_histogram(values, out.law ? &*out.law : nullptr, options, task);
+  const HistogramSettings bounds{
+      .bins = static_cast<uint64_t>(bins), .minimum = scale.lowest_m(), .maximum = scale.limit_m};
+  if (!values.empty())
+    out.histogram = field_histogram(values, out.law ? &*out.law : nullptr, bounds, task);
   return out;
 }
 

@@ -19,7 +19,7 @@ std::vector<PropagatedPlane> scanner_planes(const Segmentation& segmentation, co
   if (notes.scanner_json.empty()) return {};
   ParamSet params("precision", precision_rows());
   params.from_json(notes.scanner_json);
-  return propagate_planes(segmentation, scanner_precision(params), task);
+  return propagate_planes(segmentation, settings_from<ScannerPrecision>(params), task);
 }
 
 }  // namespace jalon

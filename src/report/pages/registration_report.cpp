@@ -62,11 +62,10 @@ void add_histogram(Page& page, const char* title, const std::vector<double>& sor
     page.note("No point of the moving cloud has a distance.");
   } else {
     constexpr double kShown = 0.98;  // of the points; the far ones would press the others into one bin
-    ParamSet options("histogram", histogram_rows());
-    options.set_integer("bins", bins);
-    options.set_number("minimum", 0);
-    options.set_number("maximum", round_up_125(std::max(share_below(sorted, kShown), 1e-6)));
-    page.html().raw(distance_chart(field_histogram(sorted, nullptr, options, task), nullptr, {}));
+    const HistogramSettings bounds{
+        .bins = static_cast<uint64_t>(bins),
+        .maximum = round_up_125(std::max(share_below(sorted, kShown), 1e-6))};
+    page.html().raw(distance_chart(field_histogram(sorted, nullptr, bounds, task), nullptr, {}));
     double squares = 0;
     for (const double d : sorted) squares += d * d;
     page.note("median " + text_of(1000 * share_below(sorted, 0.5), 2) + " mm, 95 % below " +

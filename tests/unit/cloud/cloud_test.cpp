@@ -189,17 +189,17 @@ TEST_CASE("index__get_on_another_cube__replaces_the_tree") {
 TEST_CASE("empty_cloud__every_operation_gives_its_documented_answer") {
   Task task;
   const Cloud empty;
-  CHECK(with_normals(empty, options("normals", normals_rows()), task).fields.size() == 1);
-  CHECK(with_features(empty, options("features", features_rows()), task).fields.require("density").count() == 0);
+  CHECK(with_normals(empty, NormalsSettings{}, task).fields.size() == 1);
+  CHECK(with_features(empty, FeaturesSettings{}, task).fields.require("density").count() == 0);
   uint64_t count = 9;
-  with_components(empty, options("components", components_rows()), task, count);
+  with_components(empty, ComponentsSettings{}, task, count);
   CHECK(count == 0);
   CHECK(without_duplicates(empty, 1e-4, task).size() == 0);
-  CHECK(without_outliers(empty, options("outliers", outliers_rows()), task).size() == 0);
-  CHECK(subsampled(empty, options("subsample", subsample_rows()), task).size() == 0);
+  CHECK(without_outliers(empty, OutliersSettings{}, task).size() == 0);
+  CHECK(subsampled(empty, SubsampleSettings{}, task).size() == 0);
   CHECK(append(empty, empty, task).size() == 0);
   CHECK(transformed(empty, Transform(), task).size() == 0);
-  CHECK(status_of([&] { points_of_interest(empty, options("interest", interest_rows()), task); }) ==
+  CHECK(status_of([&] { points_of_interest(empty, InterestSettings{}, task); }) ==
         Status::kInsufficientData);
 }
 

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -64,6 +66,15 @@ inline std::vector<Vec3> sphere(size_t n, double radius = 1) {
 }
 
 inline ParamSet options(const char* name, std::span<const ParamRow> rows) { return {name, rows}; }
+
+/// Settings with these choices, by the names that a user gives them.
+template <class S>
+S settings_by(std::span<const ParamRow> rows,
+              std::initializer_list<std::pair<const char*, const char*>> choices) {
+  ParamSet set("settings of a test", rows);
+  for (const auto& [name, choice] : choices) set.set_text(name, choice);
+  return settings_from<S>(set);
+}
 
 inline bool same_bits(const Cloud& a, const Cloud& b) {
   if (a.size() != b.size() || a.fields.size() != b.fields.size()) return false;

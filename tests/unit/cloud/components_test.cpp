@@ -91,7 +91,7 @@ TEST_CASE("components__a_million_points_of_a_street__figures") {
       points.push_back({u, v, 0.003 * random.normal()});
   }
   Cloud cloud = cloud_of(points);
-  ParamSet set = options("components", components_rows());
+  ComponentsSettings set;
   uint64_t count = 0;
   double best = 1e9;
   for (int run = 0; run < 3; ++run) {
@@ -115,34 +115,34 @@ TEST_CASE("components__of_the_points_with_a_value__the_others_0_and_no_bridge") 
   }
   Cloud cloud = cloud_of(points);
   cloud.fields.set(make_column<uint8_t>({"changed", ElementType::kUint8, 1, "", ""}, changed));
-  ParamSet set = options("components", components_rows());
-  set.set_number("cell_m", 1);
+  ComponentsSettings set;
+  set.cell_m = 1;
   Task task;
   uint64_t count = 0;
   CHECK(with_components(cloud, set, task, count).size() == 60);
   CHECK(count == 1);
-  set.set_text("field", "changed");
+  set.field = "changed";
   const Cloud out = with_components(cloud, set, task, count);
   CHECK(count == 2);
   const auto labels = out.fields.require("component").values<uint32_t>();
   CHECK(labels[0] == 1);
   CHECK(labels[30] == 0);
   CHECK(labels[59] == 2);
-  set.set_number("value", 7);
+  set.value = 7;
   CHECK(with_components(cloud, set, task, count).size() == 60);
   CHECK(count == 0);
-  set.set_text("field", "no such");
+  set.field = "no such";
   CHECK(status_of([&] { with_components(cloud, set, task, count); }) == Status::kNotFound);
 }
 
 TEST_CASE("components__by_level_threads_and_shift__the_same_labels") {
   const auto points = random_points(50000, 20, 9);
-  ParamSet set = options("components", components_rows());
+  ComponentsSettings set;
   Task one(threads(1)), seven(threads(7));
   uint64_t a = 0, b = 0, c = 0;
-  for (const int64_t level : {-1, 5, 7}) {
-    set.set_integer("level", level);
-    set.set_number("cell_m", 0.4);
+  for (const int level : {-1, 5, 7}) {
+    set.level = level;
+    set.cell_m = 0.4;
     const Cloud near = with_components(cloud_of(points), set, one, a);
     CHECK(same_bits(near, with_components(cloud_of(points), set, seven, b)));
     CHECK(same_fields(near, with_components(cloud_of(shifted(points, kFar)), set, one, c)));

@@ -12,11 +12,12 @@ namespace {
 
 using namespace test;
 
-Cloud features(const std::vector<Vec3>& points, const char* which, double radius_m = 0, int64_t k = 16) {
-  ParamSet set = options("features", features_rows());
-  set.set_text("which", which);
-  set.set_number("radius_m", radius_m);
-  set.set_integer("k", k);
+Cloud features(const std::vector<Vec3>& points, const char* which, double radius_m = 0,
+               uint32_t k = 16) {
+  FeaturesSettings set;
+  set.which = which;
+  set.radius_m = radius_m;
+  set.k = k;
   Task task;
   return with_features(cloud_of(points), set, task);
 }
@@ -98,11 +99,11 @@ TEST_CASE("features__unknown_or_no_name__is_refused_and_degenerate_points_give_n
 
 TEST_CASE("features__threads_and_shift__the_same_bits") {
   const auto points = random_points(20000, 4, 35);
-  ParamSet set = options("features", features_rows());
-  set.set_text("which", "all");
+  FeaturesSettings set;
+  set.which = "all";
   Task one(threads(1)), seven(threads(7));
   for (const double radius : {0.0, 0.2}) {
-    set.set_number("radius_m", radius);
+    set.radius_m = radius;
     const Cloud near = with_features(cloud_of(points), set, one);
     CHECK(same_bits(near, with_features(cloud_of(points), set, seven)));
     CHECK(same_fields(near, with_features(cloud_of(shifted(points, kFar)), set, one)));

@@ -79,8 +79,8 @@ TEST_CASE("interest__facade_with_trees_cars_and_ghosts__recall_99_and_95_percent
   scene.ghosts();
   Task task;
   for (const int64_t seed : {1, 2, 3}) {
-    ParamSet set = options("interest", interest_rows());
-    set.set_integer("seed", seed);
+    InterestSettings set;
+    set.seed = seed;
     const auto mask = points_of_interest(scene.cloud(), set, task);
     const double recall = share_kept(scene, mask, kFacade), removed = 1 - share_kept(scene, mask, kUnwanted);
     MESSAGE("seed ", seed, ": recall ", recall, ", unwanted removed ", removed);
@@ -95,10 +95,10 @@ TEST_CASE("interest__ground__goes_on_demand") {
   scene.obstacles();
   scene.ground();
   Task task;
-  ParamSet set = options("interest", interest_rows());
+  InterestSettings set;
   const auto with = points_of_interest(scene.cloud(), set, task);
   CHECK(share_kept(scene, with, kGround) > 0.1);
-  set.set_bool("remove_ground", true);
+  set.remove_ground = true;
   const auto without = points_of_interest(scene.cloud(), set, task);
   CHECK(share_kept(scene, without, kGround) < 0.05);
   CHECK(share_kept(scene, without, kFacade) >= 0.99);
@@ -112,8 +112,8 @@ TEST_CASE("interest__the_side_of_the_scanner__comes_from_viewpoint_or_station") 
   const double c = std::cos(0.6458), s = std::sin(0.6458);
   const Vec3 stand = Vec3{c * 15 + s * 20, s * 15 - c * 20, 1.7} + kFar;
   Task task;
-  ParamSet set = options("interest", interest_rows());
-  set.set_numbers("viewpoint", std::vector<double>{stand.x, stand.y, stand.z});
+  InterestSettings set;
+  set.viewpoint = {stand.x, stand.y, stand.z};
   const auto by_viewpoint = points_of_interest(cloud, set, task);
   CHECK(share_kept(scene, by_viewpoint, kFacade) >= 0.99);
   CHECK(1 - share_kept(scene, by_viewpoint, kUnwanted) >= 0.95);
@@ -122,7 +122,7 @@ TEST_CASE("interest__the_side_of_the_scanner__comes_from_viewpoint_or_station") 
   pose.m[7] = stand.y;
   pose.m[11] = stand.z;
   cloud.stations = {{"S", true, pose, 0, cloud.size()}};
-  CHECK(points_of_interest(cloud, options("interest", interest_rows()), task) == by_viewpoint);
+  CHECK(points_of_interest(cloud, InterestSettings{}, task) == by_viewpoint);
 }
 
 TEST_CASE("interest__threads__the_same_choice_and_degenerate_input_a_status") {
@@ -130,7 +130,7 @@ TEST_CASE("interest__threads__the_same_choice_and_degenerate_input_a_status") {
   scene.facade();
   scene.obstacles();
   Task one(threads(1)), seven(threads(7));
-  const ParamSet set = options("interest", interest_rows());
+  const InterestSettings set{};
   CHECK(points_of_interest(scene.cloud(), set, one) == points_of_interest(scene.cloud(), set, seven));
   CHECK(status_of([&] { points_of_interest(cloud_of({{1, 1, 1}, {2, 2, 2}}), set, one); }) ==
         Status::kInsufficientData);

@@ -17,22 +17,20 @@ Vec3 normal_at(const Cloud& cloud, size_t i) {
   return {double{n[3 * i]}, double{n[3 * i + 1]}, double{n[3 * i + 2]}};
 }
 
-ParamSet normal_options(const char* method, const char* orientation = "none") {
-  ParamSet set = options("normals", normals_rows());
-  set.set_text("method", method);
-  set.set_text("orientation", orientation);
-  return set;
+NormalsSettings normal_options(const char* method, const char* orientation = "none") {
+  return settings_by<NormalsSettings>(normals_rows(),
+                                      {{"method", method}, {"orientation", orientation}});
 }
 
 TEST_CASE("normals__curvature_is_kept_only_when_asked_for") {
   const Cloud cloud = cloud_of(sphere(500));
-  ParamSet set = normal_options("pca");
+  NormalsSettings set = normal_options("pca");
   Task task;
   const Cloud plain = with_normals(cloud, set, task);
   CHECK(plain.fields.size() == 1);
-  set.set_bool("curvature", true);
+  set.curvature = true;
   for (const double radius_m : {0.0, 0.3}) {
-    set.set_number("radius_m", radius_m);
+    set.radius_m = radius_m;
     const Cloud both = with_normals(cloud, set, task);
     CHECK(both.fields.size() == 2);
     for (const float v : both.fields.require("curvature").values<float>()) REQUIRE((v > 0 && v < 0.1f));  // of a ball
@@ -55,7 +53,7 @@ Quality measure(const std::vector<Vec3>& points, const char* method) {
   const Cloud cloud = cloud_of(points);
   Task warm;
   cloud.octree(warm);
-  const ParamSet set = normal_options(method);
+  const NormalsSettings set = normal_options(method);
   Cloud out;
   double best = 1e9;
   for (int run = 0; run < 3; ++run) {
@@ -142,13 +140,13 @@ TEST_CASE("normals__centroid_orientation_on_a_convex_solid__all_outward_9_12") {
   for (const auto& solid : {ellipsoid, box})
     for (const char* method : {"pca", "quadric", "triangulation"}) {
       const Vec3 centre = solid == box ? Vec3{0.5, 0.5, 0.5} : Vec3{};
-      ParamSet set = normal_options(method, "centroid");
+      NormalsSettings set = normal_options(method, "centroid");
       const Cloud out = with_normals(cloud_of(shifted(solid, kFar)), set, task);
       size_t inward = 0;
       for (size_t i = 0; i < solid.size(); ++i) inward += dot(normal_at(out, i), solid[i] - centre) < 0;
       CAPTURE(method);
       CHECK(inward == 0);
-      set.set_bool("outward", false);
+      set.outward = false;
       const Cloud turned = with_normals(cloud_of(shifted(solid, kFar)), set, task);
       for (size_t i = 0; i < solid.size(); i += 97) CHECK(norm(normal_at(out, i) + normal_at(turned, i)) < 1e-6);
     }
@@ -170,11 +168,11 @@ TEST_CASE("normals__station_orientation__faces_each_point_s_own_station") {
   CHECK(status_of([&] { with_normals(cloud, normal_options("pca", "station"), task); }) == Status::kInvalidArgument);
   cloud.stations.clear();
   CHECK(status_of([&] { with_normals(cloud, normal_options("pca", "station"), task); }) == Status::kInvalidArgument);
-  ParamSet set = normal_options("pca", "point");
-  set.set_numbers("viewpoint", std::vector<double>{0, -3, 0});
+  NormalsSettings set = normal_options("pca", "point");
+  set.viewpoint = {0, -3, 0};
   const Cloud seen = with_normals(cloud, set, task);
   for (size_t i = 0; i < points.size(); i += 7) CHECK(normal_at(seen, i).y < -0.99);
-  set.set_numbers("viewpoint", std::vector<double>{0, -3});
+  set.viewpoint = {0, -3};
   CHECK(status_of([&] { with_normals(cloud, set, task); }) == Status::kInvalidArgument);
 }
 
@@ -209,7 +207,7 @@ TEST_CASE("normals__threads_and_shift__the_same_bits") {
   for (const char* method : {"pca", "quadric", "triangulation"})
     for (const char* orientation : {"none", "centroid"}) {
       CAPTURE(method);
-      const ParamSet set = normal_options(method, orientation);
+      const NormalsSettings set = normal_options(method, orientation);
       const Cloud near = with_normals(cloud_of(points), set, one);
       CHECK(same_bits(near, with_normals(cloud_of(points), set, two)));
       CHECK(same_bits(near, with_normals(cloud_of(points), set, seven)));
@@ -222,8 +220,8 @@ TEST_CASE("normals__by_radius__equal_those_by_k_where_the_ball_holds_k") {
   std::vector<Vec3> points;
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 30; ++x) points.push_back({double(x), double(y), 0.25 * ((x * 7 + y * 3) % 5)});
-  ParamSet by_radius = normal_options("quadric");
-  by_radius.set_number("radius_m", 3.0);
+  NormalsSettings by_radius = normal_options("quadric");
+  by_radius.radius_m = 3.0;
   Task task;
   const Cloud out = with_normals(cloud_of(points), by_radius, task);
   for (size_t i = 0; i < points.size(); ++i) CHECK(norm(normal_at(out, i)) == doctest::Approx(1).epsilon(1e-5));

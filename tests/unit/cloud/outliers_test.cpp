@@ -39,10 +39,9 @@ Outcome outcome(const Cloud& in, const Cloud& out) {
 
 TEST_CASE("outliers__both_methods__drop_isolated_points_and_keep_the_wall") {
   const Cloud cloud = wall_with_outliers(60000, 300);
-  ParamSet set = options("outliers", outliers_rows());
   Task task;
   for (const char* method : {"statistical", "radius"}) {
-    set.set_text("method", method);
+    const auto set = settings_by<OutliersSettings>(outliers_rows(), {{"method", method}});
     const Outcome o = outcome(cloud, without_outliers(cloud, set, task));
     MESSAGE(std::string(method), ": wall kept ", o.kept_wall, ", isolated removed ", o.removed_isolated);
     CHECK(o.kept_wall > 0.995);
@@ -52,22 +51,22 @@ TEST_CASE("outliers__both_methods__drop_isolated_points_and_keep_the_wall") {
 
 TEST_CASE("outliers__radius__counts_the_others_in_the_closed_ball") {
   Task task;
-  ParamSet set = options("outliers", outliers_rows());
-  set.set_text("method", "radius");
-  set.set_number("radius_m", 1);
-  set.set_integer("neighbours", 2);
+  OutliersSettings set;
+  set.method = OutliersSettings::Method::kRadius;
+  set.radius_m = 1;
+  set.neighbours = 2;
   // Points at 0, 1, 2, 10 on a line: only the one at 1 has two others within 1 m.
   const Cloud cloud = cloud_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {10, 0, 0}});
   const Cloud out = without_outliers(cloud, set, task);
   REQUIRE(out.size() == 1);
   CHECK(out.point(0).x == 1);
-  set.set_integer("neighbours", 200);
+  set.neighbours = 200;
   CHECK(without_outliers(cloud, set, task).size() == 0);
 }
 
 TEST_CASE("outliers__few_or_equal_points__stay") {
   Task task;
-  const ParamSet set = options("outliers", outliers_rows());
+  const OutliersSettings set{};
   CHECK(without_outliers(cloud_of({{1, 2, 3}}), set, task).size() == 1);
   CHECK(without_outliers(cloud_of(std::vector<Vec3>(40, Vec3{1, 2, 3})), set, task).size() == 40);
 }
@@ -75,7 +74,7 @@ TEST_CASE("outliers__few_or_equal_points__stay") {
 TEST_CASE("outliers__threads_and_shift__the_same_choice") {
   const auto points = random_points(30000, 5, 52);
   Task one(threads(1)), seven(threads(7));
-  const ParamSet set = options("outliers", outliers_rows());
+  const OutliersSettings set{};
   const Cloud near = without_outliers(cloud_of(points), set, one);
   CHECK(same_bits(near, without_outliers(cloud_of(points), set, seven)));
   CHECK(same_bits(cloud_of([&] {

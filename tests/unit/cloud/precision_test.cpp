@@ -13,14 +13,14 @@ using namespace jalon;
 
 namespace {
 
-ParamSet precision(const char* json = "{}") {
+ScannerPrecision precision(const char* json = "{}") {
   ParamSet params("precision", precision_rows());
   params.from_json(json);
-  return params;
+  return settings_from<ScannerPrecision>(params);
 }
 
 PointBudget budget(const Vec3& ray, const char* json, double incidence_rad = 0) {
-  return point_budget(scanner_precision(precision(json)), ray, {0, 0, 1}, incidence_rad);
+  return point_budget(precision(json), ray, {0, 0, 1}, incidence_rad);
 }
 
 Cloud seen_from(const std::vector<Vec3>& points, const Transform& pose) {

@@ -13,10 +13,8 @@ namespace {
 
 using namespace test;
 
-ParamSet sampling(const char* method) {
-  ParamSet set = options("subsample", subsample_rows());
-  set.set_text("method", method);
-  return set;
+SubsampleSettings sampling(const char* method) {
+  return settings_by<SubsampleSettings>(subsample_rows(), {{"method", method}});
 }
 
 /// A cloud whose field "number" tells which point is which.
@@ -37,8 +35,8 @@ Cell cell_of(const Vec3& p, double size) {
 TEST_CASE("subsample__voxel__one_centroid_a_cell_with_the_fields_of_a_point_of_the_cell") {
   const auto points = random_points(20000, 8, 61);  // the cube's origin is 0
   const Cloud cloud = numbered(points);
-  ParamSet set = sampling("voxel");
-  set.set_number("cell_m", 0.7);
+  SubsampleSettings set = sampling("voxel");
+  set.cell_m = 0.7;
   Task task;
   const Cloud out = subsampled(cloud, set, task);
   std::map<Cell, std::pair<Vec3, int>> truth;
@@ -58,8 +56,8 @@ TEST_CASE("subsample__voxel__one_centroid_a_cell_with_the_fields_of_a_point_of_t
 
 TEST_CASE("subsample__voxel__a_cloud_without_fields_gives_the_same_centroids") {
   const auto points = random_points(20000, 8, 61);
-  ParamSet set = sampling("voxel");
-  set.set_number("cell_m", 0.7);
+  SubsampleSettings set = sampling("voxel");
+  set.cell_m = 0.7;
   Task task;
   const auto sorted = [](const Cloud& cloud) {
     std::set<std::array<double, 3>> out;
@@ -69,7 +67,7 @@ TEST_CASE("subsample__voxel__a_cloud_without_fields_gives_the_same_centroids") {
   const Cloud bare = subsampled(cloud_of(points), set, task);
   CHECK(bare.fields.size() == 0);
   CHECK(sorted(bare) == sorted(subsampled(numbered(points), set, task)));
-  set.set_number("cell_m", 1e-5);  // every point alone: the same points, not copies of them
+  set.cell_m = 1e-5;  // every point alone: the same points, not copies of them
   const Cloud all = cloud_of(points);
   CHECK(subsampled(all, set, task).xyz_buffer == all.xyz_buffer);
 }
@@ -78,10 +76,10 @@ TEST_CASE("subsample__nearest__gives_original_points_nearest_to_the_cell_centres
   const auto points = random_points(5000, 8, 62);
   Task task;
   for (const char* method : {"voxel", "octree"}) {
-    ParamSet set = sampling(method);
-    set.set_text("keep", "nearest");
-    set.set_number("cell_m", 1);
-    set.set_integer("level", 3);  // a cube of 8 m: cells of 1 m
+    SubsampleSettings set = sampling(method);
+    set.keep = Keep::kNearest;
+    set.cell_m = 1;
+    set.level = 3;  // a cube of 8 m: cells of 1 m
     const Cloud out = subsampled(numbered(points), set, task);
     const auto number = out.fields.require("number").values<uint32_t>();
     std::set<Cell> cells;
@@ -100,22 +98,22 @@ TEST_CASE("subsample__nearest__gives_original_points_nearest_to_the_cell_centres
 TEST_CASE("subsample__octree__the_deepest_level_within_the_budget") {
   const Cloud cloud = cloud_of(random_points(20000, 8, 63));
   Task task;
-  ParamSet set = sampling("octree");
+  SubsampleSettings set = sampling("octree");
   for (const int64_t budget : {1, 7, 500, 1000000}) {
-    set.set_integer("max_points", budget);
+    set.max_points = budget;
     const Cloud out = subsampled(cloud, set, task);
     CHECK(out.size() <= static_cast<size_t>(budget));
     CHECK(out.size() >= 1);
   }
-  set.set_integer("max_points", 1000000);
+  set.max_points = 1000000;
   CHECK(subsampled(cloud, set, task).size() > 19900);
 }
 
 TEST_CASE("subsample__minimum_distance__no_two_kept_closer_and_every_removed_one_within_it") {
   const auto points = random_points(6000, 3, 64);
   const double d = 0.2;
-  ParamSet set = sampling("minimum_distance");
-  set.set_number("distance_m", d);
+  SubsampleSettings set = sampling("minimum_distance");
+  set.distance_m = d;
   Task task;
   const Cloud out = subsampled(numbered(points), set, task);
   std::vector<uint8_t> kept(points.size(), 0);
@@ -139,8 +137,8 @@ TEST_CASE("subsample__minimum_distance__no_two_kept_closer_and_every_removed_one
 TEST_CASE("subsample__random__exact_number_in_order_by_seed_and_even") {
   const Cloud cloud = numbered(random_points(100000, 5, 65));
   Task task;
-  ParamSet set = sampling("random");
-  set.set_number("fraction", 0.25);
+  SubsampleSettings set = sampling("random");
+  set.fraction = 0.25;
   const Cloud quarter = subsampled(cloud, set, task);
   CHECK(quarter.size() == 25000);
   const auto number = quarter.fields.require("number").values<uint32_t>();
@@ -150,14 +148,14 @@ TEST_CASE("subsample__random__exact_number_in_order_by_seed_and_even") {
   for (const uint32_t i : number) ++tenths[i / 10000];
   for (const double n : tenths) CHECK(std::fabs(n - 2500) < 5 * std::sqrt(2500 * 0.75));
   CHECK(same_bits(subsampled(cloud, set, task), quarter));
-  set.set_integer("seed", 2);
+  set.seed = 2;
   CHECK_FALSE(same_bits(subsampled(cloud, set, task), quarter));
-  set.set_integer("count", 7);
+  set.count = 7;
   CHECK(subsampled(cloud, set, task).size() == 7);
-  set.set_integer("count", 100001);
+  set.count = 100001;
   CHECK(subsampled(cloud, set, task).size() == 100000);
-  set.set_integer("count", 0);
-  set.set_number("fraction", 0);
+  set.count = 0;
+  set.fraction = 0;
   CHECK(subsampled(cloud, set, task).size() == 0);
 }
 
@@ -166,10 +164,10 @@ TEST_CASE("subsample__threads_and_shift__the_same_choice") {
   Task one(threads(1)), seven(threads(7));
   for (const char* method : {"voxel", "minimum_distance", "random", "octree"}) {
     CAPTURE(method);
-    ParamSet set = sampling(method);
-    set.set_number("cell_m", 0.25);
-    set.set_number("distance_m", 0.25);
-    set.set_integer("max_points", 5000);
+    SubsampleSettings set = sampling(method);
+    set.cell_m = 0.25;
+    set.distance_m = 0.25;
+    set.max_points = 5000;
     const Cloud near = subsampled(numbered(points), set, one);
     CHECK(same_bits(near, subsampled(numbered(points), set, seven)));
     const Cloud far = subsampled(numbered(shifted(points, kFar)), set, one);
@@ -183,8 +181,8 @@ TEST_CASE("subsample__stations_stay") {
   Cloud cloud = cloud_of(points);
   cloud.stations = {{"A", true, Transform(), 0, 10000}, {"B", true, Transform(), 10000, 10000}};
   Task task;
-  ParamSet set = sampling("voxel");
-  set.set_number("cell_m", 0.5);
+  SubsampleSettings set = sampling("voxel");
+  set.cell_m = 0.5;
   const Cloud out = subsampled(cloud, set, task);
   REQUIRE(out.stations.size() == 2);
   CHECK(out.stations[0].count + out.stations[1].count == out.size());

@@ -74,9 +74,8 @@ TEST_CASE("map_distance__of_a_sphere__its_radius_off") {
   for (Vec3& q : queries)
     q = {snapped(4 * random.uniform() - 2), snapped(4 * random.uniform() - 2), snapped(4 * random.uniform() - 2)};
   for (const char* method : {"chamfer", "fast_marching"}) {
-    ParamSet set = options("distance_map", distance_map_rows());
-    set.set_text("method", method);
-    set.set_number("cell_m", 0.05);
+    auto set = settings_by<DistanceMapSettings>(distance_map_rows(), {{"method", method}});
+    set.cell_m = 0.05;
     Task task;
     const Cloud out = with_map_distance(cloud_of(queries), reference, set, task);
     const auto found = out.fields.require("map_distance").values<double>();
@@ -95,24 +94,25 @@ TEST_CASE("map_distance__of_a_sphere__its_radius_off") {
 
 TEST_CASE("distance_map__limits_statuses_and_bits") {
   const auto points = random_points(500, 3, 8);
-  ParamSet set = options("distance_map", distance_map_rows());
-  set.set_number("cell_m", 0.25);
-  set.set_number("max_distance_m", 0.3);
+  DistanceMapSettings set;
+  set.cell_m = 0.25;
+  set.max_distance_m = 0.3;
   Task one(threads(1)), seven(threads(7));
   const Cloud near = cloud_of(points), far = cloud_of(shifted(points, kFar));
   const Cloud map = distance_map_cloud(near, set, one);
   CHECK(map.size() > 0);
   for (const float d : map.fields.require("map_distance").values<float>()) CHECK(d <= 0.3f);
-  for (const char* method : {"chamfer", "fast_marching"}) {
-    set.set_text("method", method);
+  using Method = DistanceMapSettings::Method;
+  for (const Method method : {Method::kChamfer, Method::kFastMarching}) {
+    set.method = method;
     const Cloud a = with_map_distance(near, near, set, one);
     CHECK(same_bits(a, with_map_distance(near, near, set, seven)));
     CHECK(same_fields(a, with_map_distance(far, far, set, one)));
   }
   CHECK(status_of([&] { with_map_distance(near, Cloud(), set, one); }) == Status::kInsufficientData);
-  set.set_number("cell_m", 1e-5);
+  set.cell_m = 1e-5;
   CHECK(status_of([&] { distance_map_cloud(near, set, one); }) == Status::kLimit);
-  CHECK(with_map_distance(Cloud(), near, options("distance_map", distance_map_rows()), one).size() == 0);
+  CHECK(with_map_distance(Cloud(), near, DistanceMapSettings{}, one).size() == 0);
 }
 
 }  // namespace

@@ -23,8 +23,6 @@ NoiseLaw weibull(double shape, double scale) {
   return law;
 }
 
-ParamSet filter_options() { return options("chi_square", chi_square_rows()); }
-
 /// Random points of a plane of 10 x 10 m with noise of the law, and a disc of radius 0.5 m in the middle that stands
 /// 5 sigma off.
 struct Plate {
@@ -104,18 +102,17 @@ TEST_CASE("chi_square__local_filter__rate_on_pure_noise_and_a_found_disc") {
   const NoiseLaw law = weibull(1.5, 0.003);
   Task task;
   for (const char* method : {"chi_square", "kolmogorov"}) {
-    ParamSet set = filter_options();
-    set.set_text("method", method);
-    set.set_number("error_margin", 0.01);
-    set.set_bool("one_sided", false);
-    set.set_integer("passes", 1);
+    auto set = settings_by<ChiSquareSettings>(chi_square_rows(), {{"method", method}});
+    set.error_margin = 0.01;
+    set.one_sided = false;
+    set.passes = 1;
     const Plate noise = plate(100000, law, 0, 1);
     const ChangeFilter quiet = filter_changes(noise.cloud, noise.values, law, set, task);
     const double rate = static_cast<double>(quiet.changed_count) / 1e5;
     MESSAGE("FIGURE ", std::string(method), ": false alarms at 1 %, 16 neighbours: ", 100 * rate, " %");
     CHECK(rate < 0.013);
-    set.set_integer("passes", 2);
-    set.set_bool("one_sided", true);
+    set.passes = 2;
+    set.one_sided = true;
     const Plate changed = plate(100000, law, 0.015, 2);
     const ChangeFilter found = filter_changes(changed.cloud, changed.values, law, set, task);
     uint64_t hits = 0, planted = 0, alarms = 0;
@@ -136,10 +133,10 @@ TEST_CASE("chi_square__far_above_the_noise__saturates_and_relaxed_classes_do_not
   const NoiseLaw law = weibull(2, 0.003);
   Task task;
   const Plate changed = plate(20000, law, 1.0, 3);
-  ParamSet set = filter_options();
-  set.set_integer("passes", 1);
+  ChiSquareSettings set;
+  set.passes = 1;
   const ChangeFilter saturating = filter_changes(changed.cloud, changed.values, law, set, task);
-  set.set_text("classes", "relaxed");
+  set.classes = ChiSquareSettings::Classes::kRelaxed;
   const ChangeFilter relaxed = filter_changes(changed.cloud, changed.values, law, set, task);
   CHECK(saturating.ceiling == 48);
   double most = 0, most_relaxed = 0;
@@ -157,25 +154,25 @@ TEST_CASE("chi_square__quieter_than_the_law__changed_only_without_the_guard") {
   const NoiseLaw law = weibull(2, 0.003);
   const Plate quiet = plate(5000, weibull(2, 0.0003), 0, 4);
   Task task;
-  ParamSet set = filter_options();
+  ChiSquareSettings set;
   CHECK(filter_changes(quiet.cloud, quiet.values, law, set, task).changed_count == 0);
-  set.set_bool("one_sided", false);
+  set.one_sided = false;
   CHECK(filter_changes(quiet.cloud, quiet.values, law, set, task).changed_count == 5000);
 }
 
 TEST_CASE("chi_square__thresholds_by_choice") {
   Task task;
   const Plate noise = plate(3000, weibull(2, 0.003), 0, 5);
-  ParamSet fit = options("noise_law", noise_law_rows());
+  NoiseLawSettings fit;
   const NoiseLaw law = fit_noise_law(noise.values, fit, task);
-  ParamSet set = filter_options();
-  set.set_text("threshold", "empirical");
+  ChiSquareSettings set;
+  set.threshold = ChiSquareSettings::Threshold::kEmpirical;
   CHECK(filter_changes(noise.cloud, noise.values, law, set, task).threshold == law.sample_chi_square);
-  set.set_text("threshold", "given");
+  set.threshold = ChiSquareSettings::Threshold::kGiven;
   CHECK(status_of([&] { filter_changes(noise.cloud, noise.values, law, set, task); }) == Status::kInvalidArgument);
-  set.set_number("cut", 20);
+  set.cut = 20;
   CHECK(filter_changes(noise.cloud, noise.values, law, set, task).threshold == 20);
-  set.set_text("threshold", "empirical");
+  set.threshold = ChiSquareSettings::Threshold::kEmpirical;
   CHECK(status_of([&] { filter_changes(noise.cloud, noise.values, weibull(2, 1), set, task); }) ==
         Status::kInvalidArgument);
 }
@@ -194,7 +191,7 @@ TEST_CASE("chi_square__missing_values__not_tested_and_not_counted") {
     }
   }
   Task task;
-  const ParamSet set = filter_options();
+  const ChiSquareSettings set{};
   const ChangeFilter with = filter_changes(half.cloud, half.values, law, set, task);
   const ChangeFilter without = filter_changes(cloud_of(kept), kept_values, law, set, task);
   size_t at = 0;
@@ -210,7 +207,7 @@ TEST_CASE("chi_square__missing_values__not_tested_and_not_counted") {
 TEST_CASE("chi_square__too_little__a_status") {
   const NoiseLaw law = weibull(2, 0.003);
   Task task;
-  const ParamSet set = filter_options();
+  const ChiSquareSettings set{};
   const Plate few = plate(8, law, 0, 7);
   CHECK(status_of([&] { filter_changes(few.cloud, few.values, law, set, task); }) == Status::kInsufficientData);
   const Plate none = plate(100, law, 0, 7);
@@ -224,15 +221,15 @@ TEST_CASE("chi_square__second_pass__the_test_of_more_neighbours_on_the_scale_of_
   const NoiseLaw law = weibull(1.5, 0.003);
   const Plate p = plate(30000, law, 0.006, 9);
   Task task;
-  ParamSet set = filter_options();
-  set.set_integer("passes", 1);
+  ChiSquareSettings set;
+  set.passes = 1;
   const ChangeFilter first = filter_changes(p.cloud, p.values, law, set, task);
-  set.set_integer("neighbours", 36);
+  set.neighbours = 36;
   const ChangeFilter more = filter_changes(p.cloud, p.values, law, set, task);
   const double to_first = first.threshold / more.threshold;
   for (const double band_low : {0.1, 0.9}) {  // in one go, or point by point
-    set = filter_options();
-    set.set_number("band_low", band_low);
+    set = {};
+    set.band_low = band_low;
     const ChangeFilter both = filter_changes(p.cloud, p.values, law, set, task);
     uint64_t again = 0;
     for (size_t i = 0; i < p.values.size(); ++i) {
@@ -249,11 +246,11 @@ TEST_CASE("chi_square__threads__the_same_bits") {
   const NoiseLaw law = weibull(1.5, 0.003);
   Plate p = plate(20000, law, 0.006, 8);
   Task one(threads(1)), seven(threads(7));
-  ParamSet set = filter_options();
+  ChiSquareSettings set;
   for (const double radius_m : {0.0, 0.15}) {
     for (const double band_low : {0.2, 0.98}) {
-      set.set_number("radius_m", radius_m);
-      set.set_number("band_low", band_low);
+      set.radius_m = radius_m;
+      set.band_low = band_low;
       const ChangeFilter a = filter_changes(p.cloud, p.values, law, set, one);
       const ChangeFilter b = filter_changes(p.cloud, p.values, law, set, seven);
       CHECK(a.changed == b.changed);

@@ -17,9 +17,9 @@ using namespace test;
 
 std::vector<double> geodesic(const Cloud& cloud, const std::vector<uint64_t>& seeds, double cell_m, double most = 0) {
   Task task;
-  ParamSet set = options("geodesic", geodesic_rows());
-  set.set_number("cell_m", cell_m);
-  set.set_number("max_distance_m", most);
+  GeodesicSettings set;
+  set.cell_m = cell_m;
+  set.max_distance_m = most;
   const Cloud out = with_geodesic_distance(cloud, seeds, set, task);
   const auto values = out.fields.require("geodesic").values<double>();
   return {values.begin(), values.end()};
@@ -123,7 +123,7 @@ TEST_CASE("geodesic__threads_and_a_shift_by_whole_metres__the_same_bits") {
   std::vector<Vec3> points = random_points(30000, 6, 4);
   for (Vec3& p : points) p.z = snapped(0.1 * std::sin(p.x));
   Task one(threads(1)), seven(threads(7));
-  const ParamSet set = options("geodesic", geodesic_rows());
+  const GeodesicSettings set{};
   const std::vector<uint64_t> seeds{5, 700};
   const Cloud a = with_geodesic_distance(cloud_of(points), seeds, set, one);
   CHECK(same_bits(a, with_geodesic_distance(cloud_of(points), seeds, set, seven)));

@@ -74,12 +74,12 @@ TEST_CASE("field_tools__tables_3_1_and_3_2__thirty_times_faster") {
     Task task;
     // 1. Octree, local chi-square in two passes, components.
     std::clock_t start = std::clock();
-    const ChangeFilter found = filter_changes(h.cloud, scalar_values(h.cloud, "distance", task), h.law,
-                                              options("chi_square", chi_square_rows()), task);
+    const ChangeFilter found = filter_changes(h.cloud, scalar_values(h.cloud, "distance", task),
+                                              h.law, ChiSquareSettings{}, task);
     const double filter_s = seconds_of(start);
     const Cloud marked = with_field<uint8_t>(h.cloud, "changed", "", "", found.changed);
-    ParamSet grid = options("components", components_rows());
-    grid.set_text("field", "changed");
+    ComponentsSettings grid;
+    grid.field = "changed";
     uint64_t components = 0;
     with_components(marked, grid, task, components);
     const double statistical_s = seconds_of(start);
@@ -87,13 +87,13 @@ TEST_CASE("field_tools__tables_3_1_and_3_2__thirty_times_faster") {
     Cloud again = h.cloud;
     again.index = std::make_shared<IndexSlot>();  // the octree counts once more
     start = std::clock();
-    const Cloud steep = with_gradient(again, "distance", options("gradient", gradient_rows()), task);
+    const Cloud steep = with_gradient(again, "distance", GradientSettings{}, task);
     const double gradient_s = seconds_of(start);
-    const Cloud smooth = with_filtered_field(steep, "gradient", options("field_filter", field_filter_rows()), task);
+    const Cloud smooth = with_filtered_field(steep, "gradient", FieldFilterSettings{}, task);
     const double blur_s = seconds_of(start) - gradient_s;
-    const PropagationResult regions =
-        segment_by_propagation(smooth, scalar_values(smooth, "distance", task), scalar_values(smooth, "filtered", task),
-                               options("propagation", propagation_rows()), task);
+    const PropagationResult regions = segment_by_propagation(
+        smooth, scalar_values(smooth, "distance", task), scalar_values(smooth, "filtered", task),
+        PropagationSettings{}, task);
     const double propagation_s = seconds_of(start);
     MESSAGE("FIGURE T6, ", row.points, " points: ", statistical_s, " CPU s (filter ", filter_s, "), ",
             row.statistical_s / statistical_s, " x faster than printed; ", components, " components");

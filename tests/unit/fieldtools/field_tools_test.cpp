@@ -50,10 +50,9 @@ TEST_CASE("gradient__of_a_linear_field__half_of_it_by_the_thesis_and_all_of_it_c
   const double expected[] = {0.5, 1.0, 1.0};
   const char* methods[] = {"thesis", "corrected", "least_squares"};
   for (size_t m = 0; m < 3; ++m) {
-    ParamSet set = options("gradient", gradient_rows());
-    set.set_text("method", methods[m]);
-    set.set_number("radius_m", 0.25);
-    set.set_text("vector_name", "g");
+    auto set = settings_by<GradientSettings>(gradient_rows(), {{"method", methods[m]}});
+    set.radius_m = 0.25;
+    set.vector_name = "g";
     Task task;
     const Cloud out = with_gradient(s.cloud, "f", set, task);
     double sum = 0, along = 0, border = 0;
@@ -85,11 +84,11 @@ TEST_CASE("gradient__pairs_that_no_distance_field_can_have__left_out") {
   std::vector<double> f(doubles(s.cloud, "f").begin(), doubles(s.cloud, "f").end());
   for (size_t i = 0; i < f.size(); i += 50) f[i] += 5;  // outliers
   const Cloud bad = with_field<double>(s.cloud, "f", "m", "", f);
-  ParamSet set = options("gradient", gradient_rows());
-  set.set_text("method", "least_squares");
+  GradientSettings set;
+  set.method = GradientMethod::kLeastSquares;
   Task task;
   const Cloud with = with_gradient(bad, "f", set, task);
-  set.set_bool("distance_field", false);
+  set.distance_field = false;
   const Cloud without = with_gradient(bad, "f", set, task);
   double worst = 0, worst_without = 0;
   for (size_t i = 0; i < f.size(); ++i) {
@@ -104,14 +103,14 @@ TEST_CASE("gradient__pairs_that_no_distance_field_can_have__left_out") {
 TEST_CASE("gradient__lonely_points_and_missing_values__nan") {
   const Cloud cloud = with_field<double>(cloud_of({{0, 0, 0}, {1, 0, 0}, {1.1, 0, 0}, {1.2, 0, 0}}), "f", "m", "",
                                          std::vector<double>{1, 2, std::nan(""), 2.1});
-  ParamSet set = options("gradient", gradient_rows());
-  set.set_number("radius_m", 0.15);
+  GradientSettings set;
+  set.radius_m = 0.15;
   Task task;
   const Cloud out = with_gradient(cloud, "f", set, task);
   for (int i = 0; i < 4; ++i) CHECK(std::isnan(floats(out, "gradient")[static_cast<size_t>(i)]));
-  set.set_number("radius_m", 0.25);
+  set.radius_m = 0.25;
   CHECK(floats(with_gradient(cloud, "f", set, task), "gradient")[1] == doctest::Approx(2 * 0.5));
-  set.set_number("radius_m", 0);
+  set.radius_m = 0;
   CHECK(status_of([&] { with_gradient(cloud, "f", set, task); }) == Status::kInsufficientData);
   CHECK(status_of([&] { with_gradient(cloud, "no such", set, task); }) == Status::kNotFound);
 }
@@ -122,13 +121,12 @@ TEST_CASE("field_filter__equals_brute_force") {
   std::vector<double> f(points.size());
   for (double& v : f) v = random.uniform() < 0.1 ? std::nan("") : random.normal();
   const Cloud cloud = with_field<double>(cloud_of(points), "f", "m", "", f);
-  ParamSet set = options("field_filter", field_filter_rows());
-  set.set_number("radius_m", 0.5);
-  set.set_number("sigma_m", 0.2);
-  set.set_number("cut_sigmas", 2.5);
   Task task;
   for (const char* method : {"gaussian", "mean", "median", "minimum", "maximum"}) {
-    set.set_text("method", method);
+    auto set = settings_by<FieldFilterSettings>(field_filter_rows(), {{"method", method}});
+    set.radius_m = 0.5;
+    set.sigma_m = 0.2;
+    set.cut_sigmas = 2.5;
     const Cloud out = with_filtered_field(cloud, "f", set, task);
     for (size_t i = 0; i < points.size(); i += 7) {
       const double found = doubles(out, "filtered")[i];
@@ -162,7 +160,7 @@ TEST_CASE("field_filter__equals_brute_force") {
 TEST_CASE("field_filter__gaussian_of_a_linear_field__the_field_inside") {
   const Slope s = slope(50000, 4);
   Task task;
-  const Cloud out = with_filtered_field(s.cloud, "f", options("field_filter", field_filter_rows()), task);
+  const Cloud out = with_filtered_field(s.cloud, "f", FieldFilterSettings{}, task);
   double worst = 0;
   for (size_t i = 0; i < out.size(); ++i) {
     const Vec2& at = s.places[i];
@@ -178,9 +176,9 @@ TEST_CASE("field_arithmetic__every_operation") {
   cloud = with_field<double>(cloud, "b", "m", "", b);
   Task task;
   const auto run = [&](const char* operation, const char* other) {
-    ParamSet set = options("field_arithmetic", field_arithmetic_rows());
-    set.set_text("operation", operation);
-    set.set_number("constant", 3);
+    auto set =
+        settings_by<FieldArithmeticSettings>(field_arithmetic_rows(), {{"operation", operation}});
+    set.constant = 3;
     const Cloud out = with_computed_field(cloud, "a", other, set, task);
     return std::vector<double>(doubles(out, "computed").begin(), doubles(out, "computed").end());
   };
@@ -211,12 +209,12 @@ TEST_CASE("field_arithmetic__vectors__dot_and_norm") {
   Cloud cloud = cloud_of({{0, 0, 0}, {1, 0, 0}});
   cloud.fields.set(make_column<float>({"v", ElementType::kFloat32, 3, "m", ""}, v));
   Task task;
-  ParamSet set = options("field_arithmetic", field_arithmetic_rows());
-  set.set_text("operation", "norm");
+  FieldArithmeticSettings set;
+  set.operation = FieldArithmeticSettings::Operation::kNorm;
   CHECK(doubles(with_computed_field(cloud, "v", "", set, task), "computed")[0] == 5);
-  set.set_text("operation", "dot");
+  set.operation = FieldArithmeticSettings::Operation::kDot;
   CHECK(doubles(with_computed_field(cloud, "v", "v", set, task), "computed")[1] == 9);
-  set.set_text("operation", "multiply");
+  set.operation = FieldArithmeticSettings::Operation::kMultiply;
   const Cloud out = with_computed_field(cloud, "v", "", set, task);
   CHECK(out.fields.require("computed").info().components == 3);
 }
@@ -230,16 +228,14 @@ TEST_CASE("field_tools__threads_and_a_shift_by_whole_metres__the_same_bits") {
   const Cloud far = with_field<double>(cloud_of(shifted(points, kFar)), "f", "m", "", f);
   Task one(threads(1)), seven(threads(7));
   for (const char* method : {"corrected", "least_squares"}) {
-    ParamSet set = options("gradient", gradient_rows());
-    set.set_text("method", method);
-    set.set_bool("distance_field", false);
+    auto set = settings_by<GradientSettings>(gradient_rows(), {{"method", method}});
+    set.distance_field = false;
     const Cloud a = with_gradient(near, "f", set, one);
     CHECK(same_bits(a, with_gradient(near, "f", set, seven)));
     CHECK(same_fields(a, with_gradient(far, "f", set, one)));
   }
   for (const char* method : {"gaussian", "mean", "median"}) {
-    ParamSet set = options("field_filter", field_filter_rows());
-    set.set_text("method", method);
+    auto set = settings_by<FieldFilterSettings>(field_filter_rows(), {{"method", method}});
     const Cloud a = with_filtered_field(near, "f", set, one);
     CHECK(same_bits(a, with_filtered_field(near, "f", set, seven)));
     CHECK(same_fields(a, with_filtered_field(far, "f", set, one)));

@@ -20,9 +20,8 @@ using namespace test;
 
 NoiseLaw fitted(const std::vector<double>& values, const char* law, bool shift = false, unsigned threads_ = 1) {
   Task task(threads(threads_));
-  ParamSet set = options("noise_law", noise_law_rows());
-  set.set_text("law", law);
-  set.set_bool("shift", shift);
+  auto set = settings_by<NoiseLawSettings>(noise_law_rows(), {{"law", law}});
+  set.shift = shift;
   return fit_noise_law(values, set, task);
 }
 
@@ -158,9 +157,9 @@ TEST_CASE("noise_law__threads__the_same_bits") {
 TEST_CASE("histogram__counts_what_lies_in_the_bins_and_what_the_law_expects") {
   Task task;
   const std::vector<double> values = weibull_values(100000, 2, 1, 0, 8);
-  ParamSet set = options("histogram", histogram_rows());
-  set.set_integer("bins", 20);
-  set.set_number("maximum", 2);
+  HistogramSettings set;
+  set.bins = 20;
+  set.maximum = 2;
   const NoiseLaw law = fitted(values, "weibull");
   const Histogram h = field_histogram(values, &law, set, task);
   uint64_t sum = h.below + h.above;
@@ -177,7 +176,7 @@ TEST_CASE("histogram__counts_what_lies_in_the_bins_and_what_the_law_expects") {
   }
   CHECK(h.median == doctest::Approx(std::sqrt(std::log(2.0))).epsilon(0.01).scale(0));
   const std::vector<double> equal(5, 7.0);
-  const Histogram one = field_histogram(equal, nullptr, options("histogram", histogram_rows()), task);
+  const Histogram one = field_histogram(equal, nullptr, HistogramSettings{}, task);
   CHECK(one.values == 5);
   CHECK(one.counts[one.counts.size() / 2] + one.counts[0] == 5);
   CHECK(status_of([&] { field_histogram(std::vector<double>(5, std::nan("")), nullptr, set, task); }) ==
@@ -207,10 +206,10 @@ TEST_CASE("two_means__equals_the_best_of_all_splits") {
 
 TEST_CASE("classes__two_cuts_give_three_groups_and_255_for_no_value") {
   Task task;
-  ParamSet set = options("classes", classes_rows());
-  set.set_text("method", "thresholds");
-  set.set_number("low", 1);
-  set.set_number("high", 2);
+  ClassesSettings set;
+  set.method = ClassesSettings::Method::kThresholds;
+  set.low = 1;
+  set.high = 2;
   const std::vector<double> values{0.5, 1, 1.5, 2, 2.5, std::nan("")};
   const FieldClasses out = classify_values(values, set, task);
   CHECK(out.group == std::vector<uint8_t>{0, 0, 1, 1, 2, kNoGroup});

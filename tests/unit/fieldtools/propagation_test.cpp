@@ -23,16 +23,15 @@ std::vector<double> values(const Cloud& cloud, const char* name) {
 
 /// Gradient and its Gaussian mean, as the source chains them.
 Cloud with_smooth_gradient(const Cloud& cloud, const char* method, double radius_m, double sigma_m, Task& task) {
-  ParamSet gradient = options("gradient", gradient_rows());
-  gradient.set_text("method", method);
-  gradient.set_number("radius_m", radius_m);
-  ParamSet blur = options("field_filter", field_filter_rows());
-  blur.set_text("name", "smooth");
-  blur.set_number("sigma_m", sigma_m);
+  auto gradient = settings_by<GradientSettings>(gradient_rows(), {{"method", method}});
+  gradient.radius_m = radius_m;
+  FieldFilterSettings blur;
+  blur.name = "smooth";
+  blur.sigma_m = sigma_m;
   return with_filtered_field(with_gradient(cloud, "distance", gradient, task), "gradient", blur, task);
 }
 
-PropagationResult segment(const Cloud& cloud, const ParamSet& set, Task& task) {
+PropagationResult segment(const Cloud& cloud, const PropagationSettings& set, Task& task) {
   return segment_by_propagation(cloud, values(cloud, "distance"), values(cloud, "smooth"), set, task);
 }
 
@@ -58,7 +57,7 @@ TEST_CASE("propagation__pebble__the_front_jumps_at_the_rim") {
     pebble_cells += on;
   }
   for (const double alpha : {50.0, 0.0}) {
-    Propagation propagation(cells, gradient, {alpha, 1e300, true});
+    Propagation propagation(cells, gradient, {.alpha = alpha, .jump = 1e300});
     const FrontRegion all = propagation.spread(top, task);
     REQUIRE(all.arrivals.size() == cells.size());
     // The first step that takes longer than 100 cells, and the largest before it.
@@ -92,9 +91,8 @@ TEST_CASE("propagation__pebble__one_region_that_is_the_pebble") {
       const Pebble p = pebble(noise_m, 2);
       Task task;
       const Cloud cloud = with_smooth_gradient(p.cloud, "corrected", 0.003, 0.002, task);
-      ParamSet set = options("propagation", propagation_rows());
-      set.set_text("scope", scope);
-      set.set_number("cell_m", 0.0045);
+      auto set = settings_by<PropagationSettings>(propagation_rows(), {{"scope", scope}});
+      set.cell_m = 0.0045;
       const PropagationResult found = segment(cloud, set, task);
       uint64_t both = 0, region = 0, truth = 0;
       for (size_t i = 0; i < p.on_pebble.size(); ++i) {
@@ -118,7 +116,7 @@ TEST_CASE("propagation__numbers_by_size_threads_and_shift__the_same_bits") {
   for (size_t i = 0; i < p.cloud.size(); ++i) far.push_back(p.cloud.point(i) + kFar);
   const Cloud moved = with_field<double>(cloud_of(far), "distance", "m", "", values(p.cloud, "distance"));
   Task one(threads(1)), seven(threads(7));
-  const ParamSet set = options("propagation", propagation_rows());
+  const PropagationSettings set{};
   const PropagationResult a = segment(with_smooth_gradient(p.cloud, "corrected", 0, 0, one), set, one);
   const PropagationResult b = segment(with_smooth_gradient(p.cloud, "corrected", 0, 0, seven), set, seven);
   const PropagationResult c = segment(with_smooth_gradient(moved, "corrected", 0, 0, one), set, one);
@@ -131,14 +129,14 @@ TEST_CASE("propagation__numbers_by_size_threads_and_shift__the_same_bits") {
 
 TEST_CASE("propagation__nothing_to_work_on__a_status") {
   Task task;
-  const ParamSet set = options("propagation", propagation_rows());
+  const PropagationSettings set{};
   const Cloud cloud = cloud_of(random_points(100, 1, 5));
   const std::vector<double> nan(100, std::nan("")), flat(100, 1.0), none(100, 0.0);
   CHECK(status_of([&] { segment_by_propagation(cloud, nan, flat, set, task); }) == Status::kInsufficientData);
   CHECK(status_of([&] { segment_by_propagation(cloud, flat, nan, set, task); }) == Status::kInsufficientData);
   CHECK(status_of([&] { segment_by_propagation(cloud, flat, none, set, task); }) == Status::kDegenerate);
-  ParamSet high = set;
-  high.set_number("minimum_seed", 5);
+  PropagationSettings high = set;
+  high.minimum_seed = 5;
   CHECK(segment_by_propagation(cloud, flat, none, high, task).regions.at(0)->count() == 0);
 }
 

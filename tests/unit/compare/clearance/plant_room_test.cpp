@@ -21,14 +21,14 @@ TEST_CASE("chi_square__plant_room__every_removed_pipe_found_and_no_more_false_al
   std::vector<double> sample;
   for (size_t i = 0; i < distances.size(); ++i)
     if (room.removed[i] == 0 && room.cloud.point(i).x > 8 && room.truth[i] < 0.001) sample.push_back(distances[i]);
-  const NoiseLaw law = fit_noise_law(sample, options("noise_law", noise_law_rows()), task);
-  ParamSet set = options("chi_square", chi_square_rows());
-  const double margin = set.number("error_margin");
+  const NoiseLaw law = fit_noise_law(sample, NoiseLawSettings{}, task);
+  ChiSquareSettings set;
+  const double margin = set.error_margin;
   const ChangeFilter found = filter_changes(room.cloud, distances, law, set, task);
   const Cloud marked = with_field<uint8_t>(room.cloud, "changed", "", "", found.changed);
-  ParamSet grid = options("components", components_rows());
-  grid.set_text("field", "changed");
-  grid.set_number("cell_m", 0.1);
+  ComponentsSettings grid;
+  grid.field = "changed";
+  grid.cell_m = 0.1;
   uint64_t count = 0;
   const Cloud labelled = with_components(marked, grid, task, count);
   const auto label = labelled.fields.require("component").values<uint32_t>();

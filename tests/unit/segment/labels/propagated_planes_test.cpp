@@ -15,13 +15,12 @@ namespace {
 
 constexpr double kRangeSigma_m = 0.004, kAngleSigma_rad = 3e-4;
 
-ParamSet precision() {
-  ParamSet params("precision", precision_rows());
-  params.set_number("sigma_range_m", kRangeSigma_m);
-  params.set_number("sigma_horizontal_rad", kAngleSigma_rad);
-  params.set_number("sigma_vertical_rad", kAngleSigma_rad);
-  params.set_number("sigma_station_m", 5);  // shared by all points: not noise of a plane
-  return params;
+ScannerPrecision precision() {
+  ScannerPrecision out;
+  out.sigma_range_m = kRangeSigma_m;
+  out.sigma_horizontal_rad = out.sigma_vertical_rad = kAngleSigma_rad;
+  out.sigma_station_m = 5;  // shared by all points: not noise of a plane
+  return out;
 }
 
 // A wall of 12 x 6 m on y = 0 seen at a slant from a station 4 m before its left end, with the scanner's noise.
