@@ -31,7 +31,7 @@
 #include "report/pictures/deviation_picture.h"
 #include "report/pictures/picture.h"
 #include "report/report.h"
-#include "scan/scanner.h"
+#include "scan/scene.h"
 #include "segment/evaluation/confusion.h"
 #include "segment/evaluation/evaluation.h"
 #include "segment/labels/from_labels.h"

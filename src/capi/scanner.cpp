@@ -5,7 +5,8 @@
 #include "capi/support/guard.h"
 #include "capi/support/model_handles.h"
 #include "capi/support/scan_handles.h"
-#include "scan/scanner.h"
+#include "scan/methods.h"
+#include "scan/scene.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -82,7 +83,7 @@ jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model
     const ParamSet values = *scanner->values;
     const std::shared_ptr<const Cloud> points = cloud == nullptr ? nullptr : cloud->cloud;
     *out = with_task(task, [&](Task& t) {
-             return own(new_fields(true_planes(*model->model, points.get(), values, t)));
+             return own(new_fields(scanner->method->truth(*model->model, points.get(), values, t)));
            }).release();
   });
 }
@@ -90,7 +91,9 @@ jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model
 jalon_status jalon_scene_create(const jalon_params* options, jalon_task* task, jalon_model** out) {
   return guard([&] {
     require(out, "out");
-    const ParamSet values = options_or_default(options, "scene");
-    *out = with_task(task, [&](Task& t) { return own(new_model(build_scene(values, t))); }).release();
+    const auto settings = settings_from<SceneSettings>(options_or_default(options, "scene"));
+    *out = with_task(task, [&](Task& t) {
+             return own(new_model(build_scene(settings, t)));
+           }).release();
   });
 }

@@ -29,11 +29,11 @@ Transform rotation_by(const Vec3& vector_rad) {
 }  // namespace
 
 Misfit::Misfit(const StaticSettings& settings, size_t station)
-    : is_none_(!(settings.misfit_shift > 0) && !(settings.misfit_rotation > 0)) {
+    : is_none_(!(settings.misfit_shift_m > 0) && !(settings.misfit_rotation_rad > 0)) {
   RandomStream random(settings.seed ^ kMisfitKey, station);
   Vec3 turn;
-  for (int a = 0; a < 3; ++a) shift_[a] = settings.misfit_shift * random.normal();
-  for (int a = 0; a < 3; ++a) turn[a] = settings.misfit_rotation * random.normal();
+  for (int a = 0; a < 3; ++a) shift_[a] = settings.misfit_shift_m * random.normal();
+  for (int a = 0; a < 3; ++a) turn[a] = settings.misfit_rotation_rad * random.normal();
   rotation_ = rotation_by(turn);
 }
 

@@ -11,6 +11,8 @@ namespace jalon {
 
 namespace {
 
+using Recorded = StaticSettings::Echo;
+
 constexpr double kBehindGlass_m = 1e-6;  // where the search goes on behind a pane
 constexpr double kLeastCosine = 1e-6;    // of a sub-ray along a surface: it still counts
 constexpr size_t kMostSubRays = 1 + 3 * size_t{kMostBeamRings} * (kMostBeamRings + 1);
@@ -55,8 +57,8 @@ bool PulseCaster::sub_hit(const Vec3& eye, const Vec3& direction, size_t k, cons
   const Vec3 across = normalized(std::abs(direction.z) < 0.9 ? cross(direction, Vec3{0, 0, 1})
                                                              : cross(direction, Vec3{1, 0, 0}));
   const Vec3 aside = across * offsets_[k].u + cross(direction, across) * offsets_[k].v;
-  return hit({eye + aside * (settings_.beam_diameter / 2),
-              normalized(direction + aside * std::tan(settings_.beam_divergence / 2))},
+  return hit({eye + aside * (settings_.beam_diameter_m / 2),
+              normalized(direction + aside * std::tan(settings_.beam_divergence_rad / 2))},
              random, out);
 }
 
@@ -98,9 +100,10 @@ Echo PulseCaster::merged(std::span<RayHit> hits, const Vec3& direction) const {
   double best = -1;
   for (size_t i = 0, j; i < hits.size(); i = j) {
     double weight = 0;
-    for (j = i; j < hits.size() && hits[j].t - hits[i].t <= settings_.range_resolution; ++j) weight += weights[j];
-    if (best < 0 || settings_.echo == EchoChoice::kLast ||
-        (settings_.echo == EchoChoice::kStrongest && weight > best))
+    for (j = i; j < hits.size() && hits[j].t - hits[i].t <= settings_.range_resolution_m; ++j)
+      weight += weights[j];
+    if (best < 0 || settings_.echo == Recorded::kLast ||
+        (settings_.echo == Recorded::kStrongest && weight > best))
       from = i, to = j, best = weight;
   }
   // 2. Its weighted mean, relative to the nearest, and the face that gives most of it.

@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "base/task.h"
-#include "scan/static_settings.h"
+#include "scan/directions.h"
 
 namespace jalon {
 

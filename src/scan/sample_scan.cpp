@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/setting_rows.h"
 #include "scan/scan_output.h"
 #include "scan/scanner.h"
 #include "scan/surfaces.h"
@@ -17,12 +18,6 @@ namespace {
 
 constexpr size_t kPointGrain = 16384;  // points a chunk: about 2 ms
 constexpr double kMostPoints = 4294967295.0;
-
-struct SampleSettings {
-  double noise, point_noise, outliers, step_m;
-  Vec3 offset;
-  uint64_t seed;
-};
 
 /// Corner and two sides of each triangle relative to the origin, and the running sum of their weights.
 struct Triangles {
@@ -58,20 +53,11 @@ void weigh(Triangles& triangles, const Surfaces& surfaces, bool equal_counts) {
   }
 }
 
-size_t point_count(const ParamSet& params, double area_m2) {
-  const int64_t points = params.integer("points");
-  if (points > 0) return static_cast<size_t>(points);
-  const double spacing = params.number("spacing_m"), n = std::round(area_m2 / (spacing * spacing));
+size_t point_count(const SampleSettings& s, double area_m2) {
+  if (s.points > 0) return s.points;
+  const double n = std::round(area_m2 / (s.spacing_m * s.spacing_m));
   if (!(n <= kMostPoints)) fail(Status::kLimit, "the spacing gives more than 2^32 - 1 points");
   return static_cast<size_t>(n);
-}
-
-SampleSettings settings_of(const ParamSet& params) {
-  const auto& offset = params.numbers("offset_m");
-  if (offset.size() != 3) fail(Status::kInvalidArgument, "offset_m takes three numbers");
-  return {params.number("noise_m"),           params.number("point_noise_m"), params.number("outliers"),
-          params.number("coordinate_step_m"), {offset[0], offset[1], offset[2]},
-          static_cast<uint64_t>(params.integer("seed"))};
 }
 
 /// Uniform in the triangle: the unit square folded along its diagonal.
@@ -85,8 +71,8 @@ Vec3 point_in(const Model& model, uint32_t triangle, const Vec3& origin, RandomS
 
 /// Point i is a pure function of the seed and its number. The weights are cut into as many equal parts as there are
 /// points, one drawn from each: every triangle gets its share to within two points.
-void sample_one(const Model& model, const Triangles& triangles, const Surfaces& surfaces, const SampleSettings& s,
-                size_t i, size_t n, ScanOutput& out) {
+void sample_one(const Model& model, const Triangles& triangles, const Surfaces& surfaces,
+                const SampleSettings& s, const Vec3& offset, size_t i, size_t n, ScanOutput& out) {
   RandomStream random(s.seed, i);
   const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(n) * triangles.weight;
   const auto found = std::upper_bound(triangles.cumulated.begin(), triangles.cumulated.end() - 1, at);
@@ -99,49 +85,59 @@ void sample_one(const Model& model, const Triangles& triangles, const Surfaces& 
       exact[a] = triangles.box.min[a] + (triangles.box.max[a] - triangles.box.min[a]) * random.uniform();
     measured = exact;
   } else {
-    if (s.noise > 0) measured += surfaces.normal(triangle) * (s.noise * random.normal());
-    if (s.point_noise > 0)
-      for (int a = 0; a < 3; ++a) measured[a] += s.point_noise * random.normal();
+    if (s.noise_m > 0) measured += surfaces.normal(triangle) * (s.noise_m * random.normal());
+    if (s.point_noise_m > 0)
+      for (int a = 0; a < 3; ++a) measured[a] += s.point_noise_m * random.normal();
   }
-  out.set_point(i, stepped(measured, s.step_m) + triangles.origin + s.offset, exact + triangles.origin + s.offset,
-                is_outlier ? kNoFace : surfaces.face(triangle),
+  out.set_point(i, stepped(measured, s.coordinate_step_m) + triangles.origin + offset,
+                exact + triangles.origin + offset, is_outlier ? kNoFace : surfaces.face(triangle),
                 is_outlier ? kNoSegment : surfaces.segment(triangle));
 }
 
 }  // namespace
 
 std::span<const ParamRow> sample_scanner_rows() {
-  static constexpr ParamRow kRows[] = {
-      integer_row("points", 0, 0, kMostPoints, "points", "", "number of points; 0: by the spacing"),
-      number_row("spacing_m", 0.1, 1e-4, 1e3, "m", "",
-                 "mean spacing: one point a square of this side, unless the number of points is given"),
-      bool_row("equal_counts", false, "", "every face gets the same number of points, whatever its area"),
-      number_row("noise_m", 0.003, 0, 100, "m", "", "standard deviation along the face's normal"),
-      number_row("point_noise_m", 0, 0, 100, "m", "", "standard deviation added to each coordinate"),
-      kGlassMinRow,
-      kGlassMaxRow,
-      number_row("outliers", 0, 0, 1, "1", "", "share of the points that lie anywhere in the model's box"),
-      number_row("coordinate_step_m", 0, 0, 1, "m", "",
-                 "coordinates are recorded as whole metres and multiples of this, before the offset; 0: as they are"),
-      doubles_row("offset_m", "0 0 0", -1e9, 1e9, "m", "",
-                  "three numbers added to all coordinates at the end, e.g. a national grid"),
-      kTruthRow,
-      integer_row("seed", 1, 0, 9007199254740992.0, "1", "", "of places and noise; the same seed gives the same bits"),
-  };
+  using S = SampleSettings;
+  static constexpr auto kRows = setting_rows(
+      integer_row<&S::points>("points", 0, kMostPoints, "points", "",
+                              "number of points; 0: by the spacing"),
+      number_row<&S::spacing_m>(
+          "spacing_m", 1e-4, 1e3, "m", "",
+          "mean spacing: one point a square of this side, unless the number of points is given"),
+      bool_row<&S::equal_counts>("equal_counts", "",
+                                 "every face gets the same number of points, whatever its area"),
+      number_row<&S::noise_m>("noise_m", 0, 100, "m", "",
+                              "standard deviation along the face's normal"),
+      number_row<&S::point_noise_m>("point_noise_m", 0, 100, "m", "",
+                                    "standard deviation added to each coordinate"),
+      nested_rows<&S::surfaces, kGlassRows>(),
+      number_row<&S::outliers>("outliers", 0, 1, "1", "",
+                               "share of the points that lie anywhere in the model's box"),
+      number_row<&S::coordinate_step_m>("coordinate_step_m", 0, 1, "m", "",
+                                        "coordinates are recorded as whole metres and multiples of "
+                                        "this, before the offset; 0: as they are"),
+      doubles_row<&S::offset_m>(
+          "offset_m", -1e9, 1e9, "m", "",
+          "three numbers added to all coordinates at the end, e.g. a national grid"),
+      nested_rows<&S::surfaces, kTruthRows>(),
+      integer_row<&S::seed>("seed", 0, 9007199254740992.0, "1", "",
+                            "of places and noise; the same seed gives the same bits"));
   return kRows;
 }
 
-Cloud scan_sample(const Model& model, std::span<const ScanStation> stations, const ParamSet& params, Task& task) {
+Cloud scan_sample(const Model& model, std::span<const ScanStation> stations,
+                  const SampleSettings& settings, Task& task) {
   if (!stations.empty()) fail(Status::kInvalidArgument, "scanner sample takes points from everywhere: no stations");
-  const SampleSettings settings = settings_of(params);
+  const Vec3 offset = offset_of(settings.offset_m);
   validate(model);
   Triangles triangles = measure(model);
-  const Surfaces surfaces(model, params, task);
-  weigh(triangles, surfaces, params.flag("equal_counts"));
-  const size_t n = triangles.weight > 0 ? point_count(params, triangles.area) : 0;
+  const Surfaces surfaces(model, settings.surfaces, settings.seed, task);
+  weigh(triangles, surfaces, settings.equal_counts);
+  const size_t n = triangles.weight > 0 ? point_count(settings, triangles.area) : 0;
   ScanOutput out(n);
   parallel_for(task, n, kPointGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) sample_one(model, triangles, surfaces, settings, i, n, out);
+    for (size_t i = begin; i < end; ++i)
+      sample_one(model, triangles, surfaces, settings, offset, i, n, out);
   });
   return out.take();
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/error.h"
+
 namespace jalon {
 
 namespace {
@@ -48,6 +50,11 @@ Vec3 stepped(Vec3 p, double step_m) {
   if (step_m > 0)
     for (int a = 0; a < 3; ++a) p[a] = std::nearbyint(p[a] / step_m) * step_m;
   return p;
+}
+
+Vec3 offset_of(std::span<const double> offset_m) {
+  if (offset_m.size() != 3) fail(Status::kInvalidArgument, "offset_m takes three numbers");
+  return {offset_m[0], offset_m[1], offset_m[2]};
 }
 
 }  // namespace jalon

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "base/buffer.h"
 #include "base/field.h"
@@ -23,5 +24,9 @@ struct ScanOutput {
 
 /// To whole metres and multiples of the step, relative to an origin of whole metres; a step of 0 changes nothing.
 Vec3 stepped(Vec3 p, double step_m);
+
+/// What is added to all coordinates at the end; throws kInvalidArgument unless there are three
+/// numbers.
+Vec3 offset_of(std::span<const double> offset_m);
 
 }  // namespace jalon

@@ -10,6 +10,7 @@
 #include "base/task.h"
 #include "cloud/cloud.h"
 #include "model/model.h"
+#include "scan/static_settings.h"
 
 namespace jalon {
 
@@ -27,32 +28,32 @@ void require_rigid(const Transform& pose);
 /// building; a distance (0: the rule above) goes from the foremost upright triangle to the tripods.
 std::vector<ScanStation> automatic_stations(const Model& model, uint64_t count = 0, double distance_m = 0);
 
-/// A way to make a cloud of a model, with its parameter table. All have offset_m, truth_min_area_m2 and seed.
-struct ScannerMethod {
-  const char* name;
-  const char* owner;  ///< of its parameters, in messages
-  std::span<const ParamRow> (*rows)();
-  Cloud (*scan)(const Model& model, std::span<const ScanStation> stations, const ParamSet& params, Task& task);
-};
-std::span<const ScannerMethod> scanner_methods();
-
 /// Method "static": a tripod. Fields "face" and "segment" (uint32; see scan/truth.h), "true_xyz" (float64 x 3),
 /// "range" (float32), on demand "incidence_angle" (float32); one cloud station a scan station. Without stations the
 /// automatic ones are taken.
-std::span<const ParamRow> static_scanner_rows();
-Cloud scan_static(const Model& model, std::span<const ScanStation> stations, const ParamSet& params, Task& task);
+Cloud scan_static(const Model& model, std::span<const ScanStation> stations,
+                  const StaticSettings& settings, Task& task);
 
 /// Method "sample": random points on all faces, whether or not they can be seen, in the order of the triangles, with
 /// noise along their normals. Fields "face", "segment", "true_xyz". Refuses stations.
+struct SampleSettings {
+  uint64_t points = 0;  ///< 0: by the spacing
+  double spacing_m = 0.1;
+  bool equal_counts = false;
+  double noise_m = 0.003, point_noise_m = 0;
+  SurfaceSettings surfaces{};
+  double outliers = 0;  ///< share of the points
+  double coordinate_step_m = 0;
+  std::vector<double> offset_m{0, 0, 0};
+  uint64_t seed = 1;
+};
 std::span<const ParamRow> sample_scanner_rows();
-Cloud scan_sample(const Model& model, std::span<const ScanStation> stations, const ParamSet& params, Task& task);
+Cloud scan_sample(const Model& model, std::span<const ScanStation> stations,
+                  const SampleSettings& settings, Task& task);
 
-/// The true planes of the model as these parameters number and shift them, and, with a cloud of the same parameters,
-/// how many of its points each has: see truth_table.
-FieldTable true_planes(const Model& model, const Cloud* cloud, const ParamSet& params, Task& task);
-
-/// Parameter table of the operation "scene" and its builder.
-std::span<const ParamRow> scene_rows();
-Model build_scene(const ParamSet& params, Task& task);
+/// The true planes of the model as a scan with these settings numbers and shifts them, and, with a
+/// cloud of the same settings, how many of its points each has: see truth_table.
+FieldTable true_planes(const Model& model, const Cloud* cloud, double truth_min_area_m2,
+                       std::span<const double> offset_m, Task& task);
 
 }  // namespace jalon

@@ -32,18 +32,21 @@ struct Output : ScanOutput {
 
 class Scan {
  public:
-  Scan(const Surfaces& surfaces, const StaticSettings& settings, const TriangleTree& tree, Task& task)
+  Scan(const Surfaces& surfaces, const StaticSettings& settings, const RayGrid& grid,
+       const Vec3& offset, const TriangleTree& tree, Task& task)
       : surfaces_(surfaces),
         settings_(settings),
+        offset_(offset),
         tree_(tree),
         streams_(settings.seed),
-        directions_(settings, task),
+        directions_(settings, grid, task),
         pulses_(settings, tree, surfaces) {}
 
   Returns cast(const Transform& pose, size_t station, Task& task) const {
     if (tree_.size() == 0) return {};
-    Returns returns((settings_.rays() + kRayGrain - 1) / kRayGrain);
-    parallel_for(task, settings_.rays(), kRayGrain, [&](size_t begin, size_t end) {
+    const uint64_t rays = directions_.grid().rays();
+    Returns returns((rays + kRayGrain - 1) / kRayGrain);
+    parallel_for(task, rays, kRayGrain, [&](size_t begin, size_t end) {
       std::vector<Return> found;
       for (uint64_t ray = begin; ray < end; ++ray) cast_one(pose, station, ray, begin, found);
       found.shrink_to_fit();
@@ -78,7 +81,7 @@ class Scan {
     Echo echo;
     // Range limits apply to what is first met: a surface too near shadows those behind it.
     if (!pulses_.send(pose.translation(), direction, streams_.panes(station, ray), echo)) return;
-    if (!(echo.range >= settings_.min_range && echo.range <= settings_.max_range)) return;
+    if (!(echo.range >= settings_.min_range_m && echo.range <= settings_.max_range_m)) return;
     RandomStream random = streams_.decisions(station, ray);
     if (random.uniform() < settings_.dropout) return;
     uint32_t mark = random.uniform() < settings_.outliers ? kOutlierBit : 0;
@@ -91,7 +94,8 @@ class Scan {
 
   /// Area on the surface that the ray stands for, in squares of the spacing.
   double kept_share(const Echo& echo, const Vec3& direction, uint64_t ray) const {
-    const double across = directions_.of_horizon(ray) * settings_.horizontal_step * settings_.vertical_step;
+    const double across =
+        directions_.of_horizon(ray) * settings_.horizontal_step_rad * settings_.vertical_step_rad;
     return echo.range * echo.range * across /
            (settings_.spacing_m * settings_.spacing_m * surfaces_.cosine(echo.triangle, direction));
   }
@@ -112,8 +116,8 @@ class Scan {
       measured = misfit.recorded(from, disturbed(random, pose, ray, direction, r.range));
     }
     const double range = is_outlier ? norm(exact - from) : r.range;
-    out.set_point(i, stepped(measured, settings_.step_m) + origin + settings_.offset,
-                  exact + origin + settings_.offset, is_outlier ? kNoFace : surfaces_.face(r.triangle),
+    out.set_point(i, stepped(measured, settings_.coordinate_step_m) + origin + offset_,
+                  exact + origin + offset_, is_outlier ? kNoFace : surfaces_.face(r.triangle),
                   is_outlier || is_mixed ? kNoSegment : surfaces_.segment(r.triangle));
     out.range->values<float>()[i] = static_cast<float>(range);
     if (out.incidence)
@@ -127,23 +131,25 @@ class Scan {
   Vec3 disturbed(RandomStream& random, const Transform& pose, uint64_t ray, const Vec3& direction,
                  double true_range) const {
     const StaticSettings& s = settings_;
-    const double range_noise = s.range_noise + s.range_noise_ppm * 1e-6 * true_range;
+    const double range_noise = s.range_noise_m + s.range_noise_ppm * 1e-6 * true_range;
     const double range = range_noise > 0 ? true_range + range_noise * random.normal() : true_range;
     Vec3 seen = direction;
-    if (s.horizontal_noise > 0 || s.vertical_noise > 0) {
-      const double error_h = s.horizontal_noise * random.normal(), error_v = s.vertical_noise * random.normal();
+    if (s.angle_noise_rad > 0 || s.vertical_noise_rad > 0) {
+      const double error_h = s.angle_noise_rad * random.normal();
+      const double error_v = s.vertical_noise_rad * random.normal();
       seen = normalized(pose.direction(directions_.of(ray, error_h, error_v)));
     }
     Vec3 p = seen * range;
-    if (s.point_noise > 0)
-      for (int a = 0; a < 3; ++a) p[a] += s.point_noise * random.normal();
+    if (s.point_noise_m > 0)
+      for (int a = 0; a < 3; ++a) p[a] += s.point_noise_m * random.normal();
     return p;
   }
 
   /// Along the ray in front of the surface (dust, mixed returns), or anywhere in the model's box.
   Vec3 outlier(RandomStream& random, const Vec3& from, const Vec3& direction, double range) const {
-    if (!settings_.outliers_in_box)
-      return from + direction * (settings_.min_range + (range - settings_.min_range) * random.uniform());
+    if (settings_.outlier_place == StaticSettings::OutlierPlace::kRay)
+      return from + direction * (settings_.min_range_m +
+                                 (range - settings_.min_range_m) * random.uniform());
     const Box3& box = tree_.local_bounds();
     Vec3 p;
     for (int a = 0; a < 3; ++a) p[a] = box.min[a] + (box.max[a] - box.min[a]) * random.uniform();
@@ -152,6 +158,7 @@ class Scan {
 
   const Surfaces& surfaces_;
   const StaticSettings& settings_;
+  Vec3 offset_;
   const TriangleTree& tree_;
   RayStreams streams_;
   Directions directions_;
@@ -170,14 +177,14 @@ std::vector<Returns> cast_all(const Scan& scan, std::span<const ScanStation> sta
 }
 
 /// Points and fields, station by station; the returns are used up.
-Cloud record_all(const Scan& scan, const StaticSettings& settings, std::span<const ScanStation> stations,
-                 std::vector<Returns>& returns, Task& task) {
+Cloud record_all(const Scan& scan, const StaticSettings& settings, const Vec3& offset,
+                 std::span<const ScanStation> stations, std::vector<Returns>& returns, Task& task) {
   std::vector<size_t> first(stations.size() + 1, 0);
   for (size_t s = 0; s < stations.size(); ++s) {
     first[s + 1] = first[s];
     for (const auto& chunk : returns[s]) first[s + 1] += chunk.size();
   }
-  Output out(first.back(), settings.with_incidence);
+  Output out(first.back(), settings.incidence_angle);
   const double n = static_cast<double>(stations.size());
   for (size_t s = 0; s < stations.size(); ++s) {
     const double part = static_cast<double>(s);
@@ -192,7 +199,7 @@ Cloud record_all(const Scan& scan, const StaticSettings& settings, std::span<con
     Station station{stations[s].name, true, Misfit(settings, s).recorded(stations[s].pose), first[s],
                     first[s + 1] - first[s]};
     if (station.name.empty()) station.name = "station " + std::to_string(s + 1);
-    for (int a = 0; a < 3; ++a) station.pose.m[static_cast<size_t>(4 * a + 3)] += settings.offset[a];
+    for (int a = 0; a < 3; ++a) station.pose.m[static_cast<size_t>(4 * a + 3)] += offset[a];
     cloud.stations.push_back(station);
   }
   return cloud;
@@ -200,9 +207,12 @@ Cloud record_all(const Scan& scan, const StaticSettings& settings, std::span<con
 
 }  // namespace
 
-Cloud scan_static(const Model& model, std::span<const ScanStation> stations, const ParamSet& params, Task& task) {
+Cloud scan_static(const Model& model, std::span<const ScanStation> stations,
+                  const StaticSettings& asked, Task& task) {
   // 1. What to do, and from where.
-  const StaticSettings settings = static_settings(params);
+  const RayGrid grid = ray_grid(asked);
+  const StaticSettings settings = resolved(asked);
+  const Vec3 offset = offset_of(settings.offset_m);
   validate(model);
   std::vector<ScanStation> automatic;
   if (stations.empty()) {
@@ -217,13 +227,13 @@ Cloud scan_static(const Model& model, std::span<const ScanStation> stations, con
   std::optional<Surfaces> surfaces;
   {
     const Span span(task, 0, 0.05, "finding the true planes");
-    surfaces.emplace(model, params, task);
+    surfaces.emplace(model, settings.surfaces, settings.seed, task);
   }
   {
     const Span span(task, 0.05, 0.1, "indexing the model");
     tree = TriangleTree::build(model.vertices, model.triangles, task);
   }
-  const Scan scan(*surfaces, settings, *tree, task);
+  const Scan scan(*surfaces, settings, grid, offset, *tree, task);
 
   // 3. All rays: what they meet, without noise; and which of it is kept.
   std::vector<Returns> returns;
@@ -238,7 +248,7 @@ Cloud scan_static(const Model& model, std::span<const ScanStation> stations, con
 
   // 4. Points with noise and truth.
   const Span span(task, 0.82, 1, "recording points");
-  return record_all(scan, settings, stations, returns, task);
+  return record_all(scan, settings, offset, stations, returns, task);
 }
 
 }  // namespace jalon

@@ -2,110 +2,120 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan/static_settings.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/error.h"
-#include "base/parallel.h"
+#include "base/setting_rows.h"
+#include "scan/surfaces.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr size_t kAngleGrain = 65536;  // angles a chunk: about 2 ms
-
-/// Number of steps in a range: one more, when closed, for its end. Rounding must not lose the last one.
-uint64_t steps_in(double from, double to, double step, bool is_closed) {
-  if (!(to >= from)) fail(Status::kInvalidArgument, "a field of view ends before it begins");
-  const double n =
-      is_closed ? std::floor((to - from) / step + 1e-9) + 1 : std::max(1.0, std::ceil((to - from) / step - 1e-9));
-  if (!(n <= kMaxRays)) fail(Status::kLimit, "the angular steps give too many rays");
-  return static_cast<uint64_t>(n);
-}
-
 /// Maker's values of the Trimble GX (Boulaassal 2010, table 3.1 and annex A.3): 7 mm, 12" and 14"; a spot of 3 mm at
 /// 50 m that the autofocus keeps in proportion to the range.
 void set_gx(StaticSettings& s) {
-  s.range_noise = 0.007;
+  s.range_noise_m = 0.007;
   s.range_noise_ppm = 0;
-  s.horizontal_noise = 60e-6;
-  s.vertical_noise = 70e-6;
-  s.beam_diameter = 0;
-  s.beam_divergence = 60e-6;
-}
-
-/// Noise, beam and misfit.
-void read_errors(const ParamSet& params, StaticSettings& s) {
-  s.range_noise = params.number("range_noise_m");
-  s.range_noise_ppm = params.number("range_noise_ppm");
-  s.horizontal_noise = params.number("angle_noise_rad");
-  s.vertical_noise = params.number("vertical_noise_rad");
-  if (s.vertical_noise < 0) s.vertical_noise = s.horizontal_noise;
-  s.beam_diameter = params.number("beam_diameter_m");
-  s.beam_divergence = params.number("beam_divergence_rad");
-  if (params.text("instrument") == "gx") set_gx(s);
-  s.beam_rings = static_cast<int>(params.integer("beam_rings"));
-  s.range_resolution = params.number("range_resolution_m");
-  s.echo = params.text("echo") == "first"  ? EchoChoice::kFirst
-           : params.text("echo") == "last" ? EchoChoice::kLast
-                                           : EchoChoice::kStrongest;
-  s.misfit_shift = params.number("misfit_shift_m");
-  s.misfit_rotation = params.number("misfit_rotation_rad");
-  s.point_noise = params.number("point_noise_m");
+  s.angle_noise_rad = 60e-6;
+  s.vertical_noise_rad = 70e-6;
+  s.beam_diameter_m = 0;
+  s.beam_divergence_rad = 60e-6;
 }
 
 }  // namespace
 
-StaticSettings static_settings(const ParamSet& params) {
-  StaticSettings s;
-  s.horizontal_from = params.number("horizontal_from_rad");
-  s.vertical_from = params.number("vertical_from_rad");
-  s.horizontal_step = params.number("horizontal_step_rad");
-  s.vertical_step = params.number("vertical_step_rad");
-  s.columns = steps_in(s.horizontal_from, params.number("horizontal_to_rad"), s.horizontal_step, false);
-  s.rows = steps_in(s.vertical_from, params.number("vertical_to_rad"), s.vertical_step, true);
-  if (static_cast<double>(s.columns) * static_cast<double>(s.rows) > kMaxRays)
-    fail(Status::kLimit, "the angular steps give more than 2^36 rays a station");
-  s.by_columns = params.text("order") == "columns";
-  s.min_range = params.number("min_range_m");
-  s.max_range = params.number("max_range_m");
-  if (!(s.min_range <= s.max_range)) fail(Status::kInvalidArgument, "min_range_m is above max_range_m");
-  read_errors(params, s);
-  s.dropout = params.number("dropout");
-  s.outliers = params.number("outliers");
-  s.outliers_in_box = params.text("outlier_place") == "box";
-  s.step_m = params.number("coordinate_step_m");
-  const auto& offset = params.numbers("offset_m");
-  if (offset.size() != 3) fail(Status::kInvalidArgument, "offset_m takes three numbers");
-  s.offset = {offset[0], offset[1], offset[2]};
-  s.seed = static_cast<uint64_t>(params.integer("seed"));
-  s.with_incidence = params.flag("incidence_angle");
-  s.max_points = static_cast<uint64_t>(params.integer("max_points"));
-  s.spacing_m = params.number("spacing_m");
-  s.stations = static_cast<uint64_t>(params.integer("stations"));
-  s.station_distance_m = params.number("station_distance_m");
+std::span<const ParamRow> static_scanner_rows() {
+  using S = StaticSettings;
+  constexpr double kPi = std::numbers::pi;
+  static constexpr auto kRows = setting_rows(
+      number_row<&S::horizontal_step_rad>("horizontal_step_rad", 1e-6, 1, "rad", "",
+                                          "angle between neighbouring columns"),
+      number_row<&S::vertical_step_rad>("vertical_step_rad", 1e-6, 1, "rad", "",
+                                        "angle between neighbouring points of a column"),
+      number_row<&S::horizontal_from_rad>(
+          "horizontal_from_rad", -2 * kPi, 2 * kPi, "rad", "",
+          "start of the field of view, from the scanner's +Y axis, clockwise toward +X"),
+      number_row<&S::horizontal_to_rad>("horizontal_to_rad", -2 * kPi, 2 * kPi, "rad", "",
+                                        "end of the field of view, itself left out"),
+      number_row<&S::vertical_from_rad>("vertical_from_rad", -kPi / 2, kPi / 2, "rad", "",
+                                        "lowest angle, from the horizon"),
+      number_row<&S::vertical_to_rad>("vertical_to_rad", -kPi / 2, kPi / 2, "rad", "",
+                                      "highest angle, from the horizon"),
+      number_row<&S::min_range_m>("min_range_m", 0, 1e6, "m", "", "smallest range recorded"),
+      number_row<&S::max_range_m>("max_range_m", 0, 1e6, "m", "", "largest range recorded"),
+      number_row<&S::range_noise_m>("range_noise_m", 0, 100, "m", "",
+                                    "standard deviation of the measured distance"),
+      number_row<&S::range_noise_ppm>("range_noise_ppm", 0, 1e6, "ppm", "",
+                                      "what is added to it: millionths of the distance"),
+      number_row<&S::angle_noise_rad>("angle_noise_rad", 0, 1, "rad", "",
+                                      "standard deviation of each measured angle"),
+      number_row<&S::vertical_noise_rad>("vertical_noise_rad", -1, 1, "rad", "",
+                                         "standard deviation of the vertical angle; negative: the "
+                                         "same as that of the horizontal one"),
+      number_row<&S::point_noise_m>(
+          "point_noise_m", 0, 100, "m", "",
+          "standard deviation added to each coordinate, whatever the range"),
+      choice_row<&S::instrument>("instrument", "custom|gx", "",
+                                 "gx: noise and beam of a Trimble GX in place of those set: 7 mm, "
+                                 "60 and 70 urad, a spot of 60 urad"),
+      number_row<&S::misfit_shift_m>("misfit_shift_m", 0, 10, "m", "",
+                                     "standard deviation of each coordinate of a recorded station: "
+                                     "one error of its pose and points"),
+      number_row<&S::misfit_rotation_rad>("misfit_rotation_rad", 0, 1, "rad", "",
+                                          "standard deviation of the rotation of a recorded "
+                                          "station about each axis, through its centre"),
+      number_row<&S::beam_diameter_m>("beam_diameter_m", 0, 1, "m", "",
+                                      "diameter of the beam where it leaves the scanner"),
+      number_row<&S::beam_divergence_rad>("beam_divergence_rad", 0, 0.1, "rad", "",
+                                          "full angle by which the diameter grows"),
+      integer_row<&S::beam_rings>(
+          "beam_rings", 0, kMostBeamRings, "1", "",
+          "sub-rays of a beam with a diameter: one and rings of 6, 12, 18 ...; 0: a line"),
+      number_row<&S::range_resolution_m>("range_resolution_m", 0, 100, "m", "",
+                                         "surfaces that a pulse meets within this range give one "
+                                         "return at their weighted mean: a mixed pixel"),
+      choice_row<&S::echo>("echo", "first|last|strongest", "",
+                           "which return of a pulse is recorded"),
+      nested_rows<&S::surfaces, kGlassRows>(),
+      number_row<&S::dropout>("dropout", 0, 1, "1", "", "share of the returns that is lost"),
+      number_row<&S::outliers>("outliers", 0, 1, "1", "",
+                               "share of the returns that is no point of a face"),
+      choice_row<&S::outlier_place>(
+          "outlier_place", "ray|box", "",
+          "ray: in front of the surface, on the ray; box: anywhere in the model's box"),
+      number_row<&S::coordinate_step_m>("coordinate_step_m", 0, 1, "m", "",
+                                        "coordinates are recorded as whole metres and multiples of "
+                                        "this, before the offset; 0: as they are"),
+      doubles_row<&S::offset_m>(
+          "offset_m", -1e9, 1e9, "m", "",
+          "three numbers added to all coordinates and poses at the end, e.g. a national grid"),
+      choice_row<&S::order>(
+          "order", "columns|rows", "",
+          "columns: points of a station run upward column by column; rows: line by line"),
+      integer_row<&S::max_points>(
+          "max_points", 0, 9007199254740992.0, "points", "",
+          "thins the whole scan at random to this number of points; 0: all"),
+      number_row<&S::spacing_m>("spacing_m", 0, 100, "m", "",
+                                "thins each station at random to one point a square of this side "
+                                "on the surfaces; 0: all"),
+      integer_row<&S::stations>("stations", 0, 1000, "1", "",
+                                "number of automatic stations, evenly along a facade, on the axis "
+                                "of a street, around a building; 0: by the model"),
+      number_row<&S::station_distance_m>(
+          "station_distance_m", 0, 1e6, "m", "",
+          "distance of automatic stations from the foremost upright face; 0: 0.6 times the width"),
+      nested_rows<&S::surfaces, kTruthRows>(),
+      bool_row<&S::incidence_angle>("incidence_angle", "", "adds the field incidence_angle"),
+      integer_row<&S::seed>("seed", 0, 9007199254740992.0, "1", "",
+                            "of the noise; the same seed gives the same bits"));
+  return kRows;
+}
+
+StaticSettings resolved(StaticSettings s) {
+  if (!(s.min_range_m <= s.max_range_m))
+    fail(Status::kInvalidArgument, "min_range_m is above max_range_m");
+  if (s.vertical_noise_rad < 0) s.vertical_noise_rad = s.angle_noise_rad;
+  if (s.instrument == StaticSettings::Instrument::kGx) set_gx(s);
   return s;
-}
-
-Directions::Directions(const StaticSettings& settings, Task& task)
-    : settings_(settings), horizontal_(settings.columns), vertical_(settings.rows) {
-  parallel_for(task, horizontal_.size(), kAngleGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) horizontal_[i] = sine_cosine(horizontal(i));
-  });
-  parallel_for(task, vertical_.size(), kAngleGrain, [&](size_t begin, size_t end) {
-    for (size_t j = begin; j < end; ++j) vertical_[j] = sine_cosine(vertical(j));
-  });
-}
-
-Vec3 Directions::of(uint64_t ray, double error_h_rad, double error_v_rad) const {
-  return polar(sine_cosine(horizontal(column(ray)) + error_h_rad), sine_cosine(vertical(row(ray)) + error_v_rad));
-}
-
-double Directions::horizontal(uint64_t i) const {
-  return settings_.horizontal_from + settings_.horizontal_step * static_cast<double>(i);
-}
-double Directions::vertical(uint64_t j) const {
-  return settings_.vertical_from + settings_.vertical_step * static_cast<double>(j);
 }
 
 }  // namespace jalon

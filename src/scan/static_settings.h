@@ -2,81 +2,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <span>
 #include <vector>
 
 #include "base/params.h"
-#include "base/task.h"
-#include "geometry/vec.h"
+#include "scan/surface_settings.h"
 
 namespace jalon {
 
-constexpr double kMaxRays = 0x1.0p36;  ///< a station
-
 constexpr int kMostBeamRings = 5;
 
-/// Which of the returns of one pulse is recorded.
-enum class EchoChoice { kFirst, kLast, kStrongest };
-
-/// The parameters of the static scanner, read once.
+/// Of the static scanner. Angles as in scan/directions.h; the table of the rows says what each
+/// member means.
 struct StaticSettings {
-  double horizontal_from, vertical_from, horizontal_step, vertical_step;
-  uint64_t columns, rows;
-  bool by_columns;
-  double min_range, max_range;
-  double range_noise, range_noise_ppm, horizontal_noise, vertical_noise, point_noise;
-  double misfit_shift, misfit_rotation;
-  double beam_diameter, beam_divergence;  ///< full widths, at the exit and as an angle
-  int beam_rings;
-  double range_resolution;
-  EchoChoice echo;
-  double dropout, outliers;
-  bool outliers_in_box;
-  double step_m;  ///< of the recorded coordinates
-  Vec3 offset;
-  uint64_t seed;
-  bool with_incidence;
-  uint64_t max_points;   ///< 0: all
-  double spacing_m;      ///< 0: all
-  uint64_t stations;     ///< automatic ones; 0: as the model asks for
-  double station_distance_m;
+  enum class Instrument { kCustom, kGx };
+  enum class Echo { kFirst, kLast, kStrongest };  ///< of the returns of one pulse
+  enum class OutlierPlace { kRay, kBox };
+  enum class Order { kColumns, kRows };
 
-  bool has_beam() const { return beam_rings > 0 && (beam_diameter > 0 || beam_divergence > 0); }
-  uint64_t rays() const { return columns * rows; }
-};
+  // The grid of rays, and what of it is recorded.
+  double horizontal_step_rad = 0.0016, vertical_step_rad = 0.0016;
+  double horizontal_from_rad = -std::numbers::pi, horizontal_to_rad = std::numbers::pi;
+  double vertical_from_rad = -std::numbers::pi / 3, vertical_to_rad = std::numbers::pi / 2;
+  double min_range_m = 0.5, max_range_m = 200;
 
-/// Throws kInvalidArgument or kLimit where parameters contradict each other.
-StaticSettings static_settings(const ParamSet& params);
+  // Errors of the instrument and of the registration.
+  double range_noise_m = 0.003, range_noise_ppm = 0;
+  double angle_noise_rad = 2e-5;
+  double vertical_noise_rad = -1;  ///< negative: that of the horizontal angle
+  double point_noise_m = 0;
+  Instrument instrument = Instrument::kCustom;
+  double misfit_shift_m = 0, misfit_rotation_rad = 0;
 
-/// The directions of one revolution, by eq. 1.1 (Boulaassal 2010): AH from +Y clockwise toward +X, AV from the
-/// horizon.
-class Directions {
- public:
-  Directions(const StaticSettings& settings, Task& task);
-  Vec3 of(uint64_t ray) const { return polar(horizontal_[column(ray)], vertical_[row(ray)]); }
-  /// Cosine of the ray's vertical angle.
-  double of_horizon(uint64_t ray) const { return vertical_[row(ray)].cosine; }
-  /// With these errors of the two angles.
-  Vec3 of(uint64_t ray, double error_h_rad, double error_v_rad) const;
+  // The beam.
+  double beam_diameter_m = 0;      ///< full width at the exit
+  double beam_divergence_rad = 0;  ///< full angle
+  int beam_rings = 2;
+  double range_resolution_m = 0.3;
+  Echo echo = Echo::kFirst;
 
- private:
-  struct SineCosine {
-    double sine, cosine;
-  };
-  static SineCosine sine_cosine(double angle) { return {std::sin(angle), std::cos(angle)}; }
-  static Vec3 polar(const SineCosine& h, const SineCosine& v) {
-    return {v.cosine * h.sine, v.cosine * h.cosine, v.sine};
+  SurfaceSettings surfaces{};
+  double dropout = 0, outliers = 0;  ///< shares of the returns
+  OutlierPlace outlier_place = OutlierPlace::kRay;
+
+  // The cloud.
+  double coordinate_step_m = 0;
+  std::vector<double> offset_m{0, 0, 0};
+  Order order = Order::kColumns;
+  uint64_t max_points = 0;        ///< 0: all
+  double spacing_m = 0;           ///< 0: all
+  uint64_t stations = 0;          ///< automatic ones; 0: as the model asks for
+  double station_distance_m = 0;  ///< 0: by the width of the model
+  bool incidence_angle = false;   ///< whether the field is made
+  uint64_t seed = 1;
+
+  bool has_beam() const {
+    return beam_rings > 0 && (beam_diameter_m > 0 || beam_divergence_rad > 0);
   }
-  uint64_t column(uint64_t ray) const {
-    return settings_.by_columns ? ray / settings_.rows : ray % settings_.columns;
-  }
-  uint64_t row(uint64_t ray) const { return settings_.by_columns ? ray % settings_.rows : ray / settings_.columns; }
-  double horizontal(uint64_t i) const;
-  double vertical(uint64_t j) const;
-
-  const StaticSettings& settings_;
-  std::vector<SineCosine> horizontal_, vertical_;
 };
+std::span<const ParamRow> static_scanner_rows();
+
+/// The settings with the noise and the beam of the chosen instrument in their places, and with a
+/// noise of the vertical angle of its own. Throws kInvalidArgument where the limits of the range
+/// contradict each other.
+StaticSettings resolved(StaticSettings settings);
 
 }  // namespace jalon

@@ -29,18 +29,17 @@ std::unordered_set<uint32_t> glass_ids(const Model& model) {
 
 }  // namespace
 
-Surfaces::Surfaces(const Model& model, const ParamSet& params, Task& task)
-    : model_(model), truth_(find_truth(model, params.number("truth_min_area_m2"), task)) {
-  const double least = params.number("glass_return_min"), most = params.number("glass_return_max");
+Surfaces::Surfaces(const Model& model, const SurfaceSettings& settings, uint64_t seed, Task& task)
+    : model_(model), truth_(find_truth(model, settings.truth_min_area_m2, task)) {
+  const double least = settings.glass_return_min, most = settings.glass_return_max;
   if (!(least <= most)) fail(Status::kInvalidArgument, "glass_return_min is above glass_return_max");
   if (least == 1) return;
   const std::unordered_set<uint32_t> ids = glass_ids(model);
   if (ids.empty()) return;
-  const uint64_t seed = static_cast<uint64_t>(params.integer("seed")) ^ kGlassKey;
   glass_.assign(model.triangles.size(), 1);
   for (size_t t = 0; t < glass_.size(); ++t)
     if (const uint32_t id = model.triangle_faces[t]; ids.contains(id))
-      glass_[t] = least + (most - least) * RandomStream(seed, id).uniform();
+      glass_[t] = least + (most - least) * RandomStream(seed ^ kGlassKey, id).uniform();
 }
 
 Vec3 Surfaces::normal(uint32_t triangle) const {

@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/params.h"
+#include "base/setting_rows.h"
 #include "base/task.h"
 #include "model/model.h"
+#include "scan/surface_settings.h"
 #include "scan/truth.h"
 
 namespace jalon {
@@ -16,8 +17,8 @@ namespace jalon {
 /// and outlive it.
 class Surfaces {
  public:
-  /// Reads truth_min_area_m2, glass_return_min, glass_return_max and seed.
-  Surfaces(const Model& model, const ParamSet& params, Task& task);
+  /// seed: of each pane's share.
+  Surfaces(const Model& model, const SurfaceSettings& settings, uint64_t seed, Task& task);
 
   uint32_t face(uint32_t triangle) const { return model_.triangle_faces[triangle]; }
   uint32_t segment(uint32_t triangle) const { return truth_.triangle_segments[triangle]; }
@@ -35,13 +36,17 @@ class Surfaces {
   std::vector<double> glass_;  ///< empty when everything returns
 };
 
-/// The rows that Surfaces reads, but the seed.
-constexpr ParamRow kTruthRow =
-    number_row("truth_min_area_m2", 0.05, 0, 1e9, "m2", "",
-               "connected coplanar faces from this area on are a true plane: the numbers of the field segment");
-constexpr ParamRow kGlassMinRow =
-    number_row("glass_return_min", 1, 0, 1, "1", "",
-               "least share of the pulses that a pane of glass returns; each has its own, the others pass through");
-constexpr ParamRow kGlassMaxRow = number_row("glass_return_max", 1, 0, 1, "1", "", "largest share, at least the least");
+/// The rows of SurfaceSettings, in the two places where the scanners' tables have them.
+inline constexpr auto kGlassRows = setting_rows(
+    number_row<&SurfaceSettings::glass_return_min>(
+        "glass_return_min", 0, 1, "1", "",
+        "least share of the pulses that a pane of glass returns; each has its own, the others pass "
+        "through"),
+    number_row<&SurfaceSettings::glass_return_max>("glass_return_max", 0, 1, "1", "",
+                                                   "largest share, at least the least"));
+inline constexpr auto kTruthRows = setting_rows(number_row<&SurfaceSettings::truth_min_area_m2>(
+    "truth_min_area_m2", 0, 1e9, "m2", "",
+    "connected coplanar faces from this area on are a true plane: the numbers of the field "
+    "segment"));
 
 }  // namespace jalon

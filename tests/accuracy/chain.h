@@ -11,6 +11,7 @@
 
 #include "modelling/outlines.h"
 #include "scan/scanner.h"
+#include "scan/scene.h"
 #include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
@@ -23,15 +24,13 @@ struct Chain {
   Segmentation segmentation;
   Model outlines;
 
-  Chain(const char* scene_name, double step_rad, uint64_t seed, double outliers = 0) {
+  Chain(SceneName name, double step_rad, uint64_t seed, double outliers = 0) {
     Task task;
-    ParamSet options("scene", scene_rows());
-    options.set_text("name", scene_name);
-    scene = build_scene(options, task);
-    ParamSet scanner("scanner", static_scanner_rows());
-    for (const char* name : {"horizontal_step_rad", "vertical_step_rad"}) scanner.set_number(name, step_rad);
-    scanner.set_number("outliers", outliers);
-    scanner.set_integer("seed", static_cast<int64_t>(seed));
+    scene = build_scene({.name = name}, task);
+    const StaticSettings scanner{.horizontal_step_rad = step_rad,
+                                 .vertical_step_rad = step_rad,
+                                 .outliers = outliers,
+                                 .seed = seed};
     cloud = std::make_shared<const Cloud>(scan_static(scene, {}, scanner, task));
     segmentation = segment_ransac(cloud, RansacSettings{}, task);
     outlines = model_outlines(segmentation, ParamSet("modeller", outlines_rows()), task);

@@ -83,11 +83,10 @@ struct ScanSetting {
 inline CloudPtr scanned(const TriangleScene& scene, const std::vector<ScanStation>& stations, uint64_t seed,
                         const ScanSetting& setting = {}) {
   Task task;
-  ParamSet scanner("scanner static", static_scanner_rows());
-  scanner.set_number("horizontal_step_rad", setting.step_rad);
-  scanner.set_number("vertical_step_rad", setting.step_rad);
-  scanner.set_number("range_noise_m", setting.noise_m);
-  scanner.set_integer("seed", static_cast<int64_t>(seed));
+  const StaticSettings scanner{.horizontal_step_rad = setting.step_rad,
+                               .vertical_step_rad = setting.step_rad,
+                               .range_noise_m = setting.noise_m,
+                               .seed = seed};
   return std::make_shared<const Cloud>(scan_static(scene.model(), stations, scanner, task));
 }
 

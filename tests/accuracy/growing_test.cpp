@@ -119,16 +119,14 @@ TEST_CASE("chain_growing__finds_every_plane_of_the_scanned_street_once_and_unsla
   const int64_t seeds = std::getenv("JALON_FULL") != nullptr ? 20 : 2;
   const double step_rad = std::getenv("JALON_SANITIZED") != nullptr ? kSanitizedStep_rad : kStep_rad;
   Task task;
-  ParamSet scene("scene", scene_rows());
-  scene.set_text("name", "street");
-  const Model model = build_scene(scene, task);
+  const Model model = build_scene({.name = SceneName::kStreet}, task);
   const StreetTruth truth(model);
   for (int64_t seed = 1; seed <= seeds; ++seed) {
     CAPTURE(seed);
-    ParamSet scanner("scanner", static_scanner_rows());
-    for (const char* name : {"horizontal_step_rad", "vertical_step_rad"}) scanner.set_number(name, step_rad);
-    scanner.set_number("outliers", 0.05);
-    scanner.set_integer("seed", seed);
+    const StaticSettings scanner{.horizontal_step_rad = step_rad,
+                                 .vertical_step_rad = step_rad,
+                                 .outliers = 0.05,
+                                 .seed = static_cast<uint64_t>(seed)};
     const auto cloud = std::make_shared<const Cloud>(scan_static(model, {}, scanner, task));
     GrowingSettings settings;
     settings.surface.merge_gap_m = kMergeGap_m;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kTruthMinArea_m2 = 0.05;
 constexpr double kStep_rad = 0.0022;       // some 230 000 points, thinned to the recipe's
-constexpr int64_t kPoints = 200'000;
+constexpr uint64_t kPoints = 200'000;
 constexpr double kMisfit_m = 0.004;        // recipe: 3-5 mm between stations
 constexpr double kLarge_m2 = 20;
 constexpr double kLargeAngle_deg = 0.05, kLargeShift_m = 0.002;
@@ -39,9 +39,7 @@ struct Insa {
 
   Insa() {
     Task task;
-    ParamSet options("scene", scene_rows());
-    options.set_text("name", "insa_surveyed");
-    scene = build_scene(options, task);
+    scene = build_scene({.name = SceneName::kInsaSurveyed}, task);
     truth = find_truth(scene, kTruthMinArea_m2, task);
     for (const double x : {5.0, 25.0, 45.0, 63.0}) {
       ScanStation station;
@@ -52,12 +50,12 @@ struct Insa {
 
   CloudPtr scan(uint64_t seed, double misfit_m) const {
     Task task;
-    ParamSet scanner("scanner", static_scanner_rows());
-    for (const char* name : {"horizontal_step_rad", "vertical_step_rad"}) scanner.set_number(name, kStep_rad);
-    scanner.set_text("instrument", "gx");
-    scanner.set_number("misfit_shift_m", misfit_m);
-    scanner.set_integer("max_points", kPoints);
-    scanner.set_integer("seed", static_cast<int64_t>(seed));
+    const StaticSettings scanner{.horizontal_step_rad = kStep_rad,
+                                 .vertical_step_rad = kStep_rad,
+                                 .instrument = StaticSettings::Instrument::kGx,
+                                 .misfit_shift_m = misfit_m,
+                                 .max_points = kPoints,
+                                 .seed = seed};
     return std::make_shared<const Cloud>(scan_static(scene, stations, scanner, task));
   }
 };

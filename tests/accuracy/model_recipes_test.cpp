@@ -40,15 +40,15 @@ struct Job {
   CloudPtr cloud;
   Model model;
 
-  Job(const char* scene_name, const std::vector<Tripod>& tripods, const std::string& scanner_json, uint64_t seed) {
+  Job(SceneName scene_name, const std::vector<Tripod>& tripods, const std::string& scanner_json,
+      uint64_t seed) {
     Task task;
-    ParamSet options("scene", scene_rows());
-    options.set_text("name", scene_name);
-    scene = build_scene(options, task);
+    scene = build_scene({.name = scene_name}, task);
     ParamSet scanner("scanner static", static_scanner_rows());
     scanner.from_json(scanner_json);
-    scanner.set_integer("seed", static_cast<int64_t>(seed));
-    cloud = std::make_shared<const Cloud>(scan_static(scene, stations_of(tripods), scanner, task));
+    auto settings = settings_from<StaticSettings>(scanner);
+    settings.seed = seed;
+    cloud = std::make_shared<const Cloud>(scan_static(scene, stations_of(tripods), settings, task));
     const Segmentation planes = segment_ransac(cloud, RansacSettings{}, task);
     model = model_facade(planes, ParamSet("modeller facade", facade_rows()), task);
   }
@@ -105,8 +105,10 @@ uint64_t runs() { return is_full() ? 5 : 1; }
 
 TEST_CASE("DS3_arches__openings_areas_vertices_and_round_heads_are_true") {
   for (uint64_t seed = 1; seed <= runs(); ++seed) {
-    const Job job("arches", {{2.5, -8, 1.7, 0}, {9, -8, 1.7, 0}},
-                  R"({"horizontal_step_rad": 0.002, "vertical_step_rad": 0.002, "range_noise_m": 0.003})", seed);
+    const Job job(
+        SceneName::kArches, {{2.5, -8, 1.7, 0}, {9, -8, 1.7, 0}},
+        R"({"horizontal_step_rad": 0.002, "vertical_step_rad": 0.002, "range_noise_m": 0.003})",
+        seed);
     const auto walls = true_walls(job.scene, [&](const Face& face) { return job.part_class(face) == "wall"; });
     REQUIRE(walls.size() == 2);
     const double spacing_m = job.spacing_m(walls);
@@ -124,10 +126,12 @@ TEST_CASE("DS3_arches__openings_areas_vertices_and_round_heads_are_true") {
 TEST_CASE("DS2_lycee__openings_areas_vertices_and_round_heads_are_true") {
   for (uint64_t seed = 1; seed <= runs(); ++seed) {
     // The first tripod alone sees facade 1, past the two trees.
-    const Job job("lycee", {{7, -16, 1.7, 0}, {19, -14, 1.7, 50}, {37, -18, 1.7, 0}, {62, -5, 1.7, -45}},
-                  R"({"horizontal_step_rad": 0.0015, "vertical_step_rad": 0.0015, "range_noise_m": 0.003,)"
-                  R"("horizontal_from_rad": -1.22, "horizontal_to_rad": 1.22})",
-                  seed);
+    const Job job(
+        SceneName::kLycee,
+        {{7, -16, 1.7, 0}, {19, -14, 1.7, 50}, {37, -18, 1.7, 0}, {62, -5, 1.7, -45}},
+        R"({"horizontal_step_rad": 0.0015, "vertical_step_rad": 0.0015, "range_noise_m": 0.003,)"
+        R"("horizontal_from_rad": -1.22, "horizontal_to_rad": 1.22})",
+        seed);
     const auto walls = true_walls(job.scene, [&](const Face& face) { return job.part_class(face) == "wall"; });
     REQUIRE(walls.size() == 6);
     const double spacing_m = job.spacing_m(walls);
@@ -154,10 +158,12 @@ TEST_CASE("DS2_lycee__openings_areas_vertices_and_round_heads_are_true") {
 // windows between the mullions, half a metre and more behind that plane.
 TEST_CASE("DS1_insa__bays_areas_and_vertices_are_true") {
   for (uint64_t seed = 1; seed <= runs(); ++seed) {
-    const Job job("insa_surveyed", {{5, -30, 1.7, 0}, {25, -25, 1.7, 0}, {45, -40, 1.7, 0}, {63, -30, 1.7, 0}},
-                  R"({"instrument": "gx", "misfit_shift_m": 0.003, "max_points": 200000, "glass_return_min": 0.05,)"
-                  R"("glass_return_max": 0.3, "horizontal_step_rad": 0.0025, "vertical_step_rad": 0.0025})",
-                  seed);
+    const Job job(
+        SceneName::kInsaSurveyed,
+        {{5, -30, 1.7, 0}, {25, -25, 1.7, 0}, {45, -40, 1.7, 0}, {63, -30, 1.7, 0}},
+        R"({"instrument": "gx", "misfit_shift_m": 0.003, "max_points": 200000, "glass_return_min": 0.05,)"
+        R"("glass_return_max": 0.3, "horizontal_step_rad": 0.0025, "vertical_step_rad": 0.0025})",
+        seed);
     const auto walls = true_walls(job.scene, [&](const Face& face) {
       return face.area_m2 > 100 && std::fabs(face.plane.normal.y) > 0.99 &&
              (job.part_class(face) == "wall" || job.part_class(face) == "post");

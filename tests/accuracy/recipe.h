@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "scan/scanner.h"
+#include "scan/methods.h"
+#include "scan/scene.h"
 #include "scan/truth.h"
 #include "segment/evaluation/evaluation.h"
 #include "segment/labels/from_labels.h"
@@ -29,7 +30,7 @@ struct Recipe {
     Task task;
     ParamSet options("scene", scene_rows());
     options.from_json(scene_json);
-    scene = build_scene(options, task);
+    scene = build_scene(settings_from<SceneSettings>(options), task);
     for (const ScannerMethod& m : scanner_methods()) {
       if (method != m.name) continue;
       ParamSet params(m.owner, m.rows());

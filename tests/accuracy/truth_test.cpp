@@ -21,7 +21,7 @@ constexpr uint64_t kSeenPoints = 500;  // faces turned away from all stations (t
 
 /// One chain for all cases: they look at it from several sides.
 const Chain& facade() {
-  static const Chain chain("facade", kFacadeStep_rad, 1);
+  static const Chain chain(SceneName::kFacade, kFacadeStep_rad, 1);
   return chain;
 }
 

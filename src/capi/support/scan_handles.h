@@ -7,7 +7,7 @@
 
 #include "base/params.h"
 #include "capi/support/handles.h"
-#include "scan/scanner.h"
+#include "scan/methods.h"
 
 struct jalon_scanner : jalon::capi::Counted {
   const jalon::ScannerMethod* method = nullptr;

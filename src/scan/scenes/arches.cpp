@@ -58,7 +58,7 @@ std::vector<Window> lycee_windows() {
 
 }  // namespace
 
-void build_lycee(const ParamSet& params, SceneBuilder& out) {
+void build_lycee(const SceneSettings& settings, SceneBuilder& out) {
   // 1. A chain of six walls in plan; corners of 135, 90, 135, 90 and 135 degrees.
   constexpr double kHeight_m = 15, kTurn = 0.78539816339744831;  // 45 degrees
   constexpr double kWidth_m[] = {14, 8, 10, 20, 6, 12};
@@ -79,13 +79,13 @@ void build_lycee(const ParamSet& params, SceneBuilder& out) {
   }
   // 2. Two crowns 4 m in front: from a tripod at (7, -16, 1.7) they stand before windows 5, and 7 and 8.
   constexpr double kCrown_m = 2, kOpacity = 0.75;
-  const auto seed = static_cast<uint64_t>(params.integer("seed"));
+  const uint64_t seed = settings.seed;
   const uint32_t unwanted = out.part("unwanted", "unwanted");
   add_crown(out, unwanted, {3.06, -4, 8.7}, kCrown_m, kOpacity, {seed, 1});
   add_crown(out, unwanted, {9.63, -4, 8.7}, kCrown_m, kOpacity, {seed, 2});
 }
 
-void build_arches(const ParamSet&, SceneBuilder& out) {
+void build_arches(const SceneSettings&, SceneBuilder& out) {
   // Two walls, 96 and 33.6 m2 with their openings; windows of 2.56 m2, three of them with a semicircular head.
   constexpr double kDepth_m = 0.15;
   struct Wall {

@@ -94,8 +94,8 @@ void add_excavator(SceneBuilder& out, uint32_t site, const Day& day) {
 
 }  // namespace
 
-void build_earthworks(const ParamSet& params, SceneBuilder& out) {
-  const Day& day = kDays[params.integer("day") - 1];
+void build_earthworks(const SceneSettings& settings, SceneBuilder& out) {
+  const Day& day = kDays[settings.day - 1];
   const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const uint32_t site = out.part("site", "site");
   add_ground(out, day);

@@ -35,11 +35,11 @@ bool is_door_bay(int64_t bay, int64_t bays, int64_t doors) {
   return false;
 }
 
-std::vector<Opening> openings_of(const ParamSet& params) {
-  const double width = params.number("width_m"), height = params.number("height_m") - kCorniceHeight_m;
-  const double reveal = params.number("reveal_m");
-  const int64_t bays = params.integer("bays"), storeys = params.integer("storeys");
-  const int64_t doors = std::min(params.integer("doors"), bays);
+std::vector<Opening> openings_of(const SceneSettings& settings) {
+  const double width = settings.width_m, height = settings.height_m - kCorniceHeight_m;
+  const double reveal = settings.reveal_m;
+  const int64_t bays = settings.bays, storeys = settings.storeys;
+  const int64_t doors = std::min(settings.doors, bays);
   const double bay_width = width / static_cast<double>(bays), storey = height / static_cast<double>(storeys);
   if (bay_width < kLeastBay_m)
     fail(Status::kInvalidArgument, "%d bays are too many for the width", static_cast<int>(bays));
@@ -116,10 +116,10 @@ std::string number_text(int64_t storey, int64_t bay) {
 
 }  // namespace
 
-void build_facade(const ParamSet& params, SceneBuilder& out) {
-  const double width = params.number("width_m"), height = params.number("height_m");
-  const double cornice = params.number("cornice_m");
-  const std::vector<Opening> openings = openings_of(params);
+void build_facade(const SceneSettings& settings, SceneBuilder& out) {
+  const double width = settings.width_m, height = settings.height_m;
+  const double cornice = settings.cornice_m;
+  const std::vector<Opening> openings = openings_of(settings);
   const Frame front{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
 
   // 1. The wall between plinth and cornice, doors cut in from below.
@@ -139,11 +139,11 @@ void build_facade(const ParamSet& params, SceneBuilder& out) {
     const std::string number = number_text(o.storey, o.bay);
     const uint32_t part =
         o.is_door ? out.part("door " + number, "door", wall) : out.part("window " + number, "window", wall);
-    out.recess(part, front, o.rect, o.depth_m, !o.is_door, o.is_door ? 0 : params.number("frame_m"));
+    out.recess(part, front, o.rect, o.depth_m, !o.is_door, o.is_door ? 0 : settings.frame_m);
   }
 
   // 4. The ground in front.
-  add_ground(out, width, params.number("ground_m"), openings, plinth);
+  add_ground(out, width, settings.ground_m, openings, plinth);
 }
 
 }  // namespace jalon

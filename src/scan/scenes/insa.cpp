@@ -64,7 +64,7 @@ constexpr GridFacade kSurveyed{.wall_width_m = 9,
                                .curtain_farthest_y = 1.00,
                                .balcony_depth_m = 0};
 
-RandomStream windows_of(const ParamSet& params) { return {static_cast<uint64_t>(params.integer("seed")), 0}; }
+RandomStream windows_of(const SceneSettings& settings) { return {settings.seed, 0}; }
 
 void add_obstacles(SceneBuilder& out, double car_length_m) {
   const uint32_t unwanted = out.part("unwanted", "unwanted");
@@ -75,20 +75,20 @@ void add_obstacles(SceneBuilder& out, double car_length_m) {
 
 }  // namespace
 
-void build_insa(const ParamSet& params, SceneBuilder& out) {
-  build_grid_facade(kInsa, windows_of(params), out);
+void build_insa(const SceneSettings& settings, SceneBuilder& out) {
+  build_grid_facade(kInsa, windows_of(settings), out);
   add_obstacles(out, 4.2);
 }
 
-void build_insa_surveyed(const ParamSet& params, SceneBuilder& out) {
-  build_grid_facade(kSurveyed, windows_of(params), out);
+void build_insa_surveyed(const SceneSettings& settings, SceneBuilder& out) {
+  build_grid_facade(kSurveyed, windows_of(settings), out);
   add_obstacles(out, 4.5);
 }
 
-void build_residence(const ParamSet& params, SceneBuilder& out) {
+void build_residence(const SceneSettings& settings, SceneBuilder& out) {
   GridFacade facade = kSurveyed;
   facade.balcony_depth_m = 1.2;
-  build_grid_facade(facade, windows_of(params), out);
+  build_grid_facade(facade, windows_of(settings), out);
   add_obstacles(out, 4.5);
 }
 

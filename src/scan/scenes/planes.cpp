@@ -17,7 +17,7 @@ constexpr double kWallWidth_m = 10, kWallHeight_m = 6;  // of S9 and S9b
 
 }  // namespace
 
-void build_std(const ParamSet&, SceneBuilder& out) {
+void build_std(const SceneSettings&, SceneBuilder& out) {
   // Six upright planes that look forward, two that look sideways, two that look up: 1 to 24 m2, none near another.
   struct Piece {
     Frame frame;
@@ -33,19 +33,19 @@ void build_std(const ParamSet&, SceneBuilder& out) {
     out.face(out.part("plane " + std::to_string(++number), "wall"), p.frame, {0, p.width_m, 0, p.height_m});
 }
 
-void build_normal(const ParamSet&, SceneBuilder& out) {
+void build_normal(const SceneSettings&, SceneBuilder& out) {
   out.face(out.part("plane", "wall"), kFront, {0, 10, 0, 10});
 }
 
-void build_patches(const ParamSet&, SceneBuilder& out) {
+void build_patches(const SceneSettings&, SceneBuilder& out) {
   for (int k = 0; k < 2; ++k)
     out.face(out.part("patch " + std::to_string(k + 1), "wall"), kFront, {4.0 * k, 4.0 * k + 3, 0, 3});
 }
 
-void build_sills(const ParamSet& params, SceneBuilder& out) {
+void build_sills(const SceneSettings& settings, SceneBuilder& out) {
   constexpr double kSillHeight_m = 1.0, kSillDepth_m = 0.3;
   constexpr double kSillFrom_m[] = {2, 7}, kSillWidth_m = 1;  // 4 m apart
-  const double gap = params.number("gap_m");
+  const double gap = settings.gap_m;
   const uint32_t wall = out.part("wall", "wall");
   out.face(wall, kFront, {0, kWallWidth_m, 0, kWallHeight_m});
   for (const double from : kSillFrom_m)
@@ -53,9 +53,9 @@ void build_sills(const ParamSet& params, SceneBuilder& out) {
              {0, kSillWidth_m, -kSillDepth_m, 0});
 }
 
-void build_robbery(const ParamSet& params, SceneBuilder& out) {
+void build_robbery(const SceneSettings& settings, SceneBuilder& out) {
   constexpr double kShelfHeight_m = 3;
-  const double depth = params.number("depth_m"), behind = params.flag("crossing") ? depth / 2 : 0;
+  const double depth = settings.depth_m, behind = settings.crossing ? depth / 2 : 0;
   const uint32_t wall = out.part("wall", "wall");
   out.face(wall, kFront, {0, kWallWidth_m, 0, kWallHeight_m});
   out.face(out.part("shelf", "band", wall), {{0, 0, kShelfHeight_m}, kX, kY},

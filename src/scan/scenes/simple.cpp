@@ -6,7 +6,7 @@
 
 namespace jalon {
 
-void build_room(const ParamSet&, SceneBuilder& out) {
+void build_room(const SceneSettings&, SceneBuilder& out) {
   constexpr double kLength = 6, kWidth = 5, kHeight = 2.8;
   const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const uint32_t room = out.part("room", "room");
@@ -20,7 +20,7 @@ void build_room(const ParamSet&, SceneBuilder& out) {
   out.face(walls, {x * kLength, z, y}, {0, kHeight, 0, kWidth});
 }
 
-void build_box(const ParamSet&, SceneBuilder& out) {
+void build_box(const SceneSettings&, SceneBuilder& out) {
   constexpr double kGround = 20;
   const Vec3 size{4.2, 1.8, 1.5};
   out.box(out.part("box", "box"), {-size.x / 2, -size.y / 2, 0}, size, false);
@@ -29,7 +29,7 @@ void build_box(const ParamSet&, SceneBuilder& out) {
            {-kGround / 2, kGround / 2, -kGround / 2, kGround / 2}, {&foot, 1});
 }
 
-void build_strips(const ParamSet&, SceneBuilder& out) {
+void build_strips(const SceneSettings&, SceneBuilder& out) {
   constexpr double kWidth = 1.5, kHeight = 8, kStep = 0.10;
   for (int k = 0; k < 6; ++k)
     out.face(out.part("strip " + std::to_string(k + 1), "wall"), {{kWidth * k, kStep * k, 0}, {1, 0, 0}, {0, 0, 1}},

@@ -80,8 +80,8 @@ void add_facade(SceneBuilder& out, size_t number, const StreetFacade& f, bool se
 
 }  // namespace
 
-void build_street(const ParamSet& params, SceneBuilder& out) {
-  const bool second_epoch = params.integer("epoch") == 2;
+void build_street(const SceneSettings& settings, SceneBuilder& out) {
+  const bool second_epoch = settings.epoch == 2;
   out.face(out.part("ground", "ground"), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 60, -8, 8});
   const std::vector<StreetFacade> list = facades();
   for (size_t i = 0; i < list.size(); ++i) add_facade(out, i, list[i], second_epoch);

@@ -71,11 +71,13 @@ void add_ghosts(SceneBuilder& out, uint32_t parent, uint64_t seed) {
 
 }  // namespace
 
-void build_surrounds(const ParamSet& params, SceneBuilder& out) { add_house(out, params.number("glass_m")); }
+void build_surrounds(const SceneSettings& settings, SceneBuilder& out) {
+  add_house(out, settings.glass_m);
+}
 
-void build_unwanted(const ParamSet& params, SceneBuilder& out) {
+void build_unwanted(const SceneSettings& settings, SceneBuilder& out) {
   constexpr double kCrown_m = 1.5, kOpacity = 0.9;
-  const auto seed = static_cast<uint64_t>(params.integer("seed"));
+  const uint64_t seed = settings.seed;
   add_house(out, kGlassBehind_m);
   const uint32_t unwanted = out.part("unwanted", "unwanted");
   add_tree(out, unwanted, {2, -5.5, 3.2}, kCrown_m, kOpacity, {seed, 1u << 30});

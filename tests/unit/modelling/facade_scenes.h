@@ -11,6 +11,7 @@
 #include "model/topology.h"
 #include "modelling/facade/facade.h"
 #include "scan/scanner.h"
+#include "scan/scene.h"
 #include "segment/labels/from_labels.h"
 #include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
@@ -29,10 +30,11 @@ struct Scan {
     Task task;
     ParamSet options("scene", scene_rows());
     options.from_json(scene_json);
-    scene = build_scene(options, task);
+    scene = build_scene(settings_from<SceneSettings>(options), task);
     ParamSet scanner("scanner", static_scanner_rows());
     scanner.from_json(scanner_json);
-    cloud = std::make_shared<const Cloud>(scan_static(scene, {}, scanner, task));
+    const auto settings = settings_from<StaticSettings>(scanner);
+    cloud = std::make_shared<const Cloud>(scan_static(scene, {}, settings, task));
     segmentation = segment_ransac(cloud, RansacSettings{}, task);
   }
 };

@@ -33,19 +33,19 @@ Model panels() {
 const ScanStation kOrigin = station_at({0, 0, 0});
 
 /// The panels fill the view.
-ParamSet line_params(double step_rad, const Options& more = {}) {
-  ParamSet params = quiet_params(step_rad, more);
-  params.set_number("horizontal_from_rad", -0.6);
-  params.set_number("horizontal_to_rad", 0.6);
-  params.set_number("vertical_from_rad", -0.42);
-  params.set_number("vertical_to_rad", 0.42);
+StaticSettings line_settings(double step_rad, const StaticSettings& more = {}) {
+  StaticSettings params = quiet_settings(step_rad, more);
+  params.horizontal_from_rad = -0.6;
+  params.horizontal_to_rad = 0.6;
+  params.vertical_from_rad = -0.42;
+  params.vertical_to_rad = 0.42;
   return params;
 }
 
-ParamSet beam_params(double step_rad, const Options& more = {}) {
-  ParamSet params = line_params(step_rad, more);
-  params.set_number("beam_diameter_m", kBeam_m);
-  params.set_number("beam_divergence_rad", kDivergence_rad);
+StaticSettings beam_settings(double step_rad, const StaticSettings& more = {}) {
+  StaticSettings params = line_settings(step_rad, more);
+  params.beam_diameter_m = kBeam_m;
+  params.beam_divergence_rad = kDivergence_rad;
   return params;
 }
 
@@ -74,8 +74,8 @@ std::map<std::pair<long, long>, size_t> by_direction(const Cloud& cloud) {
 
 TEST_CASE("beam__mixes_at_edges_within_the_resolution_and_nowhere_else") {
   const Model model = panels();
-  const Cloud line = scanned(model, line_params(0.0007), {&kOrigin, 1});
-  const Cloud beam = scanned(model, beam_params(0.0007), {&kOrigin, 1});
+  const Cloud line = scanned(model, line_settings(0.0007), {&kOrigin, 1});
+  const Cloud beam = scanned(model, beam_settings(0.0007), {&kOrigin, 1});
   const auto lines = by_direction(line);
   const auto segments = values<uint32_t>(beam, "segment"), faces = values<uint32_t>(beam, "face");
   size_t mixed = 0, changed = 0;
@@ -108,12 +108,12 @@ TEST_CASE("beam__mixes_in_a_strip_of_its_width_along_a_border") {
   // A narrow view of the right border of the panel before the wall: about 1 m of it, 10 m away.
   constexpr double kStep = 4e-6;
   constexpr size_t kRows = 11;
-  ParamSet params = beam_params(kStep);
-  params.set_number("vertical_step_rad", 0.01);
-  params.set_number("horizontal_from_rad", 0.195);
-  params.set_number("horizontal_to_rad", 0.208);
-  params.set_number("vertical_from_rad", -0.05);
-  params.set_number("vertical_to_rad", 0.05);
+  StaticSettings params = beam_settings(kStep);
+  params.vertical_step_rad = 0.01;
+  params.horizontal_from_rad = 0.195;
+  params.horizontal_to_rad = 0.208;
+  params.vertical_from_rad = -0.05;
+  params.vertical_to_rad = 0.05;
   const Cloud beam = scanned(panels(), params, {&kOrigin, 1});
   const auto segments = values<uint32_t>(beam, "segment");
   const auto mixed = static_cast<double>(std::count(segments.begin(), segments.end(), kNoSegment));
@@ -126,11 +126,12 @@ TEST_CASE("beam__mixes_in_a_strip_of_its_width_along_a_border") {
 
 TEST_CASE("beam__with_a_finer_range_resolution_returns_the_first_or_the_last_surface") {
   const Model model = panels();
-  Options fine{{{"range_resolution_m", 0.05}}, {}};
-  const auto count_behind = [&](const char* echo) {
-    Options options = fine;
-    options.texts.push_back({"echo", echo});
-    const Cloud cloud = scanned(model, beam_params(0.001, options), {&kOrigin, 1});
+  const StaticSettings fine{.range_resolution_m = 0.05};
+  using Echo = StaticSettings::Echo;
+  const auto count_behind = [&](Echo echo) {
+    StaticSettings options = fine;
+    options.echo = echo;
+    const Cloud cloud = scanned(model, beam_settings(0.001, options), {&kOrigin, 1});
     const auto segments = values<uint32_t>(cloud, "segment");
     size_t behind = 0;
     for (size_t i = 0; i < cloud.size(); ++i) {
@@ -139,24 +140,25 @@ TEST_CASE("beam__with_a_finer_range_resolution_returns_the_first_or_the_last_sur
     }
     return behind;
   };
-  const size_t first = count_behind("first"), strongest = count_behind("strongest"), last = count_behind("last");
+  const size_t first = count_behind(Echo::kFirst), strongest = count_behind(Echo::kStrongest),
+               last = count_behind(Echo::kLast);
   CHECK(first < strongest);
   CHECK(strongest < last);
 }
 
 TEST_CASE("beam__without_a_width_or_sub_rays_is_a_line") {
   const Model model = scene("facade");
-  const Cloud line = scanned(model, line_params(0.01));
+  const Cloud line = scanned(model, line_settings(0.01));
   CHECK(line.size() > 1000);
-  CHECK(same_clouds(line, scanned(model, line_params(0.01, {{{"beam_rings", 5}}, {}}))));
-  ParamSet params = beam_params(0.01, {{{"beam_rings", 0}}, {}});
+  CHECK(same_clouds(line, scanned(model, line_settings(0.01, {.beam_rings = 5}))));
+  StaticSettings params = beam_settings(0.01, {.beam_rings = 0});
   CHECK(same_clouds(line, scanned(model, params)));
 }
 
 TEST_CASE("beam__of_a_scene_lies_on_its_faces_but_for_mixed_pixels") {
   const Model model = scene("insa_surveyed");
   const auto faces = faces_by_id(model);
-  ParamSet params = quiet_params(0.004, {{}, {{"instrument", "gx"}}});
+  StaticSettings params = quiet_settings(0.004, {.instrument = StaticSettings::Instrument::kGx});
   const Cloud cloud = scanned(model, params);
   const auto ids = values<uint32_t>(cloud, "face"), segments = values<uint32_t>(cloud, "segment");
   const auto range = values<float>(cloud, "range");

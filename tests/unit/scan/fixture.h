@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scan/scanner.h"
+#include "scan/scene.h"
 
 namespace jalon::test {
 
@@ -28,27 +29,23 @@ inline ParamSet filled(const char* owner, std::span<const ParamRow> rows, const 
 
 inline Model scene(const char* name, std::vector<std::pair<const char*, double>> numbers = {}) {
   Task task;
-  return build_scene(filled("scene", scene_rows(), {std::move(numbers), {{"name", name}}}), task);
-}
-
-inline ParamSet scanner_params(const Options& options = {}) {
-  return filled("scanner", static_scanner_rows(), options);
+  const ParamSet params = filled("scene", scene_rows(), {std::move(numbers), {{"name", name}}});
+  return build_scene(settings_from<SceneSettings>(params), task);
 }
 
 /// Steps of half a degree unless told otherwise, no noise.
-inline ParamSet quiet_params(double step_rad = 0.01, const Options& more = {}) {
-  ParamSet params = scanner_params(more);
-  for (const char* name : {"horizontal_step_rad", "vertical_step_rad"}) params.set_number(name, step_rad);
-  for (const char* name : {"range_noise_m", "angle_noise_rad"}) params.set_number(name, 0);
-  return params;
+inline StaticSettings quiet_settings(double step_rad = 0.01, StaticSettings settings = {}) {
+  settings.horizontal_step_rad = settings.vertical_step_rad = step_rad;
+  settings.range_noise_m = settings.angle_noise_rad = 0;
+  return settings;
 }
 
-inline Cloud scanned(const Model& model, const ParamSet& params, std::span<const ScanStation> stations = {},
-                     unsigned threads = 0) {
+inline Cloud scanned(const Model& model, const StaticSettings& settings,
+                     std::span<const ScanStation> stations = {}, unsigned threads = 0) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return scan_static(model, stations, params, task);
+  return scan_static(model, stations, settings, task);
 }
 
 inline ScanStation station_at(const Vec3& p) {
@@ -59,11 +56,12 @@ inline ScanStation station_at(const Vec3& p) {
   return station;
 }
 
-inline Cloud sampled(const Model& model, const Options& options = {}, unsigned threads = 0) {
+inline Cloud sampled(const Model& model, const SampleSettings& settings = {},
+                     unsigned threads = 0) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return scan_sample(model, {}, filled("scanner", sample_scanner_rows(), options), task);
+  return scan_sample(model, {}, settings, task);
 }
 
 inline bool same_bits(std::span<const double> a, std::span<const double> b) {

@@ -27,8 +27,8 @@ std::map<uint32_t, size_t> points_of_faces(const Cloud& cloud) {
   return out;
 }
 
-Options glass(double least, double most) {
-  return {{{"glass_return_min", least}, {"glass_return_max", most}}, {}};
+StaticSettings glass(double least, double most) {
+  return {.surfaces = {.glass_return_min = least, .glass_return_max = most}};
 }
 
 }  // namespace
@@ -38,9 +38,9 @@ TEST_CASE("glass__returns_the_share_asked_for_and_lets_the_rest_through") {
   const auto panes = ids_of(model, {"glass"}), curtains = ids_of(model, {"curtain"});
   CHECK(panes.size() > 100);
   CHECK(curtains.size() > 30);
-  const ParamSet opaque = quiet_params(0.004);
+  const StaticSettings opaque = quiet_settings(0.004);
   const auto all = points_of_faces(scanned(model, opaque));
-  const auto some = points_of_faces(scanned(model, quiet_params(0.004, glass(0.3, 0.3))));
+  const auto some = points_of_faces(scanned(model, quiet_settings(0.004, glass(0.3, 0.3))));
   size_t of_panes = 0, returned = 0, seen_curtains = 0;
   for (const auto& [id, n] : all) {
     const size_t now = some.contains(id) ? some.at(id) : 0;
@@ -62,8 +62,8 @@ TEST_CASE("glass__returns_the_share_asked_for_and_lets_the_rest_through") {
 TEST_CASE("glass__each_pane_has_its_own_share_between_the_limits") {
   const Model model = scene("insa_surveyed");
   const auto panes = ids_of(model, {"glass"});
-  const auto all = points_of_faces(scanned(model, quiet_params(0.002)));
-  const auto some = points_of_faces(scanned(model, quiet_params(0.002, glass(0.05, 0.3))));
+  const auto all = points_of_faces(scanned(model, quiet_settings(0.002)));
+  const auto some = points_of_faces(scanned(model, quiet_settings(0.002, glass(0.05, 0.3))));
   double least = 1, most = 0;
   for (const uint32_t id : panes) {
     if (!all.contains(id) || all.at(id) < 300) continue;
@@ -81,8 +81,8 @@ TEST_CASE("glass__each_pane_has_its_own_share_between_the_limits") {
 
 TEST_CASE("glass__panes_of_windows_are_glass_and_leaves_of_doors_are_not") {
   const Model model = scene("facade");
-  const auto all = points_of_faces(scanned(model, quiet_params(0.01)));
-  const auto none = points_of_faces(scanned(model, quiet_params(0.01, glass(0, 0))));
+  const auto all = points_of_faces(scanned(model, quiet_settings(0.01)));
+  const auto none = points_of_faces(scanned(model, quiet_settings(0.01, glass(0, 0))));
   size_t gone = 0, kept = 0;
   for (const Face& face : model.faces) {
     if (model.parts[face.part].part_class != "pane" || !all.contains(face.id)) continue;
@@ -99,7 +99,7 @@ TEST_CASE("glass__ghosts_appear_behind_panes_and_trees_and_cars_throw_shadows") 
   const auto ghosts = ids_of(with, {"ghost"});
   CHECK(ghosts.size() == 36);
   const ScanStation stations[] = {station_at({3, -14, 1.7}), station_at({9, -14, 1.7})};
-  const Cloud cloud = scanned(with, quiet_params(0.003, glass(0.05, 0.05)), stations);
+  const Cloud cloud = scanned(with, quiet_settings(0.003, glass(0.05, 0.05)), stations);
   const auto ids = values<uint32_t>(cloud, "face");
   size_t behind = 0;
   for (size_t i = 0; i < cloud.size(); ++i)
@@ -110,8 +110,8 @@ TEST_CASE("glass__ghosts_appear_behind_panes_and_trees_and_cars_throw_shadows") 
     }
   CHECK(behind > 1000);
   // Opaque, so that both see the same but for what stands in front.
-  const auto dark = points_of_faces(scanned(with, quiet_params(0.003), stations));
-  const auto light = points_of_faces(scanned(without, quiet_params(0.003), stations));
+  const auto dark = points_of_faces(scanned(with, quiet_settings(0.003), stations));
+  const auto light = points_of_faces(scanned(without, quiet_settings(0.003), stations));
   const double share = static_cast<double>(dark.at(1)) / static_cast<double>(light.at(1));
   MESSAGE("FIGURE unwanted: " << behind << " ghosts, " << 100 * (1 - share) << " % of the wall in shadow");
   CHECK(share > 0.5);
@@ -132,10 +132,10 @@ TEST_CASE("glass__is_the_same_for_all_sub_rays_of_a_pulse") {
   model.triangles.push_back({first, first + 1, first + 2});
   model.triangles.push_back({first, first + 2, first + 3});
   model.triangle_faces.insert(model.triangle_faces.end(), 2, 99);
-  Options options = glass(0.5, 0.5);
-  options.numbers.push_back({"beam_diameter_m", 0.01});
+  StaticSettings settings = glass(0.5, 0.5);
+  settings.beam_diameter_m = 0.01;
   const ScanStation station = station_at({5, -10, 3});
-  const Cloud cloud = scanned(model, quiet_params(0.005, options), {&station, 1});
+  const Cloud cloud = scanned(model, quiet_settings(0.005, settings), {&station, 1});
   const auto segments = values<uint32_t>(cloud, "segment");
   for (size_t i = 0; i < cloud.size(); ++i) {
     const Vec3 p = cloud.point(i);
@@ -147,5 +147,5 @@ TEST_CASE("glass__is_the_same_for_all_sub_rays_of_a_pulse") {
 }
 
 TEST_CASE("glass__refuses_limits_the_wrong_way_round") {
-  CHECK_THROWS_AS(scanned(scene("facade"), quiet_params(0.05, glass(0.5, 0.2))), Error);
+  CHECK_THROWS_AS(scanned(scene("facade"), quiet_settings(0.05, glass(0.5, 0.2))), Error);
 }

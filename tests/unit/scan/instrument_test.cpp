@@ -49,12 +49,12 @@ Spread spread_of(const Cloud& cloud) {
 const ScanStation kOrigin = station_at({0, 0, 0});
 
 /// The wall fills the view.
-ParamSet wall_params(double step_rad, const Options& more = {}) {
-  ParamSet params = quiet_params(step_rad, more);
-  params.set_number("horizontal_from_rad", -0.2);
-  params.set_number("horizontal_to_rad", 0.2);
-  params.set_number("vertical_from_rad", -0.05);
-  params.set_number("vertical_to_rad", 0.15);
+StaticSettings wall_settings(double step_rad, const StaticSettings& more = {}) {
+  StaticSettings params = quiet_settings(step_rad, more);
+  params.horizontal_from_rad = -0.2;
+  params.horizontal_to_rad = 0.2;
+  params.vertical_from_rad = -0.05;
+  params.vertical_to_rad = 0.15;
   return params;
 }
 
@@ -63,10 +63,11 @@ ParamSet wall_params(double step_rad, const Options& more = {}) {
 TEST_CASE("instrument__observations_spread_by_their_own_deviations") {
   const double range_noise = 0.004, ppm = 30, horizontal = 5e-5, vertical = 9e-5;
   for (uint64_t seed = 1; seed <= 3; ++seed) {
-    ParamSet params = wall_params(0.002, {{{"range_noise_ppm", ppm}, {"vertical_noise_rad", vertical}}, {}});
-    params.set_number("range_noise_m", range_noise);
-    params.set_number("angle_noise_rad", horizontal);
-    params.set_integer("seed", static_cast<int64_t>(seed));
+    StaticSettings params =
+        wall_settings(0.002, {.range_noise_ppm = ppm, .vertical_noise_rad = vertical});
+    params.range_noise_m = range_noise;
+    params.angle_noise_rad = horizontal;
+    params.seed = seed;
     const Cloud cloud = scanned(far_wall(), params, {&kOrigin, 1});
     REQUIRE(cloud.size() > 10000);
     double squares[3] = {};
@@ -83,20 +84,20 @@ TEST_CASE("instrument__observations_spread_by_their_own_deviations") {
 
 TEST_CASE("instrument__vertical_noise_alone_and_by_default_that_of_the_horizontal_angle") {
   const Cloud alone =
-      scanned(far_wall(), wall_params(0.004, {{{"vertical_noise_rad", 1e-4}}, {}}), {&kOrigin, 1});
+      scanned(far_wall(), wall_settings(0.004, {.vertical_noise_rad = 1e-4}), {&kOrigin, 1});
   const Spread spread = spread_of(alone);
   CHECK(is_chi_squared(spread.vertical / 1e-8, spread.n));
   CHECK(spread.horizontal < 1e-20);
-  ParamSet params = wall_params(0.004);
-  params.set_number("angle_noise_rad", 1e-4);
+  StaticSettings params = wall_settings(0.004);
+  params.angle_noise_rad = 1e-4;
   const Cloud both = scanned(far_wall(), params, {&kOrigin, 1});
-  params.set_number("vertical_noise_rad", 1e-4);
+  params.vertical_noise_rad = 1e-4;
   CHECK(same_clouds(both, scanned(far_wall(), params, {&kOrigin, 1})));
 }
 
 TEST_CASE("instrument__gx_scatters_as_its_maker_says") {
   // Boulaassal 2010, 5.3.3: 11.58 mm at 100 m on the horizon; the maker says 12.
-  ParamSet params = wall_params(0.0015, {{}, {{"instrument", "gx"}}});
+  StaticSettings params = wall_settings(0.0015, {.instrument = StaticSettings::Instrument::kGx});
   const Cloud cloud = scanned(far_wall(), params, {&kOrigin, 1});
   const Spread spread = spread_of(cloud);
   CHECK(is_chi_squared(spread.range / (0.007 * 0.007), spread.n));
@@ -113,8 +114,7 @@ TEST_CASE("instrument__gx_scatters_as_its_maker_says") {
 }
 
 TEST_CASE("misfit__is_a_small_rigid_error_with_the_deviations_asked_for") {
-  ParamSet params = scanner_params({{{"misfit_shift_m", 0.004}, {"misfit_rotation_rad", 2e-4}}, {}});
-  const StaticSettings settings = static_settings(params);
+  const StaticSettings settings{.misfit_shift_m = 0.004, .misfit_rotation_rad = 2e-4};
   const ScanStation station = station_at({652000, 6861000, 35});
   constexpr size_t kStations = 20000;
   Vec3 shifts, turns, mean_shift;
@@ -138,10 +138,10 @@ TEST_CASE("misfit__is_a_small_rigid_error_with_the_deviations_asked_for") {
 TEST_CASE("misfit__moves_pose_and_points_of_a_station_alike_and_leaves_the_truth") {
   const Model model = scene("facade");
   const ScanStation stations[] = {station_at({5, -13, 1.7}), station_at({17, -12, 1.5})};
-  const ParamSet quiet = quiet_params(0.01, {{{"outliers", 0.05}}, {}});
-  ParamSet params = quiet;
-  params.set_number("misfit_shift_m", 0.005);
-  params.set_number("misfit_rotation_rad", 1e-3);
+  const StaticSettings quiet = quiet_settings(0.01, {.outliers = 0.05});
+  StaticSettings params = quiet;
+  params.misfit_shift_m = 0.005;
+  params.misfit_rotation_rad = 1e-3;
   const Cloud exact = scanned(model, quiet, stations), moved = scanned(model, params, stations);
   REQUIRE(exact.size() == moved.size());
   CHECK(same_bits(values<double>(exact, "true_xyz"), values<double>(moved, "true_xyz")));
@@ -169,6 +169,6 @@ TEST_CASE("automatic_stations__take_a_number_and_a_distance") {
   for (const ScanStation& station : around)
     CHECK(std::hypot(station.pose.translation().x, station.pose.translation().y) ==
           doctest::Approx(std::hypot(4.2, 1.8) / 2 + 5));
-  ParamSet params = quiet_params(0.05, {{{"stations", 5}, {"station_distance_m", 20}}, {}});
+  StaticSettings params = quiet_settings(0.05, {.stations = 5, .station_distance_m = 20});
   CHECK(scanned(facade, params).stations.size() == 5);
 }

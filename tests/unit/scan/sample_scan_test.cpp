@@ -23,7 +23,7 @@ TEST_CASE("sample__gives_every_face_its_share_of_the_points_on_it") {
     CAPTURE(name);
     const Model model = scene(name);
     const auto faces = faces_by_id(model);
-    const Cloud cloud = sampled(model, {{{"points", 60000}, {"noise_m", 0}}, {}});
+    const Cloud cloud = sampled(model, {.points = 60000, .noise_m = 0});
     REQUIRE(cloud.size() == 60000);
     CHECK(cloud.stations.empty());
     double area = 0;
@@ -52,7 +52,7 @@ TEST_CASE("sample__gives_every_face_its_share_of_the_points_on_it") {
 
 TEST_CASE("sample__spreads_evenly_over_a_face") {
   const Model model = scene("normal");
-  const Cloud cloud = sampled(model, {{{"spacing_m", 0.02}, {"noise_m", 0}}, {}});
+  const Cloud cloud = sampled(model, {.spacing_m = 0.02, .noise_m = 0});
   REQUIRE(cloud.size() == 250000);
   std::vector<double> cells(400);
   for (size_t i = 0; i < cloud.size(); ++i) {
@@ -65,11 +65,10 @@ TEST_CASE("sample__spreads_evenly_over_a_face") {
 }
 
 TEST_CASE("sample__noise_goes_along_the_normal_with_the_deviation_asked_for") {
-  for (int64_t seed = 1; seed <= 3; ++seed) {
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
     const Model model = scene("std", {{"rotation_rad", 0.7}});
     const auto faces = faces_by_id(model);
-    const Cloud cloud = sampled(
-        model, {{{"points", 50000}, {"noise_m", 0.0075}, {"seed", static_cast<double>(seed)}}, {}});
+    const Cloud cloud = sampled(model, {.points = 50000, .noise_m = 0.0075, .seed = seed});
     double squares = 0;
     for (size_t i = 0; i < cloud.size(); ++i) {
       const Plane& plane = faces.at(values<uint32_t>(cloud, "face")[i]).front()->plane;
@@ -83,16 +82,18 @@ TEST_CASE("sample__noise_goes_along_the_normal_with_the_deviation_asked_for") {
 }
 
 TEST_CASE("sample__gives_equal_counts_glass_and_outliers_their_shares") {
-  ParamSet equal = filled("scanner", sample_scanner_rows(), {{{"points", 3000}}, {}});
-  equal.set_bool("equal_counts", true);
+  SampleSettings equal = {.points = 3000};
+  equal.equal_counts = true;
   Task task;
   const auto strips = points_of_faces(scan_sample(scene("std"), {}, equal, task));
   CHECK(strips.size() == 10);
   for (const auto& [id, n] : strips) CHECK(std::abs(static_cast<double>(n) - 300) <= 2);
 
   const Model model = scene("surrounds", {{"glass_m", 0.02}});
-  const Cloud cloud = sampled(
-      model, {{{"points", 60000}, {"glass_return_min", 0.05}, {"glass_return_max", 0.05}, {"outliers", 0.02}}, {}});
+  const Cloud cloud =
+      sampled(model, {.points = 60000,
+                      .surfaces = {.glass_return_min = 0.05, .glass_return_max = 0.05},
+                      .outliers = 0.02});
   CHECK(cloud.size() == 60000);
   double glass = 0, area = 0;
   for (const Face& face : model.faces) {
@@ -114,42 +115,41 @@ TEST_CASE("sample__gives_equal_counts_glass_and_outliers_their_shares") {
 
 TEST_CASE("sample__has_the_same_bits_on_any_number_of_threads_and_others_for_another_seed") {
   const Model model = scene("insa");
-  const Options options{{{"points", 100000}, {"outliers", 0.02}, {"point_noise_m", 0.001}, {"glass_return_min", 0.05},
-                         {"glass_return_max", 0.3}}, {}};
+  const SampleSettings options{.points = 100000,
+                               .point_noise_m = 0.001,
+                               .surfaces = {.glass_return_min = 0.05, .glass_return_max = 0.3},
+                               .outliers = 0.02};
   const Cloud one = sampled(model, options, 1);
   CHECK(same_clouds(one, sampled(model, options, 2)));
   CHECK(same_clouds(one, sampled(model, options, 7)));
-  Options other = options;
-  other.numbers.push_back({"seed", 2});
+  SampleSettings other = options;
+  other.seed = 2;
   CHECK_FALSE(same_clouds(one, sampled(model, other)));
 }
 
 TEST_CASE("sample__of_a_scene_on_the_national_grid_loses_nothing") {
-  const double shift[] = {652000, 6861000, 35};
-  ParamSet options("scene", scene_rows());
-  options.set_text("name", "patches");
-  options.set_numbers("shift_m", shift);
+  const std::vector<double> shift{652000, 6861000, 35};
   Task task;
-  const Model far = build_scene(options, task), here = scene("patches");
-  const Cloud a = sampled(here, {{{"points", 5000}}, {}}), b = sampled(far, {{{"points", 5000}}, {}});
+  const Model far = build_scene({.name = SceneName::kPatches, .shift_m = shift}, task),
+              here = scene("patches");
+  const Cloud a = sampled(here, {.points = 5000}), b = sampled(far, {.points = 5000});
   for (size_t i = 0; i < a.size(); ++i)
     REQUIRE(norm(b.point(i) - Vec3{652000, 6861000, 35} - a.point(i)) < 2e-9);
 }
 
 TEST_CASE("sample__of_poor_models_ends_in_a_cloud_or_a_clear_error") {
   CHECK(sampled(Model{}).size() == 0);
-  CHECK(sampled(Model{}, {{{"points", 100}}, {}}).size() == 0);
+  CHECK(sampled(Model{}, {.points = 100}).size() == 0);
   Model point;
   point.vertices = {{1, 2, 3}};
   point.triangles = {{0, 0, 0}};
   point.triangle_faces = {1};
-  CHECK(sampled(point, {{{"points", 100}}, {}}).size() == 0);
+  CHECK(sampled(point, {.points = 100}).size() == 0);
   Model broken = scene("normal");
   broken.vertices[0].x = std::nan("");
   CHECK_THROWS_AS(sampled(broken), Error);
-  CHECK_THROWS_AS(sampled(scene("street"), {{{"spacing_m", 1e-4}}, {}}), Error);
+  CHECK_THROWS_AS(sampled(scene("street"), {.spacing_m = 1e-4}), Error);
   const ScanStation station = station_at({0, 0, 0});
   Task task;
-  CHECK_THROWS_AS(scan_sample(scene("normal"), {&station, 1}, filled("scanner", sample_scanner_rows(), {}), task),
-                  Error);
+  CHECK_THROWS_AS(scan_sample(scene("normal"), {&station, 1}, SampleSettings{}, task), Error);
 }

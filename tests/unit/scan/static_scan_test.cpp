@@ -31,7 +31,7 @@ TEST_CASE("static_scan__noise_free_points_lie_on_their_face") {
     CAPTURE(name);
     const Model model = scene(name);
     const auto faces = faces_by_id(model);
-    const Cloud cloud = scanned(model, quiet_params(0.01));
+    const Cloud cloud = scanned(model, quiet_settings(0.01));
     const auto ids = values<uint32_t>(cloud, "face");
     const auto range = values<float>(cloud, "range");
     CHECK(same_bits(cloud.xyz(), values<double>(cloud, "true_xyz")));
@@ -55,7 +55,7 @@ TEST_CASE("static_scan__noise_free_points_lie_on_their_face") {
 
 TEST_CASE("static_scan__sees_nothing_behind_a_surface") {
   const Model model = scene("street");
-  const Cloud cloud = scanned(model, quiet_params(0.02));
+  const Cloud cloud = scanned(model, quiet_settings(0.02));
   size_t checked = 0;
   for (size_t i = 0; i < cloud.size(); i += 101, ++checked) {
     const Vec3 eye = station_of(cloud, i)->pose.translation(), d = cloud.point(i) - eye;
@@ -76,10 +76,10 @@ TEST_CASE("static_scan__noise_has_the_deviations_asked_for") {
   const auto faces = faces_by_id(model);
   const double range_noise = 0.003, angle_noise = 1e-4;
   for (uint64_t seed = 1; seed <= 5; ++seed) {
-    ParamSet params = quiet_params(0.008);
-    params.set_number("range_noise_m", range_noise);
-    params.set_number("angle_noise_rad", angle_noise);
-    params.set_integer("seed", static_cast<int64_t>(seed));
+    StaticSettings params = quiet_settings(0.008);
+    params.range_noise_m = range_noise;
+    params.angle_noise_rad = angle_noise;
+    params.seed = seed;
     const Cloud cloud = scanned(model, params);
     const auto ids = values<uint32_t>(cloud, "face");
     // Distance to the true plane over its deviation by error propagation of eq. 1.1: standard normal.
@@ -109,8 +109,8 @@ TEST_CASE("static_scan__noise_has_the_deviations_asked_for") {
 
 TEST_CASE("static_scan__point_noise_is_the_same_in_all_directions") {
   const Model model = scene("room");
-  ParamSet params = quiet_params(0.01);
-  params.set_number("point_noise_m", 0.003);
+  StaticSettings params = quiet_settings(0.01);
+  params.point_noise_m = 0.003;
   const Cloud cloud = scanned(model, params);
   Vec3 squares;
   for (size_t i = 0; i < cloud.size(); ++i) {
@@ -123,10 +123,13 @@ TEST_CASE("static_scan__point_noise_is_the_same_in_all_directions") {
 
 TEST_CASE("static_scan__loses_and_spoils_the_shares_asked_for") {
   const Model model = scene("facade");
-  const size_t all = scanned(model, quiet_params(0.005)).size();
+  const size_t all = scanned(model, quiet_settings(0.005)).size();
   for (const std::string place : {"ray", "box"}) {
-    ParamSet params =
-        quiet_params(0.005, {{{"dropout", 0.1}, {"outliers", 0.05}}, {{"outlier_place", place.c_str()}}});
+    using Place = StaticSettings::OutlierPlace;
+    const StaticSettings params =
+        quiet_settings(0.005, {.dropout = 0.1,
+                               .outliers = 0.05,
+                               .outlier_place = place == "box" ? Place::kBox : Place::kRay});
     const Cloud cloud = scanned(model, params);
     CHECK(is_binomial(cloud.size(), all, 0.9));
     const auto ids = values<uint32_t>(cloud, "face");
@@ -154,17 +157,17 @@ TEST_CASE("static_scan__loses_and_spoils_the_shares_asked_for") {
         CHECK(std::abs(mean[a] - (box.min[a] + box.max[a]) / 2) <
               5 * (box.max[a] - box.min[a]) / std::sqrt(12.0 * static_cast<double>(spoilt)));
   }
-  ParamSet none = quiet_params(0.02, {{{"dropout", 1.0}}, {}});
+  StaticSettings none = quiet_settings(0.02, {.dropout = 1.0});
   CHECK(scanned(model, none).size() == 0);
 }
 
 TEST_CASE("static_scan__adds_the_national_grid_exactly") {
   const Model model = scene("facade");
   const auto run = [&](double e, double n, double h, bool noisy) {
-    ParamSet params = noisy ? scanner_params({{{"horizontal_step_rad", 0.01}, {"vertical_step_rad", 0.01}}, {}})
-                            : quiet_params(0.01);
-    const double offset[] = {e, n, h};
-    params.set_numbers("offset_m", offset);
+    StaticSettings params =
+        noisy ? StaticSettings{.horizontal_step_rad = 0.01, .vertical_step_rad = 0.01}
+              : quiet_settings(0.01);
+    params.offset_m = {e, n, h};
     return scanned(model, params);
   };
   const Vec3 offset{652000.125, 6861000.5, 35};
@@ -187,8 +190,8 @@ TEST_CASE("static_scan__of_a_model_shifted_by_whole_metres_is_shifted_exactly") 
   const Vec3 shift{652000, 6861000, 35};
   Model far = model;
   for (Vec3& v : far.vertices) v += shift;
-  ParamSet params = scanner_params(
-      {{{"horizontal_step_rad", 0.01}, {"vertical_step_rad", 0.01}, {"coordinate_step_m", 0x1p-20}}, {}});
+  StaticSettings params = StaticSettings{
+      .horizontal_step_rad = 0.01, .vertical_step_rad = 0.01, .coordinate_step_m = 0x1p-20};
   const ScanStation here[] = {station_at({5, -13, 1.75}), station_at({17, -12, 1.5})};
   const ScanStation there[] = {station_at(Vec3{5, -13, 1.75} + shift), station_at(Vec3{17, -12, 1.5} + shift)};
   const Cloud a = scanned(model, params, here), b = scanned(far, params, there);
@@ -199,25 +202,24 @@ TEST_CASE("static_scan__of_a_model_shifted_by_whole_metres_is_shifted_exactly") 
 
 TEST_CASE("static_scan__gives_the_same_bits_on_any_number_of_threads_and_others_for_another_seed") {
   const Model model = scene("street");
-  ParamSet params = scanner_params({{{"horizontal_step_rad", 0.01},
-                                     {"vertical_step_rad", 0.01},
-                                     {"dropout", 0.02},
-                                     {"outliers", 0.02},
-                                     {"point_noise_m", 0.001}},
-                                    {}});
-  params.set_bool("incidence_angle", true);
+  StaticSettings params = StaticSettings{.horizontal_step_rad = 0.01,
+                                         .vertical_step_rad = 0.01,
+                                         .point_noise_m = 0.001,
+                                         .dropout = 0.02,
+                                         .outliers = 0.02};
+  params.incidence_angle = true;
   const Cloud one = scanned(model, params, {}, 1);
   CHECK(one.size() > 50000);
   CHECK(same_clouds(one, scanned(model, params, {}, 2)));
   CHECK(same_clouds(one, scanned(model, params, {}, 7)));
   // More noise changes neither what is lost nor what is spoilt.
-  params.set_number("range_noise_m", 0.02);
+  params.range_noise_m = 0.02;
   const Cloud noisier = scanned(model, params);
   REQUIRE(noisier.size() == one.size());
   const auto a = values<uint32_t>(one, "face"), b = values<uint32_t>(noisier, "face");
   CHECK(std::equal(a.begin(), a.end(), b.begin()));
   CHECK_FALSE(same_bits(one.xyz(), noisier.xyz()));
-  params.set_integer("seed", 2);
+  params.seed = 2;
   CHECK(scanned(model, params).size() != one.size());
 }
 
@@ -227,16 +229,17 @@ TEST_CASE("static_scan__turns_with_its_pose_and_follows_the_polar_equation") {
   ScanStation station;
   station.name = "turned";
   station.pose.m = {0, -1, 0, 3, 1, 0, 0, 2, 0, 0, 1, 1.5};
-  ParamSet params = quiet_params(
-      0.01,
-      {{{"horizontal_from_rad", 0}, {"horizontal_to_rad", 0.005}, {"vertical_from_rad", 0}, {"vertical_to_rad", 0}},
-       {}});
+  StaticSettings params = quiet_settings(0.01, {.horizontal_from_rad = 0,
+                                                .horizontal_to_rad = 0.005,
+                                                .vertical_from_rad = 0,
+                                                .vertical_to_rad = 0});
   const Cloud cloud = scanned(room, params, {&station, 1});
   REQUIRE(cloud.size() == 1);
   CHECK(norm(cloud.point(0) - Vec3{0, 2, 1.5}) < 1e-12);
   CHECK(cloud.stations[0].name == "turned");
-  params.set_number("horizontal_from_rad", std::numbers::pi / 2);  // clockwise: +X of the scanner, +Y of the world
-  params.set_number("horizontal_to_rad", std::numbers::pi / 2);
+  params.horizontal_from_rad =
+      std::numbers::pi / 2;  // clockwise: +X of the scanner, +Y of the world
+  params.horizontal_to_rad = std::numbers::pi / 2;
   const Cloud side = scanned(room, params, {&station, 1});
   REQUIRE(side.size() == 1);
   CHECK(norm(side.point(0) - Vec3{3, 5, 1.5}) < 1e-12);
@@ -246,27 +249,27 @@ TEST_CASE("static_scan__covers_its_field_of_view_once") {
   const Model room = scene("room");
   const ScanStation station = station_at({3, 2.5, 1.4});
   const double step = 2 * std::numbers::pi / 360;
-  const ParamSet params = quiet_params(step, {{{"vertical_from_rad", -std::numbers::pi / 2}}, {}});
+  const StaticSettings params = quiet_settings(step, {.vertical_from_rad = -std::numbers::pi / 2});
   const Cloud cloud = scanned(room, params, {&station, 1});
   CHECK(cloud.size() == 360 * 181);  // the full circle without a double column, both poles
-  ParamSet rows = params;
-  rows.set_text("order", "rows");
+  StaticSettings rows = params;
+  rows.order = StaticSettings::Order::kRows;
   const Cloud by_rows = scanned(room, rows, {&station, 1});
   REQUIRE(by_rows.size() == cloud.size());
   CHECK(by_rows.point(0) == cloud.point(0));
   for (size_t i = 0; i < 360; i += 7)
     for (size_t j = 0; j < 181; j += 5) REQUIRE(by_rows.point(j * 360 + i) == cloud.point(i * 181 + j));
-  ParamSet near = params;
-  near.set_number("min_range_m", 2);
-  near.set_number("max_range_m", 3);
+  StaticSettings near = params;
+  near.min_range_m = 2;
+  near.max_range_m = 3;
   const Cloud shell = scanned(room, near, {&station, 1});
   CHECK(shell.size() > 100);
   for (const float r : values<float>(shell, "range")) REQUIRE((r >= 2 && r <= 3));
 }
 
 TEST_CASE("static_scan__tells_the_incidence_angle") {
-  ParamSet params = quiet_params(0.02);
-  params.set_bool("incidence_angle", true);
+  StaticSettings params = quiet_settings(0.02);
+  params.incidence_angle = true;
   const Model room = scene("room");
   const auto faces = faces_by_id(room);
   const Cloud cloud = scanned(room, params);
@@ -279,7 +282,7 @@ TEST_CASE("static_scan__tells_the_incidence_angle") {
 
 TEST_CASE("static_scan__of_poor_models_and_places_ends_in_a_cloud_or_a_clear_error") {
   const ScanStation origin = station_at({0, 0, 1});
-  const ParamSet params = quiet_params(0.05);
+  const StaticSettings params = quiet_settings(0.05);
   const Cloud none = scanned(Model{}, params, {&origin, 1});
   CHECK(none.size() == 0);
   CHECK(none.fields.require("face").count() == 0);
@@ -305,18 +308,17 @@ TEST_CASE("static_scan__of_poor_models_and_places_ends_in_a_cloud_or_a_clear_err
   ScanStation bent = origin;
   bent.pose.m[0] = 2;
   CHECK_THROWS_AS(scanned(one_triangle(), params, {&bent, 1}), Error);
-  const auto refused = [&](const Options& options) {
-    CHECK_THROWS_AS(scanned(one_triangle(), quiet_params(0.05, options), {&origin, 1}), Error);
+  const auto refused = [&](const StaticSettings& settings) {
+    CHECK_THROWS_AS(scanned(one_triangle(), quiet_settings(0.05, settings), {&origin, 1}), Error);
   };
-  refused({{{"min_range_m", 10}, {"max_range_m", 5}}, {}});
-  refused({{{"horizontal_from_rad", 1}, {"horizontal_to_rad", 0}}, {}});
-  ParamSet two = params;
-  const double offset[] = {1, 2};
-  two.set_numbers("offset_m", offset);
+  refused({.min_range_m = 10, .max_range_m = 5});
+  refused({.horizontal_from_rad = 1, .horizontal_to_rad = 0});
+  StaticSettings two = params;
+  two.offset_m = {1, 2};
   CHECK_THROWS_AS(scanned(one_triangle(), two, {&origin, 1}), Error);
-  ParamSet fine = params;
-  fine.set_number("horizontal_step_rad", 1e-6);
-  fine.set_number("vertical_step_rad", 1e-6);
+  StaticSettings fine = params;
+  fine.horizontal_step_rad = 1e-6;
+  fine.vertical_step_rad = 1e-6;
   CHECK_THROWS_AS(scanned(one_triangle(), fine, {&origin, 1}), Error);  // 1.6e13 rays
 }
 
@@ -339,9 +341,9 @@ TEST_CASE("static_scan__stops_within_100_ms_of_a_cancel") {
     return 0;
   };
   Task task(hooks);
-  ParamSet params = scanner_params();
-  params.set_number("horizontal_step_rad", 1e-3);
-  params.set_number("vertical_step_rad", 1e-3);
+  StaticSettings params = StaticSettings{};
+  params.horizontal_step_rad = 1e-3;
+  params.vertical_step_rad = 1e-3;
   Status status = Status::kOk;
   try {
     scan_static(scene("street"), {}, params, task);
@@ -360,7 +362,7 @@ TEST_CASE("static_scan__default_facade_has_at_least_500_000_points") {
   const Model model = scene("facade");
   for (const unsigned threads : {1u, 2u}) {
     const auto start = Clock::now();
-    const Cloud cloud = scanned(model, scanner_params(), {}, threads);
+    const Cloud cloud = scanned(model, StaticSettings{}, {}, threads);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     CHECK(cloud.size() >= 500000);
     CHECK(cloud.stations.size() == 2);

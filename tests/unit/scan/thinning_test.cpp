@@ -19,10 +19,10 @@ const Options kEverything{{{"horizontal_step_rad", 0.008}, {"vertical_step_rad",
 
 TEST_CASE("thinning__keeps_exactly_the_number_asked_for_as_a_random_part_of_the_scan") {
   const Model model = scene("facade");
-  const ParamSet quiet = quiet_params(0.004);
+  const StaticSettings quiet = quiet_settings(0.004);
   const Cloud all = scanned(model, quiet);
-  ParamSet params = quiet;
-  params.set_number("max_points", 20000);
+  StaticSettings params = quiet;
+  params.max_points = 20000;
   const Cloud some = scanned(model, params);
   REQUIRE(all.size() > 40000);
   REQUIRE(some.size() == 20000);
@@ -37,7 +37,7 @@ TEST_CASE("thinning__keeps_exactly_the_number_asked_for_as_a_random_part_of_the_
   for (const uint32_t id : values<uint32_t>(all, "face")) ++counts[id].first;
   for (const uint32_t id : values<uint32_t>(some, "face")) ++counts[id].second;
   for (const auto& [id, n] : counts) CHECK(is_binomial(n.second, n.first, share));
-  params.set_number("max_points", 1e9);
+  params.max_points = 1e9;
   CHECK(same_clouds(all, scanned(model, params)));
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("thinning__to_a_spacing_gives_the_same_density_near_and_far") {
   const Model model = scene("normal");  // 10 x 10 m
   const ScanStation aside = station_at({1, -4, 2});
   const double spacing = 0.05;
-  const Cloud cloud = scanned(model, quiet_params(0.002, {{{"spacing_m", spacing}}, {}}), {&aside, 1});
+  const Cloud cloud = scanned(model, quiet_settings(0.002, {.spacing_m = spacing}), {&aside, 1});
   // Cells of 1 x 1 m: where the scan is denser than the spacing, Poisson counts of 1 / spacing^2.
   std::map<std::pair<int, int>, size_t> cells;
   for (size_t i = 0; i < cloud.size(); ++i)
@@ -63,7 +63,8 @@ TEST_CASE("thinning__to_a_spacing_gives_the_same_density_near_and_far") {
 
 TEST_CASE("static_scan__with_every_effect_has_the_same_bits_on_any_number_of_threads") {
   const Model model = scene("unwanted");
-  const ParamSet params = scanner_params(kEverything);
+  const auto params =
+      settings_from<StaticSettings>(filled("scanner", static_scanner_rows(), kEverything));
   const Cloud one = scanned(model, params, {}, 1);
   CHECK(one.size() == 20000);
   CHECK(same_clouds(one, scanned(model, params, {}, 2)));
@@ -71,10 +72,12 @@ TEST_CASE("static_scan__with_every_effect_has_the_same_bits_on_any_number_of_thr
 }
 
 TEST_CASE("static_scan__parameters_travel_as_json") {
-  const ParamSet params = scanner_params(kEverything);
-  ParamSet back = scanner_params();
+  const ParamSet params = filled("scanner", static_scanner_rows(), kEverything);
+  ParamSet back("scanner", static_scanner_rows());
   CHECK(back.to_json() != params.to_json());
   back.from_json(params.to_json());
   CHECK(back.to_json() == params.to_json());
-  CHECK(same_clouds(scanned(scene("unwanted"), params), scanned(scene("unwanted"), back)));
+  const Model model = scene("unwanted");
+  CHECK(same_clouds(scanned(model, settings_from<StaticSettings>(params)),
+                    scanned(model, settings_from<StaticSettings>(back))));
 }

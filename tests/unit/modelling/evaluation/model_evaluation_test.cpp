@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "modelling/evaluation/model_evaluation.h"
-#include "scan/scanner.h"
+#include "scan/scene.h"
 
 using namespace jalon;
 
@@ -28,7 +28,7 @@ Model scene(const char* json) {
   ParamSet params("scene", scene_rows());
   params.from_json(json);
   Task task;
-  return build_scene(params, task);
+  return build_scene(settings_from<SceneSettings>(params), task);
 }
 
 using Corners = std::vector<Vec3>;

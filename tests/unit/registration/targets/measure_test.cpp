@@ -41,11 +41,11 @@ Rays sphere_scan(double turn_rad, double step_rad) {
   params.from_json(R"({"range_noise_m": 0, "angle_noise_rad": 0, "beam_rings": 0,
                        "horizontal_from_rad": 1.51, "horizontal_to_rad": 1.56, "vertical_from_rad": -0.035,
                        "vertical_to_rad": 0.01})");
-  params.set_number("horizontal_step_rad", step_rad);
-  params.set_number("vertical_step_rad", step_rad);
+  auto settings = settings_from<StaticSettings>(params);
+  settings.horizontal_step_rad = settings.vertical_step_rad = step_rad;
   const ScanStation station{"S", motion_about({}, {}, out.eye)};
   Task task;
-  const Cloud cloud = scan_static(model, {&station, 1}, params, task);
+  const Cloud cloud = scan_static(model, {&station, 1}, settings, task);
   for (size_t i = 0; i < cloud.size(); ++i) out.points.push_back(cloud.point(i));
   return out;
 }

@@ -25,13 +25,9 @@ Truth truth_of(const Model& model) {
 
 /// The scene where its recipe draws it: without the turn and shift that it comes with.
 Model straight_insa() {
-  ParamSet options("scene", scene_rows());
-  options.set_text("name", "insa");
-  options.set_number("rotation_rad", -kInsaTurn);
-  const double back[] = {-1000, -500, -40};
-  options.set_numbers("shift_m", back);
   Task task;
-  return build_scene(options, task);
+  return build_scene(
+      {.name = SceneName::kInsa, .rotation_rad = -kInsaTurn, .shift_m = {-1000, -500, -40}}, task);
 }
 
 Box3 box_of(const Model& model) {
@@ -123,7 +119,8 @@ TEST_CASE("scene_insa__lets_no_ray_behind_its_front_but_through_windows") {
     const Model model = std::string(name) == "insa" ? straight_insa() : scene(name);
     double deepest = 0;
     for (const Face* face : faces_of_class(model, "glass")) deepest = std::max(deepest, -face->plane.offset);
-    const Cloud cloud = scanned(model, quiet_params(0.004, {{{"stations", 4}, {"station_distance_m", 15}}, {}}));
+    const Cloud cloud =
+        scanned(model, quiet_settings(0.004, {.stations = 4, .station_distance_m = 15}));
     const auto ids = values<uint32_t>(cloud, "face");
     const auto faces = faces_by_id(model);
     for (size_t i = 0; i < cloud.size(); ++i)
@@ -156,13 +153,12 @@ TEST_CASE("scene_insa_surveyed__scanned_as_its_recipe_says_is_as_thick_as_the_su
   const Model model = scene("insa_surveyed");
   const ScanStation stations[] = {station_at({5, -25, 1.7}), station_at({25, -30, 1.7}), station_at({45, -35, 1.7}),
                                   station_at({63, -40, 1.7})};
-  ParamSet params = scanner_params({{{"horizontal_step_rad", 0.0029},
-                                     {"vertical_step_rad", 0.0029},
-                                     {"misfit_shift_m", 0.004},
-                                     {"glass_return_min", 0.05},
-                                     {"glass_return_max", 0.3},
-                                     {"max_points", 200000}},
-                                    {{"instrument", "gx"}}});
+  const StaticSettings params{.horizontal_step_rad = 0.0029,
+                              .vertical_step_rad = 0.0029,
+                              .instrument = StaticSettings::Instrument::kGx,
+                              .misfit_shift_m = 0.004,
+                              .surfaces = {.glass_return_min = 0.05, .glass_return_max = 0.3},
+                              .max_points = 200000};
   const Cloud cloud = scanned(model, params, stations);
   REQUIRE(cloud.size() == 200000);
   const Truth truth = truth_of(model);
@@ -262,8 +258,8 @@ TEST_CASE("scene_sills_and_robbery__stand_off_the_wall_or_cross_it") {
   CHECK(level(scene("sills")).min.y == doctest::Approx(-0.3));
   CHECK(level(scene("sills", {{"gap_m", 0.05}})).max.y == doctest::Approx(-0.05));
   CHECK(level(scene("robbery", {{"depth_m", 0.5}})).min.y == doctest::Approx(-0.5));
-  ParamSet options = filled("scene", scene_rows(), {{{"depth_m", 0.5}}, {{"name", "robbery"}}});
-  options.set_bool("crossing", true);
+  SceneSettings options{.name = SceneName::kRobbery, .depth_m = 0.5};
+  options.crossing = true;
   Task task;
   const Box3 crossing = level(build_scene(options, task));
   CHECK(crossing.min.y == doctest::Approx(-0.25));
@@ -314,8 +310,8 @@ TEST_CASE("scene_lycee__trees_shade_windows_5_7_and_8_by_half_to_four_fifths") {
   bare.triangles = triangles;
   bare.triangle_faces = ids;
   const ScanStation station = station_at({7, -16, 1.7});
-  const Cloud shaded = scanned(model, quiet_params(0.003), {&station, 1}),
-              clear = scanned(bare, quiet_params(0.003), {&station, 1});
+  const Cloud shaded = scanned(model, quiet_settings(0.003), {&station, 1}),
+              clear = scanned(bare, quiet_settings(0.003), {&station, 1});
   const auto seen = [](const Cloud& cloud, int window) {
     const double u = 3.5 * ((window - 1) % 4 + 0.5), v = window <= 4 ? 5 : 10;
     double n = 0;
@@ -353,13 +349,12 @@ TEST_CASE("scene_arches__has_the_areas_of_its_ten_polygons") {
 }
 
 TEST_CASE("scenes__take_a_shift_and_refuse_a_wrong_one") {
-  ParamSet options("scene", scene_rows());
-  const double shift[] = {652000, 6861000, 35}, two[] = {1, 2};
-  options.set_numbers("shift_m", shift);
+  SceneSettings options;
+  options.shift_m = {652000, 6861000, 35};
   Task task;
   const Model here = scene("facade"), there = build_scene(options, task);
   for (size_t i = 0; i < here.vertices.size(); ++i)
     REQUIRE(norm(there.vertices[i] - here.vertices[i] - Vec3{652000, 6861000, 35}) < 2e-9);
-  options.set_numbers("shift_m", two);
+  options.shift_m = {1, 2};
   CHECK_THROWS_AS(build_scene(options, task), Error);
 }

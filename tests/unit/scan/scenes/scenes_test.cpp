@@ -93,7 +93,7 @@ TEST_CASE("scene_facade__is_a_wall_of_22_by_10_m_with_doors_windows_cornice_and_
 
 TEST_CASE("scene_facade__has_no_gap_that_a_front_view_sees_through") {
   const Model model = scene("facade", {{"frame_m", 0}});
-  const Cloud cloud = scanned(model, quiet_params(0.004));
+  const Cloud cloud = scanned(model, quiet_settings(0.004));
   // Rays toward the front of the house all end on it or before it.
   size_t toward = 0;
   for (const Station& station : cloud.stations) {

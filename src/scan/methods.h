@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "base/params.h"
+#include "scan/scanner.h"
+
+namespace jalon {
+
+/// A way to make a cloud of a model, with its parameter table. The only list of them: what the
+/// library offers by name comes from here.
+struct ScannerMethod {
+  const char* name;
+  const char* owner;  ///< of its parameters, in messages
+  std::span<const ParamRow> (*rows)();
+  Cloud (*scan)(const Model& model, std::span<const ScanStation> stations, const ParamSet& params,
+                Task& task);
+  FieldTable (*truth)(const Model& model, const Cloud* cloud, const ParamSet& params, Task& task);
+};
+std::span<const ScannerMethod> scanner_methods();
+
+}  // namespace jalon
