@@ -25,7 +25,9 @@ jalon_status jalon_cloud_read(const char* path, const jalon_params* options, jal
     require(out, "out");
     const std::string file = require_path(path);
     const ParamSet values = options_or_default(options, "read");
-    *out = with_task(task, [&](Task& t) { return own(new_cloud(read_cloud(file, values, t))); }).release();
+    *out = with_task(task, [&](Task& t) {
+             return own(new_cloud(read_cloud(file, settings_from<ReadSettings>(values), t)));
+           }).release();
   });
 }
 
@@ -35,7 +37,9 @@ jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path,
     require(cloud, "cloud");
     const std::string file = require_path(path);
     const ParamSet values = options_or_default(options, "write");
-    with_task(task, [&](Task& t) { write_cloud(*cloud->cloud, file, values, t); });
+    with_task(task, [&](Task& t) {
+      write_cloud(*cloud->cloud, file, settings_from<WriteSettings>(values), t);
+    });
   });
 }
 
@@ -47,7 +51,8 @@ jalon_status jalon_model_read(const char* path, const jalon_params* options, jal
     const ParamSet values = options_or_default(options, "read");
     auto handle = std::make_unique<jalon_model>();
     with_task(task, [&](Task& t) {
-      handle->model = std::make_shared<const Model>(read_model(file, values, t));
+      handle->model =
+          std::make_shared<const Model>(read_model(file, settings_from<ReadSettings>(values), t));
     });
     *out = handle.release();
   });
@@ -59,7 +64,9 @@ jalon_status jalon_model_write(const jalon_model* model, const char* path,
     require(model, "model");
     const std::string file = require_path(path);
     const ParamSet values = options_or_default(options, "write");
-    with_task(task, [&](Task& t) { write_model(*model->model, file, values, t); });
+    with_task(task, [&](Task& t) {
+      write_model(*model->model, file, settings_from<WriteSettings>(values), t);
+    });
   });
 }
 

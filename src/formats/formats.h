@@ -8,19 +8,25 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
+#include "formats/settings.h"
 #include "model/model.h"
 
+// Files of clouds and models. registry.h has a row for each format; nothing else knows them.
 namespace jalon {
 
-/// Parameter tables of the operations "read" and "write".
+/// Parameter tables of the operations "read" and "write": ReadSettings, WriteSettings.
 std::span<const ParamRow> read_rows();
 std::span<const ParamRow> write_rows();
 
-/// By content first, by extension second. Errors name file, offset and reason.
-Cloud read_cloud(const std::string& path, const ParamSet& options, Task& task);
-void write_cloud(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task);
-Model read_model(const std::string& path, const ParamSet& options, Task& task);
-void write_model(const Model& model, const std::string& path, const ParamSet& options, Task& task);
+/// The format is the option's, or that of the content, or of the extension, in this order. Errors
+/// name file, offset and reason.
+Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& task);
+Model read_model(const std::string& path, const ReadSettings& settings, Task& task);
+/// The option's format, or that of the extension.
+void write_cloud(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+                 Task& task);
+void write_model(const Model& model, const std::string& path, const WriteSettings& settings,
+                 Task& task);
 
 /// The registry, for listings.
 struct FormatInfo {

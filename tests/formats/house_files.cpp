@@ -57,7 +57,7 @@ void write_all(const Model& model, const std::string& folder) {
   for (const File& file : kFiles) {
     ParamSet options("write", write_rows());
     if (file.option != nullptr) options.set_text(file.option, file.value);
-    write_model(model, folder + "/" + file.name, options, task);
+    write_model(model, folder + "/" + file.name, settings_from<WriteSettings>(options), task);
   }
   AtomicFile json(folder + "/model.json");
   json.write(tables(model));

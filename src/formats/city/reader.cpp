@@ -6,10 +6,10 @@
 
 #include "base/error.h"
 #include "formats/city/boundaries.h"
+#include "formats/city/city.h"
 #include "formats/city/parts.h"
 #include "formats/city/text.h"
 #include "formats/city/tree.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
 #include "formats/units/crs_code.h"
 
@@ -255,7 +255,7 @@ class CityReader {
 
 }  // namespace
 
-Model read_city(const ByteSource& source, const ParamSet&, Task& task) {
+Model read_city(const ByteSource& source, const ReadSettings&, Task& task) {
   Span span(task, 0, 0.99, "reading CityJSON");
   return CityReader(source, task).run();
 }

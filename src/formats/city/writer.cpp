@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "base/json_writer.h"
+#include "formats/city/city.h"
 #include "formats/city/geometry.h"
 #include "formats/city/parts.h"
 #include "formats/files/atomic_file.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
 #include "formats/units/crs_code.h"
 #include "model/chords.h"
@@ -246,12 +246,14 @@ class CityFile {
 
 }  // namespace
 
-void write_city(const Model& model, const std::string& path, const ParamSet& options, Task& task) {
+void write_city(const Model& model, const std::string& path, const WriteSettings& settings,
+                Task& task) {
   Span span(task, 0, 0.99, "writing CityJSON");
   validate(model);
   AtomicFile file(path);
-  const double scale_m = options.number("city_scale_m");
-  if (has_arcs(model)) CityFile(with_chords(model, options.number("chord_error_m")), scale_m, file, task).write(task);
+  const double scale_m = settings.city_scale_m;
+  if (has_arcs(model))
+    CityFile(with_chords(model, settings.chord_error_m), scale_m, file, task).write(task);
   else CityFile(model, scale_m, file, task).write(task);
   task.checkpoint(1);
   file.commit();

@@ -7,11 +7,12 @@
 #include <string_view>
 #include <utility>
 
+#include "formats/settings.h"
 #include "geometry/vec.h"
 
 namespace jalon::dxf {
 
-enum class Version { kR12, kR2000 };
+using Version = DxfVersion;
 
 /// Builds the groups (code, value) of a DXF file (Autodesk, "DXF Reference", AutoCAD 2000; release 12 for AC1009).
 /// Numbers are the shortest text that reads back the same; texts are made safe for the version.

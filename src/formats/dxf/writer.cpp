@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/dxf/drawing.h"
+#include "formats/dxf/dxf.h"
 #include "formats/dxf/sections.h"
 #include "formats/files/atomic_file.h"
-#include "formats/files/readers.h"
 
 namespace jalon {
 
@@ -48,12 +48,13 @@ void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model
 
 }  // namespace
 
-void write_dxf(const Model& model, const std::string& path, const ParamSet& options, Task& task) {
+void write_dxf(const Model& model, const std::string& path, const WriteSettings& settings,
+               Task& task) {
   Span span(task, 0, 0.99, "writing DXF");
   validate(model);
-  const Version version = options.text("dxf_version") == "r12" ? Version::kR12 : Version::kR2000;
-  const Drawing drawing = options.text("dxf_view") == "elevation"
-                              ? draw_elevation(model, options.number("chord_error_m"), task)
+  const Version version = settings.dxf_version;
+  const Drawing drawing = settings.dxf_view == DxfView::kElevation
+                              ? draw_elevation(model, settings.chord_error_m, task)
                               : draw_world(model, task);
   AtomicFile file(path);
   Text text(version);

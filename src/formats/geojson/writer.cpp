@@ -5,7 +5,7 @@
 
 #include "base/json_writer.h"
 #include "formats/files/atomic_file.h"
-#include "formats/files/readers.h"
+#include "formats/geojson/geojson.h"
 #include "formats/units/crs_code.h"
 #include "model/chords.h"
 #include "model/polygon_triangles.h"
@@ -137,11 +137,12 @@ class GeoJson {
 
 }  // namespace
 
-void write_geojson(const Model& model, const std::string& path, const ParamSet& options, Task& task) {
+void write_geojson(const Model& model, const std::string& path, const WriteSettings& settings,
+                   Task& task) {
   Span span(task, 0, 0.99, "writing GeoJSON");
   validate(model);
   AtomicFile file(path);
-  if (has_arcs(model)) GeoJson(with_chords(model, options.number("chord_error_m")), file).write(task);
+  if (has_arcs(model)) GeoJson(with_chords(model, settings.chord_error_m), file).write(task);
   else GeoJson(model, file).write(task);
   task.checkpoint(1);
   file.commit();

@@ -69,11 +69,10 @@ bool needs_extended(const FieldTable& fields, Task& task) {
   return false;
 }
 
-void choose_version(Plan& plan, const Cloud& cloud, const Origin& origin, const ParamSet& options,
+void choose_version(Plan& plan, const Cloud& cloud, const Origin& origin, LasVersion wanted,
                     Task& task) {
-  const std::string& wanted = options.text("las_version");
-  bool extended = wanted == "1.4";
-  if (wanted == "auto")
+  bool extended = wanted == LasVersion::k14;
+  if (wanted == LasVersion::kAuto)
     extended = is_extended_header(origin.header) || cloud.size() > kMaxLegacyCount ||
                (is_wkt(cloud.crs) && !says_crs_of(origin, cloud)) || !origin.evlrs.empty() ||
                needs_extended(cloud.fields, task);
@@ -162,9 +161,8 @@ bool old_steps_fit(const Cloud& cloud, const Plan& plan, const Vec3& scale, cons
          }) == 0;
 }
 
-void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, const ParamSet& options,
+void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, double wanted,
                   Task& task) {
-  const double wanted = options.number("scale");
   if (!plan.old_header.empty() && wanted == 0) {
     for (int k = 0; k < 3; ++k) {
       plan.scale[k] = load<double>(plan.old_header.data() + 131 + 8 * k);
@@ -190,11 +188,12 @@ void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, const
 
 }  // namespace
 
-Plan make_plan(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task) {
+Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task) {
   Plan plan;
   Origin origin = origin_of(cloud);
   const bool same_crs = says_crs_of(origin, cloud);
-  choose_version(plan, cloud, origin, options, task);
+  choose_version(plan, cloud, origin, settings.las_version, task);
   choose_records(plan, cloud, origin, task);
 
   std::vector<ColumnPtr> left;
@@ -213,7 +212,7 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const ParamSet& opti
   if (plan.units.degrees && !same_crs)
     fail(Status::kUnsupported, "%s: coordinates in metres cannot be written under a CRS in degrees",
          path.c_str());
-  choose_steps(plan, cloud, path, options, task);
+  choose_steps(plan, cloud, path, settings.scale, task);
   return plan;
 }
 

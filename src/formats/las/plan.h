@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
 #include "formats/las/fields.h"
 #include "formats/las/layout.h"
+#include "formats/settings.h"
 
 namespace jalon::las {
 
@@ -45,7 +45,8 @@ struct Plan {
   Vec3 scale, offset;                 ///< in that unit
 };
 
-Plan make_plan(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task);
+Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task);
 
 // The parts of it.
 /// Fields that the format's dimensions can hold exactly; the others are named in `left`.

@@ -5,9 +5,10 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "formats/files/endian.h"
+#include "formats/files/finish_cloud.h"
 #include "formats/files/large_pages.h"
-#include "formats/files/readers.h"
 #include "formats/las/fields.h"
+#include "formats/las/las.h"
 #include "formats/las/layout.h"
 
 namespace jalon {
@@ -105,13 +106,12 @@ Extraction extraction_of(const ExtraDimension& dimension, size_t extra_offset, s
 
 // The unit that the user gave, or that the CRS says.
 LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs,
-                         const ByteSource& source, const ParamSet& options, Task& task) {
-  const std::string& unit = options.text("unit");
+                         const ByteSource& source, FileUnit unit, Task& task) {
   LengthUnits units;
   units.known = true;
-  if (unit == "foot") units.horizontal = units.vertical = kFoot;
-  if (unit == "us_survey_foot") units.horizontal = units.vertical = kUsFoot;
-  if (unit == "auto") units = units_of(vlrs, evlrs, source.path());
+  if (unit == FileUnit::kFeet) units.horizontal = units.vertical = kFoot;
+  if (unit == FileUnit::kUsSurveyFeet) units.horizontal = units.vertical = kUsFoot;
+  if (unit == FileUnit::kAuto) units = units_of(vlrs, evlrs, source.path());
   if (units.degrees)
     task.log(Task::kWarning,
              "%s: the CRS is geographic: x and y are degrees, or the CRS is wrong; project the "
@@ -158,11 +158,16 @@ std::shared_ptr<const std::vector<Attachment>> attachments_of(const Header& head
 
 }  // namespace
 
-Cloud read_las(const ByteSource& source, const ParamSet& options, Task& task) {
+bool is_las(const ByteSource& source) {
+  char start[4];
+  return std::string_view(start, source.read_some(0, start, sizeof start)) == "LASF";
+}
+
+Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task) {
   const Header header = read_header(source);
   std::vector<Record> vlrs = read_vlrs(source, header, task);
   std::vector<Record> evlrs = read_evlrs(source, header, task);
-  const LengthUnits units = units_to_use(vlrs, evlrs, source, options, task);
+  const LengthUnits units = units_to_use(vlrs, evlrs, source, settings.unit, task);
 
   const size_t count = header.count;
   const size_t core = point_format(header.format)->bytes;
@@ -186,7 +191,7 @@ Cloud read_las(const ByteSource& source, const ParamSet& options, Task& task) {
         std::move(e.column));  // an extra dimension replaces the standard one of its name
   cloud.crs = crs_text(vlrs, evlrs);
   cloud.attachments = attachments_of(header, std::move(vlrs), std::move(evlrs));
-  return finish_cloud(std::move(cloud), source, options, task);
+  return finish_cloud(std::move(cloud), source, settings.drop_invalid, task);
 }
 
 }  // namespace jalon

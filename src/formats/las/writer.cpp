@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "formats/files/atomic_file.h"
 #include "formats/files/endian.h"
-#include "formats/files/readers.h"
+#include "formats/las/las.h"
 #include "formats/las/plan.h"
 
 namespace jalon {
@@ -201,11 +201,12 @@ Tally write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Task&
 
 }  // namespace
 
-void write_las(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task) {
+void write_las(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task) {
   Plan plan;
   {
     Span span(task, 0, 0.3, "writing LAS");
-    plan = make_plan(cloud, path, options, task);
+    plan = make_plan(cloud, path, settings, task);
   }
   Span span(task, 0.3, 0.99, "writing LAS");
   AtomicFile file(path);

@@ -9,9 +9,9 @@
 #include "base/text_number.h"
 #include "formats/face_geometry.h"
 #include "formats/files/fast_number.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
 #include "formats/obj/notes.h"
+#include "formats/obj/obj.h"
 #include "formats/text/line_reader.h"
 #include "model/polygon_triangles.h"
 
@@ -23,8 +23,12 @@ constexpr size_t kTicks = 4096;  // lines between two looks at the task
 
 class ObjReader {
  public:
-  ObjReader(const ByteSource& source, const std::string& polygons, Task& task)
-      : source_(source), task_(task), lines_(source), as_faces_(polygons == "faces"), with_notes_(polygons == "auto") {}
+  ObjReader(const ByteSource& source, Polygons polygons, Task& task)
+      : source_(source),
+        task_(task),
+        lines_(source),
+        as_faces_(polygons == Polygons::kFaces),
+        with_notes_(polygons == Polygons::kAuto) {}
 
   Model run() {
     std::string_view line;
@@ -187,9 +191,9 @@ class ObjReader {
 
 }  // namespace
 
-Model read_obj(const ByteSource& source, const ParamSet& options, Task& task) {
+Model read_obj(const ByteSource& source, const ReadSettings& settings, Task& task) {
   Span span(task, 0, 0.99, "reading OBJ");
-  return ObjReader(source, options.text("polygons"), task).run();
+  return ObjReader(source, settings.polygons, task).run();
 }
 
 }  // namespace jalon

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/files/atomic_file.h"
 #include "formats/files/number_text.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
 #include "formats/obj/notes.h"
+#include "formats/obj/obj.h"
 #include "model/chords.h"
 #include "model/polygon_triangles.h"
 
@@ -140,10 +140,11 @@ void write_mesh(AtomicFile& file, const Model& model, Task& task) {
 
 }  // namespace
 
-void write_obj(const Model& given, const std::string& path, const ParamSet& options, Task& task) {
+void write_obj(const Model& given, const std::string& path, const WriteSettings& settings,
+               Task& task) {
   Span whole(task, 0, 0.99, "writing OBJ");
   validate(given);
-  const Model chords = has_arcs(given) ? with_chords(given, options.number("chord_error_m")) : Model{};
+  const Model chords = has_arcs(given) ? with_chords(given, settings.chord_error_m) : Model{};
   const Model& model = chords.vertices.empty() ? given : chords;
   AtomicFile file(path);
   std::string head = "# Jalon, coordinates in metres\n";

@@ -4,10 +4,11 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "formats/files/finish_cloud.h"
 #include "formats/files/large_pages.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
 #include "formats/ply/cursor.h"
+#include "formats/ply/ply.h"
 #include "model/polygon_triangles.h"
 
 namespace jalon {
@@ -221,7 +222,13 @@ void read_faces(const ByteSource& source, const Header& header, const Element& f
 
 }  // namespace
 
-Cloud read_ply(const ByteSource& source, const ParamSet& options, Task& task) {
+bool is_ply(const ByteSource& source) {
+  char start[4];
+  const std::string_view look(start, source.read_some(0, start, sizeof start));
+  return look == "ply\n" || look == "ply\r";
+}
+
+Cloud read_ply(const ByteSource& source, const ReadSettings& settings, Task& task) {
   const Header header = read_header(source);
   Cursor cursor(source, header.encoding, header.data_offset);
   Vertices vertices;
@@ -232,10 +239,10 @@ Cloud read_ply(const ByteSource& source, const ParamSet& options, Task& task) {
   Cloud cloud = make_cloud(std::move(vertices.xyz));
   for (auto& column : vertices.columns) cloud.fields.set(std::move(column));
   cloud.crs = header.crs;
-  return finish_cloud(std::move(cloud), source, options, task);
+  return finish_cloud(std::move(cloud), source, settings.drop_invalid, task);
 }
 
-Model read_ply_model(const ByteSource& source, const ParamSet&, Task& task) {
+Model read_ply_model(const ByteSource& source, const ReadSettings&, Task& task) {
   const Header header = read_header(source);
   const auto faces =
       std::ranges::find_if(header.elements, [](const Element& e) { return e.name == "face"; });

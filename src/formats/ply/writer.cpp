@@ -7,8 +7,8 @@
 #include "formats/files/atomic_file.h"
 #include "formats/files/endian.h"
 #include "formats/files/number_text.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
+#include "formats/ply/ply.h"
 #include "model/chords.h"
 #include "model/polygon_triangles.h"
 
@@ -18,13 +18,6 @@ namespace {
 
 constexpr size_t kGrain = size_t{1} << 14;
 constexpr size_t kBatch = 16 * kGrain;
-
-enum class Form { kLittle, kBig, kAscii };
-
-Form form_of(const ParamSet& options) {
-  const std::string& name = options.text("ply_format");
-  return name == "ascii" ? Form::kAscii : name == "binary_big_endian" ? Form::kBig : Form::kLittle;
-}
 
 const char* type_word(ElementType type) {
   switch (type) {
@@ -74,11 +67,11 @@ std::string property_name(std::string_view wanted, UniqueNames& unique) {
   return unique.add(name);
 }
 
-std::string header_text(const Cloud& cloud, Form form) {
+std::string header_text(const Cloud& cloud, PlyForm form) {
   std::string out = "ply\nformat ";
-  out += form == Form::kAscii ? "ascii"
-         : form == Form::kBig ? "binary_big_endian"
-                              : "binary_little_endian";
+  out += form == PlyForm::kAscii       ? "ascii"
+         : form == PlyForm::kBigEndian ? "binary_big_endian"
+                                       : "binary_little_endian";
   out += " 1.0\ncomment Jalon\n";
   const std::string& crs = cloud.crs;
   if (!crs.empty() && crs.find_first_of("\r\n") == std::string::npos)
@@ -144,20 +137,21 @@ void append_ascii(const Cloud& cloud, size_t begin, size_t end, int decimals, st
 
 }  // namespace
 
-void write_ply(const Cloud& cloud, const std::string& path, const ParamSet& options, Task& task) {
+void write_ply(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task) {
   Span span(task, 0, 0.99, "writing PLY");
-  const Form form = form_of(options);
-  const int decimals = static_cast<int>(options.integer("decimals"));
+  const PlyForm form = settings.ply_format;
+  const int decimals = settings.decimals;
   const std::string header = header_text(cloud, form);
   AtomicFile file(path);
   file.write(header);
   write_in_batches(cloud.size(), kBatch, kGrain, file, task,
                    [&](size_t begin, size_t end, std::string& out) {
-                     if (form == Form::kLittle)
+                     if (form == PlyForm::kLittleEndian)
                        append_vertices<std::endian::little>(cloud, begin, end, out);
-                     if (form == Form::kBig)
+                     if (form == PlyForm::kBigEndian)
                        append_vertices<std::endian::big>(cloud, begin, end, out);
-                     if (form == Form::kAscii) append_ascii(cloud, begin, end, decimals, out);
+                     if (form == PlyForm::kAscii) append_ascii(cloud, begin, end, decimals, out);
                    });
   task.checkpoint(1);
   file.commit();
@@ -188,18 +182,19 @@ Mesh mesh_of(const Model& model, Task& task) {
 
 }  // namespace
 
-void write_ply_model(const Model& given, const std::string& path, const ParamSet& options, Task& task) {
+void write_ply_model(const Model& given, const std::string& path, const WriteSettings& settings,
+                     Task& task) {
   Span span(task, 0, 0.99, "writing PLY");
   validate(given);
-  const Model chords = has_arcs(given) ? with_chords(given, options.number("chord_error_m")) : Model{};
+  const Model chords = has_arcs(given) ? with_chords(given, settings.chord_error_m) : Model{};
   const Model& model = chords.vertices.empty() ? given : chords;
   const Mesh mesh = mesh_of(model, task);
   const auto& triangles = mesh.triangles;
-  const Form form = form_of(options);
+  const PlyForm form = settings.ply_format;
   std::string head = "ply\nformat ";
-  head += form == Form::kAscii ? "ascii"
-          : form == Form::kBig ? "binary_big_endian"
-                               : "binary_little_endian";
+  head += form == PlyForm::kAscii       ? "ascii"
+          : form == PlyForm::kBigEndian ? "binary_big_endian"
+                                        : "binary_little_endian";
   head.append(" 1.0\ncomment Jalon\nelement vertex ").append(std::to_string(model.vertices.size()));
   head.append("\nproperty double x\nproperty double y\nproperty double z\nelement face ")
       .append(std::to_string(triangles.size()));
@@ -207,8 +202,8 @@ void write_ply_model(const Model& given, const std::string& path, const ParamSet
   AtomicFile file(path);
   file.write(head);
   const auto put = [&](std::string& out, auto value, char after) {
-    if (form == Form::kLittle) return append_binary<std::endian::little>(out, value);
-    if (form == Form::kBig) return append_binary<std::endian::big>(out, value);
+    if (form == PlyForm::kLittleEndian) return append_binary<std::endian::little>(out, value);
+    if (form == PlyForm::kBigEndian) return append_binary<std::endian::big>(out, value);
     append_number(out, value);
     out += after;
   };

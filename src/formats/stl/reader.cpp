@@ -9,9 +9,9 @@
 #include "base/text_number.h"
 #include "formats/files/endian.h"
 #include "formats/files/fast_number.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
 #include "formats/stl/layout.h"
+#include "formats/stl/stl.h"
 #include "formats/text/line_reader.h"
 
 namespace jalon {
@@ -186,7 +186,7 @@ bool is_binary_stl(const ByteSource& source) {
   return source.size() - sizeof head == uint64_t{load<uint32_t>(head + stl::kHeaderBytes)} * stl::kRecordBytes;
 }
 
-Model read_stl(const ByteSource& source, Task& task) {
+Model read_stl(const ByteSource& source, const ReadSettings&, Task& task) {
   Span span(task, 0, 0.99, "reading STL");
   // Many binary files begin with "solid" as well: their size tells.
   if (is_binary_stl(source)) return read_binary(source, task);

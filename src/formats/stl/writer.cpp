@@ -9,9 +9,9 @@
 #include "formats/files/atomic_file.h"
 #include "formats/files/endian.h"
 #include "formats/files/number_text.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
 #include "formats/stl/layout.h"
+#include "formats/stl/stl.h"
 #include "model/chords.h"
 #include "model/polygon_triangles.h"
 
@@ -126,10 +126,11 @@ void write_ascii(AtomicFile& file, const Model& model, const Triangles& triangle
 
 }  // namespace
 
-void write_stl(const Model& given, const std::string& path, const ParamSet& options, Task& task) {
+void write_stl(const Model& given, const std::string& path, const WriteSettings& settings,
+               Task& task) {
   Span span(task, 0, 0.99, "writing STL");
   validate(given);
-  const Model chords = has_arcs(given) ? with_chords(given, options.number("chord_error_m")) : Model{};
+  const Model chords = has_arcs(given) ? with_chords(given, settings.chord_error_m) : Model{};
   const Model& model = chords.vertices.empty() ? given : chords;
   Triangles triangles;
   {
@@ -138,7 +139,7 @@ void write_stl(const Model& given, const std::string& path, const ParamSet& opti
   }
   Span part(task, 0.4, 1);
   AtomicFile file(path);
-  if (options.text("stl_format") == "ascii") write_ascii(file, model, triangles, task);
+  if (settings.stl_format == StlForm::kAscii) write_ascii(file, model, triangles, task);
   else write_binary(file, model, triangles, task);
   task.checkpoint(1);
   file.commit();

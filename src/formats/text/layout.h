@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/params.h"
 #include "formats/files/byte_source.h"
 
 namespace jalon {

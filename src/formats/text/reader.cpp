@@ -11,10 +11,11 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "formats/files/fast_number.h"
+#include "formats/files/finish_cloud.h"
 #include "formats/files/large_pages.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
 #include "formats/text/layout.h"
+#include "formats/text/text.h"
 
 namespace jalon {
 
@@ -129,8 +130,8 @@ bool is_count_line(std::string_view line) {
 
 class TextReader {
  public:
-  TextReader(const ByteSource& source, const ParamSet& options, Task& task)
-      : source_(source), task_(task), layout_(detect_text_layout(source, options.text("columns"))) {
+  TextReader(const ByteSource& source, const std::string& columns, Task& task)
+      : source_(source), task_(task), layout_(detect_text_layout(source, columns)) {
     const uint64_t bytes = source.size() - layout_.data_offset;
     blocks_.resize(static_cast<size_t>((bytes + kBlockBytes - 1) / kBlockBytes));
   }
@@ -369,8 +370,9 @@ class TextReader {
 
 }  // namespace
 
-Cloud read_text(const ByteSource& source, const ParamSet& options, Task& task) {
-  return finish_cloud(TextReader(source, options, task).run(), source, options, task);
+Cloud read_text(const ByteSource& source, const ReadSettings& settings, Task& task) {
+  return finish_cloud(TextReader(source, settings.columns, task).run(), source,
+                      settings.drop_invalid, task);
 }
 
 }  // namespace jalon

@@ -7,8 +7,8 @@
 #include "base/text_number.h"
 #include "formats/files/atomic_file.h"
 #include "formats/files/number_text.h"
-#include "formats/files/readers.h"
 #include "formats/files/utf8.h"
+#include "formats/text/text.h"
 
 namespace jalon {
 
@@ -55,13 +55,10 @@ void append_point(std::string& out, const Cloud& cloud, size_t i, char separator
   out += '\n';
 }
 
-}  // namespace
-
-void write_text(const Cloud& cloud, const std::string& path, bool comma, const ParamSet& options,
-                Task& task) {
+void write_lines(const Cloud& cloud, const std::string& path, bool comma, int decimals,
+                 Task& task) {
   Span span(task, 0, 0.99, "writing text");
   const char separator = comma ? ',' : ' ';
-  const int decimals = static_cast<int>(options.integer("decimals"));
   AtomicFile file(path);
   std::string head;
   const std::string& crs = cloud.crs.str();
@@ -82,6 +79,18 @@ void write_text(const Cloud& cloud, const std::string& path, bool comma, const P
                    });
   task.checkpoint(1);
   file.commit();
+}
+
+}  // namespace
+
+void write_text(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+                Task& task) {
+  write_lines(cloud, path, false, settings.decimals, task);
+}
+
+void write_csv(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task) {
+  write_lines(cloud, path, true, settings.decimals, task);
 }
 
 }  // namespace jalon

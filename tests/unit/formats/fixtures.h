@@ -60,24 +60,20 @@ Failure failure_of(F&& f) {
   return {};
 }
 
-inline ParamSet read_options() { return {"read", read_rows()}; }
-inline ParamSet write_options() { return {"write", write_rows()}; }
-
-inline Cloud read(const std::string& path, const ParamSet& options = read_options()) {
+inline Cloud read(const std::string& path, const ReadSettings& settings = {}) {
   Task task;
-  return read_cloud(path, options, task);
+  return read_cloud(path, settings, task);
 }
-inline void write(const Cloud& cloud, const std::string& path,
-                  const ParamSet& options = write_options()) {
+inline void write(const Cloud& cloud, const std::string& path, const WriteSettings& settings = {}) {
   Task task;
-  write_cloud(cloud, path, options, task);
+  write_cloud(cloud, path, settings, task);
 }
 inline Cloud read_as_text(const std::string& text, const std::string& columns = "") {
   const Folder folder;
   spill(folder.file("a.txt"), text);
-  ParamSet options = read_options();
-  options.set_text("columns", columns);
-  return read(folder.file("a.txt"), options);
+  ReadSettings settings;
+  settings.columns = columns;
+  return read(folder.file("a.txt"), settings);
 }
 
 /// Path of a shared file, or "" after saying that the test is skipped.

@@ -15,7 +15,7 @@ Model read_obj_text(const std::string& text) {
   const Folder folder;
   spill(folder.file("a.obj"), text);
   Task task;
-  return read_model(folder.file("a.obj"), read_options(), task);
+  return read_model(folder.file("a.obj"), {}, task);
 }
 
 double area(const std::vector<std::vector<Vec2>>& rings,
@@ -156,12 +156,12 @@ TEST_CASE("obj__a_face_with_openings_comes_back_with_its_area") {
   const Folder folder;
   for (const bool openings : {false, true}) {
     Task task;
-    write_model(facade(openings), folder.file("a.obj"), write_options(), task);
+    write_model(facade(openings), folder.file("a.obj"), {}, task);
     const std::string text = slurp(folder.file("a.obj"));
     CHECK(text.find("o wall_1\ng plane_5\nf") != std::string::npos);
     CHECK(text.find("\ng outline_5\nl 1 2 3 4 1\n") != std::string::npos);
-    ParamSet as_mesh = read_options();
-    as_mesh.set_text("polygons", "mesh");
+    ReadSettings as_mesh;
+    as_mesh.polygons = Polygons::kMesh;
     const Model back = read_model(folder.file("a.obj"), as_mesh, task);
     CHECK(mesh_area(back) == doctest::Approx(80 - (openings ? 6 * 1.2 * 1.5 : 0)));
     for (const auto& t : back.triangles) {  // towards the normal
@@ -169,8 +169,8 @@ TEST_CASE("obj__a_face_with_openings_comes_back_with_its_area") {
                            back.vertices[t[2]] - back.vertices[t[0]]);
       CHECK(n.y < 0);
     }
-    write_model(facade(openings), folder.file("a.ply"), write_options(), task);
-    CHECK(mesh_area(read_model(folder.file("a.ply"), read_options(), task)) ==
+    write_model(facade(openings), folder.file("a.ply"), {}, task);
+    CHECK(mesh_area(read_model(folder.file("a.ply"), {}, task)) ==
           doctest::Approx(80 - (openings ? 6 * 1.2 * 1.5 : 0)));
   }
 }
@@ -185,8 +185,8 @@ TEST_CASE("obj__coordinates_round_trip_exactly") {
   for (uint32_t i = 0; i + 2 < 300; ++i) model.triangles.push_back({i, i + 1, i + 2});
   model.triangle_faces.assign(model.triangles.size(), 3);
   Task task;
-  write_model(model, folder.file("a.obj"), write_options(), task);
-  const Model back = read_model(folder.file("a.obj"), read_options(), task);
+  write_model(model, folder.file("a.obj"), {}, task);
+  const Model back = read_model(folder.file("a.obj"), {}, task);
   CHECK(back.vertices == model.vertices);
   CHECK(back.triangles == model.triangles);
 }

@@ -57,7 +57,7 @@ struct RealScans {
  private:
   Cloud read(const char* name) const {
     Task task;
-    return read_cloud(folder + name, ParamSet("read", read_rows()), task);
+    return read_cloud(folder + name, {}, task);
   }
 };
 

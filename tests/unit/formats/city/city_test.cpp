@@ -16,9 +16,9 @@ namespace {
 std::string written(const Model& model, double scale_m = 0.0001) {
   const Folder folder;
   Task task;
-  ParamSet options = write_options();
-  options.set_number("city_scale_m", scale_m);
-  write_model(model, folder.file("a.city.json"), options, task);
+  WriteSettings settings;
+  settings.city_scale_m = scale_m;
+  write_model(model, folder.file("a.city.json"), settings, task);
   return slurp(folder.file("a.city.json"));
 }
 
@@ -26,7 +26,7 @@ Model read_text(const std::string& text) {
   const Folder folder;
   spill(folder.file("a.city.json"), text);
   Task task;
-  return read_model(folder.file("a.city.json"), read_options(), task);
+  return read_model(folder.file("a.city.json"), {}, task);
 }
 
 // A cube of side 1 at the origin, scaled by 0.001: what other programs write.

@@ -65,13 +65,13 @@ double number(const Groups& item, int code) {
   return group != nullptr ? group->number() : NAN;
 }
 
-Groups written(const Model& model, const char* version, const char* view = "world") {
+Groups written(const Model& model, DxfVersion version, DxfView view = DxfView::kWorld) {
   const Folder folder;
   Task task;
-  ParamSet options = write_options();
-  options.set_text("dxf_version", version);
-  options.set_text("dxf_view", view);
-  write_model(model, folder.file("a.dxf"), options, task);
+  WriteSettings settings;
+  settings.dxf_version = version;
+  settings.dxf_view = view;
+  write_model(model, folder.file("a.dxf"), settings, task);
   return groups_of(slurp(folder.file("a.dxf")));
 }
 
@@ -147,16 +147,17 @@ double worst_corner(const Model& model, const std::vector<Line>& lines) {
 
 TEST_CASE("dxf__faces_stand_where_they_are_with_their_arcs_in_both_versions") {
   const Model model = House().model();
-  for (const char* version : {"r12", "r2000"}) {
+  for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::kR2000}) {
     const double worst = worst_corner(model, lines_of(written(model, version)));
-    MESSAGE("FIGURE dxf ", std::string(version), ": corners on the national grid come back within ", worst, " m");
+    MESSAGE("FIGURE dxf ", version == DxfVersion::kR12 ? "r12" : "r2000",
+            ": corners on the national grid come back within ", worst, " m");
     CHECK(worst < 5e-9);
   }
 }
 
 TEST_CASE("dxf__a_layer_a_class_copies_and_missing_data_apart") {
   const Model model = House().model();
-  for (const char* version : {"r12", "r2000"}) {
+  for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::kR2000}) {
     const Groups all = written(model, version);
     std::map<std::string, int> count, colour;
     for (const Line& line : lines_of(all)) ++count[line.layer];
@@ -179,7 +180,7 @@ TEST_CASE("dxf__handles_are_unique_and_every_owner_and_pointer_exists") {
   model.vertices[20].z += 0.5;  // a ring out of its plane becomes a polyline in space
   model.triangles.push_back({0, 1, 2});
   model.triangle_faces.push_back(999);
-  const Groups all = written(model, "r2000");
+  const Groups all = written(model, DxfVersion::kR2000);
   std::set<std::string> handles;
   uint64_t largest = 0, seed = 0;
   for (const char* section : {"TABLES", "BLOCKS", "ENTITIES", "OBJECTS"})
@@ -197,7 +198,7 @@ TEST_CASE("dxf__handles_are_unique_and_every_owner_and_pointer_exists") {
     if (group.value == "$HANDSEED") seed = std::stoull(all[i + 1].value, nullptr, 16);
   }
   CHECK(seed > largest);
-  const Groups old = written(model, "r12");
+  const Groups old = written(model, DxfVersion::kR12);
   for (const Group& group : old) CHECK((group.code != 5 && group.code != 330 && group.code != 100));
 }
 
@@ -205,19 +206,20 @@ TEST_CASE("dxf__header_tells_unit_and_extent") {
   const Model model = House().model();
   Box3 box;
   for (const Vec3& p : model.vertices) box.add(p);
-  const Groups all = written(model, "r2000");
+  const Groups all = written(model, DxfVersion::kR2000);
   for (size_t i = 0; i < all.size(); ++i) {
     if (all[i].value == "$ACADVER") CHECK(all[i + 1].value == "AC1015");
     if (all[i].value == "$INSUNITS") CHECK(all[i + 1].number() == 6);
     if (all[i].value == "$EXTMIN") CHECK(all[i + 1].number() == box.min.x);
     if (all[i].value == "$EXTMAX") CHECK(all[i + 3].number() == box.max.z);
   }
-  CHECK(written(model, "r12")[3].value == "AC1009");
+  CHECK(written(model, DxfVersion::kR12)[3].value == "AC1009");
   CHECK(all.back().value == "EOF");
 }
 
 TEST_CASE("dxf__elevation_is_the_facade_flattened_one_to_one") {
-  const std::vector<Line> lines = lines_of(written(House().model(), "r2000", "elevation"));
+  const std::vector<Line> lines =
+      lines_of(written(House().model(), DxfVersion::kR2000, DxfView::kElevation));
   double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
   size_t arcs = 0;
   for (const Line& line : lines) {
@@ -262,7 +264,7 @@ TEST_CASE("dxf__a_facade_seen_from_behind_and_an_inclined_arc_are_drawn_rightly"
   face.plane.normal = normalized({0, -1, 1});
   model.add_face(face, {{{4, 0, 0}, {6, 0, 0}, {5, 1, 1}}});
   model.sagittas[8] = 1;
-  const std::vector<Line> lines = lines_of(written(model, "r2000", "elevation"));
+  const std::vector<Line> lines = lines_of(written(model, DxfVersion::kR2000, DxfView::kElevation));
   REQUIRE(lines.size() == 3);
   CHECK(lines[0].corners[2].bulge == doctest::Approx(-1));
   CHECK(lines[1].corners.size() > 10);
@@ -275,7 +277,7 @@ TEST_CASE("dxf__hostile_names_never_leave_their_group") {
   model.parts[2].name = "a\n0\nEOF\r\x01\xff" + std::string(900, 'x');
   model.parts[2].part_class = "wall <>/\\\":;?*|=`\n 0\n\xF0\x9F\x98\x80" + std::string(90, 'y');
   model.parts[5].part_class = "";
-  for (const char* version : {"r12", "r2000"}) {
+  for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::kR2000}) {
     const Groups all = written(model, version);
     size_t ends = 0;
     for (const Group& group : all) {
@@ -291,8 +293,8 @@ TEST_CASE("dxf__hostile_names_never_leave_their_group") {
 }
 
 TEST_CASE("dxf__an_empty_model_is_a_drawing_all_the_same") {
-  for (const char* version : {"r12", "r2000"})
-    for (const char* view : {"world", "elevation"}) {
+  for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::kR2000})
+    for (const DxfView view : {DxfView::kWorld, DxfView::kElevation}) {
       const Groups all = written(Model{}, version, view);
       CHECK(lines_of(all).empty());
       CHECK(all.back().value == "EOF");

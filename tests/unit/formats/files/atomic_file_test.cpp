@@ -67,8 +67,7 @@ TEST_CASE("writers__a_full_disk_leaves_the_old_file_and_one_line") {
       std::signal(SIGXFSZ, SIG_IGN);
       const rlimit limit{100000, 100000};
       ::setrlimit(RLIMIT_FSIZE, &limit);
-      ParamSet options = write_options();
-      const Failure failure = failure_of([&] { write(cloud, folder.file(name), options); });
+      const Failure failure = failure_of([&] { write(cloud, folder.file(name)); });
       ::_exit(failure.status == Status::kIo && failure.text.find("too large") != std::string::npos
                   ? 0
                   : 1);
@@ -90,9 +89,8 @@ TEST_CASE("writers__a_cancelled_write_leaves_the_old_file") {
     Task::Hooks hooks;
     hooks.cancel = &cancel;
     Task task(hooks);
-    CHECK(failure_of([&] {
-            write_cloud(cloud, folder.file(name), write_options(), task);
-          }).status == Status::kCancelled);
+    CHECK(failure_of([&] { write_cloud(cloud, folder.file(name), {}, task); }).status ==
+          Status::kCancelled);
     CHECK(slurp(folder.file(name)) == "good");
   }
   CHECK(folder.entries() == 3);

@@ -65,12 +65,12 @@ TEST_CASE("las__round_trip_keeps_random_fields_of_every_type_and_coordinates_wit
                 : seed % 4 == 2
                     ? "urn:ogc:def:crs:EPSG::2154"
                     : "PROJCS[\"RGF93\",GEOGCS[\"g\",UNIT[\"degree\",0.01745]],UNIT[\"metre\",1]]";
-    ParamSet options = write_options();
-    if (seed % 3 == 1) options.set_text("las_version", "1.2");
-    if (seed % 3 == 2) options.set_text("las_version", "1.4");
+    WriteSettings settings;
+    if (seed % 3 == 1) settings.las_version = LasVersion::k12;
+    if (seed % 3 == 2) settings.las_version = LasVersion::k14;
     if (seed % 3 == 1 && seed % 4 == 3)
       continue;  // WKT in 1.2 is allowed too, but not what this test is about
-    write(cloud, folder.file("a.las"), options);
+    write(cloud, folder.file("a.las"), settings);
     const Cloud back = read(folder.file("a.las"));
     REQUIRE(back.size() == n);
     CHECK(largest_difference(cloud, back) <= 0.5 * 0.0001 + 1e-9);
@@ -154,7 +154,7 @@ TEST_CASE("las__warns_about_a_broken_vlr_and_loads_the_points") {
   };
   hooks.log_user = &warnings;
   Task task(hooks);
-  CHECK(read_cloud(path, read_options(), task).size() == 10);
+  CHECK(read_cloud(path, {}, task).size() == 10);
   CHECK(warnings.find("VLR 3 of 3") != std::string::npos);
 }
 
@@ -165,9 +165,9 @@ TEST_CASE("las__converts_feet_by_the_crs_and_writes_feet_again") {
   const std::string bytes = slurp(path);
   const double x_feet = load<int32_t>(bytes.data() + load<uint32_t>(bytes.data() + 96)) * 0.01;
   CHECK(cloud.point(0).x == doctest::Approx(x_feet * 0.3048).epsilon(1e-12));
-  ParamSet options = read_options();
-  options.set_text("unit", "metre");
-  CHECK(read(path, options).point(0).x == doctest::Approx(x_feet).epsilon(1e-12));
+  ReadSettings settings;
+  settings.unit = FileUnit::kMetres;
+  CHECK(read(path, settings).point(0).x == doctest::Approx(x_feet).epsilon(1e-12));
   MESSAGE("first point ", x_feet, " ft = ", cloud.point(0).x, " m");
 }
 
@@ -227,10 +227,10 @@ TEST_CASE("las__header_says_the_exact_bounds_and_counts_by_return") {
 
 TEST_CASE("las__refuses_a_scale_that_does_not_hold_the_coordinates") {
   const Folder folder;
-  ParamSet options = write_options();
-  options.set_number("scale", 1e-9);
+  WriteSettings settings;
+  settings.scale = 1e-9;
   const Cloud cloud = random_points(10, 3);
-  CHECK(failure_of([&] { write(cloud, folder.file("a.las"), options); }).status == Status::kLimit);
+  CHECK(failure_of([&] { write(cloud, folder.file("a.las"), settings); }).status == Status::kLimit);
   CHECK(folder.entries() == 0);
   Buffer<double> far(6);
   for (size_t i = 0; i < 6; ++i) far[i] = i < 3 ? -4e8 : 4e8;
@@ -276,7 +276,7 @@ TEST_CASE("las__coordinates_that_overflow_are_refused_or_dropped") {
   store<int32_t>(bytes.data() + 227, 1000);
   spill(folder.file("a.las"), bytes);
   CHECK(failure_of([&] { read(folder.file("a.las")); }).text.find("point 0 ") != std::string::npos);
-  ParamSet options = read_options();
-  options.set_bool("drop_invalid", true);
-  CHECK(read(folder.file("a.las"), options).size() == 1);
+  ReadSettings settings;
+  settings.drop_invalid = true;
+  CHECK(read(folder.file("a.las"), settings).size() == 1);
 }

@@ -12,7 +12,7 @@ namespace {
 
 Model read_mesh(const std::string& path) {
   Task task;
-  return read_model(path, read_options(), task);
+  return read_model(path, {}, task);
 }
 
 }  // namespace
@@ -30,11 +30,11 @@ TEST_CASE("ply__round_trip_in_three_encodings_keeps_every_type") {
                                        static_cast<ElementType>(type), 1, n, random));
     cloud.fields.set(random_column("normal", ElementType::kFloat32, 3, n, random));
     cloud.crs = seed % 2 == 0 ? "EPSG:2154" : "";
-    ParamSet options = write_options();
-    options.set_text("ply_format", seed % 3 == 0   ? "ascii"
-                                   : seed % 3 == 1 ? "binary"
-                                                   : "binary_big_endian");
-    write(cloud, folder.file("a.ply"), options);
+    WriteSettings settings;
+    settings.ply_format = seed % 3 == 0   ? PlyForm::kAscii
+                          : seed % 3 == 1 ? PlyForm::kLittleEndian
+                                          : PlyForm::kBigEndian;
+    write(cloud, folder.file("a.ply"), settings);
     const Cloud back = read(folder.file("a.ply"));
     REQUIRE(back.size() == n);
     CHECK(back.crs.str() == cloud.crs.str());
@@ -131,11 +131,11 @@ TEST_CASE("ply__mesh_round_trip_in_three_encodings") {
                     {652000, 6861001, 1e-17}};
   model.triangles = {{0, 1, 2}, {0, 2, 3}};
   model.triangle_faces = {7, 9};
-  for (const char* form : {"binary", "binary_big_endian", "ascii"}) {
-    ParamSet options = write_options();
-    options.set_text("ply_format", form);
+  for (const PlyForm form : {PlyForm::kLittleEndian, PlyForm::kBigEndian, PlyForm::kAscii}) {
+    WriteSettings settings;
+    settings.ply_format = form;
     Task task;
-    write_model(model, folder.file("a.ply"), options, task);
+    write_model(model, folder.file("a.ply"), settings, task);
     const Model back = read_mesh(folder.file("a.ply"));
     CHECK(back.vertices == model.vertices);
     CHECK(back.triangles == model.triangles);

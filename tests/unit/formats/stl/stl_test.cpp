@@ -12,13 +12,13 @@ using namespace jalon::test;
 
 namespace {
 
-Model there_and_back(const Model& model, const char* name, const char* option = nullptr, const char* value = nullptr) {
+Model there_and_back(const Model& model, const char* name, StlForm form = StlForm::kBinary) {
   const Folder folder;
   Task task;
-  ParamSet options = write_options();
-  if (option != nullptr) options.set_text(option, value);
-  write_model(model, folder.file(name), options, task);
-  return read_model(folder.file(name), read_options(), task);
+  WriteSettings settings;
+  settings.stl_format = form;
+  write_model(model, folder.file(name), settings, task);
+  return read_model(folder.file(name), {}, task);
 }
 
 double mesh_area(const Model& model) {
@@ -40,19 +40,20 @@ TEST_CASE("stl__both_forms_come_back_with_their_area_and_place") {
   const Model model = House().model();
   Box3 box, found;
   for (const Vec3& p : model.vertices) box.add(p);
-  for (const char* form : {"ascii", "binary"}) {
-    const Model back = there_and_back(model, "a.stl", "stl_format", form);
+  for (const StlForm form : {StlForm::kAscii, StlForm::kBinary}) {
+    const Model back = there_and_back(model, "a.stl", form);
     CHECK(mesh_area(back) == doctest::Approx(face_area(model)).epsilon(2e-5));
     found = {};
     for (const Vec3& p : back.vertices) found.add(p);
-    const double step_m = form[0] == 'a' ? 0 : 1e-6;  // float32 after whole metres are taken off
+    const double step_m =
+        form == StlForm::kAscii ? 0 : 1e-6;  // float32 after whole metres are taken off
     CHECK(norm(found.min - box.min) <= step_m);
     CHECK(norm(found.max - box.max) <= step_m);
   }
 }
 
 TEST_CASE("stl__ascii_keeps_parts_and_binary_shared_vertices") {
-  const Model back = there_and_back(House().model(), "a.stl", "stl_format", "ascii");
+  const Model back = there_and_back(House().model(), "a.stl", StlForm::kAscii);
   REQUIRE(back.parts.size() == 6);
   CHECK(back.parts[0].name == "wall \xC3\xA9t\xC3\xA9");
   CHECK(back.parts[5].name == "sill 1");
@@ -70,7 +71,7 @@ TEST_CASE("stl__what_is_none_is_refused_with_its_place") {
     const Folder folder;
     spill(folder.file("a.stl"), bytes);
     Task task;
-    return failure_of([&] { read_model(folder.file("a.stl"), read_options(), task); }).text;
+    return failure_of([&] { read_model(folder.file("a.stl"), {}, task); }).text;
   };
   CHECK(failure("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n").find("line 4") != std::string::npos);
   CHECK(failure("solid a\nvertex 0 0 nan\n").find("not finite") != std::string::npos);
@@ -111,10 +112,10 @@ TEST_CASE("obj__polygons_of_other_programs_become_faces_when_asked") {
   const Folder folder;
   spill(folder.file("a.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\ng roof\nf 1 2 3 4\nf 1 1 2\n#: part one\nl 1 2\n");
   Task task;
-  ParamSet options = read_options();
-  CHECK(read_model(folder.file("a.obj"), options, task).triangles.size() == 3);
-  options.set_text("polygons", "faces");
-  const Model model = read_model(folder.file("a.obj"), options, task);
+  ReadSettings settings;
+  CHECK(read_model(folder.file("a.obj"), settings, task).triangles.size() == 3);
+  settings.polygons = Polygons::kFaces;
+  const Model model = read_model(folder.file("a.obj"), settings, task);
   REQUIRE(model.faces.size() == 1);
   CHECK(model.faces[0].area_m2 == doctest::Approx(4));
   CHECK(model.parts[model.faces[0].part].name == "roof");
@@ -126,7 +127,7 @@ TEST_CASE("geojson__a_feature_a_face_with_closed_rings_and_an_honest_system") {
   Task task;
   Model model = House().model();
   const auto written = [&] {
-    write_model(model, folder.file("a.geojson"), write_options(), task);
+    write_model(model, folder.file("a.geojson"), {}, task);
     return nlohmann::json::parse(slurp(folder.file("a.geojson")));
   };
   const auto json = written();

@@ -159,7 +159,7 @@ TEST_CASE("text__blocks_cut_anywhere_give_the_same_points_for_any_number_of_thre
     Task::Hooks hooks;
     hooks.threads = threads;
     Task task(hooks);
-    const Cloud cloud = read_cloud(folder.file("a.xyz"), read_options(), task);
+    const Cloud cloud = read_cloud(folder.file("a.xyz"), {}, task);
     REQUIRE(cloud.size() == 120000);
     CHECK(std::equal(wanted.begin(), wanted.end(), cloud.xyz().begin()));
   }

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "base/task.h"
+#include "cloud/cloud.h"
+#include "formats/files/byte_source.h"
+#include "formats/settings.h"
+
+namespace jalon {
+
+bool is_las(const ByteSource& source);
+Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task);
+void write_las(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task);
+
+}  // namespace jalon

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <iterator>
+#include <string_view>
+
+#include "base/setting_rows.h"
+#include "formats/formats.h"
+#include "formats/registry.h"
+
+// What users read about formats, made from the registry when the library is compiled.
+namespace jalon {
+
+namespace {
+
+constexpr size_t kCount = std::size(kFormats);
+
+/// A text put together at compile time; one that does not fit does not compile.
+struct FixedText {
+  std::array<char, 128> bytes{};
+  size_t used = 0;
+  constexpr void add(std::string_view text) {
+    for (const char c : text) bytes[used++] = c;
+    bytes[used] = '\0';
+  }
+};
+
+/// CSV is read by the reader of Text: "text" chooses it, and "csv" is no choice beside it.
+constexpr bool reads_as_another(size_t i) {
+  for (size_t before = 0; before < i; ++before)
+    if (kFormats[before].read_cloud == kFormats[i].read_cloud &&
+        kFormats[before].read_model == kFormats[i].read_model)
+      return true;
+  return false;
+}
+
+constexpr FixedText choices(bool reading) {
+  FixedText text;
+  text.add("auto");
+  for (size_t i = 0; i < kCount; ++i) {
+    const Format& format = kFormats[i];
+    if (std::string_view(format.keyword).empty()) continue;
+    if (reading ? !format.can_read() || reads_as_another(i) : !format.can_write()) continue;
+    text.add("|");
+    text.add(format.keyword);
+  }
+  return text;
+}
+
+constexpr void add_ability(FixedText& text, std::string_view what, bool reads, bool writes) {
+  if (!reads && !writes) return;
+  if (text.used != 0) text.add(", ");
+  text.add(what);
+  if (reads) text.add(" read");
+  if (writes) text.add(" write");
+}
+
+constexpr FixedText abilities_of(const Format& format) {
+  FixedText text;
+  add_ability(text, "cloud", format.read_cloud != nullptr, format.write_cloud != nullptr);
+  add_ability(text, "model", format.read_model != nullptr, format.write_model != nullptr);
+  add_ability(text, "drawing", false, format.is_drawing);
+  return text;
+}
+
+constexpr auto kAbilities = [] {
+  std::array<FixedText, kCount> all{};
+  for (size_t i = 0; i < kCount; ++i) all[i] = abilities_of(kFormats[i]);
+  return all;
+}();
+
+constexpr auto kInfos = [] {
+  std::array<FormatInfo, kCount> all{};
+  for (size_t i = 0; i < kCount; ++i)
+    all[i] = {kFormats[i].name, kFormats[i].extensions, kAbilities[i].bytes.data()};
+  return all;
+}();
+
+constexpr FixedText kReadChoices = choices(true), kWriteChoices = choices(false);
+
+constexpr auto kReadRows = setting_rows(
+    choice_row<&ReadSettings::format>(
+        "format", kReadChoices.bytes.data(), "",
+        "Format of the file; auto looks at its content, then its extension"),
+    string_row<&ReadSettings::columns>(
+        "columns", "text",
+        "Columns of a text file, e.g. \"x y z intensity\" or \"x y z i r g b nx ny nz\"; - "
+        "or _ skips one. Empty: from the header, or "
+        "guessed"),
+    bool_row<&ReadSettings::drop_invalid>(
+        "drop_invalid", "",
+        "Drop points whose coordinates are not finite instead of refusing the file"),
+    choice_row<&ReadSettings::polygons>(
+        "polygons", "auto|faces|mesh", "obj",
+        "What the polygons of a file become: auto: faces with openings where the file tells them, "
+        "as our own do, else the triangles of a mesh; faces: a face each"),
+    choice_row<&ReadSettings::unit>("unit", "auto|metre|foot|us_survey_foot", "las",
+                                    "Length unit of the file; auto takes it from the CRS"));
+
+constexpr auto kWriteRows = setting_rows(
+    choice_row<&WriteSettings::format>("format", kWriteChoices.bytes.data(), "",
+                                       "Format of the file; auto takes it from the extension"),
+    choice_row<&WriteSettings::las_version>(
+        "las_version", "auto|1.2|1.4", "las",
+        "auto: that of the file it came from, 1.2 where it holds all fields"),
+    number_row<&WriteSettings::scale>(
+        "scale", 0, 1000, "m", "las",
+        "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m"),
+    choice_row<&WriteSettings::ply_format>("ply_format", "binary|binary_big_endian|ascii", "ply",
+                                           "binary is little-endian"),
+    integer_row<&WriteSettings::decimals>(
+        "decimals", -1, 17, "", "text",
+        "Decimals of the coordinates; -1: as many as give the same number back"),
+    number_row<&WriteSettings::chord_error_m>(
+        "chord_error_m", 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf",
+        "Largest distance of the chords that stand for an arc, where a format knows no arcs"),
+    choice_row<&WriteSettings::dxf_version>(
+        "dxf_version", "r12|r2000", "dxf",
+        "r2000: AC1015, with units and planar polylines; r12: AC1009, for old programs"),
+    choice_row<&WriteSettings::dxf_view>(
+        "dxf_view", "world|elevation", "dxf",
+        "world: faces where they are in space; elevation: the facades flattened into the drawing "
+        "plane, 1:1 in metres, x along the facade, y the height"),
+    choice_row<&WriteSettings::stl_format>(
+        "stl_format", "binary|ascii", "stl",
+        "binary: float32, less whole metres that its header names where coordinates are large; "
+        "ascii: exact coordinates, a solid for each part"),
+    number_row<&WriteSettings::city_scale_m>("city_scale_m", 1e-9, 1, "m", "cityjson",
+                                             "Step of the stored coordinates"));
+
+}  // namespace
+
+std::span<const ParamRow> read_rows() { return kReadRows; }
+std::span<const ParamRow> write_rows() { return kWriteRows; }
+std::span<const FormatInfo> formats() { return kInfos; }
+
+}  // namespace jalon

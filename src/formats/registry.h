@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "base/task.h"
+#include "cloud/cloud.h"
+#include "formats/city/city.h"
+#include "formats/dxf/dxf.h"
+#include "formats/files/byte_source.h"
+#include "formats/geojson/geojson.h"
+#include "formats/las/las.h"
+#include "formats/obj/obj.h"
+#include "formats/ply/ply.h"
+#include "formats/settings.h"
+#include "formats/stl/stl.h"
+#include "formats/text/text.h"
+#include "model/model.h"
+
+namespace jalon {
+
+/// What the content of a file says of its format.
+enum class Content {
+  kSilent,   ///< nothing: the extension alone tells
+  kCertain,  ///< all: every file begins with a mark, and one named so without it is refused
+  kSome,     ///< some files are known by it whatever their name; the others by their extension
+  kText,     ///< that it is plain text, like that of other formats: asked when all else is silent
+};
+
+/// A format of files: what it is called, how a file of it is known, and what can be done with it.
+/// A function that it does not have is nullptr; all that users read about formats (the choices of
+/// the options "format", the abilities, the lists in messages) follows from the rows.
+struct Format {
+  const char* name;
+  const char* keyword;  ///< in the options "format", and an extension too; "" = a user cannot ask
+  const char* extensions;  ///< after the dot, separated by blanks; a file's last part counts
+  Content content = Content::kSilent;
+  bool (*recognises)(const ByteSource& source) = nullptr;  ///< not for kSilent
+  const char* mark = "";                                   ///< of kCertain, for messages
+  Cloud (*read_cloud)(const ByteSource&, const ReadSettings&, Task&) = nullptr;
+  void (*write_cloud)(const Cloud&, const std::string& path, const WriteSettings&, Task&) = nullptr;
+  Model (*read_model)(const ByteSource&, const ReadSettings&, Task&) = nullptr;
+  void (*write_model)(const Model&, const std::string& path, const WriteSettings&, Task&) = nullptr;
+  bool is_drawing = false;  ///< written by the room report
+
+  constexpr bool can_read() const { return read_cloud != nullptr || read_model != nullptr; }
+  constexpr bool can_write() const { return write_cloud != nullptr || write_model != nullptr; }
+};
+
+inline constexpr Format kFormats[] = {
+    {.name = "LAS",
+     .keyword = "las",
+     .extensions = "las",
+     .content = Content::kCertain,
+     .recognises = is_las,
+     .mark = "LASF",
+     .read_cloud = read_las,
+     .write_cloud = write_las},
+    {.name = "PLY",
+     .keyword = "ply",
+     .extensions = "ply",
+     .content = Content::kCertain,
+     .recognises = is_ply,
+     .mark = "ply",
+     .read_cloud = read_ply,
+     .write_cloud = write_ply,
+     .read_model = read_ply_model,
+     .write_model = write_ply_model},
+    {.name = "Text",
+     .keyword = "text",
+     .extensions = "xyz txt pts asc",
+     .content = Content::kText,
+     .recognises = is_plain_text,
+     .read_cloud = read_text,
+     .write_cloud = write_text},
+    {.name = "CSV",
+     .keyword = "csv",
+     .extensions = "csv",
+     .content = Content::kText,
+     .recognises = is_plain_text,
+     .read_cloud = read_text,
+     .write_cloud = write_csv},
+    {.name = "OBJ",
+     .keyword = "obj",
+     .extensions = "obj",
+     .read_model = read_obj,
+     .write_model = write_obj},
+    {.name = "STL",
+     .keyword = "stl",
+     .extensions = "stl",
+     .content = Content::kSome,
+     .recognises = is_binary_stl,
+     .read_model = read_stl,
+     .write_model = write_stl},
+    {.name = "CityJSON",
+     .keyword = "cityjson",
+     .extensions = "city.json cityjson json",
+     .read_model = read_city,
+     .write_model = write_city},
+    {.name = "DXF", .keyword = "dxf", .extensions = "dxf", .write_model = write_dxf},
+    {.name = "GeoJSON",
+     .keyword = "geojson",
+     .extensions = "geojson",
+     .write_model = write_geojson},
+    {.name = "SVG", .keyword = "", .extensions = "svg", .is_drawing = true},
+};
+
+/// Known by their content and refused by name: Jalon has no reader.
+struct ForeignFormat {
+  const char* name;
+  const char* mark;  ///< its files begin with it
+};
+inline constexpr ForeignFormat kForeignFormats[] = {{"E57", "ASTM-E57"}};
+
+}  // namespace jalon

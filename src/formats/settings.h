@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace jalon {
+
+// Values stand in the order of the choices of their rows (option_rows.cpp).
+/// What the polygons of a file become: as it says itself, a face each, or the triangles of a mesh.
+enum class Polygons { kAuto, kFaces, kMesh };
+enum class FileUnit { kAuto, kMetres, kFeet, kUsSurveyFeet };
+enum class LasVersion { kAuto, k12, k14 };
+enum class PlyForm { kLittleEndian, kBigEndian, kAscii };
+enum class DxfVersion { kR12, kR2000 };
+enum class DxfView { kWorld, kElevation };
+enum class StlForm { kBinary, kAscii };
+
+/// The options of the operation "read". Each reader takes those of its format.
+struct ReadSettings {
+  std::string format = "auto";  ///< a keyword of registry.h
+  std::string columns;          ///< of a text file; "" = from its header, or guessed
+  bool drop_invalid = false;
+  Polygons polygons = Polygons::kAuto;
+  FileUnit unit = FileUnit::kAuto;
+};
+
+/// The options of the operation "write".
+struct WriteSettings {
+  std::string format = "auto";
+  LasVersion las_version = LasVersion::kAuto;
+  double scale = 0;  ///< metres; 0 = as in the file that the cloud came from
+  PlyForm ply_format = PlyForm::kLittleEndian;
+  int decimals = -1;  ///< -1 = as many as give the same number back
+  double chord_error_m = 0.001;
+  DxfVersion dxf_version = DxfVersion::kR2000;
+  DxfView dxf_view = DxfView::kWorld;
+  StlForm stl_format = StlForm::kBinary;
+  double city_scale_m = 0.0001;
+};
+
+}  // namespace jalon

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "base/task.h"
+#include "cloud/cloud.h"
+#include "formats/files/byte_source.h"
+#include "formats/settings.h"
+
+namespace jalon {
+
+/// The start of the file has no byte that plain text has not.
+bool is_plain_text(const ByteSource& source);
+/// Lines of numbers, whatever separates them: XYZ, PTS, CSV.
+Cloud read_text(const ByteSource& source, const ReadSettings& settings, Task& task);
+/// Blanks, and "# x y z ..." at the top.
+void write_text(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+                Task& task);
+/// Commas, and a header line.
+void write_csv(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task);
+
+}  // namespace jalon
