@@ -27,6 +27,10 @@ constexpr uint64_t kMostCorners = uint64_t{1} << 32;
 
 FieldTable vertices_of(const ModelEvaluation& evaluation) { return vertex_pair_table(evaluation.vertices); }
 
+IndexFormulas formulas_of(const jalon_params* options) {
+  return settings_from<IndexSettings>(options_or_default(options, "indices")).formulas;
+}
+
 void require_either(jalon_fields** rows, jalon_fields** totals) {
   if (rows == nullptr && totals == nullptr) fail(Status::kInvalidArgument, "rows and totals are both NULL");
 }
@@ -81,9 +85,12 @@ jalon_status jalon_model_evaluate(const jalon_model* model, const jalon_model* r
     require(model, "model");
     require(reference, "reference");
     require(out, "out");
-    const ParamSet set = options_or_default(options, "model_evaluation");
+    const auto settings =
+        settings_from<ModelEvaluationSettings>(options_or_default(options, "model_evaluation"));
     auto handle = std::make_unique<jalon_model_evaluation>();
-    with_task(task, [&](Task& t) { handle->evaluation = evaluate_model(*model->model, *reference->model, set, t); });
+    with_task(task, [&](Task& t) {
+      handle->evaluation = evaluate_model(*model->model, *reference->model, settings, t);
+    });
     *out = handle.release();
   });
 }
@@ -119,7 +126,7 @@ jalon_status jalon_area_indices(const double* automatic_m2, const double* refere
     require_array(automatic_m2, JALON_FLOAT64, count, 1, 0, "automatic_m2");
     require_array(reference_m2, JALON_FLOAT64, count, 1, 0, "reference_m2");
     require_array(intersection_m2, JALON_FLOAT64, count, 1, 0, "intersection_m2");
-    const IndexFormulas formulas = index_formulas(options_or_default(options, "indices").text("formulas"));
+    const IndexFormulas formulas = formulas_of(options);
     std::vector<ComparedAreas> areas;
     for (uint64_t i = 0; i < count; ++i) areas.push_back({automatic_m2[i], reference_m2[i], intersection_m2[i]});
     require_areas(areas);
@@ -133,7 +140,7 @@ jalon_status jalon_polygon_indices(const double* automatic_uv, const uint64_t* a
                                    const jalon_params* options, jalon_fields** out) {
   return guard([&] {
     require(out, "out");
-    const IndexFormulas formulas = index_formulas(options_or_default(options, "indices").text("formulas"));
+    const IndexFormulas formulas = formulas_of(options);
     const auto a = region_of(automatic_uv, automatic_rings, automatic_ring_count, "automatic"),
                r = region_of(reference_uv, reference_rings, reference_ring_count, "reference");
     const SharedArea shared = shared_area(a, r);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "modelling/edges/join/vectorise.h"
+#include "modelling/edges/join/vectorise_rows.h"
 
 namespace jalon {
 
@@ -52,10 +53,11 @@ void add_faces(Model& model, const Segment& segment, const VectorPlane& plane, s
 
 std::span<const ParamRow> outlines_rows() { return kVectoriseRows; }
 
-Model model_outlines(const Segmentation& segmentation, const ParamSet& params, Task& task) {
+Model model_outlines(const Segmentation& segmentation, const VectoriseSetting& setting,
+                     Task& task) {
   Model model;
   if (plane_count(segmentation.segments) == 0) return model;
-  const auto planes = vectorise(segmentation, vectorise_setting(params), task);
+  const auto planes = vectorise(segmentation, setting, task);
   model.crs = segmentation.cloud->crs;
   model.parts.push_back({"facade", "facade", kNoParent});
   std::vector<double> sagittas;

@@ -33,7 +33,7 @@ struct Chain {
                                  .seed = seed};
     cloud = std::make_shared<const Cloud>(scan_static(scene, {}, scanner, task));
     segmentation = segment_ransac(cloud, RansacSettings{}, task);
-    outlines = model_outlines(segmentation, ParamSet("modeller", outlines_rows()), task);
+    outlines = model_outlines(segmentation, {}, task);
   }
 };
 

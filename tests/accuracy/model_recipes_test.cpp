@@ -50,7 +50,7 @@ struct Job {
     settings.seed = seed;
     cloud = std::make_shared<const Cloud>(scan_static(scene, stations_of(tripods), settings, task));
     const Segmentation planes = segment_ransac(cloud, RansacSettings{}, task);
-    model = model_facade(planes, ParamSet("modeller facade", facade_rows()), task);
+    model = model_facade(planes, FacadeSettings{}, task);
   }
 
   const std::string& part_class(const Face& face) const { return scene.parts[face.part].part_class; }

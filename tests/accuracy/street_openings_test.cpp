@@ -51,7 +51,7 @@ Count count_found(const std::string& file) {
   }
   Task task;
   const Segmentation planes = segment_ransac(street.cloud, RansacSettings{}, task);
-  const Model model = model_facade(planes, ParamSet("modeller facade", facade_rows()), task);
+  const Model model = model_facade(planes, FacadeSettings{}, task);
   const WallAxes axes(planes.segments[0].fit.plane, planes.segments[0].fit.centroid);
   const std::vector<Drawn> found = candidates(model, axes);
   Count out;

@@ -3,19 +3,20 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "base/params.h"
 #include "capi/support/handles.h"
 #include "model/model.h"
+#include "modelling/methods.h"
 
 struct jalon_model : jalon::capi::Counted {
   jalon::ModelPtr model;
 };
 
 struct jalon_modeller : jalon::capi::Counted {
-  std::string method;
-  std::shared_ptr<jalon::ParamSet> values;
+  const jalon::ModellingMethod* method = nullptr;
+  std::shared_ptr<jalon::ParamSet>
+      values;  ///< shared with the jalon_params handles of this modeller
 };
 
 namespace jalon::capi {

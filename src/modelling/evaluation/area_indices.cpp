@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/table_columns.h"
+#include "modelling/evaluation/index_rows.h"
 
 namespace jalon {
 
@@ -39,10 +40,6 @@ constexpr IndexColumn kIndexColumns[] = {
 };
 
 }  // namespace
-
-IndexFormulas index_formulas(std::string_view choice) {
-  return choice == "thesis" ? IndexFormulas::kThesis : IndexFormulas::kCanonical;
-}
 
 ComparedAreas& ComparedAreas::operator+=(const ComparedAreas& b) {
   automatic_m2 += b.automatic_m2;
@@ -79,13 +76,7 @@ MeanAndStd mean_and_std(std::span<const double> values) {
   return out;
 }
 
-std::span<const ParamRow> indices_rows() {
-  static constexpr ParamRow kRows[] = {
-      choice_row("formulas", "canonical", "canonical|thesis", "",
-                 "canonical: branching FP/TP, miss FN/TP; thesis: as printed in Boulaassal 2010, table 5.5: swapped"),
-  };
-  return kRows;
-}
+std::span<const ParamRow> indices_rows() { return kIndexRows; }
 
 void require_areas(std::span<const ComparedAreas> rows) {
   for (size_t i = 0; i < rows.size(); ++i) {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string_view>
 
 #include "base/field.h"
 #include "base/params.h"
@@ -19,7 +18,9 @@ enum class IndexFormulas : uint8_t {
   kCanonical,  ///< of the literature: branching FP/TP, miss FN/TP, failure FP/|SR| (the false alarm rate)
   kThesis,     ///< as printed in Boulaassal 2010: rho_b = |SR \ SA| / TP, rho_m = |SA \ SR| / TP: the two swapped
 };
-IndexFormulas index_formulas(std::string_view choice);
+struct IndexSettings {
+  IndexFormulas formulas = IndexFormulas::kCanonical;
+};
 
 /// Areas of an automatic polygon SA, its reference SR and their intersection, in one plane.
 struct ComparedAreas {
@@ -48,7 +49,7 @@ struct MeanAndStd {
 };
 MeanAndStd mean_and_std(std::span<const double> values);
 
-/// Operation "indices".
+/// Operation "indices": IndexSettings.
 std::span<const ParamRow> indices_rows();
 /// A row a triple with the indices; all arrays of one length. Error(kInvalidArgument) naming the first row that is
 /// negative, not finite or whose intersection exceeds one of the two.

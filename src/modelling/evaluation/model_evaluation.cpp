@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -29,16 +28,16 @@ std::vector<std::string> words(const std::string& text) {
   return out;
 }
 
-FaceChoice choice_of(const ParamSet& params) {
+FaceChoice choice_of(const ModelEvaluationSettings& settings) {
   FaceChoice choice;
-  choice.openings = params.text("compare") == "openings";
-  choice.by_plane = params.text("group") == "plane";
-  choice.min_area_m2 = params.number("min_area_m2");
-  choice.angle_rad = params.number("angle_tolerance_rad");
-  choice.distance_m = params.number("distance_tolerance_m");
-  choice.corner_angle_rad = params.number("corner_angle_rad");
-  choice.classes = words(params.text("classes"));
-  choice.ignored_classes = words(params.text("ignored_classes"));
+  choice.openings = settings.compare == ModelEvaluationSettings::Compare::kOpenings;
+  choice.by_plane = settings.group == ModelEvaluationSettings::Group::kPlane;
+  choice.min_area_m2 = settings.min_area_m2;
+  choice.angle_rad = settings.angle_tolerance_rad;
+  choice.distance_m = settings.distance_tolerance_m;
+  choice.corner_angle_rad = settings.corner_angle_rad;
+  choice.classes = words(settings.classes);
+  choice.ignored_classes = words(settings.ignored_classes);
   return choice;
 }
 
@@ -166,45 +165,12 @@ void judge_faces(const Side& automatic, const Side& reference, ModelEvaluation& 
 
 }  // namespace
 
-std::span<const ParamRow> model_evaluation_rows() {
-  constexpr double kRightAngle = std::numbers::pi / 2;
-  static constexpr ParamRow kRows[] = {
-      choice_row("mode", "absolute", "absolute|relative", "",
-                 "absolute: against an independent survey, the whole deviation counts; relative: against a reference "
-                 "drawn on the same points, a shift common to the model (registration, datum) is taken off first"),
-      choice_row("formulas", "canonical", "canonical|thesis", "",
-                 "canonical: branching FP/TP, miss FN/TP; thesis: as printed in Boulaassal 2010, table 5.5: swapped"),
-      choice_row("compare", "faces", "faces|openings", "",
-                 "faces with their openings taken off, or the openings alone, each a polygon"),
-      choice_row("group", "face", "face|plane", "",
-                 "face: one to one; plane: all faces of a plane together, for models that cut it differently. A mesh, "
-                 "and what it is compared with, always goes by plane."),
-      string_row("classes", "", "", "Classes of parts whose faces count, separated by commas; empty: all"),
-      string_row("ignored_classes", "no_data", "", "Classes of parts whose faces are left out, separated by commas"),
-      number_row("min_area_m2", 0, 0, 1e9, "m2", "", "Smaller faces are left out, on both sides"),
-      number_row("angle_tolerance_rad", 0.0873, 0, kRightAngle, "rad", "",
-                 "Largest angle between the planes of a pair; normals may point either way"),
-      number_row("distance_tolerance_m", 0.1, 0, 1e6, "m", "",
-                 "Largest distance of an automatic face's middle from the plane of its reference, to either side"),
-      number_row("min_iou", 0.1, 0, 1, "1", "",
-                 "Faces that overlap less (intersection over union) are no pair: chance contacts stay unmatched"),
-      number_row("contour_tolerance_m", 0.02, 0, 1e6, "m", "",
-                 "Distance up to which a place of a contour counts as right: a radius"),
-      number_row("contour_step_m", 0.01, 1e-4, 1e6, "m", "", "Distance between the places of a contour looked at"),
-      number_row("vertex_tolerance_m", 0.15, 0, 1e6, "m", "", "Largest distance of homologous vertices: a radius"),
-      number_row("corner_angle_rad", 0.35, 0, std::numbers::pi, "rad", "",
-                 "Least turn of a border at a corner that counts as a vertex; ends of arcs always do, and all "
-                 "corners of a mesh's triangles"),
-  };
-  return kRows;
-}
-
 // 1. polygons; 2. pairs; 3. relative: the common shift off, pairs anew; 4. vertices; 5. contours; 6. what is left over.
-ModelEvaluation evaluate_model(const Model& automatic_model, const Model& reference_model, const ParamSet& params,
-                               Task& task) {
-  FaceChoice choice = choice_of(params);
+ModelEvaluation evaluate_model(const Model& automatic_model, const Model& reference_model,
+                               const ModelEvaluationSettings& settings, Task& task) {
+  FaceChoice choice = choice_of(settings);
   if (is_mesh(automatic_model) || is_mesh(reference_model)) choice.by_plane = true;
-  const double min_iou = params.number("min_iou"), vertex_tolerance_m = params.number("vertex_tolerance_m");
+  const double min_iou = settings.min_iou, vertex_tolerance_m = settings.vertex_tolerance_m;
   const Vec3 origin = local_origin(automatic_model, reference_model);
   const auto side_of = [&](const Model& model, double from, double to) {
     Span span(task, from, to, "reading faces");
@@ -212,24 +178,24 @@ ModelEvaluation evaluate_model(const Model& automatic_model, const Model& refere
   };
   Side automatic = side_of(automatic_model, 0, 0.1), reference = side_of(reference_model, 0.1, 0.2);
   ModelEvaluation out;
-  out.formulas = index_formulas(params.text("formulas"));
+  out.formulas = settings.indices.formulas;
   {
     Span span(task, 0.2, 0.6, "pairing faces");
     out.pairs = pair_faces(automatic.faces, reference.faces, {}, choice, min_iou, task);
     out.vertices = compare_vertices(automatic, reference, out.pairs, {}, vertex_tolerance_m, task);
-    if (params.text("mode") == "relative") {
+    if (settings.mode == ModelEvaluationSettings::Mode::kRelative) {
       out.shift = common_shift(out.vertices);
       out.pairs = pair_faces(automatic.faces, reference.faces, out.shift, choice, min_iou, task);
       out.vertices = compare_vertices(automatic, reference, out.pairs, out.shift, vertex_tolerance_m, task);
     }
   }
   Span span(task, 0.6, 1, "comparing contours");
-  const double tolerance_m = params.number("contour_tolerance_m"), step_m = params.number("contour_step_m");
   parallel_for(task, out.pairs.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const ComparedFace& r = reference.faces[out.pairs[i].reference];
-      out.pairs[i].borders = compare_borders(region_in(r.frame, automatic.faces[out.pairs[i].automatic], out.shift),
-                                             r.region, tolerance_m, step_m);
+      out.pairs[i].borders =
+          compare_borders(region_in(r.frame, automatic.faces[out.pairs[i].automatic], out.shift),
+                          r.region, settings.contour_tolerance_m, settings.contour_step_m);
     }
   });
   judge_faces(automatic, reference, out);

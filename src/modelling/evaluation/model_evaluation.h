@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <string>
 #include <vector>
 
 #include "base/field.h"
@@ -45,8 +47,27 @@ struct ModelEvaluation {
 };
 
 /// Operation "model_evaluation".
+struct ModelEvaluationSettings {
+  enum class Mode { kAbsolute, kRelative };
+  enum class Compare { kFaces, kOpenings };
+  enum class Group { kFace, kPlane };
+
+  Mode mode = Mode::kAbsolute;
+  IndexSettings indices;
+  Compare compare = Compare::kFaces;
+  Group group = Group::kFace;
+  std::string classes, ignored_classes = "no_data";  ///< of the faces' parts, separated by commas
+  double min_area_m2 = 0;
+  double angle_tolerance_rad = 0.0873,
+         distance_tolerance_m = 0.1;  ///< between the planes of a pair
+  double min_iou = 0.1;
+  double contour_tolerance_m = 0.02, contour_step_m = 0.01;
+  double vertex_tolerance_m = 0.15;
+  double corner_angle_rad = 0.35;
+};
 std::span<const ParamRow> model_evaluation_rows();
-ModelEvaluation evaluate_model(const Model& automatic, const Model& reference, const ParamSet& params, Task& task);
+ModelEvaluation evaluate_model(const Model& automatic, const Model& reference,
+                               const ModelEvaluationSettings& settings, Task& task);
 
 // Tables of jalon/evaluate.h.
 FieldTable face_pair_table(const ModelEvaluation& evaluation);

@@ -282,11 +282,6 @@ class Completion {
 
 }  // namespace
 
-PatternSetting pattern_setting(const ParamSet& params) {
-  return {params.flag("patterns"), params.number("pattern_tolerance_m"), params.number("pattern_coverage"),
-          params.number("pattern_occupancy")};
-}
-
 size_t complete_patterns(FacadeWall& wall, const PatternSetting& setting) {
   if (!setting.enabled || wall.openings.size() < 2) return 0;
   return Completion(wall, setting).run();

@@ -45,7 +45,7 @@ inline Model facade_of(const Segmentation& segmentation, const char* json = "{}"
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  Model model = model_facade(segmentation, params, task);
+  Model model = model_facade(segmentation, settings_from<FacadeSettings>(params), task);
   validate(model);
   return model;
 }

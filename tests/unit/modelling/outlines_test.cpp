@@ -283,10 +283,9 @@ TEST_CASE("outlines: a cancel stops within 100 ms and says so") {
   Task::Hooks hooks;
   hooks.cancel = &cancel;
   Task task(hooks);
-  ParamSet params("modeller outlines", outlines_rows());
   bool cancelled = false;
   try {
-    model_outlines(segmentation, params, task);
+    model_outlines(segmentation, {}, task);
   } catch (const Error& error) {
     cancelled = error.status() == Status::kCancelled;
   }

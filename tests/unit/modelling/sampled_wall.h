@@ -67,7 +67,7 @@ inline VectorPlane vectorised(const Segmentation& segmentation, const char* json
   Task::Hooks hooks;
   hooks.threads = 1;
   Task task(hooks);
-  return vectorise(segmentation, vectorise_setting(params), task).at(0);
+  return vectorise(segmentation, settings_from<VectoriseSetting>(params), task).at(0);
 }
 
 /// A ring's corners and arcs' middles in wall coordinates (x, z).

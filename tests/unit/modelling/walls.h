@@ -97,7 +97,7 @@ inline Model outlines_of(const Segmentation& segmentation, const char* json = "{
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return model_outlines(segmentation, params, task);
+  return model_outlines(segmentation, settings_from<VectoriseSetting>(params), task);
 }
 
 /// Ring k of a face in wall coordinates (u along the wall, v up), the wall's shift and turn taken off.

@@ -9,12 +9,12 @@
 
 namespace jalon {
 
+/// What the caller has made of its parameters and of the spacing of the points.
 struct StraightenSetting {
-  double tolerance_m = 0.05;    ///< half-width of the strip that counts as one straight edge
-  double max_edge_m = 0.1;      ///< of the triangulation: corners may be cut by so much
-  double snap_angle_rad = 0.05; ///< edges this near to horizontal or vertical become so
-  double set_back_m = 0;        ///< points end this far inside the true edge on average
-  bool rectangles = true;       ///< openings that fill a rectangle become one
+  double tolerance_m = 0;     ///< half-width of the strip that counts as one straight edge
+  double max_edge_m = 0;      ///< of the triangulation: corners may be cut by so much
+  double snap_angle_rad = 0;  ///< edges this near to horizontal or vertical become so
+  double set_back_m = 0;      ///< points end this far inside the true edge on average
 };
 
 using Polygon = std::vector<Vec2>;

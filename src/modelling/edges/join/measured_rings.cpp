@@ -13,6 +13,7 @@
 #include "modelling/edges/adjust/edge_blocks.h"
 #include "modelling/edges/find/chain_parts.h"
 #include "modelling/edges/find/guided_steps.h"
+#include "modelling/edges/find/straighten.h"
 #include "modelling/edges/join/ring_nodes.h"
 
 namespace jalon {
@@ -127,14 +128,14 @@ Draft make_draft(const Chain& chain, bool is_opening, bool arcs, const Contour& 
   std::vector<EdgeShape> shapes;
   bool has_arc = false;
   for (const ChainPart& part : parts) {
-    shapes.push_back(shape_of(chain, part, p, setting.direction_angle_rad, setting.straight.snap_angle_rad));
+    shapes.push_back(shape_of(chain, part, p, setting.direction_angle_rad, setting.snap_angle_rad));
     has_arc = has_arc || part.is_arc;
   }
   drop_chamfers(shapes, kChamfer * contour.max_edge_m);
   if (is_opening) close_shadowed_corners(shapes, p);
   insert_ends(shapes, p, guides);
   if (guides != nullptr) guide_steps(*guides, p, shapes);
-  if (is_opening && setting.straight.rectangles && !has_arc && shapes.size() != 4)
+  if (is_opening && setting.rectangles && !has_arc && shapes.size() != 4)
     if (auto sides = rectangle_shapes(chain, contour.max_edge_m, p); !sides.empty()) shapes = std::move(sides);
   const size_t n = shapes.size();
   Draft draft{&chain, is_opening, std::vector<MeasuredEdge>(n), std::vector<EdgeInformation>(n)};
@@ -267,7 +268,7 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   task.checkpoint(0);
   const PointRows others = contour_points(chains, contour.spacing_m);
   const EdgeSetting edges{contour.spacing_m, sigma, about.window_m, setting.reveal_depth_m > 0,
-                          setting.straight.snap_angle_rad};
+                          setting.snap_angle_rad};
   measure(drafts, near, others, kOffPlane * sigma, edges, task);
   std::vector<Draft> again;
   for (Draft& draft : drafts) {

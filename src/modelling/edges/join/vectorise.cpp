@@ -49,9 +49,11 @@ VectorRing ring_of(Polygon polygon, const Chain& contour) {
 // The forms a ring may take, so that it fits beside the others: as measured, or a polygon, at worst its contour.
 RingForms forms_of(VectorRing measured, const Chain& chain, bool is_opening, const Contour& contour,
                    const VectoriseSetting& setting) {
-  StraightenSetting s = setting.straight;
+  StraightenSetting s;
   s.max_edge_m = contour.max_edge_m;
-  if (s.tolerance_m == 0) s.tolerance_m = kToleranceOfEdge * contour.max_edge_m;
+  s.tolerance_m =
+      setting.tolerance_m != 0 ? setting.tolerance_m : kToleranceOfEdge * contour.max_edge_m;
+  s.snap_angle_rad = setting.snap_angle_rad;
   s.set_back_m = kSetBack * contour.spacing_m;
   const double chord_error = kChordError * contour.spacing_m;
   RingForms forms;
@@ -59,7 +61,7 @@ RingForms forms_of(VectorRing measured, const Chain& chain, bool is_opening, con
     if (polygon.size() >= 3) forms.add(ring_of(std::move(polygon), chain), chord_error);
   };
   forms.add(std::move(measured), chord_error);
-  if (is_opening && s.rectangles) add(fitted_rectangle(chain, s));
+  if (is_opening && setting.rectangles) add(fitted_rectangle(chain, s));
   add(straightened(chain, s));
   add(thinned(chain, s.tolerance_m));
   add(chain);

@@ -19,7 +19,7 @@ ModelEvaluation evaluated(const Model& a, const Model& r, const char* json = "{}
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return evaluate_model(a, r, params, task);
+  return evaluate_model(a, r, settings_from<ModelEvaluationSettings>(params), task);
 }
 
 double total(const ModelEvaluation& e, const char* name) { return model_totals_table(e).require(name).number(0); }

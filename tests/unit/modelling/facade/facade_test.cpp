@@ -209,7 +209,7 @@ TEST_CASE("facade: cancel stops it, no segments give no faces") {
   Task::Hooks hooks;
   hooks.cancel = &cancel;
   Task task(hooks);
-  CHECK_THROWS_AS(model_facade(arches().segmentation, ParamSet("modeller facade", facade_rows()), task), Error);
+  CHECK_THROWS_AS(model_facade(arches().segmentation, FacadeSettings{}, task), Error);
   Segmentation empty = arches().segmentation;
   empty.segments.clear();
   CHECK(facade_of(empty).faces.empty());

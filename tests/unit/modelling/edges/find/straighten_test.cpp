@@ -31,6 +31,7 @@ StraightenSetting setting_of(double spacing) {
   StraightenSetting s;
   s.max_edge_m = 4 * spacing;
   s.tolerance_m = 2 * spacing;
+  s.snap_angle_rad = 0.05;
   s.set_back_m = 0.5 * spacing;
   return s;
 }

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/methods.h"
+
+#include "modelling/facade/facade.h"
+#include "modelling/outlines.h"
+
+namespace jalon {
+
+namespace {
+
+template <class Settings, Model (*model)(const Segmentation&, const Settings&, Task&)>
+Model run(const Segmentation& segmentation, const ParamSet& params, Task& task) {
+  return model(segmentation, settings_from<Settings>(params), task);
+}
+
+constexpr ModellingMethod kMethods[] = {
+    {"outlines", "modeller outlines", outlines_rows, run<VectoriseSetting, model_outlines>},
+    {"facade", "modeller facade", facade_rows, run<FacadeSettings, model_facade>},
+    {"extrusion", "modeller extrusion", extrusion_rows, run<ExtrusionSettings, model_extrusion>},
+};
+
+}  // namespace
+
+std::span<const ModellingMethod> modelling_methods() { return kMethods; }
+
+}  // namespace jalon
