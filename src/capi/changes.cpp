@@ -55,11 +55,14 @@ jalon_status jalon_comparison_outlines(const jalon_comparison* forward, const ja
     require(forward_points, "forward_points");
     if (reverse != nullptr) require(reverse_points, "reverse_points");
     require(out, "out");
-    const ParamSet set = options_or_default(options, "change_outlines");
+    const auto settings =
+        settings_from<ChangeOutlineSettings>(options_or_default(options, "change_outlines"));
     const ChangedCloud after{forward->comparison.get(), &forward_points->table};
     ChangedCloud before;
     if (reverse != nullptr) before = {reverse->comparison.get(), &reverse_points->table};
     const FieldTable* table = changes != nullptr ? &changes->table : nullptr;
-    *out = with_task(task, [&](Task& t) { return new_model(change_outlines(after, before, table, set, t)); });
+    *out = with_task(task, [&](Task& t) {
+      return new_model(change_outlines(after, before, table, settings, t));
+    });
   });
 }

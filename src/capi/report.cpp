@@ -28,9 +28,10 @@ jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation
     require(segmentation, "segmentation");
     require(model, "model");
     const std::string target = require_text(path, "path");
-    const ParamSet set = options_or_default(options, "elevation");
+    const auto settings =
+        settings_from<ElevationSettings>(options_or_default(options, "elevation"));
     with_task(task, [&](Task& t) {
-      write_whole(target, elevation_svg(*segmentation->segmentation, *model->model, set, t));
+      write_whole(target, elevation_svg(*segmentation->segmentation, *model->model, settings, t));
     });
   });
 }
@@ -41,10 +42,11 @@ jalon_status jalon_report_write_picture(const jalon_segmentation* segmentation, 
   return guard([&] {
     require(segmentation, "segmentation");
     const std::string target = require_text(path, "path");
-    const ParamSet set = options_or_default(options, "picture");
+    const auto settings = settings_from<PictureSettings>(options_or_default(options, "picture"));
     with_task(task, [&](Task& t) {
       const Segmentation& s = *segmentation->segmentation;
-      write_whole(target, is_png(target) ? picture_png(s, set, t) : picture_svg(s, set, t));
+      write_whole(target,
+                  is_png(target) ? picture_png(s, settings, t) : picture_svg(s, settings, t));
     });
   });
 }
@@ -55,9 +57,9 @@ jalon_status jalon_report_write_html(const jalon_segmentation* segmentation, con
   return guard([&] {
     const ModelPtr outlines = model_or_none(segmentation, model);
     const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
-    const ParamSet set = options_or_default(options, "report");
+    const auto settings = settings_from<ReportSettings>(options_or_default(options, "report"));
     with_task(task, [&](Task& t) {
-      write_whole(target, report_html(*segmentation->segmentation, *outlines, notes, set, t));
+      write_whole(target, report_html(*segmentation->segmentation, *outlines, notes, settings, t));
     });
   });
 }

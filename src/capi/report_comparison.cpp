@@ -15,12 +15,13 @@ jalon_status jalon_report_write_deviations(const jalon_comparison* comparison, c
   return guard([&] {
     require(comparison, "comparison");
     const std::string target = require_text(path, "path");
-    const ParamSet set = options_or_default(options, "deviation_picture");
+    const auto settings =
+        settings_from<DeviationPictureSettings>(options_or_default(options, "deviation_picture"));
     with_task(task, [&](Task& t) {
       const Comparison* one[] = {comparison->comparison.get()};
-      const DeviationScale scale = deviation_scale(one, set.number("limit_m"));
+      const DeviationScale scale = deviation_scale(one, settings.limit_m);
       const auto draw = is_png(target) ? deviation_png : deviation_svg;
-      write_whole(target, draw(*one[0], scale, set, t));
+      write_whole(target, draw(*one[0], scale, settings, t));
     });
   });
 }
@@ -30,8 +31,11 @@ jalon_status jalon_report_write_histogram(const jalon_comparison* comparison, co
   return guard([&] {
     require(comparison, "comparison");
     const std::string target = require_text(path, "path");
-    const ParamSet set = options_or_default(options, "comparison_report");
-    with_task(task, [&](Task& t) { write_whole(target, comparison_histogram(*comparison->comparison, set, t)); });
+    const auto settings =
+        settings_from<ComparisonReportSettings>(options_or_default(options, "comparison_report"));
+    with_task(task, [&](Task& t) {
+      write_whole(target, comparison_histogram(*comparison->comparison, settings, t));
+    });
   });
 }
 
@@ -41,11 +45,12 @@ jalon_status jalon_report_write_comparison(const jalon_comparison* forward, cons
   return guard([&] {
     require(forward, "forward");
     const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
-    const ParamSet set = options_or_default(options, "comparison_report");
+    const auto settings =
+        settings_from<ComparisonReportSettings>(options_or_default(options, "comparison_report"));
     const Comparison* other = reverse != nullptr ? reverse->comparison.get() : nullptr;
     const FieldTable table = changes != nullptr ? changes->table : FieldTable();
     with_task(task, [&](Task& t) {
-      write_whole(target, comparison_html(*forward->comparison, other, table, notes, set, t));
+      write_whole(target, comparison_html(*forward->comparison, other, table, notes, settings, t));
     });
   });
 }

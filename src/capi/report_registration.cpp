@@ -15,11 +15,13 @@ jalon_status jalon_report_write_registration(const jalon_registration* registrat
   return guard([&] {
     require(registration, "registration");
     const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
-    const ParamSet set = options_or_default(options, "registration_report");
+    const auto settings = settings_from<RegistrationReportSettings>(
+        options_or_default(options, "registration_report"));
     const CloudPtr to = reference != nullptr ? reference->cloud : nullptr;
     const CloudPtr from = moving != nullptr ? moving->cloud : nullptr;
     with_task(task, [&](Task& t) {
-      write_whole(target, registration_html(*registration->registration, to, from, notes, set, t));
+      write_whole(target,
+                  registration_html(*registration->registration, to, from, notes, settings, t));
     });
   });
 }

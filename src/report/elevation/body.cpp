@@ -17,7 +17,7 @@ constexpr const char* kSolid = "none";
 constexpr const char* kDashed = "1.4 0.8";
 
 std::string url_of(const ElevationDrawing& drawing, const char* name) {
-  return std::string("url(#").append(name).append(drawing.setting.id).append(")");
+  return std::string("url(#").append(name).append(drawing.content.id).append(")");
 }
 
 double width_of(Role role) { return role == Role::kWall ? kOutline : role == Role::kInside ? kDetail : kEdge; }
@@ -25,7 +25,7 @@ double width_of(Role role) { return role == Role::kWall ? kOutline : role == Rol
 std::string fill_of(const ElevationDrawing& drawing, const DrawnFace& face) {
   if (face.role == Role::kNoData) return url_of(drawing, "unknown");
   if (face.kind == Kind::kSlanted) return kSlantedFill;
-  return group_colour(drawing.faces, face.group, drawing.setting.colours);
+  return group_colour(drawing.faces, face.group, drawing.content.colours);
 }
 
 void draw_face(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnFace& face) {

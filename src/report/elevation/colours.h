@@ -6,12 +6,9 @@
 #include <string_view>
 
 #include "report/elevation/faces.h"
+#include "report/settings.h"
 
 namespace jalon {
-
-/// How front faces are filled: by the side of the main plane on which they lie (Boulaassal 2010, 4.4.1: red in front,
-/// green behind, stronger with the distance), by depth alone, or not at all.
-enum class ElevationColours { kSides, kDepth, kNone };
 
 constexpr const char* kEdgeOn = "#8c4fa8";       ///< line of a plane seen edge-on
 constexpr const char* kSlantedFill = "#e8e8e8";  ///< of a plane seen at an angle

@@ -67,8 +67,8 @@ void draw_right(SvgWriter& svg, const ElevationDrawing& drawing) {
 
 }  // namespace
 
-Dimensions dimensions_of(const ElevationFaces& faces, const ElevationSetting& setting) {
-  if (!setting.dimensions || faces.empty) return {};
+Dimensions dimensions_of(const ElevationFaces& faces, const ElevationContent& content) {
+  if (!content.dimensions || faces.empty) return {};
   std::vector<OpeningBox> openings, long_boxes;
   for (const DrawnOpening& o : faces.openings) openings.push_back({o.low, o.high});
   for (const DrawnFace& face : faces.faces) {

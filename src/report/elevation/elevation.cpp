@@ -90,22 +90,22 @@ std::string draw_elevation(const ElevationDrawing& drawing) {
                    {"height", svg_number(sheet.height) + "mm"},
                    {"viewBox", box},
                    {"font-family", "Helvetica, Arial, sans-serif"}});
-  svg.element("title", {}, drawing.setting.title);
+  svg.element("title", {}, drawing.content.title);
   svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
-  define_patterns(svg, sheet, drawing.setting.id);
+  define_patterns(svg, sheet, drawing.content.id);
   if (drawing.faces.empty) {
     svg_text(svg, {sheet.view.x + sheet.view.width / 2, sheet.view.y + sheet.view.height / 2}, 4, Anchor::kMiddle,
              "no planes to draw");
   } else {
     draw_axes(svg, drawing);
     draw_body(svg, drawing);
-    if (drawing.setting.labels) draw_labels(svg, drawing);
-    if (drawing.setting.dimensions) draw_dimensions(svg, drawing);
-    draw_legend(svg, legend_items(drawing.faces, drawing.setting), sheet);
+    if (drawing.content.labels) draw_labels(svg, drawing);
+    if (drawing.content.dimensions) draw_dimensions(svg, drawing);
+    draw_legend(svg, legend_items(drawing.faces, drawing.content), sheet);
     draw_scale_bar(svg, sheet);
   }
   draw_border(svg, sheet.view, 0.25);
-  if (drawing.setting.is_sheet) {
+  if (!drawing.content.outlines_only) {
     draw_title_block(svg, drawing);
     draw_border(svg, sheet.frame, 0.5);
   }

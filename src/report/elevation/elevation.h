@@ -7,20 +7,17 @@
 #include "report/elevation/colours.h"
 #include "report/elevation/dimension_chains.h"
 #include "report/elevation/faces.h"
+#include "report/settings.h"
 #include "report/sheet/sheet.h"
 #include "report/sheet/svg_parts.h"
 
 namespace jalon {
 
-struct ElevationSetting {
-  std::string title = "Facade elevation";
-  std::string source, date;  ///< for the title block; "": left out
-  std::string id;            ///< ends the names of clips and patterns: several drawings may stand in one page
-  ElevationColours colours = ElevationColours::kSides;
-  bool is_sheet = true;  ///< with border and title block; else a figure for a page
-  bool labels = true;
-  bool dimensions = true;
-  uint64_t points = 0;   ///< for the title block
+/// What was asked for, the title with the name of the view, and what the drawing tells of the
+/// model.
+struct ElevationContent : ElevationSettings {
+  std::string id;  ///< ends the names of clips and patterns: several drawings may stand in one page
+  uint64_t points = 0;  ///< for the title block
   uint64_t planes = 0;
   bool has_north = false;       ///< the coordinates are a map's: +Y is grid north
   double view_azimuth_rad = 0;  ///< of the eye's direction, clockwise from +Y
@@ -37,15 +34,15 @@ Window window_of(const ElevationFaces& faces);
 /// A drawing on its sheet.
 struct ElevationDrawing {
   const ElevationFaces& faces;
-  const ElevationSetting& setting;
+  const ElevationContent& content;
   Dimensions dimensions;
   Window window;
   Sheet sheet;
   OnPaper on_paper;
 };
 
-/// What the faces ask to be dimensioned; nothing when the setting says so.
-Dimensions dimensions_of(const ElevationFaces& faces, const ElevationSetting& setting);
+/// What the faces ask to be dimensioned; nothing when it is not asked for.
+Dimensions dimensions_of(const ElevationFaces& faces, const ElevationContent& content);
 /// Takes off what has no room for its numbers at the sheet's scale: the narrowest openings first.
 void drop_illegible(Dimensions& dimensions, const Sheet& sheet);
 /// Room that dimensions take around the window.

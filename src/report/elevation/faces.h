@@ -8,6 +8,7 @@
 #include "base/task.h"
 #include "report/elevation/drawn_ring.h"
 #include "report/elevation/opening_list.h"
+#include "report/settings.h"
 
 namespace jalon {
 
@@ -59,12 +60,6 @@ struct ElevationFaces {
 };
 
 constexpr size_t kMaxDepthGroups = 8;
-
-struct ViewLimits {
-  double in_front_m = 10, behind_m = 10;  ///< of the main plane: the front face of the largest area
-  double element_reach_m = 3;             ///< of elements in front of the nearest wall behind them
-  double front_angle_rad = 0.26;          ///< largest turn of a front face from the facade
-};
 
 /// The model's faces and openings within these limits.
 ElevationFaces elevation_faces(const Model& model, const ElevationView& view, const ViewLimits& limits, Task& task);

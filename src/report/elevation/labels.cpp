@@ -96,7 +96,7 @@ void draw_number(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnFac
   if (room < std::max(kText, width) * 0.6 || is_covered(at, drawing.faces, face.depth_m)) return;
   const Vec2 p = drawing.on_paper(at);
   if (!taken.take({p.u - width / 2, p.v - kText, width, 2 * kText})) return;
-  const std::string fill = group_colour(drawing.faces, face.group, drawing.setting.colours);
+  const std::string fill = group_colour(drawing.faces, face.group, drawing.content.colours);
   svg_text(svg, {p.u, p.v + 0.9}, kText, Anchor::kMiddle, text, true, false, is_dark(fill) ? "#ffffff" : kInk);
 }
 

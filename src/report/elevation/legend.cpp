@@ -26,16 +26,19 @@ std::string group_text(const DepthGroup& group) {
   return (from == to ? from : from + " to " + to) + (group.faces > 1 ? " (" + std::to_string(group.faces) + ")" : "");
 }
 
-void add_depths(std::vector<LegendItem>& items, const ElevationFaces& faces, const ElevationSetting& setting) {
-  if (faces.groups.empty() || setting.colours == ElevationColours::kNone) return;
+void add_depths(std::vector<LegendItem>& items, const ElevationFaces& faces,
+                const ElevationContent& content) {
+  if (faces.groups.empty() || content.colours == ElevationColours::kNone) return;
   items.push_back({Sign::kHeading, "", "Depth from main plane (m)", "", ""});
   items.push_back({Sign::kNote, "", "+ behind, - in front; (n) faces", "", ""});
   for (size_t i = 0; i < faces.groups.size(); ++i)
-    items.push_back({Sign::kSwatch, group_colour(faces, i, setting.colours), group_text(faces.groups[i]), "", ""});
+    items.push_back({Sign::kSwatch, group_colour(faces, i, content.colours),
+                     group_text(faces.groups[i]), "", ""});
   items.push_back({Sign::kGap, "", "", "", ""});
 }
 
-void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces, const ElevationSetting& setting) {
+void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces,
+               const ElevationContent& content) {
   const auto add = [&](bool occurs, Sign sign, const std::string& colour, const char* text) {
     if (occurs) items.push_back({sign, colour, text, "", ""});
   };
@@ -66,8 +69,9 @@ void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces, cons
       Sign::kLine, kInk, "ground");
   add(any_face([](const DrawnFace& f) { return f.kind == DrawnFace::Kind::kSlanted; }), Sign::kSwatch,
       kSlantedFill, "plane seen at an angle");
-  add(!faces.unknown.empty() || any_face([](const DrawnFace& f) { return f.role == DrawnFace::Role::kNoData; }),
-      Sign::kSwatch, "url(#unknown" + setting.id + ")", "no data");
+  add(!faces.unknown.empty() ||
+          any_face([](const DrawnFace& f) { return f.role == DrawnFace::Role::kNoData; }),
+      Sign::kSwatch, "url(#unknown" + content.id + ")", "no data");
 }
 
 void add_types(std::vector<LegendItem>& items, const ElevationFaces& faces) {
@@ -129,11 +133,11 @@ void draw_item(SvgWriter& svg, const LegendItem& item, double x, double y, doubl
 
 }  // namespace
 
-std::vector<LegendItem> legend_items(const ElevationFaces& faces, const ElevationSetting& setting) {
+std::vector<LegendItem> legend_items(const ElevationFaces& faces, const ElevationContent& content) {
   std::vector<LegendItem> items;
   if (faces.empty) return items;
-  add_depths(items, faces, setting);
-  add_signs(items, faces, setting);
+  add_depths(items, faces, content);
+  add_signs(items, faces, content);
   add_types(items, faces);
   return items;
 }

@@ -20,7 +20,7 @@ struct LegendItem {
 };
 
 /// Everything that occurs on this drawing, and nothing else.
-std::vector<LegendItem> legend_items(const ElevationFaces& faces, const ElevationSetting& setting);
+std::vector<LegendItem> legend_items(const ElevationFaces& faces, const ElevationContent& content);
 double legend_height(const std::vector<LegendItem>& items);
 /// Lines for which the sheet has no room are counted in a last one.
 void draw_legend(SvgWriter& svg, const std::vector<LegendItem>& items, const Sheet& sheet);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "report/settings.h"
 
 namespace jalon {
 
@@ -54,8 +55,5 @@ struct OpeningList {
 /// face) gives the upright holes of its steep faces, without names. Openings whose width and height agree within the
 /// tolerance are of one type.
 OpeningList list_openings(const Model& model, double tolerance_m);
-
-/// Half a decimetre: masons' openings of one kind differ by some centimetres, kinds by more.
-constexpr double kTypeTolerance_m = 0.05;
 
 }  // namespace jalon

@@ -58,7 +58,7 @@ double degrees(double azimuth_rad) {
 }
 
 std::string contents(const ElevationDrawing& drawing) {
-  const ElevationSetting& s = drawing.setting;
+  const ElevationContent& s = drawing.content;
   return grouped(s.points) + " points, " + grouped(s.planes) + " planes" +
          (drawing.faces.main_sigma_m > 0
               ? ", \xCF\x83 " + text_of(1000 * drawing.faces.main_sigma_m, 1) + " mm (main plane)"
@@ -78,9 +78,9 @@ void draw_arrow(SvgWriter& svg, const Vec2& from, const Vec2& to, const char* co
 }
 
 // North up; the facade as a thick line; the eye's direction as an arrow on it.
-void draw_view_plan(SvgWriter& svg, const Vec2& centre, const ElevationSetting& setting) {
+void draw_view_plan(SvgWriter& svg, const Vec2& centre, const ElevationContent& content) {
   constexpr double kRadius = 8;
-  const Vec2 look{std::sin(setting.view_azimuth_rad), -std::cos(setting.view_azimuth_rad)};
+  const Vec2 look{std::sin(content.view_azimuth_rad), -std::cos(content.view_azimuth_rad)};
   const Vec2 along{-look.v, look.u};
   svg.leaf("circle", {{"cx", centre.u}, {"cy", centre.v}, {"r", kRadius}, {"fill", "none"}, {"stroke", kFaint},
                       {"stroke-width", 0.18}});
@@ -88,7 +88,8 @@ void draw_view_plan(SvgWriter& svg, const Vec2& centre, const ElevationSetting& 
   draw_arrow(svg, centre - look * kRadius, centre - look * 0.6, "#b3472f");
   const Vec2 north = centre + Vec2{kRadius + 6, 0};
   draw_arrow(svg, north + Vec2{0, kRadius * 0.8}, north - Vec2{0, kRadius * 0.5}, kInk);
-  svg_text(svg, north - Vec2{0, kRadius * 0.5 + 1.2}, kText, Anchor::kMiddle, setting.has_north ? "N" : "+Y", true);
+  svg_text(svg, north - Vec2{0, kRadius * 0.5 + 1.2}, kText, Anchor::kMiddle,
+           content.has_north ? "N" : "+Y", true);
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ void draw_scale_bar(SvgWriter& svg, const Sheet& sheet) {
 
 void draw_title_block(SvgWriter& svg, const ElevationDrawing& drawing) {
   const Sheet& sheet = drawing.sheet;
-  const ElevationSetting& s = drawing.setting;
+  const ElevationContent& s = drawing.content;
   const double width = std::min(kBlockWidth, sheet.strip.width * kBlockShare), x = sheet.strip.right() - width;
   const double y = sheet.strip.y, row = sheet.strip.height / 3;
   svg_line(svg, {sheet.strip.x, y}, {sheet.strip.right(), y}, kInk, 0.35);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/setting_rows.h"
 #include "cloud/statistics.h"
 #include "compare/changes/diagnosis.h"
 #include "compare/changes/point_discs.h"
@@ -18,12 +19,14 @@ namespace jalon {
 
 namespace {
 
-constexpr ParamRow kRows[] = {
-    number_row("max_edge_m", 0, 0, 1e6, "m", "",
-               "Widest gap between points of one region that counts as surface; 0 = twice what joined its points"),
-    number_row("min_opening_area_m2", 0, 0, 1e12, "m2", "",
-               "Smaller holes in a region are closed; 0 = the square of the widest gap"),
-};
+constexpr auto kRows = setting_rows(
+    number_row<&ChangeOutlineSettings::max_edge_m>(
+        "max_edge_m", 0, 1e6, "m", "",
+        "Widest gap between points of one region that counts as surface; 0 = twice what joined its "
+        "points"),
+    number_row<&ChangeOutlineSettings::min_opening_area_m2>(
+        "min_opening_area_m2", 0, 1e12, "m2", "",
+        "Smaller holes in a region are closed; 0 = the square of the widest gap"));
 // Cells that touch at a corner join points up to twice their edge apart (A19), and so does the outline.
 constexpr double kGapCells = 2;
 
@@ -112,8 +115,9 @@ ContourPiece box_around(const std::vector<Vec2>& points, double radius_m) {
 
 class Outliner {
  public:
-  Outliner(const Cloud& cloud, const Vec3& origin, const ParamSet& options, Model& model, Task& task)
-      : cloud_(cloud), origin_(origin), options_(options), model_(model), task_(task) {}
+  Outliner(const Cloud& cloud, const Vec3& origin, const ChangeOutlineSettings& settings,
+           Model& model, Task& task)
+      : cloud_(cloud), origin_(origin), settings_(settings), model_(model), task_(task) {}
 
   void add(const Outlined& region, const std::string& name, const char* part_class) {
     const PlaneFit fit = plane_of(cloud_, region.points);
@@ -134,11 +138,11 @@ class Outliner {
   std::vector<ContourPiece> pieces_of(const Outlined& region, const std::vector<Vec2>& flat) {
     const std::vector<PointDisc> discs = point_discs(cloud_, region.points, task_);
     ContourSetting setting;
-    setting.max_edge_m = options_.number("max_edge_m");
+    setting.max_edge_m = settings_.max_edge_m;
     if (!(setting.max_edge_m > 0)) setting.max_edge_m = kGapCells * joining_distance(discs);
     setting.min_area_m2 = 0;
     setting.min_opening_width_m = 0;
-    setting.min_opening_area_m2 = options_.number("min_opening_area_m2");
+    setting.min_opening_area_m2 = settings_.min_opening_area_m2;
     if (!(setting.min_opening_area_m2 > 0)) setting.min_opening_area_m2 = setting.max_edge_m * setting.max_edge_m;
     std::vector<ContourPiece> pieces = extract_contour(flat, setting, task_).pieces;
     if (pieces.empty()) pieces.push_back(box_around(flat, std::max(radius_quantile(discs, 0.5), 1e-6)));
@@ -169,7 +173,7 @@ class Outliner {
 
   const Cloud& cloud_;
   const Vec3 origin_;
-  const ParamSet& options_;
+  const ChangeOutlineSettings& settings_;
   Model& model_;
   Task& task_;
 };
@@ -189,8 +193,9 @@ std::string class_in(const Outlined& region, const FieldTable* changes, bool is_
 
 std::span<const ParamRow> change_outlines_rows() { return kRows; }
 
-Model change_outlines(const ChangedCloud& after, const ChangedCloud& before, const FieldTable* changes,
-                      const ParamSet& options, Task& task) {
+Model change_outlines(const ChangedCloud& after, const ChangedCloud& before,
+                      const FieldTable* changes, const ChangeOutlineSettings& settings,
+                      Task& task) {
   Model model;
   model.crs = after.comparison->cloud->crs;
   Part& root = model.parts.emplace_back();
@@ -201,7 +206,7 @@ Model change_outlines(const ChangedCloud& after, const ChangedCloud& before, con
     if (epoch->comparison == nullptr) continue;
     const bool is_before = epoch == &before;
     const std::vector<Outlined> regions = regions_of(*epoch);
-    Outliner outliner(*epoch->comparison->cloud, origin, options, model, task);
+    Outliner outliner(*epoch->comparison->cloud, origin, settings, model, task);
     for (size_t i = 0; i < regions.size(); ++i) {
       std::string name = regions[i].change > 0 ? "change " + std::to_string(regions[i].change) + " " : "";
       name += "region " + std::to_string(regions[i].region);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "report/charts/distance_chart.h"
 #include "report/pages/html_frame.h"
@@ -17,6 +18,17 @@
 namespace jalon {
 
 namespace {
+
+using S = ComparisonReportSettings;
+
+constexpr auto kRows = setting_rows(
+    integer_row<&S::bins>("bins", 5, 400, "1", "", "Bins of the histograms"),
+    number_row<&S::threshold_m>(
+        "threshold_m", 0, 1e9, "m", "",
+        "Distance marked in the histograms, up to which they are noise; 0 = none"),
+    number_row<&S::limit_m>("limit_m", 0, 1e9, "m", "",
+                            "Distance at the end of the colour scale; 0 = 98 % lie within"),
+    bool_row<&S::picture>("picture", "", "With the pictures of the points"));
 
 constexpr size_t kMostRows = 500;  // of changes in the page; the CSV has them all
 constexpr const char* kClasses[] = {"", "appearance", "disappearance", "displacement", "displacement with overlap",
@@ -149,26 +161,27 @@ void add_changes(Page& page, const FieldTable& changes) {
 void add_pictures(Page& page, const Comparison& forward, const Comparison* reverse, const DeviationScale& scale,
                   Task& task) {
   page.heading("Where");
-  ParamSet options("deviation_picture", deviation_picture_rows());
+  DeviationPictureSettings settings;
   page.html().open("div", {{"style", kSideBySide}});
-  options.set_text("title", "Compared with the reference");
-  page.html().raw(deviation_svg(forward, scale, options, task));
+  settings.title = "Compared with the reference";
+  page.html().raw(deviation_svg(forward, scale, settings, task));
   if (reverse != nullptr) {
-    options.set_text("title", "Reference with the compared");
-    page.html().raw(deviation_svg(*reverse, scale, options, task));
+    settings.title = "Reference with the compared";
+    page.html().raw(deviation_svg(*reverse, scale, settings, task));
   }
   page.html().close();
   page.note("Points of the first-named cloud, coloured by their distance from the other; both on one scale.");
 }
 
-void add_histograms(Page& page, const Comparison& forward, const Comparison* reverse, const DeviationScale& scale,
-                    const ParamSet& options, Task& task) {
+void add_histograms(Page& page, const Comparison& forward, const Comparison* reverse,
+                    const DeviationScale& scale, const ComparisonReportSettings& settings,
+                    Task& task) {
   page.heading("How far");
-  const double threshold_m = options.number("threshold_m");
+  const double threshold_m = settings.threshold_m;
   page.html().open("div", {{"style", kSideBySide}});
   for (const Comparison* comparison : {&forward, reverse}) {
     if (comparison == nullptr) continue;
-    const Fitted fitted = fit(*comparison, scale, threshold_m, options.integer("bins"), task);
+    const Fitted fitted = fit(*comparison, scale, threshold_m, settings.bins, task);
     std::vector<ChartMark> marks;
     if (threshold_m > 0) marks.push_back({threshold_m, "threshold"});
     if (threshold_m > 0 && scale.is_signed) marks.push_back({-threshold_m, "threshold"});
@@ -181,30 +194,22 @@ void add_histograms(Page& page, const Comparison& forward, const Comparison* rev
 
 }  // namespace
 
-std::span<const ParamRow> comparison_report_rows() {
-  static constexpr ParamRow kRows[] = {
-      integer_row("bins", 80, 5, 400, "1", "", "Bins of the histograms"),
-      number_row("threshold_m", 0, 0, 1e9, "m", "",
-                 "Distance marked in the histograms, up to which they are noise; 0 = none"),
-      number_row("limit_m", 0, 0, 1e9, "m", "", "Distance at the end of the colour scale; 0 = 98 % lie within"),
-      bool_row("picture", true, "", "With the pictures of the points"),
-  };
-  return kRows;
-}
+std::span<const ParamRow> comparison_report_rows() { return kRows; }
 
-std::string comparison_html(const Comparison& forward, const Comparison* reverse, const FieldTable& changes,
-                            std::string_view notes_json, const ParamSet& options, Task& task) {
+std::string comparison_html(const Comparison& forward, const Comparison* reverse,
+                            const FieldTable& changes, std::string_view notes_json,
+                            const ComparisonReportSettings& settings, Task& task) {
   const Span span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
   std::vector<const Comparison*> both{&forward};
   if (reverse != nullptr) both.push_back(reverse);
-  const DeviationScale scale = deviation_scale(both, options.number("limit_m"));
+  const DeviationScale scale = deviation_scale(both, settings.limit_m);
   Page page;
   open_page(page, notes.title);
   page.html().open("h1").element("bdi", {}, notes.title).close();
   add_summary(page, forward, reverse);
-  if (options.flag("picture")) add_pictures(page, forward, reverse, scale, task);
-  add_histograms(page, forward, reverse, scale, options, task);
+  if (settings.picture) add_pictures(page, forward, reverse, scale, task);
+  add_histograms(page, forward, reverse, scale, settings, task);
   if (changes.size() > 0) add_changes(page, changes);
   add_more(page, forward);
   if (!notes.input.empty()) {
@@ -217,11 +222,12 @@ std::string comparison_html(const Comparison& forward, const Comparison* reverse
   return page.html().take();
 }
 
-std::string comparison_histogram(const Comparison& comparison, const ParamSet& options, Task& task) {
+std::string comparison_histogram(const Comparison& comparison,
+                                 const ComparisonReportSettings& settings, Task& task) {
   const Comparison* one[] = {&comparison};
-  const DeviationScale scale = deviation_scale(one, options.number("limit_m"));
-  const double threshold_m = options.number("threshold_m");
-  const Fitted fitted = fit(comparison, scale, threshold_m, options.integer("bins"), task);
+  const DeviationScale scale = deviation_scale(one, settings.limit_m);
+  const double threshold_m = settings.threshold_m;
+  const Fitted fitted = fit(comparison, scale, threshold_m, settings.bins, task);
   std::vector<ChartMark> marks;
   if (threshold_m > 0) marks.push_back({threshold_m, "threshold"});
   return distance_chart(fitted.histogram, fitted.law ? &*fitted.law : nullptr, marks);

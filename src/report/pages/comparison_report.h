@@ -11,15 +11,23 @@
 
 namespace jalon {
 
-/// Parameter table of operation "comparison_report".
+/// Operation "comparison_report".
+struct ComparisonReportSettings {
+  int64_t bins = 80;
+  double threshold_m = 0;  ///< marked in the histograms; 0 = none
+  double limit_m = 0;      ///< of the colour scale; 0 = 98 % lie within
+  bool picture = true;
+};
 std::span<const ParamRow> comparison_report_rows();
 
 /// Self-contained page on a comparison: pictures of both directions side by side on one colour scale, histogram with
 /// the noise law and the threshold, the changes, levels of detection, sampling error, parameters. reverse may be null;
 /// changes: a table of regions or of changes, may be empty.
-std::string comparison_html(const Comparison& forward, const Comparison* reverse, const FieldTable& changes,
-                            std::string_view notes_json, const ParamSet& options, Task& task);
+std::string comparison_html(const Comparison& forward, const Comparison* reverse,
+                            const FieldTable& changes, std::string_view notes_json,
+                            const ComparisonReportSettings& settings, Task& task);
 /// The histogram alone, as SVG.
-std::string comparison_histogram(const Comparison& comparison, const ParamSet& options, Task& task);
+std::string comparison_histogram(const Comparison& comparison,
+                                 const ComparisonReportSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "model/part_classes.h"
 #include "report/charts/residual_chart.h"
@@ -18,11 +19,12 @@ namespace jalon {
 
 namespace {
 
-constexpr ParamRow kReportRows[] = {
-    integer_row("bins", 60, 5, 400, "1", "", "Bins of the residual histogram"),
-    bool_row("drawing", true, "", "With the elevation drawing, when there is a model"),
-    bool_row("picture", true, "", "With a front view of the points in the colours of their segments"),
-};
+constexpr auto kReportRows = setting_rows(
+    integer_row<&ReportSettings::bins>("bins", 5, 400, "1", "", "Bins of the residual histogram"),
+    bool_row<&ReportSettings::drawing>("drawing", "",
+                                       "With the elevation drawing, when there is a model"),
+    bool_row<&ReportSettings::picture>(
+        "picture", "", "With a front view of the points in the colours of their segments"));
 
 constexpr size_t kMostDrawings = 24;  // of single facades: a page that still opens at once
 
@@ -134,13 +136,13 @@ void add_curved(Page& page, const Segmentation& segmentation, Task& task) {
 void add_drawings(Page& page, const Segmentation& segmentation, const Model& model, const Notes& notes, Task& task) {
   const size_t facades = std::min(facade_parts(model).size(), kMostDrawings);
   page.heading(facades > 1 ? "Elevations" : "Elevation");
-  ParamSet options("elevation", elevation_rows());
-  options.set_text("title", notes.title);
-  options.set_bool("outlines_only", true);
-  page.html().raw(elevation_svg(segmentation, model, options, task));
+  ElevationSettings settings;
+  settings.title = notes.title;
+  settings.outlines_only = true;
+  page.html().raw(elevation_svg(segmentation, model, settings, task));
   for (size_t k = 1; facades > 1 && k <= facades; ++k) {
-    options.set_integer("facade", static_cast<int64_t>(k));
-    page.html().raw(elevation_svg(segmentation, model, options, task));
+    settings.facade = static_cast<int64_t>(k);
+    page.html().raw(elevation_svg(segmentation, model, settings, task));
   }
   page.note("Numbers on planes are those of the table of planes, W1, D1 ... types of openings of their table. Drawings "
             "to scale for printing are the files elevation*.svg.");
@@ -148,7 +150,7 @@ void add_drawings(Page& page, const Segmentation& segmentation, const Model& mod
 
 void add_picture(Page& page, const Segmentation& segmentation, Task& task) {
   page.heading("Labelled points");
-  page.html().raw(picture_svg(segmentation, ParamSet("picture", picture_rows()), task));
+  page.html().raw(picture_svg(segmentation, {}, task));
   page.note("Front view, from the station side. Segments that meet have different colours; "
             "the numbers are those of the table of "
             "planes. Noise, in grey, is shown only where no segment lies.");
@@ -167,17 +169,19 @@ void add_residuals(Page& page, const Residuals& r) {
 
 std::span<const ParamRow> report_rows() { return kReportRows; }
 
-std::string report_html(const Segmentation& segmentation, const Model& model, std::string_view notes_json,
-                        const ParamSet& options, Task& task) {
+std::string report_html(const Segmentation& segmentation, const Model& model,
+                        std::string_view notes_json, const ReportSettings& settings, Task& task) {
   const Span span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
-  const Residuals residuals = bin_residuals(segmentation, 0, static_cast<size_t>(options.integer("bins")), task);
+  const Residuals residuals =
+      bin_residuals(segmentation, 0, static_cast<size_t>(settings.bins), task);
   Page page;
   open_page(page, notes.title);
   const OpeningList openings = list_openings(model, kTypeTolerance_m);
   add_summary(page, segmentation, notes, residuals, model_text(model, openings));
-  if (options.flag("drawing") && !model.faces.empty()) add_drawings(page, segmentation, model, notes, task);
-  if (options.flag("picture")) add_picture(page, segmentation, task);
+  if (settings.drawing && !model.faces.empty())
+    add_drawings(page, segmentation, model, notes, task);
+  if (settings.picture) add_picture(page, segmentation, task);
   add_openings(page, model, openings);
   add_planes(page, segmentation, task);
   add_curved(page, segmentation, task);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "cloud/operations.h"
 #include "cloud/select.h"
@@ -21,6 +22,13 @@
 namespace jalon {
 
 namespace {
+
+using S = RegistrationReportSettings;
+
+constexpr auto kRows =
+    setting_rows(integer_row<&S::bins>("bins", 5, 400, "1", "", "Bins of the histograms"),
+                 integer_row<&S::sample>("sample", 1, 1e9, "points", "",
+                                         "Most points of the moving cloud in the histograms"));
 
 constexpr const char* kSideBySide = "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
 
@@ -75,15 +83,16 @@ void add_histogram(Page& page, const char* title, const std::vector<double>& sor
   page.html().close();
 }
 
-void add_before_after(Page& page, const Registration& r, const CloudPtr& reference, const CloudPtr& moving,
-                      const ParamSet& options, Task& task) {
+void add_before_after(Page& page, const Registration& r, const CloudPtr& reference,
+                      const CloudPtr& moving, const RegistrationReportSettings& settings,
+                      Task& task) {
   page.heading("Distances before and after");
-  const Cloud sample = sample_of(*moving, static_cast<size_t>(options.integer("sample")), task);
+  const Cloud sample = sample_of(*moving, static_cast<size_t>(settings.sample), task);
   const Cloud moved = transformed(sample, r.pose, task);
   const CloudPtr surface = as_registered(reference, r, task);
   page.html().open("div", {{"style", kSideBySide}});
-  add_histogram(page, "Before", distances(surface, sample, task), options.integer("bins"), task);
-  add_histogram(page, "After", distances(surface, moved, task), options.integer("bins"), task);
+  add_histogram(page, "Before", distances(surface, sample, task), settings.bins, task);
+  add_histogram(page, "After", distances(surface, moved, task), settings.bins, task);
   page.html().close();
   page.note("Distances of " + std::to_string(sample.size()) + " evenly taken points of the moving cloud from local "
             "planes of the reference; points that the reference does not have are in them. Axes differ.");
@@ -91,16 +100,11 @@ void add_before_after(Page& page, const Registration& r, const CloudPtr& referen
 
 }  // namespace
 
-std::span<const ParamRow> registration_report_rows() {
-  static constexpr ParamRow kRows[] = {
-      integer_row("bins", 60, 5, 400, "1", "", "Bins of the histograms"),
-      integer_row("sample", 100000, 1, 1e9, "points", "", "Most points of the moving cloud in the histograms"),
-  };
-  return kRows;
-}
+std::span<const ParamRow> registration_report_rows() { return kRows; }
 
-std::string registration_html(const Registration& r, const CloudPtr& reference, const CloudPtr& moving,
-                              std::string_view notes_json, const ParamSet& options, Task& task) {
+std::string registration_html(const Registration& r, const CloudPtr& reference,
+                              const CloudPtr& moving, std::string_view notes_json,
+                              const RegistrationReportSettings& settings, Task& task) {
   const Span span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
   Page page;
@@ -112,7 +116,7 @@ std::string registration_html(const Registration& r, const CloudPtr& reference, 
   add_directions(page, r);
   add_pairs_table(page, r);
   if (reference != nullptr && moving != nullptr && reference->size() > 0 && moving->size() > 0)
-    add_before_after(page, r, reference, moving, options, task);
+    add_before_after(page, r, reference, moving, settings, task);
   if (const std::string chart = convergence_chart(r.iteration_log); !chart.empty()) {
     page.heading("Convergence");
     page.html().raw(chart);

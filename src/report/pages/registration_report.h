@@ -11,12 +11,17 @@
 
 namespace jalon {
 
-/// Parameter table of operation "registration_report".
+/// Operation "registration_report".
+struct RegistrationReportSettings {
+  int64_t bins = 60;
+  int64_t sample = 100000;  ///< most points of the moving cloud in the histograms
+};
 std::span<const ParamRow> registration_report_rows();
 
 /// The page on a registration: what came out and why it stopped, pose and what it is worth, weak directions, residuals
 /// of targets, distances before and after (with both clouds), convergence, parameters, times.
-std::string registration_html(const Registration& registration, const CloudPtr& reference, const CloudPtr& moving,
-                              std::string_view notes_json, const ParamSet& options, Task& task);
+std::string registration_html(const Registration& registration, const CloudPtr& reference,
+                              const CloudPtr& moving, std::string_view notes_json,
+                              const RegistrationReportSettings& settings, Task& task);
 
 }  // namespace jalon

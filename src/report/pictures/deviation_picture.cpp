@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/setting_rows.h"
 #include "cloud/statistics.h"
 #include "report/elevation/title_block.h"
 #include "report/pictures/label_raster.h"
@@ -17,6 +18,16 @@ namespace jalon {
 
 namespace {
 
+using S = DeviationPictureSettings;
+
+constexpr auto kRows = setting_rows(
+    string_row<&S::title>("title", "", "What stands above the picture"),
+    choice_row<&S::view>("view", "auto|plan|front|side", "",
+                         "plan: X and Y from above; front: X and Z; side: Y and Z; auto: the one "
+                         "with the largest extents"),
+    number_row<&S::limit_m>("limit_m", 0, 1e9, "m", "",
+                            "Distance at the end of the colour scale; 0 = 98 % lie within"));
+
 constexpr double kText = 2.5, kBarWidth = 5, kBarHeight = 46, kLegend = 70;
 constexpr uint32_t kHiddenLabel = DeviationScale::kSteps + 1;
 constexpr const char* kAxisNames[3] = {"X (m)", "Y (m)", "Z (m)"};
@@ -26,10 +37,10 @@ struct View {
   int right = 0, up = 1, into = 2;
 };
 
-View view_of(const Comparison& comparison, const std::string& name, Task& task) {
-  if (name == "plan") return {0, 1, 2};
-  if (name == "front") return {0, 2, 1};
-  if (name == "side") return {1, 2, 0};
+View view_of(const Comparison& comparison, DeviationView view, Task& task) {
+  if (view == DeviationView::kPlan) return {0, 1, 2};
+  if (view == DeviationView::kFront) return {0, 2, 1};
+  if (view == DeviationView::kSide) return {1, 2, 0};
   // The two longest axes; heights stay upright.
   const Box3 box = bounds(*comparison.cloud, task);
   const Vec3 size = box.max - box.min;
@@ -121,20 +132,12 @@ void draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet)
 
 }  // namespace
 
-std::span<const ParamRow> deviation_picture_rows() {
-  static constexpr ParamRow kRows[] = {
-      string_row("title", "", "", "What stands above the picture"),
-      choice_row("view", "auto", "auto|plan|front|side", "",
-                 "plan: X and Y from above; front: X and Z; side: Y and Z; auto: the one with the largest extents"),
-      number_row("limit_m", 0, 0, 1e9, "m", "", "Distance at the end of the colour scale; 0 = 98 % lie within"),
-  };
-  return kRows;
-}
+std::span<const ParamRow> deviation_picture_rows() { return kRows; }
 
-std::string deviation_svg(const Comparison& comparison, const DeviationScale& scale, const ParamSet& options,
-                          Task& task) {
+std::string deviation_svg(const Comparison& comparison, const DeviationScale& scale,
+                          const DeviationPictureSettings& settings, Task& task) {
   const Span span(task, 0, 1, "drawing the distances");
-  const View view = view_of(comparison, options.text("view"), task);
+  const View view = view_of(comparison, settings.view, task);
   const LabelRaster raster = raster_of(comparison, scale, view, task);
   const bool is_empty = raster.labels.empty();
   const Sheet sheet = lay_out_figure(is_empty ? 10 : raster.width_m(), is_empty ? 5 : raster.height_m(), {}, kLegend);
@@ -145,7 +148,7 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
                    {"height", svg_number(sheet.height) + "mm"},
                    {"viewBox", "0 0 " + svg_number(sheet.width) + " " + svg_number(sheet.height)},
                    {"font-family", "Helvetica, Arial, sans-serif"}});
-  const std::string title = options.text("title").empty() ? "Distances" : options.text("title");
+  const std::string title = settings.title.empty() ? "Distances" : settings.title;
   svg.element("title", {}, title);
   svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
   svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
@@ -163,10 +166,10 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
   return svg.take();
 }
 
-std::string deviation_png(const Comparison& comparison, const DeviationScale& scale, const ParamSet& options,
-                          Task& task) {
+std::string deviation_png(const Comparison& comparison, const DeviationScale& scale,
+                          const DeviationPictureSettings& settings, Task& task) {
   const Span span(task, 0, 1, "drawing the distances");
-  LabelRaster raster = raster_of(comparison, scale, view_of(comparison, options.text("view"), task), task);
+  LabelRaster raster = raster_of(comparison, scale, view_of(comparison, settings.view, task), task);
   if (raster.labels.empty()) {  // a picture has at least one pixel
     raster.columns = raster.rows = 1;
     raster.labels.assign(1, LabelRaster::kEmpty);

@@ -11,15 +11,22 @@
 
 namespace jalon {
 
-/// Parameter table of operation "deviation_picture".
+enum class DeviationView { kAuto, kPlan, kFront, kSide };
+
+/// Operation "deviation_picture".
+struct DeviationPictureSettings {
+  std::string title;  ///< "" = "Distances"
+  DeviationView view = DeviationView::kAuto;
+  double limit_m = 0;  ///< of the colour scale, which the caller makes; 0 = 98 % lie within
+};
 std::span<const ParamRow> deviation_picture_rows();
 
 /// The compared points in the colours of their distances as an SVG figure: axes in metres, scale bar, colour scale with
 /// its unit; hidden points pink, others without a value grey where nothing else lies.
-std::string deviation_svg(const Comparison& comparison, const DeviationScale& scale, const ParamSet& options,
-                          Task& task);
+std::string deviation_svg(const Comparison& comparison, const DeviationScale& scale,
+                          const DeviationPictureSettings& settings, Task& task);
 /// The points alone as a PNG file.
-std::string deviation_png(const Comparison& comparison, const DeviationScale& scale, const ParamSet& options,
-                          Task& task);
+std::string deviation_png(const Comparison& comparison, const DeviationScale& scale,
+                          const DeviationPictureSettings& settings, Task& task);
 
 }  // namespace jalon

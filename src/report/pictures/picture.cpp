@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "report/elevation/title_block.h"
 #include "report/pictures/label_colours.h"
@@ -14,6 +15,15 @@
 namespace jalon {
 
 namespace {
+
+constexpr auto kRows =
+    setting_rows(string_row<&PictureSettings::title>(
+                     "title", "", "What stands before the kind of view in the title"),
+                 choice_row<&PictureSettings::view>(
+                     "view", "front|plan", "",
+                     "front: the facade frame from the station side; plan: X and Y from above"),
+                 bool_row<&PictureSettings::numbers>(
+                     "numbers", "", "Segment numbers on segments that have room for them"));
 
 constexpr double kText = 2.5, kSmallText = 2, kRow = 4.2, kSwatch = 6;
 
@@ -28,10 +38,6 @@ struct Picture {
     return {sheet.view.x + sheet.mm_of(p.u - raster.low.u), sheet.view.bottom() - sheet.mm_of(p.v - raster.low.v)};
   }
 };
-
-PictureView view_of(const ParamSet& options) {
-  return options.text("view") == "plan" ? PictureView::kPlan : PictureView::kFront;
-}
 
 void draw_image(SvgWriter& svg, const Picture& picture) {
   const Box_mm& v = picture.sheet.view;
@@ -110,8 +116,8 @@ void draw_legend(SvgWriter& svg, const Picture& picture) {
   swatch(svg, x, y, kNoiseColour, "noise  (" + grouped(noise) + ")");
 }
 
-std::string title_of(const Picture& picture, const ParamSet& options) {
-  const std::string& title = options.text("title");
+std::string title_of(const Picture& picture, const PictureSettings& settings) {
+  const std::string& title = settings.title;
   const char* kind = picture.view == PictureView::kFront ? "front view" : "plan view";
   return (title.empty() ? "" : title + ": ") + kind + ", " + grouped(picture.segmentation.segments.size()) +
          " segments of " + grouped(picture.segmentation.cloud->size()) + " points";
@@ -119,19 +125,13 @@ std::string title_of(const Picture& picture, const ParamSet& options) {
 
 }  // namespace
 
-std::span<const ParamRow> picture_rows() {
-  static constexpr ParamRow kRows[] = {
-      string_row("title", "", "", "What stands before the kind of view in the title"),
-      choice_row("view", "front", "front|plan", "",
-                 "front: the facade frame from the station side; plan: X and Y from above"),
-      bool_row("numbers", true, "", "Segment numbers on segments that have room for them"),
-  };
-  return kRows;
-}
+std::span<const ParamRow> picture_rows() { return kRows; }
 
-std::string picture_svg(const Segmentation& segmentation, const ParamSet& options, Task& task) {
+std::string picture_svg(const Segmentation& segmentation, const PictureSettings& settings,
+                        Task& task) {
   const Span span(task, 0, 1, "drawing the segments");
-  Picture picture{segmentation, rasterise_labels(segmentation, view_of(options), task), {}, view_of(options), {}};
+  Picture picture{
+      segmentation, rasterise_labels(segmentation, settings.view, task), {}, settings.view, {}};
   picture.colours = colour_labels(picture.raster, segmentation.segments.size());
   const bool is_empty = picture.raster.labels.empty();
   picture.sheet = is_empty ? lay_out_figure(10, 5)
@@ -144,7 +144,7 @@ std::string picture_svg(const Segmentation& segmentation, const ParamSet& option
                    {"height", svg_number(sheet.height) + "mm"},
                    {"viewBox", "0 0 " + svg_number(sheet.width) + " " + svg_number(sheet.height)},
                    {"font-family", "Helvetica, Arial, sans-serif"}});
-  const std::string title = title_of(picture, options);
+  const std::string title = title_of(picture, settings);
   svg.element("title", {}, title);
   svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
   svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
@@ -158,15 +158,16 @@ std::string picture_svg(const Segmentation& segmentation, const ParamSet& option
            {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width}, {"height", sheet.view.height},
                     {"fill", "none"}, {"stroke", kInk}, {"stroke-width", 0.25}});
   draw_axes(svg, picture);
-  if (options.flag("numbers")) draw_numbers(svg, picture);
+  if (settings.numbers) draw_numbers(svg, picture);
   draw_legend(svg, picture);
   draw_scale_bar(svg, sheet);
   return svg.take();
 }
 
-std::string picture_png(const Segmentation& segmentation, const ParamSet& options, Task& task) {
+std::string picture_png(const Segmentation& segmentation, const PictureSettings& settings,
+                        Task& task) {
   const Span span(task, 0, 1, "drawing the segments");
-  LabelRaster raster = rasterise_labels(segmentation, view_of(options), task);
+  LabelRaster raster = rasterise_labels(segmentation, settings.view, task);
   if (raster.labels.empty()) {  // a picture has at least one pixel
     raster.columns = raster.rows = 1;
     raster.labels.assign(1, LabelRaster::kEmpty);

@@ -7,17 +7,25 @@
 
 #include "base/params.h"
 #include "base/task.h"
+#include "report/pictures/label_raster.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
 
-/// Parameter table of operation "picture".
+/// Operation "picture".
+struct PictureSettings {
+  std::string title;
+  PictureView view = PictureView::kFront;
+  bool numbers = true;  ///< of the segments
+};
 std::span<const ParamRow> picture_rows();
 
 /// The labelled points as an SVG figure: axes in metres, scale bar, numbers and legend of the segments; the points are
 /// a PNG inside it.
-std::string picture_svg(const Segmentation& segmentation, const ParamSet& options, Task& task);
+std::string picture_svg(const Segmentation& segmentation, const PictureSettings& settings,
+                        Task& task);
 /// The points alone as a PNG file.
-std::string picture_png(const Segmentation& segmentation, const ParamSet& options, Task& task);
+std::string picture_png(const Segmentation& segmentation, const PictureSettings& settings,
+                        Task& task);
 
 }  // namespace jalon

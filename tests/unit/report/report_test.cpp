@@ -35,22 +35,18 @@ Segmentation small_facade() {
   return segmentation_of({wall.points(), behind});
 }
 
-ParamSet options_of(const char* operation, std::span<const ParamRow> rows, const char* json = "{}") {
-  ParamSet set(operation, rows);
-  set.from_json(json);
-  return set;
-}
-
 std::string elevation_of(const Segmentation& s, const Model& m, const char* json = "{}") {
+  ParamSet options("elevation", elevation_rows());
+  options.from_json(json);
   Task task;
-  return elevation_svg(s, m, options_of("elevation", elevation_rows(), json), task);
+  return elevation_svg(s, m, settings_from<ElevationSettings>(options), task);
 }
 
 std::string html_of(const Segmentation& s, const Model& m, std::string_view notes, unsigned threads = 1) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return report_html(s, m, notes, options_of("report", report_rows()), task);
+  return report_html(s, m, notes, {}, task);
 }
 
 std::string json_of(const Segmentation& s, const Model& m, std::string_view notes) {
@@ -217,10 +213,10 @@ TEST_CASE("reports: hostile names never alter structure") {
     Cloud cloud = *s.cloud;
     cloud.crs = "crs" + name;
     named.cloud = std::make_shared<Cloud>(cloud);
-    ParamSet options("elevation", elevation_rows());
-    options.set_text("title", name);
+    ElevationSettings settings;
+    settings.title = name;
     Task task;
-    svg = elevation_svg(named, m, options, task);
+    svg = elevation_svg(named, m, settings, task);
     html = html_of(named, m, dumped(notes));
     json = json_of(named, m, dumped(notes));
   };

@@ -20,7 +20,8 @@ std::string drawing_of(const Model& model, const char* json = "{}") {
   ParamSet set("elevation", elevation_rows());
   set.from_json(json);
   Task task;
-  return elevation_svg(walls::segmentation_of({}), model, set, task);
+  return elevation_svg(walls::segmentation_of({}), model, settings_from<ElevationSettings>(set),
+                       task);
 }
 
 bool has_text(const std::string& svg, const std::string& text) {

@@ -52,8 +52,7 @@ Scene scene(const Vec3& shift = {}) {
 
 Model outlined(const Scene& s, const FieldTable* changes = nullptr) {
   Task task;
-  return change_outlines({&s.comparison, &s.points}, {}, changes,
-                         ParamSet("change_outlines", change_outlines_rows()), task);
+  return change_outlines({&s.comparison, &s.points}, {}, changes, {}, task);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ std::string svg_of(const Segmentation& s, const char* json = "{}") {
   ParamSet options("picture", picture_rows());
   options.from_json(json);
   Task task;
-  return picture_svg(s, options, task);
+  return picture_svg(s, settings_from<PictureSettings>(options), task);
 }
 
 }  // namespace
@@ -122,9 +122,8 @@ TEST_CASE("picture: a well-formed figure with axes, legend and scale bar, also o
   CHECK(svg_of(wall_and_pane(), R"({"view": "plan"})").find("plan view") != std::string::npos);
   Segmentation none = segmentation_of({});
   CHECK(markup::well_formed(svg_of(none)));
-  ParamSet options("picture", picture_rows());
   Task task;
-  CHECK(picture_png(none, options, task).substr(1, 3) == "PNG");
+  CHECK(picture_png(none, {}, task).substr(1, 3) == "PNG");
 }
 
 TEST_CASE("picture: below 2 MB even when every pixel has another label") {
