@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """jalon/_api.py and its stub: the classes of Python, with keyword arguments and texts from the headers and the tables."""
 
+from api_description import ROWS
 from emit_swig import has_result, inputs_seen, result_fields
 from headers import Header, constants, header_names, nouns, read
-from shapes import ROWS, SMALL, class_of, methods
+from shapes import SMALL, class_of, methods
 from texts import BOOL, CHOICE, DOUBLE, DOUBLES, INT64, STRING, row_text, translated, worker_rows, wrap
 
 HEAD = '# Generated from the public headers by bindings/generator: do not edit.\n'

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """jalon_calls.h, one C++ function a wrapped C function, and jalon_api.i, the classes that SWIG sees. The same for all languages."""
 
+from api_description import BY_RINGS, COUNTS, ROWS
 from headers import constants, nouns, structs
-from shapes import BY_RINGS, COUNTS, ROWS, SMALL, class_of, methods
+from shapes import SMALL, class_of, methods
 
 LICENSE = "/* Generated from the public headers by bindings/generator. */\n"
 ELEMENT = {"const double*": "double", "const uint64_t*": "std::uint64_t", "const uint32_t*": "std::uint32_t"}

@@ -4,13 +4,30 @@
 
 import os
 import re
-import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(0, os.path.join(ROOT, "tests", "style"))
-from source import public_functions, read, without_comments  # noqa: E402,F401
-
 FOLDER = os.path.join(ROOT, "include", "jalon")
+
+
+def read(path):
+    with open(os.path.join(ROOT, path), encoding="utf-8", errors="replace") as f:
+        return f.read()
+
+
+# What a reader of C must not take for code: comments and literals.
+TOKENS = re.compile(r'R"([^(\s]*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+
+
+def without_comments(text, keep_strings=False):
+    """C or C++ with comments (and string contents) blanked; line numbers stay."""
+    def blank(match):
+        token = match.group(0)
+        if token.startswith("/"):
+            return re.sub(r"[^\n]", " ", token)
+        if keep_strings or token.startswith("'"):
+            return token
+        return '"' + re.sub(r"[^\n]", " ", token[1:-1]) + '"'
+    return TOKENS.sub(blank, text)
 
 
 def header_names():
@@ -36,6 +53,35 @@ class Header:
         pattern = r"(?:/\*\*((?:(?!\*/).)*)\*/\s*)?JALON_API\s+(?:JALON_CHECK\s+)?[\w\s]+?[\s*]+(jalon_\w+)\s*\("
         for match in re.finditer(pattern, text, re.S):
             self.docs[match.group(2)] = plain(match.group(1) or "")
+
+
+class Parameter:
+    def __init__(self, text):
+        text = " ".join(text.split())
+        array = re.match(r"(.*?)(\w+)\[(\d+)\]$", text)
+        match = array or re.match(r"(.*?)(\w+)$", text)
+        self.type = re.sub(r"\s*\*\s*", "*", match.group(1).strip())
+        self.name = match.group(2)
+        self.extent = int(array.group(3)) if array else 0
+        if array:
+            self.type += "*"
+
+
+class Function:
+    def __init__(self, header, result, name, parameters):
+        self.header, self.result, self.name = header, result, name
+        self.parameters = [Parameter(p) for p in parameters.split(",") if p.strip() != "void"]
+
+
+def public_functions():
+    """Every JALON_API function, in the order of the headers (by name of the header)."""
+    functions = []
+    for header in header_names():
+        text = without_comments(read("include/jalon/" + header))
+        text = re.sub(r"^\s*#[^\n]*(\\\n[^\n]*)*", "", text, flags=re.M)
+        for match in re.finditer(r"JALON_API\s+(?:JALON_CHECK\s+)?([\w\s]+?[\s*]+)(jalon_\w+)\s*\(([^)]*)\)\s*;", text):
+            functions.append(Function(header, " ".join(match.group(1).split()), match.group(2), match.group(3)))
+    return functions
 
 
 def nouns():

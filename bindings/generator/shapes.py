@@ -6,14 +6,8 @@ The C grammar is regular - jalon_noun_verb(handle, inputs, options, task, output
 A parameter of a kind that no rule here knows ends the generation with its name.
 """
 
-import os
-import re
-import sys
-
-from headers import ROOT, Header, constants, header_names, nouns, public_functions, structs
-
-sys.path.insert(0, os.path.join(ROOT, "tests", "abi"))
-from null_wild import ARRAYS, NULLABLE, OPERATION  # noqa: E402
+from api_description import BY_RINGS, COUNTS, NULLABLE, OPERATION, says
+from headers import Header, header_names, nouns, public_functions, structs
 
 # What each language has its own form of, and which.
 REPLACED = {
@@ -23,12 +17,6 @@ REPLACED = {
     "jalon_task_set_progress": "the progress callback of the language",
     "jalon_task_set_log": "the log callback of the language",
 }
-# Elements an item, of packed arrays whose items are more than one.
-ROWS = {"xyz": 3, "queries": 3, "vertices": 3, "picks": 3, "places": 3, "polygon_uv": 2, "hull_points": 3, "automatic_xyz": 3,
-        "reference_xyz": 3, "automatic_uv": 2, "reference_uv": 2, "triangles": 3}
-COUNTS = {**ARRAYS, "face_ids": "count_triangles", "vertical_rad": "count", "incidence_rad": "count"}
-# Arrays whose number of items no parameter tells: they must hold what the rings say.
-BY_RINGS = {"automatic_uv": "automatic_rings", "reference_uv": "reference_rings"}
 # Memory that the caller gives in C: rows and columns, as expressions of the other parameters.
 FILLED = {
     ("jalon_cloud_knn", "indices"): ("uint64_t", "queries_.count", "k"),
@@ -84,10 +72,6 @@ class Method:
         return next((i for i in self.inputs if i.kind == kind), None)
 
 
-def nullable(function, name):
-    return name in NULLABLE or function.name + "." + name in NULLABLE
-
-
 def handle_noun(type_, known):
     bare = type_.replace("const ", "").rstrip("*")
     return bare if bare in known and type_.count("*") == 1 else None
@@ -128,7 +112,7 @@ class Reader:
         return p.type == "uint64_t" and bool(arrays)
 
     def add(self, kind, p, type_=None):
-        may_be_null = nullable(self.f, p.name) or (p.name == "indices" and kind == "packed" and self.m.name != "select")
+        may_be_null = says(NULLABLE, self.f.name, p.name) or (p.name == "indices" and kind == "packed" and self.m.name != "select")
         self.m.inputs.append(Input(kind, p.name, type_ or p.type, may_be_null, p))
         return True
 

@@ -13,9 +13,10 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "generator"))
+from api_description import ROWS  # noqa: E402
 from emit_swig import has_result, inputs_seen, result_fields  # noqa: E402
 from headers import Header, header_names, nouns, read  # noqa: E402
-from shapes import ROWS, SMALL, class_of, methods  # noqa: E402
+from shapes import SMALL, class_of, methods  # noqa: E402
 
 LICENSE = "/* Generated from the public headers by bindings/java/generate.py. */\n"
 TYPES = {"std::string": "String", "bool": "boolean", "double": "double", "int32_t": "int", "uint32_t": "long",

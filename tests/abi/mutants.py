@@ -32,7 +32,7 @@ MUTANTS = [
 
 def copy_of_interface(to):
     shutil.copytree(os.path.join(ROOT, "include"), os.path.join(to, "include"))
-    for folder in ("tests/abi", "tests/style"):
+    for folder in ("bindings/generator", "tests/abi", "tests/style"):
         shutil.copytree(os.path.join(ROOT, folder), os.path.join(to, folder), ignore=shutil.ignore_patterns("__pycache__"))
     os.makedirs(os.path.join(to, "src", "capi"))
     shutil.copy(os.path.join(ROOT, "src", "capi", "jalon.map"), os.path.join(to, "src", "capi"))

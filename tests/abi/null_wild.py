@@ -3,15 +3,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a C program that calls every public function with NULLs and wild values: null_wild.py OUT.c
 
-The functions come from the headers, so a new one is covered without a change here, or, when a parameter is of a kind that the
-tables below do not know, stops the build with its name.
+The functions come from the headers, and what may be NULL from bindings/generator/api_description.py, so a new one is covered
+without a change here, or, when a parameter is of a kind that the fixtures below do not have, stops the build with its name.
 """
 
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "style"))
-from source import public_functions  # noqa: E402
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bindings", "generator"))
+from api_description import (ARRAYS, NOT_NULLABLE, NULLABLE, OPEN, OPERATION, OUTPUTS, SIZED_OUTPUTS,  # noqa: E402
+                             TYPED, says)
+from headers import public_functions  # noqa: E402
 
 ANY, PASS, FAIL, INVALID = "kAny", "kMustPass", "kMustFail", "kMustBeInvalid"
 
@@ -35,79 +37,8 @@ HANDLES = {
     "jalon_noise_law": ("fx_law", []),
     "jalon_params": ("fx_options(\"normals\")", []),
 }
-# Which typed parameter set and row name a params function works on.
-TYPED = {"set_double": 1, "get_double": 1, "set_int64": 2, "get_int64": 2, "set_bool": 3, "get_bool": 3,
-         "set_string": 4, "get_string": 4, "set_doubles": 6, "get_doubles": 6}
-OPERATION = {"jalon_cloud_measure_targets": "target", 
-    "jalon_cloud_compute_normals": "normals", "jalon_cloud_compute_features": "features",
-    "jalon_cloud_compute_components": "components", "jalon_cloud_remove_outliers": "outliers",
-    "jalon_cloud_subsample": "subsample", "jalon_cloud_split_interest": "interest", "jalon_cloud_read": "read",
-    "jalon_model_read": "read", "jalon_cloud_write": "write", "jalon_model_write": "write",
-    "jalon_scene_create": "scene", "jalon_report_write_elevation": "elevation",
-    "jalon_segmentation_from_labels": "labels", "jalon_segmentation_evaluate": "evaluation",
-    "jalon_cloud_fit_sphere": "primitive", "jalon_cloud_fit_cylinder": "primitive", "jalon_cloud_fit_circle": "primitive",
-    "jalon_segmentation_pick": "pick", "jalon_cloud_confusion": "confusion", "jalon_report_write_picture": "picture",
-    "jalon_report_write_html": "report", "jalon_report_write_json": "report",
-    "jalon_model_evaluate": "model_evaluation", "jalon_area_indices": "indices",
-    "jalon_polygon_indices": "indices",
-    "jalon_comparison_outlines": "change_outlines",
-    "jalon_model_clearance": "clearance", "jalon_model_clearance_to_model": "clearance",
-    "jalon_gauge_sweep": "clearance", "jalon_gauge_sweep_model": "clearance",
-    "jalon_precision_budget": "precision", "jalon_cloud_compute_covariances": "precision",
-    "jalon_segmentation_plane_covariances": "precision",
-    "jalon_cloud_volume": "volume", "jalon_model_volume": "volume", "jalon_model_sample": "model_sample",
-    "jalon_cloud_compute_visibility": "visibility", "jalon_cloud_depth_map": "visibility",
-    "jalon_cloud_write_depth_map": "visibility",
-    "jalon_noise_law_fit": "noise_law", "jalon_cloud_field_histogram": "histogram",
-    "jalon_cloud_compute_chi_square": "chi_square", "jalon_cloud_classify_field": "classes",
-    "jalon_cloud_compute_gradient": "gradient", "jalon_cloud_filter_field": "field_filter",
-    "jalon_cloud_compute_field": "field_arithmetic", "jalon_cloud_compute_geodesic": "geodesic",
-    "jalon_cloud_segment_propagation": "propagation", "jalon_cloud_compute_map_distance": "distance_map",
-    "jalon_cloud_distance_map": "distance_map",
-    "jalon_report_write_deviations": "deviation_picture", "jalon_report_write_histogram": "comparison_report",
-    "jalon_report_write_comparison": "comparison_report",
-    "jalon_report_write_registration": "registration_report",
-    "jalon_comparison_regions": "regions", "jalon_comparison_diagnose": "diagnosis",
-}
-# Parameters that the headers let be NULL, by name or by function.name; ("?" = the headers leave it open).
-NULLABLE = {"task", "options", "report", "unit", "meaning", "pose", "T_box_world", "T_prism_world", "method", "face_ids",
-            "notes_json", "callback", "user", "outside", "jalon_cloud_split.equal", "jalon_cloud_split.others",
-            "jalon_cloud_station.name", "jalon_cloud_station.has_pose", "jalon_cloud_station.first",
-            "jalon_cloud_station.count", "jalon_format_info.name", "jalon_format_info.extensions",
-            "jalon_format_info.abilities", "jalon_model_part.name", "jalon_model_part.part_class",
-            "jalon_model_part.parent", "jalon_model_rename_part.name", "jalon_model_rename_part.part_class", "centroid", "covariance", "edge_m", "origin", "interest", "unwanted",
-            "jalon_report_write_html.model", "jalon_report_write_json.model", "classes", "totals",
-            "out_summary", "out_cells",
-            "jalon_report_write_comparison.reverse", "jalon_report_write_comparison.changes",
-            "jalon_model_clearance.summary", "jalon_model_clearance_to_model.summary",
-            "near_points", "near_faces", "places", "intervals", "jalon_gauge_sweep.cloud",
-            "jalon_gauge_sweep.model", "jalon_gauge_sweep_model.cloud", "jalon_gauge_sweep_model.model",
-            "jalon_comparison_outlines.reverse", "jalon_comparison_outlines.changes",
-            "jalon_comparison_regions.out_points", "jalon_comparison_regions.out_regions",
-            "jalon_cloud_depth_map.rows", "jalon_cloud_depth_map.columns",
-            "rows", "vertical_rad", "incidence_rad", "density", "cumulative", "bins", "other",
-            "jalon_cloud_field_histogram.law", "jalon_cloud_field_histogram.summary",
-            "jalon_comparison_diagnose.out_forward", "jalon_comparison_diagnose.out_reverse",
-            "jalon_comparison_diagnose.out_changes",
-            "jalon_registrar_run.start", "jalon_report_write_registration.reference",
-            "jalon_report_write_registration.moving",
-            "jalon_cloud_knn.squared_distances", "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud"}
-NOT_NULLABLE = {"jalon_model_clearance_to_model.other", "jalon_scanner_add_station.pose"}
-OPEN = {"jalon_cloud_fit_cylinder.direction", "jalon_cloud_knn_all.squared_distances", "jalon_cloud_radius_search.ranges", "inside", "crs",
-        "jalon_cloud_radius_search.neighbours", "jalon_cloud_builder_begin_station.name",
-        "jalon_cloud_set_station.name", "jalon_report_write_elevation.model", "jalon_report_write_elevation.options"}
 # Functions that refuse even the baseline: no part of the fixtures' models is a copy; the registrar is one of targets.
 REFUSED = {"jalon_model_remove_copy", "jalon_registrar_run"}
-# Arrays and the parameter that counts them.
-ARRAYS = {"xyz": "count", "picks": "count", "places": "count", "x": "count", "y": "count", "z": "count", "data": "count", "indices": "count",
-          "polygon_uv": "count", "values": "count", "queries": "count", "clouds": "count",
-          "automatic_rings": "automatic_ring_count", "reference_rings": "reference_ring_count",
-          "automatic_uv": "automatic_ring_count", "reference_uv": "reference_ring_count", "automatic_m2": "count",
-          "reference_m2": "count", "intersection_m2": "count", "automatic_xyz": "count",
-          "reference_xyz": "count", "ranges_m": "count", "measured_m": "count", "known_m": "count",
-          "seeds": "count", "probabilities": "count",
-          "wavelengths_m": "count", "remainders_m": "count", "vertices": "count_vertices",
-          "pieces": "piece_count", "hull_points": "hull_point_count", "poses": "pose_count", "reference": "reference_count", "moving": "moving_count", "triangles": "count_triangles"}
 # Baselines that need another handle or value than the tables give.
 BASE = {
     "jalon_gauge_sweep_model.gauge": "fx_block", "jalon_gauge_sweep.cloud": "fx_small",
@@ -166,12 +97,11 @@ class Case:
 
 
 def null_expectation(function, name):
-    full = function.name + "." + name
-    if full in NOT_NULLABLE:
+    if says(NOT_NULLABLE, function.name, name):
         return INVALID
-    if full in OPEN or name in OPEN:
+    if says(OPEN, function.name, name):
         return ANY
-    return PASS if full in NULLABLE or name in NULLABLE else INVALID
+    return PASS if says(NULLABLE, function.name, name) else INVALID
 
 
 def wild_values(values_, expectation_=ANY, **others):
@@ -314,7 +244,7 @@ def handle(function, p, first):
     if kind == "jalon_params" and p.name == "options":
         operation = OPERATION.get(function.name)
         if operation is None:
-            raise SystemExit("%s: which operation do its options belong to? Add it to OPERATION" % function.name)
+            raise SystemExit("%s: which operation do its options belong to? add it to api_description.py" % function.name)
         base = 'fx_options("%s")' % operation
         wild = wild_values(['fx_options("%s")' % ("read" if operation != "read" else "normals")], INVALID)
     for part, row in TYPED.items():
@@ -324,15 +254,10 @@ def handle(function, p, first):
     return Case(base, wild, null_expectation(function, p.name) if not first or optional else INVALID)
 
 
-OUTPUTS = ("uint64_t*", "int64_t*", "int32_t*", "uint32_t*", "double*", "float*", "void*", "const char**", "const double**", "jalon_box*",
-           "jalon_vec3*", "jalon_transform*", "jalon_array_view*", "jalon_reduction*", "jalon_field_info*",
-           "jalon_param_info*")
-
-
 def output(function, p, slot):
-    if p.name == "user" or not (p.type in OUTPUTS or (p.type.endswith("**") and p.type[:-2] in HANDLES)):
+    if p.name == "user" or not (p.type in OUTPUTS + SIZED_OUTPUTS or (p.type.endswith("**") and p.type[:-2] in HANDLES)):
         return None
-    if p.type in ("jalon_field_info*", "jalon_param_info*"):
+    if p.type in SIZED_OUTPUTS:
         size = "(uint32_t)sizeof(%s)" % p.type[:-1]
         return Case("sized_slot(%d, %s)" % (slot, size),
                     [("struct_size " + s, "sized_slot(%d, %s)" % (slot, s), e, {})

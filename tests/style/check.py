@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-from rooms import CODE, ROOMS, crowds, includes, layers, sublayers
+from rooms import CODE, ROOMS, bindings_alone, crowds, includes, layers, sublayers
 from source import ROOT, Tally, public_functions, read, strings_of, tree_files, without_comments
 
 MAX_LINES, LONG_LINES, MAX_COLUMNS = 400, 250, 120
@@ -228,6 +228,7 @@ def main():
     tally = Tally()
     tally.check("style: #include lines follow the rooms' arrows", layers(files))
     tally.check("style: and those of the rooms within rooms", sublayers(files))
+    tally.check("style: the bindings take nothing from the tests", bindings_alone(files))
     tally.check("style: no folder of src with more files than one can overlook", crowds(files))
     tally.check("style: examples and C tests see include/jalon only", outsiders(files))
     for language, problems in headers_alone():

@@ -91,6 +91,15 @@ def layers(files):
                 yield '%s:%d: "%s" is in no room' % (path, number, name)
 
 
+def bindings_alone(files):
+    """Tests may see the bindings, never the other way round."""
+    for path in files:
+        if path.startswith("bindings/"):
+            for number, line in enumerate(read(path).splitlines(), 1):
+                if re.search(r"""["'/]tests["'/]""", line):
+                    yield "%s:%d: %s" % (path, number, line.strip())
+
+
 def subroom(name):
     """Room and sub-room of "room/sub/file.h"; the sub-room of a file in the room's own folder is ""."""
     parts = name.split("/")
