@@ -12,7 +12,7 @@ are parameters, wherever they occur, or "function.parameter" for one place alone
 # Arrays and the parameter that counts their items.
 ARRAYS = {
     "xyz": "count", "x": "count", "y": "count", "z": "count",
-    "data": "count", "values": "count", "indices": "count",
+    "data": "count", "values": "count", "indices": "count", "names": "count",
     "queries": "count", "seeds": "count", "picks": "count", "places": "count",
     "polygon_uv": "count", "clouds": "count", "probabilities": "count",
     "vertices": "count_vertices", "triangles": "count_triangles",
@@ -43,7 +43,7 @@ BY_RINGS = {"automatic_uv": "automatic_rings", "reference_uv": "reference_rings"
 # Types of parameters that are written on success; pointers to handles (jalon_cloud**) are too.
 OUTPUTS = (
     "uint64_t*", "int64_t*", "int32_t*", "uint32_t*", "double*", "float*", "void*",
-    "const char**", "const double**",
+    "const char**", "const double**", "const char*const**",
     "jalon_box*", "jalon_vec3*", "jalon_transform*", "jalon_array_view*", "jalon_reduction*",
 )
 # The same, of structs whose struct_size the caller sets before.

@@ -3,14 +3,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The parameter tables of a built library as JSON: dump_params.py LIBRARY OUT
 
-{"operations": {"normals": [row, ...]}, "workers": {"segmenter": {"ransac": [row, ...]}}}; workers are the nouns whose _create
-takes a method, and their methods are those that the message for an unknown one names, the default first.
+{"operations": {"normals": [row, ...]}, "workers": {"segmenter": {"ransac": [row, ...]}}}; workers are the nouns with a function
+_methods, which lists theirs, the default first.
 """
 
 import ctypes
 import json
 import os
-import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -62,22 +61,20 @@ class Library:
         return found
 
     def methods(self, noun):
-        create = getattr(self.c, noun + "_create")
-        create(b"no such method", ctypes.byref(ctypes.c_void_p()))
-        names = re.search(r"there are: (.*)$", self.c.jalon_last_error_message().decode()).group(1).split(", ")
-        found = {}
-        for name in names:
+        names, count, found = ctypes.POINTER(ctypes.c_char_p)(), ctypes.c_uint64(), {}
+        self.check(getattr(self.c, noun + "_methods")(ctypes.byref(names), ctypes.byref(count)))
+        for name in names[:count.value]:
             worker, params = ctypes.c_void_p(), ctypes.c_void_p()
-            self.check(create(name.encode(), ctypes.byref(worker)))
+            self.check(getattr(self.c, noun + "_create")(name, ctypes.byref(worker)))
             self.check(getattr(self.c, noun + "_params")(worker, ctypes.byref(params)))
-            found[name] = self.rows(params)
+            found[name.decode()] = self.rows(params)
             getattr(self.c, noun + "_release")(worker)
         return found
 
 
 def workers():
-    takes_method = {f.name for f in public_functions() if f.parameters and f.parameters[0].name == "method"}
-    return [n for n in sorted(nouns()) if n + "_create" in takes_method]
+    listed = {f.name for f in public_functions()}
+    return [n for n in sorted(nouns()) if n + "_methods" in listed]
 
 
 def main():

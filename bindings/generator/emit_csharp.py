@@ -122,7 +122,7 @@ def output_type(o):
         return "double[]"
     if o.kind in ("view", "filled", "copied"):
         return "ArrayView"
-    return {"text": "string", "flag": "bool"}.get(o.kind) or SCALARS[o.type]
+    return {"text": "string", "texts": "string[]", "flag": "bool"}.get(o.kind) or SCALARS[o.type]
 
 
 def managed(o, type_, native):
@@ -138,6 +138,8 @@ def managed(o, type_, native):
         return "ArrayView.Wrap(%s)" % native
     if kind == "text":
         return "Text.Of(%s)" % native
+    if kind == "texts":
+        return "Text.ListOf(%s)" % native
     return "Number.Of(%s)" % native if (o.type if o is not None else type_) == "uint64_t" else native
 
 

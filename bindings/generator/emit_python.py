@@ -54,7 +54,7 @@ def hint_out(m):
 def field_hint(o, c_type=None):
     if o is None:
         return {"std::string": "str", "double": "float"}.get(c_type, "int")
-    return {"handle": lambda: class_of(o.type), "text": lambda: "str", "flag": lambda: "bool",
+    return {"handle": lambda: class_of(o.type), "text": lambda: "str", "texts": lambda: "List[str]", "flag": lambda: "bool",
             "number": lambda: "float" if o.type == "double" else "int"}.get(o.kind, lambda: "Array")()
 
 
@@ -253,7 +253,7 @@ def module(tables):
     code = [HEAD + '"""The classes and functions of Jalon; the package jalon hands them on."""', "",
             "from typing import NamedTuple", "", "from . import _mixins, _native",
             "from ._support import _array, _clouds, _files, _new_cloud, _numbers, _options, _out, _path, _task", "from ._mixins import _ResultMixin", ""]
-    stub = [HEAD, "import os", "from typing import Any, Callable, Dict, Mapping, NamedTuple, Optional, Sequence, Union", "",
+    stub = [HEAD, "import os", "from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Union", "",
             "from . import _mixins", "from ._mixins import Gauge, Targets", "", "Array = Any  # numpy.ndarray, or memoryview without NumPy", "ArrayLike = Any",
             "Path = Union[str, bytes, os.PathLike]", "Progress = Callable[[float, str], Optional[bool]]", ""]
     names = []

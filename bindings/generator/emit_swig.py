@@ -26,7 +26,7 @@ def output_type(o):
         return "Numbers*"
     if o.kind in ("view", "filled", "copied"):
         return "Array*"
-    return {"text": "std::string", "flag": "bool"}.get(o.kind) or SCALARS.get(o.type, o.type)
+    return {"text": "std::string", "texts": "Texts", "flag": "bool"}.get(o.kind) or SCALARS.get(o.type, o.type)
 
 
 def inputs_seen(m):
@@ -81,6 +81,9 @@ def slots(m):
             yield "jalon_array_view %s_out = {};" % o.name
         elif o.kind == "doubles":
             yield "const double* %s_out = nullptr;" % o.name
+            yield "std::uint64_t %s_count = 0;" % o.name
+        elif o.kind == "texts":
+            yield "const char* const* %s_out = nullptr;" % o.name
             yield "std::uint64_t %s_count = 0;" % o.name
         elif o.kind == "filled":
             element, rows, columns = o.type
@@ -144,8 +147,9 @@ def argument(m, p):
         return rows[0].name + "_." + p.name
     if p.name == "capacity_elements":
         return "look.count * look.components"
-    if p.name == "count" and any(o.kind == "doubles" for o in m.outputs):
-        return "&%s_count" % next(o.name for o in m.outputs if o.kind == "doubles")
+    counted = next((o for o in m.outputs if o.kind in ("doubles", "texts")), None)
+    if p.name == "count" and counted is not None:
+        return "&%s_count" % counted.name
     return count_argument(m, p)
 
 
@@ -153,7 +157,8 @@ def value(m, o):
     """The output as the C++ function returns it."""
     return {
         "handle": "boxed(%s_out)", "text": "text_of(%s_out)", "flag": "%s_out != 0", "number": "%s_out",
-        "doubles": "Array::of(%s_out, %s_count, 1)", "filled": "%s_out.release()", "copied": "%s_out.release()",
+        "doubles": "Array::of(%s_out, %s_count, 1)", "texts": "texts_of(%s_out, %s_count)",
+        "filled": "%s_out.release()", "copied": "%s_out.release()",
         "view": "view_of<" + (m.noun or "") + ">(%s_out, " + (m.inputs[0].name if m.inputs else "") + "_)",
         "small": "Array::of(%s_out, {}, {})".format(*(o.type if isinstance(o.type, tuple) else SMALL.get(o.type, (0, 0)))),
     }[o.kind].replace("%s", o.name)

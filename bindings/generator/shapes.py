@@ -44,7 +44,7 @@ class Input:
 
 
 class Output:
-    """kind: handle, text, number, flag, small, view, filled, doubles; type: noun, C type or struct."""
+    """kind: handle, text, texts, number, flag, small, view, filled, doubles; type: noun, C type or struct."""
 
     def __init__(self, kind, name, type_, c):
         self.kind, self.name, self.type, self.c = kind, name, type_, c
@@ -149,6 +149,8 @@ class Reader:
             return out("handle", bare)
         if p.type == "const char**":
             return out("text", "std::string")
+        if p.type == "const char*const**":
+            return out("texts", None)
         if p.type == "const double**":
             return out("doubles", None)
         if p.type == "jalon_array_view*":
@@ -157,7 +159,7 @@ class Reader:
             return out("small", (3, 3) if p.extent else bare)
         if p.type.endswith("*") and bare in self.structs:
             return out("struct", bare)
-        if p.type == "uint64_t*" and p.name == "count" and any(o.kind == "doubles" for o in self.m.outputs):
+        if p.type == "uint64_t*" and p.name == "count" and any(o.kind in ("doubles", "texts") for o in self.m.outputs):
             return True
         if p.type.endswith("*") and p.type.count("*") == 1 and bare in NUMBERS:
             flag = bare == "int32_t" and (p.name.startswith("has_") or "_is_" in self.f.name or self.f.name.endswith("get_bool"))

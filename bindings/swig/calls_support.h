@@ -4,6 +4,16 @@
 
 inline std::string text_of(const char* text) { return text == nullptr ? std::string() : std::string(text); }
 
+/** Names of one kind, none of them empty. */
+typedef std::vector<std::string> Texts;
+inline Texts texts_of(const char* const* texts, std::uint64_t count) { return Texts(texts, texts + count); }
+/** Each with a zero behind it: how they cross to a language that takes them as one block. */
+inline std::string block_of(const Texts& texts) {
+  std::string block;
+  for (const std::string& text : texts) block.append(text.c_str(), text.size() + 1);
+  return block;
+}
+
 inline std::uint64_t count_of(const jalon_cloud* cloud) {
   std::uint64_t count = 0;
   check(jalon_cloud_count(cloud, &count));

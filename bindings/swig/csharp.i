@@ -49,6 +49,9 @@
 %typemap(ctype) std::string "const char*"
 %typemap(imtype) std::string "global::System.IntPtr"
 %typemap(out, null="NULL") std::string { $result = jalon_csharp::keep_text(std::move($1)); }
+%typemap(ctype) Texts "const char*"
+%typemap(imtype) Texts "global::System.IntPtr"
+%typemap(out, null="NULL") Texts { $result = jalon_csharp::keep_text(jalon_binding::block_of($1)); }
 
 /* Arrays in: managed arrays, pinned during the call; null is no array. */
 %typemap(ctype) const ArrayIn* "const void*"

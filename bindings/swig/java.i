@@ -69,6 +69,11 @@
 %typemap(jstype) std::string "String"
 %typemap(out) std::string { $result = jalon_java::bytes_of(jenv, $1); }
 %typemap(javaout) std::string { return Text.of($jnicall); }
+%typemap(jni) Texts "jbyteArray"
+%typemap(jtype) Texts "byte[]"
+%typemap(jstype) Texts "java.util.List<String>"
+%typemap(out) Texts { $result = jalon_java::bytes_of(jenv, jalon_binding::block_of($1)); }
+%typemap(javaout) Texts { return Text.listOf($jnicall); }
 
 /* Arrays in: primitive arrays and buffers, described by class Rows; null is no array. */
 %typemap(jni) const ArrayIn* "jobject"

@@ -42,6 +42,18 @@
 %typemap(out) std::string {
   $result = PyUnicode_DecodeUTF8($1.data(), static_cast<Py_ssize_t>($1.size()), "surrogateescape");
 }
+%typemap(out) Texts {
+  $result = PyList_New(0);
+  for (const std::string& text : $1) {
+    PyObject* item = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape");
+    const bool is_added = $result != NULL && item != NULL && PyList_Append($result, item) == 0;
+    Py_XDECREF(item);
+    if (!is_added) {
+      Py_CLEAR($result);
+      SWIG_fail;
+    }
+  }
+}
 %typemap(in) const char* (jalon_python::Text text) {
   if (!text.take($input, &$1)) SWIG_fail;
 }

@@ -45,6 +45,8 @@ enum {
  *   of "distance", and the summary's numbers are "angle_mean" and so on. O(n log n).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
+/** The names of the methods, the default first. Static texts. */
+JALON_API JALON_CHECK jalon_status jalon_comparer_methods(const char* const** names, uint64_t* count);
 JALON_API jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer);
 JALON_API void jalon_comparer_release(jalon_comparer* comparer);
 /** The comparer's own parameter set: setting it changes the comparer. The caller releases it. */

@@ -48,6 +48,8 @@ typedef struct jalon_modeller jalon_modeller;
  * - Openings are numbered by row from below and place from the left ("window 2.3"), other parts from the left.
  */
 JALON_API JALON_CHECK jalon_status jalon_modeller_create(const char* method, jalon_modeller** out);
+/** The names of the methods, the default first. Static texts. */
+JALON_API JALON_CHECK jalon_status jalon_modeller_methods(const char* const** names, uint64_t* count);
 JALON_API jalon_modeller* jalon_modeller_retain(jalon_modeller* modeller);
 JALON_API void jalon_modeller_release(jalon_modeller* modeller);
 /** The modeller's own parameter set: setting it changes the modeller. The caller releases it. */

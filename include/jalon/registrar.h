@@ -74,6 +74,8 @@ typedef struct jalon_target {
  *   one, the result is that of "coarse"; else that of "icp" with the scores of "coarse" in the summary.
  */
 JALON_API JALON_CHECK jalon_status jalon_registrar_create(const char* method, jalon_registrar** out);
+/** The names of the methods, the default first. Static texts. */
+JALON_API JALON_CHECK jalon_status jalon_registrar_methods(const char* const** names, uint64_t* count);
 JALON_API jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar);
 JALON_API void jalon_registrar_release(jalon_registrar* registrar);
 /** The registrar's own parameter set: setting it changes the registrar. The caller releases it. */

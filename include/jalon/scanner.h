@@ -20,6 +20,8 @@ typedef struct jalon_scanner jalon_scanner;
  * their normals.
  */
 JALON_API JALON_CHECK jalon_status jalon_scanner_create(const char* method, jalon_scanner** out);
+/** The names of the methods, the default first. Static texts. */
+JALON_API JALON_CHECK jalon_status jalon_scanner_methods(const char* const** names, uint64_t* count);
 JALON_API jalon_scanner* jalon_scanner_retain(jalon_scanner* scanner);
 JALON_API void jalon_scanner_release(jalon_scanner* scanner);
 /**

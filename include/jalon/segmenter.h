@@ -43,6 +43,8 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   "ransac" and with fewer chance planes, but it needs surfaces a few points wide and stops at their gaps (then joined up to merge_gap_m).
  */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out);
+/** The names of the methods, the default first. Static texts. */
+JALON_API JALON_CHECK jalon_status jalon_segmenter_methods(const char* const** names, uint64_t* count);
 JALON_API jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter);
 JALON_API void jalon_segmenter_release(jalon_segmenter* segmenter);
 /** The segmenter's own parameter set: setting it changes the segmenter. The caller releases it. */

@@ -26,6 +26,10 @@ jalon_status jalon_comparer_create(const char* method, jalon_comparer** out) {
   return create_worker(compare_methods(), method, "comparison method", out);
 }
 
+jalon_status jalon_comparer_methods(const char* const** names, uint64_t* count) {
+  return guard([&] { give_names(compare_method_names(), names, count); });
+}
+
 jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer) { return retain(comparer); }
 void jalon_comparer_release(jalon_comparer* comparer) { release(comparer); }
 

@@ -14,6 +14,10 @@ jalon_status jalon_modeller_create(const char* method, jalon_modeller** out) {
   return create_worker(modelling_methods(), method, "modelling method", out);
 }
 
+jalon_status jalon_modeller_methods(const char* const** names, uint64_t* count) {
+  return guard([&] { give_names(modelling_method_names(), names, count); });
+}
+
 jalon_modeller* jalon_modeller_retain(jalon_modeller* modeller) { return retain(modeller); }
 void jalon_modeller_release(jalon_modeller* modeller) { release(modeller); }
 

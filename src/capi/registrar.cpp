@@ -64,6 +64,10 @@ jalon_status jalon_registrar_create(const char* method, jalon_registrar** out) {
   return create_worker(registration_methods(), method, "registration method", out);
 }
 
+jalon_status jalon_registrar_methods(const char* const** names, uint64_t* count) {
+  return guard([&] { give_names(registration_method_names(), names, count); });
+}
+
 jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar) { return retain(registrar); }
 void jalon_registrar_release(jalon_registrar* registrar) { release(registrar); }
 

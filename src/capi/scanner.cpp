@@ -3,6 +3,7 @@
 #include "jalon/scanner.h"
 
 #include "capi/support/guard.h"
+#include "capi/support/methods.h"
 #include "capi/support/model_handles.h"
 #include "capi/support/scan_handles.h"
 #include "scan/methods.h"
@@ -11,41 +12,19 @@
 using namespace jalon;
 using namespace jalon::capi;
 
-namespace {
-
-const ScannerMethod& find_method(const std::string& name) {
-  std::string names;
-  for (const ScannerMethod& method : scanner_methods()) {
-    if (name == method.name) return method;
-    names += (names.empty() ? "" : ", ") + std::string(method.name);
-  }
-  fail(Status::kNotFound, "no scanner \"%.100s\"; there are: %s", name.c_str(), names.c_str());
+jalon_status jalon_scanner_create(const char* method, jalon_scanner** out) {
+  return create_worker(scanner_methods(), method, "scanner", out);
 }
 
-}  // namespace
-
-jalon_status jalon_scanner_create(const char* method, jalon_scanner** out) {
-  return guard([&] {
-    require(out, "out");
-    auto handle = std::make_unique<jalon_scanner>();
-    handle->method = &find_method(method == nullptr ? "static" : require_text(method, "method"));
-    handle->values = std::make_shared<ParamSet>(handle->method->owner, handle->method->rows());
-    *out = handle.release();
-  });
+jalon_status jalon_scanner_methods(const char* const** names, uint64_t* count) {
+  return guard([&] { give_names(scanner_method_names(), names, count); });
 }
 
 jalon_scanner* jalon_scanner_retain(jalon_scanner* scanner) { return retain(scanner); }
 void jalon_scanner_release(jalon_scanner* scanner) { release(scanner); }
 
 jalon_status jalon_scanner_params(jalon_scanner* scanner, jalon_params** out) {
-  return guard([&] {
-    require(scanner, "scanner");
-    require(out, "out");
-    auto handle = std::make_unique<jalon_params>();
-    handle->operation = scanner->method->owner;
-    handle->values = scanner->values;
-    *out = handle.release();
-  });
+  return give_worker_params(scanner, "scanner", out);
 }
 
 jalon_status jalon_scanner_add_station(jalon_scanner* scanner, const char* name, const jalon_transform* pose) {

@@ -15,6 +15,10 @@ jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out) {
   return create_worker(segment_methods(), method, "segmentation method", out);
 }
 
+jalon_status jalon_segmenter_methods(const char* const** names, uint64_t* count) {
+  return guard([&] { give_names(segment_method_names(), names, count); });
+}
+
 jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter) { return retain(segmenter); }
 void jalon_segmenter_release(jalon_segmenter* segmenter) { release(segmenter); }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/methods.h"
 
+#include "base/names_of.h"
 #include "compare/distance/distance.h"
 #include "compare/distance/model_distance.h"
 #include "compare/m3c2/file.h"
@@ -37,25 +38,25 @@ Comparison run_preview(const CloudPtr& reference, const CloudPtr& compared, cons
   return compare_preview(reference, compared, settings_from<PreviewSettings>(params), task);
 }
 
+constexpr CompareMethod kMethods[] = {
+    {.name = "distance",
+     .owner = "comparer distance",
+     .rows = distance_rows,
+     .run = run_distance,
+     .run_model = run_model_distance},
+    {.name = "m3c2",
+     .owner = "comparer m3c2",
+     .rows = m3c2_rows,
+     .run = run_m3c2,
+     .run_core = run_m3c2_core,
+     .read_file = read_cloudcompare_m3c2,
+     .use_registration = use_registration_in_m3c2},
+    {.name = "preview", .owner = "comparer preview", .rows = preview_rows, .run = run_preview},
+};
+
 }  // namespace
 
-std::span<const CompareMethod> compare_methods() {
-  static constexpr CompareMethod kMethods[] = {
-      {.name = "distance",
-       .owner = "comparer distance",
-       .rows = distance_rows,
-       .run = run_distance,
-       .run_model = run_model_distance},
-      {.name = "m3c2",
-       .owner = "comparer m3c2",
-       .rows = m3c2_rows,
-       .run = run_m3c2,
-       .run_core = run_m3c2_core,
-       .read_file = read_cloudcompare_m3c2,
-       .use_registration = use_registration_in_m3c2},
-      {.name = "preview", .owner = "comparer preview", .rows = preview_rows, .run = run_preview},
-  };
-  return kMethods;
-}
+std::span<const CompareMethod> compare_methods() { return kMethods; }
+std::span<const char* const> compare_method_names() { return kNamesOf<kMethods>; }
 
 }  // namespace jalon

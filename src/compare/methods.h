@@ -35,5 +35,6 @@ struct CompareMethod {
 
 /// The default first.
 std::span<const CompareMethod> compare_methods();
+std::span<const char* const> compare_method_names();
 
 }  // namespace jalon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "modelling/methods.h"
 
+#include "base/names_of.h"
 #include "modelling/facade/facade.h"
 #include "modelling/outlines.h"
 
@@ -23,5 +24,6 @@ constexpr ModellingMethod kMethods[] = {
 }  // namespace
 
 std::span<const ModellingMethod> modelling_methods() { return kMethods; }
+std::span<const char* const> modelling_method_names() { return kNamesOf<kMethods>; }
 
 }  // namespace jalon

@@ -21,5 +21,6 @@ struct ModellingMethod {
 
 /// All of them, the default first.
 std::span<const ModellingMethod> modelling_methods();
+std::span<const char* const> modelling_method_names();
 
 }  // namespace jalon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/methods.h"
 
+#include "base/names_of.h"
 #include "registration/automatic.h"
 #include "registration/coarse/coarse.h"
 #include "registration/icp/icp.h"
@@ -34,5 +35,6 @@ constexpr RegistrationMethod kMethods[] = {
 }  // namespace
 
 std::span<const RegistrationMethod> registration_methods() { return kMethods; }
+std::span<const char* const> registration_method_names() { return kNamesOf<kMethods>; }
 
 }  // namespace jalon

@@ -27,5 +27,6 @@ struct RegistrationMethod {
 };
 /// All there are; the first is the default.
 std::span<const RegistrationMethod> registration_methods();
+std::span<const char* const> registration_method_names();
 
 }  // namespace jalon

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan/methods.h"
 
+#include "base/names_of.h"
+
 namespace jalon {
 
 namespace {
@@ -18,16 +20,16 @@ FieldTable truth_by(const Model& model, const Cloud* cloud, const ParamSet& para
   return true_planes(model, cloud, settings.surfaces.truth_min_area_m2, settings.offset_m, task);
 }
 
+constexpr ScannerMethod kMethods[] = {
+    {"static", "scanner static", static_scanner_rows, scan_by<StaticSettings, scan_static>,
+     truth_by<StaticSettings>},
+    {"sample", "scanner sample", sample_scanner_rows, scan_by<SampleSettings, scan_sample>,
+     truth_by<SampleSettings>},
+};
+
 }  // namespace
 
-std::span<const ScannerMethod> scanner_methods() {
-  static constexpr ScannerMethod kMethods[] = {
-      {"static", "scanner static", static_scanner_rows, scan_by<StaticSettings, scan_static>,
-       truth_by<StaticSettings>},
-      {"sample", "scanner sample", sample_scanner_rows, scan_by<SampleSettings, scan_sample>,
-       truth_by<SampleSettings>},
-  };
-  return kMethods;
-}
+std::span<const ScannerMethod> scanner_methods() { return kMethods; }
+std::span<const char* const> scanner_method_names() { return kNamesOf<kMethods>; }
 
 }  // namespace jalon

@@ -20,5 +20,6 @@ struct ScannerMethod {
   FieldTable (*truth)(const Model& model, const Cloud* cloud, const ParamSet& params, Task& task);
 };
 std::span<const ScannerMethod> scanner_methods();
+std::span<const char* const> scanner_method_names();
 
 }  // namespace jalon

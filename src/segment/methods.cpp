@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/methods.h"
 
+#include "base/names_of.h"
 #include "segment/growing_settings.h"
 #include "segment/ransac_settings.h"
 
@@ -23,5 +24,6 @@ constexpr SegmentMethod kMethods[] = {
 }  // namespace
 
 std::span<const SegmentMethod> segment_methods() { return kMethods; }
+std::span<const char* const> segment_method_names() { return kNamesOf<kMethods>; }
 
 }  // namespace jalon

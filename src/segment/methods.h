@@ -18,5 +18,6 @@ struct SegmentMethod {
 };
 /// All there are; the first is the default.
 std::span<const SegmentMethod> segment_methods();
+std::span<const char* const> segment_method_names();
 
 }  // namespace jalon

@@ -278,6 +278,8 @@ def after_success(function, slots):
             lines.append("SEE_HANDLE(%d, all, %s, %s_release);" % (i, kind, kind))
         elif p.type == "const char**":
             lines.append("see_text(%d, all);" % i)
+        elif p.type == "const char*const**":
+            lines.append("see_texts(%d, %d, all);" % (i, slots[ARRAYS[p.name]]))
         elif p.type == "jalon_array_view*":
             lines.append("see_view(%d, all);" % i)
     return lines

@@ -55,6 +55,19 @@ void see_text(int i, int needed) {
   else if (strlen(text) > 1000000) case_fail("a text has no end");
 }
 
+void see_texts(int i, int n, int needed) {
+  const char* const* texts;
+  uint64_t count;
+  if (!slot_written(i, sizeof texts) || !slot_written(n, sizeof count)) {
+    if (needed) case_fail("texts were not written");
+    return;
+  }
+  memcpy(&texts, slots[i], sizeof texts);
+  memcpy(&count, slots[n], sizeof count);
+  for (uint64_t k = 0; k < count; ++k)
+    if (texts[k] == NULL || strlen(texts[k]) > 1000000) case_fail("a text is NULL or has no end");
+}
+
 void see_view(int i, int needed) {
   jalon_array_view view;
   static volatile unsigned char sink;

@@ -80,6 +80,8 @@ int wild_report(void); /* prints the closing line; the exit code */
 
 /* Looks at an output after a success: it must have been written when needed, and be readable. */
 void see_text(int i, int needed);
+/* Texts in slot i, their number in slot n. */
+void see_texts(int i, int n, int needed);
 void see_view(int i, int needed);
 #define SEE_HANDLE(i, needed, type, release)              \
   do {                                                    \

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using System.Text;
 
@@ -20,13 +21,24 @@ internal static class Text {
     }
   }
 
+  /// <summary>Texts that are not empty, each with a zero behind it and one more behind the last.</summary>
+  internal static string[] ListOf(IntPtr block) {
+    var texts = new List<string>();
+    for (int size; (size = SizeOf(block)) > 0; block = IntPtr.Add(block, size + 1)) texts.Add(Of(block));
+    return texts.ToArray();
+  }
+
   internal static string Of(IntPtr text) {
     if (text == IntPtr.Zero) return null;
+    var bytes = new byte[SizeOf(text)];
+    Marshal.Copy(text, bytes, 0, bytes.Length);
+    return Encoding.UTF8.GetString(bytes);
+  }
+
+  private static int SizeOf(IntPtr text) {
     int size = 0;
     while (Marshal.ReadByte(text, size) != 0) ++size;
-    var bytes = new byte[size];
-    Marshal.Copy(text, bytes, 0, size);
-    return Encoding.UTF8.GetString(bytes);
+    return size;
   }
 }
 

@@ -40,6 +40,14 @@ jalon_status create_worker(std::span<const Method> methods, const char* name, co
   });
 }
 
+/// jalon_..._methods: the static names that the table has (kNamesOf).
+inline void give_names(std::span<const char* const> from, const char* const** names, uint64_t* count) {
+  require(names, "names");
+  require(count, "count");
+  *names = from.data();
+  *count = from.size();
+}
+
 /// jalon_..._params: a handle that shares the worker's values.
 template <class Worker>
 jalon_status give_worker_params(Worker* worker, const char* name, jalon_params** out) {

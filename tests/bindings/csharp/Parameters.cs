@@ -23,6 +23,40 @@ static class Parameters {
     Check.Throws<InvalidArgumentException>(() => segmenter.DistanceToleranceM = -1);
   }
 
+  public static void Methods__are_those_that_can_be_made_the_default_first() {
+    IsListed(Segmenter.Methods(), name => new Segmenter(name));
+    IsListed(Modeller.Methods(), name => new Modeller(name));
+    IsListed(Comparer.Methods(), name => new Comparer(name));
+    IsListed(Registrar.Methods(), name => new Registrar(name));
+    IsListed(Scanner.Methods(), name => new Scanner(name));
+    Check.That(Segmenter.Methods().Contains("region_growing"), "region growing is a method");
+  }
+
+  static void IsListed(string[] names, Func<string, Worker> made) {
+    Check.That(names.Length >= 2, names.Length + " names");
+    foreach (string name in names) made(name).Dispose();
+    using (Worker byDefault = made(null), first = made(names[0]))
+      Check.Equal(byDefault.Parameters.ToJson(), first.Parameters.ToJson(), "the default's parameters");
+    string message = Check.Throws<NotFoundException>(() => made("no such method")).Message;
+    Check.That(message.Contains(string.Join(", ", names)), message);
+  }
+
+  public static void Every_listed_method__works_on_a_cloud() {
+    using (var cloud = new Cloud(Scenes.Plane(60))) {
+      foreach (string name in Segmenter.Methods()) {
+        using (var segmenter = new Segmenter(name))
+        using (Segmentation segmentation = segmenter.Run(cloud))
+        using (Fields segments = segmentation.GetSegments())
+          Check.That(segments.View("area").Count >= 1, name + " finds the plane");
+      }
+      foreach (string name in Comparer.Methods()) {
+        using (var comparer = new Comparer(name))
+        using (Comparison comparison = comparer.Run(cloud, cloud))
+        using (Fields points = comparison.GetPoints()) Check.That(points.View("distance").Count > 0, name);
+      }
+    }
+  }
+
   public static void Parameter_of_another_method__is_not_found() {
     using (var growing = new Segmenter("region_growing")) {
       Check.Throws<NotFoundException>(() => growing.ToleranceFrom = "hand");

@@ -3,6 +3,7 @@
 package org.jalon;
 
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 
 /** Texts as they cross to native code: UTF-8 that ends with 0. */
 final class Text {
@@ -17,6 +18,11 @@ final class Text {
 
   static String of(byte[] bytes) {
     return bytes == null ? null : new String(bytes, StandardCharsets.UTF_8);
+  }
+
+  /** Texts that are not empty, each with a zero behind it. */
+  static List<String> listOf(byte[] block) {
+    return block.length == 0 ? List.of() : List.of(of(block).split("\0"));
   }
 
   /** Called by the native code, as log is. */

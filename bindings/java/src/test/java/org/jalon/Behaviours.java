@@ -20,6 +20,7 @@ final class Behaviours {
     Errors.addTo(all);
     Tasks.addTo(all);
     Lifetimes.addTo(all);
+    Methods.addTo(all);
     return all;
   }
 
