@@ -6,6 +6,7 @@
 
 #include "cli/inputs/compare_inputs.h"
 #include "cli/compare_listing.h"
+#include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
 #include "cli/inputs/registration_file.h"
@@ -17,7 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kMethods[] = {"distance", "m3c2", "preview"};
 struct Compare {
   Common common;
   Settings settings, change_settings, sample_settings;
@@ -243,15 +243,9 @@ struct Compare {
 };
 
 std::string tables() {
-  std::string text;
-  for (const char* method : kMethods) {
-    Comparer comparer;
-    must(jalon_comparer_create(method, Out(comparer)));
-    Params params;
-    must(jalon_comparer_params(comparer.get(), Out(params)));
-    text += std::string("Parameters of --set with --method ") + method + ":\n" + describe(params.get()) + "\n";
-  }
-  return text + "Parameters of --change-set:\n" + describe(make_params("diagnosis").get()) +
+  return method_tables<Comparer>("Parameters of --set with --method ", jalon_comparer_methods, jalon_comparer_create,
+                                 jalon_comparer_params) +
+         "Parameters of --change-set:\n" + describe(make_params("diagnosis").get()) +
          "\nParameters of --sample-set, for a model on the compared side or two models:\n" +
          describe(make_params("model_sample").get()) + "\n";
 }

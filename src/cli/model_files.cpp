@@ -7,14 +7,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/methods.h"
+
 namespace jalon::cli {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSegmenters[] = {"ransac", "region_growing"};
-constexpr const char* kModellers[] = {"facade", "extrusion", "outlines"};
 // PLY is left out: it holds triangles alone, and STL does that already.
 constexpr const char* kExtensions[] = {"obj", "dxf", "city.json", "geojson", "stl"};
 
@@ -69,18 +69,6 @@ Json told(jalon_params* params) {
   return out;
 }
 
-template <class Create>
-std::string tables(const char* kind, const std::string& option, const char* const* names, size_t count,
-                   const Create& create) {
-  std::string text;
-  for (size_t i = 0; i < count; ++i) {
-    Params params;
-    if (create(names[i], params)) text += std::string("Parameters of ") + option + " with " + kind + " " + names[i] +
-                                          ":\n" + describe(params.get()) + "\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 Segmenter make_segmenter(const std::string& method, Params& params) {
@@ -98,21 +86,13 @@ Modeller make_modeller(const std::string& method, Params& params) {
 }
 
 std::string segmenter_tables(const std::string& option) {
-  return tables("planes by", option, kSegmenters, std::size(kSegmenters), [](const char* name, Params& params) {
-    Segmenter made;
-    if (jalon_segmenter_create(name, Out(made)) != JALON_OK) return false;
-    must(jalon_segmenter_params(made.get(), Out(params)));
-    return true;
-  });
+  return method_tables<Segmenter>("Parameters of " + option + " with planes by ", jalon_segmenter_methods,
+                                  jalon_segmenter_create, jalon_segmenter_params);
 }
 
 std::string modeller_tables(const std::string& option) {
-  return tables("the model by", option, kModellers, std::size(kModellers), [](const char* name, Params& params) {
-    Modeller made;
-    if (jalon_modeller_create(name, Out(made)) != JALON_OK) return false;
-    must(jalon_modeller_params(made.get(), Out(params)));
-    return true;
-  });
+  return method_tables<Modeller>("Parameters of " + option + " with the model by ", jalon_modeller_methods,
+                                 jalon_modeller_create, jalon_modeller_params);
 }
 
 void ModelFiles::add_to(Command& command) {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
 #include "cli/inputs/pose_file.h"
@@ -17,7 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kMethods[] = {"automatic", "icp", "coarse", "targets"};
 constexpr const char* kStopped[] = {"", "converged", "iteration limit", "too few pairs", "ambiguous", "nothing found"};
 
 struct Register {
@@ -162,15 +162,8 @@ struct Register {
 };
 
 std::string tables() {
-  std::string text;
-  for (const char* method : kMethods) {
-    Registrar registrar;
-    must(jalon_registrar_create(method, Out(registrar)));
-    Params params;
-    must(jalon_registrar_params(registrar.get(), Out(params)));
-    text += std::string("Parameters of --set with --method ") + method + ":\n" + describe(params.get()) + "\n";
-  }
-  return text;
+  return method_tables<Registrar>("Parameters of --set with --method ", jalon_registrar_methods, jalon_registrar_create,
+                                  jalon_registrar_params);
 }
 
 }  // namespace

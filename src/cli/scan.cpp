@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "cli/methods.h"
 #include "cli/options.h"
 
 namespace jalon::cli {
@@ -57,12 +58,9 @@ struct Scan {
   }
 };
 
-std::string scanner_table(const char* method) {
-  Scanner scanner;
-  must(jalon_scanner_create(method, Out(scanner)));
-  Params params;
-  must(jalon_scanner_params(scanner.get(), Out(params)));
-  return describe(params.get());
+std::string scanner_tables() {
+  return method_tables<Scanner>("Parameters of --set with --method ", jalon_scanner_methods, jalon_scanner_create,
+                                jalon_scanner_params);
 }
 
 }  // namespace
@@ -85,10 +83,8 @@ void add_scan(Command& app) {
   state->scene_settings.add_to(command, "scene-");
   add_common(command, state->common);
   command.footer([] {
-    return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) +
-           "\nParameters of --set with --method static:\n" + scanner_table("static") +
-           "\nParameters of --set with --method sample:\n" + scanner_table("sample") +
-           "\nExamples: jalon scan --scene facade -o sample.las\n"
+    return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) + "\n" + scanner_tables() +
+           "Examples: jalon scan --scene facade -o sample.las\n"
            "          jalon scan --scene insa --set instrument=gx --set max_points=200000 --set glass_return_min=0.05 "
            "--set glass_return_max=0.3 -o insa.las\n"
            "          jalon scan --scene patches --method sample --set points=60000 -o patches.las";

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
 #include "cli/table.h"
@@ -13,8 +14,6 @@ namespace jalon::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kMethods[] = {"ransac", "region_growing"};
 
 struct Segment {
   Common common;
@@ -107,18 +106,9 @@ struct Segment {
   }
 };
 
-// The parameters of every method that this library has.
 std::string tables() {
-  std::string text;
-  for (const char* method : kMethods) {
-    jalon_segmenter* raw = nullptr;
-    if (jalon_segmenter_create(method, &raw) != JALON_OK) continue;
-    const Segmenter segmenter(raw);
-    Params params;
-    must(jalon_segmenter_params(segmenter.get(), Out(params)));
-    text += std::string("Parameters of --set with --method ") + method + ":\n" + describe(params.get()) + "\n";
-  }
-  return text;
+  return method_tables<Segmenter>("Parameters of --set with --method ", jalon_segmenter_methods, jalon_segmenter_create,
+                                  jalon_segmenter_params);
 }
 
 }  // namespace
@@ -129,8 +119,7 @@ void add_segment(Command& app) {
   auto state = std::make_shared<Segment>();
   state->input.add_to(command);
   command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
-  command.option("--method", state->method,
-                      "How segments are found: ransac, ...; the parameters below tell which there are")
+  command.option("--method", state->method, "How segments are found; the parameters below tell which there are")
       .shows_default()
       .type_name("NAME");
   command.option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the method's")

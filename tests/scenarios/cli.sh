@@ -38,6 +38,11 @@ check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jal
 
 check "scan makes a sample" "$jalon" scan --scene facade -o sample.las --set horizontal_step_rad=0.003 --set vertical_step_rad=0.003
 check "scan samples a scene and tells its true planes" bash -c "'$jalon' scan --scene sills --method sample --set points=6060 -o sills.ply --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"points\"]==6060 and d[\"true_planes\"]==3, d'"
+check "--help has the parameters of every method" bash -c "
+for pair in segment:ransac segment:region_growing compare:distance compare:m3c2 compare:preview register:icp register:targets \
+            register:coarse register:automatic model:outlines model:facade model:extrusion model:region_growing scan:static; do
+  '$jalon' \${pair%:*} --help | grep -q \"^Parameters of .* \${pair#*:}:\" || { echo \$pair; exit 1; }
+done"
 check "scan --help lists scenes and both methods" bash -c "'$jalon' scan --help | grep -q 'insa_surveyed' && '$jalon' scan --help | grep -q 'method sample'"
 check "--quiet is silent" bash -c "[ -z \"\$('$jalon' scan --scene facade -o quiet.las --quiet --set horizontal_step_rad=0.005 --set vertical_step_rad=0.005 2>&1)\" ]"
 check "info tells points and box" bash -c "'$jalon' info sample.las | grep -q '^points' && '$jalon' info sample.las | grep -q '^max'"
