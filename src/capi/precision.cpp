@@ -114,8 +114,7 @@ jalon_status jalon_segmentation_plane_covariances(const jalon_segmentation* segm
     require(out, "out");
     const auto chosen = settings_from<ScannerPrecision>(options_or_default(options, "precision"));
     *out = with_task(task, [&](Task& t) {
-             const auto planes =
-                 propagate_planes(*segmentation->segmentation, scanner_precision(chosen), t);
+             const auto planes = propagate_planes(*segmentation->segmentation, chosen, t);
              return own(new_fields(propagated_plane_table(planes)));
            }).release();
   });

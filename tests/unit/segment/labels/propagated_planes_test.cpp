@@ -67,7 +67,7 @@ TEST_CASE("propagated_planes__covariance_covers_the_true_plane") {
   for (int k = 0; k < draws; ++k) {
     Task task;
     const Segmentation wall = scanned_wall(static_cast<uint64_t>(k), shift);
-    const auto planes = propagate_planes(wall, scanner_precision(precision()), task);
+    const auto planes = propagate_planes(wall, precision(), task);
     REQUIRE(planes.size() == 1);
     const PropagatedPlane& p = planes[0];
     factor += p.variance_factor / draws;
@@ -95,7 +95,7 @@ TEST_CASE("propagated_planes__leave_other_segments_unknown") {
   Segmentation s = scanned_wall(1, {});
   s.segments[0].type = PrimitiveType::kSphere;
   Task task;
-  const auto planes = propagate_planes(s, scanner_precision(precision()), task);
+  const auto planes = propagate_planes(s, precision(), task);
   CHECK(planes[0].label == 1);
   CHECK(std::isnan(planes[0].plane.offset));
   CHECK(std::isnan(planes[0].covariance[3]));
