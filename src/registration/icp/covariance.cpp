@@ -35,23 +35,23 @@ struct Scatter {
   }
 };
 
-double sigma0_of(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner, const PairRule& rule,
-                 double sigma_m, Task& task) {
-  const auto both = [&](const Buffer<uint32_t>& near, bool from_moving) {
+double sigma0_of(const IcpPairing& at, double sigma_m, Task& task) {
+  const auto both = [&](const Buffer<uint32_t>& near, PairWay way) {
     return parallel_reduce(task, near.size(), kGrain, Scatter{}, [&](size_t begin, size_t end) {
       Scatter part;
       IcpPair pair;
       for (size_t i = begin; i < end; ++i) {
-        const auto here = static_cast<uint32_t>(i);
         if (near[i] == kNoPoint) continue;
-        if (pair_of(clouds, inner, from_moving ? here : near[i], from_moving ? near[i] : here, from_moving, rule, pair))
+        uint32_t m = static_cast<uint32_t>(i), r = near[i];
+        if (way == PairWay::kBack) std::swap(m, r);
+        if (pair_of(at, m, r, way, pair))
           part.add(pair.residual_m, pair.variance_m2, kCut * sigma_m);
       }
       return part;
     });
   };
-  Scatter sum = both(neighbours.of_moving, true);
-  sum += both(neighbours.of_reference, false);
+  Scatter sum = both(at.neighbours.of_moving, PairWay::kForth);
+  sum += both(at.neighbours.of_reference, PairWay::kBack);
   return sum.foretold > 0 ? std::sqrt(sum.squares / sum.foretold / kCutVariance) : 1;
 }
 
@@ -77,43 +77,50 @@ void set_directions(const Square<6>& scaled, const IcpDirections& found, IcpCova
 }
 
 // What the noise of the points puts into the right-hand side of pairs.
-Square<6> pair_scatter(const IcpClouds& clouds, const IcpState& state, const PairRule& rule, const IcpSums& sums,
-                       uint32_t k, Task& task) {
-  if (rule.metric != IcpMetric::kPointToPlane)
-    return icp_scores(clouds, state.neighbours, state.inner, rule, state.frame());
-  Square<6> out = icp_influence(clouds, state.neighbours, state.inner, rule, state.frame(), k, task);
+Square<6> pair_scatter(const IcpPairing& at, const IcpFrame& frame, const RobustKernel& kernel,
+                       const IcpSums& sums, uint32_t k, Task& task) {
+  if (at.rule.metric != IcpMetric::kPointToPlane) return icp_scores(at, frame);
+  Square<6> out = icp_influence(at, frame, k, task);
   // What robust weights cost is noise of each pair alone: 5 % of what it would be by itself, while points that stand in
   // many pairs are most of the sum.
   const double variance_m2 = sums.squares / std::max(sums.weights, 1.0);
-  if (state.kernel.kind != KernelKind::kNone)
-    for (size_t i = 0; i < 36; ++i) out[i] += (1 / RobustKernel::kEfficiency - 1) * variance_m2 * sums.normal[i];
+  if (kernel.kind != KernelKind::kNone)
+    for (size_t i = 0; i < 36; ++i)
+      out[i] += (1 / RobustKernel::kEfficiency - 1) * variance_m2 * sums.normal[i];
   return out;
 }
 
 }  // namespace
 
-IcpCovariance icp_covariance(const IcpClouds& clouds, const IcpState& state, uint32_t k, Task& task) {
+IcpCovariance icp_covariance(const IcpProblem& problem, const IcpState& state, Task& task) {
   IcpCovariance out;
-  const RobustKernel& kernel = state.kernel;
-  const IcpFrame frame = state.frame();
-  PairRule heard = state.rule;
+  const RobustKernel& kernel = state.last.kernel;
+  const IcpFrame frame = problem.frame(state.T_reference_moving);
+  // 1. The pairs with a say, each with the weight 1; pair_scatter adds what robust weights cost.
+  PairRule heard = state.last.rule;
   if (kernel.kind == KernelKind::kTukey)
     heard.most_m = std::min(heard.most_m, RobustKernel::kTukeyCut * kernel.sigma_m);
-  const IcpSums sums = icp_sums(clouds, {}, {}, state.neighbours, state.inner, heard,
-                                {KernelKind::kNone, kernel.sigma_m}, frame, task);
+  const IcpLevel all;
+  const IcpPairing at{problem.clouds, all, state.last.neighbours, heard, state.T_reference_moving};
+  const IcpSums sums = icp_sums(at, {KernelKind::kNone, kernel.sigma_m}, frame, task);
   const IcpDirections directions = icp_directions(sums);
   const bool by_planes = heard.metric == IcpMetric::kPointToPlane;  // else the sigma of each pair is in the scores
-  if (by_planes) out.sigma0 = sigma0_of(clouds, state.neighbours, state.inner, heard, kernel.sigma_m, task);
+  if (by_planes) out.sigma0 = sigma0_of(at, kernel.sigma_m, task);
   out.redundancy = static_cast<double>(sums.pairs) - 6;
+  // 2. The covariance in lengths: of patches, or N^-1 scatter N^-1 of pairs.
   Square<6> scaled;
   if (state.patches.patches > 0) {
     scaled = patch_covariance(state.patches, directions);
   } else {
-    scaled = sandwich<6>(inverse_of(directions), pair_scatter(clouds, state, heard, sums, k, task));
+    const Square<6> scatter =
+        pair_scatter(at, frame, kernel, sums, problem.settings.k, task);
+    scaled = sandwich<6>(inverse_of(directions), scatter);
     for (double& c : scaled) c *= out.sigma0 * out.sigma0;
   }
+  // 3. Its directions, and turns as angles again.
   set_directions(scaled, directions, out);
-  const bool open = !std::all_of(directions.observable.begin(), directions.observable.end(), [](bool b) { return b; });
+  const auto& observable = directions.observable;
+  const bool open = !std::all_of(observable.begin(), observable.end(), [](bool b) { return b; });
   const auto length = [&](size_t i) { return i < 3 ? frame.extent_m : 1; };
   for (size_t r = 0; r < 6; ++r)
     for (size_t c = 0; c < 6; ++c)

@@ -27,9 +27,9 @@ struct Around {
   Vec3 at(size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-Around around(const Octree& tree, size_t position, const uint32_t* neighbours, size_t count) {
+Around around(const Octree& tree, size_t position, std::span<const uint32_t> neighbours) {
   Around out;
-  out.count = std::min(count, kMost);
+  out.count = std::min(neighbours.size(), kMost);
   const int32_t *x = tree.grid_x(), *y = tree.grid_y(), *z = tree.grid_z();
   for (size_t i = 0; i < out.count; ++i) {
     out.x[i] = static_cast<float>(x[neighbours[i]] - x[position]);
@@ -56,8 +56,9 @@ float score_of(const Around& points, const Vec3& normal, float limit) {
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-// Step 1: the normal; false where the nearest points lie on a line.
-bool best_normal(const Around& points, double noise, Vec3& normal) {
+// Step 1: the normal; none where the nearest points lie on a line.
+std::optional<Vec3> best_normal(const Around& points, double noise) {
+  std::optional<Vec3> normal;
   const auto limit = static_cast<float>(kWide * noise);
   const size_t used = std::min(points.count, kHypotheses + 1);
   float best = 0;
@@ -73,7 +74,7 @@ bool best_normal(const Around& points, double noise, Vec3& normal) {
       best = score;
       normal = unit;
     }
-  return best > 0;
+  return normal;
 }
 
 // Step 2: sums of the points within the limit of a plane.
@@ -99,22 +100,23 @@ PlanePoints sums_within(const Around& points, const Vec3& normal, double offset,
 
 }  // namespace
 
-bool points_of_face(const Octree& tree, size_t position, const uint32_t* neighbours, size_t count, double noise,
-                    PlanePoints& out) {
-  const Around points = around(tree, position, neighbours, count);
-  Vec3 normal;
-  if (!best_normal(points, noise, normal)) return false;
-  out = sums_within(points, normal, 0, kWide * noise);
+std::optional<PlanePoints> points_of_face(const Octree& tree, size_t position,
+                                          std::span<const uint32_t> neighbours, double noise) {
+  const Around points = around(tree, position, neighbours);
+  const std::optional<Vec3> normal = best_normal(points, noise);
+  if (!normal) return std::nullopt;
+  PlanePoints out = sums_within(points, *normal, 0, kWide * noise);
   constexpr int kRefits = 2;
   for (int refit = 0; refit < kRefits; ++refit) {
-    if (out.count < kLeastPoints) return false;
+    if (out.count < kLeastPoints) return std::nullopt;
     const Eigen3 e = symmetric_eigen(out.scatter);
-    if (!(e.values[1] > kLeastAspect * e.values[2])) return false;
+    if (!(e.values[1] > kLeastAspect * e.values[2])) return std::nullopt;
     const double offset = dot(e.vectors[0], out.offset);
-    if (std::abs(offset) > kFaceNoises * noise) return false;  // the point is not on it
+    if (std::abs(offset) > kFaceNoises * noise) return std::nullopt;  // the point is not on it
     out = sums_within(points, e.vectors[0], offset, kFaceNoises * noise);
   }
-  return out.count >= kLeastPoints;
+  if (out.count < kLeastPoints) return std::nullopt;
+  return out;
 }
 
 }  // namespace jalon

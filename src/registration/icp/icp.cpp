@@ -29,92 +29,115 @@ int level_of(const Octree& tree, size_t most, Task& task) {
   return level;
 }
 
-IcpPoints points_of(const SurfacePlanes& planes, size_t most, Task& task) {
-  const int level = level_of(*planes.tree, most, task);
-  return {flattest_points(planes, level, task), std::ldexp(planes.tree->cube().edge, -level)};
+LevelPoints points_of(const SurfacePlanes& surface, size_t most, Task& task) {
+  const int level = level_of(*surface.tree, most, task);
+  return {flattest_points(surface, level, task), std::ldexp(surface.tree->cube().edge, -level)};
 }
 
-void set_frame(const IcpClouds& clouds, const IcpPoints& moving, IcpState& state) {
+IcpLevel level_of_cells(const IcpClouds& clouds, size_t most, int number, Task& task) {
+  LevelPoints reference = points_of(clouds.reference, most, task);
+  LevelPoints moving = points_of(clouds.moving, most, task);
+  return {std::move(reference), std::move(moving), number, false};
+}
+
+// What turns are about, and what makes them lengths, from few points.
+void set_frame(const LevelPoints& points, IcpProblem& problem) {
+  const SurfacePlanes& moving = problem.clouds.moving;
   Vec3 sum;
-  const size_t n = moving.count(clouds.moving);
-  for (size_t i = 0; i < n; ++i) sum += clouds.moving.place(moving.position(i));
-  state.centre = sum / static_cast<double>(n);
+  const size_t n = points.count(moving);
+  for (size_t i = 0; i < n; ++i) sum += moving.place(points.position(i));
+  problem.centre = sum / static_cast<double>(n);
   double squares = 0;
-  for (size_t i = 0; i < n; ++i) squares += squared_norm(clouds.moving.place(moving.position(i)) - state.centre);
-  state.extent_m = std::max(std::sqrt(squares / static_cast<double>(n)), 1e-6);
+  for (size_t i = 0; i < n; ++i)
+    squares += squared_norm(moving.place(points.position(i)) - problem.centre);
+  problem.extent_m = std::max(std::sqrt(squares / static_cast<double>(n)), 1e-6);
 }
 
-double first_distance(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving,
-                      const Transform& inner, Task& task) {
-  const IcpSearch search(clouds, reference, moving, 0, task);
-  const IcpNeighbours near = search.find(inner, INFINITY, task);
+double first_distance(const IcpClouds& clouds, const IcpLevel& level,
+                      const Transform& T_reference_moving, Task& task) {
+  const IcpSearch search(clouds, level, 0, task);
+  const Buffer<uint32_t> near = search.find(T_reference_moving, INFINITY, task).of_moving;
   std::vector<double> distances{0};
-  for (size_t i = 0; i < near.of_moving.size(); ++i)
-    if (near.of_moving[i] != kNoPoint)
-    distances.push_back(norm(inner.point(clouds.moving.place(moving.position(i))) -
-                             clouds.reference.place(near.of_moving[i])));
+  for (size_t i = 0; i < near.size(); ++i) {
+    if (near[i] == kNoPoint) continue;
+    const Vec3 place = T_reference_moving.point(clouds.moving.place(level.moving.position(i)));
+    distances.push_back(norm(place - clouds.reference.place(near[i])));
+  }
   const auto middle = distances.begin() + static_cast<ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   // Clouds that lie on each other already, to the last bit perhaps, must still find each other.
   return std::max({kMisfits * *middle, clouds.reference.radius_m, clouds.moving.radius_m});
 }
 
+// Step 1: from the raw clouds to surfaces.
+IcpProblem problem_of(const CloudPtr& reference, const CloudPtr& moving,
+                      const IcpSettings& settings, double cell_m, Task& task) {
+  IcpProblem out;
+  out.settings = settings;
+  out.thinned_reference = thinned(reference, cell_m, task);
+  out.thinned_moving = thinned(moving, cell_m, task);
+  const Cloud &few_reference = *out.thinned_reference.cloud,
+              &few_moving = *out.thinned_moving.cloud;
+  if (few_reference.size() < kLeastPoints || few_moving.size() < kLeastPoints)
+    fail(Status::kInsufficientData,
+         "thinned to its cells the clouds have %zu and %zu points; they need %zu",
+         few_reference.size(), few_moving.size(), kLeastPoints);
+  out.clouds.reference = surface_planes(few_reference.octree(task), settings.k, task);
+  out.clouds.moving = surface_planes(few_moving.octree(task), settings.k, task);
+  return out;
+}
+
 // Step 2, on the way to all points on a tenth of many: their steps cost little and leave the last ones little to do.
-void iterate(const IcpClouds& clouds, const IcpSettings& settings, Task& task, IcpState& state) {
-  const IcpPoints few_reference = points_of(clouds.reference, kFewest, task),
-                  few_moving = points_of(clouds.moving, kFewest, task);
-  set_frame(clouds, few_moving, state);
+void iterate(IcpProblem& problem, IcpState& state, Task& task) {
+  const IcpSettings& settings = problem.settings;
+  const IcpClouds& clouds = problem.clouds;
+  const IcpLevel few = level_of_cells(clouds, kFewest, 0, task);
+  set_frame(few.moving, problem);
   state.distance_m = settings.max_distance_m > 0
                          ? settings.max_distance_m
-                         : first_distance(clouds, few_reference, few_moving, state.inner, task);
-  int level = 0;
+                         : first_distance(clouds, few, state.T_reference_moving, task);
+  IcpLevel all;
   if (settings.coarse_to_fine) {
-    if (!icp_iterate(clouds, few_reference, few_moving, level++, false, settings, task, state)) return;
+    if (!icp_iterate(problem, few, state, task)) return;
+    ++all.number;
     if (std::min(clouds.reference.size(), clouds.moving.size()) >= kMany) {
-      const IcpPoints more_reference = points_of(clouds.reference, kMore, task),
-                      more_moving = points_of(clouds.moving, kMore, task);
-      if (!icp_iterate(clouds, more_reference, more_moving, level++, false, settings, task, state)) return;
+      const IcpLevel more = level_of_cells(clouds, kMore, all.number++, task);
+      if (!icp_iterate(problem, more, state, task)) return;
     }
   }
-  icp_iterate(clouds, {}, {}, level, true, settings, task, state);
+  icp_iterate(problem, all, state, task);
 }
 
 }  // namespace
 
 std::span<const ParamRow> icp_rows() { return kIcpRows; }
 
-Registration register_icp(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
-                          const IcpSettings& settings, Task& task) {
+Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
+                          const Transform& T_start, const IcpSettings& settings, Task& task) {
   double cell_m = 0;
   if (reference->size() < kLeastPoints || moving->size() < kLeastPoints)
     fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud", reference->size(),
          moving->size(), kLeastPoints);
-  if (!is_finite(start.translation())) fail(Status::kInvalidArgument, "the start has a shift that is not finite");
-  IcpClouds clouds;
-  IcpSource of_reference, of_moving;
+  if (!is_finite(T_start.translation()))
+    fail(Status::kInvalidArgument, "the start has a shift that is not finite");
+  IcpProblem problem;
   {
     Span span(task, 0, 0.5, "local planes");
     cell_m = thinning_cell_m(*reference, *moving, settings, task);
-    of_reference = thinned_source(reference, cell_m, task);
-    of_moving = thinned_source(moving, cell_m, task);
-    if (of_reference.cloud->size() < kLeastPoints || of_moving.cloud->size() < kLeastPoints)
-      fail(Status::kInsufficientData, "thinned to its cells the clouds have %zu and %zu points; they need %zu",
-           of_reference.cloud->size(), of_moving.cloud->size(), kLeastPoints);
-    clouds.reference = surface_planes(of_reference.cloud->octree(task), settings.k, task);
-    clouds.moving = surface_planes(of_moving.cloud->octree(task), settings.k, task);
+    problem = problem_of(reference, moving, settings, cell_m, task);
   }
   IcpState state;
-  state.inner = clouds.inner(start);
+  state.T_reference_moving = problem.clouds.to_local(T_start);
   {
     Span span(task, 0.5, 0.85, "iterations");
-    iterate(clouds, settings, task, state);
+    iterate(problem, state, task);
   }
   {
     Span span(task, 0.85, 0.95, "patches of both clouds");
-    icp_settle(clouds, settings, task, state);
+    icp_settle(problem, state, task);
   }
   Span span(task, 0.95, 1, "covariance");
-  Registration out = icp_result(clouds, of_reference, of_moving, settings, state, task);
+  Registration out = icp_result(problem, state, task);
   add_value<double>(out.summary, "thinning_cell", "m", "edge of the cubes thinned to a point; 0: none", cell_m);
   return out;
 }

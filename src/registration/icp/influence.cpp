@@ -143,36 +143,42 @@ Coefficients<6> coefficients_of(const IcpPair& pair, const IcpFrame& frame) {
 
 }  // namespace
 
-Square<6> icp_influence(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner,
-                        const PairRule& rule, const IcpFrame& frame, uint32_t k, Task& task) {
-  const bool exact = std::max(clouds.reference.size(), clouds.moving.size()) <= kExact;
-  CloudInfluence reference(clouds.reference, exact), moving(clouds.moving, exact);
-  const Transform back = inverse(inner);
-  const Progress forth{task, 0}, back_again{task, 0.25};
+Square<6> icp_influence(const IcpPairing& at, const IcpFrame& frame, uint32_t k, Task& task) {
+  const SurfacePlanes &of_reference = at.clouds.reference, &of_moving = at.clouds.moving;
+  const bool exact = std::max(of_reference.size(), of_moving.size()) <= kExact;
+  CloudInfluence reference(of_reference, exact), moving(of_moving, exact);
+  const Transform T_moving_reference = inverse(at.T_reference_moving);
+  const Progress forth{task, 0}, back{task, 0.25};
+  const auto faces = [](const Vec3& n, const Vec3& own) { return dot(n, own) < 0 ? -1.0 : 1.0; };
   IcpPair pair;
-  for (size_t i = 0; i < neighbours.of_moving.size(); ++i) {
-    const uint32_t m = static_cast<uint32_t>(i), r = neighbours.of_moving[i];
-    if (i % kBetweenReports == 0) forth(i, neighbours.of_moving.size());
+  // 1. Raw moving points on planes of the reference: the residual grows with the point along its
+  // own normal, and falls with the plane.
+  const Buffer<uint32_t>& partners = at.neighbours.of_moving;
+  for (size_t i = 0; i < partners.size(); ++i) {
+    const uint32_t m = static_cast<uint32_t>(i), r = partners[i];
+    if (i % kBetweenReports == 0) forth(i, partners.size());
     if (r == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
-    if (!pair_of(clouds, inner, m, r, true, rule, pair)) continue;
+    if (!pair_of(at, m, r, PairWay::kForth, pair)) continue;
     const Coefficients<6> j = coefficients_of(pair, frame);
-    const double sign = dot(pair.normal, inner.direction(clouds.moving.planes[m].unit())) < 0 ? -1 : 1;
-    moving.add_point(m, j, sign);
-    reference.add_plane(r, j, -1, pair.place - clouds.reference.place(r));
+    const Vec3 own = at.T_reference_moving.direction(of_moving.planes[m].unit());
+    moving.add_point(m, j, faces(pair.normal, own));
+    reference.add_plane(r, j, -1, pair.place - of_reference.place(r));
   }
-  for (size_t i = 0; i < neighbours.of_reference.size(); ++i) {
-    const uint32_t r = static_cast<uint32_t>(i), m = neighbours.of_reference[i];
-    if (i % kBetweenReports == 0) back_again(i, neighbours.of_reference.size());
+  // 2. Raw reference points under planes of the moving cloud: the other way round.
+  const Buffer<uint32_t>& partners_back = at.neighbours.of_reference;
+  for (size_t i = 0; i < partners_back.size(); ++i) {
+    const uint32_t r = static_cast<uint32_t>(i), m = partners_back[i];
+    if (i % kBetweenReports == 0) back(i, partners_back.size());
     if (m == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
-    if (!pair_of(clouds, inner, m, r, false, rule, pair)) continue;
+    if (!pair_of(at, m, r, PairWay::kBack, pair)) continue;
     const Coefficients<6> j = coefficients_of(pair, frame);
-    const double sign = dot(pair.normal, clouds.reference.planes[r].unit()) < 0 ? -1 : 1;
-    reference.add_point(r, j, -sign);
-    moving.add_plane(m, j, 1, back.point(clouds.reference.place(r)) - clouds.moving.place(m));
+    reference.add_point(r, j, -faces(pair.normal, of_reference.planes[r].unit()));
+    moving.add_plane(m, j, 1, T_moving_reference.point(of_reference.place(r)) - of_moving.place(m));
   }
+  // 3. Squares of what each point put in, times its variance.
   Square<6> out = reference.squares(k, {task, 0.5});
-  const Square<6> of_moving = moving.squares(k, {task, 0.75});
-  for (size_t i = 0; i < out.size(); ++i) out[i] += of_moving[i];
+  const Square<6> squares_moving = moving.squares(k, {task, 0.75});
+  for (size_t i = 0; i < out.size(); ++i) out[i] += squares_moving[i];
   return out;
 }
 

@@ -4,9 +4,8 @@
 
 #include <vector>
 
-#include "registration/icp/normal.h"
 #include "registration/icp/patch_fit.h"
-#include "registration/icp/settings.h"
+#include "registration/icp/problem.h"
 #include "registration/registration.h"
 
 namespace jalon {
@@ -21,29 +20,40 @@ struct IcpIteration {
   uint8_t observable = 0;            ///< directions
 };
 
-/// Where the iterations are, and how they got there.
-struct IcpState {
-  Transform inner;       ///< between the frames of the two trees
-  Vec3 centre;           ///< that turns are about, in the moving frame
-  double extent_m = 1;
-  double distance_m = 0; ///< greatest residual of a pair
-  double sigma_m = 0;    ///< of the residuals, from their median
-  double worst_m = 0;    ///< the distance, or what trimming leaves of it
-  StopReason stopped = StopReason::kIterationLimit;
-  IcpSums sums;          ///< of the last step
-  IcpDirections directions;
-  std::vector<IcpIteration> log;
-  IcpNeighbours neighbours;  ///< of the last step, with their rule and kernel
+/// What the last step was made of, and what came out; for the covariance.
+struct IcpLastStep {
+  IcpNeighbours neighbours;
   PairRule rule;
   RobustKernel kernel;
-  PatchSums patches;  ///< of the last step on patches, where the pose settled on them
-
-  IcpFrame frame() const { return {inner.point(centre), extent_m}; }
+  IcpSums sums;
+  IcpDirections directions;
 };
 
-/// Iterates at one level until the steps are small against what the noise leaves open (converged), the pairs are too
-/// few, or the iterations are used up. False when there is no use in going on.
-bool icp_iterate(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving, int level, bool last,
-                 const IcpSettings& settings, Task& task, IcpState& state);
+/// Where the iterations are, and how they got there.
+struct IcpState {
+  Transform T_reference_moving;
+  double distance_m = 0;  ///< greatest residual of a pair, as it shrinks
+  double sigma_m = 0;     ///< of the residuals, from their median
+  StopReason stopped = StopReason::kIterationLimit;
+  std::vector<IcpIteration> log;
+  IcpLastStep last;
+  PatchSums patches;  ///< of the last step on patches, where the pose settled on them
+
+  /// The last step's pairs at the present pose. level: the one that it was made at.
+  IcpPairing pairing(const IcpProblem& problem, const IcpLevel& level) const {
+    return {problem.clouds, level, last.neighbours, last.rule, T_reference_moving};
+  }
+  /// They are of all points: the iterations got to the last level.
+  bool has_all(const IcpProblem& problem) const {
+    return last.neighbours.of_moving.size() == problem.clouds.moving.size();
+  }
+};
+
+/// Iterates at one level until the steps are small against what the noise leaves open (converged),
+/// the pairs are too few, or the iterations are used up. False when there is no use in going on.
+///
+/// Before: state has a pose and a greatest distance above 0. After: the pose has moved, the log has
+/// a row a step, stopped says why, and last is of this level.
+bool icp_iterate(const IcpProblem& problem, const IcpLevel& level, IcpState& state, Task& task);
 
 }  // namespace jalon

@@ -20,18 +20,19 @@ Symmetric3 shape_of(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-bool pair_of_shapes(const IcpClouds& clouds, const Transform& inner, uint32_t moving, uint32_t reference,
-                    const PairRule& rule, IcpPair& out) {
-  const SurfacePlane &m = clouds.moving.planes[moving], &r = clouds.reference.planes[reference];
-  out.place = inner.point(clouds.moving.place(moving));
-  out.offset = out.place - clouds.reference.place(reference);
+bool pair_of_shapes(const IcpPairing& at, uint32_t m, uint32_t r, IcpPair& out) {
+  const PairRule& rule = at.rule;
+  const SurfacePlanes &moving = at.clouds.moving, &reference = at.clouds.reference;
+  const SurfacePlane &m_plane = moving.planes[m], &r_plane = reference.planes[r];
+  out.place = at.T_reference_moving.point(moving.place(m));
+  out.offset = out.place - reference.place(r);
   out.tilt_rad = 0;
   if (rule.metric == IcpMetric::kPointToPoint) {
     out.residual_m = norm(out.offset);
   } else {
-    if (!std::isfinite(m.sigma_m) || !std::isfinite(r.sigma_m)) return false;
-    out.normal = r.unit();
-    out.other = inner.direction(m.unit());
+    if (!std::isfinite(m_plane.sigma_m) || !std::isfinite(r_plane.sigma_m)) return false;
+    out.normal = r_plane.unit();
+    out.other = at.T_reference_moving.direction(m_plane.unit());
     if (!(std::abs(dot(out.normal, out.other)) >= rule.least_cosine)) return false;
     PairTerm terms[3];
     double squares = 0;
@@ -39,10 +40,12 @@ bool pair_of_shapes(const IcpClouds& clouds, const Transform& inner, uint32_t mo
       squares += terms[k].weight * terms[k].residual_m * terms[k].residual_m;
     out.residual_m = std::sqrt(squares);
   }
-  const double one = std::hypot(clouds.moving.noise_m, clouds.reference.noise_m);
+  const double one = std::hypot(moving.noise_m, reference.noise_m);
   out.variance_m2 = one * one;
   // Planes may be met sideways as far as their points reach; points alone have the distance for that.
-  const double sideways = rule.metric == IcpMetric::kPointToPoint ? 0 : double{m.radius_m} + double{r.radius_m};
+  const double sideways = rule.metric == IcpMetric::kPointToPoint
+                              ? 0
+                              : double{m_plane.radius_m} + double{r_plane.radius_m};
   return norm(out.offset) <= rule.most_m + rule.reach_m + sideways && out.residual_m <= rule.most_m;
 }
 

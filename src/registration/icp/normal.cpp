@@ -39,7 +39,8 @@ void add_plane_pair(const IcpPair& pair, double w, const IcpFrame& frame, IcpSum
   }
 }
 
-void add_pair(const IcpPair& pair, IcpMetric metric, const RobustKernel& kernel, const IcpFrame& frame, IcpSums& sums) {
+void add_pair(const IcpPair& pair, IcpMetric metric, const RobustKernel& kernel,
+              const IcpFrame& frame, IcpSums& sums) {
   const double w = kernel.weight(pair.residual_m);
   if (w == 0) return;
   sums.squares += w * pair.residual_m * pair.residual_m;
@@ -77,27 +78,28 @@ IcpSums& IcpSums::operator+=(const IcpSums& b) {
   return *this;
 }
 
-IcpSums icp_sums(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving,
-                 const IcpNeighbours& neighbours, const Transform& inner, const PairRule& rule,
-                 const RobustKernel& kernel, const IcpFrame& frame, Task& task) {
-  IcpSums sums = parallel_reduce(task, neighbours.of_moving.size(), kGrain, IcpSums{}, [&](size_t begin, size_t end) {
+IcpSums icp_sums(const IcpPairing& at, const RobustKernel& kernel, const IcpFrame& frame,
+                 Task& task) {
+  const Buffer<uint32_t>&forth = at.neighbours.of_moving, &back = at.neighbours.of_reference;
+  IcpSums sums =
+      parallel_reduce(task, forth.size(), kGrain, IcpSums{}, [&](size_t begin, size_t end) {
+        IcpSums part;
+        IcpPair pair;
+        for (size_t i = begin; i < end; ++i) {
+          const uint32_t m = at.level.moving.position(i), r = forth[i];
+          if (r != kNoPoint && pair_of(at, m, r, PairWay::kForth, pair))
+            add_pair(pair, at.rule.metric, kernel, frame, part);
+        }
+        part.of_moving = part.pairs;
+        return part;
+      });
+  sums += parallel_reduce(task, back.size(), kGrain, IcpSums{}, [&](size_t begin, size_t end) {
     IcpSums part;
     IcpPair pair;
     for (size_t i = begin; i < end; ++i) {
-      const uint32_t near = neighbours.of_moving[i];
-      if (near != kNoPoint && pair_of(clouds, inner, moving.position(i), near, true, rule, pair))
-        add_pair(pair, rule.metric, kernel, frame, part);
-    }
-    part.of_moving = part.pairs;
-    return part;
-  });
-  sums += parallel_reduce(task, neighbours.of_reference.size(), kGrain, IcpSums{}, [&](size_t begin, size_t end) {
-    IcpSums part;
-    IcpPair pair;
-    for (size_t i = begin; i < end; ++i) {
-      const uint32_t near = neighbours.of_reference[i];
-      if (near != kNoPoint && pair_of(clouds, inner, near, reference.position(i), false, rule, pair))
-        add_pair(pair, rule.metric, kernel, frame, part);
+      const uint32_t m = back[i], r = at.level.reference.position(i);
+      if (m != kNoPoint && pair_of(at, m, r, PairWay::kBack, pair))
+        add_pair(pair, at.rule.metric, kernel, frame, part);
     }
     return part;
   });
@@ -106,18 +108,20 @@ IcpSums icp_sums(const IcpClouds& clouds, const IcpPoints& reference, const IcpP
   return sums;
 }
 
-std::vector<float> icp_residual_sample(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving,
-                                       const IcpNeighbours& neighbours, const Transform& inner, const PairRule& rule) {
+std::vector<float> icp_residual_sample(const IcpPairing& at) {
   std::vector<float> out;
   IcpPair pair;
-  const auto& forth = neighbours.of_moving;
-  for (size_t i = 0; i < forth.size(); i += forth.size() / kResidualSample + 1)
-    if (forth[i] != kNoPoint && pair_of(clouds, inner, moving.position(i), forth[i], true, rule, pair))
+  const Buffer<uint32_t>&forth = at.neighbours.of_moving, &back = at.neighbours.of_reference;
+  for (size_t i = 0; i < forth.size(); i += forth.size() / kResidualSample + 1) {
+    const uint32_t m = at.level.moving.position(i), r = forth[i];
+    if (r != kNoPoint && pair_of(at, m, r, PairWay::kForth, pair))
       out.push_back(static_cast<float>(pair.residual_m));
-  const auto& back = neighbours.of_reference;
-  for (size_t i = 0; i < back.size(); i += back.size() / kResidualSample + 1)
-    if (back[i] != kNoPoint && pair_of(clouds, inner, back[i], reference.position(i), false, rule, pair))
+  }
+  for (size_t i = 0; i < back.size(); i += back.size() / kResidualSample + 1) {
+    const uint32_t m = back[i], r = at.level.reference.position(i);
+    if (m != kNoPoint && pair_of(at, m, r, PairWay::kBack, pair))
       out.push_back(static_cast<float>(pair.residual_m));
+  }
   return out;
 }
 
@@ -132,8 +136,8 @@ IcpDirections icp_directions(const IcpSums& sums) {
     for (size_t i = 0; i < 6; ++i) out.unit[k][i] = v(static_cast<Eigen::Index>(i));
     out.information[k] = solver.eigenvalues()(static_cast<Eigen::Index>(k));
     const double of_noise = v.dot(noise * v);
-
-    out.observable[k] = out.information[k] > kOverNoise * of_noise && out.information[k] > kLeastShare * strongest;
+    out.observable[k] =
+        out.information[k] > kOverNoise * of_noise && out.information[k] > kLeastShare * strongest;
   }
   return out;
 }

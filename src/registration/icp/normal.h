@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/task.h"
 #include "geometry/cholesky.h"
@@ -12,30 +13,31 @@
 
 namespace jalon {
 
-/// Normal equations of one step: unknowns are a turn (rad) about the centre, scaled by the extent so that it is a
-/// length, and a shift (m).
+/// Normal equations of one step, N x = b: unknowns are a turn (rad) about the centre, scaled by the
+/// extent so that it is a length, and a shift (m).
 struct IcpSums {
-  Square<6> normal{};       ///< sum of w j j^T
+  Square<6> normal{};       ///< N, the sum of w j j^T
   Square<6> noise{};        ///< what the noise of the planes' normals alone puts into it
-  Coefficients<6> right{};  ///< sum of -w r j
+  Coefficients<6> right{};  ///< b, the sum of -w r j
   double squares = 0;       ///< sum of w r^2
   double weights = 0, slopes = 0;  ///< sums of w and of the slope of w r
   uint64_t pairs = 0, of_moving = 0;  ///< with a weight; those of moving points and reference planes
   IcpSums& operator+=(const IcpSums& b);
 };
 
+/// What the unknowns refer to.
 struct IcpFrame {
-  Vec3 centre;        ///< in the reference frame, where it lies after the motion
+  Vec3 centre;  ///< that turns are about, in the reference frame, where it lies after the motion
   double extent_m = 1;
 };
 
-IcpSums icp_sums(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving,
-                 const IcpNeighbours& neighbours, const Transform& inner, const PairRule& rule,
-                 const RobustKernel& kernel, const IcpFrame& frame, Task& task);
+/// The sums of all pairs, both ways. After: both matrices are whole, not half; the same bits for
+/// any number of threads. O(n).
+IcpSums icp_sums(const IcpPairing& at, const RobustKernel& kernel, const IcpFrame& frame,
+                 Task& task);
 
-/// Residuals of an even sample of the pairs.
-std::vector<float> icp_residual_sample(const IcpClouds& clouds, const IcpPoints& reference, const IcpPoints& moving,
-                                       const IcpNeighbours& neighbours, const Transform& inner, const PairRule& rule);
+/// Residuals (m) of an even sample of the pairs, in a fixed order; empty where there are none.
+std::vector<float> icp_residual_sample(const IcpPairing& at);
 
 /// The directions of the six unknowns and what the pairs say about each.
 struct IcpDirections {
@@ -43,10 +45,11 @@ struct IcpDirections {
   std::array<double, 6> information{};    ///< without the share of noise
   std::array<bool, 6> observable{};
 };
-/// A direction is observable when its information stands out of what noise of the normals alone would give: a plane
-/// whose normals scatter by a degree looks as if it held shifts along itself.
+/// A direction is observable when its information stands out of what noise of the normals alone
+/// would give: a plane whose normals scatter by a degree looks as if it held shifts along itself.
+/// After: the units are orthonormal.
 IcpDirections icp_directions(const IcpSums& sums);
-/// The step in the observable directions.
+/// The step x in the observable directions, 0 along the others.
 Coefficients<6> icp_step(const IcpSums& sums, const IcpDirections& directions);
 
 }  // namespace jalon

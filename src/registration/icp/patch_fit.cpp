@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace jalon {
 
@@ -63,8 +64,10 @@ void set_base(const std::vector<PatchPoint>& points, const Vec3& normal, PatchSu
   }
 }
 
-// Step 2: least squares with weights; false where the points do not fix the surface. variance: of the heights about it.
-bool fit(const RobustKernel& kernel, PatchSurface& s, double& variance_m2) {
+// Step 2: least squares with weights. The variance (m2) of the heights about the surface; none
+// where the points do not fix it.
+std::optional<double> fit(const RobustKernel& kernel, PatchSurface& s) {
+  double variance_m2 = 0;
   const size_t count = s.heights.size(), m = s.unknowns;
   s.weights.assign(count, 1);
   for (int pass = 0; pass < kFits; ++pass) {
@@ -78,7 +81,7 @@ bool fit(const RobustKernel& kernel, PatchSurface& s, double& variance_m2) {
       }
     for (size_t r = m; r < kParaboloid; ++r) normal[(kParaboloid + 1) * r] = 1;  // those left out stay 0
     Cholesky<kParaboloid> factor;
-    if (!factor.factor(normal)) return false;
+    if (!factor.factor(normal)) return std::nullopt;
     s.of = factor.solve(right);
     double squares = 0, weights = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -87,26 +90,28 @@ bool fit(const RobustKernel& kernel, PatchSurface& s, double& variance_m2) {
       squares += s.weights[i] * r * r;
       weights += s.weights[i];
     }
-    if (weights < static_cast<double>(kLeastPoints)) return false;
+    if (weights < static_cast<double>(kLeastPoints)) return std::nullopt;
     variance_m2 = squares / (weights - static_cast<double>(m));
   }
-  return true;
+  return variance_m2;
 }
 
-// Step 3: a plane, or a paraboloid where the points scatter about the plane more than their noise does.
+// Step 3: a plane, or a paraboloid where the points scatter about the plane more than their noise
+// does. False where neither does.
 bool fit_surface(double noise_m, const RobustKernel& kernel, PatchSurface& s) {
-  double variance_m2 = 0;
-  if (!fit(kernel, s, variance_m2)) return false;
+  std::optional<double> variance_m2 = fit(kernel, s);
+  if (!variance_m2) return false;
   const auto count = static_cast<double>(s.heights.size());
   const auto doubted = static_cast<double>(
       std::count_if(s.weights.begin(), s.weights.end(), [](double w) { return w <= kDoubted; }));
-  const bool bent = variance_m2 > noise_m * noise_m * (1 + kMisfit * std::sqrt(2 / count)) ||
+  const bool bent = *variance_m2 > noise_m * noise_m * (1 + kMisfit * std::sqrt(2 / count)) ||
                     doubted > kMostDoubted * count;
   if (bent && s.heights.size() >= kLeastBent) {
     s.unknowns = kParaboloid;
-    if (!fit(kernel, s, variance_m2)) return false;
+    variance_m2 = fit(kernel, s);
+    if (!variance_m2) return false;
   }
-  return variance_m2 <= kMostNoises * kMostNoises * noise_m * noise_m;
+  return *variance_m2 <= kMostNoises * kMostNoises * noise_m * noise_m;
 }
 
 /// Sums of one cloud's points on a patch.

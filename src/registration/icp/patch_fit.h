@@ -18,7 +18,8 @@ struct PatchPoint {
   bool moving = false;
 };
 
-/// Normal equations of a pose and of the surfaces of many patches, these eliminated; unknowns as in IcpSums.
+/// Normal equations of a pose and of the surfaces of many patches, these eliminated; unknowns as in
+/// IcpSums. g: what of j is left when the surface has taken up its share.
 struct PatchSums {
   Square<6> normal{};       ///< sum of slope g g^T: information on the pose that is left
   Coefficients<6> right{};  ///< sum of - psi(r) g
@@ -28,9 +29,13 @@ struct PatchSums {
   PatchSums& operator+=(const PatchSums& b);
 };
 
-/// Adds one patch: a plane, or where that does not do a paraboloid, through the points of both clouds. normal: about
-/// that of the surface. noise_m: standard deviation of the points. Nothing is added for fewer points than fix a surface
-/// and a shift against each other, nor where neither surface fits. Costs about 100 operations a point.
+/// Adds one patch: a plane, or where that does not do a paraboloid, through the points of both
+/// clouds.
+///
+/// Before: normal is unit and about that of the surface; noise_m: standard deviation of the points.
+/// After: sums.patches has grown by one, or, for fewer points than fix a surface and a shift
+/// against each other, or where neither surface fits, nothing has changed. Costs about 100
+/// operations a point.
 void add_patch(const std::vector<PatchPoint>& points, const Vec3& normal, double noise_m, const RobustKernel& kernel,
                const IcpFrame& frame, PatchSums& sums);
 

@@ -154,7 +154,7 @@ class Run {
 IcpPatches::IcpPatches(const IcpClouds& clouds, const IcpNeighbours& neighbours, Task& task)
     : clouds_(clouds),
       noise_m_(std::sqrt(0.5 * (clouds.reference.noise_m * clouds.reference.noise_m +
-                                                 clouds.moving.noise_m * clouds.moving.noise_m))),
+                                clouds.moving.noise_m * clouds.moving.noise_m))),
       order_(turned_order(clouds.reference, task)) {
   const Buffer<uint32_t>& partner = neighbours.of_moving;
   const auto has_say = [&](size_t i) { return partner[i] != kNoPoint && clouds.moving.flat(i); };
@@ -172,8 +172,8 @@ IcpPatches::IcpPatches(const IcpClouds& clouds, const IcpNeighbours& neighbours,
   }
 }
 
-PatchSums IcpPatches::sums(const Transform& inner, const RobustKernel& kernel, const IcpFrame& frame,
-                           Task& task) const {
+PatchSums IcpPatches::sums(const Transform& T_reference_moving, const RobustKernel& kernel,
+                           const IcpFrame& frame, Task& task) const {
   const SurfacePlanes &reference = clouds_.reference, &moving = clouds_.moving;
   const size_t runs = (reference.size() + kRun - 1) / kRun;
   return parallel_reduce(task, runs, kRunsPerChunk, PatchSums{}, [&](size_t begin, size_t end) {
@@ -184,10 +184,13 @@ PatchSums IcpPatches::sums(const Transform& inner, const RobustKernel& kernel, c
       run.clear();
       for (size_t at = first; at < last; ++at) {
         const uint32_t i = order_[at];
-        if (reference.flat(i)) run.add(reference.place(i), reference.planes[i].unit(), reference.planes[i], false);
+        const SurfacePlane& plane = reference.planes[i];
+        if (reference.flat(i)) run.add(reference.place(i), plane.unit(), plane, false);
         for (uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
           const uint32_t m = moving_[k];
-          run.add(inner.point(moving.place(m)), inner.direction(moving.planes[m].unit()), moving.planes[m], true);
+          const SurfacePlane& moved = moving.planes[m];
+          run.add(T_reference_moving.point(moving.place(m)),
+                  T_reference_moving.direction(moved.unit()), moved, true);
         }
       }
       run.add_patches(part);

@@ -9,14 +9,19 @@
 
 namespace jalon {
 
-/// Points of both clouds on one surface, patch by patch: each point counts once and with its own weight, while a local
-/// plane of sixteen neighbours adds its noise to every pair it stands in. The surface of a patch is an unknown beside
-/// the pose (least squares 3-D matching, Gruen & Akca 2005; plane adjustment, Zhou, Koppel & Kaess 2021).
+/// Points of both clouds on one surface, patch by patch: each point counts once and with its own
+/// weight, while a local plane of sixteen neighbours adds its noise to every pair it stands in. The
+/// surface of a patch is an unknown beside the pose (least squares 3-D matching, Gruen & Akca 2005;
+/// plane adjustment, Zhou, Koppel & Kaess 2021).
+///
+/// Before: neighbours are of all points; the clouds outlive the patches. After: which reference
+/// points may share a patch, and the moving points by their partner, do not change with the pose;
+/// the sums are the same bits for any number of threads. O(n log n), then O(n) a call.
 class IcpPatches {
  public:
-  /// neighbours: of all points of both clouds. O(n).
   IcpPatches(const IcpClouds& clouds, const IcpNeighbours& neighbours, Task& task);
-  PatchSums sums(const Transform& inner, const RobustKernel& kernel, const IcpFrame& frame, Task& task) const;
+  PatchSums sums(const Transform& T_reference_moving, const RobustKernel& kernel,
+                 const IcpFrame& frame, Task& task) const;
 
  private:
   const IcpClouds& clouds_;

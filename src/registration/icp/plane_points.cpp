@@ -48,14 +48,14 @@ std::vector<PlaneShare> shares_of_plane(const SurfacePlanes& planes, uint32_t po
 std::vector<PlaneShare> shares_of_quadric(const SurfacePlanes& planes, uint32_t position,
                                           const std::vector<uint32_t>& near) {
   std::vector<PlaneShare> out;
-  LocalQuadric quadric;
-  if (!local_quadric(*planes.tree, position, near, quadric)) return out;
+  const std::optional<LocalQuadric> quadric = local_quadric(*planes.tree, position, near);
+  if (!quadric) return out;
   for (const uint32_t n : near) {
-    const Coefficients<6> q = quadric.terms(planes.place(n) - planes.place(position));
+    const Coefficients<6> q = quadric->terms(planes.place(n) - planes.place(position));
     double of[3] = {};
     for (size_t r = 0; r < 3; ++r)
-      for (size_t c = 0; c < 6; ++c) of[r] += quadric.cofactors[6 * r + c] * q[c];
-    out.push_back({n, of[0], (quadric.u * of[1] + quadric.v * of[2]) / quadric.scale_m});
+      for (size_t c = 0; c < 6; ++c) of[r] += quadric->cofactors[6 * r + c] * q[c];
+    out.push_back({n, of[0], (quadric->u * of[1] + quadric->v * of[2]) / quadric->scale_m});
   }
   return out;
 }

@@ -14,7 +14,9 @@ struct PlaneShare {
   double height = 0;   ///< of the plane at the point
   Vec3 slope;          ///< of the plane, 1 / m
 };
-/// Of all points that the plane of a point goes through; empty where it has none.
+/// Of all points that the plane of a point goes through; empty where it has none. Before: k
+/// neighbours made the planes; the same ones are found again. After: a share a point, in the order
+/// of their distance.
 std::vector<PlaneShare> plane_shares(const SurfacePlanes& planes, uint32_t position, uint32_t k);
 
 }  // namespace jalon

@@ -50,13 +50,13 @@ SurfacePlane plane_of(const NeighbourPlane& from, double step) {
 }
 
 // Of the face of the point alone; none where there is no face.
-SurfacePlane face_plane(const Octree& tree, size_t position, const uint32_t* neighbours, size_t count, double noise_m) {
-  PlanePoints points;
+SurfacePlane face_plane(const Octree& tree, size_t position, std::span<const uint32_t> neighbours,
+                        double noise_m) {
   const double step = tree.grid_step();
-  if (!points_of_face(tree, position, neighbours, count, noise_m / step, points))
-    return {{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
-  const Eigen3 e = symmetric_eigen(points.scatter);
-  SurfacePlane out = plane_of(points, e.vectors[0], std::max(0.0, e.values[0]), step);
+  const auto points = points_of_face(tree, position, neighbours, noise_m / step);
+  if (!points) return {{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
+  const Eigen3 e = symmetric_eigen(points->scatter);
+  SurfacePlane out = plane_of(*points, e.vectors[0], std::max(0.0, e.values[0]), step);
   out.shape = SurfaceShape::kFace;
   return out;
 }
@@ -120,10 +120,10 @@ SurfacePlanes surface_planes(std::shared_ptr<const Octree> tree, uint32_t k, Tas
       SurfacePlane& here = to[plane.position];
       here = plane_of(plane, step);
       if (here.sigma_m <= out.flat_m) return;
-      const uint32_t* neighbours = b.neighbours + (plane.position - b.first) * b.k;
-      here = tangent_plane(*out.tree, plane.position, {neighbours, used}, kBent * out.noise_m);
+      const std::span neighbours(b.neighbours + (plane.position - b.first) * b.k, used);
+      here = tangent_plane(*out.tree, plane.position, neighbours, kBent * out.noise_m);
       if (here.sigma_m <= out.flat_m) return;
-      here = face_plane(*out.tree, plane.position, neighbours, used, out.noise_m);
+      here = face_plane(*out.tree, plane.position, neighbours, out.noise_m);
     };
     NeighbourPlanes<decltype(write)> planes(*out.tree, write);
     for (size_t i = 0; i < b.count; ++i) planes.add(b.first + i, b.neighbours + i * b.k, used);

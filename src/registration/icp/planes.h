@@ -45,14 +45,19 @@ struct SurfacePlanes {
   bool flat(size_t position) const { return planes[position].sigma_m <= flat_m; }
 };
 
-/// By least squares through the k nearest points. Where these scatter more than the noise, the plane that touches a
-/// paraboloid through them (round columns); where that fits no better, near edges, where they lie on several faces, the
-/// plane through those of them that lie on the face of the point.
+/// By least squares through the k nearest points. Where these scatter more than the noise, the
+/// plane that touches a paraboloid through them (round columns); where that fits no better, near
+/// edges, where they lie on several faces, the plane through those of them that lie on the face of
+/// the point.
+///
+/// Before: two points or more. After: a plane for each point, of infinite sigma_m where there is
+/// none; noise_m, flat_m and radius_m are medians over samples of them. O(n k).
 SurfacePlanes surface_planes(std::shared_ptr<const Octree> tree, uint32_t k, Task& task);
 
-/// The flattest point of each occupied cell of a level, one for each of the three axes that its normal is nearest to,
-/// so
-/// that small faces of a rare direction have their say (normal-space sampling, Rusinkiewicz & Levoy 2001). Ascending.
+/// The flattest point of each occupied cell of a level of the octree, one for each of the three
+/// axes that its normal is nearest to, so that small faces of a rare direction have their say
+/// (normal-space sampling, Rusinkiewicz & Levoy 2001). After: positions of flat points, ascending,
+/// none twice.
 std::vector<uint32_t> flattest_points(const SurfacePlanes& planes, int level, Task& task);
 
 }  // namespace jalon

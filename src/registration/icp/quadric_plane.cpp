@@ -18,31 +18,35 @@ constexpr size_t kLeast = 2 * kUnknowns;
 constexpr double kLeastAspect = 0.1;    // of the neighbours' spread, squared: a strip fixes no bend across itself
 constexpr double kSteepest = 1.25;      // slope of the paraboloid at the point: the neighbours' plane is no base for it
 
-// Steps 1 and 2: the offsets of the neighbours, and the plane through them as base.
-bool set_axes(const Vec3* offsets, size_t count, LocalQuadric& out) {
+// Step 2: the plane through the neighbours as base; none where they lie along a line.
+std::optional<LocalQuadric> base_of(std::span<const Vec3> offsets) {
   Vec3 sum;
-  for (size_t i = 0; i < count; ++i) sum += offsets[i];
-  const Vec3 mean = sum / static_cast<double>(count);
+  for (const Vec3& offset : offsets) sum += offset;
+  const auto count = static_cast<double>(offsets.size());
+  const Vec3 mean = sum / count;
   Symmetric3 scatter{};
-  for (size_t i = 0; i < count; ++i) {
-    const Vec3 d = offsets[i] - mean;
+  for (const Vec3& offset : offsets) {
+    const Vec3 d = offset - mean;
     const double row[6] = {d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z};
     for (size_t c = 0; c < 6; ++c) scatter[c] += row[c];
   }
   const Eigen3 e = symmetric_eigen(scatter);
-  if (!(e.values[1] > kLeastAspect * e.values[2])) return false;
+  if (!(e.values[1] > kLeastAspect * e.values[2])) return std::nullopt;
+  LocalQuadric out;
   out.u = e.vectors[2];
   out.v = e.vectors[1];
   out.n = e.vectors[0];
-  out.scale_m = std::sqrt((e.values[1] + e.values[2]) / static_cast<double>(count));
-  return true;
+  out.scale_m = std::sqrt((e.values[1] + e.values[2]) / count);
+  return out;
 }
 
 }  // namespace
 
-bool local_quadric(const Octree& tree, size_t position, std::span<const uint32_t> neighbours, LocalQuadric& out) {
+std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
+                                          std::span<const uint32_t> neighbours) {
   const size_t count = std::min(neighbours.size(), kMost);
-  if (count < kLeast) return false;
+  if (count < kLeast) return std::nullopt;
+  // Step 1: the offsets of the neighbours from the point.
   const double step = tree.grid_step();
   const int32_t *x = tree.grid_x(), *y = tree.grid_y(), *z = tree.grid_z();
   Vec3 offsets[kMost];
@@ -51,7 +55,9 @@ bool local_quadric(const Octree& tree, size_t position, std::span<const uint32_t
     offsets[i] = Vec3{static_cast<double>(x[n] - x[position]), static_cast<double>(y[n] - y[position]),
                       static_cast<double>(z[n] - z[position])} * step;
   }
-  if (!set_axes(offsets, count, out)) return false;
+  std::optional<LocalQuadric> found = base_of({offsets, count});
+  if (!found) return found;
+  LocalQuadric& out = *found;
   // Step 3: least squares of the heights.
   Square<kUnknowns> normal{};
   Coefficients<kUnknowns> right{};
@@ -66,18 +72,21 @@ bool local_quadric(const Octree& tree, size_t position, std::span<const uint32_t
     squares += height * height;
   }
   Cholesky<kUnknowns> factor;
-  if (!factor.factor(normal)) return false;
+  if (!factor.factor(normal)) return std::nullopt;
   out.a = factor.solve(right);
   out.cofactors = factor.inverse();
   for (size_t i = 0; i < kUnknowns; ++i) squares -= out.a[i] * right[i];
   out.sigma_m = std::sqrt(std::max(0.0, squares) / static_cast<double>(count - kUnknowns));
-  return true;
+  return found;
 }
 
-SurfacePlane tangent_plane(const Octree& tree, size_t position, std::span<const uint32_t> neighbours, double most_m) {
-  SurfacePlane out{{0, 0, 0}, 0, std::numeric_limits<float>::infinity(), 0, 0, SurfaceShape::kPlane};
-  LocalQuadric q;
-  if (!local_quadric(tree, position, neighbours, q) || !(q.sigma_m <= most_m)) return out;
+SurfacePlane tangent_plane(const Octree& tree, size_t position,
+                           std::span<const uint32_t> neighbours, double most_m) {
+  constexpr float kNone = std::numeric_limits<float>::infinity();
+  SurfacePlane out{{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
+  const std::optional<LocalQuadric> found = local_quadric(tree, position, neighbours);
+  if (!found || !(found->sigma_m <= most_m)) return out;
+  const LocalQuadric& q = *found;
   const double du = q.a[1] / q.scale_m, dv = q.a[2] / q.scale_m, slope2 = du * du + dv * dv;
   if (slope2 > kSteepest * kSteepest) return out;
   const double length = std::sqrt(1 + slope2);

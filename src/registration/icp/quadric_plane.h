@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "geometry/cholesky.h"
@@ -24,11 +25,15 @@ struct LocalQuadric {
   }
 };
 
-/// neighbours: positions in the tree, the point itself among them. False where they do not fix the six coefficients.
-bool local_quadric(const Octree& tree, size_t position, std::span<const uint32_t> neighbours, LocalQuadric& out);
+/// neighbours: positions in the tree, the point itself among them; 64 at the most are looked at.
+/// Nothing where they do not fix the six coefficients: fewer than twelve, or a strip.
+std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
+                                          std::span<const uint32_t> neighbours);
 
-/// The plane that touches it at the point: where a surface bends, as round columns do, a plane through all neighbours
-/// is no plane at all. sigma_m is infinite where the neighbours scatter more than most_m about the paraboloid.
-SurfacePlane tangent_plane(const Octree& tree, size_t position, std::span<const uint32_t> neighbours, double most_m);
+/// The plane that touches it at the point: where a surface bends, as round columns do, a plane
+/// through all neighbours is no plane at all. sigma_m is infinite where there is none: where the
+/// neighbours scatter more than most_m about the paraboloid, or it is too steep over their plane.
+SurfacePlane tangent_plane(const Octree& tree, size_t position,
+                           std::span<const uint32_t> neighbours, double most_m);
 
 }  // namespace jalon

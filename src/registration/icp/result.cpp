@@ -36,20 +36,22 @@ struct Residual {
   float residual_m, weight;
 };
 
-FieldTable residual_table(const IcpClouds& clouds, const IcpSource& reference, const IcpSource& moving,
-                          const IcpState& state) {
+FieldTable residual_table(const IcpProblem& problem, const IcpState& state) {
   std::vector<Residual> rows;
-  const auto of_reference = clouds.reference.tree->order(), of_moving = clouds.moving.tree->order();
-  const Buffer<uint32_t>& near = state.neighbours.of_moving;
+  const auto of_reference = problem.clouds.reference.tree->order();
+  const auto of_moving = problem.clouds.moving.tree->order();
+  const Buffer<uint32_t>& near = state.last.neighbours.of_moving;
+  const IcpLevel all;
+  const IcpPairing at = state.pairing(problem, all);
   IcpPair pair;
-  const bool all = near.size() == clouds.moving.size();  // else the iterations ended on few points
-  for (size_t i = 0; all && i < near.size(); ++i) {
-    if (near[i] == kNoPoint ||
-        !pair_of(clouds, state.inner, static_cast<uint32_t>(i), near[i], true, state.rule, pair))
-      continue;
-    rows.push_back({moving.original(of_moving[i]), reference.original(of_reference[near[i]]),
+  const bool has_all = state.has_all(problem);  // else the iterations ended on few points
+  for (size_t i = 0; has_all && i < near.size(); ++i) {
+    const uint32_t m = static_cast<uint32_t>(i), r = near[i];
+    if (r == kNoPoint || !pair_of(at, m, r, PairWay::kForth, pair)) continue;
+    rows.push_back({problem.thinned_moving.raw(of_moving[m]),
+                    problem.thinned_reference.raw(of_reference[r]),
                     static_cast<float>(pair.residual_m),
-                    static_cast<float>(state.kernel.weight(pair.residual_m))});
+                    static_cast<float>(state.last.kernel.weight(pair.residual_m))});
   }
   FieldTable t;
   add_column<uint32_t>(t, rows, "moving", "", "index of the point", [](const Residual& r) { return r.moving; });
@@ -73,27 +75,27 @@ void set_unknown(Registration& out) {
 
 }  // namespace
 
-Registration icp_result(const IcpClouds& clouds, const IcpSource& reference, const IcpSource& moving,
-                        const IcpSettings& settings, const IcpState& state, Task& task) {
+Registration icp_result(const IcpProblem& problem, const IcpState& state, Task& task) {
   Registration out;
-  out.pose = clouds.outer(state.inner);
+  out.pose = problem.clouds.to_world(state.T_reference_moving);
   out.converged = state.stopped == StopReason::kConverged;
   out.stopped = state.stopped;
-  out.centre = clouds.reference.tree->cube().origin + state.frame().centre;
-  out.extent_m = state.extent_m;
-  out.pairs = state.sums.pairs;
+  const Vec3 world_reference = problem.clouds.reference.tree->cube().origin;
+  out.centre = world_reference + problem.frame(state.T_reference_moving).centre;
+  out.extent_m = problem.extent_m;
+  out.pairs = state.last.sums.pairs;
   out.iterations = state.log.size();
   out.rms_m = state.log.empty() ? 0 : state.log.back().rms_m;
   out.iteration_log = log_table(state.log);
-  out.residuals = residual_table(clouds, reference, moving, state);
+  out.residuals = residual_table(problem, state);
   add_value<double>(out.summary, "kept", "1", "share of the moving points that have a pair",
                     state.log.empty() ? 0 : state.log.back().kept);
   add_value<double>(out.summary, "sigma", "m", "of the residuals, robust", state.sigma_m);
-  if (state.neighbours.of_moving.size() != clouds.moving.size() || state.stopped == StopReason::kTooFewPairs) {
+  if (!state.has_all(problem) || state.stopped == StopReason::kTooFewPairs) {
     set_unknown(out);
     return out;
   }
-  const IcpCovariance found = icp_covariance(clouds, state, settings.k, task);
+  const IcpCovariance found = icp_covariance(problem, state, task);
   add_value<double>(out.summary, "sigma0", "1", "a posteriori: residuals over what the planes' scatter foretells",
                     found.sigma0);
   add_value<uint64_t>(out.summary, "patches", "", "of both clouds that the pose settled on; 0: it rests on pairs",

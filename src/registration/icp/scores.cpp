@@ -29,19 +29,21 @@ void add_scores(const IcpPair& pair, IcpMetric metric, const IcpFrame& frame, do
 
 }  // namespace
 
-Square<6> icp_scores(const IcpClouds& clouds, const IcpNeighbours& neighbours, const Transform& inner,
-                     const PairRule& rule, const IcpFrame& frame) {
+Square<6> icp_scores(const IcpPairing& at, const IcpFrame& frame) {
   Groups groups;
-  const double edge_m = kGroupRadii * std::max({clouds.reference.radius_m, clouds.moving.radius_m, 1e-9});
+  const IcpClouds& clouds = at.clouds;
+  const double edge_m =
+      kGroupRadii * std::max({clouds.reference.radius_m, clouds.moving.radius_m, 1e-9});
   IcpPair pair;
-  for (size_t i = 0; i < neighbours.of_moving.size(); ++i)
-    if (const uint32_t r = neighbours.of_moving[i];
-        r != kNoPoint && pair_of(clouds, inner, static_cast<uint32_t>(i), r, true, rule, pair))
-      add_scores(pair, rule.metric, frame, edge_m, groups);
-  for (size_t i = 0; i < neighbours.of_reference.size(); ++i)
-    if (const uint32_t m = neighbours.of_reference[i];
-        m != kNoPoint && pair_of(clouds, inner, m, static_cast<uint32_t>(i), false, rule, pair))
-      add_scores(pair, rule.metric, frame, edge_m, groups);
+  const Buffer<uint32_t>&forth = at.neighbours.of_moving, &back = at.neighbours.of_reference;
+  for (size_t i = 0; i < forth.size(); ++i)
+    if (const uint32_t r = forth[i];
+        r != kNoPoint && pair_of(at, static_cast<uint32_t>(i), r, PairWay::kForth, pair))
+      add_scores(pair, at.rule.metric, frame, edge_m, groups);
+  for (size_t i = 0; i < back.size(); ++i)
+    if (const uint32_t m = back[i];
+        m != kNoPoint && pair_of(at, m, static_cast<uint32_t>(i), PairWay::kBack, pair))
+      add_scores(pair, at.rule.metric, frame, edge_m, groups);
   Square<6> out{};
   for (const auto& [cell, sum] : groups)
     for (size_t r = 0; r < 6; ++r)

@@ -54,42 +54,51 @@ bool says_enough(const PatchSums& sums, const IcpDirections& directions) {
 
 }  // namespace
 
-void icp_settle(const IcpClouds& clouds, const IcpSettings& settings, Task& task, IcpState& state) {
-  if (settings.metric != IcpMetric::kPointToPlane || settings.kernel == KernelKind::kNone ||
-      settings.trim() > 0 || state.stopped != StopReason::kConverged ||
-      state.neighbours.of_moving.size() != clouds.moving.size())
+void icp_settle(const IcpProblem& problem, IcpState& state, Task& task) {
+  const IcpSettings& settings = problem.settings;
+  if (settings.metric != IcpMetric::kPointToPlane || settings.kernel == KernelKind::kNone) return;
+  if (settings.trim() > 0 || state.stopped != StopReason::kConverged || !state.has_all(problem))
     return;
-  const Basis basis = observable(state.directions);
+  const IcpDirections& directions = state.last.directions;
+  const Basis basis = observable(directions);
   if (basis.cols() == 0) return;
-  const IcpPatches patches(clouds, state.neighbours, task);
+  const IcpPatches patches(problem.clouds, state.last.neighbours, task);
   const RobustKernel kernel{settings.kernel, kWider * state.sigma_m};
-  const Transform from = state.inner;
+  const Transform T_by_pairs = state.T_reference_moving;
   double moved_m = 0;
   for (int k = 0; k < kMostSteps; ++k) {
-    const IcpFrame frame = state.frame();
-    const PatchSums sums = patches.sums(state.inner, kernel, frame, task);
+    // 1. The patches at this pose, and what they say.
+    const IcpFrame frame = problem.frame(state.T_reference_moving);
+    const PatchSums sums = patches.sums(state.T_reference_moving, kernel, frame, task);
     task.checkpoint(1);
-    if (!says_enough(sums, state.directions)) break;
+    if (!says_enough(sums, directions)) break;
+    // 2. One step in the directions that the pairs fixed.
     const Eigen::Map<const Eigen::Matrix<double, 6, 1>> right(sums.right.data());
     const Eigen::Matrix<double, 6, 1> step = inverse_on(basis, sums.normal) * right;
-    const Vec3 turn = Vec3{step[0], step[1], step[2]} / frame.extent_m, shift{step[3], step[4], step[5]};
-    const double deviations = std::sqrt(std::max(0.0, step.dot(right)) * sums.weights / sums.squares);
-    if (deviations > kNone) state.inner = motion_about(frame.centre, turn, shift) * state.inner;
+    const Vec3 turn = Vec3{step[0], step[1], step[2]} / frame.extent_m;
+    const Vec3 shift{step[3], step[4], step[5]};
+    const double deviations =
+        std::sqrt(std::max(0.0, step.dot(right)) * sums.weights / sums.squares);
+    if (deviations > kNone)
+      state.T_reference_moving = motion_about(frame.centre, turn, shift) * state.T_reference_moving;
     IcpIteration row = state.log.back();
     row.level += k == 0 ? 1 : 0;
     row.pairs = sums.points;
-    row.kept = static_cast<double>(sums.of_moving) / static_cast<double>(clouds.moving.size());
+    row.kept =
+        static_cast<double>(sums.of_moving) / static_cast<double>(problem.clouds.moving.size());
     row.rms_m = std::sqrt(sums.squares / sums.weights);
     row.turn_rad = deviations > kNone ? norm(turn) : 0;
     row.shift_m = deviations > kNone ? norm(shift) : 0;
     state.log.push_back(row);
-    moved_m += row.shift_m + row.turn_rad * state.extent_m;
+    moved_m += row.shift_m + row.turn_rad * problem.extent_m;
+    // 3. Until the steps are small. What went farther than the residuals scatter left the minimum
+    // of the pairs.
     if (deviations > kSmall) continue;
     if (moved_m > state.sigma_m) break;
     state.patches = sums;
     return;
   }
-  state.inner = from;
+  state.T_reference_moving = T_by_pairs;
 }
 
 Square<6> patch_covariance(const PatchSums& sums, const IcpDirections& directions) {

@@ -6,12 +6,17 @@
 
 namespace jalon {
 
-/// The last steps, on patches of both clouds instead of pairs. Only a converged pose of the metric point to plane with
-/// a robust kernel settles, where the patches say at least half of what the pairs could in every direction: in a wood
-/// there are none. Its neighbours, rule and kernel stay those of the pairs.
-void icp_settle(const IcpClouds& clouds, const IcpSettings& settings, Task& task, IcpState& state);
+/// The last steps, on patches of both clouds instead of pairs. Only a converged pose of the metric
+/// point to plane with a robust kernel and without trimming settles, where the patches say at least
+/// half of what the pairs could in every direction: in a wood there are none.
+///
+/// After: either the pose is that of the patches, which state.patches holds, or the pose is as it
+/// was and state.patches is empty; the log has a row a step tried. state.last stays that of the
+/// pairs.
+void icp_settle(const IcpProblem& problem, IcpState& state, Task& task);
 
-/// Covariance of what patches fix, in the observable directions: of an M-estimator (Huber & Ronchetti 2009, 7.6).
+/// Covariance of what patches fix, in the observable directions, 0 in the others: of an M-estimator
+/// (Huber & Ronchetti 2009, 7.6). In lengths: turns are scaled by the extent.
 Square<6> patch_covariance(const PatchSums& sums, const IcpDirections& directions);
 
 }  // namespace jalon

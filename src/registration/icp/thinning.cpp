@@ -65,25 +65,27 @@ double cell_of(const Cloud& cloud, uint32_t k, Task& task) {
 
 }  // namespace
 
-double thinning_cell_m(const Cloud& reference, const Cloud& moving, const IcpSettings& settings, Task& task) {
+double thinning_cell_m(const Cloud& reference, const Cloud& moving, const IcpSettings& settings,
+                       Task& task) {
   if (settings.cell_m > 0) return settings.cell_m;
   if (settings.metric == IcpMetric::kPointToPoint) return 0;
   return std::max(cell_of(reference, settings.k, task), cell_of(moving, settings.k, task));
 }
 
-IcpSource thinned_source(const CloudPtr& cloud, double cell_m, Task& task) {
-  if (!(cell_m > 0)) return {cloud, {}};
+ThinnedCloud thinned(const CloudPtr& raw, double cell_m, Task& task) {
+  if (!(cell_m > 0)) return {raw, {}};
+  // The points alone, with their index as a field that thinning carries along.
   Cloud numbered;
-  numbered.xyz_buffer = cloud->xyz_buffer;
-  numbered.index = cloud->index;
-  std::vector<uint32_t> index(cloud->size());
+  numbered.xyz_buffer = raw->xyz_buffer;
+  numbered.index = raw->index;
+  std::vector<uint32_t> index(raw->size());
   std::iota(index.begin(), index.end(), 0u);
   numbered.fields.set(make_column<uint32_t>({.name = "index"}, index));
-  const Cloud thinned = one_per_voxel(numbered, cell_m, Keep::kCentroid, task);
-  const auto kept = thinned.fields.require("index").values<uint32_t>();
-  IcpSource out;
+  const Cloud centroids = one_per_voxel(numbered, cell_m, Keep::kCentroid, task);
+  const auto kept = centroids.fields.require("index").values<uint32_t>();
+  ThinnedCloud out;
   out.index.assign(kept.begin(), kept.end());
-  out.cloud = std::make_shared<const Cloud>(thinned);
+  out.cloud = std::make_shared<const Cloud>(centroids);
   return out;
 }
 
