@@ -40,10 +40,12 @@ void add_from_planes(const CoarseSurface& reference, const CoarseSurface& moving
   const std::vector<CoarsePlane> to = coarse_planes(reference, kPlanes, task);
   const std::vector<CoarsePlane> from = coarse_planes(moving, kPlanes, task);
   const PlaneSets sets{to, from, level};
-  for (const Transform& pose : poses_of_largest(sets, reference, moving)) out.push_back({pose, PoseSource::kPlanes});
+  for (const Transform& T_reference_moving : poses_of_largest(sets, reference, moving))
+    out.push_back({T_reference_moving, PoseSource::kPlanes});
   for (const Transform& rotation : plane_rotations(sets, kRotations, task))
-    for (const Transform& pose : plane_poses(rotation, sets, reference, moving, matches, kPosesOfRotation))
-      out.push_back({pose, PoseSource::kPlanes});
+    for (const Transform& T_reference_moving :
+         plane_poses(rotation, sets, reference, moving, matches, kPosesOfRotation))
+      out.push_back({T_reference_moving, PoseSource::kPlanes});
 }
 
 }  // namespace

@@ -19,12 +19,15 @@ enum class PoseSource : uint8_t {
 };
 
 struct PoseCandidate {
-  Transform pose;  ///< T_reference_moving between the surfaces' own frames
+  Transform T_reference_moving;  ///< between the surfaces' own frames
   PoseSource source = PoseSource::kFeatures;
 };
 
-/// Possible poses from local features and from planes, in no order of worth. level: both clouds stand upright (z is the
-/// same), so that a plane and the vertical already fix a rotation.
+/// Possible poses from local features and from planes, in no order of worth.
+///
+/// Before: features are described; level says that both clouds stand upright (z is the same), so
+/// that a plane and the vertical already fix a rotation. After: rigid poses, some of them alike; as
+/// many as 60 of features, 8 of the largest planes and 256 of the others.
 std::vector<PoseCandidate> coarse_candidates(const CoarseSurface& reference, const CoarseSurface& moving, bool level,
                                              Task& task);
 

@@ -27,11 +27,16 @@ constexpr double kWhole = 0.8;           // overlap of both clouds that needs no
 
 Transform shift_by(const Vec3& shift) { return motion_about({}, {}, shift); }
 
-/// Between poses of the clouds and poses of their surfaces' own frames.
+/// Where the surfaces' own frames begin, in the caller's coordinates: poses between these, and
+/// between the clouds.
 struct Frames {
   Vec3 reference, moving;
-  Transform to_world(const Transform& local) const { return shift_by(reference) * local * shift_by(-moving); }
-  Transform to_local(const Transform& world) const { return shift_by(-reference) * world * shift_by(moving); }
+  Transform to_world(const Transform& T_reference_moving) const {
+    return shift_by(reference) * T_reference_moving * shift_by(-moving);
+  }
+  Transform to_local(const Transform& T_reference_moving_world) const {
+    return shift_by(-reference) * T_reference_moving_world * shift_by(moving);
+  }
 };
 
 CoarseSurface described(const Cloud& cloud, double cell_m, const char* which, Task& task) {
@@ -43,13 +48,16 @@ CoarseSurface described(const Cloud& cloud, double cell_m, const char* which, Ta
   return surface;
 }
 
-PoseFilter filter_of(const CoarseSettings& settings, const Transform& start, const Vec3& centroid) {
+// T_start, like the poses asked about, between the surfaces' own frames.
+PoseFilter filter_of(const CoarseSettings& settings, const Transform& T_start, const Vec3& centroid) {
   const bool level = settings.gravity;
   const double turn = settings.max_turn_rad, shift = settings.max_shift_m;
-  return [=](const Transform& pose) {
-    if (level && pose.m[10] < kLevel) return false;
-    if (turn < std::numbers::pi && norm(rotation_vector(pose * inverse(start))) > turn) return false;
-    return shift <= 0 || norm(pose.point(centroid) - start.point(centroid)) <= shift;
+  return [=](const Transform& T_reference_moving) {
+    if (level && T_reference_moving.m[10] < kLevel) return false;
+    const Transform away = T_reference_moving * inverse(T_start);
+    if (turn < std::numbers::pi && norm(rotation_vector(away)) > turn) return false;
+    const Vec3 to = T_reference_moving.point(centroid);
+    return shift <= 0 || norm(to - T_start.point(centroid)) <= shift;
   };
 }
 
@@ -79,39 +87,42 @@ double cell_of(const Cloud& reference, const Cloud& moving, const CoarseSettings
 std::span<const ParamRow> coarse_rows() { return kCoarseRows; }
 
 Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving,
-                             const Transform& start, const CoarseSettings& settings, Task& task) {
+                             const Transform& T_start, const CoarseSettings& settings, Task& task) {
   if (reference->size() < kLeastCells || moving->size() < kLeastCells)
     fail(Status::kInsufficientData, "coarse registration needs %zu points in each cloud", kLeastCells);
   // 1. Surfaces.
-  CoarseSurface to, from;
+  CoarseSurface reference_surface, moving_surface;
   {
     const Span span(task, 0, 0.2, "thinning");
     const double cell_m = cell_of(*reference, *moving, settings, task);
-    to = described(*reference, cell_m, "reference", task);
-    from = described(*moving, cell_m, "moving", task);
+    reference_surface = described(*reference, cell_m, "reference", task);
+    moving_surface = described(*moving, cell_m, "moving", task);
   }
-  const Frames frames{to.origin, from.origin};
-  const Transform local_start = frames.to_local(start);
+  const Frames frames{reference_surface.origin, moving_surface.origin};
+  const Transform T_start_local = frames.to_local(T_start);
   // 2. Candidates.
-  std::vector<PoseCandidate> candidates{{local_start, PoseSource::kStart}};
+  std::vector<PoseCandidate> candidates{{T_start_local, PoseSource::kStart}};
   {
     const Span span(task, 0.2, 0.5, nullptr);
-    const auto made = coarse_candidates(to, from, settings.gravity, task);
+    const auto made =
+        coarse_candidates(reference_surface, moving_surface, settings.gravity, task);
     candidates.insert(candidates.end(), made.begin(), made.end());
   }
   // 3. The best of them.
   const Span span(task, 0.5, 1, nullptr);
-  CoarseSearch found =
-      search_poses(to, from, candidates, filter_of(settings, local_start, from.centroid), task);
+  const PoseFilter is_wanted = filter_of(settings, T_start_local, moving_surface.centroid);
+  CoarseSearch found = search_poses(reference_surface, moving_surface, candidates, is_wanted, task);
   // 4. Is it the only one?
   Registration out;
   out.stopped = verdict(found.poses, settings);
   out.converged = out.stopped == StopReason::kConverged;
-  out.pose = out.stopped == StopReason::kNothingFound ? start : frames.to_world(found.poses[0].pose);
-  out.centre = out.pose.point(from.centroid + from.origin);
-  out.extent_m = from.extent_m;
-  for (RankedPose& pose : found.poses) pose.pose = frames.to_world(pose.pose);
-  fill_coarse_tables(out, found, to.cell_m, candidates.size());
+  for (RankedPose& pose : found.poses)
+    pose.T_reference_moving = frames.to_world(pose.T_reference_moving);
+  const bool has_pose = out.stopped != StopReason::kNothingFound;
+  out.pose = has_pose ? found.poses[0].T_reference_moving : T_start;
+  out.centre = out.pose.point(moving_surface.centroid + moving_surface.origin);
+  out.extent_m = moving_surface.extent_m;
+  fill_coarse_tables(out, found, reference_surface.cell_m, candidates.size());
   return out;
 }
 

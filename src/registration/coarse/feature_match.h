@@ -16,8 +16,11 @@ struct FeatureMatch {
   float distance;  ///< of the features
 };
 
-/// Pairs of distinct points each of which is among the `rank` nearest in feature space of the other; the nearest first,
-/// ties by index, at most this many.
+/// Pairs of distinct points each of which is among the `rank` nearest in feature space of the
+/// other.
+///
+/// Before: features are described. After: the nearest first, ties by index, at most `most`; a point
+/// may stand in several. O(a b) for a and b distinct points.
 std::vector<FeatureMatch> match_features(const CoarseSurface& reference, const CoarseSurface& moving, size_t rank,
                                          size_t most, Task& task);
 

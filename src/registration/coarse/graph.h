@@ -12,8 +12,13 @@
 
 namespace jalon {
 
-/// Which matches can be right together: a rigid motion keeps distances, so the two points of one match lie as far apart
-/// in both clouds (Chen et al. 1999; Yang, Shi & Carlone 2021), and their normals stand alike to each other.
+/// Which matches can be right together: a rigid motion keeps distances, so the two points of one
+/// match lie as far apart in both clouds (Chen et al. 1999; Yang, Shi & Carlone 2021), and their
+/// normals stand alike to each other.
+///
+/// Nodes are matches by their index; edges are symmetric and none is of a match to itself. Cliques
+/// hold an edge between each two of their nodes, the seed first. Greedy, so not always the largest
+/// ones; deterministic. O(n^2) bits and time for n matches.
 class MatchGraph {
  public:
   /// tolerance_m: of the distances; nearest_m: pairs nearer than this say nothing about a turn and are no edges.

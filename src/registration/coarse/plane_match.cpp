@@ -122,10 +122,10 @@ std::vector<Transform> poses_of_largest(const PlaneSets& planes, const CoarseSur
   for (const double way : {1.0, -1.0})
     for (int quarter = 0; quarter < 4; ++quarter) {
       const Transform turn = rotation_by(to * (quarter * std::numbers::pi / 2));
-      Transform pose = turn * rotation_of(from, along(from), to * way, along(to));
-      const Vec3 t = reference.centroid - pose.direction(moving.centroid);
-      pose.m[3] = t.x, pose.m[7] = t.y, pose.m[11] = t.z;
-      out.push_back(pose);
+      Transform T_reference_moving = turn * rotation_of(from, along(from), to * way, along(to));
+      const Vec3 t = reference.centroid - T_reference_moving.direction(moving.centroid);
+      T_reference_moving.m[3] = t.x, T_reference_moving.m[7] = t.y, T_reference_moving.m[11] = t.z;
+      out.push_back(T_reference_moving);
     }
   return out;
 }

@@ -146,8 +146,12 @@ class ShiftFinder {
 
 }  // namespace
 
-std::vector<Transform> plane_poses(const Transform& rotation, const PlaneSets& planes, const CoarseSurface& reference,
-                                   const CoarseSurface& moving, std::span<const FeatureMatch> matches, size_t most) {
+// 1. Pairs of planes that the rotation makes parallel; 2. the directions across which they fix the
+// shift; 3. the peaks of their votes along each; 4. the peaks combined, by features along a
+// direction left open.
+std::vector<Transform> plane_poses(const Transform& rotation, const PlaneSets& planes,
+                                   const CoarseSurface& reference, const CoarseSurface& moving,
+                                   std::span<const FeatureMatch> matches, size_t most) {
   const Vec3& centroid = moving.centroid;
   const std::vector<Parallel> parallels = parallels_of(rotation, planes, centroid);
   const std::vector<Vec3> directions = directions_of(parallels);
@@ -161,10 +165,10 @@ std::vector<Transform> plane_poses(const Transform& rotation, const PlaneSets& p
   if (shifts.size() > most) shifts.resize(most);
   std::vector<Transform> out;
   for (const auto& shift : shifts) {
-    Transform pose = rotation;
+    Transform T_reference_moving = rotation;
     const Vec3 t = shift.to - rotation.direction(centroid);
-    pose.m[3] = t.x, pose.m[7] = t.y, pose.m[11] = t.z;
-    out.push_back(pose);
+    T_reference_moving.m[3] = t.x, T_reference_moving.m[7] = t.y, T_reference_moving.m[11] = t.z;
+    out.push_back(T_reference_moving);
   }
   return out;
 }

@@ -83,13 +83,14 @@ PoseJudge::PoseJudge(const CoarseSurface& reference, const CoarseSurface& moving
                        Vec3{k & 1 ? half : -half, k & 2 ? half : -half, k & 4 ? half : -half});
 }
 
-PoseJudge::Laid PoseJudge::laid_on(const Side& side, const Transform& motion, const CoarseSurface& other, double reach,
+PoseJudge::Laid PoseJudge::laid_on(const Side& side, const Transform& T_other_side,
+                                   const CoarseSurface& other, double reach,
                                    double off_plane) const {
   const CoarseSurface& s = *side.surface;
   Laid out;
   for (const uint32_t i : side.sample) {
-    const Found found =
-        partner(other, motion.point(s.points[i]), motion.direction(s.normals[i]), reach * other.cell_m);
+    const Found found = partner(other, T_other_side.point(s.points[i]),
+                                T_other_side.direction(s.normals[i]), reach * other.cell_m);
     if (found.index == kNoPoint || found.off_plane > off_plane * other.cell_m) continue;
     out.weight += s.weights[i];
     out.squares += found.off_plane * found.off_plane;
@@ -99,17 +100,17 @@ PoseJudge::Laid PoseJudge::laid_on(const Side& side, const Transform& motion, co
   return out;
 }
 
-PoseJudge::Likeness PoseJudge::likeness(const Side& side, const Transform& motion, const CoarseSurface& other,
-                                        double reach) const {
+PoseJudge::Likeness PoseJudge::likeness(const Side& side, const Transform& T_other_side,
+                                        const CoarseSurface& other, double reach) const {
   const CoarseSurface& s = *side.surface;
   std::vector<Neighbour> near;
   Likeness out;
   for (const uint32_t i : side.salient) {
-    other.tree->radius(motion.point(s.points[i]), reach * other.cell_m, near);
+    other.tree->radius(T_other_side.point(s.points[i]), reach * other.cell_m, near);
     if (near.empty()) continue;
     ++out.near;
     const float far = kAlike * squared_distance(s.features[i], s.mean_feature);
-    const Vec3 facing = motion.direction(s.normals[i]);
+    const Vec3 facing = T_other_side.direction(s.normals[i]);
     out.alike += std::any_of(near.begin(), near.end(), [&](const Neighbour& n) {
       return std::abs(dot(facing, other.normals[n.index])) >= kSameFacing &&
              squared_distance(s.features[i], other.features[n.index]) <= far;
@@ -118,9 +119,11 @@ PoseJudge::Likeness PoseJudge::likeness(const Side& side, const Transform& motio
   return out;
 }
 
-Overlap PoseJudge::overlap(const Transform& pose, double reach, double off_plane) const {
-  const Laid forth = laid_on(moving_, pose, *reference_.surface, reach, off_plane);
-  const Laid back = laid_on(reference_, inverse(pose), *moving_.surface, reach, off_plane);
+Overlap PoseJudge::overlap(const Transform& T_reference_moving, double reach,
+                           double off_plane) const {
+  const Transform T_moving_reference = inverse(T_reference_moving);
+  const Laid forth = laid_on(moving_, T_reference_moving, *reference_.surface, reach, off_plane);
+  const Laid back = laid_on(reference_, T_moving_reference, *moving_.surface, reach, off_plane);
   Overlap out;
   out.of_moving = forth.weight / moving_.weight;
   out.of_reference = back.weight / reference_.weight;
@@ -130,8 +133,8 @@ Overlap PoseJudge::overlap(const Transform& pose, double reach, double off_plane
     out.rms_m = std::sqrt((forth.squares + back.squares) / static_cast<double>(out.pairs));
     out.scatter_m = std::sqrt((forth.scatter + back.scatter) / static_cast<double>(out.pairs));
   }
-  const Likeness there = likeness(moving_, pose, *reference_.surface, reach);
-  const Likeness here = likeness(reference_, inverse(pose), *moving_.surface, reach);
+  const Likeness there = likeness(moving_, T_reference_moving, *reference_.surface, reach);
+  const Likeness here = likeness(reference_, T_moving_reference, *moving_.surface, reach);
   const auto asked = static_cast<double>(moving_.salient.size() + reference_.salient.size());
   out.salient = static_cast<double>(there.near + here.near) / std::max(asked, 1.0);
   if (there.near + here.near > 0)
@@ -139,9 +142,10 @@ Overlap PoseJudge::overlap(const Transform& pose, double reach, double off_plane
   return out;
 }
 
-bool PoseJudge::step(MotionModel& model, double reach, Square<6>& normal) const {
+PoseJudge::Step PoseJudge::step(MotionModel& model, double reach) const {
   const CoarseSurface &from = *moving_.surface, &to = *reference_.surface;
-  normal = {};
+  Step out;
+  Square<6>& normal = out.normal;
   Coefficients<6> right{}, j;
   size_t n = 0;
   for (const uint32_t i : moving_.sample) {
@@ -156,27 +160,28 @@ bool PoseJudge::step(MotionModel& model, double reach, Square<6>& normal) const 
       for (size_t c = 0; c < 6; ++c) normal[6 * r + c] += weight * j[r] * j[c];
     }
   }
-  if (n < kLeastPairs) return false;
+  if (n < kLeastPairs) return out;
   Square<6> damped = normal;
   double turns = 0, shifts = 0;
   for (size_t i = 0; i < 3; ++i) turns += normal[7 * i], shifts += normal[7 * (i + 3)];
   for (size_t i = 0; i < 6; ++i) damped[7 * i] += kDamping * (i < 3 ? turns : shifts);
   Cholesky<6> factor;
-  if (!factor.factor(damped)) return false;
+  if (!factor.factor(damped)) return out;
   model.move(factor.solve(right));
-  return true;
+  out.moved = true;
+  return out;
 }
 
-Transform PoseJudge::settled(const Transform& pose, double first, double last, int iterations,
-                             Square<6>* fixed) const {
-  MotionModel model(pose, moving_.surface->centroid);
-  Square<6> normal{};
+SettledPose PoseJudge::settled(const Transform& T_reference_moving, double first, double last,
+                               int iterations) const {
+  MotionModel model(T_reference_moving, moving_.surface->centroid);
+  Step last_step;
   for (int k = 0; k < iterations; ++k) {
     const double done = iterations > 1 ? static_cast<double>(k) / (iterations - 1) : 1;
-    if (!step(model, first * std::pow(last / first, done), normal)) break;
+    last_step = step(model, first * std::pow(last / first, done));
+    if (!last_step.moved) break;
   }
-  if (fixed != nullptr) *fixed = normal;
-  return model.motion();
+  return {model.motion(), last_step.normal};
 }
 
 double PoseJudge::difference(const Transform& a, const Transform& b) const {

@@ -44,7 +44,7 @@ Poses distinct(const Poses& poses, const PoseJudge& judge, double distance_m, si
   for (const RankedPose& pose : poses) {
     if (out.size() == most) break;
     const bool is_new = std::none_of(out.begin(), out.end(), [&](const RankedPose& other) {
-      return judge.difference(pose.pose, other.pose) <= distance_m;
+      return judge.difference(pose.T_reference_moving, other.T_reference_moving) <= distance_m;
     });
     if (is_new) out.push_back(pose);
   }
@@ -54,8 +54,10 @@ Poses distinct(const Poses& poses, const PoseJudge& judge, double distance_m, si
 void settle(Poses& poses, const PoseJudge& judge, double first_reach, int iterations, Task& task) {
   parallel_for(task, poses.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      poses[i].pose = judge.settled(poses[i].pose, first_reach, kLastReach, iterations);
-      poses[i].overlap = judge.overlap(poses[i].pose, kReach, kOffPlane);
+      Transform& T_reference_moving = poses[i].T_reference_moving;
+      T_reference_moving =
+          judge.settled(T_reference_moving, first_reach, kLastReach, iterations).T_reference_moving;
+      poses[i].overlap = judge.overlap(T_reference_moving, kReach, kOffPlane);
     }
   });
 }
@@ -65,9 +67,11 @@ Poses first_look(const PoseJudge& judge, const std::vector<PoseCandidate>& candi
                  Task& task) {
   Poses out;
   for (const PoseCandidate& candidate : candidates)
-    if (is_wanted(candidate.pose)) out.push_back({candidate.pose, candidate.source, {}});
+    if (is_wanted(candidate.T_reference_moving))
+      out.push_back({candidate.T_reference_moving, candidate.source, {}});
   parallel_for(task, out.size(), 4, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) out[i].overlap = judge.overlap(out[i].pose, kLooseReach, kLooseOffPlane);
+    for (size_t i = begin; i < end; ++i)
+      out[i].overlap = judge.overlap(out[i].T_reference_moving, kLooseReach, kLooseOffPlane);
   });
   rank(out);
   return out;
@@ -80,13 +84,15 @@ Poses slides(const RankedPose& best, const Square<6>& fixed, const CoarseSurface
   for (Eigen::Index i = 0; i < 6; ++i)
     for (Eigen::Index k = 0; k < 6; ++k) scaled(i, k) = fixed[static_cast<size_t>(6 * i + k)] * unit_of(i) * unit_of(k);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(scaled);
-  const Vec3 centre = best.pose.point(moving.centroid);
+  const Vec3 centre = best.T_reference_moving.point(moving.centroid);
   Poses out;
   for (Eigen::Index weak = 0; weak < 3; ++weak)
     for (const double way : {-kSlide * moving.cell_m, kSlide * moving.cell_m}) {
       const auto d = solver.eigenvectors().col(weak);
-      const Vec3 turn = Vec3{d(0), d(1), d(2)} * (way / moving.extent_m), shift = Vec3{d(3), d(4), d(5)} * way;
-      out.push_back({motion_about(centre, turn, shift) * best.pose, PoseSource::kSlide, {}});
+      const Vec3 turn = Vec3{d(0), d(1), d(2)} * (way / moving.extent_m);
+      const Vec3 shift = Vec3{d(3), d(4), d(5)} * way;
+      const Transform slide = motion_about(centre, turn, shift);
+      out.push_back({slide * best.T_reference_moving, PoseSource::kSlide, {}});
     }
   return out;
 }
@@ -98,10 +104,13 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
   const double cell_m = reference.cell_m;
   const PoseJudge few(reference, moving, kFewPoints), more(reference, moving, kMorePoints),
       many(reference, moving, kManyPoints);
-  const auto unwanted = [&](const RankedPose& p) { return !is_wanted(p.pose) || crosses(p, cell_m); };
+  const auto unwanted = [&](const RankedPose& p) {
+    return !is_wanted(p.T_reference_moving) || crosses(p, cell_m);
+  };
   CoarseSearch out;
   Poses poses;
   {
+    // Steps 1 and 2.
     const Span span(task, 0, 0.6, "settling poses");
     poses = distinct(first_look(few, candidates, is_wanted, task), few, kSamePose * cell_m, kSettled);
     settle(poses, more, kFirstReach, kIterations, task);
@@ -110,12 +119,17 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
     poses = distinct(poses, more, kOtherPose * cell_m, kRivals);
   }
   if (poses.empty()) return out;
+  // Step 2 again, on many points.
   const Span span(task, 0.6, 1, "judging poses");
   settle(poses, many, kReach, kLastIterations, task);
   std::erase_if(poses, unwanted);
   if (poses.empty()) return out;
   rank(poses);
-  poses.front().pose = many.settled(poses.front().pose, kReach, kLastReach, kLastIterations, &out.fixed);
+  const SettledPose settled =
+      many.settled(poses.front().T_reference_moving, kReach, kLastReach, kLastIterations);
+  poses.front().T_reference_moving = settled.T_reference_moving;
+  out.fixed = settled.fixed;
+  // Steps 3 and 4. The best may be found again by a slide; then it keeps its source.
   const RankedPose best = poses.front();
   Poses moved = slides(best, out.fixed, moving);
   settle(moved, more, kFirstReach, kIterations, task);
@@ -123,7 +137,9 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
   poses.insert(poses.end(), moved.begin(), moved.end());
   std::erase_if(poses, unwanted);
   rank(poses);
-  if (many.difference(poses.front().pose, best.pose) <= kOtherPose * cell_m) poses.front().source = best.source;
+  RankedPose& first = poses.front();
+  const double apart_m = many.difference(first.T_reference_moving, best.T_reference_moving);
+  if (apart_m <= kOtherPose * cell_m) first.source = best.source;
   out.poses = distinct(poses, many, kOtherPose * cell_m, kRivals);
   return out;
 }

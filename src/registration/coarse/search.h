@@ -10,8 +10,9 @@
 
 namespace jalon {
 
+/// A pose, where it came from, and what it lays onto each other.
 struct RankedPose {
-  Transform pose;
+  Transform T_reference_moving;  ///< between the surfaces' own frames
   PoseSource source = PoseSource::kFeatures;
   Overlap overlap;
 };
@@ -24,9 +25,14 @@ struct CoarseSearch {
 /// Which poses are wanted at all; of poses between the surfaces' own frames.
 using PoseFilter = std::function<bool(const Transform&)>;
 
-/// 1. The overlap of all candidates on few points; 2. the best of them settled by point-to-plane iterations and judged
-/// on more; 3. the best moved along what holds it least and settled again, so that a corridor shows that it is one;
-/// 4. what remains different, on all points.
+/// 1. The overlap of all candidates on few points.
+/// 2. The best of them settled by point-to-plane iterations and judged on more.
+/// 3. The best moved along what holds it least and settled again, so that a corridor shows that it
+///    is one.
+/// 4. What remains different, on all points.
+///
+/// After: every pose is wanted, lays no surface across the other, and lies at least four cells from
+/// each better one; none where no candidate stands. Same bits for any number of threads.
 CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& moving,
                           const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted, Task& task);
 

@@ -15,6 +15,18 @@
 
 namespace jalon {
 
+// Legend of coarse registration, for all files of this folder.
+//
+// Forms of a cloud:  raw: the caller's (Cloud);  surface: CoarseSurface, a point a cell; its points
+//                    have an index, here called cell as well.
+// Frames:            reference, moving: those of the surfaces, from whole metres near each cloud;
+//                    world: the caller's coordinates. T_a_b takes places of frame b to frame a: the
+//                    pose sought is T_reference_moving, in this folder between the surfaces'
+//                    frames.
+// Pairs:             `from` is of the moving surface, `to` of the reference.
+// Lengths:           reaches and tolerances are in cells of cell_m, the same for both surfaces.
+// Normals:           of either sign; a plane and its back are one.
+
 /// Fast point feature histogram (Rusu, Blodow & Beetz 2009): 3 angles of 11 bins each, of sum 100 an angle. All zero:
 /// none.
 constexpr size_t kFeatureSize = 33;
@@ -42,15 +54,22 @@ struct CoarseSurface {
   size_t size() const { return points.size(); }
 };
 
-/// The cell that leaves about `target` occupied cells of the larger cloud, from an even sample of both; never so small
-/// that the cells hold less than a few points.
+/// The cell (m) that leaves about `target` occupied cells of the larger cloud, from an even sample
+/// of both; never so small that the cells hold less than a few points. 0 where a cloud lies at one
+/// place.
 double coarse_cell(const Cloud& reference, const Cloud& moving, size_t target, Task& task);
 
-/// Cells with far fewer points than most are left out: they hold outliers.
+/// Thins a cloud to its cells' centroids, with planes, extent and balanced weights. Cells with far
+/// fewer points than most are left out: they hold outliers.
+///
+/// Before: cell_m above 0, the cloud not empty. After: all members but the features are set, as
+/// long as points; in the order of the voxel grid. O(n log n).
 CoarseSurface coarse_surface(const Cloud& cloud, double cell_m, Task& task);
 
-/// Weights by which each direction that surfaces face counts alike (Rusinkiewicz & Levoy 2001: normal-space sampling),
-/// and curved or broken places as much as all planes: what lies anywhere on a floor says little about a pose.
+/// Weights by which each direction that surfaces face counts alike (Rusinkiewicz & Levoy 2001:
+/// normal-space sampling), and curved or broken places as much as all planes: what lies anywhere on
+/// a floor says little about a pose. Before: normals and variation are set. After: weights, at
+/// most 5.
 void balance_weights(CoarseSurface& surface);
 
 }  // namespace jalon

@@ -74,7 +74,9 @@ void fill_coarse_tables(Registration& r, const CoarseSearch& found, double cell_
   add_column<uint8_t>(r.iteration_log, poses, "source", "", "what spoke for it: JALON_POSE_FROM_...",
                       [](const RankedPose& p) { return static_cast<uint8_t>(p.source); });
   add_columns<double, 12>(r.iteration_log, poses, "pose", "", "T_reference_moving, rows of [A | t]",
-                          [](const RankedPose& p, double* out) { std::copy_n(p.pose.m.begin(), 12, out); });
+                          [](const RankedPose& p, double* out) {
+                            std::copy_n(p.T_reference_moving.m.begin(), 12, out);
+                          });
   fill_tables(r, directions_of(found.fixed, r.extent_m));
 }
 
