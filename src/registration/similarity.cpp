@@ -38,14 +38,15 @@ void add_products(const Vec3& d, Symmetric3& sums) {
 }
 
 Transform assembled(const Eigen::Matrix3d& rotation, double scale, const Centroids& centroids) {
-  Transform pose;
+  Transform T_reference_moving;
+  auto& m = T_reference_moving.m;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) pose.m[static_cast<size_t>(4 * i + j)] = scale * rotation(i, j);
-  const Vec3 t = centroids.reference - pose.direction(centroids.moving);
-  pose.m[3] = t.x;
-  pose.m[7] = t.y;
-  pose.m[11] = t.z;
-  return pose;
+    for (int j = 0; j < 3; ++j) m[static_cast<size_t>(4 * i + j)] = scale * rotation(i, j);
+  const Vec3 t = centroids.reference - T_reference_moving.direction(centroids.moving);
+  m[3] = t.x;
+  m[7] = t.y;
+  m[11] = t.z;
+  return T_reference_moving;
 }
 
 // What a scale (or 1) and a trace of singular values leave of the squares: |r|^2 - 2 s tr + s^2 |m|^2.
@@ -55,8 +56,8 @@ double squares_left(double reference, double moving, double trace, double scale)
 
 }  // namespace
 
-bool fit_similarity(std::span<const PointPair> pairs, bool with_scale, SimilarityFit& out) {
-  if (pairs.size() < 3) return false;
+std::optional<SimilarityFit> fit_similarity(std::span<const PointPair> pairs, bool with_scale) {
+  if (pairs.size() < 3) return std::nullopt;
   // 1. Both sides about their centroids: spreads and cross-covariance (Umeyama 1991, eq. 34-38, times n).
   const Centroids centroids = centroids_of(pairs);
   Symmetric3 reference{}, moving{};
@@ -70,7 +71,7 @@ bool fit_similarity(std::span<const PointPair> pairs, bool with_scale, Similarit
   }
   const Eigen3 of_reference = symmetric_eigen(reference), of_moving = symmetric_eigen(moving);
   for (const Eigen3& eigen : {of_reference, of_moving})
-    if (!(eigen.values[1] > kCollinear * eigen.values[2])) return false;
+    if (!(eigen.values[1] > kCollinear * eigen.values[2])) return std::nullopt;
   // 2. The rotation; the last singular vector changes sign where it would be a reflection.
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(crossed, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = svd.matrixU().determinant() * svd.matrixV().determinant() < 0 ? -1 : 1;
@@ -79,14 +80,15 @@ bool fit_similarity(std::span<const PointPair> pairs, bool with_scale, Similarit
   // 3. Scale and shift.
   const double r2 = reference[0] + reference[3] + reference[5], m2 = moving[0] + moving[3] + moving[5];
   const double trace = values.dot(signs);
-  if (with_scale && !(trace > 0)) return false;
+  if (with_scale && !(trace > 0)) return std::nullopt;
+  SimilarityFit out;
   out.scale = with_scale ? trace / m2 : 1;
-  out.pose = assembled(rotation, out.scale, centroids);
+  out.T_reference_moving = assembled(rotation, out.scale, centroids);
   out.squares_m2 = squares_left(r2, m2, trace, out.scale);
   out.mirrored_squares_m2 = squares_left(r2, m2, values.sum(), with_scale ? values.sum() / m2 : 1);
   const double n = static_cast<double>(pairs.size());
   for (size_t i = 0; i < 3; ++i) out.spread_m[i] = std::sqrt(std::max(0.0, of_moving.values[2 - i]) / n);
-  return true;
+  return out;
 }
 
 }  // namespace jalon

@@ -3,6 +3,7 @@
 #include "registration/targets/adjustment.h"
 
 #include <cmath>
+#include <optional>
 
 #include "geometry/rigid_motion.h"
 
@@ -16,8 +17,8 @@ constexpr double kSmallStep = 1e-8;  // in standard deviations of the unknowns: 
 template <size_t K>
 using Design = std::array<double, 3 * K>;  // row-major, 3 x K
 
-Square<3> rotated(const Transform& pose, const Square<3>& covariance) {
-  const auto& m = pose.m;
+Square<3> rotated(const Transform& T, const Square<3>& covariance) {
+  const auto& m = T.m;
   return propagated<3, 3>({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}, covariance);
 }
 
@@ -26,8 +27,9 @@ Vec3 times(const Square<3>& m, const Vec3& v) {
           m[6] * v.x + m[7] * v.y + m[8] * v.z};
 }
 
-Square<3> misclosure_covariance(const TargetPair& pair, const Transform& pose) {
-  Square<3> sum = rotated(pose, pair.moving_covariance);
+// Of T(m) - r: C_r + T C_m T^T.
+Square<3> misclosure_covariance(const TargetPair& pair, const Transform& T_reference_moving) {
+  Square<3> sum = rotated(T_reference_moving, pair.moving_covariance);
   for (size_t i = 0; i < 9; ++i) sum[i] += pair.reference_covariance[i];
   return sum;
 }
@@ -48,28 +50,35 @@ Design<K> design_at(const Vec3& lever) {
 template <size_t K>
 class Adjuster {
  public:
-  Adjuster(std::span<const TargetPair> pairs, const Transform& start) : pairs_(pairs), pose_(start) {
+  Adjuster(std::span<const TargetPair> pairs, const Transform& T_start)
+      : pairs_(pairs), T_reference_moving_(T_start) {
     for (const TargetPair& pair : pairs) centre_moving_ += pair.moving - pairs[0].moving;
     centre_moving_ = pairs[0].moving + centre_moving_ / static_cast<double>(pairs.size());
     rows_.resize(pairs.size());
   }
 
-  AdjustmentFailure run(TargetAdjustment& out, size_t& wrong_pair) {
+  AdjustedTargets run() {
+    AdjustedTargets result;
+    TargetAdjustment& out = result.adjustment;
     for (int step = 0; step < kMaxSteps && !out.converged; ++step) {
-      if (!linearise(wrong_pair)) return AdjustmentFailure::kWeights;
-      if (!factor_.factor(normal_)) return AdjustmentFailure::kLayout;
+      // 1. Normal equations at the present pose.
+      if (!normal_equations(result)) return result;
+      // 2. Their solution, and its length in standard deviations.
       const Coefficients<K> x = factor_.solve(right_);
       double length2 = 0;
       for (size_t i = 0; i < K; ++i) length2 += x[i] * right_[i];
-      if (!std::isfinite(length2)) return AdjustmentFailure::kLayout;
+      if (!std::isfinite(length2)) {
+        result.failure = AdjustmentFailure::kLayout;
+        return result;
+      }
       out.steps.push_back({squares_, std::sqrt(std::max(0.0, length2))});
+      // 3. The step.
       move(x);
       out.converged = out.steps.back().step < kSmallStep;
     }
-    if (!linearise(wrong_pair)) return AdjustmentFailure::kWeights;
-    if (!factor_.factor(normal_)) return AdjustmentFailure::kLayout;
-    write(out);
-    return AdjustmentFailure::kNone;
+    // 4. Residuals and cofactors at the last pose.
+    if (normal_equations(result)) write(out);
+    return result;
   }
 
  private:
@@ -79,30 +88,41 @@ class Adjuster {
     Design<K> design;
   };
 
-  // Misclosures at the measured places, derivatives at the adjusted ones; sums of the normal equations.
-  bool linearise(size_t& wrong_pair) {
+  // Sums and factor of the normal equations; false, and says why, where they have no solution.
+  bool normal_equations(AdjustedTargets& result) {
+    if (const std::optional<size_t> wrong = linearise()) {
+      result.wrong_pair = *wrong;
+      result.failure = AdjustmentFailure::kWeights;
+    } else if (!factor_.factor(normal_)) {
+      result.failure = AdjustmentFailure::kLayout;
+    }
+    return result.failure == AdjustmentFailure::kNone;
+  }
+
+  // Misclosures at the measured places, derivatives at the adjusted ones; sums of the normal
+  // equations. Gives the pair that has no weight, if any.
+  std::optional<size_t> linearise() {
     normal_ = {};
     right_ = {};
     squares_ = 0;
-    const Vec3 centre = pose_.point(centre_moving_);
+    const Vec3 centre = T_reference_moving_.point(centre_moving_);
     for (size_t i = 0; i < pairs_.size(); ++i) {
       Row& row = rows_[i];
       const TargetPair& pair = pairs_[i];
-      row.residual = pose_.point(pair.moving) - pair.reference;
-      row.covariance = misclosure_covariance(pair, pose_);
+      row.residual = T_reference_moving_.point(pair.moving) - pair.reference;
+      row.covariance = misclosure_covariance(pair, T_reference_moving_);
       Cholesky<3> factor;
-      if (!factor.factor(row.covariance)) {
-        wrong_pair = i;
-        return false;
-      }
+      if (!factor.factor(row.covariance)) return i;
       row.weight = factor.inverse();
       const Vec3 correlates = times(row.weight, row.residual);
-      const Vec3 adjusted = pose_.point(pair.moving) - times(rotated(pose_, pair.moving_covariance), correlates);
+      const Vec3 corrected =
+          times(rotated(T_reference_moving_, pair.moving_covariance), correlates);
+      const Vec3 adjusted = T_reference_moving_.point(pair.moving) - corrected;
       row.design = design_at<K>(adjusted - centre);
       squares_ += dot(row.residual, correlates);
       add(row, correlates);
     }
-    return true;
+    return std::nullopt;
   }
 
   void add(const Row& row, const Vec3& correlates) {
@@ -116,22 +136,22 @@ class Adjuster {
   }
 
   void move(const Coefficients<K>& x) {
-    const Vec3 centre = pose_.point(centre_moving_);
+    const Vec3 centre = T_reference_moving_.point(centre_moving_);
     double grown = 1;
     if constexpr (K == 7) grown = std::exp(x[6]);
-    Transform linear = rotation_by({x[0], x[1], x[2]}) * pose_;
+    Transform linear = rotation_by({x[0], x[1], x[2]}) * T_reference_moving_;
     for (double& m : linear.m) m *= grown;
     const Vec3 t = centre + Vec3{x[3], x[4], x[5]} - linear.direction(centre_moving_);
     linear.m[3] = t.x;
     linear.m[7] = t.y;
     linear.m[11] = t.z;
-    pose_ = linear;
+    T_reference_moving_ = linear;
   }
 
   void write(TargetAdjustment& out) const {
-    out.pose = pose_;
-    out.scale = K == 7 ? std::cbrt(pose_.determinant()) : 1;
-    out.centre = pose_.point(centre_moving_);
+    out.T_reference_moving = T_reference_moving_;
+    out.scale = K == 7 ? std::cbrt(T_reference_moving_.determinant()) : 1;
+    out.centre = T_reference_moving_.point(centre_moving_);
     const Square<K> inverse = factor_.inverse();
     for (size_t r = 0; r < K; ++r)
       for (size_t c = 0; c < K; ++c) out.cofactor[7 * r + c] = inverse[K * r + c];
@@ -147,7 +167,7 @@ class Adjuster {
   }
 
   std::span<const TargetPair> pairs_;
-  Transform pose_;
+  Transform T_reference_moving_;
   Vec3 centre_moving_;
   std::vector<Row> rows_;
   Square<K> normal_{};
@@ -158,15 +178,15 @@ class Adjuster {
 
 }  // namespace
 
-AdjustmentFailure adjust_targets(std::span<const TargetPair> pairs, bool with_scale, const Transform& start,
-                                 TargetAdjustment& out, size_t& wrong_pair) {
-  out = {};
-  return with_scale ? Adjuster<7>(pairs, start).run(out, wrong_pair) : Adjuster<6>(pairs, start).run(out, wrong_pair);
+AdjustedTargets adjust_targets(std::span<const TargetPair> pairs, bool with_scale,
+                               const Transform& T_start) {
+  return with_scale ? Adjuster<7>(pairs, T_start).run() : Adjuster<6>(pairs, T_start).run();
 }
 
 Square<3> predicted_cofactor(const TargetPair& pair, const TargetAdjustment& adjustment) {
-  Square<3> sum = misclosure_covariance(pair, adjustment.pose);
-  const Design<7> design = design_at<7>(adjustment.pose.point(pair.moving) - adjustment.centre);
+  Square<3> sum = misclosure_covariance(pair, adjustment.T_reference_moving);
+  const Vec3 place = adjustment.T_reference_moving.point(pair.moving);
+  const Design<7> design = design_at<7>(place - adjustment.centre);
   const Square<3> of_pose = propagated<3, 7>(design, adjustment.cofactor);
   for (size_t i = 0; i < 9; ++i) sum[i] += of_pose[i];
   return sum;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/random.h"
 #include "geometry/adjustment.h"
@@ -51,9 +52,16 @@ PlaneModel model_of(const Plane& plane) {
   return out;
 }
 
-// Random draws of three points, judged as MLESAC's simpler kin (Torr & Zisserman 2000), then the biweight.
-bool plane_of(const std::vector<Vec3>& points, const MeasuringSettings& setting, Task& task,
-              PlaneModel& out, Adjusted<3>& fit) {
+struct FittedPlane {
+  PlaneModel plane;
+  Adjusted<3> fit;
+};
+
+// Step 1. Random draws of three points, judged as MLESAC's simpler kin (Torr & Zisserman 2000),
+// then the biweight.
+std::optional<FittedPlane> plane_of(const std::vector<Vec3>& points,
+                                    const MeasuringSettings& setting, Task& task) {
+  FittedPlane out;
   double best = 0;
   for (int i = 0; i < kDraws; ++i) {
     RandomStream random(setting.seed, static_cast<uint64_t>(i));
@@ -66,9 +74,12 @@ bool plane_of(const std::vector<Vec3>& points, const MeasuringSettings& setting,
       const double d = plane.distance(p) / setting.tolerance_m;
       score += d * d < 1 ? 1 - d * d : 0;
     }
-    if (score > best) best = score, out = model_of(plane);
+    if (score > best) best = score, out.plane = model_of(plane);
   }
-  return best > 0 && adjust(std::span<const Vec3>(points), {setting.tolerance_m, true}, task, out, fit);
+  if (!(best > 0)) return std::nullopt;
+  const std::span<const Vec3> all(points);
+  if (!adjust(all, {setting.tolerance_m, true}, task, out.plane, out.fit)) return std::nullopt;
+  return out;
 }
 
 // What carries the target: points of the plane, in its own coordinates.
@@ -110,26 +121,30 @@ std::vector<Vec2> hull_of(std::vector<Vec2> points) {
   return hull;
 }
 
-Vec2 centroid_of(const std::vector<Vec2>& ring, double& area) {
+struct RingCentre {
+  Vec2 centroid;
+  double area = 0;
+};
+
+RingCentre centre_of(const std::vector<Vec2>& ring) {
   Vec2 sum;
-  area = 0;
+  double area = 0;
   for (size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
     area += cross(a, b) / 2;
     sum = sum + (a + b) * (cross(a, b) / 6);
   }
-  return ring[0] + sum * (1 / area);
+  return {ring[0] + sum * (1 / area), area};
 }
 
 // The plate that holds the place: connected, all of it in sight, about as large as it should be. Its edges are known to
 // half the spacing either way; those of a plate that stands along the scan lines are wrong as a whole.
-bool find_plate(const std::vector<Vec2>& places, const Vec2& seed, double search_m, double size_m,
-                PatternCentre& out) {
-  if (places.size() < 3) return false;
-  double area = 0;
-  centroid_of(hull_of(places), area);
-  if (!(area > 0)) return false;
-  const double pixel = kPixelSpacings * std::sqrt(area / static_cast<double>(places.size()));
+std::optional<PatternCentre> find_plate(const std::vector<Vec2>& places, const Vec2& seed,
+                                        double search_m, double size_m) {
+  if (places.size() < 3) return std::nullopt;
+  const double all_m2 = centre_of(hull_of(places)).area;
+  if (!(all_m2 > 0)) return std::nullopt;
+  const double pixel = kPixelSpacings * std::sqrt(all_m2 / static_cast<double>(places.size()));
   const Raster raster = rasterise(places, pixel, 1);
   const Regions regions = label_regions(raster);
   size_t nearest = 0;
@@ -139,42 +154,54 @@ bool find_plate(const std::vector<Vec2>& places, const Vec2& seed, double search
   std::vector<Vec2> members;
   for (const Vec2& p : places) {
     if (regions.labels[raster.pixel_of(p)] != label) continue;
-    if (norm(p - seed) > search_m - pixel) return false;  // goes on beyond what was looked at
+    if (norm(p - seed) > search_m - pixel)
+      return std::nullopt;  // goes on beyond what was looked at
     members.push_back(p);
   }
-  out.centre = centroid_of(hull_of(members), area);
+  const auto [centroid, area] = centre_of(hull_of(members));
   const double across = std::sqrt(area), n = static_cast<double>(members.size());
-  if (!(std::fabs(across - size_m) <= kMostSizeOff * size_m)) return false;
+  if (!(std::fabs(across - size_m) <= kMostSizeOff * size_m)) return std::nullopt;
   const double variance = area / n / 24;
+  PatternCentre out;
+  out.centre = centroid;
   out.covariance = {variance, 0, 0, variance};
   out.points = members.size();
-  return true;
+  return out;
 }
 
-bool find_pattern(const Patch& patch, const Vec2& seed, const MeasuringSettings& setting,
-                  bool has_intensity, double search_m, Task& task, PatternCentre& out,
-                  TargetKind& kind) {
+struct KindOfPattern {
+  PatternCentre pattern;
+  TargetKind kind = TargetKind::kPatch;
+};
+
+// Step 2. What explains more of the brightness, a checker or a disc, where either explains enough;
+// else the plate.
+std::optional<KindOfPattern> find_pattern(const Patch& patch, const Vec2& seed,
+                                          const MeasuringSettings& setting, bool has_intensity,
+                                          double search_m, Task& task) {
   std::vector<BrightPoint> about = patch.points;  // about the place that was given
   for (BrightPoint& p : about) p.u -= seed.u, p.v -= seed.v;
   const bool any = setting.pattern == TargetPattern::kAutomatic;
   const double reach = std::max(search_m - setting.size_m / 2, setting.size_m / 8);
-  PatternCentre checker, disc;
   const bool seeks_checker = has_intensity && (any || setting.pattern == TargetPattern::kChecker);
   const bool seeks_disc = has_intensity && (any || setting.pattern == TargetPattern::kDisc);
-  if (!seeks_checker || !find_checker(about, setting.size_m, reach, task, checker)) checker.explained = 0;
-  if (!seeks_disc || !find_disc(about, setting.size_m, reach, task, disc)) disc.explained = 0;
-  if (std::max(checker.explained, disc.explained) >= kLeastExplained) {
-    kind = checker.explained >= disc.explained ? TargetKind::kChecker : TargetKind::kDisc;
-    out = kind == TargetKind::kChecker ? checker : disc;
-    out.centre = out.centre + seed;
-    return true;
+  std::optional<PatternCentre> checker, disc;
+  if (seeks_checker) checker = find_checker(about, setting.size_m, reach, task);
+  if (seeks_disc) disc = find_disc(about, setting.size_m, reach, task);
+  const double by_checker = checker ? checker->explained : 0, by_disc = disc ? disc->explained : 0;
+  if (std::max(by_checker, by_disc) >= kLeastExplained) {
+    const bool is_checker = by_checker >= by_disc;
+    PatternCentre best = is_checker ? *checker : *disc;
+    best.centre = best.centre + seed;
+    return KindOfPattern{best, is_checker ? TargetKind::kChecker : TargetKind::kDisc};
   }
-  kind = TargetKind::kPatch;
-  return (any || setting.pattern == TargetPattern::kPatch) &&
-         find_plate(patch.places, seed, search_m, setting.size_m, out);
+  if (!any && setting.pattern != TargetPattern::kPatch) return std::nullopt;
+  const auto plate = find_plate(patch.places, seed, search_m, setting.size_m);
+  if (!plate) return std::nullopt;
+  return KindOfPattern{*plate, TargetKind::kPatch};
 }
 
-// Across: of the pattern; along the normal: of the plane there.
+// Step 3. Across: of the pattern; along the normal: of the plane there.
 Square<3> covariance_at(const PlaneModel& plane, const PatternCentre& pattern, const Square<3>& of_plane) {
   const Coefficients<3> j{1, pattern.centre.u, pattern.centre.v};
   double along = 0;
@@ -198,14 +225,16 @@ MeasuredTarget measure_flat(const Cloud& cloud, const Octree& tree, const Vec3& 
   if (near.points.size() < setting.min_points) return out;
   out.status = Status::kDegenerate;
   out.points = 0;
-  PlaneModel plane;
-  Adjusted<3> fit;
-  if (!plane_of(near.points, setting, task, plane, fit)) return out;
+  const std::optional<FittedPlane> fitted = plane_of(near.points, setting, task);
+  if (!fitted) return out;
+  const auto& [plane, fit] = *fitted;
   const Column* intensity = cloud.fields.find(setting.intensity_field);
   const Patch patch = patch_of(near, plane, intensity, setting.tolerance_m);
   const Vec2 seed{-dot(plane.origin, plane.u), -dot(plane.origin, plane.v)};
-  PatternCentre pattern;
-  if (!find_pattern(patch, seed, setting, intensity != nullptr, search_m, task, pattern, out.kind)) return out;
+  const auto found = find_pattern(patch, seed, setting, intensity != nullptr, search_m, task);
+  out.kind = found ? found->kind : TargetKind::kPatch;
+  if (!found) return out;
+  const PatternCentre& pattern = found->pattern;
   if (pattern.points < setting.min_points) {
     out.status = Status::kInsufficientData;
     out.points = pattern.points;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "geometry/adjustment.h"
@@ -64,7 +65,11 @@ void for_each_centre(double size_m, double reach_m, Task& task, F&& f) {
   }
 }
 
-bool search_checker(std::span<const BrightPoint> points, double size_m, double reach_m, Task& task, CheckerModel& out) {
+// Step 1: the centre and turn, or radius, whose pattern of plus and minus one goes best with the
+// brightness.
+std::optional<CheckerModel> search_checker(std::span<const BrightPoint> points, double size_m,
+                                           double reach_m, Task& task) {
+  CheckerModel out;
   double best = 0;
   for_each_centre(size_m, reach_m, task, [&](const Vec2& centre) {
     const auto near = window(points, centre, kCheckerShare * size_m);
@@ -82,10 +87,13 @@ bool search_checker(std::span<const BrightPoint> points, double size_m, double r
       correlation.set(out.level, out.contrast);
     }
   });
-  return best > 0;
+  if (!(best > 0)) return std::nullopt;
+  return out;
 }
 
-bool search_disc(std::span<const BrightPoint> points, double size_m, double reach_m, Task& task, DiscModel& out) {
+std::optional<DiscModel> search_disc(std::span<const BrightPoint> points, double size_m,
+                                     double reach_m, Task& task) {
+  DiscModel out;
   double best = 0;
   for_each_centre(size_m, reach_m, task, [&](const Vec2& centre) {
     const auto near = window(points, centre, kDiscShare * size_m);
@@ -100,25 +108,39 @@ bool search_disc(std::span<const BrightPoint> points, double size_m, double reac
       correlation.set(out.level, out.contrast);
     }
   });
-  return best > 0;
+  if (!(best > 0)) return std::nullopt;
+  return out;
 }
 
-// Least squares in a window that follows the centre; the edges are as wide as the points are apart, since nothing
-// finer can be seen of them.
 template <class Model>
-bool refine(std::span<const BrightPoint> points, double radius_m, double size_m, Task& task, Model& model,
-            Square<Model::kUnknowns>& covariance, PatternCentre& out) {
+struct Refined {
+  PatternCentre pattern;
+  Model model;
+  Square<Model::kUnknowns> covariance;
+};
+
+// Step 2: least squares in a window that follows the centre; the edges are as wide as the points
+// are apart, since nothing finer can be seen of them.
+template <class Model>
+std::optional<Refined<Model>> refine(std::span<const BrightPoint> points, double radius_m,
+                                     double size_m, Model model, Task& task) {
+  Refined<Model> refined;
+  PatternCentre& out = refined.pattern;
   constexpr adjustment::Weighting kAll{INFINITY, INFINITY};
   for (int fit = 0; fit < kRefits; ++fit) {
     const auto near = window(points, model.centre, radius_m);
-    if (near.size() < kLeastPoints) return false;
+    if (near.size() < kLeastPoints) return std::nullopt;
     model.width_m = std::sqrt(std::numbers::pi * radius_m * radius_m / static_cast<double>(near.size()));
     const std::span<const BrightPoint> list(near);
-    if (!adjustment::descend(list, kAll, kMostSteps, 1e-7 * size_m, task, model) && fit == kRefits - 1) return false;
-    if (!std::isfinite(model.centre.u + model.centre.v) || !model.sound(size_m)) return false;
+    const bool settled = adjustment::descend(list, kAll, kMostSteps, 1e-7 * size_m, task, model);
+    if (!settled && fit == kRefits - 1) return std::nullopt;
+    const bool is_finite = std::isfinite(model.centre.u + model.centre.v);
+    if (!is_finite || !model.sound(size_m)) return std::nullopt;
     if (fit < kRefits - 1) continue;
     const auto sums = adjustment::sums_of(list, model, kAll, true, task);
-    if (!PatternCovariance<Model>::estimate(list, model, radius_m, covariance)) return false;
+    const auto estimated = PatternCovariance<Model>::estimate(list, model, radius_m);
+    if (!estimated) return std::nullopt;
+    const auto& covariance = refined.covariance = *estimated;
     double mean = 0, squares = 0;
     for (const BrightPoint& p : near) mean += p.value / static_cast<double>(near.size());
     for (const BrightPoint& p : near) squares += (p.value - mean) * (p.value - mean);
@@ -128,27 +150,31 @@ bool refine(std::span<const BrightPoint> points, double radius_m, double size_m,
     constexpr size_t kK = Model::kUnknowns;
     out.covariance = {covariance[0], covariance[1], covariance[kK], covariance[kK + 1]};
   }
-  return true;
+  refined.model = model;
+  return refined;
 }
 
 }  // namespace
 
-bool find_checker(std::span<const BrightPoint> points, double size_m, double reach_m, Task& task, PatternCentre& out) {
-  CheckerModel model;
-  Square<6> covariance;
-  return search_checker(sample_of(points), size_m, reach_m, task, model) &&
-         refine(points, kCheckerShare * size_m, size_m, task, model, covariance, out);
+std::optional<PatternCentre> find_checker(std::span<const BrightPoint> points, double size_m,
+                                          double reach_m, Task& task) {
+  const auto model = search_checker(sample_of(points), size_m, reach_m, task);
+  if (!model) return std::nullopt;
+  const auto refined = refine(points, kCheckerShare * size_m, size_m, *model, task);
+  if (!refined) return std::nullopt;
+  return refined->pattern;
 }
 
-bool find_disc(std::span<const BrightPoint> points, double size_m, double reach_m, Task& task, PatternCentre& out) {
-  DiscModel model;
-  Square<5> covariance;
-  if (!search_disc(sample_of(points), size_m, reach_m, task, model) ||
-      !refine(points, kDiscShare * size_m, size_m, task, model, covariance, out))
-    return false;
-  out.radius_m = model.radius_m;
-  out.radius_sigma_m = std::sqrt(covariance[12]);
-  return true;
+std::optional<PatternCentre> find_disc(std::span<const BrightPoint> points, double size_m,
+                                       double reach_m, Task& task) {
+  const auto model = search_disc(sample_of(points), size_m, reach_m, task);
+  if (!model) return std::nullopt;
+  const auto refined = refine(points, kDiscShare * size_m, size_m, *model, task);
+  if (!refined) return std::nullopt;
+  PatternCentre out = refined->pattern;
+  out.radius_m = refined->model.radius_m;
+  out.radius_sigma_m = std::sqrt(refined->covariance[12]);
+  return out;
 }
 
 }  // namespace jalon

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "base/task.h"
@@ -24,11 +25,14 @@ struct PatternCentre {
   uint64_t points = 0;
 };
 
-/// size_m: edge or diameter of the pattern; its centre lies within reach_m of the origin. A search on a grid, then
-/// least squares on the points within the pattern with edges as wide as the points are apart; covariance by White
-/// (1982).
-/// False when the points show none.
-bool find_checker(std::span<const BrightPoint> points, double size_m, double reach_m, Task& task, PatternCentre& out);
-bool find_disc(std::span<const BrightPoint> points, double size_m, double reach_m, Task& task, PatternCentre& out);
+/// 1. A search on a grid of centres; 2. least squares on the points within the pattern with edges
+/// as wide as the points are apart; covariance by White (1982). Nothing when the points show none.
+///
+/// Before: size_m, edge or diameter of the pattern, above 0; its centre lies within reach_m of the
+/// origin. After: a finite centre, fixed in both directions; radius and its sigma of a disc only.
+std::optional<PatternCentre> find_checker(std::span<const BrightPoint> points, double size_m,
+                                          double reach_m, Task& task);
+std::optional<PatternCentre> find_disc(std::span<const BrightPoint> points, double size_m,
+                                       double reach_m, Task& task);
 
 }  // namespace jalon

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 #include "registration/maximum_cliques.h"
@@ -83,28 +84,30 @@ class Matcher {
  private:
   size_t least() const { return std::max<size_t>(3, best_) - std::min(named_, std::max<size_t>(3, best_)); }
 
-  // Whether two pairs can agree, and at which difference or ratio of their distances.
-  bool agree(size_t a, size_t b, Edge& edge) const {
+  // At which difference or ratio of their distances two pairs agree, if they can.
+  std::optional<Edge> agreement(size_t a, size_t b) const {
     const IndexPair &p = nodes_[a], &q = nodes_[b];
-    if (p.reference == q.reference || p.moving == q.moving) return false;
+    if (p.reference == q.reference || p.moving == q.moving) return std::nullopt;
     const double r = reference_.length(p.reference, q.reference), m = moving_.length(p.moving, q.moving);
     const double vr = reference_.variance(p.reference, q.reference), vm = moving_.variance(p.moving, q.moving);
     const double given = setting_.match_tolerance_m;
     if (!setting_.with_scale()) {
-      edge = {a, b, r - m, given > 0 ? given : kSigmas * std::sqrt(vr + vm)};
-      return std::fabs(edge.ratio) <= edge.tolerance;
+      const Edge edge{a, b, r - m, given > 0 ? given : kSigmas * std::sqrt(vr + vm)};
+      if (!(std::fabs(edge.ratio) <= edge.tolerance)) return std::nullopt;
+      return edge;
     }
-    edge = {a, b, std::log(r / m), given > 0 ? given / r : kSigmas * std::sqrt(vr / (r * r) + vm / (m * m))};
-    return std::fabs(edge.ratio) <= std::log(kMostScale);
+    const double sigmas = kSigmas * std::sqrt(vr / (r * r) + vm / (m * m));
+    const Edge edge{a, b, std::log(r / m), given > 0 ? given / r : sigmas};
+    if (!(std::fabs(edge.ratio) <= std::log(kMostScale))) return std::nullopt;
+    return edge;
   }
 
   Matching by_lengths() {
     PairGraph graph(nodes_.size());
-    Edge edge;
     for (size_t a = 0; a < nodes_.size(); ++a) {
       task_.checkpoint(0);
       for (size_t b = a + 1; b < nodes_.size(); ++b)
-        if (agree(a, b, edge)) graph.join(a, b);
+        if (agreement(a, b)) graph.join(a, b);
     }
     return search(graph);
   }
@@ -129,14 +132,13 @@ class Matcher {
   // k (k - 1) / 2 edges.
   Matching by_ratios() {
     std::vector<Edge> edges;
-    Edge edge;
     double width = INFINITY;
     for (size_t a = 0; a < nodes_.size(); ++a) {
       task_.checkpoint(0);
       for (size_t b = a + 1; b < nodes_.size(); ++b)
-        if (agree(a, b, edge)) {
-          edges.push_back(edge);
-          width = std::min(width, edge.tolerance);
+        if (const auto edge = agreement(a, b)) {
+          edges.push_back(*edge);
+          width = std::min(width, edge->tolerance);
         }
     }
     if (edges.empty()) return {};

@@ -34,6 +34,7 @@ struct Surroundings {
   std::vector<uint32_t> indices;
   std::vector<Vec3> points;
 };
+/// Those within radius_m of place + centre. centre: relative to the place as well.
 Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3& place, const Vec3& centre,
                              double radius_m);
 

@@ -50,7 +50,8 @@ bool puts_elsewhere(const SolvedWay& other, const SolvedWay& best, std::span<con
   for (const TargetPair& pair : pairs) {
     double variance = 0;
     for (size_t i = 0; i < 3; ++i) variance += pair.reference_covariance[4 * i] + pair.moving_covariance[4 * i];
-    const Vec3 apart = other.adjustment.pose.point(pair.moving) - best.adjustment.pose.point(pair.moving);
+    const Vec3 apart = other.adjustment.T_reference_moving.point(pair.moving) -
+                       best.adjustment.T_reference_moving.point(pair.moving);
     if (norm(apart) > kElsewhere * std::sqrt(variance)) return true;
   }
   return false;

@@ -10,6 +10,7 @@
 
 namespace jalon {
 
+/// A target of the reference and one of the moving set, by index.
 struct IndexPair {
   size_t reference, moving;
   bool operator==(const IndexPair&) const = default;
@@ -24,7 +25,8 @@ std::vector<IndexPair> pairs_by_name(std::span<const Target> reference, std::spa
 
 /// Whole metres near the targets: coordinates of a national grid are worked on relative to them.
 Vec3 origin_of(std::span<const Target> targets);
-/// Pairs for the adjustment, relative to these origins.
+/// Pairs for the adjustment, relative to these origins, in the order of the pairs. sigma_m: of
+/// targets without a covariance of their own.
 std::vector<TargetPair> measured_pairs(std::span<const Target> reference, std::span<const Target> moving,
                                        std::span<const IndexPair> pairs, const Vec3& reference_origin,
                                        const Vec3& moving_origin, double sigma_m);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "geometry/cholesky.h"
@@ -9,21 +10,24 @@
 
 namespace jalon {
 
-/// Covariance of a pattern's unknowns, by White (1982): the slope of the scores about the sum of their products. Edges
-/// of the model are as wide as the points are apart, true ones mostly sharper; the products of the derivatives, which
-/// stand for the slope where a model is right, are then too small by a third and the covariance more than twice too
-/// large.
+/// Covariance of a pattern's unknowns, by White (1982): the slope of the scores about the sum of
+/// their products. Edges of the model are as wide as the points are apart, true ones mostly
+/// sharper; the products of the derivatives, which stand for the slope where a model is right, are
+/// then too small by a third and the covariance more than twice too large.
+///
+/// Before: the model is the least squares fit to the points, more of them than unknowns. After: in
+/// the model's units and order of unknowns, symmetric.
 template <class Model>
 class PatternCovariance {
  public:
   static constexpr size_t kK = Model::kUnknowns;
 
-  /// False when an unknown is not fixed. reach_m: of the points around the centre.
-  static bool estimate(std::span<const BrightPoint> points, const Model& model, double reach_m, Square<kK>& out) {
+  /// Nothing when an unknown is not fixed. reach_m: of the points around the centre.
+  static std::optional<Square<kK>> estimate(std::span<const BrightPoint> points, const Model& model,
+                                            double reach_m) {
     Cholesky<kK> factor;
-    if (!factor.factor(slope_of_scores(points, model, model.units(reach_m)))) return false;
-    out = sandwich<kK>(factor.inverse(), products_of_scores(points, model));
-    return true;
+    if (!factor.factor(slope_of_scores(points, model, model.units(reach_m)))) return std::nullopt;
+    return sandwich<kK>(factor.inverse(), products_of_scores(points, model));
   }
 
  private:

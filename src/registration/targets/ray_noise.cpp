@@ -3,6 +3,7 @@
 #include "registration/targets/ray_noise.h"
 
 #include <cmath>
+#include <optional>
 
 namespace jalon {
 
@@ -22,9 +23,10 @@ double ray_variance(std::span<const Vec3> points, std::span<const Vec3> rays, co
   return n > 0 && spread > 1e-3 * n * n ? std::max(0.0, (n * xy - x * y) / spread) : 0;
 }
 
+// Of the centre and, for K = 4, the radius; none where the points do not fix them.
 template <size_t K>
-bool bias_of(std::span<const Vec3> points, std::span<const Vec3> rays, const Sphere& sphere, double reach_m,
-             double variance_m2, Coefficients<K>& out) {
+std::optional<Coefficients<K>> bias_of(std::span<const Vec3> points, std::span<const Vec3> rays,
+                                       const Sphere& sphere, double reach_m, double variance_m2) {
   Square<K> normal{};
   Coefficients<K> score{};
   for (size_t i = 0; i < points.size(); ++i) {
@@ -41,9 +43,8 @@ bool bias_of(std::span<const Vec3> points, std::span<const Vec3> rays, const Sph
     }
   }
   Cholesky<K> factor;
-  if (!factor.factor(normal)) return false;
-  out = factor.solve(score);
-  return true;
+  if (!factor.factor(normal)) return std::nullopt;
+  return factor.solve(score);
 }
 
 }  // namespace
@@ -52,13 +53,12 @@ Sphere without_ray_bias(std::span<const Vec3> points, std::span<const Vec3> rays
                         bool radius_known) {
   const double reach_m = kReach * sigma_m, variance = ray_variance(points, rays, fitted, reach_m);
   Sphere out = fitted;
-  Coefficients<3> shift;
-  Coefficients<4> both;
   if (radius_known) {
-    if (bias_of<3>(points, rays, fitted, reach_m, variance, shift)) out.centre -= Vec3{shift[0], shift[1], shift[2]};
-  } else if (bias_of<4>(points, rays, fitted, reach_m, variance, both)) {
-    out.centre -= Vec3{both[0], both[1], both[2]};
-    out.radius -= both[3];
+    if (const auto shift = bias_of<3>(points, rays, fitted, reach_m, variance))
+      out.centre -= Vec3{(*shift)[0], (*shift)[1], (*shift)[2]};
+  } else if (const auto both = bias_of<4>(points, rays, fitted, reach_m, variance)) {
+    out.centre -= Vec3{(*both)[0], (*both)[1], (*both)[2]};
+    out.radius -= (*both)[3];
   }
   return out;
 }

@@ -64,7 +64,7 @@ size_t worst_of(const std::vector<TargetTest>& tests) {
 
 TestedPair predicted(const IndexPair& pair, const TargetPair& measured, const TargetAdjustment& adjustment,
                      const Snooping& snooping) {
-  const Vec3 residual = adjustment.pose.point(measured.moving) - measured.reference;
+  const Vec3 residual = adjustment.T_reference_moving.point(measured.moving) - measured.reference;
   const Square<3> cofactor = predicted_cofactor(measured, adjustment);
   return {pair, residual, cofactor, snooping.test_prediction(residual, cofactor), true};
 }
@@ -74,21 +74,19 @@ TestedPair predicted(const IndexPair& pair, const TargetPair& measured, const Ta
 std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs,
                                             const TargetSettings& setting, std::string& why) {
   why = on_one_line("");
-  SimilarityFit start;
-  if (!fit_similarity(places_of(pairs), setting.with_scale(), start)) return {};
-  if (is_mirrored(start, pairs)) {
+  const std::optional<SimilarityFit> closed = fit_similarity(places_of(pairs), setting.with_scale());
+  if (!closed) return {};
+  if (is_mirrored(*closed, pairs)) {
     why = "the targets of one side are the mirror image of the other's: an axis has the wrong sign, or two are swapped";
     return {};
   }
-  TargetAdjustment out;
-  size_t wrong = 0;
-  const AdjustmentFailure failure =
-      adjust_targets(pairs, setting.with_scale(), start.pose, out, wrong);
-  if (failure == AdjustmentFailure::kWeights)
-    fail(Status::kInvalidArgument, "pair %zu: its two covariances add up to one without an inverse", wrong);
-  if (failure != AdjustmentFailure::kNone) return {};
-  const double turn = weakest_turn_rad(out.cofactor);
-  if (turn <= kOpenTurn_rad) return out;
+  AdjustedTargets adjusted = adjust_targets(pairs, setting.with_scale(), closed->T_reference_moving);
+  if (adjusted.failure == AdjustmentFailure::kWeights)
+    fail(Status::kInvalidArgument, "pair %zu: its two covariances add up to one without an inverse",
+         adjusted.wrong_pair);
+  if (adjusted.failure != AdjustmentFailure::kNone) return {};
+  const double turn = weakest_turn_rad(adjusted.adjustment.cofactor);
+  if (turn <= kOpenTurn_rad) return std::move(adjusted.adjustment);
   why = on_one_line(" as far as their covariances tell (standard deviation of a turn: " + text_of(turn, 2) + " rad)");
   return {};
 }
@@ -131,9 +129,10 @@ TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pair
   }
 }
 
-Transform placed(const Transform& pose, const TargetSets& sets) {
-  Transform out = pose;
-  const Vec3 t = pose.translation() + sets.reference_origin - pose.direction(sets.moving_origin);
+Transform placed(const Transform& T_reference_moving, const TargetSets& sets) {
+  Transform out = T_reference_moving;
+  const Vec3 t = T_reference_moving.translation() + sets.reference_origin -
+                 T_reference_moving.direction(sets.moving_origin);
   out.m[3] = t.x;
   out.m[7] = t.y;
   out.m[11] = t.z;

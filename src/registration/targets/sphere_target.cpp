@@ -3,8 +3,10 @@
 #include "registration/targets/sphere_target.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/sphere.h"
 #include "registration/targets/ray_noise.h"
@@ -39,18 +41,18 @@ struct CentreModel {
   void move(const Coefficients<3>& step) { sphere.centre += Vec3{step[0], step[1], step[2]}; }
 };
 
-// The two centres of the spheres of this radius through three points; false when the circle through them is larger.
-bool centres_through(const Vec3& a, const Vec3& b, const Vec3& c, double radius, Vec3 (&out)[2]) {
+// The two centres of the spheres of this radius through three points; none when the circle through
+// them is larger.
+std::optional<std::array<Vec3, 2>> centres_through(const Vec3& a, const Vec3& b, const Vec3& c,
+                                                   double radius) {
   const Vec3 u = b - a, v = c - a, n = cross(u, v);
   const double n2 = squared_norm(n);
-  if (!(n2 > 1e-4 * squared_norm(u) * squared_norm(v))) return false;
+  if (!(n2 > 1e-4 * squared_norm(u) * squared_norm(v))) return std::nullopt;
   const Vec3 to = (squared_norm(u) * cross(v, n) - squared_norm(v) * cross(u, n)) * (0.5 / n2);
   const double height2 = radius * radius - squared_norm(to);
-  if (!(height2 >= 0)) return false;
+  if (!(height2 >= 0)) return std::nullopt;
   const Vec3 up = n * std::sqrt(height2 / n2);
-  out[0] = a + to + up;
-  out[1] = a + to - up;
-  return true;
+  return std::array{a + to + up, a + to - up};
 }
 
 double score_of(const std::vector<Vec3>& sample, const Sphere& sphere, double tolerance_m) {
@@ -63,37 +65,49 @@ double score_of(const std::vector<Vec3>& sample, const Sphere& sphere, double to
 }
 
 // A point of the list within reach of another.
-bool draw_near(const std::vector<Vec3>& points, const Vec3& first, double reach_m, RandomStream& random, Vec3& out) {
+std::optional<Vec3> draw_near(const std::vector<Vec3>& points, const Vec3& first, double reach_m,
+                              RandomStream& random) {
   for (int i = 0; i < kTries; ++i) {
-    out = points[random.below(points.size())];
-    const double apart2 = squared_norm(out - first);
-    if (apart2 > 0 && apart2 <= reach_m * reach_m) return true;
+    const Vec3 drawn = points[random.below(points.size())];
+    const double apart2 = squared_norm(drawn - first);
+    if (apart2 > 0 && apart2 <= reach_m * reach_m) return drawn;
   }
-  return false;
+  return std::nullopt;
 }
 
 // Step 1 with a known radius: two spheres to three points that are no further apart than it allows.
-bool draw_known(const Surroundings& near, const MeasuringSettings& setting, Task& task,
-                Sphere& best) {
+std::optional<Sphere> draw_known(const Surroundings& near, const MeasuringSettings& setting,
+                                 Task& task) {
   std::vector<Vec3> sample;
   const size_t step = near.points.size() / kScored + 1;
   for (size_t i = 0; i < near.points.size(); i += step) sample.push_back(near.points[i]);
+  std::optional<Sphere> best;
   double best_score = 0;
   for (int i = 0; i < kDraws; ++i) {
     if (i % 64 == 0) task.checkpoint(0);
     RandomStream random(setting.seed, static_cast<uint64_t>(i));
     const Vec3 a = near.points[random.below(near.points.size())];
-    Vec3 b, c, centres[2];
-    if (!draw_near(near.points, a, 2 * setting.radius_m, random, b)) continue;
-    if (!draw_near(near.points, a, 2 * setting.radius_m, random, c)) continue;
-    if (!centres_through(a, b, c, setting.radius_m, centres)) continue;
-    for (const Vec3& centre : centres) {
+    const auto b = draw_near(near.points, a, 2 * setting.radius_m, random);
+    if (!b) continue;
+    const auto c = draw_near(near.points, a, 2 * setting.radius_m, random);
+    if (!c) continue;
+    const auto centres = centres_through(a, *b, *c, setting.radius_m);
+    if (!centres) continue;
+    for (const Vec3& centre : *centres) {
       const Sphere sphere{centre, setting.radius_m};
       const double score = score_of(sample, sphere, setting.tolerance_m);
       if (score > best_score) best_score = score, best = sphere;
     }
   }
-  return best_score > 0;
+  return best;
+}
+
+// Step 1 with any radius.
+std::optional<Sphere> draw_free(const Surroundings& near, const PrimitiveSetting& limits,
+                                Task& task) {
+  SphereFit fit;
+  if (!fit_sphere(near.points, limits, task, fit)) return std::nullopt;
+  return fit.sphere;
 }
 
 PrimitiveSetting free_setting(const MeasuringSettings& setting, double search_m) {
@@ -150,21 +164,24 @@ std::vector<Vec3> rays_of(const Cloud& cloud, const Surroundings& near, const Sp
   return out;
 }
 
-// Step 3.
-bool adjusted(const Cloud& cloud, const Surroundings& near, const MeasuringSettings& setting,
-              const PrimitiveSetting& limits, const Sphere& start, Task& task,
-              MeasuredTarget& out) {
+// Steps 3 and 4; none where there is no ball.
+std::optional<MeasuredTarget> adjusted(const Cloud& cloud, const Surroundings& near,
+                                       const MeasuringSettings& setting,
+                                       const PrimitiveSetting& limits, const Sphere& start,
+                                       Task& task) {
+  MeasuredTarget out;
   const std::vector<Vec3>& points = near.points;
   SphereFit fit;
   if (setting.radius_m > 0) {
     CentreModel model{start};
     Adjusted<3> of;
-    if (!adjust(std::span<const Vec3>(points), limits.adjustment(), task, model, of)) return false;
+    if (!adjust(std::span<const Vec3>(points), limits.adjustment(), task, model, of))
+      return std::nullopt;
     fit.sphere = model.sphere, fit.n = of.n, fit.sigma = of.sigma;
     out.covariance = of.covariance;
     out.radius_sigma_m = 0;
   } else {
-    if (!adjust_sphere(points, start, limits, task, fit)) return false;
+    if (!adjust_sphere(points, start, limits, task, fit)) return std::nullopt;
     for (size_t r = 0; r < 3; ++r)
       for (size_t c = 0; c < 3; ++c) out.covariance[3 * r + c] = fit.covariance[4 * r + c];
     out.radius_sigma_m = std::sqrt(fit.covariance[15]);
@@ -175,8 +192,10 @@ bool adjusted(const Cloud& cloud, const Surroundings& near, const MeasuringSetti
   out.radius_m = fit.sphere.radius;
   out.sigma_m = fit.sigma;
   out.points = fit.n;
-  return is_finite(out.centre) && is_ball(points, fit.sphere, setting.tolerance_m) &&
-         fit.sigma <= kMostSigma * setting.tolerance_m;
+  const bool is_good = is_finite(out.centre) && is_ball(points, fit.sphere, setting.tolerance_m) &&
+                       fit.sigma <= kMostSigma * setting.tolerance_m;
+  if (!is_good) return std::nullopt;
+  return out;
 }
 
 }  // namespace
@@ -187,7 +206,6 @@ MeasuredTarget measure_sphere(const Cloud& cloud, const Octree& tree, const Vec3
   const double search_m = setting.search_m > 0 ? setting.search_m : known ? kSearchRadii * setting.radius_m
                                                                           : kFreeSearch_m;
   const PrimitiveSetting limits = free_setting(setting, search_m);
-  MeasuredTarget out;
   const auto refused = [](Status status, size_t points) {
     MeasuredTarget none;
     none.status = status;
@@ -196,17 +214,17 @@ MeasuredTarget measure_sphere(const Cloud& cloud, const Octree& tree, const Vec3
   };
   Surroundings near = surroundings_of(cloud, tree, place, {}, search_m);
   if (near.points.size() < setting.min_points) return refused(Status::kInsufficientData, near.points.size());
-  Sphere start;
-  SphereFit drawn;
-  if (known ? !draw_known(near, setting, task, start) : !fit_sphere(near.points, limits, task, drawn))
-    return refused(Status::kDegenerate, 0);
-  if (!known) start = drawn.sphere;
+  const std::optional<Sphere> start =
+      known ? draw_known(near, setting, task) : draw_free(near, limits, task);
+  if (!start) return refused(Status::kDegenerate, 0);
   // Step 2: the whole of it, and nothing behind it.
-  near = surroundings_of(cloud, tree, place, start.centre, start.radius + 2 * setting.tolerance_m);
+  near =
+      surroundings_of(cloud, tree, place, start->centre, start->radius + 2 * setting.tolerance_m);
   if (near.points.size() < setting.min_points) return refused(Status::kInsufficientData, near.points.size());
-  if (!adjusted(cloud, near, setting, limits, start, task, out)) return refused(Status::kDegenerate, 0);
-  if (out.points < setting.min_points) return refused(Status::kInsufficientData, out.points);
-  return out;
+  const std::optional<MeasuredTarget> out = adjusted(cloud, near, setting, limits, *start, task);
+  if (!out) return refused(Status::kDegenerate, 0);
+  if (out->points < setting.min_points) return refused(Status::kInsufficientData, out->points);
+  return *out;
 }
 
 }  // namespace jalon

@@ -56,7 +56,8 @@ FieldTable step_table(const TargetAdjustment& adjustment) {
 double gyration_m(const TargetSolution& solution) {
   double sum = 0;
   for (const TargetPair& pair : solution.used)
-    sum += squared_norm(solution.adjustment.pose.point(pair.moving) - solution.adjustment.centre);
+    sum += squared_norm(solution.adjustment.T_reference_moving.point(pair.moving) -
+                        solution.adjustment.centre);
   return std::sqrt(sum / static_cast<double>(solution.used.size()));
 }
 
@@ -88,7 +89,7 @@ FieldTable global_columns(const TargetSets& sets, const TargetSolution& solution
 void describe_targets(const TargetSets& sets, const TargetSolution& solution,
                       const TargetSettings& setting, Registration& out) {
   const TargetAdjustment& a = solution.adjustment;
-  out.pose = placed(a.pose, sets);
+  out.pose = placed(a.T_reference_moving, sets);
   out.scale = a.scale;
   out.centre = a.centre + sets.reference_origin;
   const double factor = solution.sigma0 * solution.sigma0;

@@ -22,8 +22,12 @@ struct Target {
 
 /// Parameter table of method "targets".
 std::span<const ParamRow> targets_rows();
-/// The rigid or similarity motion that lays the moving targets onto the reference targets: 1. pairs by name, the
-/// rest by distances; 2. closed form; 3. weighted adjustment; 4. data snooping, on demand with removal.
+/// The rigid or similarity motion that lays the moving targets onto the reference targets. Legend:
+/// adjustment.h.
+/// 1. Pairs by name, the rest by distances.
+/// 2. Closed form.
+/// 3. Weighted adjustment.
+/// 4. Data snooping, on demand with removal.
 Registration register_targets(std::span<const Target> reference, std::span<const Target> moving,
                               const TargetSettings& settings, Task& task);
 

@@ -74,26 +74,28 @@ TEST_CASE("similarity__equals_horns_quaternions") {
     RandomStream random(21, draw);
     const bool with_scale = draw % 2 == 1;
     const auto pairs = noisy_pairs(3 + draw % 6, any_motion(random, with_scale ? 0.3 : 1), 0.05, random);
-    SimilarityFit fit;
-    REQUIRE(fit_similarity(pairs, with_scale, fit));
+    const auto found = fit_similarity(pairs, with_scale);
+    REQUIRE(found);
+    const SimilarityFit& fit = *found;
     const Transform other = by_quaternion(pairs, with_scale);
-    for (size_t i = 0; i < 12; ++i) CHECK(std::fabs(fit.pose.m[i] - other.m[i]) < 1e-9);
+    for (size_t i = 0; i < 12; ++i)
+      CHECK(std::fabs(fit.T_reference_moving.m[i] - other.m[i]) < 1e-9);
     double squares = 0;
-    for (const PointPair& p : pairs) squares += squared_norm(fit.pose.point(p.moving) - p.reference);
+    for (const PointPair& p : pairs)
+      squares += squared_norm(fit.T_reference_moving.point(p.moving) - p.reference);
     CHECK(squares == doctest::Approx(fit.squares_m2).epsilon(1e-6));
-    CHECK(fit.pose.determinant() > 0);
+    CHECK(fit.T_reference_moving.determinant() > 0);
   }
 }
 
 TEST_CASE("similarity__refuses_lines_and_pairs_of_points") {
   std::vector<PointPair> pairs;
-  SimilarityFit fit;
   for (int i = 0; i < 5; ++i) {
-    CHECK(!fit_similarity(pairs, false, fit));
+    CHECK(!fit_similarity(pairs, false));
     const double t = i;
     pairs.push_back({{1 + t, 2 * t, 3 - t}, {t, t, t}});
   }
-  CHECK(!fit_similarity(pairs, false, fit));
+  CHECK(!fit_similarity(pairs, false));
 }
 
 TEST_CASE("target_adjustment__is_the_maximum_of_the_likelihood_with_errors_on_both_sides") {
@@ -111,16 +113,16 @@ TEST_CASE("target_adjustment__is_the_maximum_of_the_likelihood_with_errors_on_bo
       pairs.push_back(p);
       places.push_back({p.reference, p.moving});
     }
-    SimilarityFit start;
-    REQUIRE(fit_similarity(places, with_scale, start));
-    TargetAdjustment out;
-    size_t wrong = 0;
-    REQUIRE(adjust_targets(pairs, with_scale, start.pose, out, wrong) == AdjustmentFailure::kNone);
+    const std::optional<SimilarityFit> closed = fit_similarity(places, with_scale);
+    REQUIRE(closed);
+    const AdjustedTargets adjusted = adjust_targets(pairs, with_scale, closed->T_reference_moving);
+    REQUIRE(adjusted.failure == AdjustmentFailure::kNone);
+    const TargetAdjustment& out = adjusted.adjustment;
     CHECK(out.converged);
-    const double best = objective(pairs, out.pose);
+    const double best = objective(pairs, out.T_reference_moving);
     CHECK(best == doctest::Approx(out.weighted_squares));
-    CHECK(best <= objective(pairs, start.pose));
-    const Vec3 from = inverse(out.pose).point(out.centre);
+    CHECK(best <= objective(pairs, closed->T_reference_moving));
+    const Vec3 from = inverse(out.T_reference_moving).point(out.centre);
     for (int unknown = 0; unknown < (with_scale ? 7 : 6); ++unknown) {
       // A tenth of a standard deviation either way: the slope is nothing against the curvature.
       const double sigma = std::sqrt(out.cofactor[static_cast<size_t>(8 * unknown)]);
@@ -128,7 +130,8 @@ TEST_CASE("target_adjustment__is_the_maximum_of_the_likelihood_with_errors_on_bo
       for (int side = 0; side < 2; ++side) {
         Coefficients<7> x{};
         x[static_cast<size_t>(unknown)] = (side == 0 ? -0.1 : 0.1) * sigma;
-        Transform moved = motion_about(out.centre, {x[0], x[1], x[2]}, {x[3], x[4], x[5]}) * out.pose;
+        Transform moved = motion_about(out.centre, {x[0], x[1], x[2]}, {x[3], x[4], x[5]}) *
+                          out.T_reference_moving;
         for (size_t i = 0; i < 12; ++i)
           if (i % 4 != 3) moved.m[i] *= std::exp(x[6]);
         const Vec3 t = out.centre + Vec3{x[3], x[4], x[5]} - moved.direction(from);
