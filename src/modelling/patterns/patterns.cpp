@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "modelling/patterns/candidate.h"
 #include "modelling/patterns/grid.h"
@@ -97,9 +98,11 @@ class Completion {
         const Vec2 centre{column.at, row.at};
         const size_t p = boxes_[i].holds(centre) ? pattern_at(patterns_, row, column) : patterns_.size();
         if (p == patterns_.size()) continue;
-        Motion2 motion{patterns_[p].box.middle(), centre - patterns_[p].box.middle(), 0};
+        const Vec2 pivot = patterns_[p].box.middle();
         const double spacing_m = spacing_beside(wall_, boxes_[i]);
-        if (!settle_on_sill(p, i, spacing_m, motion) || !is_free(p, motion, i)) continue;
+        const auto settled = settled_on_sill(p, i, spacing_m, {pivot, centre - pivot, 0});
+        if (!settled || !is_free(p, *settled, i)) continue;
+        const Motion2& motion = *settled;
         const std::vector<Vec2> form = outline_points(moved(best_of(p).outline, motion));
         std::vector<Vec2> border = border_of(p, motion, i, spacing_m);
         const double cost_m2 = cost_in_place(form, border, kReach * spacing_m);
@@ -189,7 +192,9 @@ class Completion {
     if (placed.residual_m > kFit * spacing_m || !is_of_size(placed, seen, spacing_m)) return out;
     size_t signs = static_cast<size_t>(std::count(seen.begin(), seen.end(), true));
     const double reach_m = 2 * grid_reach_m(wall_, setting_);
-    if (!settle_on_sill(p, i, spacing_m, out.motion)) return out;
+    const auto settled = settled_on_sill(p, i, spacing_m, out.motion);
+    if (!settled) return out;
+    out.motion = *settled;
     if (wall_.openings[i].ends_at_sill && !seen[kLower]) seen[kLower] = true, ++signs;
     const Vec2 centre = out.motion.point(box.middle());
     const GridLine* row = grid_.row_near(centre.v, reach_m);
@@ -210,14 +215,15 @@ class Completion {
     return out;
   }
 
-  /// Puts the copy's foot onto the sill that the opening ends at: it hides the wall below and is measured better than
-  /// any border. False when it lies elsewhere.
-  bool settle_on_sill(size_t p, size_t i, double spacing_m, Motion2& motion) const {
-    if (!wall_.openings[i].ends_at_sill) return true;
+  /// With the copy's foot on the sill that the opening ends at: it hides the wall below and is
+  /// measured better than any border. Nothing when it lies elsewhere.
+  std::optional<Motion2> settled_on_sill(size_t p, size_t i, double spacing_m,
+                                         Motion2 motion) const {
+    if (!wall_.openings[i].ends_at_sill) return motion;
     const double rise = boxes_[i].low.v - motion.point(patterns_[p].box.low).v;
-    if (std::fabs(rise) > kReach * spacing_m) return false;
+    if (std::fabs(rise) > kReach * spacing_m) return std::nullopt;
     motion.shift.v += rise;
-    return true;
+    return motion;
   }
 
   /// Whether the border lies where the form says on every side that is seen, within the tolerance of sizes.

@@ -46,10 +46,14 @@ void set_covariances(Model& model, const PlaneFrame& frame, const Face& plane, c
     UncertainSurface surface = plane_at(plane.plane, plane.covariance, model.vertices[ring.vertices[i]]);
     surface.sigma_m = std::hypot(surface.sigma_m, ring.extra_sigma_m);
     const size_t last = (i + n - 1) % n;
-    for (const bool by_chord : {false, true})
-      if (corner_covariance(frame, surface, edge_of(*ring.ring, last, true, by_chord),
-                            edge_of(*ring.ring, i, false, by_chord), out))
-        break;
+    for (const bool by_chord : {false, true}) {
+      const auto found =
+          corner_covariance(frame, surface, edge_of(*ring.ring, last, true, by_chord),
+                            edge_of(*ring.ring, i, false, by_chord));
+      if (!found) continue;
+      out = *found;
+      break;
+    }
   }
 }
 

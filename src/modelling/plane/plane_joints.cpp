@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <span>
 #include <tuple>
 
@@ -26,11 +27,10 @@ struct Line2 {
   Vec2 p, d;
 };
 
-bool intersect(const Line2& a, const Line2& b, Vec2& out) {
+std::optional<Vec2> intersect(const Line2& a, const Line2& b) {
   const double sine = cross(a.d, b.d);
-  if (std::fabs(sine) < kLeastCornerSine) return false;
-  out = a.p + a.d * (cross(b.p - a.p, b.d) / sine);
-  return true;
+  if (std::fabs(sine) < kLeastCornerSine) return std::nullopt;
+  return a.p + a.d * (cross(b.p - a.p, b.d) / sine);
 }
 
 Vec2 foot_on(const Line2& line, const Vec2& p) { return line.p + line.d * dot(p - line.p, line.d); }
@@ -61,15 +61,16 @@ bool move_edges(const VectorPlane& plane, std::span<const EdgeJoint> joints, Joi
     const size_t last = (i + n - 1) % n;
     const EdgeJoint *a = joint_of[last], *b = joint_of[i];
     if (a == nullptr && b == nullptr) continue;
-    const double reach_m = kReachOfGap * std::max(a != nullptr ? a->reach_m : 0, b != nullptr ? b->reach_m : 0);
-    Vec2 corner;
+    const double reach_m =
+        kReachOfGap * std::max(a != nullptr ? a->reach_m : 0, b != nullptr ? b->reach_m : 0);
     const bool has_arc = before.edges[last].sagitta_m != 0 || before.edges[i].sagitta_m != 0;
-    const bool meet = !has_arc && intersect(line_of(last), line_of(i), corner);
-    if (!meet || norm(corner - before.corners[i]) > reach_m) {
+    std::optional<Vec2> corner;
+    if (!has_arc) corner = intersect(line_of(last), line_of(i));
+    if (!corner || norm(*corner - before.corners[i]) > reach_m) {
       if (a != nullptr && b != nullptr) return false;
       corner = foot_on(line_of(a != nullptr ? last : i), before.corners[i]);
     }
-    out.face.outline.corners[i] = corner;
+    out.face.outline.corners[i] = *corner;
     out.is_fixed[i] = a != nullptr && b != nullptr;
   }
   return true;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "geometry/polygon2.h"
@@ -50,14 +51,15 @@ double height_above(const PlaneFrame& frame, const Vec3& p) {
   return dot(p - frame.origin, frame.normal) - frame.height;
 }
 
-// The line of both planes, p nearest to `near`. False when they are too flat to each other.
-bool line_of(const PlaneFrame& a, const PlaneFrame& b, const Vec3& near, PlaneLine& out) {
+// The line of both planes, p nearest to `near`; none when they are too flat to each other.
+std::optional<PlaneLine> line_of(const PlaneFrame& a, const PlaneFrame& b, const Vec3& near) {
   const double cosine = dot(a.normal, b.normal);
-  if (std::fabs(cosine) > kFlattest) return false;
+  if (std::fabs(cosine) > kFlattest) return std::nullopt;
+  PlaneLine out;
   const double ha = height_above(a, near), hb = height_above(b, near), square = 1 - cosine * cosine;
   out.d = normalized(cross(a.normal, b.normal));
   out.p = near - a.normal * ((ha - cosine * hb) / square) - b.normal * ((hb - cosine * ha) / square);
-  return true;
+  return out;
 }
 
 bool is_there(const VectorPlane& plane, const FaceAt& face, const Vec3& p, double gap_m) {
@@ -97,10 +99,11 @@ std::vector<EdgeJoint> find_joints(const std::vector<VectorPlane>& planes, const
       const FaceAt &a = faces[i], &b = faces[j];
       if (a.plane == b.plane || !are_near(a.box, b.box, std::max(a.gap_m, b.gap_m))) continue;
       // One line for a pair of planes, whichever faces meet: about the corner of the first plane's frame.
-      PlaneLine line;
-      if (!line_of(planes[a.plane].frame, planes[b.plane].frame, planes[a.plane].frame.origin, line)) continue;
-      find_edges(planes, a, b, line, all);
-      find_edges(planes, b, a, line, all);
+      const PlaneFrame& first = planes[a.plane].frame;
+      const auto line = line_of(first, planes[b.plane].frame, first.origin);
+      if (!line) continue;
+      find_edges(planes, a, b, *line, all);
+      find_edges(planes, b, a, *line, all);
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const EdgeJoint& a, const EdgeJoint& b) {

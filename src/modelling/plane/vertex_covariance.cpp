@@ -37,29 +37,29 @@ UncertainSurface edge_at(const PlaneFrame& frame, const Vec2& direction, double 
   return {frame.axis_u * -along.v + frame.axis_v * along.u, std::hypot(sigma_m, sigma_direction_rad * lever_m)};
 }
 
-bool vertex_covariance(const std::array<UncertainSurface, 3>& surfaces, Covariance3& out) {
+std::optional<Covariance3> vertex_covariance(const std::array<UncertainSurface, 3>& surfaces) {
   const Vec3 &a = surfaces[0].normal, &b = surfaces[1].normal, &c = surfaces[2].normal;
   const double determinant = dot(a, cross(b, c));
-  if (!(std::fabs(determinant) >= kLeastDeterminant)) return false;
+  if (!(std::fabs(determinant) >= kLeastDeterminant)) return std::nullopt;
   for (const UncertainSurface& surface : surfaces)
-    if (!std::isfinite(surface.sigma_m)) return false;
+    if (!std::isfinite(surface.sigma_m)) return std::nullopt;
   // The columns of N^-1: how far the vertex moves when one surface moves along its normal by a unit.
   const Vec3 moves[3] = {cross(b, c) / determinant, cross(c, a) / determinant, cross(a, b) / determinant};
-  out = {};
+  Covariance3 out{};
   for (int k = 0; k < 3; ++k) {
     const double variance = surfaces[static_cast<size_t>(k)].sigma_m * surfaces[static_cast<size_t>(k)].sigma_m;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) out[static_cast<size_t>(3 * i + j)] += variance * moves[k][i] * moves[k][j];
   }
-  return true;
+  return out;
 }
 
-bool corner_covariance(const PlaneFrame& frame, const UncertainSurface& plane, const CornerEdge& before,
-                       const CornerEdge& after, Covariance3& out) {
+std::optional<Covariance3> corner_covariance(const PlaneFrame& frame, const UncertainSurface& plane,
+                                             const CornerEdge& before, const CornerEdge& after) {
   const auto edge = [&](const CornerEdge& e) {
     return edge_at(frame, e.direction, e.sigma_m, e.sigma_direction_rad, e.length_m / 2);
   };
-  return vertex_covariance({plane, edge(before), edge(after)}, out);
+  return vertex_covariance({plane, edge(before), edge(after)});
 }
 
 }  // namespace jalon

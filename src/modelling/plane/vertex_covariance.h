@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "geometry/plane.h"
 #include "geometry/vec.h"
@@ -33,11 +34,12 @@ UncertainSurface plane_at(const Plane& plane, const std::array<double, 16>& cova
 UncertainSurface edge_at(const PlaneFrame& frame, const Vec2& direction, double sigma_m, double sigma_direction_rad = 0,
                          double lever_m = 0);
 
-/// Covariance of the vertex in which three independent surfaces meet: with N the rows of their normals and S the
-/// diagonal of their variances, C = N^-1 S N^-T (propagation of n_i . dp = e_i, first order). Three planes, or a face's
-/// plane and two of its edges, or two planes and an edge that ends their common line. False when they do not meet in
-/// one point (|det N| < 1e-3: directions within 0.06 degrees) or a sigma is not finite; out stays as it is.
-bool vertex_covariance(const std::array<UncertainSurface, 3>& surfaces, Covariance3& out);
+/// Covariance of the vertex in which three independent surfaces meet: with N the rows of their
+/// normals and S the diagonal of their variances, C = N^-1 S N^-T (propagation of n_i . dp = e_i,
+/// first order). Three planes, or a face's plane and two of its edges, or two planes and an edge
+/// that ends their common line. Nothing when they do not meet in one point (|det N| < 1e-3:
+/// directions within 0.06 degrees) or a sigma is not finite.
+std::optional<Covariance3> vertex_covariance(const std::array<UncertainSurface, 3>& surfaces);
 
 /// The usual case: a corner of a ring between two edges, in a plane (plane_at of the corner). The levers are half the
 /// edges' lengths.
@@ -46,7 +48,7 @@ struct CornerEdge {
   double length_m = 0;
   double sigma_m = 0, sigma_direction_rad = 0;
 };
-bool corner_covariance(const PlaneFrame& frame, const UncertainSurface& plane, const CornerEdge& before,
-                       const CornerEdge& after, Covariance3& out);
+std::optional<Covariance3> corner_covariance(const PlaneFrame& frame, const UncertainSurface& plane,
+                                             const CornerEdge& before, const CornerEdge& after);
 
 }  // namespace jalon

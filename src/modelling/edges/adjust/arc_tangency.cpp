@@ -53,16 +53,16 @@ struct Touch {
 
 }  // namespace
 
-bool touch_jambs(const EdgeInformation& information, double spacing_m, EdgeShape& before, EdgeShape& arc,
-                 EdgeShape& after) {
-  if (!is_between(before, arc, after)) return false;
+void touch_jambs(const EdgeInformation& information, double spacing_m, EdgeShape& before,
+                 EdgeShape& arc, EdgeShape& after) {
+  if (!is_between(before, arc, after)) return;
   Touch touches[] = {{before, arc.circle}, {after, arc.circle}};
   // 1. The arc's own measurements and the jambs'.
   EdgeInformation matrix = information;
   Coefficients<3> right{};
   for (const Touch& t : touches) {
     const double sigma = std::hypot(t.jamb.sigma_m, arc.sigma_m);
-    if (std::fabs(t.misfit_m) > kSigmas * sigma + kSpacings * spacing_m) return false;
+    if (std::fabs(t.misfit_m) > kSigmas * sigma + kSpacings * spacing_m) return;
     const double weight = 1 / (t.jamb.sigma_m * t.jamb.sigma_m);
     for (size_t i = 0; i < 3; ++i) {
       right[i] += weight * t.row[i] * t.misfit_m;
@@ -70,14 +70,13 @@ bool touch_jambs(const EdgeInformation& information, double spacing_m, EdgeShape
     }
   }
   Cholesky<3> factor;
-  if (!factor.factor(matrix)) return false;
+  if (!factor.factor(matrix)) return;
   const auto x = factor.solve(right);
   arc.circle = {arc.circle.centre + Vec2{x[0], x[1]}, arc.circle.radius + x[2]};
   // 2. The jambs touch it.
   for (Touch& t : touches) t.settle(arc.circle, factor, arc.source);
   // 3. Half a circle, from jamb to jamb.
   arc.set_ends(before.line.foot(arc.circle.centre), after.line.foot(arc.circle.centre));
-  return true;
 }
 
 }  // namespace jalon

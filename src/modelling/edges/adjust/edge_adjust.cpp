@@ -139,10 +139,10 @@ EdgeEvidence reveal_evidence(const EdgeSetting& setting, const MeasuredEdge& edg
   extra_per_m = 0;
   if (!setting.reveals) return best;
   for (const auto* points : {&edge.behind, &edge.before}) {
-    Reveal reveal;
-    if (!find_reveal(*points, {edge.shape.length_m, setting.spacing_m, setting.sigma_m}, reveal)) continue;
-    extra_per_m += reveal.per_metre2 * setting.window_m;
-    EdgeEvidence found{std::move(reveal.offsets), reveal.common_m2};
+    auto reveal = find_reveal(*points, {edge.shape.length_m, setting.spacing_m, setting.sigma_m});
+    if (!reveal) continue;
+    extra_per_m += reveal->per_metre2 * setting.window_m;
+    EdgeEvidence found{std::move(reveal->offsets), reveal->common_m2};
     found.summarise();
     if (std::fabs(found.mean_m) > kMostOffset * setting.spacing_m || !(found.variance_m2 < best.variance_m2)) continue;
     best = std::move(found);

@@ -60,7 +60,8 @@ std::vector<RevealPoint> before_filling(std::span<const RevealPoint> points, dou
 }
 
 // Step 2: the line with most points near it.
-bool draw_line(std::span<const RevealPoint> points, double reach_m, CrossLine& best) {
+std::optional<CrossLine> draw_line(std::span<const RevealPoint> points, double reach_m) {
+  std::optional<CrossLine> best;
   const size_t step = points.size() / kMostSampled + 1, count = (points.size() + step - 1) / step;
   double best_score = 0;
   for (int k = 0; k < kDraws; ++k) {
@@ -81,7 +82,7 @@ bool draw_line(std::span<const RevealPoint> points, double reach_m, CrossLine& b
     best_score = score;
     best = line;
   }
-  return best_score > 0;
+  return best;
 }
 
 // Sums of a line fit, and its covariance.
@@ -104,10 +105,18 @@ struct LineSums {
   }
 };
 
+struct SettledLine {
+  CrossLine line;
+  double sigma_m = 0;
+  std::vector<RevealPoint> inliers;
+  LineSums sums;
+};
+
 // Step 3: least squares on the points near it, their own spread deciding which.
-bool settle_line(std::span<const RevealPoint> points, double reach_m, CrossLine& line, double& sigma_m,
-                 std::vector<RevealPoint>& inliers, LineSums& sums) {
-  sigma_m = reach_m / kOutlier * 1.5;
+std::optional<SettledLine> settled_line(std::span<const RevealPoint> points, double reach_m,
+                                        const CrossLine& drawn) {
+  SettledLine out{drawn, reach_m / kOutlier * 1.5, {}, {}};
+  auto& [line, sigma_m, inliers, sums] = out;
   for (int round = 0; round < 6; ++round) {
     inliers.clear();
     sums = {};
@@ -119,12 +128,13 @@ bool settle_line(std::span<const RevealPoint> points, double reach_m, CrossLine&
       sums.add(p);
       squares += r * r;
     }
-    if (inliers.size() < kLeastPoints) return false;
+    if (inliers.size() < kLeastPoints) return std::nullopt;
     const double n = static_cast<double>(inliers.size());
     sigma_m = std::clamp(std::sqrt(squares / (n - 2)), kLeastSigma_m, reach_m / kOutlier * 1.5);
     line = sums.solve(sigma_m * sigma_m / (kSlopeSigma * kSlopeSigma));
   }
-  return std::fabs(line.slope) <= kMostSlope;
+  if (!(std::fabs(line.slope) <= kMostSlope)) return std::nullopt;
+  return out;
 }
 
 // Step 4: more points than the clutter beside the edge explains, along most of the edge.
@@ -169,43 +179,45 @@ std::vector<EdgeOffset> binned(std::span<const RevealPoint> inliers, const Cross
 }
 
 // Steps 1 to 5.
-bool find_about(std::span<const RevealPoint> points, double assumed_m, const RevealSetting& setting, Reveal& out) {
+std::optional<Reveal> find_about(std::span<const RevealPoint> points, double assumed_m,
+                                 const RevealSetting& setting) {
   const double reach_m = std::max(kReach_m, kReachOfSpacing * setting.spacing_m);
   const auto used = before_filling(points, assumed_m, reach_m, setting);
-  CrossLine line;
-  if (used.size() < kLeastPoints || !draw_line(used, reach_m, line)) return false;
-  std::vector<RevealPoint> inliers;
-  LineSums sums;
-  double sigma = 0;
-  if (!settle_line(used, reach_m, line, sigma, inliers, sums)) return false;
-  if (!is_surface(used, inliers, sigma, setting)) return false;
+  if (used.size() < kLeastPoints) return std::nullopt;
+  const std::optional<CrossLine> drawn = draw_line(used, reach_m);
+  if (!drawn) return std::nullopt;
+  const std::optional<SettledLine> settled = settled_line(used, reach_m, *drawn);
+  if (!settled) return std::nullopt;
+  const auto& [line, sigma, inliers, sums] = *settled;
+  if (!is_surface(used, inliers, sigma, setting)) return std::nullopt;
   double nearest = INFINITY, farthest = 0;
   for (const RevealPoint& p : inliers) {
     nearest = std::min(nearest, std::fabs(p.height_m));
     farthest = std::max(farthest, std::fabs(p.height_m));
   }
   const double prior = sigma * sigma / (kSlopeSigma * kSlopeSigma), variance = sigma * sigma;
+  Reveal out;
   out.offset_m = line.offset_m;
   out.slope = line.slope;
   out.common_m2 = std::max(0.0, sums.offset_variance(variance, prior) - variance / sums.n);
   out.per_metre2 = sums.n / (setting.length_m * (farthest - nearest));
   out.offsets = binned(inliers, line, sigma, setting.length_m);
-  return true;
+  return out;
 }
 
 }  // namespace
 
-bool find_reveal(std::span<const RevealPoint> points, const RevealSetting& setting, Reveal& out) {
-  if (find_about(points, 0, setting, out)) return true;
+std::optional<Reveal> find_reveal(std::span<const RevealPoint> points,
+                                  const RevealSetting& setting) {
+  if (auto found = find_about(points, 0, setting)) return found;
   // An edge between two columns of points may be assumed so far in the solid that the reveal itself looks like what
   // fills the opening. Once it is found, it tells what does.
   for (const double astray : kAstray)
-    if (find_about(points, -astray * setting.spacing_m, setting, out)) {
-      Reveal again;
-      if (find_about(points, out.offset_m, setting, again)) out = std::move(again);
-      return true;
+    if (auto found = find_about(points, -astray * setting.spacing_m, setting)) {
+      auto again = find_about(points, found->offset_m, setting);
+      return again ? again : found;
     }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace jalon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,9 +25,14 @@ struct RevealSetting {
   double sigma_m = 0.003;    ///< noise of the points across the plane
 };
 
-/// Looks for a surface in the points beside an edge, all on one side of its plane: the most points near one line across
-/// the edge (random draws, then least squares), in front of what fills the opening, spread along the edge and in
-/// height, and more of them than a cloud without that surface would put there. False when there is none.
-bool find_reveal(std::span<const RevealPoint> points, const RevealSetting& setting, Reveal& out);
+/// Looks for a surface in the points beside an edge, all on one side of its plane: the most points
+/// near one line across the edge (random draws, then least squares), in front of what fills the
+/// opening, spread along the edge and in height, and more of them than a cloud without that surface
+/// would put there. Nothing when there is none.
+///
+/// After: the slope is at most 31 degrees; offsets in ascending t, one a bin with points. The draws
+/// depend on the points' order only.
+std::optional<Reveal> find_reveal(std::span<const RevealPoint> points,
+                                  const RevealSetting& setting);
 
 }  // namespace jalon

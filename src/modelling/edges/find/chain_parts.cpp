@@ -84,11 +84,10 @@ double swept(const Splitter& s, const Circle& circle, size_t first, size_t last)
   return angle;
 }
 
-bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last, double& turn) {
+bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last) {
   const double spacing = s.setting.spacing_m;
   if (circle.radius < kLeastRadius * spacing) return false;
-  turn = swept(s, circle, first, last);
-  const double angle = std::fabs(turn);
+  const double angle = std::fabs(swept(s, circle, first, last));
   if (angle < kLeastTurn || (angle > kMostTurn && angle < kWholeTurn)) return false;
   if (circle.radius * (1 - std::cos(angle / 2)) < kLeastSagitta * spacing) return false;
   // Points spread along the arc, none of it empty: its length is theirs.
@@ -156,8 +155,7 @@ PartCost cost_of(const Splitter& s, size_t first, size_t last) {
   const auto curve = s.moments.arc(first, last);
   const double arc = std::max(n, curve.squares / s.variance);
   out.is_hopeless = out.is_hopeless && !(arc < kHopeless * n);
-  double turn;
-  if (arc + s.arc_cost < out.cost && is_arc(s, curve.circle, first, last, turn))
+  if (arc + s.arc_cost < out.cost && is_arc(s, curve.circle, first, last))
     out = {arc + s.arc_cost, true, false, false, {}};
   return out;
 }
@@ -279,13 +277,12 @@ void drop_bridges(const Splitter& s, std::vector<ChainPart>& parts) {
   for (size_t i = 0; i < parts.size() && parts.size() > 3;) {
     const size_t n = parts.size(), first = parts[i].first, last = first + parts[i].count - 1;
     const ChainPart &a = parts[(i + n - 1) % n], &c = parts[(i + 1) % n];
-    Vec2 corner;
-    const bool is_cut = is_bridge(s, first, last) && !parts[i].is_guided && !a.is_arc && !c.is_arc &&
-                        intersect(a.line, c.line, kLeastSine, corner) &&
-                        norm(corner - s.at(first)) <= s.setting.bridge_m &&
-                        norm(corner - s.at(last)) <= s.setting.bridge_m &&
-                        dot(a.line.direction, corner - s.at(a.first)) > 0 &&
-                        dot(c.line.direction, s.at(c.first + c.count - 1) - corner) > 0;
+    const auto corner = intersect(a.line, c.line, kLeastSine);
+    const bool is_cut = is_bridge(s, first, last) && !parts[i].is_guided && !a.is_arc &&
+                        !c.is_arc && corner && norm(*corner - s.at(first)) <= s.setting.bridge_m &&
+                        norm(*corner - s.at(last)) <= s.setting.bridge_m &&
+                        dot(a.line.direction, *corner - s.at(a.first)) > 0 &&
+                        dot(c.line.direction, s.at(c.first + c.count - 1) - *corner) > 0;
     if (is_cut)
       parts.erase(parts.begin() + static_cast<ptrdiff_t>(i));
     else

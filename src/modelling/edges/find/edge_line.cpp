@@ -105,15 +105,15 @@ bool are_aligned(const EdgeLine& a, const EdgeLine& b) {
   return dot(a.direction, b.direction) > 0 && std::fabs(cross(a.direction, b.direction)) <= kAligned;
 }
 
-bool intersect(const EdgeLine& a, const EdgeLine& b, double min_sine, Vec2& out) {
+std::optional<Vec2> intersect(const EdgeLine& a, const EdgeLine& b, double min_sine) {
   const double sine = cross(a.direction, b.direction);
-  if (std::fabs(sine) < min_sine) return false;
-  out = a.point + a.direction * (cross(b.point - a.point, b.direction) / sine);
+  if (std::fabs(sine) < min_sine) return std::nullopt;
+  Vec2 out = a.point + a.direction * (cross(b.point - a.point, b.direction) / sine);
   for (const EdgeLine* line : {&a, &b}) {  // upright edges stay upright to the last bit
     if (line->direction.u == 0) out.u = line->point.u;
     if (line->direction.v == 0) out.v = line->point.v;
   }
-  return true;
+  return out;
 }
 
 }  // namespace jalon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,9 @@ EdgeLine fit_edge_line(std::span<const Vec2> points, const StraightenSetting& se
 /// Same direction within 5 degrees.
 bool are_aligned(const EdgeLine& a, const EdgeLine& b);
 
-/// False when the sine of their angle is below min_sine.
-bool intersect(const EdgeLine& a, const EdgeLine& b, double min_sine, Vec2& out);
+/// Where they meet; nothing when the sine of their angle is below min_sine. On upright lines to the
+/// last bit.
+std::optional<Vec2> intersect(const EdgeLine& a, const EdgeLine& b, double min_sine);
 
 /// Mean without the lowest and highest sixth. Reorders its argument; not empty.
 double trimmed_mean(std::vector<double>& values);

@@ -3,6 +3,7 @@
 #include "modelling/edges/find/guided_steps.h"
 
 #include <cmath>
+#include <optional>
 
 namespace jalon {
 
@@ -19,13 +20,13 @@ bool are_parallel(const EdgeShape& a, const EdgeShape& b) {
   return is_upright(a) && is_upright(b) && (a.line.direction.u == 0) == (b.line.direction.u == 0);
 }
 
-// Ends where the neighbours are.
-bool fit_between(const EdgeShape& a, const EdgeShape& b, EdgeShape& edge) {
-  Vec2 from, to;
-  if (!intersect(a.line, edge.line, kLeastSine, from) || !intersect(edge.line, b.line, kLeastSine, to)) return false;
-  if (!(dot(edge.line.direction, to - from) > 0)) return false;
-  edge.set_ends(from, to);
-  return true;
+// The edge with its ends where the neighbours are; nothing where it would run backwards.
+std::optional<EdgeShape> fitted_between(const EdgeShape& a, const EdgeShape& b, EdgeShape edge) {
+  const auto from = intersect(a.line, edge.line, kLeastSine);
+  const auto to = intersect(edge.line, b.line, kLeastSine);
+  if (!from || !to || !(dot(edge.line.direction, *to - *from) > 0)) return std::nullopt;
+  edge.set_ends(*from, *to);
+  return edge;
 }
 
 // Across the edges a and b, through p; on a guide where one is near.
@@ -47,12 +48,19 @@ EdgeShape step_between(const GuideLines& guides, double spacing_m, const EdgeSha
   return out;
 }
 
+// The same on a guide only, with its ends; nothing without a guide near.
+std::optional<EdgeShape> guided_step(const GuideLines& guides, double spacing_m, const EdgeShape& a,
+                                     const EdgeShape& b, const Vec2& p) {
+  const EdgeShape step = step_between(guides, spacing_m, a, b, p);
+  return step.is_guided ? fitted_between(a, b, step) : std::nullopt;
+}
+
 }  // namespace
 
 void follow_guide(const GuideLines& guides, double spacing_m, const EdgeShape& a, const EdgeShape& b, EdgeShape& edge) {
   if (!are_parallel(a, b) || !is_upright(edge)) return;
-  EdgeShape guided = step_between(guides, spacing_m, a, b, (edge.first + edge.last) * 0.5);
-  if (guided.is_guided && fit_between(a, b, guided)) edge = guided;
+  const Vec2 middle = (edge.first + edge.last) * 0.5;
+  if (const auto guided = guided_step(guides, spacing_m, a, b, middle)) edge = *guided;
 }
 
 void guide_steps(const GuideLines& guides, double spacing_m, std::vector<EdgeShape>& ring) {
@@ -62,16 +70,17 @@ void guide_steps(const GuideLines& guides, double spacing_m, std::vector<EdgeSha
     const EdgeShape &a = ring[(i + n - 1) % n], &b = ring[(i + 1) % n];
     EdgeShape& edge = ring[i];
     if (edge.is_arc || is_upright(edge) || edge.length_m > kShort * spacing_m || !are_parallel(a, b)) continue;
-    EdgeShape guided = step_between(guides, spacing_m, a, b, (edge.first + edge.last) * 0.5);
-    if (guided.is_guided && fit_between(a, b, guided)) edge = guided;
+    const Vec2 middle = (edge.first + edge.last) * 0.5;
+    if (const auto guided = guided_step(guides, spacing_m, a, b, middle)) edge = *guided;
   }
   // 2. Missing ones.
   for (size_t i = 0; i < ring.size() && ring.size() > 2; ++i) {
     const EdgeShape &a = ring[i], &b = ring[(i + 1) % ring.size()];
     if (!are_parallel(a, b) || dot(a.line.direction, b.line.direction) < kAlong) continue;
     if (std::fabs(a.line.distance(b.line.point)) < kLeastStep * spacing_m) continue;
-    EdgeShape step = step_between(guides, spacing_m, a, b, (a.last + b.first) * 0.5);
-    if (fit_between(a, b, step)) ring.insert(ring.begin() + static_cast<ptrdiff_t>(i + 1), step);
+    const EdgeShape step = step_between(guides, spacing_m, a, b, (a.last + b.first) * 0.5);
+    if (const auto fitted = fitted_between(a, b, step))
+      ring.insert(ring.begin() + static_cast<ptrdiff_t>(i + 1), *fitted);
   }
 }
 

@@ -83,11 +83,11 @@ void drop_chamfers(Runs& all) {
     const Run& a = runs[(i + runs.size() - 1) % runs.size()];
     const Run& b = runs[i];
     const Run& c = runs[(i + 1) % runs.size()];
-    Vec2 corner;
+    const auto corner = intersect(a.line, c.line, kMinCornerSine);
     const double length = all.length(b);
     const bool is_cut = length <= reach && all.length(a) > length && all.length(c) > length &&
-                        intersect(a.line, c.line, kMinCornerSine, corner) && norm(corner - all.start(b)) <= reach &&
-                        norm(corner - all.end(b)) <= reach;
+                        corner && norm(*corner - all.start(b)) <= reach &&
+                        norm(*corner - all.end(b)) <= reach;
     if (is_cut)
       runs.erase(runs.begin() + static_cast<ptrdiff_t>(i));
     else
@@ -104,10 +104,9 @@ Polygon corners_of(const Runs& all) {
     const Run& a = runs[i];
     const Run& b = runs[(i + 1) % runs.size()];
     const Vec2 from = all.end(a), to = all.start(b);
-    Vec2 corner;
-    if (intersect(a.line, b.line, kMinCornerSine, corner) &&
-        std::min(norm(corner - from), norm(corner - to)) <= reach) {
-      out.push_back(corner);
+    const auto corner = intersect(a.line, b.line, kMinCornerSine);
+    if (corner && std::min(norm(*corner - from), norm(*corner - to)) <= reach) {
+      out.push_back(*corner);
       continue;
     }
     out.push_back(a.line.foot(from));

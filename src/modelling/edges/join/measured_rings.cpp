@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "geometry/polygon2.h"
 #include "modelling/edges/adjust/arc_tangency.h"
@@ -47,12 +48,13 @@ void drop_chamfers(std::vector<EdgeShape>& shapes, double reach_m) {
   for (size_t i = 0; i < shapes.size() && shapes.size() > 3;) {
     const size_t n = shapes.size();
     const EdgeShape &a = shapes[(i + n - 1) % n], &b = shapes[i], &c = shapes[(i + 1) % n];
-    Vec2 corner;
-    const bool is_cut = !a.is_arc && !b.is_arc && !b.is_guided && !c.is_arc && b.length_m <= reach_m &&
-                        a.length_m > b.length_m && c.length_m > b.length_m &&
-                        intersect(a.line, c.line, 0.3, corner) && norm(corner - b.first) <= reach_m &&
-                        norm(corner - b.last) <= reach_m && dot(a.line.direction, corner - a.first) > 0 &&
-                        dot(c.line.direction, c.last - corner) > 0;
+    const auto corner = intersect(a.line, c.line, 0.3);
+    const bool is_short =
+        b.length_m <= reach_m && a.length_m > b.length_m && c.length_m > b.length_m;
+    const bool is_cut = !a.is_arc && !b.is_arc && !b.is_guided && !c.is_arc && is_short && corner &&
+                        norm(*corner - b.first) <= reach_m && norm(*corner - b.last) <= reach_m &&
+                        dot(a.line.direction, *corner - a.first) > 0 &&
+                        dot(c.line.direction, c.last - *corner) > 0;
     if (is_cut)
       shapes.erase(shapes.begin() + static_cast<ptrdiff_t>(i));
     else
@@ -234,16 +236,17 @@ VectorRing draw(const Draft& draft, const Contour& contour) {
   std::vector<EdgeShape> shapes;
   for (const MeasuredEdge& edge : draft.edges) shapes.push_back(edge.shape);
   for (size_t i = 0; i < n && n > 2; ++i)
-    touch_jambs(draft.information[i], contour.spacing_m, shapes[(i + n - 1) % n], shapes[i], shapes[(i + 1) % n]);
-  VectorRing ring;
+    touch_jambs(draft.information[i], contour.spacing_m, shapes[(i + n - 1) % n], shapes[i],
+                shapes[(i + 1) % n]);
   const double reach = std::max(kChamfer * contour.max_edge_m, kShadowLength * contour.spacing_m);
-  if (!join_edges(shapes, contour.spacing_m, reach, ring)) return {};
+  std::optional<VectorRing> ring = join_edges(shapes, contour.spacing_m, reach);
+  if (!ring) return {};
   // The area that the contour encloses, give or take its distance from the true edge.
-  const double area = signed_area(ring), wanted = signed_area(*draft.chain);
+  const double area = signed_area(*ring), wanted = signed_area(*draft.chain);
   if ((area > 0) != (wanted > 0)) return {};
-  if (std::fabs(area - wanted) > contour.max_edge_m * perimeter(ring.corners)) return {};
-  ring.contour = *draft.chain;
-  return ring;
+  if (std::fabs(area - wanted) > contour.max_edge_m * perimeter(ring->corners)) return {};
+  ring->contour = *draft.chain;
+  return std::move(*ring);
 }
 
 }  // namespace

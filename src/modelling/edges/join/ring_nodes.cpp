@@ -26,35 +26,38 @@ const Vec2& nearer(const Vec2& a, const Vec2& b, const Vec2& to) {
   return squared(b - to) < squared(a - to) ? b : a;
 }
 
-// A10: H is the foot of the centre on the line; two points at +- h from it, or H itself at tangency.
-bool meet_circle(const EdgeLine& line, const Circle& circle, double tolerance_m, const Vec2& near, Vec2& out) {
+// H is the foot of the centre on the line; two points at +- h from it, or H itself at tangency.
+std::optional<Vec2> meet_circle(const EdgeLine& line, const Circle& circle, double tolerance_m,
+                                const Vec2& near) {
   const Vec2 foot = line.foot(circle.centre);
   const double distance = norm(foot - circle.centre);
-  if (distance > circle.radius + tolerance_m) return false;
+  if (distance > circle.radius + tolerance_m) return std::nullopt;
   const double h = std::sqrt(std::max(0.0, circle.radius * circle.radius - distance * distance));
-  out = nearer(foot + line.direction * h, foot - line.direction * h, near);
+  Vec2 out = nearer(foot + line.direction * h, foot - line.direction * h, near);
   if (line.direction.u == 0) out.u = line.point.u;
   if (line.direction.v == 0) out.v = line.point.v;
-  return true;
+  return out;
 }
 
-bool meet_circles(const Circle& a, const Circle& b, double tolerance_m, const Vec2& near, Vec2& out) {
+std::optional<Vec2> meet_circles(const Circle& a, const Circle& b, double tolerance_m,
+                                 const Vec2& near) {
   const Vec2 apart = b.centre - a.centre;
   const double d = norm(apart);
-  if (!(d > 0) || d > a.radius + b.radius + tolerance_m || d < std::fabs(a.radius - b.radius) - tolerance_m)
-    return false;
+  if (!(d > 0) || d > a.radius + b.radius + tolerance_m) return std::nullopt;
+  if (d < std::fabs(a.radius - b.radius) - tolerance_m) return std::nullopt;
   const double along = (d * d + a.radius * a.radius - b.radius * b.radius) / (2 * d);
   const double h = std::sqrt(std::max(0.0, a.radius * a.radius - along * along));
   const Vec2 unit = apart * (1 / d), foot = a.centre + unit * along, across{-unit.v * h, unit.u * h};
-  out = nearer(foot + across, foot - across, near);
-  return true;
+  return nearer(foot + across, foot - across, near);
 }
 
-bool meet(const EdgeShape& a, const EdgeShape& b, double tolerance_m, const Vec2& near, Vec2& out) {
-  if (a.is_arc && b.is_arc) return meet_circles(a.circle, b.circle, tolerance_m, near, out);
-  if (a.is_arc) return meet_circle(b.line, a.circle, tolerance_m, near, out);
-  if (b.is_arc) return meet_circle(a.line, b.circle, tolerance_m, near, out);
-  return intersect(a.line, b.line, kLeastSine, out);
+// Of two places that nearest to `near`.
+std::optional<Vec2> meet(const EdgeShape& a, const EdgeShape& b, double tolerance_m,
+                         const Vec2& near) {
+  if (a.is_arc && b.is_arc) return meet_circles(a.circle, b.circle, tolerance_m, near);
+  if (a.is_arc) return meet_circle(b.line, a.circle, tolerance_m, near);
+  if (b.is_arc) return meet_circle(a.line, b.circle, tolerance_m, near);
+  return intersect(a.line, b.line, kLeastSine);
 }
 
 // Two arcs of one circle.
@@ -71,10 +74,9 @@ Vec2 foot_on(const EdgeShape& shape, const Vec2& p) {
 
 std::vector<Vec2> nodes_between(const EdgeShape& a, const EdgeShape& b, double spacing_m, double reach_m) {
   const bool is_one_circle = go_on(a, b, spacing_m);
-  Vec2 node;
-  if (!is_one_circle && meet(a, b, spacing_m, (a.last + b.first) * 0.5, node) &&
-      std::min(norm(node - a.last), norm(node - b.first)) <= reach_m)
-    return {node};
+  std::optional<Vec2> node;
+  if (!is_one_circle) node = meet(a, b, spacing_m, (a.last + b.first) * 0.5);
+  if (node && std::min(norm(*node - a.last), norm(*node - b.first)) <= reach_m) return {*node};
   const Vec2 end = foot_on(a, a.last), start = foot_on(b, b.first);
   if (norm(end - start) <= (is_one_circle ? kArcStep : kStep) * spacing_m) return {(end + start) * 0.5};
   return {end, start};
@@ -117,18 +119,18 @@ void halve_arcs(VectorRing& ring, std::span<const EdgeShape> edges) {
 
 }  // namespace
 
-bool join_edges(std::span<const EdgeShape> edges, double spacing_m, double reach_m, VectorRing& out) {
+std::optional<VectorRing> join_edges(std::span<const EdgeShape> edges, double spacing_m,
+                                     double reach_m) {
   const size_t n = edges.size();
-  if (n < 2) return false;
+  if (n < 2) return std::nullopt;
   // 1. Nodes between edge i and the next: one, or two with a step between.
   std::vector<std::vector<Vec2>> nodes(n);
   for (size_t i = 0; i < n; ++i) nodes[i] = nodes_between(edges[i], edges[(i + 1) % n], spacing_m, reach_m);
   // 2. The ring.
-  out.corners.clear();
-  out.edges.clear();
+  VectorRing out;
   for (size_t i = 0; i < n; ++i) {
     const Vec2 from = nodes[(i + n - 1) % n].back(), to = nodes[i].front();
-    if (!runs_forward(edges[i], from, to)) return false;
+    if (!runs_forward(edges[i], from, to)) return std::nullopt;
     out.corners.push_back(from);
     out.edges.push_back(edge_of(edges[i], from, to));
     if (nodes[i].size() == 1) continue;
@@ -137,7 +139,8 @@ bool join_edges(std::span<const EdgeShape> edges, double spacing_m, double reach
   }
   if (out.corners.size() == 2) halve_arcs(out, edges);
   const auto flat = flattened(out, kChordError * spacing_m);
-  return flat.size() >= 3 && is_simple(flat);
+  if (flat.size() < 3 || !is_simple(flat)) return std::nullopt;
+  return out;
 }
 
 }  // namespace jalon
