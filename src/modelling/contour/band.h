@@ -19,13 +19,17 @@ struct ContourBand {
   std::vector<float> spacing_m;    ///< of the points about it: root of the occupied area a point
 };
 
-/// Leaves out the points of cells that are inner and have only inner neighbours, and those that are `foreign` (by index
-/// in points; empty: none). points: not empty.
+/// Leaves out the points of cells that are inner and have only inner neighbours, those that lie in
+/// a string, and those that are `foreign` (by index in points; empty: none).
+///
+/// Before: points not empty; cell_m and spacing_m above 0. After: the members are as long as each
+/// other, by cell, in one by index; foreign was asked of these and of no point deep inside. O(n log
+/// n).
 ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m,
                          const std::function<bool(uint32_t)>& foreign);
 
-/// Delaunay triangles of the band. Those among inner cells span the points left out: the functions below keep them
-/// whatever their size.
+/// Delaunay triangles of the band, anticlockwise. Those among inner cells span the points left out:
+/// the functions below keep them whatever their size.
 std::vector<Triangle2> all_triangles(const ContourBand& band, Task& task);
 /// Those without an edge longer than max_edge_m.
 std::vector<Triangle2> short_triangles(const ContourBand& band, double max_edge_m, Task& task);

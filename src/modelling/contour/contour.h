@@ -44,13 +44,20 @@ struct Contour {
   std::vector<ContourPiece> pieces;  ///< largest first
 };
 
-/// Contour of points in a plane: Delaunay triangulation without the triangles that span gaps (facade-modelling A2-A3,
-/// amended as its failure 5 says: edges with one triangle left, which gives chains). Points deeper than two raster
-/// cells inside take no part, so the cost follows the length of the contour: O(n log n) for the raster, then about 2 us
-/// a border point.
+/// Contour of points in a plane: Delaunay triangulation without the triangles that span gaps
+/// (facade-modelling A2-A3, amended as its failure 5 says: edges with one triangle left, which
+/// gives chains). Points deeper than two raster cells inside take no part, so the cost follows the
+/// length of the contour: O(n log n) for the raster, then about 2 us a border point.
 ///
-/// kAlpha lets the gap grow with the local spacing where the points lie up to twice as far apart as is typical.
-/// foreign: tells points, by index and with the spacing found, that bound nothing; asked of border points only.
+/// kAlpha lets the gap grow with the local spacing where the points lie up to twice as far apart as
+/// is typical.
+///
+/// After: pieces by falling area, each of the least area or more, with an outline of 3 points at
+/// least; openings of the least area and width or more; none for fewer than 3 points or where no
+/// gap is known. Same bits for any number of threads.
+///
+/// foreign: tells points, by index and with the spacing found, that bound nothing; asked of border
+/// points only.
 using ForeignTest = std::function<bool(uint32_t point, double spacing_m)>;
 Contour extract_contour(std::span<const Vec2> points, const ContourSetting& setting, Task& task,
                         const ForeignTest& foreign = {});

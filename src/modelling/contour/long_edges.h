@@ -23,7 +23,8 @@ std::vector<double> edge_lengths(std::span<const Vec2> points, std::span<const T
 /// but 2 to 5 spacings. 3 spacings when there are no edges.
 double long_edge_threshold(std::span<const double> lengths, double spacing_m);
 
-/// End points of the edges longer than threshold_m, ascending: outer and inner contours together.
+/// End points of the edges longer than threshold_m: outer and inner contours together. After:
+/// indices of points, ascending, none twice. O(t log t).
 std::vector<uint32_t> long_edge_points(std::span<const Vec2> points, std::span<const Triangle2> triangles,
                                        double threshold_m);
 

@@ -42,7 +42,8 @@ struct ComparedFace {
 /// triangles, coplanar ones together. O(corners), by plane O(faces x planes).
 std::vector<ComparedFace> compared_faces(const Model& model, const Vec3& origin, const FaceChoice& choice, Task& task);
 
-/// The face's region in another plane's frame, moved by shift first.
+/// The face's region in another plane's frame, moved by shift first: projected along that plane's
+/// normal.
 std::vector<PolygonWithHoles> region_in(const PlaneFrame& frame, const ComparedFace& face, const Vec3& shift);
 
 /// Is the middle of a face, moved by shift, within the tolerances of the reference's plane?

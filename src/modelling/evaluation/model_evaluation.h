@@ -66,6 +66,9 @@ struct ModelEvaluationSettings {
   double corner_angle_rad = 0.35;
 };
 std::span<const ParamRow> model_evaluation_rows();
+/// 1. The faces (or openings) of both to compare, in one frame of coordinates; 2. paired one to one
+/// by the area they share; 3. areas, borders and vertices of the pairs. Same bits for any number of
+/// threads.
 ModelEvaluation evaluate_model(const Model& automatic, const Model& reference,
                                const ModelEvaluationSettings& settings, Task& task);
 

@@ -31,12 +31,12 @@ struct FacadeSettings {
 std::span<const ParamRow> facade_rows();
 std::span<const ParamRow> extrusion_rows();
 
-/// Walls with windows and doors, their reveals and joinery, and the elements before and behind them, in space
-/// (Boulaassal 2010, 4.4.1):
+/// Walls with windows and doors, their reveals and joinery, and the elements before and behind
+/// them, in space (Boulaassal 2010, 4.4.1):
 /// 1. the 2D vector model of every planar segment (vectorise);
 /// 2. edges near other planes drawn to them (plane_joints.h);
-/// 3. facades, their walls, openings told from shadows (facade_plan.h, openings.h);
-/// 4. faces with shared vertices in a tree of parts (facade_assembly.h).
+/// 3. facades, their walls, openings told from shadows (plan.h, openings.h);
+/// 4. faces with shared vertices in a tree of parts (assembly.h).
 Model model_facade(const Segmentation& segmentation, const FacadeSettings& settings, Task& task);
 
 /// The walls alone, extruded inward along their normals by the depth of their openings, as closed solids with the

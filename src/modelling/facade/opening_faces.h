@@ -10,10 +10,12 @@ namespace jalon {
 /// Chords of a reveal's arc lie at most this far from it: reveals are planar strips (facade-modelling A11, A14).
 constexpr double kRevealChord_m = 0.001;
 
-/// What fills an opening, under its part: a part "joinery" with a pane parallel to the wall at the opening's depth, of
-/// the outline projected along the wall's normal; and a part "reveal" with one planar face a straight edge of the
-/// outline, and strips along its arcs. They use the vertices of the wall's hole. Nothing where the depth is unknown; no
-/// reveals where the pane does not lie behind the wall.
+/// What fills an opening, under its part: a part "joinery" with a pane parallel to the wall at the
+/// opening's depth, of the outline projected along the wall's normal; and a part "reveal" with one
+/// planar face a straight edge of the outline, and strips along its arcs.
+///
+/// After: they use the vertices of the wall's hole, so that no gap is left; nothing where the depth
+/// is unknown; no reveals where the pane does not lie behind the wall.
 void append_opening_faces(Model& model, PlaneVertices& wall, const FacadeOpening& opening, uint32_t opening_part,
                           const Face& joinery, bool with_reveals);
 

@@ -39,6 +39,11 @@ struct PlanSetting {
 };
 
 /// Facades, walls, their openings and shadows from the 2D models of the planes.
+///
+/// Before: planes[s] is that of segments[s]; edges are joined (join_planes). After: shadows are
+/// closed in the planes' faces; each opening that is neither a copy nor a bay is a hole or notch of
+/// the face that it names; elements are neither walls, nor joinery, nor reveals. shared is empty:
+/// the caller sets it.
 FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes, const PlanSetting& setting,
                         Task& task);
 

@@ -29,8 +29,9 @@ struct Candidate {
   }
 };
 
-/// Whether an outline of so many parameters, this far from the same border points (mean square), says so much more
-/// about them than the copy does that its parameters are worth it.
+/// Whether an outline of so many parameters, this far from the same border points (mean square),
+/// says so much more about them than the copy does that its parameters are worth it. Before: copy
+/// has a border.
 bool is_better_explained(const Candidate& copy, double own_cost_m2, double own_parameters);
 
 /// Variance of a placement across two opposite sides by those that are seen; infinite when none is. spacing_m: of the

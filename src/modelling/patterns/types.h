@@ -24,7 +24,8 @@ struct Pattern {
 /// Measured well enough to be copied.
 bool is_well_measured(const FacadeOpening& opening, const FacadeWall& wall, const PatternSetting& setting);
 
-/// Every well measured opening belongs to one pattern, perhaps alone. The best measured first.
+/// Every well measured opening belongs to one pattern, perhaps alone. After: the pattern of the
+/// best measured opening first; no opening in two.
 std::vector<Pattern> find_patterns(const FacadeWall& wall, const PatternSetting& setting);
 
 }  // namespace jalon

@@ -28,10 +28,12 @@ struct CellRows {
   size_t find(uint64_t key) const;
 };
 
-/// cell_m is enlarged where rows or columns would not fit 31 bits. points: not empty, finite.
+/// Before: points not empty, finite; cell_m above 0. After: every point is in one cell; cell_m is
+/// enlarged where rows or columns would not fit 31 bits. O(n log n).
 CellRows sort_into_cells(std::span<const Vec2> points, double cell_m);
 
-/// 1 for marked cells whose eight neighbours are all marked. O(cells).
+/// 1 for marked cells whose eight neighbours are all marked. marked: one a cell, as the result.
+/// O(cells).
 std::vector<uint8_t> eroded(const CellRows& rows, std::span<const uint8_t> marked);
 
 /// Points that are looked up by boxes.

@@ -15,7 +15,8 @@ namespace jalon {
 /// them and beside them. Such points bound nothing; where the plane ends the joint with the other one tells.
 class CrossingPoints {
  public:
-  /// segment: index of the plane in segmentation.segments. The arguments must outlive it.
+  /// Before: segment is the index of a plane in segmentation.segments; tree is that of its cloud.
+  /// The arguments must outlive it. O(segments).
   CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment);
 
   /// Whether a plane that is not parallel to this one goes through the point, with points of its own before and behind

@@ -52,12 +52,14 @@ struct PartRing {
   uint32_t part = kNoPart;
 };
 
-/// The corners of a ring as vertices, w in front of the plane.
+/// The corners of a ring as vertices, w in front of the plane. After: one corner each, in their
+/// order.
 PartRing part_ring(PlaneVertices& vertices, const VectorRing& ring, double w = 0);
 /// Walked the other way, for a face that looks the other way: an arc keeps its place and its sign.
 PartRing turned(const PartRing& ring);
 
-/// Appends a face of these rings. Its area is that of the rings, arcs included.
+/// Appends a face of these rings, the outline first. Before: their vertices are in the model and
+/// lie in face.plane. After: its area is that of the rings, arcs included.
 void append_face(Model& model, Face face, const std::vector<PartRing>& rings);
 /// A planar face through corners given in order, anticlockwise for who sees it against normal.
 void append_polygon(Model& model, uint32_t part, const std::vector<uint32_t>& corners, const Vec3& normal);

@@ -25,8 +25,12 @@ struct NearPoints : PointRows {
   std::vector<uint8_t> on_plane;   ///< 1: within the window, and not of another surface parallel to it
 };
 
-/// Looks up the octree cells along the polylines (plane coordinates): the cost follows the length of the edges, about
-/// 30 ns a point there. planes_parallel[s] tells whether segment s + 1 is another surface parallel to this plane.
+/// Looks up the octree cells along the polylines (plane coordinates): the cost follows the length
+/// of the edges, about 30 ns a point there.
+///
+/// Before: planes_parallel[s] tells whether segment s + 1 is another surface parallel to this
+/// plane. After: each point once, heights_m and on_plane as long as points; sorted into rows, so
+/// that boxes can be looked up. Some points farther than reach_m and depth_m may be among them.
 NearPoints points_near(const Segmentation& segmentation, const Octree& tree, const PlaneFrame& frame,
                        std::span<const std::vector<Vec2>> rings, std::span<const uint8_t> planes_parallel,
                        const NearSetting& setting);

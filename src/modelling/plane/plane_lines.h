@@ -23,7 +23,9 @@ struct EdgeJoint {
   double reach_m = 0;    ///< ends may move so far
 };
 
-/// Of each straight edge of the outlines the nearest joint, if any, ascending by plane, face, edge.
+/// Of each straight edge of the outlines the nearest joint, if any. After: ascending by plane,
+/// face, edge, at most one each; both planes of a joint have points where the edge runs. O(faces^2)
+/// box tests.
 std::vector<EdgeJoint> find_joints(const std::vector<VectorPlane>& planes, const JointSetting& setting, Task& task);
 
 }  // namespace jalon

@@ -27,7 +27,8 @@ struct RingBox {
   }
 };
 
-/// The same ring walked the other way: an outline becomes a hole and back.
+/// The same ring walked the other way: an outline becomes a hole and back. Edges keep their places,
+/// sagittas their sides.
 VectorRing reversed(const VectorRing& ring);
 /// Arcs as straight edges, chords at most chord_error_m from them: the same points whichever way the ring runs.
 VectorRing with_chords(const VectorRing& ring, double chord_error_m);

@@ -24,7 +24,8 @@ struct HoleContent {
   std::vector<HoleFiller> parallel, upright, other;
 };
 
-/// own_label: the wall's points are left out.
+/// Before: hole and map are of one survey; normal is the wall's. After: each label of the hole's
+/// points but own_label is one filler; ties in cells by label.
 HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segmentation& segmentation, const Vec3& normal,
                        uint32_t own_label, Task& task);
 

@@ -15,7 +15,7 @@ struct WallHole {
   uint32_t piece = 0;  ///< index of the wall's face
   bool is_notch = false;
   bool ends_at_sill = false;  ///< its first edge is the upper edge of a sill (sills.h)
-  bool is_bay = false;  ///< a notch between two pieces (wall_bays.h): no face has its outline
+  bool is_bay = false;        ///< a notch between two pieces (bays.h): no face has its outline
 };
 
 struct NotchSetting {
@@ -24,9 +24,11 @@ struct NotchSetting {
 };
 
 /// Holes in the order of faces and openings, then the notches of each face from left to right.
+/// After: all outlines anticlockwise; wall is as it was.
 std::vector<WallHole> holes_of(const VectorPlane& wall, const NotchSetting& setting);
 
-/// Takes a hole's ring from the face, or the notch from its outline: the corners between its feet go.
+/// Takes a hole's ring from the face, or the notch from its outline: the corners between its feet
+/// go. Before: hole is of this face and still in it.
 void close_hole(VectorFace& face, const WallHole& hole);
 
 }  // namespace jalon

@@ -32,7 +32,9 @@ struct WallRaster {
   }
 };
 
-/// Cells of the wall's spacing, coarser where there would be too many.
+/// Cells of the wall's spacing, coarser where there would be too many. After: two cells of margin
+/// all round at least; where holes overlap the later one has the cell. Empty for a wall without
+/// faces.
 WallRaster rasterise_wall(const VectorPlane& wall, std::span<const WallHole> holes);
 
 }  // namespace jalon

@@ -46,9 +46,13 @@ struct SurveyedWall {
   double sigma_m = 0;  ///< of its points
 };
 
-/// Looks at all walls in one pass over the cloud (facade-modelling A41). Where the station of a point is known, the ray
-/// from it decides: through the plane of the wall and on = seen through there; ended before it = hidden there. Without
-/// stations the points themselves, projected onto the wall. Cost: points x walls, a few operations each.
+/// Looks at all walls in one pass over the cloud (facade-modelling A41). Where the station of a
+/// point is known, the ray from it decides: through the plane of the wall and on = seen through
+/// there; ended before it = hidden there. Without stations the points themselves, projected onto
+/// the wall.
+///
+/// After: one survey a wall, in it one a hole, in the order given; points in the order of the
+/// cloud. The same bits for any number of threads. Cost: points x walls, a few operations each.
 std::vector<WallSurvey> survey_walls(const Segmentation& segmentation, std::span<const SurveyedWall> walls,
                                      const SurveySetting& setting, Task& task);
 

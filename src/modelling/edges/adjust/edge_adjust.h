@@ -19,10 +19,17 @@ struct EdgeSetting {
 /// an arc its centre u, v and radius.
 using EdgeInformation = Square<3>;
 
-/// Moves an edge to where the density of the plane's points begins and the points of its reveals say; sets sigma and
-/// source. The two agree, and are averaged by their variances, or the reveal wins if it has many points. Lines of a
-/// snapped direction keep it, others may be snapped now (EdgeShape::snap). Returns the information about the edge as it
-/// now is. Does nothing to an edge about which nothing was measured but give it the sigma of contour points.
+/// Moves an edge to where the density of the plane's points begins and the points of its reveals
+/// say.
+/// 1. What the reveals say of it, and then what the density says (edge_reveal.h, edge_density.h).
+/// 2. The two agree, and are averaged by their variances, or the reveal wins if it has many points.
+/// 3. Corrections of place and slope, or of centre and radius, by least squares.
+/// 4. Lines of a snapped direction keep it, others may be snapped now (EdgeShape::snap).
+///
+/// Before: blocks and reveal points are those about the edge as it is (collect_blocks). After:
+/// sigma is finite, source says what told the place, moved_m has grown by the step; an edge about
+/// which nothing was measured has only got the sigma of contour points. Returns the information
+/// about the edge as it now is.
 EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& variance, MeasuredEdge& edge);
 
 }  // namespace jalon

@@ -8,9 +8,13 @@
 
 namespace jalon {
 
-/// Brings weak edges of a plane onto the lines of better ones, as a draughtsman does: exactly vertical or horizontal
-/// edges with the solid on the same side that lie in one line within their standard deviations get its weighted mean,
-/// the best measured ones first. An edge measured well keeps to itself where it differs. O(n^2) in lines that are near.
+/// Brings weak edges of a plane onto the lines of better ones, as a draughtsman does: exactly
+/// vertical or horizontal edges with the solid on the same side that lie in one line within their
+/// standard deviations get its weighted mean, the best measured ones first. An edge measured well
+/// keeps to itself where it differs.
+///
+/// After: edges brought together have the same coordinate; arcs and slanted edges are as they were.
+/// O(n^2) in lines that are near.
 void align_edges(std::span<MeasuredEdge* const> edges, double spacing_m);
 
 }  // namespace jalon

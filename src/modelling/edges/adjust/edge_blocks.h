@@ -42,8 +42,12 @@ constexpr double kStripOutward = 2.5, kStripInward = 9;
 /// Contour points of all rings of a plane: where other edges are.
 PointRows contour_points(std::span<const std::vector<Vec2>> rings, double spacing_m);
 
-/// Cuts the edge, less its ends, into blocks and takes up the points next to it. min_height_m: of points off the plane.
-/// O(points near the edge).
+/// Cuts the edge, less its ends, into blocks and takes up the points next to it. min_height_m: of
+/// points off the plane.
+///
+/// Before: near and contours reach kStripOutward and kStripInward from the edge. After: blocks in
+/// ascending t, 256 at most, none on an edge shorter than three spacings; behind and before are
+/// filled anew. O(points near the edge).
 void collect_blocks(const NearPoints& near, const PointRows& contours, double spacing_m, double min_height_m,
                     MeasuredEdge& edge);
 

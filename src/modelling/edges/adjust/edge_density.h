@@ -23,10 +23,12 @@ struct CountingVariance {
   double of(double length_m) const { return along_m3 / length_m + common_m2; }
 };
 
-/// Offsets by the density of points, one a block: counted from the assumed edge inward, the points begin where a solid
-/// of the density found further in begins. Points count 1 up to a quarter spacing inside and fade out over two spacings
-/// behind that, so that the rows of a grid leave no trace; a symmetric blur of the edge leaves none either.
-/// extra_per_m: points a metre of edge that lie on the plane at the edge but are no solid (a reveal's first ones).
+/// Offsets by the density of points, one a block: counted from the assumed edge inward, the points
+/// begin where a solid of the density found further in begins. Points count 1 up to a quarter
+/// spacing inside and fade out over two spacings behind that, so that the rows of a grid leave no
+/// trace; a symmetric blur of the edge leaves none either. extra_per_m: points a metre of edge that
+/// lie on the plane at the edge but are no solid (a reveal's first ones). After: in the order of
+/// the blocks, none of a block with too few points.
 std::vector<EdgeOffset> density_offsets(const MeasuredEdge& edge, double spacing_m, double extra_per_m,
                                         const CountingVariance& variance);
 

@@ -18,6 +18,7 @@ namespace jalon {
 /// of the powers of its coordinates about their mean.
 class ChainMoments {
  public:
+  /// Before: a weight a point, above 0. O(n).
   ChainMoments(std::span<const Vec2> chain, std::span<const double> weights);
   size_t size() const { return count_; }
 

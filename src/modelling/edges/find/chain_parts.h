@@ -32,13 +32,16 @@ struct PartsSetting {
   double bridge_m = 0;  ///< with guides: the triangulation cuts corners by single steps up to so long
 };
 
-/// The parts that explain the chain best: least sum of squared distances over the variance of contour points, plus what
-/// each part costs by its number of parameters (Schwarz 1978), over all ways to cut the chain at its candidate corners
-/// (dynamic programming), the cuts then moved point by point. A line wins wherever an arc explains no more than its
-/// third parameter costs. With guides, a part that lies on one of them has no parameters of its own, and single steps
-/// between parts that cut the corner where these meet are no parts.
+/// The parts that explain the chain best: least sum of squared distances over the variance of
+/// contour points, plus what each part costs by its number of parameters (Schwarz 1978), over all
+/// ways to cut the chain at its candidate corners (dynamic programming), the cuts then moved point
+/// by point. A line wins wherever an arc explains no more than its third parameter costs. With
+/// guides, a part that lies on one of them has no parameters of its own, and single steps between
+/// parts that cut the corner where these meet are no parts.
 ///
-/// chain: closed, 3 points or more. O(n log n + c l) for c candidates and l of them in the longest part.
+/// Before: chain closed, 3 points or more, none twice in a row. After: the parts follow each other
+/// round the chain, every point is in one, and those between two in both. O(n log n + c l) for c
+/// candidates and l of them in the longest part.
 std::vector<ChainPart> split_chain(std::span<const Vec2> chain, const PartsSetting& setting);
 
 }  // namespace jalon

@@ -60,9 +60,10 @@ struct EdgeShape {
 
 struct ChainPart;
 
-/// The edge of a part of a contour, moved outward by the mean set-back of contour points. classes_rad: lines this near
-/// to vertical or horizontal are classed so. snap_rad: and made exactly so, unless their ends would move by more than
-/// the spacing or what noise explains.
+/// The edge of a part of a contour, moved outward by the mean set-back of contour points.
+/// classes_rad: lines this near to vertical or horizontal are classed so. snap_rad: and made
+/// exactly so, unless their ends would move by more than the spacing or what noise explains. After:
+/// ends, length and, of arcs, the axis are set; sigma is NaN and the source the contour.
 EdgeShape shape_of(std::span<const Vec2> chain, const ChainPart& part, double spacing_m, double classes_rad,
                    double snap_rad);
 /// A straight edge from one corner to another, of the class of its exact direction.

@@ -17,7 +17,9 @@ namespace jalon {
 class GuideLines {
  public:
   GuideLines() = default;
-  /// Of the exactly vertical and horizontal edges among these, and of these lines with points of a contour on them.
+  /// Of the exactly vertical and horizontal edges among these, and of these lines with points of a
+  /// contour on them. After: the places of a direction ascend; lines of other planes are there both
+  /// ways.
   GuideLines(std::span<const EdgeShape> shapes, std::span<const EdgeLine> joints,
              std::span<const std::vector<Vec2>> chains, double spacing_m);
 

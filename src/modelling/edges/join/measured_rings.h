@@ -23,11 +23,17 @@ struct RingSource {
   std::function<std::vector<EdgeLine>()> joints;
 };
 
-/// Rings with straight edges, arcs and nodes at their measured places (facade-modelling A5-A11), one a contour chain:
-/// of each piece its outline, then its openings. A ring that cannot be drawn so comes out empty.
+/// Rings with straight edges, arcs and nodes at their measured places (facade-modelling A5-A11),
+/// one a contour chain: of each piece its outline, then its openings.
+/// 1. Straight and curved parts of each chain, as provisional edges.
+/// 2. The points about them.
+/// 3. Each edge moved to where the density of points begins and its reveals say, twice.
+/// 4. Round heads touch their jambs.
+/// 5. Nodes.
 ///
-/// 1. Straight and curved parts of each chain, as provisional edges; 2. the points about them; 3. each edge moved to
-/// where the density of points begins and its reveals say, twice; 4. round heads touch their jambs; 5. nodes.
+/// After: as many rings as chains, in their order. Each runs the way its chain does, does not cross
+/// itself and encloses its chain's area, give or take the distance of contour points from the true
+/// edge; one that cannot be drawn so is empty.
 std::vector<VectorRing> measured_rings(const RingSource& source, const VectoriseSetting& setting, Task& task);
 
 }  // namespace jalon

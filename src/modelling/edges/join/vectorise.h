@@ -11,9 +11,12 @@
 
 namespace jalon {
 
-/// 2D vector models of the planar segments (Boulaassal 2010, 4.2-4.3): out[s] of segments[s], without faces where that
-/// is no plane or has too few points. The same bits for any number of threads. Time follows the points and the length
-/// of the contours: O(n) + 2 us a contour point.
+/// 2D vector models of the planar segments (Boulaassal 2010, 4.2-4.3): out[s] of segments[s],
+/// without faces where that is no plane or has too few points. Legend: plane/plane_frame.h.
+///
+/// After: faces are simple polygons with their openings inside and apart, the largest first. The
+/// same bits for any number of threads. Time follows the points and the length of the contours:
+/// O(n) + 2 us a contour point.
 std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const VectoriseSetting& setting, Task& task);
 
 }  // namespace jalon
