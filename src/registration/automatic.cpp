@@ -19,12 +19,12 @@ constexpr auto kAutomaticRows = setting_rows(nested_rows<&AutomaticSettings::coa
 std::span<const ParamRow> automatic_rows() { return kAutomaticRows; }
 
 Registration register_automatic(const CloudPtr& reference, const CloudPtr& moving,
-                                const Transform& start, const AutomaticSettings& settings,
+                                const Transform& T_start, const AutomaticSettings& settings,
                                 Task& task) {
   Registration coarse;
   {
     const Span span(task, 0, 0.5, nullptr);
-    coarse = register_coarse(reference, moving, start, settings.coarse, task);
+    coarse = register_coarse(reference, moving, T_start, settings.coarse, task);
   }
   if (!coarse.converged) return coarse;
   const Span span(task, 0.5, 1, nullptr);

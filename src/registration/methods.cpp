@@ -14,9 +14,9 @@ namespace {
 
 template <class Settings, Registration (*Register)(const CloudPtr&, const CloudPtr&,
                                                    const Transform&, const Settings&, Task&)>
-Registration run(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
+Registration run(const CloudPtr& reference, const CloudPtr& moving, const Transform& T_start,
                  const ParamSet& params, Task& task) {
-  return Register(reference, moving, start, settings_from<Settings>(params), task);
+  return Register(reference, moving, T_start, settings_from<Settings>(params), task);
 }
 
 Registration run_targets(std::span<const Target> reference, std::span<const Target> moving,

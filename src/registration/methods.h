@@ -19,7 +19,7 @@ struct RegistrationMethod {
   const char* owner;  ///< of its parameters
   std::span<const ParamRow> (*rows)();
   /// Of clouds, or nullptr.
-  Registration (*run)(const CloudPtr& reference, const CloudPtr& moving, const Transform& start,
+  Registration (*run)(const CloudPtr& reference, const CloudPtr& moving, const Transform& T_start,
                       const ParamSet&, Task&);
   /// Of targets, or nullptr.
   Registration (*run_targets)(std::span<const Target> reference, std::span<const Target> moving,
