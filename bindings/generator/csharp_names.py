@@ -4,7 +4,7 @@
 
 import re
 
-from texts import translated, wrap
+from texts import parts, translated, wrap
 
 # Task of System.Threading.Tasks is in every second file of C#.
 CLASSES = {"Task": "JalonTask"}
@@ -48,13 +48,15 @@ def summary(text, indent, known=None):
     text = escaped(text.strip())
     if not text:
         return []
-    paragraphs = re.split(r"\n\s*\n", text)
-    lines = wrap(paragraphs[0], 110, indent + "/// ")
+    (_, first), *rest = parts(text)
+    lines = wrap(first, 110, indent + "/// ")
     out = [indent + "/// <summary>"] + [line.rstrip() for line in lines] + [indent + "/// </summary>"]
-    if len(paragraphs) > 1:
+    if rest:
         out.append(indent + "/// <remarks>")
-        for paragraph in paragraphs[1:]:
-            out += [indent + "/// <para>"] + wrap(paragraph, 110, indent + "/// ") + [indent + "/// </para>"]
+        for is_table, part in rest:
+            tag = "code" if is_table else "para"
+            lines = wrap(part, 110, indent + "/// ")
+            out += [indent + "/// <%s>" % tag] + lines + [indent + "/// </%s>" % tag]
         out.append(indent + "/// </remarks>")
     return out
 

@@ -37,13 +37,29 @@ def translated(text, nouns, null="None", separator=".", member=lambda name: name
     return re.sub(r"\*([a-z]\w*)\b", r"\1", text)
 
 
+def parts(text):
+    """[(is a table, text)]: the paragraphs of a comment and, apart from them, its tables of columns, whose lines stay."""
+    found = []
+    for paragraph in re.split(r"\n\s*\n", text):
+        table = re.search(r"^ +column +type +unit +meaning$.*", paragraph, re.S | re.M)
+        before = paragraph[:table.start()] if table else paragraph
+        found += [(False, before.rstrip())] if before.strip() else []
+        found += [(True, table.group(0))] if table else []
+    return found
+
+
 def wrap(text, width, indent=""):
-    """The paragraphs broken anew; lines that begin with "- " stay apart."""
-    lines = []
-    for paragraph in text.split("\n"):
-        lines.append(paragraph)
+    """The paragraphs broken anew; lines that begin with "- " stay apart, tables as they are."""
+    out = []
+    for is_table, part in parts(text):
+        out += [""] if out else []
+        out += [indent + line for line in part.split("\n")] if is_table else wrap_prose(part, width, indent)
+    return out
+
+
+def wrap_prose(text, width, indent):
     out, current = [], ""
-    for line in lines + [""]:
+    for line in text.split("\n") + [""]:
         starts = line.strip() == "" or re.match(r"\s*- ", line)
         if starts and current:
             out += fill(current, width, indent)

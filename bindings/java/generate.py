@@ -17,6 +17,7 @@ from api_description import ROWS  # noqa: E402
 from emit_swig import has_result, inputs_seen, result_fields  # noqa: E402
 from headers import Header, header_names, nouns, read  # noqa: E402
 from shapes import SMALL, class_of, methods  # noqa: E402
+from texts import parts  # noqa: E402
 
 LICENSE = "/* Generated from the public headers by bindings/java/generate.py. */\n"
 TYPES = {"std::string": "String", "bool": "boolean", "double": "double", "int32_t": "int", "uint32_t": "long",
@@ -50,10 +51,15 @@ class Documents:
         text = re.sub(r"\bJALON_(\w+)", r"\1", text)
         return re.sub(r"\bNULL\b", "null", text)
 
+    def paragraphs(self, text):
+        """Those of a comment; tables keep their lines."""
+        return ["<pre>\n%s\n</pre>" % self.html(part) if is_table else self.html(part) for is_table, part in parts(text)]
+
     def comment(self, paragraphs, indent=""):
         lines = []
         for i, text in enumerate(t for t in paragraphs if t):
-            lines += ([""] if i else []) + (("<p>" if i else "") + text).split("\n")
+            break_ = "<p>" if i and not text.startswith("<pre>") else ""
+            lines += ([""] if i else []) + (break_ + text).split("\n")
         return "\n".join([indent + "/**"] + [(indent + " * " + line).rstrip() for line in lines] + [indent + " */"])
 
 
@@ -79,7 +85,7 @@ def notes(m):
 def method_comments(wrapped, documents):
     for m in wrapped:
         own = list(notes(m))
-        text = [documents.html(p) for p in re.split(r"\n\s*\n", m.doc)] if m.doc else [documents.html(m.c.name + " of the C library.")]
+        text = documents.paragraphs(m.doc or m.c.name + " of the C library.")
         text += [";\n".join(own) + "."] if own else []
         yield "%%javamethodmodifiers %s%s %%{%s\n  public%%}" % (
             m.class_name + "::" if m.noun else "", m.name, documents.comment(text, "  ").lstrip())
@@ -94,7 +100,7 @@ def class_comments(documents):
             own = "jalon_" + name[:-2] == noun
             text = header.doc if own else header.docs.get(noun + "_create") or "%s, see %s.h." % (class_of(noun), name[:-2])
             yield "%%typemap(javaimports) %s %%{\n%s\n%%}" % (
-                class_of(noun), documents.comment([documents.html(p) for p in re.split(r"\n\s*\n", text)]))
+                class_of(noun), documents.comment(documents.paragraphs(text)))
 
 
 def result_class(m):

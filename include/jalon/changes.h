@@ -13,24 +13,42 @@
 JALON_BEGIN_C
 
 /**
- * The changed points of a comparison and their connected regions (Girardeau-Montaut 2006, 3.2.4). options: operation
- * "regions" (criterion automatic | threshold | significance | field; threshold_m, to which spacing_share times the
- * comparison's column "reference_spacing" is added where it has one; cell_m, connectivity, min_points).
- * JALON_ERROR_INVALID_ARGUMENT when the criterion needs a column that the comparison does not have. A comparison
- * without changes gives JALON_OK and a table without rows. O(n log n).
+ * The changed points of a comparison and their connected regions (Girardeau-Montaut 2006, 3.2.4). A
+ * comparison without changes gives JALON_OK and a table without rows. O(n log n).
  *
- * out_points: one row a point of the comparison: "changed" (uint8), "region" (uint32; 0 = in none). out_regions: one
- * row a region, most points first: "region" (uint32), "points" (uint64), "area" (float64, m2: of the sampled surface,
- * the sum of the discs that the points stand for), "volume" (float64, m3, see below), "mean", "rms", "extreme"
- * (float64, m: of the distances; the extreme with its sign), "centroid", "box_min", "box_max" (float64 x 3, m). Each
- * output may be NULL.
+ * - options: operation "regions": "criterion" automatic | threshold | significance | field;
+ *   "threshold_m", to which "spacing_share" times the comparison's column "reference_spacing" is
+ *   added where it has one; "cell_m", "connectivity", "min_points".
+ * - out_points, out_regions: each may be NULL.
  *
- * "volume" lies between the region and the other epoch: the sum of a prism a point, its disc as seen along its distance
- * times that. Where distances lead tell the columns "difference_x", "_y", "_z" (parameter "differences") or the normals
- * of method "m3c2"; without them they are laid along the normal of the plane through the region, which is right for
- * pits, heaps and slabs and wrong for what is taller than wide. What changed by less than the criterion is not in it,
- * nor is what no point stands for; distances to the nearest surface make it too small beside walls. The volumes of
- * earthworks are those of jalon_cloud_volume.
+ * JALON_ERROR_INVALID_ARGUMENT when the criterion needs a column that the comparison does not have.
+ *
+ * out_points, one row a point of the comparison:
+ *     column   type    unit  meaning
+ *     changed  uint8   -     1 = changed
+ *     region   uint32  -     its region; 0 = in none
+ *
+ * out_regions, one row a region, most points first:
+ *     column    type         unit  meaning
+ *     region    uint32       -     number of the region, from 1 on
+ *     points    uint64       -     its points
+ *     area      float64      m2    of the sampled surface: the sum of the discs that the points
+ *                                  stand for
+ *     volume    float64      m3    between the region and the other epoch, see below
+ *     mean      float64      m     of its distances
+ *     rms       float64      m     of its distances, about 0
+ *     extreme   float64      m     its largest distance, with its sign
+ *     centroid  float64 x 3  m     mean of its points
+ *     box_min   float64 x 3  m     lowest corner of the box around them
+ *     box_max   float64 x 3  m     highest corner
+ *
+ * "volume" is the sum of a prism a point, its disc as seen along its distance times that. Where
+ * distances lead tell the columns "difference_x", "_y", "_z" (parameter "differences") or the
+ * normals of method "m3c2"; without them they are laid along the normal of the plane through the
+ * region, which is right for pits, heaps and slabs and wrong for what is taller than wide. What
+ * changed by less than the criterion is not in it, nor is what no point stands for; distances to
+ * the nearest surface make it too small beside walls. The volumes of earthworks are those of
+ * jalon_cloud_volume.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_regions(const jalon_comparison* comparison,
                                                 const jalon_params* options, jalon_task* task,
@@ -47,25 +65,47 @@ enum {
 };
 
 /**
- * What happened, from the comparison in both directions (3.5 of the source): forward has the later cloud compared with
- * the earlier one, reverse the earlier with the later, both by method "distance" and best with the visibility filter.
- * options: operation "diagnosis" (criterion, threshold_m ...).
+ * What happened, from the comparison in both directions (3.5 of the source).
  *
- * Changed regions of both are made whole: what hangs together with them, without the planes that go on beyond them.
- * An object changed in both epochs is laid onto itself by a rigid motion (point to plane, Chen & Medioni 1992): where
- * that explains 93 % of the points that could be seen it was displaced, else deformed. An object changed in one epoch
- * only is deformed when its distances grow from nothing, displaced when the other epoch has its twin (97 %), and
- * else appeared or disappeared.
+ * - forward: the later cloud compared with the earlier one; reverse: the earlier with the later.
+ *   Both by method "distance", best with the visibility filter.
+ * - options: operation "diagnosis" ("criterion", "threshold_m" ...).
+ * - out_forward, out_reverse, out_changes: each may be NULL.
  *
- * out_forward, out_reverse: one row a point of the comparison: "changed" (uint8), "region" (uint32), "change" (uint32:
- * row of out_changes counted from 1, unchanged parts of the object too; 0 = none). out_changes: one row a change:
- * "change" (uint32), "class" (uint8, JALON_CHANGE_...), "confidence" (float64, 0 to 1), "points_before", "points_after"
- * (uint64), "area_before", "area_after" (float64, m2: of the changed surface), "volume_before", "volume_after"
- * (float64, m3: between that and the other epoch, along the way to the nearest point; see jalon_comparison_regions),
- * "centroid_before", "centroid_after", "box_min", "box_max" (float64 x 3, m), and of displacements "displacement"
- * (float64 x 3, m: of the centroid before), "rotation" (float64 x 3, rad: rotation vector), "covariance" (float64 x
- * 36: of rotation and displacement); NaN for the others. Each output may be NULL. JALON_ERROR_INVALID_ARGUMENT for
- * comparisons without the column "nearest".
+ * Changed regions of both are made whole: what hangs together with them, without the planes that go
+ * on beyond them. An object changed in both epochs is laid onto itself by a rigid motion (point to
+ * plane, Chen & Medioni 1992): where that explains 93 % of the points that could be seen it was
+ * displaced, else deformed. An object changed in one epoch only is deformed when its distances grow
+ * from nothing, displaced when the other epoch has its twin (97 %), and else appeared or
+ * disappeared. JALON_ERROR_INVALID_ARGUMENT for comparisons without the column "nearest".
+ *
+ * out_forward and out_reverse, one row a point of the comparison:
+ *     column   type    unit  meaning
+ *     changed  uint8   -     1 = changed
+ *     region   uint32  -     its region; 0 = in none
+ *     change   uint32  -     row of out_changes counted from 1, unchanged parts of the object too;
+ *                            0 = none
+ *
+ * out_changes, one row a change; the last three are NaN for all but displacements:
+ *     column           type          unit  meaning
+ *     change           uint32        -     its number, from 1 on
+ *     class            uint8         -     JALON_CHANGE_...
+ *     confidence       float64       -     0 to 1
+ *     points_before    uint64        -     of the object
+ *     points_after     uint64        -     of the object
+ *     area_before      float64       m2    of its changed surface
+ *     area_after       float64       m2    of its changed surface
+ *     volume_before    float64       m3    between its changed surface and the other epoch, along
+ *                                          the way to the nearest point; see
+ *                                          jalon_comparison_regions
+ *     volume_after     float64       m3    the same
+ *     centroid_before  float64 x 3   m     mean of its points
+ *     centroid_after   float64 x 3   m     mean of its points
+ *     box_min          float64 x 3   m     lowest corner of the box around both
+ *     box_max          float64 x 3   m     highest corner
+ *     displacement     float64 x 3   m     of the centroid before
+ *     rotation         float64 x 3   rad   rotation vector
+ *     covariance       float64 x 36  -     of rotation (rad) and displacement (m), row-major
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_diagnose(const jalon_comparison* forward,
                                                  const jalon_comparison* reverse,
@@ -74,21 +114,27 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_diagnose(const jalon_compari
                                                  jalon_fields** out_changes);
 
 /**
- * Outlines of change regions as a model, for maps and drawings: jalon_model_write makes GeoJSON, DXF, OBJ ... of it.
- * Each region is a part, below the first part "changes", with a face for each connected piece of its surface, nearly
- * always one: its points, projected onto the plane through them that fits best (2.5D), are triangulated and the
- * triangles across gaps taken away (alpha shape; Edelsbrunner, Kirkpatrick & Seidel 1983); what borders the others are
- * the rings. Outlines run through the outermost points. A region whose points span no surface is the box around them.
+ * Outlines of change regions as a model, for maps and drawings: jalon_model_write makes GeoJSON,
+ * DXF, OBJ ... of it. Each region is a part, below the first part "changes", with a face for each
+ * connected piece of its surface, nearly always one: its points, projected onto the plane through
+ * them that fits best (2.5D), are triangulated and the triangles across gaps taken away (alpha
+ * shape; Edelsbrunner, Kirkpatrick & Seidel 1983); what borders the others are the rings. Outlines
+ * run through the outermost points. A region whose points span no surface is the box around them.
  *
- * forward_points, reverse_points: what jalon_comparison_regions or jalon_comparison_diagnose gave for the points of
- * these comparisons. reverse and reverse_points may be NULL; changes, the table of a diagnosis, too. Parts are named
- * "region 2", of both ways "region 2 after" (forward) or "region 2 before", with "change 1 " before that where a change
- * holds them, and the id of their faces is the row of the change, counted from 1, else the region. The class of a part
- * is "appearance", "disappearance", "displacement_before", "displacement_after", "deformation_before",
- * "deformation_after", or "region" where no change tells: the layer of a DXF.
+ * - forward_points, reverse_points: what jalon_comparison_regions or jalon_comparison_diagnose gave
+ *   for the points of these comparisons.
+ * - reverse, reverse_points: may be NULL.
+ * - changes: out_changes of a diagnosis, or NULL.
+ * - options: operation "change_outlines" ("max_edge_m", "min_opening_area_m2").
  *
- * options: operation "change_outlines" (max_edge_m, min_opening_area_m2). JALON_ERROR_INVALID_ARGUMENT when the tables
- * do not fit the comparisons. Without regions the model has no faces. O(m log n) for m changed points of n.
+ * Parts are named "region 2", of both ways "region 2 after" (forward) or "region 2 before", with
+ * "change 1 " before that where a change holds them, and the id of their faces is the row of the
+ * change, counted from 1, else the region. The class of a part is "appearance", "disappearance",
+ * "displacement_before", "displacement_after", "deformation_before", "deformation_after", or
+ * "region" where no change tells: the layer of a DXF.
+ *
+ * JALON_ERROR_INVALID_ARGUMENT when the tables do not fit the comparisons. Without regions the
+ * model has no faces. O(m log n) for m changed points of n.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_outlines(const jalon_comparison* forward,
                                                  const jalon_fields* forward_points,

@@ -22,30 +22,64 @@ JALON_BEGIN_C
 #define JALON_WHOLE_MODEL UINT64_MAX
 
 /**
- * A model, or one of its parts with all below it, and a cloud. summary, one row: "clearance" (float64, m; of the
- * nearest point, or of the deepest inside), "point" (uint64), "part", "face", "triangle" (uint64, of the nearest
- * surface), "xyz" (the point), "foot" (nearest point of the surface; float64 x 3, m), "depth" (float64, m; NaN unless
- * closed), "interferes" (uint8: a point touches the surface or lies inside), "closed" (uint8), "near", "inside"
- * (uint64, counts). near: the points within "margin_m" and all inside, by index, with the same first columns. Either
- * may be NULL.
+ * How near a model, or one of its parts with all below it, comes to a cloud. A surface is closed,
+ * and has an inside, when every side of a triangle is shared with one other that runs along it the
+ * other way. The depth of a point is its distance from the surface. JALON_ERROR_INSUFFICIENT_DATA
+ * for an empty cloud or a part without a surface. O((points near) log (triangles)). Parallel.
  *
- * A surface is closed, and has an inside, when every side of a triangle is shared with one other that runs along it the
- * other way. The depth of a point is its distance from the surface. JALON_ERROR_INSUFFICIENT_DATA for an empty cloud
- * or a part without a surface. O((points near) log (triangles)). Parallel.
+ * - part: its row, or JALON_WHOLE_MODEL.
+ * - options: operation "clearance".
+ * - summary, near_points: each may be NULL.
+ *
+ * summary, one row, of the nearest point, or of the deepest inside; near_points, by index, the
+ * points within "margin_m" and all inside, with the same columns up to "foot":
+ *     column      type         unit  meaning
+ *     point       uint64       -     point of the cloud
+ *     clearance   float64      m     from the surface; negative inside
+ *     part        uint64       -     of the nearest surface
+ *     face        uint64       -     of the nearest surface, or UINT64_MAX
+ *     triangle    uint64       -     of the nearest surface, or UINT64_MAX
+ *     xyz         float64 x 3  m     the point
+ *     foot        float64 x 3  m     nearest point of the surface
+ *     depth       float64      m     how deep the deepest point lies inside; 0 where none is; NaN
+ *                                    unless closed
+ *     interferes  uint8        -     1: a point touches the surface or lies inside
+ *     closed      uint8        -     1: the surface encloses a volume
+ *     near        uint64       -     rows of near_points
+ *     inside      uint64       -     points inside
  */
 JALON_API JALON_CHECK jalon_status jalon_model_clearance(const jalon_model* model, uint64_t part,
                                              const jalon_cloud* cloud, const jalon_params* options,
                                              jalon_task* task, jalon_fields** summary, jalon_fields** near_points);
 /**
- * Two models or parts of them. summary, one row: "clearance", "part", "face", "triangle", "other_part", "other_face",
- * "other_triangle" (of the nearest pair), "xyz" (on the other), "foot" (on the model), "depth", "interferes" (they
- * meet, or one lies in the other), "closed", "near", "other_closed". near_faces: each triangle of the model within
- * "margin_m" of the other, once, with its nearest: the same columns up to "foot". Either may be NULL.
+ * The same of two models or parts of them. JALON_ERROR_UNSUPPORTED in a library built without FCL.
  *
- * Where they interfere, depth is that of the deepest point of either surface inside the other, exact in a convex one,
- * else at most "depth_tolerance_m" too small; clearance is its negative, and xyz and foot are that point and its
- * nearest. Where neither is closed it is NaN and the clearance 0. JALON_ERROR_UNSUPPORTED in a library built without
- * FCL.
+ * - part, other_part: their rows, or JALON_WHOLE_MODEL.
+ * - options: operation "clearance".
+ * - summary, near_faces: each may be NULL.
+ *
+ * summary, one row, of the nearest pair; near_faces, each triangle of the model within "margin_m"
+ * of the other, once, with its nearest and the same columns up to "foot":
+ *     column          type         unit  meaning
+ *     clearance       float64      m     between the surfaces; negative the depth inside
+ *     part            uint64       -     of the nearest triangle of the model
+ *     face            uint64       -     its row, or UINT64_MAX
+ *     triangle        uint64       -     its row, or UINT64_MAX
+ *     other_part      uint64       -     of the nearest triangle of the other
+ *     other_face      uint64       -     its row, or UINT64_MAX
+ *     other_triangle  uint64       -     its row, or UINT64_MAX
+ *     xyz             float64 x 3  m     nearest point of the other
+ *     foot            float64 x 3  m     nearest point of the model
+ *     depth           float64      m     of the deepest point of either inside the other; NaN:
+ *                                        neither is closed
+ *     interferes      uint8        -     1: they meet, or one lies in the other
+ *     closed          uint8        -     1: the model's surface encloses a volume
+ *     near            uint64       -     rows of near_faces
+ *     other_closed    uint8        -     1: the other's surface encloses a volume
+ *
+ * Where they interfere, depth is exact in a convex surface, else at most "depth_tolerance_m" too
+ * small; clearance is its negative, and xyz and foot are the deepest point and its nearest. Where
+ * neither is closed, depth is NaN and the clearance 0.
  */
 JALON_API JALON_CHECK jalon_status jalon_model_clearance_to_model(const jalon_model* model, uint64_t part,
                                                       const jalon_model* other, uint64_t other_part,
@@ -70,23 +104,39 @@ typedef struct jalon_gauge_piece {
 } jalon_gauge_piece;
 
 /**
- * A gauge (the union of 1 to 1000 pieces) along a trajectory through a cloud, a model or both (one of them may be
- * NULL). poses: T_world_gauge, rigid within 1e-6; from each to the next the gauge's origin runs straight at an even
- * speed and the gauge turns about one axis at an even rate by the smaller angle. One pose alone is a gauge that stands
- * still.
+ * A gauge (the union of 1 to 1000 pieces) along a trajectory through a cloud, a model or both.
  *
- * places: each point and each triangle that touches the gauge or comes within "margin_m" of it at any time, once, at
- * its least clearance, in the order of the trajectory: "parameter" (float64: number of the pose passed + share of the
- * way to the next), "clearance" (float64, m), "interval" (uint32), "piece" (uint32), "kind" (uint8: 1 point, 2 face),
- * "point", "part", "face", "triangle" (uint64), "xyz" (on the obstacle), "gauge_xyz" (nearest point of the piece's
- * surface at that time; float64 x 3, m). intervals: one row from each pose to the next with the same columns, of its
- * least clearance, and "near" (uint64: points and triangles within the margin); where nothing comes within "reach_m" or
- * the margin, kind is 0 and clearance NaN. Either may be NULL.
+ * - hull_points: x, y, z packed, for pieces of kind JALON_GAUGE_HULL.
+ * - poses: T_world_gauge, rigid within 1e-6; from each to the next the gauge's origin runs straight
+ *   at an even speed and the gauge turns about one axis at an even rate by the smaller angle. One
+ *   pose alone is a gauge that stands still.
+ * - cloud, model: one of them may be NULL.
+ * - options: operation "clearance".
+ * - places, intervals: each may be NULL.
  *
- * Nothing between two poses is missed, however far apart they are: the signed distance of a convex piece is convex, so
- * its tangent planes bound it along the chord of an obstacle's path, and the path leaves its chord by at most h^2 / 8
- * of its acceleration; times that the bounds do not rule out are cut further. Clearance in a piece is that of the
- * deepest point of the obstacle below that piece's surface. O(poses (near points) log); parallel over the intervals.
+ * places, in the order of the trajectory: each point and each triangle that touches the gauge or
+ * comes within "margin_m" of it at any time, once, at its least clearance. intervals: one row from
+ * each pose to the next, of its least clearance, with "near" besides:
+ *     column     type         unit  meaning
+ *     parameter  float64      1     number of the pose passed + share of the way to the next
+ *     clearance  float64      m     from gauge to obstacle; negative inside; NaN where nothing
+ *                                   comes within "reach_m" or the margin
+ *     interval   uint32       -     from this pose to the next
+ *     piece      uint32       -     of the gauge; UINT32_MAX = none
+ *     kind       uint8        -     1 point, 2 face; 0 where nothing comes within reach or margin
+ *     point      uint64       -     of the cloud, or UINT64_MAX
+ *     part       uint64       -     of the model, or UINT64_MAX
+ *     face       uint64       -     of the model, or UINT64_MAX
+ *     triangle   uint64       -     of the model, or UINT64_MAX
+ *     xyz        float64 x 3  m     the place, on the obstacle
+ *     gauge_xyz  float64 x 3  m     nearest point of the piece's surface at that time
+ *     near       uint64       -     intervals only: points and triangles within the margin
+ *
+ * Nothing between two poses is missed, however far apart they are: the signed distance of a convex
+ * piece is convex, so its tangent planes bound it along the chord of an obstacle's path, and the
+ * path leaves its chord by at most h^2 / 8 of its acceleration; times that the bounds do not rule
+ * out are cut further. Clearance in a piece is that of the deepest point of the obstacle below that
+ * piece's surface. O(poses (near points) log); parallel over the intervals.
  */
 JALON_API JALON_CHECK jalon_status jalon_gauge_sweep(const jalon_gauge_piece* pieces, uint64_t piece_count,
                                          const double* hull_points, uint64_t hull_point_count,

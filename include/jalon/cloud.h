@@ -31,9 +31,13 @@ enum { JALON_CLOUD_DROP_INVALID = 1 };
 /* ---- making ---- */
 
 /**
- * From an array of count points; xyz points at the x of the first one, y and z follow it as elements of the same type,
- * and stride_bytes leads to the next point (0 = packed). type: any JALON_ element type. Everything is copied. A count
- * of 0 gives an empty cloud. flags: 0 or JALON_CLOUD_DROP_INVALID. O(n).
+ * From an array of points. Everything is copied. O(n).
+ *
+ * - xyz: the x of the first point; y and z follow it as elements of the same type.
+ * - type: any JALON_ element type.
+ * - count: points; 0 gives an empty cloud.
+ * - stride_bytes: leads to the next point; 0 = packed.
+ * - flags: 0 or JALON_CLOUD_DROP_INVALID.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_create(const void* xyz, int32_t type, uint64_t count,
                                           uint64_t stride_bytes, uint32_t flags, jalon_cloud** out);
@@ -131,8 +135,13 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_crop_box(const jalon_cloud* cloud
                                             const jalon_transform* T_box_world, jalon_task* task,
                                             jalon_cloud** inside, jalon_cloud** outside);
 /**
- * Points inside a prism: a simple polygon of count corners (u, v pairs) swept along w from w_min to w_max, in the frame
- * that T_prism_world maps to (NULL: u, v, w = x, y, z). Even-odd rule; the border counts as inside.
+ * Points inside a prism: a simple polygon swept along w. Even-odd rule; the border counts as
+ * inside.
+ *
+ * - polygon_uv: count corners, u and v of each.
+ * - w_min, w_max: where the prism begins and ends.
+ * - T_prism_world: maps world coordinates to u, v, w; NULL: u, v, w = x, y, z.
+ * - inside, outside: each may be NULL.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_crop_polygon(const jalon_cloud* cloud, const double* polygon_uv,
                                                 uint64_t count, double w_min, double w_max,
@@ -148,19 +157,33 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_crop_cylinder(const jalon_cloud* 
 /* ---- per-point properties: they add fields; options may be NULL for the defaults ---- */
 
 /**
- * Field "normal" (float32 x 3, unit length) and, for method pca with curvature = true, "curvature" (float32, surface
- * variation). Operation "normals": method pca | quadric | triangulation, k or radius_m, orientation none | station |
- * point | centroid. Points without a normal get NaN. Sources: Hoppe et al. 1992 (pca); Girardeau-Montaut 2006, annex
- * A.2 (triangulation, quadric).
+ * Normals of the points. Operation "normals": "method" pca | quadric | triangulation, "k" or
+ * "radius_m", "orientation" none | station | point | centroid. Points without a normal get NaN.
+ * Sources: Hoppe et al. 1992 (pca); Girardeau-Montaut 2006, annex A.2 (triangulation, quadric).
+ *
+ * Fields:
+ *     column     type         unit  meaning
+ *     normal     float32 x 3  -     unit length
+ *     curvature  float32      -     surface variation; of method pca with "curvature" = true
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_normals(jalon_cloud* cloud, const jalon_params* options,
                                                    jalon_task* task);
 /** Turns all normals round. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_invert_normals(jalon_cloud* cloud, jalon_task* task);
 /**
- * Fields chosen by the text list "which" of operation "features": density, roughness, mean_curvature,
- * gaussian_curvature, surface_variation, linearity, planarity, sphericity, verticality (float32 each). Demantke et al.
- * 2011 for the last four.
+ * Those of these fields that the text list "which" of operation "features" names:
+ *     column              type     unit   meaning
+ *     density             float32  1/m^2  points per square metre of surface
+ *     roughness           float32  m      distance to the least-squares plane of the neighbours
+ *     mean_curvature      float32  1/m    of the quadric through them, without its sign
+ *     gaussian_curvature  float32  1/m^2  of the quadric through them
+ *     surface_variation   float32  1      least eigenvalue of the neighbours' covariance over their
+ *                                         sum
+ *     linearity           float32  1      (s1 - s2) / s1; s: square roots of the eigenvalues, s1
+ *                                         the largest (Demantke et al. 2011)
+ *     planarity           float32  1      (s2 - s3) / s1
+ *     sphericity          float32  1      s3 / s1
+ *     verticality         float32  1      1 - |z component of the normal|
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_features(jalon_cloud* cloud, const jalon_params* options,
                                                     jalon_task* task);

@@ -32,17 +32,18 @@ enum {
 
 /**
  * method, NULL = "distance":
- * - "distance": from each compared point to the nearest of the reference: point of a cloud (Girardeau-Montaut 2006,
- *   2.3.1), or a local surface through the reference points around that (parameter "local_model", 2.3.2); face or
- *   triangle of a model (2.2; jalon_comparer_run_model). Exact, a local surface to the cube's edge / 2^31; O(n log n).
- * - "m3c2": at core points the distance between two clouds along the local normal, compared minus reference, with its
- *   level of detection (Lague, Brodu & Leroux 2013): normals of the points within normal_radius_m; the points of both
- *   clouds in a cylinder along the normal; the surfaces they lie on; their medians or means. O(n log n + c m), c core
- *   points with m points around each.
- * - "preview": a quick look, cell by cell of one octree around both clouds: one value for all compared points of a cell
- *   (Girardeau-Montaut et al. 2005, 3.2). Rough at the borders of cells; points of cells without any reference have
- *   the status JALON_NOTHING_NEAR. With "measure" "plane_angle" its column is "plane_angle" (float64, rad) in the place
- *   of "distance", and the summary's numbers are "angle_mean" and so on. O(n log n).
+ * - "distance": from each compared point to the nearest of the reference: point of a cloud
+ *   (Girardeau-Montaut 2006, 2.3.1), or a local surface through the reference points around that
+ *   (parameter "local_model", 2.3.2); face or triangle of a model (2.2; jalon_comparer_run_model).
+ *   Exact, a local surface to the cube's edge / 2^31; O(n log n).
+ * - "m3c2": at core points the distance between two clouds along the local normal, compared minus
+ *   reference, with its level of detection (Lague, Brodu & Leroux 2013): normals of the points
+ *   within normal_radius_m; the points of both clouds in a cylinder along the normal; the surfaces
+ *   they lie on; their medians or means. O(n log n + c m), c core points with m points around each.
+ * - "preview": a quick look, cell by cell of one octree around both clouds: one value for all
+ *   compared points of a cell (Girardeau-Montaut et al. 2005, 3.2). Rough at the borders of cells;
+ *   points of cells without any reference have the status JALON_NOTHING_NEAR. With "measure" =
+ *   plane_angle it gives angles in the place of distances. O(n log n).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
 /** The names of the methods, the default first. Static texts. */
@@ -61,29 +62,27 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comp
                                           jalon_comparison** out);
 
 /**
- * Compares a cloud with a reference model by method "distance"; other methods are JALON_ERROR_UNSUPPORTED. A point's
- * distance is that from the nearest face (its openings are open; arcs are chords at most chord_error_m off) or from the
- * nearest triangle of the mesh that stands for no face. Triangles without area count as what is left of them, a segment
- * or a point. Errors as of jalon_comparer_run; JALON_ERROR_INSUFFICIENT_DATA too for a model without any surface.
+ * Compares a cloud with a reference model by method "distance"; other methods are
+ * JALON_ERROR_UNSUPPORTED. A point's distance is that from the nearest face (its openings are open;
+ * arcs are chords at most chord_error_m off) or from the nearest triangle of the mesh that stands
+ * for no face. Triangles without area count as what is left of them, a segment or a point. Errors
+ * as of jalon_comparer_run; JALON_ERROR_INSUFFICIENT_DATA too for a model without any surface.
  *
- * Distances are negative behind the surface, the side from which its corners run clockwise: the inside of a closed
- * mesh. At edges and corners the side is told by the angle-weighted pseudo-normal (Baerentzen & Aanaes 2005), which is
- * right all around a closed surface whose triangles run one way around. Elsewhere the column "side" tells it: a point
- * nearest to a border of an open surface gets the side of the surface as continued, one nearest to where neighbouring
+ * Distances are negative behind the surface, the side from which its corners run clockwise: the
+ * inside of a closed mesh. At edges and corners the side is told by the angle-weighted
+ * pseudo-normal (Baerentzen & Aanaes 2005), which is right all around a closed surface whose
+ * triangles run one way around. Elsewhere the column "side" tells it: a point nearest to a border
+ * of an open surface gets the side of the surface as continued, one nearest to where neighbouring
  * triangles run opposite ways around the side of the nearest of them.
  *
- * Columns of the points besides "distance" and "status": "face" (uint32: row of jalon_model_faces; UINT32_MAX = a
- * triangle of the mesh), "triangle" (uint32: row of jalon_model_triangles; UINT32_MAX = a face), "part" (uint32: row of
- * jalon_model_parts, UINT32_MAX = none), "side" (uint8, when signed: 0 certain, 1 at a border, 2 inconsistent), and
- * with tolerance_m > 0 "within_tolerance" (uint8: 1 yes, 0 no, 2 no distance). Ties go to the first face, then to the
- * first triangle. Of the summary: "maximum_absolute" (float64, m), "at_border", "inconsistent" (uint64, when signed),
- * "within_tolerance" (uint64), "tolerance_share" (float64).
+ * The columns are those of a comparison with a model, see jalon_comparison_points and
+ * jalon_comparison_summary. Ties go to the first face, then to the first triangle.
  *
- * JALON_ERROR_UNSUPPORTED for parameters that a model has no answer to: visibility, local_model, sampling_error,
- * hausdorff.
+ * JALON_ERROR_UNSUPPORTED for parameters that a model has no answer to: visibility, local_model,
+ * sampling_error, hausdorff.
  *
- * O((n + m) log m) for n points and m triangles; about 120 B a triangle while it runs. To compare a model with a model,
- * take points on one of them with jalon_model_sample.
+ * O((n + m) log m) for n points and m triangles; about 120 B a triangle while it runs. To compare a
+ * model with a model, take points on one of them with jalon_model_sample.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_run_model(const jalon_comparer* comparer,
                                                 const jalon_model* reference, const jalon_cloud* compared,
@@ -113,38 +112,125 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_read_m3c2_file(jalon_comparer*
 JALON_API jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison);
 JALON_API void jalon_comparison_release(jalon_comparison* comparison);
 /**
- * One row a point: "distance" (float64, m; NaN without a value), "status" (uint8, JALON_COMPARED ...), and
- * - of method "distance": "nearest" (uint32: the nearest reference point, of equally near ones the first; UINT32_MAX =
- *   none), with its parameter "differences" also "difference_x", "_y", "_z" (float64, m: from the foot on the reference
- *   to the point), with "sampling_error" also that (float32, m: the root mean square distance that the sampling of the
- *   reference around it would make on an unchanged plane, 2.5 of the source); with "visibility" = stations points that
- *   the reference's scanners could not have seen (see visibility.h) have no distance, and with "hidden" other than
- *   leave "recovered" (uint8, JALON_NOT_RECOVERED ...) and "height" or "shape_residual" (float64, m) tell of hidden
- *   ones; with "reference_spacing" also that (float32, m: of the reference's points, along grazing rays, across edges);
- * - of method "m3c2", one row a core point: "lod" (float64, m: the level of detection; of unchanged places the share
- *   "confidence" has |distance| up to it), "significant" (uint8: 1 where |distance| > lod), "normal" (float64 x 3;
- *   NaN where three points do not span a plane), "normal_radius" (float64, m; 0 if none), "count_reference",
- *   "count_compared" (uint32: points of the surfaces compared), "spread_reference", "spread_compared" (float64, m:
- *   their standard deviations along the normal; with medians the interquartile range / 1.349). JALON_NOTHING_NEAR: one
- *   of the clouds has no point in the cylinder.
+ * One row a point; of method "m3c2" a core point. Every method:
+ *     column    type     unit  meaning
+ *     distance  float64  m     from the reference; NaN without a value
+ *     status    uint8    -     JALON_COMPARED ...
+ *
+ * Method "distance" with a cloud, the columns behind "nearest" by its parameters:
+ *     column             type     unit  meaning
+ *     nearest            uint32   -     the nearest reference point, of equally near ones the
+ *                                       first; UINT32_MAX = none
+ *     difference_x       float64  m     "differences", also with a model: from the foot on the
+ *                                       reference to the point
+ *     difference_y       float64  m     the same
+ *     difference_z       float64  m     the same
+ *     sampling_error     float32  m     "sampling_error": root mean square distance that the
+ *                                       sampling of the reference around it would make on an
+ *                                       unchanged plane (2.5 of the source)
+ *     reference_spacing  float32  m     "reference_spacing", with visibility: of the reference's
+ *                                       points, along grazing rays, across edges
+ *     recovered          uint8    -     "hidden" other than leave: JALON_NOT_RECOVERED ...
+ *     height             float64  m     "hidden" = vertical: of a hidden point over the reference's
+ *                                       surface
+ *     shape_residual     float64  m     "hidden" = occluders: of its zone after a rigid fit to what
+ *                                       hides it
+ *
+ * With "visibility" = stations points that the reference's scanners could not have seen (see
+ * visibility.h) have no distance.
+ *
+ * Method "distance" with a model:
+ *     column            type    unit  meaning
+ *     face              uint32  -     row of jalon_model_faces; UINT32_MAX = a triangle of the mesh
+ *     triangle          uint32  -     row of jalon_model_triangles; UINT32_MAX = a face
+ *     part              uint32  -     row of jalon_model_parts; UINT32_MAX = none
+ *     side              uint8   -     signed distances: 0 certain, 1 at a border, 2 inconsistent
+ *     within_tolerance  uint8   -     tolerance_m > 0: 1 yes, 0 no, 2 no distance
+ *
+ * Method "m3c2"; JALON_NOTHING_NEAR: one of the clouds has no point in the cylinder:
+ *     column            type         unit  meaning
+ *     lod               float64      m     level of detection: of unchanged places the share
+ *                                          "confidence" has |distance| up to it
+ *     significant       uint8        -     1 where |distance| > lod
+ *     normal            float64 x 3  -     unit length; NaN where three points do not span a plane
+ *     normal_radius     float64      m     of the ball that gave it; 0 if none
+ *     count_reference   uint32       -     points of the reference surface compared
+ *     count_compared    uint32       -     points of the compared surface
+ *     spread_reference  float64      m     their standard deviation along the normal; with medians
+ *                                          the interquartile range / 1.349
+ *     spread_compared   float64      m     the same of the compared surface
+ *
+ * Method "preview" with "measure" = plane_angle, in the place of "distance":
+ *     column       type     unit  meaning
+ *     plane_angle  float64  rad   between the planes of both clouds in the cell
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_fields** out);
 /**
- * One row: "points", "compared", "hidden", "out_of_range", "out_of_field", "nothing_near", "too_few_points" (uint64:
- * how many have each status), "mean", "rms", "sigma", "minimum", "maximum" (float64, m; of the compared points; NaN
- * without any). "maximum" of unsigned distances is the directed Hausdorff distance (2.2 of the source). Method
- * "distance" with "hausdorff": "hausdorff_forward" (of the compared points from the reference points),
- * "hausdorff_reverse" and the larger of both, "hausdorff" (2.3), whatever max_distance_m; with "sampling_error":
- * "sampling_rms" and "sampling_mean" (float64, m), what sampling alone would make of "rms" and "mean"; with a local
- * model: "modelled" (uint64), how many distances are to a local surface and not to a point. Method "m3c2":
- * "significant" (uint64) and "mean_lod" (float64, m).
+ * One row. Every method:
+ *     column          type     unit  meaning
+ *     points          uint64   -     that were to be compared
+ *     compared        uint64   -     points of this status
+ *     hidden          uint64   -     points of this status
+ *     out_of_range    uint64   -     points of this status
+ *     out_of_field    uint64   -     points of this status
+ *     nothing_near    uint64   -     points of this status
+ *     too_few_points  uint64   -     points of this status
+ *     mean            float64  m     of the compared points; NaN without any, as the next four
+ *     rms             float64  m     about 0
+ *     sigma           float64  m     about the mean
+ *     minimum         float64  m     least distance
+ *     maximum         float64  m     of unsigned distances the directed Hausdorff distance (2.2 of
+ *                                    the source)
+ *
+ * Method "distance" with a cloud, by its parameters:
+ *     column             type     unit  meaning
+ *     sampling_rms       float64  m     "sampling_error": what sampling alone would make of rms
+ *     sampling_mean      float64  m     and of mean
+ *     hausdorff_forward  float64  m     "hausdorff", whatever max_distance_m: of the compared
+ *                                       points from the reference points (2.3)
+ *     hausdorff_reverse  float64  m     of the reference points from the compared points
+ *     hausdorff          float64  m     the larger of both
+ *     modelled           uint64   -     "local_model": how many distances are to a local surface
+ *                                       and not to a point
+ *
+ * Method "distance" with a model:
+ *     column            type     unit  meaning
+ *     maximum_absolute  float64  m     largest distance on either side
+ *     at_border         uint64   -     signed distances: points whose side is that of the surface
+ *                                      as continued
+ *     inconsistent      uint64   -     signed distances: points near triangles that run opposite
+ *                                      ways around
+ *     within_tolerance  uint64   -     tolerance_m > 0: points at most that far from the model
+ *     tolerance_share   float64  1     of the compared points
+ *
+ * Method "m3c2":
+ *     column       type     unit  meaning
+ *     significant  uint64   -     core points whose distance exceeds the level of detection
+ *     mean_lod     float64  m     mean level of detection of the compared core points
+ *
+ * Method "preview" with "measure" = plane_angle, in the place of "mean" ... "maximum":
+ *     column         type     unit  meaning
+ *     angle_mean     float64  rad   of the angles between the planes
+ *     angle_rms      float64  rad   about 0
+ *     angle_sigma    float64  rad   about the mean
+ *     angle_minimum  float64  rad   least angle
+ *     angle_maximum  float64  rad   largest angle
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out);
 /**
- * The check of a reference model part by part: one row a part of it (names: jalon_model_part), for the points whose
- * nearest surface is of the part: "part" (uint32), "points" (uint64), "mean", "sigma", "minimum", "maximum",
- * "maximum_absolute" (float64, m; NaN without points), and with tolerance_m > 0 "within_tolerance" (uint64),
- * "tolerance_share" (float64). A comparison with a cloud, or with a model without parts, has no columns here.
+ * The check of a reference model part by part: one row a part of it (names: jalon_model_part), for
+ * the points whose nearest surface is of the part. A comparison with a cloud, or with a model
+ * without parts, has no columns here.
+ *     column            type     unit  meaning
+ *     part              uint32   -     row of jalon_model_parts
+ *     points            uint64   -     whose nearest surface is of the part
+ *     mean              float64  m     of their distances; NaN without points, as the next four
+ *     sigma             float64  m     about the mean
+ *     minimum           float64  m     least distance
+ *     maximum           float64  m     largest distance
+ *     maximum_absolute  float64  m     largest distance on either side
+ *     within_tolerance  uint64   -     tolerance_m > 0: points at most that far away
+ *     tolerance_share   float64  1     tolerance_m > 0: of the points
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_parts(const jalon_comparison* comparison, jalon_fields** out);
 /** A new cloud handle: the points of the rows with the columns attached as fields, ready to be written; shares the

@@ -49,10 +49,19 @@ JALON_API JALON_CHECK jalon_status jalon_noise_law_from_json(const char* json, j
 /** The law as JSON text, which jalon_noise_law_from_json reads back to the same law. Lives as long as the law. */
 JALON_API JALON_CHECK jalon_status jalon_noise_law_json(const jalon_noise_law* law, const char** out);
 /**
- * One row: "kind" (uint8: 0 Gauss, 1 Weibull, 2 empirical), "mean", "standard_deviation" (3.5, 3.6), "shape", "scale",
- * "shift" (a, b, x0; scale is sigma for Gauss; NaN where there is none), "shape_sigma", "scale_sigma" (standard
- * deviations of the estimates), "samples" (uint64), "chi_square" (distance to its own sample, "classes" (uint32)
- * equally probable classes) (float64 where not said).
+ * One row; numbers without a unit have that of the field.
+ *     column              type     unit  meaning
+ *     kind                uint8    -     0 Gauss, 1 Weibull, 2 empirical
+ *     mean                float64  -     of the law (3.5)
+ *     standard_deviation  float64  -     of the law (3.6)
+ *     shape               float64  1     a; NaN where there is none, as the next four
+ *     scale               float64  -     b; sigma for Gauss
+ *     shift               float64  -     x0
+ *     shape_sigma         float64  1     standard deviation of the estimate
+ *     scale_sigma         float64  -     standard deviation of the estimate
+ *     samples             uint64   -     values that it was fitted to
+ *     chi_square          float64  1     distance to its own sample
+ *     classes             uint32   -     equally probable classes of that distance
  */
 JALON_API JALON_CHECK jalon_status jalon_noise_law_table(const jalon_noise_law* law, jalon_fields** out);
 /** Probability density and P(X <= x) at count values. Each output has count elements and may be NULL. */
@@ -67,12 +76,39 @@ JALON_API void jalon_noise_law_release(jalon_noise_law* law);
 /* ---- looking at one field ---- */
 
 /**
- * Histogram of a field. Operation "histogram": bins, minimum and maximum, classes. *bins, one row a bin: "from", "to"
- * (float64), "count" (uint64) and, with a law, "expected" (float64). *summary, one row: "values", "missing", "below",
- * "above" (uint64), "minimum", "maximum", "mean", "standard_deviation", "rms", "median", "p90", "p95", "p99"; with a
- * law its global chi-square distance to the field's values (3.1) over equally probable classes, "chi_square",
- * "degrees_of_freedom" (uint32, classes - 1), "p_value", and "kolmogorov", the largest difference of the cumulatives.
- * law may be NULL, and so may each output. JALON_ERROR_INSUFFICIENT_DATA when there is no value. O(n log n).
+ * Histogram of a field. JALON_ERROR_INSUFFICIENT_DATA when there is no value. O(n log n).
+ *
+ * - law: adds the columns that say so; may be NULL.
+ * - options: operation "histogram": "bins", "minimum" and "maximum", "classes".
+ * - bins, summary: each may be NULL.
+ *
+ * bins, one row a bin; numbers without a unit have that of the field:
+ *     column    type     unit    meaning
+ *     from      float64  -       lower end
+ *     to        float64  -       upper end
+ *     count     uint64   points  values in it
+ *     expected  float64  points  with a law: the same by it
+ *
+ * summary, one row:
+ *     column              type     unit    meaning
+ *     values              uint64   points  finite ones
+ *     missing             uint64   points  without a value
+ *     below               uint64   points  below the first bin
+ *     above               uint64   points  above the last bin
+ *     minimum             float64  -       least value
+ *     maximum             float64  -       largest value
+ *     mean                float64  -       of all values
+ *     standard_deviation  float64  -       about the mean, divided by n
+ *     rms                 float64  -       about 0
+ *     median              float64  -       half of the values are not above it
+ *     p90                 float64  -       90 % are not above it
+ *     p95                 float64  -       95 %
+ *     p99                 float64  -       99 %
+ *     chi_square          float64  1       with a law: its global chi-square distance to the
+ *                                          field's values (3.1) over equally probable classes
+ *     degrees_of_freedom  uint32   -       with a law: classes - 1
+ *     p_value             float64  1       with a law: of such a distance or a larger one
+ *     kolmogorov          float64  1       with a law: the largest difference of the cumulatives
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_field_histogram(const jalon_cloud* cloud, const char* field,
                                                    const jalon_noise_law* law,
@@ -82,31 +118,57 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_field_histogram(const jalon_cloud
 /* ---- which points have changed ---- */
 
 /**
- * Local statistical filter: the n values around each point against the law, by chi-square over sqrt(n) classes (3.1) or
- * Kolmogorov-Smirnov. Adds "chi_square" (float64; "kolmogorov" for that method) and "changed" (uint8: 1 where the
- * distance is above the cut). Operation "chi_square": method, neighbours (16) or radius_m, error_margin p, classes
- * equiprobable | relaxed, threshold tabulated (upper tail of chi-square at p, 3.2 as it is meant) | empirical | given,
- * passes, one_sided.
+ * Local statistical filter: the n values around each point against the law, by chi-square over
+ * sqrt(n) classes (3.1) or Kolmogorov-Smirnov. JALON_ERROR_INSUFFICIENT_DATA below 9 values in all.
+ * O(n log n), parallel.
  *
- * Distances of tests with other numbers of classes (the second pass, balls) are brought to the scale of the first pass
- * by the ratio of their tabulated cuts, so that one cut serves the whole field. With equally probable classes they
- * saturate at n (sqrt(n) - 1). Where fewer than 9 values are around a point it is not tested: NaN, not changed. On pure
- * noise a share p of the neighbourhoods is flagged; since neighbours share values, false alarms come in clumps: leave
- * out small components.
+ * - options: operation "chi_square": "method", "neighbours" (16) or "radius_m", "error_margin" p,
+ *   "classes" equiprobable | relaxed, "threshold" tabulated (upper tail of chi-square at p, 3.2 as
+ *   it is meant) | empirical | given, "passes", "one_sided".
  *
- * *summary, one row: "tested", "not_tested", "second_pass", "changed" (uint64), "threshold", "ceiling" (float64;
- * infinite where distances do not saturate). JALON_ERROR_INSUFFICIENT_DATA below 9 values in all. O(n log n), parallel.
+ * Fields:
+ *     column      type     unit  meaning
+ *     chi_square  float64  1     distance from the law; "kolmogorov" for that method
+ *     changed     uint8    -     1 where the distance is above the cut
+ *
+ * summary, one row:
+ *     column       type     unit    meaning
+ *     tested       uint64   points  with enough values around
+ *     not_tested   uint64   points  without
+ *     second_pass  uint64   points  tested again with more neighbours
+ *     changed      uint64   points  above the cut
+ *     threshold    float64  1       the cut
+ *     ceiling      float64  1       where distances saturate; infinite where they do not
+ *
+ * Distances of tests with other numbers of classes (the second pass, balls) are brought to the
+ * scale of the first pass by the ratio of their tabulated cuts, so that one cut serves the whole
+ * field. With equally probable classes they saturate at n (sqrt(n) - 1). Where fewer than 9 values
+ * are around a point it is not tested: NaN, not changed. On pure noise a share p of the
+ * neighbourhoods is flagged; since neighbours share values, false alarms come in clumps: leave out
+ * small components.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_chi_square(jalon_cloud* cloud, const char* field,
                                                       const jalon_noise_law* law,
                                                       const jalon_params* options, jalon_task* task,
                                                       jalon_fields** summary);
 /**
- * Groups by value: field "class" (uint8: 0 below the cut, 1 above it, 2 above a second cut, 255 no value). Operation
- * "classes": method two_means, the cut that leaves the least squares about the means of two groups, exactly; or
- * thresholds, at low and high. *summary, one row: "low_cut", "high_cut" (infinite: none), "centre_0", "centre_1",
- * "centre_2" (means of the groups, NaN for empty ones; float64), "count_0", "count_1", "count_2", "missing" (uint64).
- * two_means: JALON_ERROR_INSUFFICIENT_DATA below 2 values, JALON_ERROR_DEGENERATE when all are equal. O(n log n).
+ * Groups by value: field "class" (uint8: 0 below the cut, 1 above it, 2 above a second cut, 255 no
+ * value). Operation "classes": "method" two_means, the cut that leaves the least squares about the
+ * means of two groups, exactly; or thresholds, at "low" and "high". two_means:
+ * JALON_ERROR_INSUFFICIENT_DATA below 2 values, JALON_ERROR_DEGENERATE when all are equal. O(n log
+ * n).
+ *
+ * summary, one row; numbers without a unit have that of the field:
+ *     column    type     unit    meaning
+ *     low_cut   float64  -       between groups 0 and 1
+ *     high_cut  float64  -       between groups 1 and 2; infinite: none
+ *     centre_0  float64  -       mean of group 0; NaN for an empty one
+ *     centre_1  float64  -       of group 1
+ *     centre_2  float64  -       of group 2
+ *     count_0   uint64   points  of group 0
+ *     count_1   uint64   points  of group 1
+ *     count_2   uint64   points  of group 2
+ *     missing   uint64   points  without a value
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_classify_field(jalon_cloud* cloud, const char* field,
                                                   const jalon_params* options, jalon_task* task,
@@ -150,17 +212,29 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_compute_geodesic(jalon_cloud* clo
                                                     uint64_t count, const jalon_params* options,
                                                     jalon_task* task);
 /**
- * Segmentation by gradient-constrained propagation (3.3.2): from the largest deviation left, a front spreads over the
- * occupied cells with the speed exp(alpha (g_j - g_i)) of the gradient g and ends where its next arrival takes too
- * long; what it took is one region; and so on while deviations are above minimum_seed. field: deviations;
- * gradient_field: norms, smoothed or not. Adds "region" (uint32, 1 = most points, 0 = none). Operation
- * "propagation": cell_m, alpha, scope front | step, jump, minimum_seed, min_points, arrival_name.
+ * Segmentation by gradient-constrained propagation (3.3.2): from the largest deviation left, a
+ * front spreads over the occupied cells with the speed exp(alpha (g_j - g_i)) of the gradient g and
+ * ends where its next arrival takes too long; what it took is one region; and so on while
+ * deviations are above "minimum_seed". Adds the field "region" (uint32, 1 = most points, 0 = none).
+ * O(n log n).
  *
- * *regions, one row a region: "label" (uint32), "points", "cells", "seed" (uint64: index of the point),
- * "seed_deviation", "last_arrival", "next_arrival" (float64; arrival times in m at speed 1; infinite: nothing was
- * left).
- * JALON_ERROR_INSUFFICIENT_DATA when no point has both values; JALON_ERROR_DEGENERATE when all deviations are equal and
- * minimum_seed is 0. O(n log n).
+ * - field: deviations; gradient_field: norms, smoothed or not.
+ * - options: operation "propagation": "cell_m", "alpha", "scope" front | step, "jump",
+ *   "minimum_seed", "min_points", "arrival_name".
+ *
+ * JALON_ERROR_INSUFFICIENT_DATA when no point has both values; JALON_ERROR_DEGENERATE when all
+ * deviations are equal and minimum_seed is 0.
+ *
+ * regions, one row a region; arrival times are in m at speed 1:
+ *     column          type     unit    meaning
+ *     label           uint32   -       number of the region
+ *     points          uint64   points  of the region
+ *     cells           uint64   -       of the region
+ *     seed            uint64   -       index of the point that it grew from
+ *     seed_deviation  float64  -       deviation there, in the field's unit
+ *     last_arrival    float64  m       of its last cell
+ *     next_arrival    float64  m       of the cell that the front ended at; infinite: nothing was
+ *                                      left
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_segment_propagation(jalon_cloud* cloud, const char* field,
                                                        const char* gradient_field,

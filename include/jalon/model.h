@@ -25,9 +25,12 @@ typedef struct jalon_model jalon_model;
 #define JALON_EVIDENCE_DERIVED 6     /**< follows from other parts: a reveal, the side of an extrusion */
 
 /**
- * A model that is one triangle mesh. vertices: as xyz of jalon_cloud_create; triangles: count_triangles x 3 vertex
- * indices, counted from 0, packed. face_ids: one number a triangle, or NULL (the triangle's index); the virtual scanner
- * hands them on to the points.
+ * A model that is one triangle mesh.
+ *
+ * - vertices: as xyz of jalon_cloud_create.
+ * - triangles: count_triangles x 3 vertex indices, counted from 0, packed.
+ * - face_ids: one number a triangle, or NULL (the triangle's index); the virtual scanner hands them
+ *   on to the points.
  */
 JALON_API JALON_CHECK jalon_status jalon_model_create_mesh(const void* vertices, int32_t type,
                                                uint64_t count_vertices, uint64_t stride_bytes,
@@ -36,39 +39,85 @@ JALON_API JALON_CHECK jalon_status jalon_model_create_mesh(const void* vertices,
 JALON_API jalon_model* jalon_model_retain(jalon_model* model);
 JALON_API void jalon_model_release(jalon_model* model);
 
-/** "xyz" (float64 x 3, m), "covariance" (float64 x 9, m2, row-major; NaN where it is not known). */
+/**
+ * One row a vertex.
+ *     column      type         unit  meaning
+ *     xyz         float64 x 3  m     the vertex
+ *     covariance  float64 x 9  m2    row-major; NaN where it is not known
+ */
 JALON_API JALON_CHECK jalon_status jalon_model_vertices(const jalon_model* model, jalon_fields** out);
 /**
- * One row a face: "part" (uint32), "first_ring", "ring_count" (uint64; the first ring is the outline, the others its
- * openings), "id" (uint32), "class" (uint8), "normal" (float64 x 3), "offset" (float64, m; normal . p = offset), "area"
- * (float64, m2, openings taken off), "sigma" (float64, m), "covariance" (float64 x 16 of normal and offset).
+ * One row a face.
+ *     column      type          unit  meaning
+ *     part        uint32        -     row of jalon_model_parts
+ *     first_ring  uint64        -     row of jalon_model_rings: the outline; the rings behind it
+ *                                     are the openings
+ *     ring_count  uint64        -     outline and openings
+ *     id          uint32        -     e.g. label of the segment
+ *     class       uint8         -     orientation class
+ *     normal      float64 x 3   1     unit length
+ *     offset      float64       m     normal . p = offset
+ *     area        float64       m2    openings taken off
+ *     sigma       float64       m     of the points from the plane
+ *     covariance  float64 x 16  -     of normal and offset, row-major
  */
 JALON_API JALON_CHECK jalon_status jalon_model_faces(const jalon_model* model, jalon_fields** out);
-/** One row a ring: "first", "count" (uint64) in the ring corners, "part" (uint32: the opening that fills this hole of
- * its face, or UINT32_MAX). */
+/**
+ * One row a ring.
+ *     column  type    unit  meaning
+ *     first   uint64  -     row of jalon_model_corners
+ *     count   uint64  -     corners of the ring
+ *     part    uint32  -     the opening that fills this hole of its face, or UINT32_MAX
+ */
 JALON_API JALON_CHECK jalon_status jalon_model_rings(const jalon_model* model, jalon_fields** out);
 /**
- * One row a ring corner: "vertex" (uint32), "sagitta" (float64, m: rise of the arc from this corner to the next of its
- * ring over the chord; 0 = straight; positive = the arc runs anticlockwise seen against the normal; its DXF bulge is 2
- * sagitta / chord). Outlines run counter-clockwise seen against the normal, openings clockwise.
+ * One row a ring corner. Outlines run counter-clockwise seen against the normal, openings
+ * clockwise.
+ *     column   type     unit  meaning
+ *     vertex   uint32   -     row of jalon_model_vertices
+ *     sagitta  float64  m     rise of the arc from this corner to the next of its ring over the
+ *                             chord; 0 = straight; positive = the arc runs anticlockwise seen
+ *                             against the normal; its DXF bulge is 2 sagitta / chord
  */
 JALON_API JALON_CHECK jalon_status jalon_model_corners(const jalon_model* model, jalon_fields** out);
-/** One row a triangle: "vertices" (uint32 x 3), "face" (uint32: the id given, or the face's id). */
+/**
+ * One row a triangle.
+ *     column    type        unit  meaning
+ *     vertices  uint32 x 3  -     rows of jalon_model_vertices
+ *     face      uint32      -     the id given, or the face's id
+ */
 JALON_API JALON_CHECK jalon_status jalon_model_triangles(const jalon_model* model, jalon_fields** out);
 /**
- * One row a pair of vertices that rings join, ascending: "from", "to" (uint32, from < to), "sagitta" (float64, m, as
- * the first face sees it from "from" to "to"), "first_face", "second_face" (uint32: rows of the faces that share it;
- * UINT32_MAX: a border), "uses" (uint32: ring edges that run along it). O(n log n).
+ * One row a pair of vertices that rings join, ascending. O(n log n).
+ *     column       type     unit  meaning
+ *     from         uint32   -     vertex, from < to
+ *     to           uint32   -     vertex
+ *     sagitta      float64  m     as the first face sees it from "from" to "to"; 0 = straight
+ *     first_face   uint32   -     row of a face that shares it
+ *     second_face  uint32   -     row of another; UINT32_MAX: a border
+ *     uses         uint32   -     ring edges that run along it
  */
 JALON_API JALON_CHECK jalon_status jalon_model_edges(const jalon_model* model, jalon_fields** out);
-/** One row a solid, a volume that faces enclose: "part" (uint32), "first_face", "face_count" (uint64; normals point
- * outward). */
+/**
+ * One row a solid, a volume that faces enclose.
+ *     column      type    unit  meaning
+ *     part        uint32  -     row of jalon_model_parts
+ *     first_face  uint64  -     row of jalon_model_faces; normals point outward
+ *     face_count  uint64  -     its faces
+ */
 JALON_API JALON_CHECK jalon_status jalon_model_solids(const jalon_model* model, jalon_fields** out);
 /**
- * One row a part: "parent" (uint64, or UINT64_MAX), "width", "height" (float64, m, of its upright box in the plane of
- * its wall), "depth" (float64, m, behind the plane of its wall, negative in front of it; NaN: not told), "copied_from"
- * (uint64: the part it repeats, or UINT64_MAX), "lod" (uint8, CityGML 3.0: 2 walls and roofs, 3 with openings; 0: not
- * told), "evidence" (uint8: JALON_EVIDENCE_...). Names and classes: jalon_model_part.
+ * One row a part. Names and classes: jalon_model_part.
+ *     column       type     unit  meaning
+ *     parent       uint64   -     the part above, or UINT64_MAX
+ *     width        float64  m     of its upright box in the plane of its wall
+ *     height       float64  m     of the same box
+ *     depth        float64  m     behind the plane of its wall, negative in front of it; NaN: not
+ *                                 told
+ *     copied_from  uint64   -     the part it repeats, or UINT64_MAX
+ *     lod          uint8    -     level of detail (CityGML 3.0): 2 walls and roofs, 3 with
+ *                                 openings; 0: not told
+ *     evidence     uint8    -     JALON_EVIDENCE_...
  */
 JALON_API JALON_CHECK jalon_status jalon_model_parts(const jalon_model* model, jalon_fields** out);
 /** CRS text of the vertices (WKT, a URN ...), "" when unknown; that of the cloud it was made from. Lives as long as the

@@ -46,32 +46,37 @@ typedef struct jalon_target {
 
 /**
  * method, NULL = "icp":
- * - "icp": iterative closest points (Besl & McKay 1992; Chen & Medioni 1992) from a start that is about right: clouds
- *   of the same surfaces, half a metre and some degrees apart. Local planes of both clouds, steps on few points and
- *   then on all, a distance that shrinks down to three times the noise, robust weights. With the metric point to plane
- *   and a robust kernel the last steps are an adjustment of the pose together with patches of both clouds' surfaces,
- *   planes and paraboloids (Gruen & Akca 2005; Zhou, Koppel & Kaess 2021), where both clouds have such surfaces.
- *   Parameters: "metric", "kernel", "max_distance_m" ... (jalon_registrar_params). Of the pose it gives
- *   - the covariance: of the adjustment on patches, by the scatter of each cloud's points about them; without patches
- *     from the scatter of the local planes of both clouds, as it goes through pairs and planes into the pose, scaled by
- *     the residuals (a-posteriori sigma0). Assumed: independent noise of the points, surfaces that are the same in
- *     both. What neighbouring points have in common (a station's tilt, a warped mirror) is not in it, nor where
- *     neighbours of k points are wider than the surfaces are flat;
- *   - the directions that nothing fixes: those in which the pairs say no more than the noise of the planes' normals
- *     alone would. The pose keeps the start there, and the covariance is NaN;
- *   - "kept", "sigma", "sigma0", "redundancy", "patches" (uint64; 0 = the pose rests on pairs) and "thinning_cell" (m;
- *     0 = all points were used) in the summary besides the common columns.
- *   Too little overlap is JALON_STOPPED_TOO_FEW_PAIRS: less than "min_overlap_percent" of the moving points have a
- *   pair. About 3.5 s for 1 M points on 1 M with one thread.
- * - "targets": the rigid or similarity motion ("transform") from three or more targets known in both frames: closed
- *   form (Arun, Huang & Blostein 1987; Umeyama 1991), then the adjustment weighted with the covariances of both sides
- *   (Gauss-Helmert model; Pope 1972), and a test of each target for a blunder (data snooping; Baarda 1968).
- * - "coarse": a pose of two clouds without a guess, from planes and local features of both, some cells (summary
- *   "cell") good: a start for fine registration. It says when a clearly different pose fits about as well
- *   (JALON_STOPPED_AMBIGUOUS; the pose is the best one) and when none does (JALON_STOPPED_NOTHING_FOUND; the pose is
- *   the start). Both clouds are thinned to some 15 000 cells: O(n) with a second or two for the search.
- * - "automatic": "coarse", then "icp" from its pose, with the parameters of both. Without a pose, or with more than
- *   one, the result is that of "coarse"; else that of "icp" with the scores of "coarse" in the summary.
+ * - "icp": iterative closest points (Besl & McKay 1992; Chen & Medioni 1992) from a start that is
+ *   about right: clouds of the same surfaces, half a metre and some degrees apart. Local planes of
+ *   both clouds, steps on few points and then on all, a distance that shrinks down to three times
+ *   the noise, robust weights. With the metric point to plane and a robust kernel the last steps
+ *   are an adjustment of the pose together with patches of both clouds' surfaces, planes and
+ *   paraboloids (Gruen & Akca 2005; Zhou, Koppel & Kaess 2021), where both clouds have such
+ *   surfaces. Parameters: "metric", "kernel", "max_distance_m" ... (jalon_registrar_params). Of the
+ *   pose it gives
+ *   - the covariance: of the adjustment on patches, by the scatter of each cloud's points about
+ *     them; without patches from the scatter of the local planes of both clouds, as it goes through
+ *     pairs and planes into the pose, scaled by the residuals (a-posteriori sigma0). Assumed:
+ *     independent noise of the points, surfaces that are the same in both. What neighbouring points
+ *     have in common (a station's tilt, a warped mirror) is not in it, nor where neighbours of k
+ *     points are wider than the surfaces are flat;
+ *   - the directions that nothing fixes: those in which the pairs say no more than the noise of the
+ *     planes' normals alone would. The pose keeps the start there, and the covariance is NaN.
+ * - "targets": the rigid or similarity motion ("transform") from three or more targets known in
+ *   both frames: closed form (Arun, Huang & Blostein 1987; Umeyama 1991), then the adjustment
+ *   weighted with the covariances of both sides (Gauss-Helmert model; Pope 1972), and a test of
+ *   each target for a blunder (data snooping; Baarda 1968).
+ * - "coarse": a pose of two clouds without a guess, from planes and local features of both, some
+ *   cells (summary "cell") good: a start for fine registration. It says when a clearly different
+ *   pose fits about as well (JALON_STOPPED_AMBIGUOUS; the pose is the best one) and when none does
+ *   (JALON_STOPPED_NOTHING_FOUND; the pose is the start). Both clouds are thinned to some 15 000
+ *   cells: O(n) with a second or two for the search.
+ * - "automatic": "coarse", then "icp" from its pose, with the parameters of both. Without a pose,
+ *   or with more than one, the result is that of "coarse"; else that of "icp" with the scores of
+ *   "coarse" in the summary.
+ *
+ * Method "icp": too little overlap is JALON_STOPPED_TOO_FEW_PAIRS: less than "min_overlap_percent"
+ * of the moving points have a pair. About 3.5 s for 1 M points on 1 M with one thread.
  */
 JALON_API JALON_CHECK jalon_status jalon_registrar_create(const char* method, jalon_registrar** out);
 /** The names of the methods, the default first. Static texts. */
@@ -81,33 +86,42 @@ JALON_API void jalon_registrar_release(jalon_registrar* registrar);
 /** The registrar's own parameter set: setting it changes the registrar. The caller releases it. */
 JALON_API JALON_CHECK jalon_status jalon_registrar_params(jalon_registrar* registrar, jalon_params** out);
 /**
- * Registers a cloud. start: T_reference_moving to begin with, rigid within 1e-6; NULL = as they lie. Method "targets"
- * is JALON_ERROR_UNSUPPORTED. JALON_ERROR_INSUFFICIENT_DATA for clouds too small to register,
- * JALON_ERROR_INVALID_ARGUMENT when both have a CRS and these differ.
+ * Registers a cloud.
+ *
+ * - start: T_reference_moving to begin with, rigid within 1e-6; NULL = as they lie.
+ *
+ * JALON_ERROR_UNSUPPORTED for method "targets". JALON_ERROR_INSUFFICIENT_DATA for clouds too small
+ * to register, JALON_ERROR_INVALID_ARGUMENT when both have a CRS and these differ.
  */
 JALON_API JALON_CHECK jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_cloud* reference,
                                            const jalon_cloud* moving, const jalon_transform* start,
                                            jalon_task* task, jalon_registration** out);
 /**
- * Registers targets by method "targets" (others: JALON_ERROR_UNSUPPORTED): those of the same name in both sets are
- * pairs. Where one side of a pair has no name it is found by distances: the largest set of pairs whose targets are
- * equally far from each other on both sides (a maximum clique; for a similarity, in one proportion). When clearly
- * different poses pair as many targets within their covariances, as for the corners of a square, the registration is
- * JALON_STOPPED_AMBIGUOUS, and the best of them is given. Targets left over are counted.
+ * Registers targets by method "targets" (others: JALON_ERROR_UNSUPPORTED): those of the same name
+ * in both sets are pairs. Where one side of a pair has no name it is found by distances: the
+ * largest set of pairs whose targets are equally far from each other on both sides (a maximum
+ * clique; for a similarity, in one proportion). When clearly different poses pair as many targets
+ * within their covariances, as for the corners of a square, the registration is
+ * JALON_STOPPED_AMBIGUOUS, and the best of them is given. Targets left over are counted. O(count)
+ * for named targets; with "remove_outliers" times those removed.
  *
- * Georeferencing is this with control points as the reference: the work is done relative to
- * whole metres near the targets, so that coordinates of seven digits lose nothing, and the pose is the one of the
- * coordinates given. Rounding of the largest coordinate, about 1 nm, is all that is lost.
+ * Georeferencing is this with control points as the reference: the work is done relative to whole
+ * metres near the targets, so that coordinates of seven digits lose nothing, and the pose is the
+ * one of the coordinates given. Rounding of the largest coordinate, about 1 nm, is all that is
+ * lost.
  *
- * The covariance follows from those of the targets ("sigma0" = known), or is scaled by the residuals (estimated): then
- * its 95 % ellipsoid is the one of 6 F(6, redundancy). Over 1000 registrations it covers the truth in 93 to 97 %.
+ * The covariance follows from those of the targets ("sigma0" = known), or is scaled by the
+ * residuals (estimated): then its 95 % ellipsoid is the one of 6 F(6, redundancy). Over 1000
+ * registrations it covers the truth in 93 to 97 %.
  *
- * JALON_ERROR_INSUFFICIENT_DATA for fewer than three pairs, or no three of the same distances; JALON_ERROR_LIMIT for
- * more than 10 000 pairs of unnamed targets to choose from (similarity: 1 600); JALON_ERROR_DEGENERATE for pairs along
- * one line, as far as their covariances can tell (a turn with a standard deviation above 0.1 rad), and for sets of
- * which one is the mirror image of the other; JALON_ERROR_INVALID_ARGUMENT for two targets of one name or within 0.1
- * mm of each other in one set, coordinates that are not finite, a covariance with a negative variance. O(count) for
- * named targets; with "remove_outliers" times those removed.
+ * - JALON_ERROR_INSUFFICIENT_DATA for fewer than three pairs, or no three of the same distances.
+ * - JALON_ERROR_LIMIT for more than 10 000 pairs of unnamed targets to choose from (similarity: 1
+ *   600).
+ * - JALON_ERROR_DEGENERATE for pairs along one line, as far as their covariances can tell (a turn
+ *   with a standard deviation above 0.1 rad), and for sets of which one is the mirror image of the
+ *   other.
+ * - JALON_ERROR_INVALID_ARGUMENT for two targets of one name or within 0.1 mm of each other in one
+ *   set, coordinates that are not finite, a covariance with a negative variance.
  */
 JALON_API JALON_CHECK jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar,
                                                    const jalon_target* reference, uint64_t reference_count,
@@ -120,45 +134,119 @@ JALON_API void jalon_registration_release(jalon_registration* registration);
 JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registration* registration,
                                                jalon_transform* T_reference_moving);
 /**
- * One row: "converged" (uint8), "stopped" (uint8, JALON_STOPPED_...), "iterations", "pairs" (uint64), "rms" (float64,
- * m: of the residuals of the pairs), "scale" (float64), "unobservable" (uint64: directions that nothing fixes),
- * "centre" (float64 x 3, m), "covariance" (float64 x 36, row-major: of the rotation vector (rad) about the centre,
- * then of the shift (m) of the centre, in the reference frame; NaN where it is not known), "extent" (float64, m: radius
- * of gyration of what carries the pose).
+ * One row. Every method:
+ *     column        type          unit  meaning
+ *     converged     uint8         -     1: the pose stands; 0: see "stopped"
+ *     stopped       uint8         -     JALON_STOPPED_...
+ *     iterations    uint64        -     steps made
+ *     pairs         uint64        -     that the last step stood on
+ *     rms           float64       m     of the residuals of the pairs
+ *     scale         float64       1     of the pose
+ *     unobservable  uint64        -     directions of the six that nothing fixes
+ *     centre        float64 x 3   m     that the rotations of the covariance turn about
+ *     covariance    float64 x 36  -     row-major: of the rotation vector (rad) about the centre,
+ *                                       then of the shift (m) of the centre, in the reference
+ *                                       frame; NaN where it is not known
+ *     extent        float64       m     radius of gyration of what carries the pose
  *
- * Method "targets" adds "removed", "unpaired_reference", "unpaired_moving", "redundancy" (uint64), "sigma0" (float64:
- * of unit weight from the residuals, 1 where they agree with the covariances; NaN without redundancy),
- * "sigma0_estimated" (uint8: the covariance is scaled by it), "global_p_value" (float64: of sigma0 = 1, two-sided),
- * "global_accepted" (uint8: not below "significance"), "scale_sigma" (float64; 0 for a rigid motion), "solutions"
- * (uint64: clearly different poses that pair the targets as well; 1 = unique).
+ * Method "icp"; sigma0, patches and redundancy only after steps on all points with enough pairs:
+ *     column         type     unit  meaning
+ *     kept           float64  1     share of the moving points that have a pair
+ *     sigma          float64  m     of the residuals, robust
+ *     sigma0         float64  1     a posteriori: residuals over what the planes' scatter foretells
+ *     patches        uint64   -     of both clouds that the pose settled on; 0 = it rests on pairs
+ *     redundancy     float64  -     pairs less unknowns
+ *     thinning_cell  float64  m     edge of the cubes thinned to a point; 0 = all points were used
  *
- * Method "coarse" adds "score" (0 ... 1: overlap of both clouds times likeness), "overlap_moving", "overlap_reference"
- * (shares of the surfaces that lie on the other; directions that surfaces face weigh alike), "likeness" (share of the
- * salient places near the other cloud that look alike there), "ambiguous" (uint8), "second_score" (of the best pose
- * that is clearly different; 0 = none), "cell" (float64, m), "candidates" (uint64). Its sigmas and covariance are NaN.
+ * Method "targets":
+ *     column              type     unit  meaning
+ *     removed             uint64   -     outliers that were taken away
+ *     unpaired_reference  uint64   -     reference targets without a partner
+ *     unpaired_moving     uint64   -     moving targets without a partner
+ *     redundancy          uint64   -     observations more than unknowns
+ *     sigma0              float64  1     of unit weight from the residuals, 1 where they agree with
+ *                                        the covariances; NaN without redundancy
+ *     sigma0_estimated    uint8    -     1: the covariance is scaled by it
+ *     global_p_value      float64  1     of sigma0 = 1, two-sided
+ *     global_accepted     uint8    -     1: not below "significance"
+ *     scale_sigma         float64  1     of the scale; 0 for a rigid motion
+ *     solutions           uint64   -     clearly different poses that pair the targets as well; 1 =
+ *                                        unique
+ *
+ * Method "coarse", whose sigmas and covariance are NaN; all but "cell" and "candidates" also after
+ * an "icp" that method "automatic" made:
+ *     column             type     unit  meaning
+ *     score              float64  1     overlap of both clouds times likeness, 0 ... 1
+ *     overlap_moving     float64  1     share of the moving surface that lies on the reference;
+ *                                       directions that surfaces face weigh alike
+ *     overlap_reference  float64  1     share of the reference's surface on the moving one
+ *     likeness           float64  1     share of the salient places near the other cloud that look
+ *                                       alike there
+ *     ambiguous          uint8    -     1: a clearly different pose fits about as well
+ *     second_score       float64  1     of the best pose that is clearly different; 0 = none
+ *     cell               float64  m     edge of the cells that both were thinned to
+ *     candidates         uint64   -     poses looked at
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_registration* registration,
                                                   jalon_fields** out);
 /**
- * The log of the iterations, one row each. Without columns for methods that make none. Method "icp": "level" (int32, 0
- * = the fewest points), "pairs" (uint64), "kept" (float64: share of the moving points with a pair), "rms", "sigma",
- * "distance" (float64, m: residuals and the greatest of a pair), "turn" (float64, rad), "shift" (float64, m),
- * "observable" (uint8: directions fixed); steps on patches are a level of their own, "pairs" are then points of both
- * clouds. Method "coarse": the poses that are clearly different from each other, the
- * best first: "score", "overlap_moving", "overlap_reference", "likeness" as in the summary, "salient" (share of the
- * salient places that come near the other cloud), "rms" (float64, m), "source" (uint8, JALON_POSE_FROM_...), "pose"
- * (float64 x 12: T_reference_moving, rows of [A | t]).
+ * The log of the iterations, one row each. Method "icp"; steps on patches are a level of their own:
+ *     column      type     unit  meaning
+ *     level       int32    -     0 = the fewest points
+ *     pairs       uint64   -     with a weight, both ways; on patches points of both clouds
+ *     kept        float64  1     share of the level's moving points that have a pair
+ *     rms         float64  m     weighted residuals before the step
+ *     sigma       float64  m     1.4826 x median absolute residual
+ *     distance    float64  m     the greatest residual of a pair
+ *     turn        float64  rad   of the step
+ *     shift       float64  m     of the step, at the centre
+ *     observable  uint8    -     directions that the pairs fixed
+ *
+ * Method "targets", the steps of the adjustment:
+ *     column            type     unit  meaning
+ *     weighted_squares  float64  1     sum of the weighted squared residuals before the step
+ *     step              float64  1     its length in standard deviations of the pose
+ *
+ * Method "coarse", the poses that are clearly different from each other, the best first:
+ *     column             type          unit  meaning
+ *     score              float64       1     as in the summary, like the next three
+ *     overlap_moving     float64       1     share of the moving surface on the reference
+ *     overlap_reference  float64       1     share of the reference's surface on the moving one
+ *     likeness           float64       1     share of the salient places near the other cloud that
+ *                                            look alike there
+ *     salient            float64       1     share of the salient places that come near the other
+ *                                            cloud
+ *     rms                float64       m     of what lies on the other surface, off its planes
+ *     source             uint8         -     JALON_POSE_FROM_...
+ *     pose               float64 x 12  -     T_reference_moving, rows of [A | t]
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_registration* registration,
                                                      jalon_fields** out);
 /**
- * One row a pair. Method "targets", the pairs in use first, then those removed as outliers, judged by the others:
- * "reference", "moving" (uint64: indices into the sets); in the reference frame "residual" (float64 x 3, m: moved minus
- * reference), "sigma" (x 3, m: its standard deviation), "redundancy" (x 3: 0 no other target controls it, 1 all do;
- * they sum up to the redundancy), "normalised" (x 3: Baarda's w), "detectable" (x 3, m: the error along an axis that
- * the test finds with the chance "power"; infinity where nothing controls it); "p_value" (float64: of the test of the
- * whole target, in as many dimensions as are controlled; chi-square, or with an estimated sigma0 Pope's tau and its
- * like), "outlier" (uint8: p_value below "significance"), "removed" (uint8).
+ * One row a pair. Method "targets", the pairs in use first, then those removed as outliers, judged
+ * by the others; in the reference frame:
+ *     column      type         unit  meaning
+ *     reference   uint64       -     index into the reference set
+ *     moving      uint64       -     index into the moving set
+ *     residual    float64 x 3  m     moved minus reference
+ *     sigma       float64 x 3  m     its standard deviation
+ *     redundancy  float64 x 3  1     0 no other target controls it, 1 all do; they sum up to the
+ *                                    redundancy
+ *     normalised  float64 x 3  1     Baarda's w
+ *     detectable  float64 x 3  m     the error along an axis that the test finds with the chance
+ *                                    "power"; infinity where nothing controls it
+ *     p_value     float64      1     of the test of the whole target, in as many dimensions as are
+ *                                    controlled: chi-square, or with an estimated sigma0 Pope's tau
+ *                                    and its like
+ *     outlier     uint8        -     1: p_value below "significance"
+ *     removed     uint8        -     1: it took no part in the pose
+ *
+ * Method "icp", the moving points with a partner; no rows when the steps ended on few points:
+ *     column     type     unit  meaning
+ *     moving     uint32   -     index of the point
+ *     reference  uint32   -     index of its partner
+ *     residual   float32  m     of the moved point over its partner's plane
+ *     weight     float32  1     of the kernel
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_residuals(const jalon_registration* registration,
                                                     jalon_fields** out);
@@ -169,9 +257,12 @@ JALON_API JALON_CHECK jalon_status jalon_registration_residuals(const jalon_regi
 JALON_API JALON_CHECK jalon_status jalon_registration_pair_name(const jalon_registration* registration, uint64_t i,
                                                     const char** out);
 /**
- * The six principal directions of the pose, the weakest first: "direction" (float64 x 6: turn about the centre (rad),
- * shift (m); a step of 1 m by the extent), "sigma" (float64, m), "observable" (uint8: 0 = the data do not fix it; the
- * pose keeps the start there).
+ * The six principal directions of the pose, the weakest first.
+ *     column      type         unit  meaning
+ *     direction   float64 x 6  -     turn about the centre (rad), shift (m); a step of 1 m by the
+ *                                    extent
+ *     sigma       float64      m     standard deviation along it
+ *     observable  uint8        -     0 = the data do not fix it; the pose keeps the start there
  */
 JALON_API JALON_CHECK jalon_status jalon_registration_directions(const jalon_registration* registration,
                                                      jalon_fields** out);

@@ -39,14 +39,19 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_picture(const jalon_segmen
                                                   const char* path, const jalon_params* options,
                                                   jalon_task* task);
 /**
- * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and inliers, the
- * spheres and cylinders with radius and its sigma, times, the elevations, the picture of the labelled points and the
- * residual histogram; of a model the types of its openings, each opening with width, height and depth and their
- * standard deviations (propagated from the covariances of corners and planes), and the tree of parts with what they
- * are known from; the precision of each plane (sigma of a point, of the normal, of the place). model may be NULL: a
- * segmentation alone. notes_json: a JSON object with "title", "input" (text pairs), "scanner" (parameters of
- * operation "precision": adds to each plane what the scanner makes of its points; every point needs a station) and
- * "times" (seconds by stage), or NULL. Everything that comes from outside is escaped. Operation "report".
+ * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and
+ * inliers, the spheres and cylinders with radius and its sigma, times, the elevations, the picture
+ * of the labelled points and the residual histogram; of a model the types of its openings, each
+ * opening with width, height and depth and their standard deviations (propagated from the
+ * covariances of corners and planes), and the tree of parts with what they are known from; the
+ * precision of each plane (sigma of a point, of the normal, of the place). Everything that comes
+ * from outside is escaped.
+ *
+ * - model: may be NULL: a segmentation alone.
+ * - notes_json: NULL, or a JSON object with "title", "input" (text pairs), "scanner" (parameters of
+ *   operation "precision": adds to each plane what the scanner makes of its points; every point
+ *   needs a station) and "times" (seconds by stage).
+ * - options: operation "report".
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_html(const jalon_segmentation* segmentation,
                                                const jalon_model* model, const char* notes_json,
@@ -73,11 +78,14 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_deviations(const jalon_com
 JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comparison* comparison, const char* path,
                                                     const jalon_params* options, jalon_task* task);
 /**
- * One self-contained HTML page on a comparison: summary of both directions, their pictures side by side on one colour
- * scale, histograms with noise law and threshold, the table of regions or changes, what the method tells of sampling
- * error and levels of detection, parameters, times. reverse may be NULL: one direction. changes: what
- * jalon_comparison_regions or jalon_comparison_diagnose gave, or NULL. notes_json as in jalon_report_write_html.
- * Operation "comparison_report".
+ * One self-contained HTML page on a comparison: summary of both directions, their pictures side by
+ * side on one colour scale, histograms with noise law and threshold, the table of regions or
+ * changes, what the method tells of sampling error and levels of detection, parameters, times.
+ *
+ * - reverse: may be NULL: one direction.
+ * - changes: what jalon_comparison_regions or jalon_comparison_diagnose gave, or NULL.
+ * - notes_json: as in jalon_report_write_html.
+ * - options: operation "comparison_report".
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(const jalon_comparison* forward,
                                                      const jalon_comparison* reverse,
@@ -86,10 +94,13 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(const jalon_com
                                                      jalon_task* task);
 
 /**
- * One self-contained HTML page on a registration: whether it converged or why it stopped, the pose and what it is
- * worth, its six directions from the weakest, the residuals of up to 1 000 pairs, histograms of the distances before
- * and after, the convergence, parameters, times. reference and moving: the clouds, for the histograms; either may be
- * NULL. notes_json as in jalon_report_write_html. Operation "registration_report". O(n log n).
+ * One self-contained HTML page on a registration: whether it converged or why it stopped, the pose
+ * and what it is worth, its six directions from the weakest, the residuals of up to 1 000 pairs,
+ * histograms of the distances before and after, the convergence, parameters, times. O(n log n).
+ *
+ * - reference, moving: the clouds, for the histograms; either may be NULL.
+ * - notes_json: as in jalon_report_write_html.
+ * - options: operation "registration_report".
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_registration(const jalon_registration* registration,
                                                        const jalon_cloud* reference, const jalon_cloud* moving,

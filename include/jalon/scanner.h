@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file scanner.h
- * The virtual scanner: a model and stations in, a cloud with ground truth out; and ready-made scenes.
+ * The virtual scanner: a model and stations in, a cloud with ground truth out; and ready-made
+ * scenes.
  */
 #ifndef JALON_SCANNER_H
 #define JALON_SCANNER_H
@@ -15,9 +16,9 @@ JALON_BEGIN_C
 typedef struct jalon_scanner jalon_scanner;
 
 /**
- * method: "static" (NULL = the same): a tripod scanner turning about its vertical axis, with shadows, noise, station
- * misfit, beam width, mixed pixels and glass; "sample": random points on all faces, seen or not, with noise along
- * their normals.
+ * method: "static" (NULL = the same): a tripod scanner turning about its vertical axis, with
+ * shadows, noise, station misfit, beam width, mixed pixels and glass; "sample": random points on
+ * all faces, seen or not, with noise along their normals.
  */
 JALON_API JALON_CHECK jalon_status jalon_scanner_create(const char* method, jalon_scanner** out);
 /** The names of the methods, the default first. Static texts. */
@@ -25,45 +26,61 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_methods(const char* const** nam
 JALON_API jalon_scanner* jalon_scanner_retain(jalon_scanner* scanner);
 JALON_API void jalon_scanner_release(jalon_scanner* scanner);
 /**
- * The scanner's own parameter set. "static": angular steps, field of view, noise (or an instrument's), misfit, beam,
- * glass, dropout, outliers, thinning, automatic stations, seed, offset. "sample": number or spacing of the points,
- * noise, glass, ...
+ * The scanner's own parameter set. "static": angular steps, field of view, noise (or an
+ * instrument's), misfit, beam, glass, dropout, outliers, thinning, automatic stations, seed,
+ * offset. "sample": number or spacing of the points, noise, glass, ...
  */
 JALON_API JALON_CHECK jalon_status jalon_scanner_params(jalon_scanner* scanner, jalon_params** out);
 /**
- * Adds a station; pose maps scanner to world coordinates and must be a rigid motion: where the scanner truly stands.
- * name may be NULL. A scanner of method "sample" with a station refuses to run.
+ * Adds a station; pose maps scanner to world coordinates and must be a rigid motion: where the
+ * scanner truly stands. name may be NULL. A scanner of method "sample" with a station refuses to
+ * run.
  */
 JALON_API JALON_CHECK jalon_status jalon_scanner_add_station(jalon_scanner* scanner, const char* name,
                                                  const jalon_transform* pose);
 /**
- * Scans the model. "static" without a station places tripods 1.7 m above the model's lowest point: two in front of a
- * facade at 0.6 x its width, two on the long axis of a street or room, four around a building, by the way its upright
- * faces look.
+ * Scans the model. "static" without a station places tripods 1.7 m above the model's lowest point:
+ * two in front of a facade at 0.6 x its width, two on the long axis of a street or room, four
+ * around a building, by the way its upright faces look.
  *
- * Fields of the cloud: "face" (uint32: the id of the face hit; 0xffffffff for an outlier), "segment" (uint32: the
- * number of the true plane, see jalon_scanner_truth; 0 for points of none: outliers, mixed pixels, curved surfaces,
- * small faces), "true_xyz" (float64 x 3, m: the point without noise, on the model). "static" adds "range" (float32,
- * m, without noise) and, if the parameter says so, "incidence_angle" (float32, rad).
+ * Fields of the cloud; the last two of "static" alone:
+ *     column           type         unit  meaning
+ *     face             uint32       -     the id of the face hit; UINT32_MAX for an outlier
+ *     segment          uint32       -     the number of the true plane, see jalon_scanner_truth; 0
+ *                                         for points of none: outliers, mixed pixels, curved
+ *                                         surfaces, small faces
+ *     true_xyz         float64 x 3  m     the point without noise, on the model
+ *     range            float32      m     from the scanner, without noise
+ *     incidence_angle  float32      rad   between the ray and the face's normal; if the parameter
+ *                                         says so
  *
- * "static" gives one station of the cloud for each of the scanner's, with the pose recorded: the true one but for the
- * misfit, by which the points are off as well. A mixed pixel is a return whose sub-rays met several true planes
- * within the range resolution; its "face" is the one that gives most of it. Glass (faces of parts of class "glass",
- * and panes of windows) returns a share of the pulses and lets the others pass. Same seed, same bits, whatever the
- * threads.
+ * "static" gives one station of the cloud for each of the scanner's, with the pose recorded: the
+ * true one but for the misfit, by which the points are off as well. A mixed pixel is a return whose
+ * sub-rays met several true planes within the range resolution; its "face" is the one that gives
+ * most of it. Glass (faces of parts of class "glass", and panes of windows) returns a share of the
+ * pulses and lets the others pass. Same seed, same bits, whatever the threads.
  */
 JALON_API JALON_CHECK jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* model,
                                          jalon_task* task, jalon_cloud** out);
 
 /**
- * The true planes of the model: connected groups of coplanar faces (within 0.001 degrees and 0.1 mm, sharing an edge
- * or touching) from the area truth_min_area_m2 on. Faces without a plane (cylinders, spheres, leaves) belong to none;
- * in a model made by jalon_model_create_mesh every triangle counts. Columns: "segment" (uint32: 1, 2 ... in the order
- * of the model's triangles; the number in the points' field "segment"), "face" (uint32: id of its largest face),
- * "part" (uint32: part of that face), "normal" (float64 x 3: out of that face), "offset" (float64, m: normal . p =
- * offset, offset_m included), "area" (float64, m2, openings taken off), "count" (uint64: points of the cloud with
- * that number; 0 without a cloud). cloud may be NULL; else it must have the field "segment", as jalon_scanner_run
- * gives it. O(n log n) for n triangles.
+ * The true planes of the model: connected groups of coplanar faces (within 0.001 degrees and 0.1
+ * mm, sharing an edge or touching) from the area truth_min_area_m2 on. Faces without a plane
+ * (cylinders, spheres, leaves) belong to none; in a model made by jalon_model_create_mesh every
+ * triangle counts. O(n log n) for n triangles.
+ *
+ * - cloud: NULL, or one with the field "segment", as jalon_scanner_run gives it.
+ *
+ * One row a plane:
+ *     column   type         unit  meaning
+ *     segment  uint32       -     1, 2 ... in the order of the model's triangles; the number in the
+ *                                 points' field "segment"
+ *     face     uint32       -     id of its largest face
+ *     part     uint32       -     part of that face
+ *     normal   float64 x 3  1     out of that face
+ *     offset   float64      m     normal . p = offset, offset_m included
+ *     area     float64      m2    openings taken off
+ *     count    uint64       -     points of the cloud with that number; 0 without a cloud
  */
 JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model* model,
                                            const jalon_cloud* cloud, jalon_task* task, jalon_fields** out);
@@ -71,22 +88,23 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scan
 /**
  * A ready-made scene. Operation "scene": name, turn, shift and sizes; see the parameter table.
  *
- * - facade (22 x 10 m, doors, windows with reveals, cornice, ground), street (60 m, six facades, boxes, columns: that
- *   of the measurements with other programs), room, box.
- * - After Boulaassal (2010), chapter 3: insa (68 x 22 m of posts, bands, breast walls, mullions, glass and curtains,
- *   cars and a stair in front), surrounds, unwanted (the same behind trees, cars, pedestrians, with furniture behind
- *   the glass), std (ten planes), normal (one), strips (six, staggered), patches (two of one plane), sills, robbery
- *   (a shelf along a wall).
- * - Chapters 4 and 5: insa_surveyed, residence (the same with balconies), lycee (six facades, eight arched windows,
- *   two trees before them), arches (two walls with square and arched windows).
- * - After Girardeau-Montaut (2006), 2.3.3: earthworks (60 x 40 m of rolling ground with two walls of 8 m and a free one
- *   of 6 x 0.3 x 3 m, on four days: a heap of 3 x 1 m on day 2; on day 3 a pit of 8 x 5 x 1.2 m, 40.6 m3, and an
- *   excavator; on day 4 that has moved 6 m and turned by 40 degrees, and the free wall is gone). Ids on all days:
- *   ground 1, heap 2, pit 3, back and side wall 4 and 5, free wall 6 to 10, excavator from 11 on.
+ * - facade (22 x 10 m, doors, windows with reveals, cornice, ground), street (60 m, six facades,
+ *   boxes, columns: that of the measurements with other programs), room, box.
+ * - After Boulaassal (2010), chapter 3: insa (68 x 22 m of posts, bands, breast walls, mullions,
+ *   glass and curtains, cars and a stair in front), surrounds, unwanted (the same behind trees,
+ *   cars, pedestrians, with furniture behind the glass), std (ten planes), normal (one), strips
+ *   (six, staggered), patches (two of one plane), sills, robbery (a shelf along a wall).
+ * - Chapters 4 and 5: insa_surveyed, residence (the same with balconies), lycee (six facades, eight
+ *   arched windows, two trees before them), arches (two walls with square and arched windows).
+ * - After Girardeau-Montaut (2006), 2.3.3: earthworks (60 x 40 m of rolling ground with two walls
+ *   of 8 m and a free one of 6 x 0.3 x 3 m, on four days: a heap of 3 x 1 m on day 2; on day 3 a
+ *   pit of 8 x 5 x 1.2 m, 40.6 m3, and an excavator; on day 4 that has moved 6 m and turned by 40
+ *   degrees, and the free wall is gone). Ids on all days: ground 1, heap 2, pit 3, back and side
+ *   wall 4 and 5, free wall 6 to 10, excavator from 11 on.
  *
- * options may be NULL for the defaults. The model carries the true planes as faces with their openings in a tree of
- * parts with classes (wall, post, band, mullion, glass, curtain, sill, joinery, tree, car, ghost ...), and the
- * triangles that are scanned.
+ * options may be NULL for the defaults. The model carries the true planes as faces with their
+ * openings in a tree of parts with classes (wall, post, band, mullion, glass, curtain, sill,
+ * joinery, tree, car, ghost ...), and the triangles that are scanned.
  */
 JALON_API JALON_CHECK jalon_status jalon_scene_create(const jalon_params* options, jalon_task* task,
                                           jalon_model** out);

@@ -21,9 +21,13 @@ enum { JALON_OCTREE_MAX_LEVEL = 21, JALON_LEVEL_AUTOMATIC = -1 };
 #define JALON_NO_POINT UINT64_MAX
 
 /**
- * The k nearest points of each query. queries: as xyz of jalon_cloud_create. level: JALON_LEVEL_AUTOMATIC for the
- * adaptive search, or 1..21 for the constant-level search of section 4.4; the answer is the same. indices: count * k;
- * squared_distances: the same or NULL. Parallel.
+ * The k nearest points of each query. Parallel.
+ *
+ * - queries: as xyz of jalon_cloud_create.
+ * - level: JALON_LEVEL_AUTOMATIC for the adaptive search, or 1..21 for the constant-level search of
+ *   section 4.4; the answer is the same.
+ * - indices: count * k.
+ * - squared_distances: count * k, or NULL.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_knn(const jalon_cloud* cloud, const void* queries, int32_t type,
                                        uint64_t count, uint64_t stride_bytes, uint32_t k,
@@ -39,8 +43,17 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_knn(const jalon_cloud* cloud, con
 JALON_API JALON_CHECK jalon_status jalon_cloud_knn_all(const jalon_cloud* cloud, uint32_t k, jalon_task* task,
                                            uint32_t* indices, float* squared_distances);
 /**
- * The points within radius_m (closed ball) of each query. Result columns: "first" (uint64, count + 1 items: where each
- * query's neighbours begin) in *ranges, "index" (uint64) and "distance" (float64, m) in *neighbours.
+ * The points within radius_m (closed ball) of each query.
+ *
+ * ranges, count + 1 rows:
+ *     column  type    unit  meaning
+ *     first   uint64  -     where the neighbours of each query begin, and at last how many there
+ *                           are
+ *
+ * neighbours, one row a pair of query and point:
+ *     column    type     unit  meaning
+ *     index     uint64   -     of the point in the cloud
+ *     distance  float64  m     from the query
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_radius_search(const jalon_cloud* cloud, const void* queries,
                                                  int32_t type, uint64_t count,
@@ -50,14 +63,28 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_radius_search(const jalon_cloud* 
 /** The cube of the octree: lowest corner and edge length (m). Each output may be NULL. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_octree_cube(const jalon_cloud* cloud, jalon_task* task,
                                                jalon_vec3* origin, double* edge_m);
-/** Occupied cells of a level 0..21, in code order: "code" (uint64), "first", "count" (uint64), "centre" (float64 x 3,
- * m). */
+/**
+ * Occupied cells of a level 0..21, in code order.
+ *     column  type         unit  meaning
+ *     code    uint64       -     Morton code, 3 bits a level
+ *     first   uint64       -     its first point in code order
+ *     count   uint64       -     points of the cell
+ *     centre  float64 x 3  m     of the cell
+ */
 JALON_API JALON_CHECK jalon_status jalon_cloud_cells(const jalon_cloud* cloud, int32_t level, jalon_task* task,
                                          jalon_fields** out);
-/** Indices of the points in code order: cell c of any level holds the points order[first] ... order[first + count -
- * 1]. */
+/**
+ * Indices of the points in code order: cell c of any level holds the points order[first] ...
+ * order[first + count - 1].
+ *     column  type    unit  meaning
+ *     order   uint64  -     index of the point
+ */
 JALON_API JALON_CHECK jalon_status jalon_cloud_order(const jalon_cloud* cloud, jalon_task* task, jalon_fields** out);
-/** Codes of the occupied cells at Chebyshev distance 1..reach of a cell, ascending: column "code". */
+/**
+ * The occupied cells at Chebyshev distance 1..reach of a cell, ascending.
+ *     column  type    unit  meaning
+ *     code    uint64  -     Morton code of the cell
+ */
 JALON_API JALON_CHECK jalon_status jalon_cloud_cell_neighbours(const jalon_cloud* cloud, int32_t level,
                                                    uint64_t code, uint32_t reach,
                                                    jalon_task* task, jalon_fields** out);

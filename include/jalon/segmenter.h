@@ -2,10 +2,11 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file segmenter.h
- * Segmentation: a cloud in; a label per point and the segments (planes ...) with parameters, covariance and residuals out.
+ * Segmentation: a cloud in; a label per point and the segments (planes ...) with parameters,
+ * covariance and residuals out.
  *
- * A segmenter holds parameters and no data; one thread at a time sets them, several may run it once set. A segmentation is immutable,
- * retains its cloud, and may be read by many threads.
+ * A segmenter holds parameters and no data; one thread at a time sets them, several may run it once
+ * set. A segmentation is immutable, retains its cloud, and may be read by many threads.
  */
 #ifndef JALON_SEGMENTER_H
 #define JALON_SEGMENTER_H
@@ -31,16 +32,20 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
 
 /**
  * method, NULL = "ransac":
- * - "ransac": planes one after the other, the best first, from seeded random draws (Fischler & Bolles 1981; Schnabel et al. 2007;
- *   Boulaassal 2010). With parameter "primitives" also spheres and cylinders, from two points with normals or from
- *   points alone: they compete with the planes by their number of points, so a column is not taken for strips, and are
- *   kept where they turn by more than the normals of a plane may, few planes do not fit their points as well, and
- *   they stand out from what surrounds them. O(n log n).
- * - "region_growing": regions grown from the flattest places (Vosselman et al. 2004) over points with normals: a point joins when its
- *   normal is within an angle of the running plane's and it lies within a distance of that plane (Stamos & Allen 2002), which is refitted
- *   as the region grows; coplanar neighbours are joined, the points left over grow among themselves once more, and all points are shared
- *   out anew among all planes. No random draws: the same cloud gives the same result. O(n log n); normals included, about as fast as
- *   "ransac" and with fewer chance planes, but it needs surfaces a few points wide and stops at their gaps (then joined up to merge_gap_m).
+ * - "ransac": planes one after the other, the best first, from seeded random draws (Fischler &
+ *   Bolles 1981; Schnabel et al. 2007; Boulaassal 2010). With parameter "primitives" also spheres
+ *   and cylinders, from two points with normals or from points alone: they compete with the planes
+ *   by their number of points, so a column is not taken for strips, and are kept where they turn by
+ *   more than the normals of a plane may, few planes do not fit their points as well, and they
+ *   stand out from what surrounds them. O(n log n).
+ * - "region_growing": regions grown from the flattest places (Vosselman et al. 2004) over points
+ *   with normals: a point joins when its normal is within an angle of the running plane's and it
+ *   lies within a distance of that plane (Stamos & Allen 2002), which is refitted as the region
+ *   grows; coplanar neighbours are joined, the points left over grow among themselves once more,
+ *   and all points are shared out anew among all planes. No random draws: the same cloud gives the
+ *   same result. O(n log n); normals included, about as fast as "ransac" and with fewer chance
+ *   planes, but it needs surfaces a few points wide and stops at their gaps (then joined up to
+ *   merge_gap_m).
  */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out);
 /** The names of the methods, the default first. Static texts. */
@@ -50,54 +55,104 @@ JALON_API void jalon_segmenter_release(jalon_segmenter* segmenter);
 /** The segmenter's own parameter set: setting it changes the segmenter. The caller releases it. */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_params(jalon_segmenter* segmenter, jalon_params** out);
 /**
- * Segments the cloud. JALON_ERROR_INSUFFICIENT_DATA below 3 points; JALON_ERROR_DEGENERATE when all points are equal or
- * collinear. A cloud without planes, or with fewer points on them than min_points, gives JALON_OK and a segmentation
- * without segments. Every method and every choice of parameters gives the same status. Repeated points count as often
- * as they occur; points that are not finite never get into a cloud.
+ * Segments the cloud. JALON_ERROR_INSUFFICIENT_DATA below 3 points; JALON_ERROR_DEGENERATE when all
+ * points are equal or collinear. A cloud without planes, or with fewer points on them than
+ * min_points, gives JALON_OK and a segmentation without segments. Every method and every choice of
+ * parameters gives the same status. Repeated points count as often as they occur; points that are
+ * not finite never get into a cloud.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_cloud* cloud,
                                            jalon_task* task, jalon_segmentation** out);
 
 JALON_API jalon_segmentation* jalon_segmentation_retain(jalon_segmentation* segmentation);
 JALON_API void jalon_segmentation_release(jalon_segmentation* segmentation);
-/** One row a point: "label" (uint32; 0 = noise, s = segment row s - 1), "residual" (float32, m, signed), "orientation" (uint8). */
+/**
+ * One row a point.
+ *     column       type     unit  meaning
+ *     label        uint32   -     0 = noise, s = row s - 1 of the segments
+ *     residual     float32  m     signed distance from its surface
+ *     orientation  uint8    -     JALON_ORIENTATION_...
+ */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_points(const jalon_segmentation* segmentation,
                                                  jalon_fields** out);
 /**
- * One row a segment, largest first: "label" (uint32), "source_label" (int64; the label, or for
- * jalon_segmentation_from_labels the field's value), "type" (uint8, JALON_PRIMITIVE_...), "orientation" (uint8), "inliers" (uint64),
- * "normal" (float64 x 3, toward the station where known), "offset" (float64, m; normal . p = offset), "centroid" (float64 x 3, m),
- * "radius" (float64, m), "axis_u", "axis_v" (float64 x 3), "sigma" (float64, m), "area" (float64, m2), "length_u", "length_v" (float64, m),
- * "covariance" (float64 x 16: of nx, ny, nz, offset), "cylinder_covariance" (float64 x 49).
- * The covariance of a plane that a segmenter found allows for points of other surfaces that meet it at its border and for noise that
- * differs from point to point (mixture of the plane's own points and one-sided others, Torr & Zisserman 2000; covariance after White 1982,
- * below 1 000 points by the jackknife, Hinkley 1977): on a scanned facade of 440 planes from 0.1 to 190 m2 the true plane lies within the
- * 99 % ellipsoid in 97 of 100. Planes of few points (< 20) or almost no noise, and those of jalon_segmentation_from_labels: least squares.
- * What a type lacks is NaN. A sphere has its centre in "centroid" and "covariance" of centre and radius. A cylinder has its axis direction
- * in "normal" and "axis_u", the point of its axis at mid height in "centroid", its length in "length_u", the arc that its points cover in
- * "length_v", and "cylinder_covariance" of point, direction and radius (7 x 7, rank 5).
+ * One row a segment, largest first. What a type lacks is NaN.
+ *     column               type          unit    meaning
+ *     label                uint32        -       of its points
+ *     source_label         int64         -       the label, or for jalon_segmentation_from_labels
+ *                                                the field's value
+ *     type                 uint8         -       JALON_PRIMITIVE_...
+ *     orientation          uint8         -       JALON_ORIENTATION_...
+ *     inliers              uint64        points  number of its points
+ *     normal               float64 x 3   -       plane: unit normal, toward the station where
+ *                                                known; cylinder: direction of the axis
+ *     offset               float64       m       plane: normal . p = offset
+ *     centroid             float64 x 3   m       plane: mean of its core points; sphere: centre;
+ *                                                cylinder: point of the axis at mid height
+ *     radius               float64       m       of a sphere or cylinder
+ *     axis_u               float64 x 3   -       plane: direction of largest extent; cylinder: of
+ *                                                the axis
+ *     axis_v               float64 x 3   -       plane: normal x axis_u
+ *     sigma                float64       m       of the distances of its core points
+ *     area                 float64       m2      occupied raster pixels
+ *     length_u             float64       m       extent along axis_u
+ *     length_v             float64       m       plane: extent along axis_v; cylinder: arc that its
+ *                                                points cover
+ *     covariance           float64 x 16  -       row-major; plane: of nx, ny, nz, offset, rank 3;
+ *                                                sphere: of centre and radius
+ *     cylinder_covariance  float64 x 49  -       row-major, of axis point, direction and radius,
+ *                                                rank 5
+ *
+ * The covariance of a plane that a segmenter found allows for points of other surfaces that meet it
+ * at its border and for noise that differs from point to point (mixture of the plane's own points
+ * and one-sided others, Torr & Zisserman 2000; covariance after White 1982, below 1 000 points by
+ * the jackknife, Hinkley 1977): on a scanned facade of 440 planes from 0.1 to 190 m2 the true plane
+ * lies within the 99 % ellipsoid in 97 of 100. Planes of few points (< 20) or almost no noise, and
+ * those of jalon_segmentation_from_labels: least squares.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_segments(const jalon_segmentation* segmentation,
                                                    jalon_fields** out);
-/** A new cloud handle with the points' fields attached, ready to be written; shares the coordinates. */
+/**
+ * A new cloud handle with the points' fields attached, ready to be written; shares the coordinates.
+ */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_cloud(const jalon_segmentation* segmentation,
                                                 jalon_cloud** out);
-/** Rotation about Z and shift that put the main facade parallel to the plane OXZ, the station side at -Y. Identity when off. */
+/**
+ * Rotation about Z and shift that put the main facade parallel to the plane OXZ, the station side
+ * at -Y. Identity when off.
+ */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_facade_frame(const jalon_segmentation* segmentation,
                                                        jalon_transform* T_facade_world);
 
 /**
- * The parameters the segmentation was made with as JSON, the tolerance as it was used; "" when it was not made by a segmenter. Valid as
- * long as the handle.
+ * The parameters the segmentation was made with as JSON, the tolerance as it was used; "" when it
+ * was not made by a segmenter. Valid as long as the handle.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_parameters(const jalon_segmentation* segmentation,
                                                      const char** out);
 /**
- * Distribution of the signed distances of points to their planes (Boulaassal 2010, 3.4.3.6): of the segment with this label, or of all
- * segments (label 0). out_bins: one row a bin, 1 <= bins <= 10000 over +- four sigma: "lower", "upper" (float64, m), "count" (uint64),
- * "expected" (float64: by the normal distribution of the same mean, sigma and count). out_normal: one row: "count" (uint64), "mean",
- * "sigma" (float64, m; sigma unbiased), "skewness", "excess_kurtosis" (float64; 0 and 0 for normal distances), "below", "above" (uint64:
- * outside the bins). JALON_ERROR_NOT_FOUND for an unknown label. O(points).
+ * Distribution of the signed distances of points to their planes (Boulaassal 2010, 3.4.3.6).
+ * JALON_ERROR_NOT_FOUND for an unknown label. O(points).
+ *
+ * - label: of one segment; 0 = all segments.
+ * - bins: 1 to 10000, over +- four sigma.
+ *
+ * out_bins, one row a bin:
+ *     column    type     unit    meaning
+ *     lower     float64  m       lower limit
+ *     upper     float64  m       upper limit
+ *     count     uint64   points  in the bin
+ *     expected  float64  points  by the normal distribution of the same mean, sigma and count
+ *
+ * out_normal, one row:
+ *     column           type     unit    meaning
+ *     count            uint64   points  with a plane
+ *     mean             float64  m       mean distance
+ *     sigma            float64  m       standard deviation, unbiased
+ *     skewness         float64  -       0 for normal distances
+ *     excess_kurtosis  float64  -       0 for normal distances
+ *     below            uint64   points  below the first bin
+ *     above            uint64   points  above the last bin
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation,
                                                     uint32_t label, uint32_t bins, jalon_task* task,

@@ -21,26 +21,37 @@ enum {
 };
 
 /**
- * Measures the targets near count places (x, y, z each, in the cloud's frame; within "search_m" of the whole target).
- * One row a place, in their order: "status" (int32: JALON_OK; JALON_ERROR_INSUFFICIENT_DATA, fewer than "min_points"
- * points; JALON_ERROR_DEGENERATE, no such target there: then NaN in the rest), "kind" (uint8, JALON_TARGET_...),
- * "centre" (float64 x 3, m), "covariance" (float64 x 9, m2, row-major, of the centre: the covariance of a
- * jalon_target), "radius", "radius_sigma" (float64, m: of a sphere or disc; 0: given), "normal" (float64 x 3, of a
- * flat one), "sigma" (float64, m: of the points from the surface), "points" (uint64: that carry it).
+ * Measures the targets near count places (x, y, z each, in the cloud's frame; within "search_m" of
+ * the whole target). JALON_ERROR_INVALID_ARGUMENT for places that are not finite. O(points around
+ * the places).
  *
- * Spheres ("kind" = sphere): random draws, then least squares with Tukey's biweight on the points within "tolerance_m"
- * of it, with "radius_m" given or free. Noise along the rays would put the centre nearer to the scanner (0.2 mm for 2
- * mm of noise, a radius of 72 mm and one side seen): its expectation is taken off, with the rays to the stations of the
- * cloud, else along the axis of the cap that is seen. Over 1000 scans of a sphere by the virtual scanner the 95 %
- * ellipsoid of the centre covers the truth in 93 to 97 %. A cap of less than 40 degrees is no sphere: a wall touches
+ * One row a place, in their order:
+ *     column        type         unit  meaning
+ *     status        int32        -     JALON_OK; JALON_ERROR_INSUFFICIENT_DATA, fewer than
+ *                                      "min_points" points; JALON_ERROR_DEGENERATE, no such target
+ *                                      there: then NaN in the rest
+ *     kind          uint8        -     JALON_TARGET_...; 0 = not measured
+ *     centre        float64 x 3  m     of the target
+ *     covariance    float64 x 9  m2    row-major, of the centre: the covariance of a jalon_target
+ *     radius        float64      m     of a sphere or disc
+ *     radius_sigma  float64      m     its standard deviation; 0: given
+ *     normal        float64 x 3  -     of a flat one
+ *     sigma         float64      m     of the points from the surface
+ *     points        uint64       -     that carry it
+ *
+ * Spheres ("kind" = sphere): random draws, then least squares with Tukey's biweight on the points
+ * within "tolerance_m" of it, with "radius_m" given or free. Noise along the rays would put the
+ * centre nearer to the scanner (0.2 mm for 2 mm of noise, a radius of 72 mm and one side seen): its
+ * expectation is taken off, with the rays to the stations of the cloud, else along the axis of the
+ * cap that is seen. Over 1000 scans of a sphere by the virtual scanner the 95 % ellipsoid of the
+ * centre covers the truth in 93 to 97 %. A cap of less than 40 degrees is no sphere: a wall touches
  * any.
  *
- * Flat targets ("kind" = flat): a plane, in it the centre of the "pattern" of "size_m" that the field "intensity_field"
- * shows, by least squares on the brightness with its covariance by White (1982), on the safe side where edges are
- * sharper than the points are apart; along the normal that of the plane.
- * Without a pattern, the centre of the plate's outline when it ends within "search_m", to half a point spacing.
- *
- * JALON_ERROR_INVALID_ARGUMENT for places that are not finite. O(points around the places).
+ * Flat targets ("kind" = flat): a plane, in it the centre of the "pattern" of "size_m" that the
+ * field "intensity_field" shows, by least squares on the brightness with its covariance by White
+ * (1982), on the safe side where edges are sharper than the points are apart; along the normal that
+ * of the plane. Without a pattern, the centre of the plate's outline when it ends within
+ * "search_m", to half a point spacing.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_measure_targets(const jalon_cloud* cloud, const double* places,
                                                    uint64_t count, const jalon_params* options,

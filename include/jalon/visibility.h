@@ -45,11 +45,16 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_compute_visibility(jalon_cloud* c
                                                       const jalon_params* options, jalon_task* task);
 
 /**
- * The depth map of a station of the reference: rows x columns cells, row by row upward from the lowest, each clockwise.
- * Columns: "range" (float32, m; NaN for an empty cell), "fill" (uint8: 0 empty, 1 measured, 2 filled from its
- * neighbours), "points" (uint32: how many fell in it), "nearest" (uint32: index of the nearest of them in the cloud;
- * UINT32_MAX without), "horizontal" and "vertical" (float64, rad: of the cell's centre). rows and columns may be NULL;
- * a station without points has none of either.
+ * The depth map of a station of the reference: rows x columns cells, row by row upward from the
+ * lowest, each clockwise. rows and columns may be NULL; a station without points has none of
+ * either.
+ *     column      type     unit  meaning
+ *     range       float32  m     of the surface; NaN for an empty cell
+ *     fill        uint8    -     0 empty, 1 measured, 2 filled from its neighbours
+ *     points      uint32   -     how many fell in it
+ *     nearest     uint32   -     index of the nearest of them in the cloud; UINT32_MAX without
+ *     horizontal  float64  rad   of the cell's centre, clockwise from +Y
+ *     vertical    float64  rad   of the cell's centre, from the horizon
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t station,
                                              const jalon_params* options, jalon_task* task, jalon_fields** out,

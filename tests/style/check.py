@@ -138,7 +138,7 @@ def length(files):
 
 # Rooms whose lines are still to be wrapped; the list only shrinks.
 WIDE_STILL = ("src/segment/", "src/geometry/", "tests/bench/", "tests/unit/segment/", "tests/unit/scan/",
-              "tests/unit/geometry/", "include/jalon/segmenter.h", "include/jalon/scanner.h", "include/jalon/primitives.h")
+              "tests/unit/geometry/")
 
 
 def width(files):
