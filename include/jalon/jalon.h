@@ -4,13 +4,15 @@
  * @file jalon.h
  * All of Jalon: laser-scan surveying for CAD and GIS tools.
  *
- * Data nouns (cloud, model), workers (segmenter, modeller, scanner) that hold parameters, and what workers produce
- * (segmentation, model, cloud): learn one, know all. Handles are reference counted: jalon_X_create makes one owner,
- * jalon_X_retain adds one, jalon_X_release takes one away, in any order. Outputs are written only on success.
+ * Data nouns (cloud, model), workers that hold parameters (segmenter, modeller, comparer, registrar,
+ * scanner), and what workers produce (segmentation, model, comparison, registration, cloud): learn
+ * one, know all. Handles are reference counted: jalon_X_create makes one owner, jalon_X_retain adds
+ * one, jalon_X_release takes one away, in any order. Outputs are written only on success.
  */
 #ifndef JALON_JALON_H
 #define JALON_JALON_H
 
+#include <jalon/export.h>
 #include <jalon/version.h>
 #include <jalon/status.h>
 #include <jalon/types.h>

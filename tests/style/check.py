@@ -10,6 +10,7 @@ import subprocess
 import sys
 
 from rooms import CODE, ROOMS, bindings_alone, crowds, includes, layers, sublayers
+from signposts import umbrella
 from source import ROOT, Tally, public_functions, read, strings_of, tree_files, without_comments
 
 MAX_LINES, LONG_LINES, MAX_COLUMNS = 400, 250, 120
@@ -235,6 +236,7 @@ def main():
         tally.check("headers: each compiles alone as %s, -pedantic -Wall -Wextra -Werror" % language, problems)
     tally.check("headers: fixed-width C types only", c_types_only())
     tally.check("headers: every function group has its comment", documented())
+    tally.check("headers: jalon.h includes all of them and names all workers", umbrella())
     tally.check("capi: every public function in its file, every status from guard()", walls())
     tally.check("style: SPDX tags in every source file", spdx(files))
     tally.check("style: one version everywhere", version(build))
