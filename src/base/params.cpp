@@ -15,26 +15,6 @@ namespace jalon {
 
 namespace {
 
-ParamSet::Value default_of(const ParamRow& row) {
-  if (row.initial != nullptr) return row.initial(row);
-  ParamSet::Value value;
-  switch (row.type) {
-    case ParamType::kDouble: value.number = row.number; break;
-    case ParamType::kInt64: value.integer = static_cast<int64_t>(row.number); break;
-    case ParamType::kBool: value.flag = row.number != 0; break;
-    case ParamType::kString:
-    case ParamType::kChoice: value.text = row.text; break;
-    case ParamType::kDoubles:
-      for (std::string_view rest = row.text; !rest.empty();) {
-        const size_t end = std::min(rest.find(' '), rest.size());
-        double number = 0;
-        if (end > 0 && parse_number(rest.substr(0, end), number)) value.numbers.push_back(number);
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-      }
-  }
-  return value;
-}
-
 const char* type_name(ParamType type) {
   static constexpr const char* kNames[] = {"",       "a number", "an integer", "true or false",
                                            "a text", "a choice", "an array of numbers"};
@@ -124,7 +104,7 @@ ParamSet::ParamSet(const char* owner, std::span<const ParamRow> rows) : owner_(o
 void ParamSet::reset() {
   std::vector<Value> values;
   values.reserve(rows_.size());
-  for (const auto& row : rows_) values.push_back(default_of(row));
+  for (const auto& row : rows_) values.push_back(row.initial(row));
   values_.swap(values);
 }
 
@@ -237,7 +217,7 @@ std::string settings_json(std::span<const ParamRow> rows, const void* settings, 
 
 std::string ParamSet::default_text(size_t i) const {
   JsonWriter json;
-  write_value(json, rows_[i].type, default_of(rows_[i]));
+  write_value(json, rows_[i].type, rows_[i].initial(rows_[i]));
   return json.take();
 }
 

@@ -14,8 +14,8 @@ namespace jalon {
 /// The numbers of jalon/params.h.
 enum class ParamType : int32_t { kDouble = 1, kInt64 = 2, kBool = 3, kString = 4, kChoice = 5, kDoubles = 6 };
 
-/// A value of a row; the member of the row's type counts. (A std::variant would do, but libstdc++ leaves one without a value
-/// when a copy runs out of memory.)
+/// A value of a row; the member of the row's type counts. (A std::variant would do, but libstdc++
+/// leaves one without a value when a copy runs out of memory.)
 struct ParamValue {
   double number = 0;
   int64_t integer = 0;
@@ -24,8 +24,8 @@ struct ParamValue {
   std::vector<double> numbers;
 };
 
-/// One row of a parameter table. Tables are constexpr arrays, made with the functions of base/setting_rows.h, which bind
-/// each row to a member of a settings struct.
+/// One row of a parameter table. Tables are constexpr arrays, made with the functions of
+/// base/setting_rows.h, which bind each row to a member of a settings struct.
 struct ParamRow {
   const char* name = "";
   ParamType type = ParamType::kDouble;
@@ -35,12 +35,10 @@ struct ParamRow {
   const char* choices = "";  ///< separated by '|'
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  ParamValue (*initial)(const ParamRow&) = nullptr;                      ///< what a new settings struct holds
-  ParamValue (*save)(const ParamRow&, const void* settings) = nullptr;   ///< what this one holds
+  ParamValue (*initial)(const ParamRow&) = nullptr;  ///< what a new settings struct holds
+  ParamValue (*save)(const ParamRow&, const void* settings) = nullptr;  ///< what this one holds
   void (*load)(const ParamRow&, const ParamValue&, void* settings) = nullptr;
   const char* settings = nullptr;  ///< &kSettingsTag of the struct
-  double number = 0;               ///< (rows that are not bound yet) default of double, int64, bool
-  const char* text = "";           ///< (rows that are not bound yet) default of string, choice and doubles
 };
 /// Its address tells the settings struct.
 template <class S>
@@ -49,29 +47,6 @@ inline constexpr char kSettingsTag = 0;
 /// The place of a choice among the row's, from 0, or the number of choices; and the choice at a place.
 size_t choice_place(const ParamRow& row, std::string_view choice);
 std::string choice_at(const ParamRow& row, size_t place);
-
-constexpr ParamRow number_row(const char* name, double value, double minimum, double maximum, const char* unit,
-                              const char* methods, const char* help) {
-  return {.name = name, .type = ParamType::kDouble, .unit = unit, .methods = methods, .help = help, .minimum = minimum, .maximum = maximum, .number = value};
-}
-constexpr ParamRow integer_row(const char* name, int64_t value, double minimum, double maximum, const char* unit,
-                               const char* methods, const char* help) {
-  return {.name = name, .type = ParamType::kInt64, .unit = unit, .methods = methods, .help = help, .minimum = minimum, .maximum = maximum, .number = static_cast<double>(value)};
-}
-constexpr ParamRow bool_row(const char* name, bool value, const char* methods, const char* help) {
-  return {.name = name, .type = ParamType::kBool, .methods = methods, .help = help, .number = value ? 1.0 : 0.0};
-}
-constexpr ParamRow string_row(const char* name, const char* value, const char* methods, const char* help) {
-  return {.name = name, .type = ParamType::kString, .methods = methods, .help = help, .text = value};
-}
-constexpr ParamRow choice_row(const char* name, const char* value, const char* choices, const char* methods,
-                              const char* help) {
-  return {.name = name, .type = ParamType::kChoice, .methods = methods, .help = help, .choices = choices, .text = value};
-}
-constexpr ParamRow doubles_row(const char* name, const char* values, double minimum, double maximum, const char* unit,
-                               const char* methods, const char* help) {
-  return {.name = name, .type = ParamType::kDoubles, .unit = unit, .methods = methods, .help = help, .minimum = minimum, .maximum = maximum, .text = values};
-}
 
 /// Values of a table's rows. Setters check name, type and range and throw Error(kInvalidArgument) or, for an unknown
 /// name, Error(kNotFound) listing the names. Getters of code that owns the table never fail but on a wrong name

@@ -7,19 +7,30 @@
 
 #include "base/error.h"
 #include "base/params.h"
+#include "base/setting_rows.h"
 
 using namespace jalon;
 
 namespace {
 
-constexpr ParamRow kRows[] = {
-    number_row("tolerance", 0.025, 1e-6, 10, "m", "", "Half-thickness of a plane"),
-    integer_row("seed", 1, 0, 9007199254740992.0, "1", "", "Seed"),
-    bool_row("adaptive", true, "", "Adaptive draws"),
-    string_row("name", "facade", "", "Name"),
-    choice_row("method", "voxel", "voxel|random", "", "Method"),
-    doubles_row("up", "0 0 1", -1, 1, "1", "", "Vertical direction"),
+struct Sample {
+  enum class Method { kVoxel, kRandom };
+
+  double tolerance = 0.025;
+  int64_t seed = 1;
+  bool adaptive = true;
+  std::string name = "facade";
+  Method method = Method::kVoxel;
+  std::vector<double> up = {0, 0, 1};
 };
+
+constexpr auto kRows = setting_rows(
+    number_row<&Sample::tolerance>("tolerance", 1e-6, 10, "m", "", "Half-thickness of a plane"),
+    integer_row<&Sample::seed>("seed", 0, 9007199254740992.0, "1", "", "Seed"),
+    bool_row<&Sample::adaptive>("adaptive", "", "Adaptive draws"),
+    string_row<&Sample::name>("name", "", "Name"),
+    choice_row<&Sample::method>("method", "voxel|random", "", "Method"),
+    doubles_row<&Sample::up>("up", -1, 1, "1", "", "Vertical direction"));
 
 ParamSet make() { return {"test", kRows}; }
 
