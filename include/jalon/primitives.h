@@ -27,7 +27,7 @@ JALON_BEGIN_C
  * ellipsoid of centre and radius covers the truth in 93 to 97 %, all round or seen from one side.
  * Noise that is the same in all directions makes a radius r too large by sigma^2 / r (a cylinder's
  * by half of that). Not robust: least squares on every point, covariance sigma^2 (J^T J)^-1.
- * Boulaassal 2010, E.1.1 (A16-A18 of its steps); Schnabel et al. 2007. O(n) an iteration.
+ * Boulaassal 2010, E.1.1; Schnabel et al. 2007. O(n) an iteration.
  *
  * JALON_ERROR_INSUFFICIENT_DATA for too few points; JALON_ERROR_DEGENERATE when they are flat,
  * straight or equal, when the standard deviation of the radius exceeds half of it, or when it lies

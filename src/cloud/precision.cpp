@@ -16,7 +16,7 @@ namespace {
 // What is common to all points of a station: its position, in the horizontal plane and along its axis.
 Symmetric3 station_covariance(const ScannerPrecision& p, const Vec3& up) {
   const double level = p.sigma_station_m * p.sigma_station_m;
-  // A32, D.7: C_scanner = C_0 + diag(0, 0, s_H^2).
+  // Boulaassal 2010, D.7: C_scanner = C_0 + diag(0, 0, s_H^2).
   const double height = p.sigma_station_z_m * p.sigma_station_z_m +
                         p.sigma_instrument_height_m * p.sigma_instrument_height_m - level;
   return {level + height * up.x * up.x, height * up.x * up.y, height * up.x * up.z,

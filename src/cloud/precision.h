@@ -10,7 +10,7 @@
 
 namespace jalon {
 
-/// What a scanner's points are worth (facade-modelling A25-A32): the settings of operation
+/// What a scanner's points are worth (Boulaassal 2010, 5.1, 5.3.3, D): the settings of operation
 /// "precision".
 struct ScannerPrecision {
   double sigma_range_m = 0.007, range_ppm = 0;
@@ -36,7 +36,7 @@ struct PointBudget {
   double horizontal_m = 0, vertical_m = 0, beam_m = 0;
   double azimuth_m = 0, levelling_m = 0, station_m = 0;
   double range_bias_m = 0;   ///< time walk and temperature: systematic, in no standard deviation
-  double intensity = 0;      ///< A26 with A31, relative
+  double intensity = 0;      ///< with what the air takes, relative
   Symmetric3 covariance{};   ///< of all of them
   double instrument_m() const;  ///< 5.6: range and angles alone
   double point_m() const { return point_sigma(covariance); }

@@ -11,7 +11,7 @@
 
 namespace jalon {
 
-/// Range precision on a flat sample (facade-modelling A27, 5.7).
+/// Range precision on a flat sample (Boulaassal 2010, 5.7).
 struct RangeSample {
   PlaneFit fit;               ///< sigma divided by n - 3
   double range_precision_m = 0;  ///< s_d, divided by n - 1

@@ -31,7 +31,7 @@ struct Adjusted {
 
 namespace adjustment {
 
-constexpr int kMaxSteps = 50;             // Boulaassal 2010, E.1.1, with the cap of its specification
+constexpr int kMaxSteps = 50;             // Boulaassal 2010, E.1.1, which sets none
 constexpr double kSmallStep = 1e-10;      // same source
 constexpr double kBiweightCut = 4.685;    // 95 % efficiency for normal noise (Huber & Ronchetti 2009)
 constexpr double kMadToSigma = 1.4826;    // median of |x| of the standard normal, inverted

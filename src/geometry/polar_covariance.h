@@ -7,7 +7,7 @@
 
 namespace jalon {
 
-/// What moves a scanned point across and along its ray, uncorrelated (facade-modelling A25).
+/// What moves a scanned point across and along its ray, uncorrelated (Boulaassal 2010, 5.3.3).
 struct PolarSigmas {
   double range_m = 0;
   double horizontal_rad = 0;    ///< of the horizontal angle: moves a point by d cos v times it

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The words of Part::part_class that all rooms know (glossary of facade-modelling); others may occur and mean nothing
+// The words of Part::part_class that all rooms know (windows, doors and their parts); others may occur and mean nothing
 // to them.
 namespace jalon::part_class {
 

@@ -9,7 +9,7 @@
 
 namespace jalon {
 
-/// An edge of the rings: straight, or an arc by its end points and sagitta (facade-modelling A11).
+/// An edge of the rings: straight, or an arc by its end points and sagitta (Boulaassal 2010, 4.3.3).
 struct Edge {
   uint32_t from = 0, to = 0;  ///< vertices; from < to
   double sagitta_m = 0;       ///< seen as first_face sees it, walked from `from` to `to`
@@ -20,7 +20,7 @@ struct Edge {
 /// Each pair of vertices that rings join, once, ascending by (from, to). Faces by index. O(n log n) for n corners.
 std::vector<Edge> find_edges(const Model& model);
 
-/// Centre, radius and bulge of an arc by end points and sagitta (A11): bulge = 2 s / c as in DXF.
+/// Centre, radius and bulge of an arc by end points and sagitta: bulge = 2 s / c as in DXF.
 struct Arc2 {
   Vec2 centre;
   double radius = 0;

@@ -24,7 +24,7 @@ void drop_small(uint32_t min_points, double points_per_member, std::vector<Surfa
 
 }  // namespace
 
-// Surface growing with the steps of plane-extraction from running sums:
+// Surface growing (Vosselman et al. 2004) from running sums:
 // 1. normals from neighbours; 2. regions from the flattest seeds; 3. coplanar neighbours joined and points shared out;
 // 4. steps 1-3 among the points left over; 5. last fit, orientation classes and facade frame.
 Segmentation segment_region_growing(const CloudPtr& cloud, const GrowingSettings& settings,

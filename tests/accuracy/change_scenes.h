@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Scenes S7 to S9 of distances-and-change 3 as triangles: things that appear, go, move and give way between two epochs.
+// Scenes as triangles: things that appear, go, move and give way between two epochs.
 
 #include <array>
 #include <cmath>

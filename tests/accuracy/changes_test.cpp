@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// S7, S8 and S9 of distances-and-change 3: the class of each planted change, and how far displaced things went.
+// Objects that go, appear and give way: the class of each planted change, and how far displaced things went.
 #include <doctest/doctest.h>
 
 #include <map>

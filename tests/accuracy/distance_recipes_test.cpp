@@ -26,7 +26,7 @@ CloudPtr cloud_of(const std::vector<double>& xyz) {
   return std::make_shared<const Cloud>(make_cloud(std::move(buffer)));
 }
 
-// Rolling ground of 60 m x 40 m as a scanner at its edge samples it, a heap on it on some days; 6 mm noise (spec S2).
+// Rolling ground of 60 m x 40 m as a scanner at its edge samples it, a heap on it on some days; 6 mm noise.
 CloudPtr earthworks(size_t points, uint64_t day, bool with_heap) {
   RandomStream random(day, 0);
   std::vector<double> xyz;
@@ -86,7 +86,8 @@ double total_seconds(std::span<const Row> rows, const char* table,
   return sum;
 }
 
-// A strip of the shell (S2 of 5.3.2): 260 points a square metre, at a normal offset that varies along it.
+// A strip of the shell (of a cooling tower; Girardeau-Montaut 2006, 5.3.2): 260 points a square
+// metre, at a normal offset that varies along it.
 std::vector<double> tower(size_t points, uint64_t seed, double noise_m, double offset_m) {
   RandomStream random(seed, 0);
   std::vector<double> xyz;

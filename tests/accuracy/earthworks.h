@@ -12,7 +12,7 @@
 #include "base/random.h"
 #include "spatial/triangles/tree.h"
 
-// S2 of distances-and-change 3: four days of earthworks from one scanner, and what was truly in its shadow.
+// After Girardeau-Montaut 2006, 2.3.3: four days of earthworks from one scanner, and what was truly in its shadow.
 
 namespace jalon::test {
 

@@ -7,7 +7,7 @@
 #include "compare/visibility/recovery.h"
 #include "earthworks.h"
 
-// What the comparer makes of the days of earthworks: octree-and-applications 9, (8) and (9).
+// What the comparer makes of the days of earthworks: what a removed wall uncovers is hidden, a pit is found.
 
 using namespace jalon;
 using namespace jalon::test;

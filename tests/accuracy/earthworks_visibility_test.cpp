@@ -5,7 +5,7 @@
 #include "compare/visibility/visibility.h"
 #include "earthworks.h"
 
-// Acceptance of distances-and-change 4: at least 95 % of true shadow points labelled, at most 2 % of commonly seen
+// What is asked for: at least 95 % of true shadow points labelled, at most 2 % of commonly seen
 // points lost. Truth is an exact ray from the other day's scanner through that day's scene.
 
 using namespace jalon;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// DS1 of facade-modelling 3: the facade of INSA Strasbourg (Boulaassal 2010, 5.5.3.2) as a scene, 200 000 points from
+// The facade of INSA Strasbourg (Boulaassal 2010, 5.5.3.2) as a scene, 200 000 points from
 // four tripods with the noise of a Trimble GX.
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-// S1 of facade-segmentation 3.3: the whole chain on the scanned facade, from the cleaning to the evaluation.
+// The whole chain on the scanned facade, from the cleaning to the evaluation.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -18,7 +18,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180, kTurn_rad = 37 * kDegree;
 constexpr uint64_t kLeastPoints = 50;
 constexpr double kLarge_m2 = 4;
-// The parameters of the thesis (facade-segmentation 2.D): pixels of twice the spacing, small planes first. The parts of
+// The parameters of the thesis (Boulaassal 2010, 3.4): pixels of twice the spacing, small planes first. The parts of
 // the facade stand 0.15-0.4 m apart, so nothing bridges gaps.
 constexpr const char* kThesis =
     R"({"distance_tolerance_m": 0.025, "orientation_order": "vertical horizontal parallel", "min_area_m2": 0.05,)"
@@ -158,7 +158,7 @@ void check_rotation(const Insa& insa) {
 }
 
 void check_large_planes(const Insa& insa, std::map<std::pair<std::string, Orientation>, Tally>& t) {
-  // "97 % of the reference points on 10 segments" (facade-segmentation 4.6).
+  // "97 % of the reference points on 10 segments" (Boulaassal 2010, 5.5.3.2).
   constexpr double kRate = 0.97;
   uint64_t points = 0, common = 0;
   for (const SegmentPair& pair : insa.evaluation.pairs)

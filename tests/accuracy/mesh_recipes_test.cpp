@@ -20,7 +20,7 @@ constexpr double kNoise_m = 0.002;
 
 bool sanitized() { return std::getenv("JALON_SANITIZED") != nullptr; }
 
-/// A plant room (S4 of the notes): 20 beams, 60 pipes of 3 to 30 cm and 5 tanks with 8 to 12 facets, in bands
+/// A plant room: 20 beams, 60 pipes of 3 to 30 cm and 5 tanks with 8 to 12 facets, in bands
 /// along their axes. Exactly so many triangles: bands as long as it takes.
 class PlantMesh {
  public:

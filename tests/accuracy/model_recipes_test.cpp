@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// DS1, DS2 and DS3 of facade-modelling 3, scanned, segmented and modelled with default parameters: openings, areas,
-// vertices and arcs against the exact polygons of the scenes.
+// Three facades of Boulaassal 2010, chapters 4 and 5, scanned, segmented and modelled with default
+// parameters: openings, areas, vertices and arcs against the exact polygons of the scenes.
 #include <doctest/doctest.h>
 
 #include <map>

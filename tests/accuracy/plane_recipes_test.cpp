@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-// S5, S6, S8 and S9b of facade-segmentation 3.3: the noise of planes, two patches of one plane, a shelf on a wall.
+// Scenes std, normal, patches and robbery: the noise of planes, two patches of one plane, a shelf on a wall.
 #include <doctest/doctest.h>
 
 #include <map>

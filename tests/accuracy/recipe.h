@@ -21,7 +21,7 @@ namespace jalon::test {
 
 inline bool is_full() { return std::getenv("JALON_FULL") != nullptr; }
 
-/// A scene of facade-segmentation 3.3, measured by a scanner's method; all parameters but the seed as JSON.
+/// A scene after Boulaassal 2010, chapter 3, measured by a scanner's method; all parameters but the seed as JSON.
 struct Recipe {
   Model scene;
   CloudPtr cloud;

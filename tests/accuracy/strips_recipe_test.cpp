@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-// S7 of facade-segmentation 3.3: six staggered strips, which points alone take for one slanted plane.
+// Six staggered strips, which points alone take for one slanted plane.
 #include <doctest/doctest.h>
 
 #include <numbers>

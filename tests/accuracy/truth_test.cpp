@@ -15,7 +15,7 @@ constexpr double kFacadeStep_rad = 0.0016;  // the default: more than 500 000 po
 constexpr double kLeastArea_m2 = 2;
 constexpr double kLargestAngle_deg = 0.05, kLargestShift_m = 0.002, kLargestEdge_m = 0.03;
 // A perpendicular plane of depth D may take the strip of its neighbour within the tolerance: 25 mm / 0.15 m for the
-// shallowest reveal (facade-segmentation, S9b).
+// shallowest reveal (scene robbery).
 constexpr double kLeastPurity = 1 - 0.025 / 0.15;
 constexpr uint64_t kSeenPoints = 500;  // faces turned away from all stations (the top of the cornice) have none
 

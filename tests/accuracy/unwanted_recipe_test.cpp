@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-// S3 of facade-segmentation 3.3: what stands before the facade and behind its windows is told from the facade.
+// What stands before the facade and behind its windows is told from the facade.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -53,7 +53,7 @@ TEST_CASE("S3_unwanted__99_percent_of_the_facade_stay_and_95_of_what_stands_befo
                                << (counts[1][0] + counts[1][1]) / static_cast<double>(mask.size()) << ")");
     CHECK(recall >= 0.99);
     CHECK(removed >= 0.95);
-    // What is left is the facade of S2, whose wall comes out whole in spite of the shadows.
+    // What is left is the facade with surrounds, whose wall comes out whole in spite of the shadows.
     const auto cleaned = std::make_shared<const Cloud>(select_mask(*recipe.cloud, mask, 1, task));
     const Segmentation s = ransac(cleaned, R"({"distance_tolerance_m": 0.025, "merge_gap_m": 3})", seed);
     const Evaluation e = evaluated(s, true_segmentation(cleaned), 50);

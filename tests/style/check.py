@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 from rooms import CODE, ROOMS, bindings_alone, crowds, includes, layers, sublayers
-from signposts import umbrella
+from signposts import citations, umbrella
 from source import ROOT, Tally, public_functions, read, strings_of, tree_files, without_comments
 
 MAX_LINES, LONG_LINES, MAX_COLUMNS = 400, 250, 120
@@ -48,7 +48,7 @@ def headers_alone():
 
 
 def c_types_only():
-    """Exported signatures and structs use fixed-width C types (anchor R8)."""
+    """Exported signatures and structs use fixed-width C types: one layout for all compilers and languages."""
     banned = re.compile(r"\b(bool|long|short|size_t|ssize_t|unsigned|wchar_t|FILE|enum\s+\w+\s+\w+)\b|\.\.\.|:\s*\d+\s*;")
     for header in sorted(os.listdir(os.path.join(ROOT, "include", "jalon"))):
         text = without_comments(read("include/jalon/" + header))
@@ -245,6 +245,7 @@ def main():
     tally.check("style: no file above %d lines" % MAX_LINES, length(files))
     tally.check("style: no line wider than %d columns" % MAX_COLUMNS, width(files))
     tally.check("style: plain file names", names(files))
+    tally.check("style: comments cite what a reader can find", citations(files))
     tally.check("style: no fast-math, no flags of one machine, contraction off", fast_math(files, build))
     tally.check("style: no unfinished marks, no machine paths", hygiene(files))
     sources = [f for f in files if f.endswith(CODE)]

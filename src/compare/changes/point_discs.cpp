@@ -22,7 +22,7 @@ constexpr double kChanceOffset = 0.25;
 // Of the area, what this gives inside a surface: 0.976 for points at random places (chance takes some for a border),
 // 0.982 for a square lattice (whose 16th neighbour lies sqrt(5) off: 5 pi / 16).
 constexpr double kInsideShare = 0.979;
-// Cells of two to four times the radius of a point's disc connect what one surface holds (A19); where a scanner looked
+// Cells of two to four times the radius of a point's disc connect what one surface holds; where a scanner looked
 // along a surface its points are farther apart in one direction, so the upper end and the sparser points count.
 constexpr double kCellFactor = 4;
 constexpr double kCellQuantile = 0.9;

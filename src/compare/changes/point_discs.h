@@ -27,7 +27,8 @@ std::vector<PointDisc> point_discs(const Cloud& cloud, std::span<const uint64_t>
 
 /// Of the radii; 0 without any.
 double radius_quantile(const std::vector<PointDisc>& discs, double share);
-/// Distance up to which neighbours hang together on one surface: the edge of the cells of A19.
+/// Distance up to which neighbours hang together on one surface: the edge of the cells whose
+/// components are the regions (Girardeau-Montaut 2006, 3.2.4).
 double joining_distance(const std::vector<PointDisc>& discs);
 
 }  // namespace jalon

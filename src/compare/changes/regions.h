@@ -33,7 +33,8 @@ struct Regions {
   double spacing_m = 0;            ///< sqrt(A / (N pi)) of the changed points (eq. 2.6), median
 };
 
-/// 1. Which points are changed; 2. their connected components on a grid (A19); 3. what each measures; 4. its volume.
+/// 1. Which points are changed; 2. their connected components on a grid (Girardeau-Montaut 2006,
+/// 3.2.4); 3. what each measures; 4. its volume.
 /// reference: the cloud that the comparison was made with, where it is at hand: it tells where distances lead to.
 Regions change_regions(const Comparison& comparison, const RegionSettings& settings, Task& task,
                        const Cloud* reference = nullptr);

@@ -20,7 +20,7 @@ struct ModelSampleSettings {
 };
 /// Parameter table of operation "model_sample".
 std::span<const ParamRow> model_sample_rows();
-/// Points on all surfaces of a model, uniform by area (octree-and-applications 2.23), with fields "normal", "face",
+/// Points on all surfaces of a model, uniform by area (Girardeau-Montaut 2006, C.2), with fields "normal", "face",
 /// "triangle", "part".
 Cloud sample_model(const Model& model, const ModelSampleSettings& settings, Task& task);
 

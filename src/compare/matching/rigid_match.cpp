@@ -16,7 +16,7 @@ namespace {
 
 constexpr size_t kSample = 1500;        // points of the iterations
 constexpr int kIterations = 40;
-constexpr double kShrink = 0.8;         // of the reach, each iteration (A1's schedule)
+constexpr double kShrink = 0.8;         // of the reach, each iteration
 constexpr double kDiscs = 4;            // points within so many of their discs' radii belong to one surface
 constexpr double kDamping = 1e-6;       // keeps directions that nothing fixes where they are
 constexpr double kEqual = 0.02;  // shares that differ by less are chance: a box turned half round fits as well

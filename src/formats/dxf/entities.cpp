@@ -32,7 +32,8 @@ Planar planar(const Polyline& line, const ObjectAxes& axes) {
   return out;
 }
 
-// DXF Reference: the tangent of a quarter of the angle, negative when clockwise; facade-modelling A11: 2 s / c.
+// DXF Reference: the tangent of a quarter of the angle, negative when clockwise; 2 s / c by the
+// sagitta s and the chord c.
 double bulge(const Polyline& line, size_t i) {
   if (line.sagittas_m.empty()) return 0;
   const double chord_m = norm(line.corners[(i + 1) % line.corners.size()] - line.corners[i]);

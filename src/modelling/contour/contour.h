@@ -45,7 +45,7 @@ struct Contour {
 };
 
 /// Contour of points in a plane: Delaunay triangulation without the triangles that span gaps
-/// (facade-modelling A2-A3, amended as its failure 5 says: edges with one triangle left, which
+/// (Boulaassal 2010, 4.2.2 and 4.2.3, amended: edges with one triangle left, which
 /// gives chains). Points deeper than two raster cells inside take no part, so the cost follows the
 /// length of the contour: O(n log n) for the raster, then about 2 us a border point.
 ///

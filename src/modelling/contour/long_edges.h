@@ -10,7 +10,7 @@
 
 namespace jalon {
 
-// Contour points by long edges (Boulaassal 2010, 4.2.3; facade-modelling A3).
+// Contour points by long edges (Boulaassal 2010, 4.2.3).
 
 /// The automatic threshold lies between these spacings: on a regular grid the ordinary edges reach 1.42, and gaps wider
 /// than 5 are openings.

@@ -13,7 +13,7 @@ namespace jalon {
 
 constexpr double kNoIndex = std::numeric_limits<double>::quiet_NaN();
 
-/// Which definitions the indices follow (facade-modelling A37, table 5.5).
+/// Which definitions the indices follow (Boulaassal 2010, 5.6.3.2, table 5.5).
 enum class IndexFormulas : uint8_t {
   kCanonical,  ///< of the literature: branching FP/TP, miss FN/TP, failure FP/|SR| (the false alarm rate)
   kThesis,     ///< as printed in Boulaassal 2010: rho_b = |SR \ SA| / TP, rho_m = |SA \ SR| / TP: the two swapped

@@ -10,7 +10,7 @@
 
 namespace jalon {
 
-/// Distances from one border to the other (facade-modelling A36): exact ones, from places every step along it.
+/// Distances from one border to the other (Boulaassal 2010, 5.6.2): exact ones, from places every step along it.
 struct BorderSpread {
   double mean_m = std::numeric_limits<double>::quiet_NaN();  ///< over its length
   double rms_m = std::numeric_limits<double>::quiet_NaN();

@@ -36,7 +36,7 @@ struct FacePair {
   BorderComparison borders;
 };
 
-/// A model against a reference (facade-modelling A36-A38).
+/// A model against a reference (Boulaassal 2010, 5.6.2, 5.6.3.2 and table 5.8).
 struct ModelEvaluation {
   std::vector<FaceVerdict> automatic, reference;
   std::vector<FacePair> pairs;           ///< ascending by reference

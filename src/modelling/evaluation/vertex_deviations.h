@@ -14,7 +14,7 @@
 
 namespace jalon {
 
-/// A vertex and its counterpart (facade-modelling A38).
+/// A vertex and its counterpart (Boulaassal 2010, table 5.8).
 struct VertexPair {
   uint32_t automatic = 0, reference = 0;  ///< vertices of the two models, or rows of the lists
   Vec3 deviation;                         ///< automatic less reference: DX, DY, DZ

@@ -20,7 +20,7 @@ struct AssemblySetting {
 /// below.
 ///
 /// Walls as solids: each face of a wall stands before a second one thickness_m behind it, and sides
-/// join both all round and in each opening (A14); these reveals take the place of those that end at
+/// join both all round and in each opening (Boulaassal 2010, 4.4.2); these reveals take the place of those that end at
 /// the panes. Arcs become chords within kRevealChord_m then, for the faces of a solid to meet in
 /// their edges.
 ///

@@ -7,7 +7,7 @@
 
 namespace jalon {
 
-/// Chords of a reveal's arc lie at most this far from it: reveals are planar strips (facade-modelling A11, A14).
+/// Chords of a reveal's arc lie at most this far from it: reveals are planar strips (Boulaassal 2010, 4.4.2).
 constexpr double kRevealChord_m = 0.001;
 
 /// What fills an opening, under its part: a part "joinery" with a pane parallel to the wall at the

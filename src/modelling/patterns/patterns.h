@@ -8,7 +8,7 @@
 
 namespace jalon {
 
-/// Repeated openings (Boulaassal 2010, 5.6.3.4; facade-modelling A40).
+/// Repeated openings (Boulaassal 2010, 5.6.3.4).
 struct PatternSetting {
   bool enabled = true;
   double size_tolerance_m = 0.02;  ///< of widths and heights of one size

@@ -26,7 +26,7 @@ struct SharedCorner {
   std::vector<Use> uses;
 };
 
-/// Closes the gaps where planes meet (facade-modelling A39): corners of facades, walls on the
+/// Closes the gaps where planes meet (Boulaassal 2010, 5.6.3.3): corners of facades, walls on the
 /// ground, sills and cornices on walls. A straight edge of an outline within the gap of a plane
 /// that is there moves onto the line in which both planes intersect (EdgeSource::kPlanes); where
 /// both planes have such an edge, ends nearer than the gap become one vertex. Faces stay exactly

@@ -10,7 +10,7 @@
 
 namespace jalon {
 
-/// Direction classes of straight parts in the plane (facade-modelling A6); arcs are their own class.
+/// Direction classes of straight parts in the plane (Boulaassal 2010, 4.3.1); arcs are their own class.
 enum class EdgeDirection : uint8_t { kVertical, kHorizontal, kInclined, kArc };
 
 /// What the position of an edge was taken from, by rising trust.
@@ -42,7 +42,7 @@ struct VectorFace {
   std::vector<VectorRing> openings;
 };
 
-/// 2D vector model of one planar segment (facade-modelling A12).
+/// 2D vector model of one planar segment (Boulaassal 2010, 4.3.3).
 struct VectorPlane {
   uint32_t label = 0;  ///< of the segment
   PlaneFrame frame;

@@ -14,7 +14,7 @@ struct Joinery {
   std::vector<uint32_t> standing;      ///< segments parallel to the wall before it: parapets, mullions, surrounds
 };
 
-/// The joinery (facade-modelling A14) among the fillers min_depth_m and more behind the wall:
+/// The joinery (Boulaassal 2010, 4.4.2) among the fillers min_depth_m and more behind the wall:
 /// 1. fillers of nearly one depth are one level (frame and glass);
 /// 2. the level with the most cells, unless a deeper one lies beside it in the elevation (panes above a parapet): then
 /// the deepest such; or a nearer one covers much of the same place (a pane before a curtain): then that;

@@ -22,7 +22,7 @@ constexpr double kFlushShare = 0.5;     // filled by something on or before the 
 // Points of a plane upright to the wall before it counts as a reveal.
 constexpr size_t kRevealPoints = 10;
 constexpr size_t kDepthPoints = 10;  // behind an opening for a depth without a plane
-// Doors: glossary of facade-modelling; a leaf of 2 m less what a plinth or a step hides.
+// Doors: a leaf of 2 m less what a plinth or a step hides.
 constexpr double kDoorHeight_m = 1.8, kDoorLeast_m = 0.6, kDoorMost_m = 3.5, kDoorFoot_m = 0.4;
 constexpr double kWindowLeast_m = 0.25, kWindowMost_m = 5;
 // By shape alone: the share of its upright box that an opening fills (a semicircle fills pi / 4 of its own).

@@ -11,7 +11,7 @@
 
 namespace jalon {
 
-/// Tells the openings of a wall from its shadows (facade-modelling A41) and says what is known of
+/// Tells the openings of a wall from its shadows (Boulaassal 2010, 5.6.3.2) and says what is known of
 /// them; wall.openings, wall.shadows and wall.map are set from the survey.
 ///
 /// A hole is an opening when rays passed through it or points lie behind it, when reveals were

@@ -46,7 +46,7 @@ struct SurveyedWall {
   double sigma_m = 0;  ///< of its points
 };
 
-/// Looks at all walls in one pass over the cloud (facade-modelling A41). Where the station of a
+/// Looks at all walls in one pass over the cloud (Boulaassal 2010, 5.6.3.2). Where the station of a
 /// point is known, the ray from it decides: through the plane of the wall and on = seen through
 /// there; ended before it = hidden there. Without stations the points themselves, projected onto
 /// the wall.

@@ -19,7 +19,7 @@ namespace {
 constexpr size_t kFewest = 4000;      // cells of the coarsest level: enough for steps of a millimetre on a street
 constexpr size_t kMore = 60'000, kMany = 300'000;
 constexpr size_t kLeastPoints = 20;
-constexpr double kMisfits = 3;        // of the first distance (A1)
+constexpr double kMisfits = 3;        // of the first distance
 
 // Step 2: the deepest level with at most so many occupied cells.
 int level_of(const Octree& tree, size_t most, Task& task) {

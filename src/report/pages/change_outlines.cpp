@@ -27,7 +27,7 @@ constexpr auto kRows = setting_rows(
     number_row<&ChangeOutlineSettings::min_opening_area_m2>(
         "min_opening_area_m2", 0, 1e12, "m2", "",
         "Smaller holes in a region are closed; 0 = the square of the widest gap"));
-// Cells that touch at a corner join points up to twice their edge apart (A19), and so does the outline.
+// Cells that touch at a corner join points up to twice their edge apart, and so does the outline.
 constexpr double kGapCells = 2;
 
 const char* class_of(ChangeClass change) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// DS2 and DS3 of facade-modelling 3: windows with round heads.
+// After Boulaassal 2010, 4.5 and 5.6.3.2: windows with round heads.
 #include <cmath>
 #include <string>
 #include <vector>

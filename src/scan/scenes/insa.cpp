@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Three buildings after the south-west facade of INSA Strasbourg: S1 of facade-segmentation 3.3, DS1 and DS4 of
-// facade-modelling 3.
+// Three buildings after the south-west facade of INSA Strasbourg: scanned, surveyed, and with the
+// balconies of its residence (Boulaassal 2010, 3.2, 5.5.3.2 and 5.6.3.2).
 #include "scan/scenes/grid_facade.h"
 #include "scan/scenes/objects.h"
 #include "scan/scenes/scenes.h"

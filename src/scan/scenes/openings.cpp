@@ -12,7 +12,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kJoineryWidth_m = 0.08;  // of a window frame (facade-segmentation, S2)
+constexpr double kJoineryWidth_m = 0.08;  // of a window frame (as in the scene surrounds)
 constexpr double kGlassBehind_m = 0.02;   // behind it (same place)
 constexpr double kChord_m = 1e-4;         // of an arc from its chords
 constexpr double kSameLevel_m = 1e-9;     // corners that rounding alone sets apart

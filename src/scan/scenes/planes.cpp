@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Small scenes of the segmentation's acceptance tests (facade-segmentation 3.3): S5, S6, S8, S9, S9b. All stand on
-// y = 0 and look along -Y unless they say otherwise.
+// Small scenes of the segmentation's acceptance tests (after Boulaassal 2010, 3.4): std, normal,
+// patches, sills, robbery. All stand on y = 0 and look along -Y unless they say otherwise.
 #include <string>
 
 #include "scan/scenes/scenes.h"
@@ -13,7 +13,7 @@ namespace {
 
 const Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 const Frame kFront{{}, kX, kZ};
-constexpr double kWallWidth_m = 10, kWallHeight_m = 6;  // of S9 and S9b
+constexpr double kWallWidth_m = 10, kWallHeight_m = 6;  // of sills and robbery
 
 }  // namespace
 

@@ -21,7 +21,7 @@ void build_room(const SceneSettings& settings, SceneBuilder& out);
 /// 4.2 x 1.8 x 1.5 m on a ground of 20 x 20 m.
 void build_box(const SceneSettings& settings, SceneBuilder& out);
 
-// facade-segmentation 3.3
+// After Boulaassal 2010, chapter 3.
 /// S1: a wall of posts, bands and windows.
 void build_insa(const SceneSettings& settings, SceneBuilder& out);
 /// S2: wall, window surrounds, joinery.
@@ -43,7 +43,7 @@ void build_robbery(const SceneSettings& settings, SceneBuilder& out);
 constexpr double kInsaAngle_rad = 37 * 0.017453292519943295;
 constexpr double kInsaShift_m[] = {1000, 500, 40};
 
-// facade-modelling 3
+// After Boulaassal 2010, chapters 4 and 5.
 /// DS1: S1's building, as it was surveyed.
 void build_insa_surveyed(const SceneSettings& settings, SceneBuilder& out);
 /// DS2: six facades, eight arched windows.
@@ -53,8 +53,8 @@ void build_arches(const SceneSettings& settings, SceneBuilder& out);
 /// DS4: DS1 with balconies.
 void build_residence(const SceneSettings& settings, SceneBuilder& out);
 
-// distances-and-change 3
-/// S2: 60 x 40 m of rolling ground with two high walls and a free one, on days 1 to 4. Ids: ground 1, heap 2, pit 3,
+// After Girardeau-Montaut 2006, 2.3.3.
+/// 60 x 40 m of rolling ground with two high walls and a free one, on days 1 to 4. Ids: ground 1, heap 2, pit 3,
 /// back wall 4, side wall 5, free wall 6 to 10, excavator from 11 on.
 void build_earthworks(const SceneSettings& settings, SceneBuilder& out);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// S2 and S3 of facade-segmentation 3.3: a wall with window surrounds, alone and behind what nobody wants.
+// After Boulaassal 2010, 3.3 and 3.4.3.6: a wall with window surrounds, alone and behind what nobody wants.
 #include <algorithm>
 #include <string>
 #include <vector>

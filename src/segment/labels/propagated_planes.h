@@ -30,9 +30,10 @@ struct PropagatedPlane {
   }
 };
 
-/// Weighted least squares of each planar segment, weights 1 / (n^T C_i n) from the scanner's precision (facade-modelling
-/// A25; Mikhail & Gracie 1981): covariance N^-1, a priori. Errors of points are independent; what all points of a station
-/// have in common (its position, back-sight, level) does not average out and is left out. Other segments have NaN. O(n).
+/// Weighted least squares of each planar segment, weights 1 / (n^T C_i n) from the scanner's
+/// precision (Boulaassal 2010, 5.3.3; Mikhail & Gracie 1981): covariance N^-1, a priori. Errors of
+/// points are independent; what all points of a station have in common (its position, back-sight,
+/// level) does not average out and is left out. Other segments have NaN. O(n).
 std::vector<PropagatedPlane> propagate_planes(const Segmentation& segmentation,
                                               const ScannerPrecision& precision, Task& task);
 FieldTable propagated_plane_table(const std::vector<PropagatedPlane>& planes);

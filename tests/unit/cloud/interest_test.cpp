@@ -11,7 +11,7 @@ using namespace test;
 
 enum Kind : uint8_t { kFacade, kUnwanted, kGround };
 
-/// Scene S3 of the specification, built by hand: a 30 x 12 m wall in y = 0 with window reveals
+/// Unwanted points, built by hand: a 30 x 12 m wall in y = 0 with window reveals
 /// 0.25 m deep, a balcony and a cornice, three trees and two cars 3-7 m in front (y < 0), ghosts
 /// 0.8-6 m behind; turned by 37 degrees and put on a map grid.
 struct Scene {

@@ -10,8 +10,9 @@
 
 namespace jalon::test {
 
-/// S5 of the notes: half an ellipsoid of semi-axes 45, 35 and 30 mm on a plane of 200 x 200 mm, 2 points a mm2; the
-/// field "distance" is the height above the plane, with noise.
+/// A pebble (Girardeau-Montaut 2006, 3.3.2): half an ellipsoid of semi-axes 45, 35 and 30 mm on a
+/// plane of 200 x 200 mm, 2 points a mm2; the field "distance" is the height above the plane, with
+/// noise.
 struct Pebble {
   Cloud cloud;
   std::vector<uint8_t> on_pebble;

@@ -12,7 +12,7 @@
 
 namespace jalon::test {
 
-/// S4 of the notes in a light form: a room of 12 x 8 x 5 m with pipes, beams and tanks, measured with noise of 2 mm, 4
+/// A plant room in a light form: a room of 12 x 8 x 5 m with pipes, beams and tanks, measured with noise of 2 mm, 4
 /// mm in a third of it, against its model, in which round things have 8 to 12 facets, five pipes are missing and one
 /// lies 30 mm beside its place. Distances are those of the nearest model surface, computed piece by piece.
 struct PlantRoom {

@@ -45,7 +45,7 @@ Plate plate(size_t n, const NoiseLaw& law, double change, uint64_t seed) {
 }
 
 TEST_CASE("chi_square__thresholds__those_of_the_tables") {
-  // T2 of the notes: 5, 1 and 0.1 % at 2, 3, 4, 5, 6, 7 and 9 degrees of freedom.
+  // Quantiles of chi-square: 5, 1 and 0.1 % at 2, 3, 4, 5, 6, 7 and 9 degrees of freedom.
   const uint32_t sizes[] = {9, 16, 25, 36, 49, 64, 100};
   const double table[][3] = {{5.99, 9.21, 13.82},   {7.81, 11.34, 16.27},  {9.49, 13.28, 18.47}, {11.07, 15.09, 20.52},
                              {12.59, 16.81, 22.46}, {14.07, 18.48, 24.32}, {16.92, 21.67, 27.88}};
@@ -93,7 +93,7 @@ TEST_CASE("chi_square__false_alarms_on_pure_noise__as_the_table_says") {
       const double tolerance = 5 * 100 * std::sqrt(2 * row.rates[m] / 100 / kDraws);
       CHECK(std::fabs(rates[m] - row.rates[m]) < tolerance);
     }
-    MESSAGE("FIGURE T2, n = ", row.n, ": false alarms ", rates[0], " / ", rates[1], " / ", rates[2], " % (notes: ",
+    MESSAGE("FIGURE T2, n = ", row.n, ": false alarms ", rates[0], " / ", rates[1], " / ", rates[2], " % (table: ",
             row.rates[0], " / ", row.rates[1], " / ", row.rates[2], ")");
   }
 }

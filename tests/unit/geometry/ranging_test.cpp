@@ -31,7 +31,7 @@ TEST_CASE("polar_covariance__gives_11_6_mm_at_100_m") {
     for (const double h : {0.0, 1.0, 2.5, -2.0}) {
       const double v = degrees[i] * std::numbers::pi / 180;
       const double found = 1000 * point_sigma(polar_covariance(polar_point(100, h, v), kUp, kGx));
-      if (h == 0) MESSAGE("FIGURE A25 at 100 m, ", degrees[i], " degrees up: ", found, " mm");
+      if (h == 0) MESSAGE("FIGURE point precision at 100 m, ", degrees[i], " degrees up: ", found, " mm");
       CHECK(std::fabs(found - mm[i]) < 0.005);
     }
   // The printed third line of 5.5, cos v in place of sin v, would give 13.5 mm.

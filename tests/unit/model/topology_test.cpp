@@ -39,7 +39,7 @@ TEST_CASE("topology: an edge of two faces is there once, with both faces and the
   CHECK(edges[0].second_face == kNoFace);
 }
 
-TEST_CASE("topology: an arc by end points and sagitta has the centre and radius of A11, on the right of the walk") {
+TEST_CASE("topology: an arc by end points and sagitta has its circle's centre and radius, right of the walk") {
   const Arc2 half = arc_of({0, 0}, {2, 0}, 1);
   CHECK(half.radius == doctest::Approx(1));
   CHECK(half.bulge == doctest::Approx(1));

@@ -1,6 +1,6 @@
-// SPDX-FileCopyrightText: 2026 The Jalon authors
-// SPDX-License-Identifier: Apache-2.0
-// Scenes S2, S6, S7, S8 of Boulaassal 2010 as synthetic equivalents, and the covariance of the parameters.
+// SPDX-FileCopyrightText: 2026 The Jalon authors SPDX-License-Identifier: Apache-2.0 Synthetic
+// scenes after Boulaassal 2010 (window surrounds, a plane, staggered strips, two patches), and the
+// covariance of the parameters.
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>

@@ -8,8 +8,8 @@
 
 namespace jalon::test {
 
-/// S2 of facade-segmentation: wall 12 x 9 m with 12 windows; surrounds 0.15 m wide at -0.06, joinery 0.08 m wide at
-/// +0.20; 60 000 points, and those on the glass at +0.22 (face 4).
+/// After Boulaassal 2010, 3.4.3.6: wall 12 x 9 m with 12 windows; surrounds 0.15 m wide at -0.06,
+/// joinery 0.08 m wide at +0.20; 60 000 points, and those on the glass at +0.22 (face 4).
 inline Scene surrounds(uint64_t seed, size_t glass_points_a_window = 0) {
   Scene scene;
   RandomStream random(seed, 2);

@@ -36,7 +36,7 @@ class ChainMoments {
     Circle circle;
     double squares = INFINITY;  ///< weighted sum of squared distances, to first order; infinite without a circle
   };
-  /// Linear fit (facade-modelling A19).
+  /// Linear fit (Boulaassal 2010, E.1.2).
   ArcFit arc(size_t first, size_t last) const;
 
  private:

@@ -38,7 +38,8 @@ constexpr int kPatience = 4;
 // A part whose middle or ends are further than this from a guide does not lie on it; a step longer than this cuts a
 // corner. In spacings.
 constexpr double kNearGuide = 1, kEndOff = 2, kBridge = 1.5;
-// Slanted edges are rare on facades (facade-modelling A6): a short one costs so many cuts more. In spacings; a tangent.
+// Slanted edges are rare on facades (Boulaassal 2010, 4.3.1): a short one costs so many cuts more.
+// In spacings; a tangent.
 constexpr double kOdd = 2, kShort = 12, kSlanted = 0.25;
 constexpr double kLeastSine = 0.3;  // of the angle of a corner that is cut
 

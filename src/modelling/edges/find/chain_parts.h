@@ -12,7 +12,7 @@
 
 namespace jalon {
 
-/// A straight or curved part of a closed chain (facade-modelling A5): its points first ... first + count - 1, walked
+/// A straight or curved part of a closed chain (Boulaassal 2010, 4.3.1): its points first ... first + count - 1, walked
 /// round the chain; neighbours share the point between them.
 struct ChainPart {
   size_t first = 0, count = 0;

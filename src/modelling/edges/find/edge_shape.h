@@ -69,8 +69,9 @@ EdgeShape shape_of(std::span<const Vec2> chain, const ChainPart& part, double sp
 /// A straight edge from one corner to another, of the class of its exact direction.
 EdgeShape straight_shape(const Vec2& from, const Vec2& to);
 
-/// Contour points lie, on average, this share of the spacing inside straight edges: 0.5 on a regular grid
-/// (facade-modelling A3, failure 2), 0.2 measured on points scattered at random, whose contour follows the outermost.
+/// Contour points lie, on average, this share of the spacing inside straight edges: 0.5 on a
+/// regular grid, whose border runs half a step beyond its points, 0.2 measured on points scattered
+/// at random, whose contour follows the outermost.
 constexpr double kSetBack = 0.35;
 
 }  // namespace jalon

@@ -23,7 +23,7 @@ struct RingSource {
   std::function<std::vector<EdgeLine>()> joints;
 };
 
-/// Rings with straight edges, arcs and nodes at their measured places (facade-modelling A5-A11),
+/// Rings with straight edges, arcs and nodes at their measured places (Boulaassal 2010, 4.3),
 /// one a contour chain: of each piece its outline, then its openings.
 /// 1. Straight and curved parts of each chain, as provisional edges.
 /// 2. The points about them.

@@ -115,11 +115,11 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
   VectorPlane out;
   out.label = segment.label;
   if (!segment.has_plane() || indices.size() < 3) return out;
-  // 1. Frame and plane coordinates (A1).
+  // 1. Frame and plane coordinates (Boulaassal 2010, 4.2.1).
   out.frame = plane_frame(segment.fit.plane, whole_metre_corner(cloud, indices), facade_x);
   std::vector<Vec2> points(indices.size());
   for (size_t i = 0; i < indices.size(); ++i) points[i] = out.frame.project(cloud.point(indices[i]));
-  // 2. Contours (A2-A3).
+  // 2. Contours (4.2.2, 4.2.3).
   ForeignTest foreign;
   if (setting.straighten)
     foreign = [&, crossing = CrossingPoints(segmentation, *tree, s)](uint32_t i, double spacing_m) {
@@ -133,7 +133,7 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
     for (const ContourPiece& piece : contour.pieces) out.faces.push_back(raw_face(piece));
     return out;
   }
-  // 3. Edges and nodes where they are measured (A5-A11).
+  // 3. Edges and nodes where they are measured (4.3.1 to 4.3.3).
   const auto near = [&](std::span<const std::vector<Vec2>> rings, const NearSetting& about) {
     return points_near(segmentation, *tree, out.frame, rings, parallel_planes(segmentation, s), about);
   };
@@ -141,7 +141,7 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
     return crossing_lines(segmentation, groups, s, out.frame, kCrossingReach * contour.spacing_m);
   };
   auto rings = measured_rings({contour, segment.fit.sigma, near, joints}, setting, task);
-  // 4. Polygons with holes (A12).
+  // 4. Polygons with holes (4.3.3).
   size_t first = 0;
   for (const ContourPiece& piece : contour.pieces) {
     task.checkpoint(0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Contour points by long edges and by alpha shape: the table of facade-modelling A3, failure 5.
+// Contour points by long edges and by alpha shape: hits of each at three jitters.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -65,7 +65,7 @@ std::vector<uint32_t> on_rings(const GridWall& wall, const std::vector<Triangle2
 struct Row {
   const char* rule;
   double spacings;
-  Hits expected[3];  ///< at jitter 0.1, 10 and 30 mm, one seed of the specification's own
+  Hits expected[3];  ///< at jitter 0.1, 10 and 30 mm, one seed of those who counted first
 };
 
 constexpr double kJitters_m[] = {0.0001, 0.010, 0.030};
@@ -102,7 +102,7 @@ TEST_CASE("contour__hits_of_each_rule_are_those_of_the_table") {
       CAPTURE(kJitters_m[j]);
       MESSAGE("FIGURE " << std::string(row.rule) << " " << row.spacings << "p, jitter " << 1000 * kJitters_m[j]
                         << " mm: " << found.outer << " / " << found.hole << " / " << found.inner);
-      // Another seed than the specification's: some counts more or less.
+      // Another seed than theirs: some counts more or less.
       CHECK(std::abs(found.outer - expected.outer) <= 8);
       CHECK(std::abs(found.hole - expected.hole) <= 8);
       CHECK(std::abs(found.inner - expected.inner) <= (expected.inner == 0 ? 0 : 60));

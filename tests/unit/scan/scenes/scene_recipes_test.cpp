@@ -12,7 +12,7 @@
 using namespace jalon;
 using namespace jalon::test;
 
-// The scenes of facade-segmentation 3.3 and facade-modelling 3 against their recipes.
+// The scenes after Boulaassal 2010 against their recipes.
 
 namespace {
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kHalf = std::numbers::sqrt2 / 2;
 
-// plane-extraction.md, 3: two levels and the ramp between them on a grid of 0.2 m; faces 1, 2 and 3.
+// Two levels and the ramp between them on a grid of 0.2 m; faces 1, 2 and 3.
 Scene ramp(double noise_m, uint64_t seed) {
   Scene scene;
   RandomStream random(seed, 4);

@@ -44,7 +44,7 @@ Scene strips(uint64_t seed) {
 
 double tilt_deg(const Segment& segment) { return std::acos(std::min(1.0, std::fabs(segment.fit.plane.normal.y))) / kDegree; }
 
-// Two sills 0.3 m deep and 1 m long on a wall of 10 x 6 m, 4 m apart (S9); the gap separates them from the wall.
+// Two sills 0.3 m deep and 1 m long on a wall of 10 x 6 m, 4 m apart; the gap separates them from the wall.
 Scene sills(double gap_m, uint64_t seed) {
   Scene scene;
   RandomStream random(seed, 9);

@@ -13,7 +13,7 @@ using namespace jalon::test;
 
 namespace {
 
-// The sheets of octree-and-applications.md 2.4: 10 x 10 units, z = 1.5 sin(0.7 x) cos(0.5 y), sigma 0.003.
+// Sheets: 10 x 10 units, z = 1.5 sin(0.7 x) cos(0.5 y), sigma 0.003.
 std::vector<double> sheet(size_t n, uint64_t seed, double bump, double shift) {
   RandomStream random(seed, 0);
   std::vector<double> xyz;
