@@ -88,7 +88,7 @@ void Task::log(LogLevel level, const char* format, ...) {
   }
 }
 
-Span::Span(Task& task, double from, double to, const char* stage)
+ProgressSpan::ProgressSpan(Task& task, double from, double to, const char* stage)
     : task_(task),
       from_(task.window_from_),
       to_(task.window_to_),
@@ -100,7 +100,7 @@ Span::Span(Task& task, double from, double to, const char* stage)
   if (stage != nullptr) task.stage_ = stage;
 }
 
-Span::~Span() {
+ProgressSpan::~ProgressSpan() {
   if (!active_) return;
   task_.window_from_ = from_;
   task_.window_to_ = to_;

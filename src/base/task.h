@@ -15,7 +15,7 @@ class Pool;
 ///
 /// checkpoint() and the parallel loops report progress and notice a cancel; both act only on the thread that started
 /// the operation (the host's promise: callbacks on the calling thread). A cancel or a callback that says stop ends in
-/// Error(kCancelled). Progress windows: a Span maps the fractions of a sub-step into its part of the whole.
+/// Error(kCancelled). Progress windows: a ProgressSpan maps the fractions of a sub-step into its part of the whole.
 class Task {
  public:
   using Progress = int32_t (*)(double fraction, const char* stage, void* user);
@@ -52,7 +52,7 @@ class Task {
   bool on_calling_thread() const;
 
  private:
-  friend class Span;
+  friend class ProgressSpan;
   void report(double fraction);
 
   Hooks hooks_;
@@ -66,12 +66,12 @@ class Task {
 
 /// Gives the code in its scope the part [from, to] of the enclosing progress window, under a stage name (static text;
 /// NULL keeps it).
-class Span {
+class ProgressSpan {
  public:
-  Span(Task& task, double from, double to, const char* stage = nullptr);
-  ~Span();
-  Span(const Span&) = delete;
-  Span& operator=(const Span&) = delete;
+  ProgressSpan(Task& task, double from, double to, const char* stage = nullptr);
+  ~ProgressSpan();
+  ProgressSpan(const ProgressSpan&) = delete;
+  ProgressSpan& operator=(const ProgressSpan&) = delete;
 
  private:
   Task& task_;

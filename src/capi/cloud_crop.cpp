@@ -13,10 +13,10 @@ CloudPair split_by_mask(const Cloud& cloud, std::span<const uint8_t> mask, bool 
                         Task& task) {
   CloudPair pair;
   {
-    Span span(task, 0, want_zeros ? 0.5 : 1);
+    ProgressSpan span(task, 0, want_zeros ? 0.5 : 1);
     if (want_ones) pair.first.reset(new_cloud(select_mask(cloud, mask, 1, task)));
   }
-  Span span(task, want_ones ? 0.5 : 0, 1);
+  ProgressSpan span(task, want_ones ? 0.5 : 0, 1);
   if (want_zeros) pair.second.reset(new_cloud(select_mask(cloud, mask, 0, task)));
   return pair;
 }
@@ -29,10 +29,10 @@ void split(const jalon_cloud* cloud, jalon_task* task, jalon_cloud** ones, jalon
   CloudPair pair = with_task(task, [&](Task& t) {
     std::vector<uint8_t> mask;
     {
-      Span span(t, 0, 0.5);
+      ProgressSpan span(t, 0, 0.5);
       mask = make(t);
     }
-    Span span(t, 0.5, 1, "copying");
+    ProgressSpan span(t, 0.5, 1, "copying");
     return split_by_mask(*cloud->cloud, mask, ones != nullptr, zeros != nullptr, t);
   });
   pair.hand_out(ones, zeros);

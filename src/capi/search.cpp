@@ -67,10 +67,10 @@ jalon_status jalon_cloud_knn(const jalon_cloud* cloud, const void* queries, int3
     with_task(task, [&](Task& t) {
       std::shared_ptr<const Octree> tree;
       {
-        Span span(t, 0, 0.3);
+        ProgressSpan span(t, 0, 0.3);
         tree = cloud->cloud->octree(t);
       }
-      Span span(t, 0.3, 1, "searching neighbours");
+      ProgressSpan span(t, 0.3, 1, "searching neighbours");
       if (level != JALON_LEVEL_AUTOMATIC) {
         knn_at_level(*tree, points, k, level, t, found);
         return;
@@ -99,10 +99,10 @@ jalon_status jalon_cloud_knn_all(const jalon_cloud* cloud, uint32_t k, jalon_tas
     with_task(task, [&](Task& t) {
       std::shared_ptr<const Octree> tree;
       {
-        Span span(t, 0, 0.3);
+        ProgressSpan span(t, 0, 0.3);
         tree = cloud->cloud->octree(t);
       }
-      Span span(t, 0.3, 1, "searching neighbours");
+      ProgressSpan span(t, 0.3, 1, "searching neighbours");
       const auto order = tree->order();
       tree->for_each_knn(k, t, [&](const Octree::Batch& batch) {
         for (size_t i = 0; i < batch.count; ++i) {
@@ -132,10 +132,10 @@ jalon_status jalon_cloud_radius_search(const jalon_cloud* cloud, const void* que
     with_task(task, [&](Task& t) {
       std::shared_ptr<const Octree> tree;
       {
-        Span span(t, 0, 0.3);
+        ProgressSpan span(t, 0, 0.3);
         tree = cloud->cloud->octree(t);
       }
-      Span span(t, 0.3, 1, "searching neighbours");
+      ProgressSpan span(t, 0.3, 1, "searching neighbours");
       constexpr size_t kGrain = 256;
       std::vector<std::vector<Neighbour>> parts((count + kGrain - 1) / kGrain);
       auto first = new_column<uint64_t>("first", count + 1, 1, "", "where the neighbours of each query begin");
@@ -275,8 +275,8 @@ jalon_status jalon_cloud_share_octree(jalon_cloud* const* clouds, uint64_t count
       if (box.empty()) return;
       const Cube cube = enclosing_cube(box);
       for (uint64_t i = 0; i < count; ++i) {
-        Span span(t, static_cast<double>(i) / static_cast<double>(count),
-                  static_cast<double>(i + 1) / static_cast<double>(count));
+        ProgressSpan span(t, static_cast<double>(i) / static_cast<double>(count),
+                          static_cast<double>(i + 1) / static_cast<double>(count));
         const Cloud& cloud = *clouds[i]->cloud;
         cloud.index->get_on(cloud.xyz(), cube, t);
       }

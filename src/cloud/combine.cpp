@@ -102,15 +102,15 @@ Cloud append(const Cloud& a, const Cloud& b, Task& task) {
     });
   };
   {
-    Span span(task, 0, 0.25);
+    ProgressSpan span(task, 0, 0.25);
     copy(a, 0);
   }
   {
-    Span span(task, 0.25, 0.5);
+    ProgressSpan span(task, 0.25, 0.5);
     copy(b, a.size());
   }
   Cloud out = make_cloud(std::move(xyz));
-  Span span(task, 0.5, 1);
+  ProgressSpan span(task, 0.5, 1);
   const double columns = static_cast<double>(a.fields.size() + b.fields.size());
   double done = 0;
   for (const ColumnPtr& column : a.fields) {
@@ -136,7 +136,7 @@ Cloud transformed(const Cloud& cloud, const Transform& transform, Task& task) {
   require_invertible(transform);
   Buffer<double> xyz(3 * cloud.size());
   {
-    Span span(task, 0, 0.7);
+    ProgressSpan span(task, 0, 0.7);
     parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const Vec3 p = transform.point(cloud.point(i));
@@ -146,7 +146,7 @@ Cloud transformed(const Cloud& cloud, const Transform& transform, Task& task) {
     });
   }
   Cloud out = make_cloud(std::move(xyz));
-  Span span(task, 0.7, 1);
+  ProgressSpan span(task, 0.7, 1);
   out.fields = cloud.fields;
   const Column* normal = cloud.fields.find("normal");
   if (normal != nullptr && normal->info().components == 3 && is_floating(normal->info().type))

@@ -61,12 +61,12 @@ Cloud with_components(const Cloud& cloud, const ComponentsSettings& settings, Ta
   Cube cube;
   double cell_m = settings.cell_m;
   if (cloud.size() != 0) {
-    Span span(task, 0, 0.1);
+    ProgressSpan span(task, 0, 0.1);
     const bool by_level = settings.level >= 0;
     cube = by_level ? cloud.octree(task)->cube() : enclosing_cube(bounds(cloud, task));
     if (by_level) cell_m = std::ldexp(cube.edge, -settings.level);
   }
-  Span span(task, 0.1, 1);
+  ProgressSpan span(task, 0.1, 1);
   const auto connected = [&](std::span<const double> xyz) {
     return connected_components(xyz, cube.origin, cell_m, settings.connectivity,
                                 settings.min_points, task);

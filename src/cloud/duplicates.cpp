@@ -71,7 +71,7 @@ Buckets deal(const Cloud& cloud, const Rounding& rounding, Task& task) {
   std::vector<uint32_t> counts(chunks * kBuckets, 0);
   Buffer<uint64_t> hashes(n);
   {
-    Span span(task, 0, 0.6);
+    ProgressSpan span(task, 0, 0.6);
     parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
       uint32_t* own = counts.data() + begin / kGrain * kBuckets;
       for (size_t i = begin; i < end; ++i) {
@@ -91,7 +91,7 @@ Buckets deal(const Cloud& cloud, const Rounding& rounding, Task& task) {
     }
   }
   buckets.first[kBuckets] = at;
-  Span span(task, 0.6, 1);
+  ProgressSpan span(task, 0.6, 1);
   parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
     uint32_t* next = counts.data() + begin / kGrain * kBuckets;
     for (size_t i = begin; i < end; ++i)
@@ -140,12 +140,12 @@ Cloud without_duplicates(const Cloud& cloud, double tolerance_m, Task& task) {
   const Rounding rounding{local_origin(cloud, task), tolerance_m};
   Buckets buckets;
   {
-    Span span(task, 0, 0.4, "duplicates");
+    ProgressSpan span(task, 0, 0.4, "duplicates");
     buckets = deal(cloud, rounding, task);
   }
   std::vector<uint8_t> keep(cloud.size(), 0);
   {
-    Span span(task, 0.4, 0.7, "duplicates");
+    ProgressSpan span(task, 0.4, 0.7, "duplicates");
     constexpr size_t kBucketsPerChunk = 4;
     parallel_for(task, kBuckets, kBucketsPerChunk, [&](size_t begin, size_t end) {
       std::vector<Entry> table;
@@ -155,7 +155,7 @@ Cloud without_duplicates(const Cloud& cloud, double tolerance_m, Task& task) {
                         keep);
     });
   }
-  Span span(task, 0.7, 1, "copying");
+  ProgressSpan span(task, 0.7, 1, "copying");
   return select_mask(cloud, keep, 1, task);
 }
 

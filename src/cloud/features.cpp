@@ -163,10 +163,10 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
   }
   std::shared_ptr<const Octree> tree;
   {
-    Span span(task, 0, 0.2, "index");
+    ProgressSpan span(task, 0, 0.2, "index");
     tree = cloud.octree(task);
   }
-  Span span(task, 0.2, 1, "features");
+  ProgressSpan span(task, 0.2, 1, "features");
   const auto order = tree->order();
   for_each_neighbourhood<Scratch>(
       *tree, settings.k, radius_m, task, [&](const Neighbourhood& around, Scratch& scratch) {

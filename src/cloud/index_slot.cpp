@@ -25,10 +25,10 @@ std::shared_ptr<const Octree> build_tree(std::span<const double> xyz, const Cube
   if (xyz.empty()) return Octree::build(xyz, Cube{}, task);
   Cube own;
   {
-    Span span(task, 0, 0.05);
+    ProgressSpan span(task, 0, 0.05);
     own = enclosing_cube(bounds_of(xyz, task));
   }
-  Span span(task, 0.05, 1);
+  ProgressSpan span(task, 0.05, 1);
   return Octree::build(xyz, own, task);
 }
 

@@ -121,16 +121,16 @@ std::vector<uint8_t> points_of_interest(const Cloud& cloud, const InterestSettin
   if (cloud.size() >= 0xffffffffu) fail(Status::kLimit, "more than 2^32 - 2 points");
   FacadePlane facade;
   {
-    Span span(task, 0, 0.6, "main plane");
+    ProgressSpan span(task, 0, 0.6, "main plane");
     facade = find_facade_plane(cloud, tolerance_m, settings.vertical_tolerance_rad, viewpoint,
                                settings.seed, task);
   }
   std::vector<SlabPoint> slab;
   {
-    Span span(task, 0.6, 0.8, "slab");
+    ProgressSpan span(task, 0.6, 0.8, "slab");
     slab = points_in_slab(cloud, facade, settings.front_m, settings.back_m, task);
   }
-  Span span(task, 0.8, 1, "largest entity");
+  ProgressSpan span(task, 0.8, 1, "largest entity");
   std::vector<uint8_t> mask = largest_entity(cloud, slab, settings.pixel_m, settings.gap_m);
   if (settings.remove_ground) remove_ground(cloud, facade, tolerance_m, settings.seed, task, mask);
   return mask;

@@ -107,12 +107,12 @@ Cloud with_normals(const Cloud& cloud, const NormalsSettings& settings, Task& ta
   Cloud out = cloud;
   std::shared_ptr<const Octree> tree;
   {
-    Span span(task, 0, 0.2, "index");
+    ProgressSpan span(task, 0, 0.2, "index");
     tree = cloud.octree(task);
   }
   PcaNormals normals;
   {
-    Span span(task, 0.2, 0.95, "normals");
+    ProgressSpan span(task, 0.2, 0.95, "normals");
     if (settings.method == Method::kQuadric)
       normals.normal = quadric_normals(*tree, settings.k, settings.radius_m, task);
     else if (settings.method == Method::kTriangulation)
@@ -122,7 +122,7 @@ Cloud with_normals(const Cloud& cloud, const NormalsSettings& settings, Task& ta
                     ? pca_normals_radius(*tree, settings.radius_m, settings.curvature, task)
                     : pca_normals(*tree, settings.k, settings.curvature, task);
   }
-  Span span(task, 0.95, 1, "orientation");
+  ProgressSpan span(task, 0.95, 1, "orientation");
   orient(cloud, settings, *normals.normal, task);
   out.fields.set(std::move(normals.normal));
   if (normals.curvature) out.fields.set(std::move(normals.curvature));

@@ -109,13 +109,13 @@ std::shared_ptr<Column> triangulation_normals(const Octree& tree, Task& task) {
   std::vector<Octree::Cell> cells;
   std::vector<uint32_t> position_of(tree.size());
   {
-    Span span(task, 0, 0.1);
+    ProgressSpan span(task, 0, 0.1);
     cells = tree.cells(automatic_level(tree, task), task);
     parallel_for(task, tree.size(), 1 << 16, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) position_of[order[i]] = static_cast<uint32_t>(i);
     });
   }
-  Span span(task, 0.1, 1);
+  ProgressSpan span(task, 0.1, 1);
   parallel_for(task, cells.size(), kCellsPerChunk, [&](size_t begin, size_t end) {
     Scratch scratch;
     for (size_t c = begin; c < end; ++c) {

@@ -42,10 +42,10 @@ std::vector<float> mean_distances(const Octree& tree, uint32_t k, Task& task) {
 std::vector<uint8_t> statistical_mask(const Octree& tree, uint32_t k, double sigmas, Task& task) {
   std::vector<float> distance;
   {
-    Span span(task, 0, 0.9);
+    ProgressSpan span(task, 0, 0.9);
     distance = mean_distances(tree, k, task);
   }
-  Span span(task, 0.9, 1);
+  ProgressSpan span(task, 0.9, 1);
   const auto sum_over = [&](auto&& term) {
     return parallel_reduce(task, distance.size(), kGrain, Sums{}, [&](size_t begin, size_t end) {
       Sums part;
@@ -102,17 +102,17 @@ Cloud without_outliers(const Cloud& cloud, const OutliersSettings& settings, Tas
   if (cloud.size() == 0) return cloud;
   std::shared_ptr<const Octree> tree;
   {
-    Span span(task, 0, 0.2, "index");
+    ProgressSpan span(task, 0, 0.2, "index");
     tree = cloud.octree(task);
   }
   std::vector<uint8_t> keep;
   {
-    Span span(task, 0.2, 0.9, "outliers");
+    ProgressSpan span(task, 0.2, 0.9, "outliers");
     keep = settings.method == OutliersSettings::Method::kRadius
                ? radius_mask(*tree, settings.radius_m, settings.neighbours, task)
                : statistical_mask(*tree, settings.k, settings.sigmas, task);
   }
-  Span span(task, 0.9, 1, "copying");
+  ProgressSpan span(task, 0.9, 1, "copying");
   return select_mask(cloud, keep, 1, task);
 }
 

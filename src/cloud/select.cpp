@@ -91,21 +91,21 @@ Cloud select_unchecked(const Cloud& cloud, std::span<const uint64_t> indices, Ta
   Cloud out;
   {
     const auto [from, to] = next(2);
-    Span span(task, from, to);
+    ProgressSpan span(task, from, to);
     Buffer<double> xyz(3 * indices.size());
     gather_bytes(cloud.xyz_buffer->data(), xyz.data(), 3 * sizeof(double), indices, task);
     out = make_cloud(std::move(xyz));
   }
   for (const ColumnPtr& column : cloud.fields) {
     const auto [from, to] = next(1);
-    Span span(task, from, to);
+    ProgressSpan span(task, from, to);
     const FieldInfo& info = column->info();
     auto chosen = std::make_shared<Column>(info, indices.size());
     gather_bytes(column->raw(), chosen->raw(), size_of(info.type) * info.components, indices, task);
     out.fields.set(std::move(chosen));
   }
   const auto [from, to] = next(1);
-  Span span(task, from, to);
+  ProgressSpan span(task, from, to);
   out.stations = surviving_stations(cloud, indices, task);
   out.crs = cloud.crs;
   out.attachments = cloud.attachments;
@@ -145,10 +145,10 @@ Cloud select_mask(const Cloud& cloud, std::span<const uint8_t> mask, uint8_t val
     fail(Status::kInternal, "a mask of %zu bytes for %zu points", mask.size(), cloud.size());
   std::vector<uint64_t> indices;
   {
-    Span span(task, 0, 0.2);
+    ProgressSpan span(task, 0, 0.2);
     indices = indices_of(mask, value, task);
   }
-  Span span(task, 0.2, 1);
+  ProgressSpan span(task, 0.2, 1);
   return select_kept(cloud, indices, task);
 }
 

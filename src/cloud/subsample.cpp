@@ -20,12 +20,12 @@ constexpr size_t kGrain = 1 << 15;
 Cloud at_minimum_distance(const Cloud& cloud, double distance_m, Task& task) {
   std::shared_ptr<const Octree> tree;
   {
-    Span span(task, 0, 0.2, "index");
+    ProgressSpan span(task, 0, 0.2, "index");
     tree = cloud.octree(task);
   }
   std::vector<uint8_t> removed(cloud.size(), 0);
   {
-    Span span(task, 0.2, 0.9, "sampling");
+    ProgressSpan span(task, 0.2, 0.9, "sampling");
     std::vector<Neighbour> close;
     constexpr size_t kCheckEvery = 256;  // kept points: a few milliseconds unless the balls are huge
     size_t kept = 0;
@@ -37,7 +37,7 @@ Cloud at_minimum_distance(const Cloud& cloud, double distance_m, Task& task) {
         if (neighbour.index > i) removed[neighbour.index] = 1;
     }
   }
-  Span span(task, 0.9, 1, "copying");
+  ProgressSpan span(task, 0.9, 1, "copying");
   return select_mask(cloud, removed, 0, task);
 }
 
@@ -59,7 +59,7 @@ Cloud at_random(const Cloud& cloud, uint64_t wanted, uint64_t seed, Task& task) 
   const size_t grain = std::max<size_t>(n / 16 + 1, kClasses);
   Histogram histogram;
   {
-    Span span(task, 0, 0.3, "sampling");
+    ProgressSpan span(task, 0, 0.3, "sampling");
     histogram += parallel_reduce(task, n, grain, Histogram{}, [&](size_t begin, size_t end) {
       Histogram part{std::vector<uint32_t>(kClasses, 0)};
       for (size_t i = begin; i < end; ++i) ++part.counts[draw(i) >> 48];
@@ -71,7 +71,7 @@ Cloud at_random(const Cloud& cloud, uint64_t wanted, uint64_t seed, Task& task) 
   while (below + histogram.counts[border] < wanted) below += histogram.counts[border++];
   std::vector<uint8_t> keep(n);
   std::vector<std::pair<uint64_t, size_t>> ties;  // the border class
-  Span span(task, 0.3, 1, "sampling");
+  ProgressSpan span(task, 0.3, 1, "sampling");
   parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const uint64_t drawn = draw(i) >> 48;

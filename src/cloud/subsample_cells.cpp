@@ -87,12 +87,12 @@ Cloud one_per_voxel(const Cloud& cloud, double cell_m, Keep keep, Task& task) {
   const Vec3 origin = enclosing_cube(box).origin;
   VoxelGrid grid;
   {
-    Span span(task, 0, 0.6, "voxel grid");
+    ProgressSpan span(task, 0, 0.6, "voxel grid");
     grid = voxel_grid(cloud.xyz(), origin, cell_m, task);
   }
   Representatives cells{std::vector<uint32_t>(grid.size()), Buffer<double>()};
   {
-    Span span(task, 0.6, 0.8, "voxel grid");
+    ProgressSpan span(task, 0.6, 0.8, "voxel grid");
     parallel_for(task, grid.size(), kCellGrain, [&](size_t begin, size_t end) {
       for (size_t v = begin; v < end; ++v) {
         const std::span members(grid.order.data() + grid.first[v], grid.first[v + 1] - grid.first[v]);
@@ -108,17 +108,17 @@ Cloud one_per_voxel(const Cloud& cloud, double cell_m, Keep keep, Task& task) {
     });
   }
   if (keep == Keep::kCentroid) cells.centroids = std::move(grid.centroids);
-  Span span(task, 0.8, 1, "copying");
+  ProgressSpan span(task, 0.8, 1, "copying");
   return assemble(cloud, cells, task);
 }
 
 Cloud one_per_octree_cell(const Cloud& cloud, int level, uint64_t max_cells, Keep keep, Task& task) {
   std::shared_ptr<const Octree> tree;
   {
-    Span span(task, 0, 0.5, "index");
+    ProgressSpan span(task, 0, 0.5, "index");
     tree = cloud.octree(task);
   }
-  Span span(task, 0.5, 1, "sampling");
+  ProgressSpan span(task, 0.5, 1, "sampling");
   if (level < 0) {
     const auto counts = tree->cell_counts(task);
     level = 0;

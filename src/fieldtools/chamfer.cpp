@@ -120,10 +120,10 @@ std::vector<float> chamfer_distances(const DistanceGrid& grid, std::span<const u
   std::vector<uint16_t> thirds(grid.cells(), kFar);
   for (const uint64_t cell : occupied) thirds[cell] = 0;
   {
-    Span span(task, 0, 0.5);
+    ProgressSpan span(task, 0, 0.5);
     raster_pass(grid, +1, thirds, task);
   }
-  Span span(task, 0.5, 1);
+  ProgressSpan span(task, 0.5, 1);
   raster_pass(grid, -1, thirds, task);
   std::vector<float> out(thirds.size());
   for (size_t i = 0; i < out.size(); ++i)

@@ -143,10 +143,10 @@ DistanceMap distance_map(const Cloud& reference, const Box3& box,
   out.grid = grid_around(box, settings.cell_m);
   Occupied occupied;
   {
-    Span span(task, 0, 0.1);
+    ProgressSpan span(task, 0, 0.1);
     occupied = occupied_cells(out.grid, reference, task);
   }
-  Span span(task, 0.1, 1, "distance map");
+  ProgressSpan span(task, 0.1, 1, "distance map");
   out.distance_m = settings.method == DistanceMapSettings::Method::kChamfer
                        ? chamfer_distances(out.grid, occupied.cells, task)
                        : marched_distances(out.grid, occupied.cells, occupied.starts, task);

@@ -216,20 +216,20 @@ ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, 
   out.changed.assign(values.size(), 0);
   ValuedPoints valued;
   {
-    Span span(task, 0, 0.2, "index");
+    ProgressSpan span(task, 0, 0.2, "index");
     valued = valued_points(cloud, values, task);
   }
   if (valued.size() < kFewestTested)
     fail(Status::kInsufficientData, "%zu points have a value; the filter needs at least %u",
          valued.size(), kFewestTested);
-  Span span(task, 0.2, 1, "local test");
+  ProgressSpan span(task, 0.2, 1, "local test");
   const LocalTest test(law, settings, valued, task);
   out.threshold = cut_of(settings, law, test);
   out.ceiling = test.ceiling();
   // 1. Every neighbourhood.
   std::vector<Outcome> outcomes(valued.size());
   {
-    Span first(task, 0, settings.passes == 2 ? 0.5 : 0.95);
+    ProgressSpan first(task, 0, settings.passes == 2 ? 0.5 : 0.95);
     for_each_neighbourhood<Scratch>(*valued.tree, settings.neighbours, settings.radius_m, task,
                                     [&](const Neighbourhood& around, Scratch& scratch) {
                                       outcomes[around.point] = test.run(around.neighbours, scratch);
@@ -237,7 +237,7 @@ ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, 
   }
   // 2. Those near the limit again.
   if (settings.passes == 2) {
-    Span second(task, 0.5, 0.95);
+    ProgressSpan second(task, 0.5, 0.95);
     out.second_pass = SecondPass(cloud, valued, settings, test).run(outcomes, task);
   }
   // 3. What lies above the cut has changed.

@@ -71,11 +71,11 @@ SurfaceCells surface_cells(std::span<const double> xyz, double cell_m, Task& tas
   SurfaceCells out;
   out.cell_m = cell_m;
   {
-    Span span(task, 0, 0.6);
+    ProgressSpan span(task, 0, 0.6);
     out.grid = voxel_grid(xyz, {0, 0, 0}, cell_m, task);
     out.numbers = numbers_of(out.grid, xyz, cell_m, task);
   }
-  Span span(task, 0.6, 1);
+  ProgressSpan span(task, 0.6, 1);
   std::vector<Part> parts((out.size() + kGrain - 1) / kGrain);
   parallel_for(task, out.size(), kGrain, [&](size_t begin, size_t end) {
     parts[begin / kGrain] = neighbours_of(out.numbers, begin, end);

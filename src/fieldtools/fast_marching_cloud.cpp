@@ -52,7 +52,7 @@ Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds
   SurfaceCells cells;
   Buffer<double> xyz;
   {
-    Span span(task, 0, 0.5, "cells");
+    ProgressSpan span(task, 0, 0.5, "cells");
     if (cell_m == 0) {
       const std::vector<double> all(cloud.size(), 0);
       cell_m = radius_or_spacings(0, kCellSpacings, cloud, valued_points(cloud, all, task));
@@ -61,7 +61,7 @@ Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds
     cells = surface_cells({xyz.data(), xyz.size()}, cell_m, task);
   }
   // 2. The front.
-  Span span(task, 0.5, 1, "front");
+  ProgressSpan span(task, 0.5, 1, "front");
   std::vector<double> distances = surface_distances({xyz.data(), xyz.size()}, cells, starts, most_m, task);
   for (double& d : distances)
     if (!std::isfinite(d)) d = kNoValue;

@@ -32,12 +32,12 @@ std::vector<T> sorted_in_chunks(std::vector<T> values, Less less, Task& task) {
   constexpr size_t kChunk = 1 << 15;
   const size_t n = values.size();
   {
-    Span span(task, 0, 0.5);
+    ProgressSpan span(task, 0, 0.5);
     parallel_for(task, n, kChunk, [&](size_t begin, size_t end) {
       std::sort(values.data() + begin, values.data() + end, less);
     });
   }
-  Span span(task, 0.5, 1);
+  ProgressSpan span(task, 0.5, 1);
   std::vector<T> merged(n);
   for (size_t run = kChunk; run < n; run *= 2) {
     parallel_for(task, n, 2 * run, [&](size_t begin, size_t end) {

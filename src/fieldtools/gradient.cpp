@@ -105,10 +105,10 @@ Cloud with_gradient(const Cloud& cloud, std::string_view field, const GradientSe
   const std::string& vector_name = settings.vector_name;
   ValuedPoints valued;
   {
-    Span span(task, 0, 0.3, "index");
+    ProgressSpan span(task, 0, 0.3, "index");
     valued = valued_points(cloud, scalar_values(cloud, field, task), task);
   }
-  Span span(task, 0.3, 1, "gradient");
+  ProgressSpan span(task, 0.3, 1, "gradient");
   const double radius_m = radius_or_spacings(settings.radius_m, kSpacings, cloud, valued);
   const std::vector<Vec3> gradients =
       field_gradients(valued, radius_m, settings.method, settings.distance_field, task);

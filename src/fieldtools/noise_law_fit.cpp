@@ -215,7 +215,7 @@ NoiseLaw fit_noise_law(std::span<const double> values, const NoiseLawSettings& s
   using Law = NoiseLawSettings::Law;
   NoiseLaw law;
   {
-    Span span(task, 0, 0.9, "fitting a noise law");
+    ProgressSpan span(task, 0, 0.9, "fitting a noise law");
     if (settings.law == Law::kGauss) {
       law = fit_gauss(known, task);
     } else {
@@ -227,7 +227,7 @@ NoiseLaw fit_noise_law(std::span<const double> values, const NoiseLawSettings& s
                       : fit_weibull(known, shifted ? most_likely_shift(sorted, task) : 0, task);
     }
   }
-  Span span(task, 0.9, 1);
+  ProgressSpan span(task, 0.9, 1);
   law.samples = known.size();
   const ChiSquareDistance own = chi_square_distance(known, law, settings.classes, task);
   law.sample_chi_square = own.distance;

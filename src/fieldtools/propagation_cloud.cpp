@@ -79,16 +79,16 @@ std::vector<Found> all_fronts(const Nodes& nodes, const PropagationSettings& set
     return nodes.deviations[a] != nodes.deviations[b] ? nodes.deviations[a] > nodes.deviations[b] : a < b;
   };
   {
-    Span span(task, 0, 0.2);
+    ProgressSpan span(task, 0, 0.2);
     order = sorted_in_chunks(std::move(order), higher, task);
   }
-  Span span(task, 0.2, 1);
+  ProgressSpan span(task, 0.2, 1);
   Propagation propagation(nodes.cells, nodes.gradient, settings);
   std::vector<Found> out;
   size_t taken = 0;  // cells
   for (const uint32_t seed : order) {
     if (propagation.is_taken(nodes.cell_of[seed])) continue;
-    Span front(task, static_cast<double>(taken) / static_cast<double>(nodes.cells.size()), 1);
+    ProgressSpan front(task, static_cast<double>(taken) / static_cast<double>(nodes.cells.size()), 1);
     task.checkpoint(0);
     Found found{propagation.spread(nodes.cell_of[seed], task), seed};
     for (const Arrival& a : found.front.arrivals) found.points += nodes.cells.points(a.cell).size();
@@ -150,12 +150,12 @@ PropagationResult segment_by_propagation(const Cloud& cloud, std::span<const dou
   PropagationResult out;
   Nodes nodes;
   {
-    Span span(task, 0, 0.4, "cells");
+    ProgressSpan span(task, 0, 0.4, "cells");
     nodes = nodes_of(cloud, deviations, gradients, settings.cell_m, task);
     out.minimum_seed = settings.minimum_seed;
     if (out.minimum_seed == 0) out.minimum_seed = two_means(sorted_values(nodes.deviations, task)).cut;
   }
-  Span span(task, 0.4, 1, "propagation");
+  ProgressSpan span(task, 0.4, 1, "propagation");
   const std::vector<Found> found = all_fronts(nodes, settings, out.minimum_seed, task);
   std::vector<uint64_t> sizes;
   for (const Found& f : found) sizes.push_back(f.points);

@@ -99,10 +99,10 @@ Cloud with_filtered_field(const Cloud& cloud, std::string_view field,
   const std::string name = require_field_name(settings.name);
   ValuedPoints valued;
   {
-    Span span(task, 0, 0.3, "index");
+    ProgressSpan span(task, 0, 0.3, "index");
     valued = valued_points(cloud, scalar_values(cloud, field, task), task);
   }
-  Span span(task, 0.3, 1, "filtering");
+  ProgressSpan span(task, 0.3, 1, "filtering");
   const std::vector<double> found =
       settings.method == Method::kGaussian
           ? gaussian_means(valued,

@@ -23,11 +23,11 @@ Registration register_automatic(const CloudPtr& reference, const CloudPtr& movin
                                 Task& task) {
   Registration coarse;
   {
-    const Span span(task, 0, 0.5, nullptr);
+    const ProgressSpan span(task, 0, 0.5, nullptr);
     coarse = register_coarse(reference, moving, T_start, settings.coarse, task);
   }
   if (!coarse.converged) return coarse;
-  const Span span(task, 0.5, 1, nullptr);
+  const ProgressSpan span(task, 0.5, 1, nullptr);
   Registration out = register_icp(reference, moving, coarse.pose, settings.icp, task);
   for (const char* name : {"score", "overlap_moving", "overlap_reference", "likeness", "ambiguous", "second_score"})
     out.summary.set(coarse.summary.find_shared(name));

@@ -81,7 +81,7 @@ std::vector<uint8_t> join_by_edges(const FlatTriangles& flats, UnionFind& groups
   Buffer<Edge> edges(n);
   std::vector<size_t> begins;
   {
-    const Span span(task, 0, 0.5);
+    const ProgressSpan span(task, 0, 0.5);
     begins = partition(n, bins, [&](const Edge& e) { return e.key & (bins - 1); }, task, edges.data(), [&](size_t i) {
       const auto t = static_cast<uint32_t>(i / 3);
       return Edge{hash(flats.corner(t, i % 3)) + hash(flats.corner(t, i % 3 + 1)), static_cast<uint32_t>(i)};
@@ -90,7 +90,7 @@ std::vector<uint8_t> join_by_edges(const FlatTriangles& flats, UnionFind& groups
   // 2. Sorted, they lie side by side.
   std::vector<std::vector<Join>> joins(bins);
   {
-    const Span span(task, 0.5, 0.9);
+    const ProgressSpan span(task, 0.5, 0.9);
     parallel_chunks(task, bins, [&](size_t bin) {
       Edge* const first = edges.data() + begins[bin];
       Edge* const last = std::remove_if(first, edges.data() + begins[bin + 1],

@@ -170,7 +170,7 @@ std::vector<Returns> cast_all(const Scan& scan, std::span<const ScanStation> sta
   const double n = static_cast<double>(stations.size());
   for (size_t s = 0; s < stations.size(); ++s) {
     const double part = static_cast<double>(s);
-    const Span span(task, part / n, (part + 1) / n);
+    const ProgressSpan span(task, part / n, (part + 1) / n);
     returns.push_back(scan.cast(stations[s].pose, s, task));
   }
   return returns;
@@ -188,7 +188,7 @@ Cloud record_all(const Scan& scan, const StaticSettings& settings, const Vec3& o
   const double n = static_cast<double>(stations.size());
   for (size_t s = 0; s < stations.size(); ++s) {
     const double part = static_cast<double>(s);
-    const Span span(task, part / n, (part + 1) / n);
+    const ProgressSpan span(task, part / n, (part + 1) / n);
     scan.record(stations[s].pose, s, returns[s], first[s], out, task);
     returns[s] = {};
   }
@@ -226,11 +226,11 @@ Cloud scan_static(const Model& model, std::span<const ScanStation> stations,
   std::shared_ptr<const TriangleTree> tree;
   std::optional<Surfaces> surfaces;
   {
-    const Span span(task, 0, 0.05, "finding the true planes");
+    const ProgressSpan span(task, 0, 0.05, "finding the true planes");
     surfaces.emplace(model, settings.surfaces, settings.seed, task);
   }
   {
-    const Span span(task, 0.05, 0.1, "indexing the model");
+    const ProgressSpan span(task, 0.05, 0.1, "indexing the model");
     tree = TriangleTree::build(model.vertices, model.triangles, task);
   }
   const Scan scan(*surfaces, settings, grid, offset, *tree, task);
@@ -238,16 +238,16 @@ Cloud scan_static(const Model& model, std::span<const ScanStation> stations,
   // 3. All rays: what they meet, without noise; and which of it is kept.
   std::vector<Returns> returns;
   {
-    const Span span(task, 0.1, 0.8, "scanning");
+    const ProgressSpan span(task, 0.1, 0.8, "scanning");
     returns = cast_all(scan, stations, task);
   }
   {
-    const Span span(task, 0.8, 0.82, "thinning");
+    const ProgressSpan span(task, 0.8, 0.82, "thinning");
     thin(returns, settings.max_points, RayStreams(settings.seed), task);
   }
 
   // 4. Points with noise and truth.
-  const Span span(task, 0.82, 1, "recording points");
+  const ProgressSpan span(task, 0.82, 1, "recording points");
   return record_all(scan, settings, offset, stations, returns, task);
 }
 

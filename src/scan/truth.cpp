@@ -56,14 +56,14 @@ Truth find_truth(const Model& model, double min_area_m2, Task& task) {
   UnionFind groups(flats.size());
   std::vector<uint8_t> inner_edges;
   {
-    const Span span(task, 0, 0.5);
+    const ProgressSpan span(task, 0, 0.5);
     inner_edges = join_by_edges(flats, groups, task);
   }
   {
-    const Span span(task, 0.5, 0.9);
+    const ProgressSpan span(task, 0.5, 0.9);
     join_touching(flats, inner_edges, groups, task);
   }
-  const Span span(task, 0.9, 1);
+  const ProgressSpan span(task, 0.9, 1);
   return numbered(model, flats, groups, min_area_m2, task);
 }
 

@@ -39,7 +39,7 @@ Segmentation segment_ransac(const CloudPtr& cloud, const RansacSettings& setting
   std::vector<Surface> surfaces;
   RansacSettings used = settings;  // the tolerance may come from the cloud
   RansacScene scene = [&] {
-    Span span(task, 0, 0.3, "indexing");
+    ProgressSpan span(task, 0, 0.3, "indexing");
     RansacScene made{indexed_scene(*cloud, settings.surface, task), settings.draw, order};
     const Tolerance tolerance = tolerance_of(*cloud, *made.tree, settings, task);
     used.surface.distance_tolerance_m = tolerance.distance_tolerance_m;
@@ -49,17 +49,17 @@ Segmentation segment_ransac(const CloudPtr& cloud, const RansacSettings& setting
     return made;
   }();
   {
-    Span span(task, 0.3, 0.85, "finding planes");
+    ProgressSpan span(task, 0.3, 0.85, "finding planes");
     surfaces = extract_sequence(scene, task);
   }
   {
-    Span span(task, 0.85, 0.95, "sharing out points");
+    ProgressSpan span(task, 0.85, 0.95, "sharing out points");
     if (scene.settings.connectivity) merge_coplanar(scene, surfaces, task);
     share_out_points(scene, surfaces, task);
     if (scene.settings.connectivity && merge_layers(scene, surfaces, task)) share_out_points(scene, surfaces, task);
     drop_other_classes(scene, surfaces);
   }
-  Span span(task, 0.95, 1, "last fit");
+  ProgressSpan span(task, 0.95, 1, "last fit");
   Segmentation out = finish_segmentation(cloud, scene, surfaces, task);
   out.parameters_json = settings_json(ransac_rows(), used);
   return out;

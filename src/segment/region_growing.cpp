@@ -31,7 +31,7 @@ Segmentation segment_region_growing(const CloudPtr& cloud, const GrowingSettings
                                     Task& task) {
   require_area(*cloud, task);
   SegmentScene scene = [&] {
-    Span span(task, 0, 0.1, "indexing");
+    ProgressSpan span(task, 0, 0.1, "indexing");
     return indexed_scene(*cloud, settings.surface, task);
   }();
   if (settings.field_normals()) take_field_normals(scene, task);
@@ -40,22 +40,22 @@ Segmentation segment_region_growing(const CloudPtr& cloud, const GrowingSettings
     if (std::count(scene.owner.begin(), scene.owner.end(), 0u) < 3) break;
     const double from = 0.1 + 0.43 * round;
     GrowingPoints points = [&] {
-      Span span(task, from, from + 0.2, "normals");
+      ProgressSpan span(task, from, from + 0.2, "normals");
       return points_to_grow(scene, settings, task);
     }();
     std::vector<Surface> grown = [&] {
-      Span span(task, from + 0.2, from + 0.35, "growing");
+      ProgressSpan span(task, from + 0.2, from + 0.35, "growing");
       return grow_surfaces(scene, points, static_cast<uint32_t>(surfaces.size() + 1), task);
     }();
     const double points_per_member = points.points_per_member;
     points = {};
     surfaces.insert(surfaces.end(), std::make_move_iterator(grown.begin()), std::make_move_iterator(grown.end()));
-    Span span(task, from + 0.35, from + 0.43, "sharing out points");
+    ProgressSpan span(task, from + 0.35, from + 0.43, "sharing out points");
     if (settings.surface.merge_gap_m > 0) merge_coplanar(scene, surfaces, task);
     drop_small(settings.surface.min_points, points_per_member, surfaces);
     share_out_points(scene, surfaces, task);
   }
-  Span span(task, 0.96, 1, "last fit");
+  ProgressSpan span(task, 0.96, 1, "last fit");
   Segmentation out = finish_segmentation(cloud, scene, surfaces, task);
   out.parameters_json = settings_json(region_growing_rows(), settings);
   return out;

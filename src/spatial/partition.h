@@ -51,7 +51,7 @@ std::vector<size_t> partition(size_t n, size_t bins, Digit digit, Task& task, Re
   const size_t grain = partition_grain(n), chunks = (n + grain - 1) / grain;
   Buffer<uint32_t> places(chunks * bins);
   {
-    Span half(task, 0, 0.5);
+    ProgressSpan half(task, 0, 0.5);
     parallel_for(task, n, grain, [&](size_t begin, size_t end) {
       uint32_t* counts = places.data() + begin / grain * bins;
       std::memset(counts, 0, bins * sizeof(uint32_t));
@@ -59,7 +59,7 @@ std::vector<size_t> partition(size_t n, size_t bins, Digit digit, Task& task, Re
     });
   }
   const auto begins = place_chunks(places.data(), chunks, bins, task);
-  Span half(task, 0.5, 1);
+  ProgressSpan half(task, 0.5, 1);
   parallel_for(task, n, grain, [&](size_t begin, size_t end) {
     uint32_t* place = places.data() + begin / grain * bins;
     for (size_t i = begin; i < end; ++i) {

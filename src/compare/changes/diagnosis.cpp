@@ -210,7 +210,7 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
   out.after.comparison = &forward;
   out.before.comparison = &reverse;
   {
-    Span span(task, 0, 0.3, "regions");
+    ProgressSpan span(task, 0, 0.3, "regions");
     out.after.regions = change_regions(forward, settings, task, reverse.cloud.get());
     out.before.regions = change_regions(reverse, settings, task, forward.cloud.get());
     out.after.origin = out.before.origin = local_origin(*forward.cloud, task);
@@ -221,10 +221,10 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
                 seen_by(out.before, threshold_m, task), seen_by(out.after, threshold_m, task), task};
   std::vector<ChangedObject> objects;
   {
-    Span span(task, 0.3, 0.6, "objects");
+    ProgressSpan span(task, 0.3, 0.6, "objects");
     objects = whole_objects(out.before, out.after, job.tolerance_m, task);
   }
-  Span span(task, 0.6, 1, "classes");
+  ProgressSpan span(task, 0.6, 1, "classes");
   Sides sides;
   for (ChangedObject& object : objects) {
     const double gone_m2 = changed_area(out.before, object.regions_before);

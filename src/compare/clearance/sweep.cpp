@@ -67,7 +67,7 @@ SweepTables sweep_tables(std::span<const ConvexPiece> pieces, std::span<const Tr
   Obstacles obstacles;
   std::shared_ptr<const Octree> octree;
   if (cloud != nullptr && cloud->size() > 0) {
-    const Span span(task, 0, 0.3, "index");
+    const ProgressSpan span(task, 0, 0.3, "index");
     octree = cloud->octree(task);
     obstacles.octree = octree.get();
     obstacles.xyz = cloud->xyz();
@@ -79,7 +79,7 @@ SweepTables sweep_tables(std::span<const ConvexPiece> pieces, std::span<const Tr
     boxes.emplace(triangles->vertices, triangles->triangles);
     obstacles.triangles = &*boxes;
   }
-  const Span span(task, 0.3, 1, "sweeping");
+  const ProgressSpan span(task, 0.3, 1, "sweeping");
   SweepResult result =
       sweep_gauge(pieces, poses, obstacles, {settings.margin_m, settings.reach_m}, task);
   std::sort(result.places.begin(), result.places.end(), [](const SweepPlace& a, const SweepPlace& b) {

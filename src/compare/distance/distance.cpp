@@ -30,10 +30,10 @@ struct Trees {
 Trees trees_of(const Cloud& reference, const Cloud& compared, Task& task) {
   Trees trees;
   {
-    Span span(task, 0, 0.5, "index of the reference");
+    ProgressSpan span(task, 0, 0.5, "index of the reference");
     trees.reference = reference.octree(task);
   }
-  Span span(task, 0.5, 1, "index of the compared cloud");
+  ProgressSpan span(task, 0.5, 1, "index of the compared cloud");
   trees.compared = compared.octree(task);
   return trees;
 }
@@ -71,7 +71,7 @@ Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared,
                        const DistanceSettings& settings, Task& task) {
   Trees trees;
   {
-    Span span(task, 0, 0.3);
+    ProgressSpan span(task, 0, 0.3);
     trees = trees_of(*reference, *compared, task);
   }
   const DistanceColumns columns(compared->size(), settings.differences);
@@ -80,14 +80,14 @@ Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared,
   const bool with_model = settings.local_model != LocalModelKind::kNone;
   uint64_t modelled = 0;
   {
-    Span span(task, 0.3, 0.8);
+    ProgressSpan span(task, 0.3, 0.8);
     Buffer<uint32_t> positions(with_model ? compared->size() : 0);
     {
-      Span part(task, 0, with_model ? 0.3 : 1, "nearest points");
+      ProgressSpan part(task, 0, with_model ? 0.3 : 1, "nearest points");
       nearest_points(*reference, *compared, trees, settings.limit_m(), columns,
                      {positions.data(), positions.size()}, task);
     }
-    Span part(task, with_model ? 0.3 : 1, 1, "local models");
+    ProgressSpan part(task, with_model ? 0.3 : 1, 1, "local models");
     if (with_model)
       modelled = apply_local_models(*trees.reference, *trees.compared, *compared,
                                     {positions.data(), positions.size()}, settings, columns, task);
@@ -97,11 +97,11 @@ Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared,
   if (with_model)
     add_value<uint64_t>(made.summary, "modelled", "", "points whose distance is to a local surface", modelled);
   if (settings.sampling_error) {
-    Span span(task, 0.8, 0.9, "sampling error");
+    ProgressSpan span(task, 0.8, 0.9, "sampling error");
     add_sampling_error(*trees.reference, columns, made, task);
   }
   if (settings.hausdorff) {
-    Span span(task, 0.9, 1);
+    ProgressSpan span(task, 0.9, 1);
     add_hausdorff(*trees.reference, *trees.compared, task, made.summary);
   }
   return made;

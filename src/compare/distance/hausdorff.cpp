@@ -26,10 +26,10 @@ double directed_hausdorff(const Octree& from, const Octree& to, Task& task) {
 void add_hausdorff(const Octree& reference, const Octree& compared, Task& task, FieldTable& summary) {
   double forward, reverse;
   {
-    Span span(task, 0, 0.5, "Hausdorff distance");
+    ProgressSpan span(task, 0, 0.5, "Hausdorff distance");
     forward = directed_hausdorff(compared, reference, task);
   }
-  Span span(task, 0.5, 1);
+  ProgressSpan span(task, 0.5, 1);
   reverse = directed_hausdorff(reference, compared, task);
   add_value<double>(summary, "hausdorff_forward", "m", "largest distance of a compared point from the reference points",
                     forward);

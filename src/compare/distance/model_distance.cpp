@@ -175,20 +175,20 @@ Comparison compare_with_model(const ModelPtr& reference, const CloudPtr& compare
   // The octree first: what it takes to make it is given back before the rest is there.
   std::shared_ptr<const Octree> octree;
   {
-    const Span span(task, 0, 0.15, "index of the compared cloud");
+    const ProgressSpan span(task, 0, 0.15, "index of the compared cloud");
     octree = compared->octree(task);
   }
   std::shared_ptr<const NearestTriangles> tree;
   {
-    const Span span(task, 0.15, 0.4, "index of the model");
+    const ProgressSpan span(task, 0.15, 0.4, "index of the model");
     tree = NearestTriangles::build(surface.vertices(), surface.triangles(), task);
   }
   ModelColumns columns(compared->size(), settings);
   {
-    const Span span(task, 0.4, 0.9, "nearest triangles");
+    const ProgressSpan span(task, 0.4, 0.9, "nearest triangles");
     measure(surface, *tree, *compared, *octree, settings, columns, task);
   }
-  const Span span(task, 0.9, 1, "statistics");
+  const ProgressSpan span(task, 0.9, 1, "statistics");
   Comparison made;
   made.cloud = compared;
   columns.attach(made.points);

@@ -101,18 +101,18 @@ Comparison compare_visible(const CloudPtr& reference, const CloudPtr& compared,
                            const DistanceSettings& settings, CompareRun run, Task& task) {
   // 1. Labels.
   const auto test = [&] {
-    const Span span(task, 0, 0.2);
+    const ProgressSpan span(task, 0, 0.2);
     return VisibilityTest(*reference, settings.depth, task);
   }();
   const auto labels = [&] {
-    const Span span(task, 0.2, 0.3, "visibility");
+    const ProgressSpan span(task, 0.2, 0.3, "visibility");
     return visibility_labels(test, *compared, task);
   }();
   // 2. The method, on what was seen.
   const std::vector<uint64_t> visible = points_with(labels, Visibility::kVisible);
   Comparison made;
   {
-    const Span span(task, 0.3, 0.8);
+    const ProgressSpan span(task, 0.3, 0.8);
     if (visible.empty()) {
       DistanceColumns(0, false).attach(made.points);
     } else {
@@ -124,7 +124,7 @@ Comparison compare_visible(const CloudPtr& reference, const CloudPtr& compared,
   made.points = all_rows(made.points, visible, labels);
   if (settings.reference_spacing) made.points.set(spacing_column(test, *compared, task));
   // 3. Hidden points.
-  const Span span(task, 0.8, 1, "hidden points");
+  const ProgressSpan span(task, 0.8, 1, "hidden points");
   settings.hidden.check();
   if (settings.hidden.way != HiddenSettings::Way::kLeave)
     recover_hidden(*reference, *compared, test, points_with(labels, Visibility::kHidden),

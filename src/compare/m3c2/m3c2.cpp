@@ -109,7 +109,7 @@ CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference, con
   const auto core_tree = core->octree(task);
   const auto order = core_tree->order();
   const CoreColumns columns(core->size());
-  Span span(task, 0.2, 1, "cylinders");
+  ProgressSpan span(task, 0.2, 1, "cylinders");
   parallel_for(task, core->size(), kGrain, [&](size_t begin, size_t end) {
     CoreNormals::Work normal_work = normals.work();
     CylinderComparer::Work work = cylinders.work();
@@ -133,10 +133,10 @@ Comparison compare_m3c2(const CloudPtr& reference, const CloudPtr& compared,
   if (source->size() == 0) fail(Status::kInsufficientData, "the cloud that gives the core points is empty");
   CloudPtr core;
   {
-    Span span(task, 0, 0.1, "core points");
+    ProgressSpan span(task, 0, 0.1, "core points");
     core = core_points(source, settings.core_spacing_m, task);
   }
-  Span span(task, 0.1, 1);
+  ProgressSpan span(task, 0.1, 1);
   return compare_m3c2_core(reference, compared, core, settings, task);
 }
 

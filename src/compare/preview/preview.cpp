@@ -54,15 +54,15 @@ Scene scene_of(const Cloud& reference, const Cloud& compared, bool with_nearest,
   box += bounds(compared, task);
   const Cube cube = enclosing_cube(box);
   {
-    Span span(task, 0, 0.4, "index of the reference");
+    ProgressSpan span(task, 0, 0.4, "index of the reference");
     scene.reference = Octree::build(reference.xyz(), cube, task);
   }
   {
-    Span span(task, 0.4, 0.7, "index of the compared cloud");
+    ProgressSpan span(task, 0.4, 0.7, "index of the compared cloud");
     scene.compared = Octree::build(compared.xyz(), cube, task);
   }
   if (!with_nearest) return scene;
-  Span span(task, 0.7, 1, "nearest points");
+  ProgressSpan span(task, 0.7, 1, "nearest points");
   scene.nearest = Buffer<uint32_t>(compared.size());
   scene.squared = Buffer<double>(compared.size());
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -174,14 +174,14 @@ Comparison compare_preview(const CloudPtr& reference, const CloudPtr& compared,
   const int first = settings.level, last = std::max(first, settings.last_level);
   Scene scene;
   {
-    Span span(task, 0, 0.6);
+    ProgressSpan span(task, 0, 0.6);
     scene = scene_of(*reference, *compared, !angles, task);
   }
   Buffer<double> values(compared->size());
   std::fill(values.begin(), values.end(), kNaN);
   for (int level = first; level <= last; ++level) {
     const double steps = last - first + 1;
-    Span span(task, 0.6 + 0.35 * (level - first) / steps, 0.6 + 0.35 * (level + 1 - first) / steps, "cells");
+    ProgressSpan span(task, 0.6 + 0.35 * (level - first) / steps, 0.6 + 0.35 * (level + 1 - first) / steps, "cells");
     measure_level(scene, level, settings.measure, {values.data(), values.size()}, task);
   }
   return comparison_of(compared, {values.data(), values.size()}, scene.compared->order(), angles, task);

@@ -70,7 +70,7 @@ DepthMap DepthMap::build(const Cloud& cloud, const Station& station, const Vec3&
   // 1. The points as the station sees them.
   std::vector<Seen> seen(station.count);
   {
-    const Span span(task, 0, 0.4, "depth map");
+    const ProgressSpan span(task, 0, 0.4, "depth map");
     parallel_for(task, seen.size(), kGrain, [&](size_t begin, size_t end) {
       SightingBlock block;
       for (size_t first = begin; first < end; first += SightingBlock::kPoints) {
@@ -87,12 +87,12 @@ DepthMap DepthMap::build(const Cloud& cloud, const Station& station, const Vec3&
   // 2. Field, steps, grid.
   AngularField field;
   {
-    const Span span(task, 0.4, 0.5);
+    const ProgressSpan span(task, 0.4, 0.5);
     field = angular_field(seen, task);
   }
   AngularSteps steps{settings.horizontal_step_rad, settings.vertical_step_rad};
   if (!(steps.horizontal_rad > 0 && steps.vertical_rad > 0)) {
-    const Span span(task, 0.5, 0.6);
+    const ProgressSpan span(task, 0.5, 0.6);
     const AngularSteps found = angular_steps(seen, field, task);
     if (!(steps.horizontal_rad > 0)) steps.horizontal_rad = found.horizontal_rad;
     if (!(steps.vertical_rad > 0)) steps.vertical_rad = found.vertical_rad;
@@ -101,7 +101,7 @@ DepthMap DepthMap::build(const Cloud& cloud, const Station& station, const Vec3&
   map.cell_factor_ = settings.cell_factor;
 
   // 3. One range a cell; holes from their neighbours.
-  const Span span(task, 0.6, 1);
+  const ProgressSpan span(task, 0.6, 1);
   map.accumulate(seen, station.first, settings.rule, task);
   map.fill_holes(settings.fill_passes, task);
   return map;

@@ -107,20 +107,20 @@ std::vector<double> heights_along(const Cloud& reference, const Cloud& compared,
   const PlanFrame frame(compared.point(points[0]), direction);
   const PlanCells cells(radius_m);
   const auto surface = [&] {
-    const Span span(task, 0, 0.2);
+    const ProgressSpan span(task, 0, 0.2);
     return points_in(reference, cells_near(compared, points, frame, cells), frame, cells, task);
   }();
   if (surface.size() < 3) return heights;
   // 2. Its triangles.
   std::shared_ptr<const TriangleTree> tree;
   {
-    const Span span(task, 0.2, 0.9);
+    const ProgressSpan span(task, 0.2, 0.9);
     tree = TriangleTree::build(surface, short_triangles(surface, radius_m, task), task);
   }
   double top = -std::numeric_limits<double>::infinity();
   for (const Vec3& p : surface) top = std::max(top, p.z);
   // 3. A ray down on it from above each point: in plan the triangles do not overlap.
-  const Span span(task, 0.9, 1);
+  const ProgressSpan span(task, 0.9, 1);
   parallel_for(task, points.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       const Vec3 p = frame.of(compared.point(points[k]));

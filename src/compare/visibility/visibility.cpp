@@ -42,7 +42,7 @@ VisibilityTest::VisibilityTest(const Cloud& reference, const DepthSettings& sett
   for (const Station& station : reference.stations) {
     if (station.count == 0) continue;
     const auto share = [&](uint64_t n) { return static_cast<double>(n) / static_cast<double>(reference.size()); };
-    const Span span(task, share(done), share(done + station.count), "depth maps");
+    const ProgressSpan span(task, share(done), share(done + station.count), "depth maps");
     done += station.count;
     maps_.push_back(DepthMap::build(reference, station, {}, settings, task));
     if (has_second)
@@ -123,10 +123,10 @@ Cloud with_visibility(const Cloud& reference, const Cloud& cloud, const DepthSet
                       Task& task) {
   const auto labels = [&] {
     const auto test = [&] {
-      const Span span(task, 0, 0.5);
+      const ProgressSpan span(task, 0, 0.5);
       return VisibilityTest(reference, settings, task);
     }();
-    const Span span(task, 0.5, 1, "visibility");
+    const ProgressSpan span(task, 0.5, 1, "visibility");
     return visibility_labels(test, cloud, task);
   }();
   Cloud out = cloud;

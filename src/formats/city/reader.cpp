@@ -256,7 +256,7 @@ class CityReader {
 }  // namespace
 
 Model read_city(const ByteSource& source, const ReadSettings&, Task& task) {
-  Span span(task, 0, 0.99, "reading CityJSON");
+  ProgressSpan span(task, 0, 0.99, "reading CityJSON");
   return CityReader(source, task).run();
 }
 

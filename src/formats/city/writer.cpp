@@ -248,7 +248,7 @@ class CityFile {
 
 void write_city(const Model& model, const std::string& path, const WriteSettings& settings,
                 Task& task) {
-  Span span(task, 0, 0.99, "writing CityJSON");
+  ProgressSpan span(task, 0, 0.99, "writing CityJSON");
   validate(model);
   AtomicFile file(path);
   const double scale_m = settings.city_scale_m;

@@ -50,7 +50,7 @@ void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model
 
 void write_dxf(const Model& model, const std::string& path, const WriteSettings& settings,
                Task& task) {
-  Span span(task, 0, 0.99, "writing DXF");
+  ProgressSpan span(task, 0, 0.99, "writing DXF");
   validate(model);
   const Version version = settings.dxf_version;
   const Drawing drawing = settings.dxf_view == DxfView::kElevation

@@ -16,7 +16,7 @@ Cloud finish_cloud(Cloud cloud, const ByteSource& source, bool drop_invalid, Tas
     return std::isfinite(xyz[3 * i]) && std::isfinite(xyz[3 * i + 1]) &&
            std::isfinite(xyz[3 * i + 2]);
   };
-  Span span(task, 0.95, 1);
+  ProgressSpan span(task, 0.95, 1);
   const uint64_t bad =
       parallel_reduce<uint64_t>(task, cloud.size(), kFiniteGrain, 0, [&](size_t begin, size_t end) {
         uint64_t count = 0;

@@ -45,8 +45,8 @@ void write_in_batches(size_t n, size_t batch, size_t grain, AtomicFile& file, Ta
   std::vector<std::string> texts((std::min(batch, n) + grain - 1) / grain);
   for (size_t first = 0; first < n; first += batch) {
     const size_t count = std::min(batch, n - first);
-    Span span(task, static_cast<double>(first) / static_cast<double>(n),
-              static_cast<double>(first + count) / static_cast<double>(n));
+    ProgressSpan span(task, static_cast<double>(first) / static_cast<double>(n),
+                      static_cast<double>(first + count) / static_cast<double>(n));
     parallel_for(task, count, grain, [&](size_t begin, size_t end) {
       std::string& text = texts[begin / grain];
       text.clear();

@@ -139,7 +139,7 @@ class GeoJson {
 
 void write_geojson(const Model& model, const std::string& path, const WriteSettings& settings,
                    Task& task) {
-  Span span(task, 0, 0.99, "writing GeoJSON");
+  ProgressSpan span(task, 0, 0.99, "writing GeoJSON");
   validate(model);
   AtomicFile file(path);
   if (has_arcs(model)) GeoJson(with_chords(model, settings.chord_error_m), file).write(task);

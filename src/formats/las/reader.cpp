@@ -182,7 +182,7 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
   prefer_large_pages(xyz.data(), xyz.size() * sizeof(double));
   for (const Extraction& e : extractions) prefer_large_pages(e.column->raw(), e.column->bytes());
   {
-    Span span(task, 0, 0.95, "reading LAS");
+    ProgressSpan span(task, 0, 0.95, "reading LAS");
     decode_points(source, header, units, xyz, extractions, task);
   }
   Cloud cloud = make_cloud(std::move(xyz));

@@ -189,7 +189,7 @@ Tally write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Task&
   for (size_t first = 0; first < n; first += batch) {
     const size_t count = std::min(batch, n - first);
     const auto fraction = [&](size_t i) { return static_cast<double>(i) / static_cast<double>(n); };
-    Span span(task, fraction(first), fraction(first + count));
+    ProgressSpan span(task, fraction(first), fraction(first + count));
     total += parallel_reduce<Tally>(task, count, kGrain, Tally{}, [&](size_t begin, size_t end) {
       return put_points(plan, cloud, records.get() + begin * plan.record_bytes, first + begin,
                         end - begin);
@@ -205,10 +205,10 @@ void write_las(const Cloud& cloud, const std::string& path, const WriteSettings&
                Task& task) {
   Plan plan;
   {
-    Span span(task, 0, 0.3, "writing LAS");
+    ProgressSpan span(task, 0, 0.3, "writing LAS");
     plan = make_plan(cloud, path, settings, task);
   }
-  Span span(task, 0.3, 0.99, "writing LAS");
+  ProgressSpan span(task, 0.3, 0.99, "writing LAS");
   AtomicFile file(path);
   file.write(header_bytes(plan, {}, cloud.size()).data(), plan.version_minor == 4 ? 375 : 227);
   for (const Record& record : plan.vlrs) file.write(record.bytes.data(), record.bytes.size());

@@ -192,7 +192,7 @@ class ObjReader {
 }  // namespace
 
 Model read_obj(const ByteSource& source, const ReadSettings& settings, Task& task) {
-  Span span(task, 0, 0.99, "reading OBJ");
+  ProgressSpan span(task, 0, 0.99, "reading OBJ");
   return ObjReader(source, settings.polygons, task).run();
 }
 

@@ -142,7 +142,7 @@ void write_mesh(AtomicFile& file, const Model& model, Task& task) {
 
 void write_obj(const Model& given, const std::string& path, const WriteSettings& settings,
                Task& task) {
-  Span whole(task, 0, 0.99, "writing OBJ");
+  ProgressSpan whole(task, 0, 0.99, "writing OBJ");
   validate(given);
   const Model chords = has_arcs(given) ? with_chords(given, settings.chord_error_m) : Model{};
   const Model& model = chords.vertices.empty() ? given : chords;
@@ -154,7 +154,7 @@ void write_obj(const Model& given, const std::string& path, const WriteSettings&
   }
   file.write(head);
   {
-    Span span(task, 0, 0.4);
+    ProgressSpan span(task, 0, 0.4);
     write_in_batches(model.vertices.size(), kBatch, kGrain, file, task,
                      [&](size_t begin, size_t end, std::string& out) {
                        for (size_t i = begin; i < end; ++i) {
@@ -168,11 +168,11 @@ void write_obj(const Model& given, const std::string& path, const WriteSettings&
                      });
   }
   {
-    Span span(task, 0.4, 0.7);
+    ProgressSpan span(task, 0.4, 0.7);
     write_faces(file, model, task);
   }
   {
-    Span span(task, 0.7, 1);
+    ProgressSpan span(task, 0.7, 1);
     write_mesh(file, model, task);
   }
   task.checkpoint(1);

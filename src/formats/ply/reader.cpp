@@ -233,7 +233,7 @@ Cloud read_ply(const ByteSource& source, const ReadSettings& settings, Task& tas
   Cursor cursor(source, header.encoding, header.data_offset);
   Vertices vertices;
   {
-    Span span(task, 0, 0.95, "reading PLY");
+    ProgressSpan span(task, 0, 0.95, "reading PLY");
     vertices = read_vertices(source, header, cursor, true, task);
   }
   Cloud cloud = make_cloud(std::move(vertices.xyz));
@@ -254,7 +254,7 @@ Model read_ply_model(const ByteSource& source, const ReadSettings&, Task& task) 
   Cursor cursor(source, header.encoding, header.data_offset);
   Model model;
   {
-    Span span(task, 0, 0.4, "reading PLY");
+    ProgressSpan span(task, 0, 0.4, "reading PLY");
     const Vertices vertices = read_vertices(source, header, cursor, false, task);
     model.vertices.resize(element.count);
     for (size_t i = 0; i < element.count; ++i)
@@ -262,7 +262,7 @@ Model read_ply_model(const ByteSource& source, const ReadSettings&, Task& task) 
   }
   for (const Element* between = &element + 1; between != &*faces; ++between)
     skip_element(cursor, header, *between, task);
-  Span span(task, 0.4, 0.99, "reading PLY");
+  ProgressSpan span(task, 0.4, 0.99, "reading PLY");
   for (size_t i = 0; i < model.vertices.size(); ++i)
     if (!is_finite(model.vertices[i]))
       source.refuse(header.data_offset, "vertex %zu is not finite", i);

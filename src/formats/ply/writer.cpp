@@ -139,7 +139,7 @@ void append_ascii(const Cloud& cloud, size_t begin, size_t end, int decimals, st
 
 void write_ply(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task) {
-  Span span(task, 0, 0.99, "writing PLY");
+  ProgressSpan span(task, 0, 0.99, "writing PLY");
   const PlyForm form = settings.ply_format;
   const int decimals = settings.decimals;
   const std::string header = header_text(cloud, form);
@@ -184,7 +184,7 @@ Mesh mesh_of(const Model& model, Task& task) {
 
 void write_ply_model(const Model& given, const std::string& path, const WriteSettings& settings,
                      Task& task) {
-  Span span(task, 0, 0.99, "writing PLY");
+  ProgressSpan span(task, 0, 0.99, "writing PLY");
   validate(given);
   const Model chords = has_arcs(given) ? with_chords(given, settings.chord_error_m) : Model{};
   const Model& model = chords.vertices.empty() ? given : chords;

@@ -187,7 +187,7 @@ bool is_binary_stl(const ByteSource& source) {
 }
 
 Model read_stl(const ByteSource& source, const ReadSettings&, Task& task) {
-  Span span(task, 0, 0.99, "reading STL");
+  ProgressSpan span(task, 0, 0.99, "reading STL");
   // Many binary files begin with "solid" as well: their size tells.
   if (is_binary_stl(source)) return read_binary(source, task);
   char start[6] = {};

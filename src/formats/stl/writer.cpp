@@ -128,16 +128,16 @@ void write_ascii(AtomicFile& file, const Model& model, const Triangles& triangle
 
 void write_stl(const Model& given, const std::string& path, const WriteSettings& settings,
                Task& task) {
-  Span span(task, 0, 0.99, "writing STL");
+  ProgressSpan span(task, 0, 0.99, "writing STL");
   validate(given);
   const Model chords = has_arcs(given) ? with_chords(given, settings.chord_error_m) : Model{};
   const Model& model = chords.vertices.empty() ? given : chords;
   Triangles triangles;
   {
-    Span part(task, 0, 0.4);
+    ProgressSpan part(task, 0, 0.4);
     triangles = all_triangles(model, task);
   }
-  Span part(task, 0.4, 1);
+  ProgressSpan part(task, 0.4, 1);
   AtomicFile file(path);
   if (settings.stl_format == StlForm::kAscii) write_ascii(file, model, triangles, task);
   else write_binary(file, model, triangles, task);

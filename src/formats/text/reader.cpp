@@ -143,7 +143,7 @@ class TextReader {
     prepare(xyz);
     Ranges ranges;
     {
-      Span span(task_, 0.15, 0.85, "reading text");
+      ProgressSpan span(task_, 0.15, 0.85, "reading text");
       ranges = parse();
     }
     reread_wide(ranges);
@@ -156,7 +156,7 @@ class TextReader {
  private:
   /// Lines and points of each block, turned into numbers of the first of each.
   void count() {
-    Span span(task_, 0, 0.15, "counting lines");
+    ProgressSpan span(task_, 0, 0.15, "counting lines");
     parallel_chunks(task_, blocks_.size(), [&](size_t b) {
       Block block(source_, layout_.data_offset, b);
       for (std::string_view line; block.next(line);) {
@@ -316,7 +316,7 @@ class TextReader {
     }
     if (!needed) return;
     columns_.swap(again);
-    Span span(task_, 0.85, 0.9, "reading text");
+    ProgressSpan span(task_, 0.85, 0.9, "reading text");
     parse();
   }
 
@@ -340,7 +340,7 @@ class TextReader {
   }
 
   void add_fields(Cloud& cloud, const Ranges& ranges) {
-    Span span(task_, 0.9, 0.95);
+    ProgressSpan span(task_, 0.9, 0.95);
     for (size_t c = 0; c < held_.size(); ++c) {
       if (held_[c] == nullptr) continue;
       task_.checkpoint(static_cast<double>(c) / static_cast<double>(held_.size()));

@@ -57,7 +57,7 @@ void append_point(std::string& out, const Cloud& cloud, size_t i, char separator
 
 void write_lines(const Cloud& cloud, const std::string& path, bool comma, int decimals,
                  Task& task) {
-  Span span(task, 0, 0.99, "writing text");
+  ProgressSpan span(task, 0, 0.99, "writing text");
   const char separator = comma ? ',' : ' ';
   AtomicFile file(path);
   std::string head;

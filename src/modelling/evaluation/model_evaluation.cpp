@@ -173,14 +173,14 @@ ModelEvaluation evaluate_model(const Model& automatic_model, const Model& refere
   const double min_iou = settings.min_iou, vertex_tolerance_m = settings.vertex_tolerance_m;
   const Vec3 origin = local_origin(automatic_model, reference_model);
   const auto side_of = [&](const Model& model, double from, double to) {
-    Span span(task, from, to, "reading faces");
+    ProgressSpan span(task, from, to, "reading faces");
     return Side(model, origin, choice, task);
   };
   Side automatic = side_of(automatic_model, 0, 0.1), reference = side_of(reference_model, 0.1, 0.2);
   ModelEvaluation out;
   out.formulas = settings.indices.formulas;
   {
-    Span span(task, 0.2, 0.6, "pairing faces");
+    ProgressSpan span(task, 0.2, 0.6, "pairing faces");
     out.pairs = pair_faces(automatic.faces, reference.faces, {}, choice, min_iou, task);
     out.vertices = compare_vertices(automatic, reference, out.pairs, {}, vertex_tolerance_m, task);
     if (settings.mode == ModelEvaluationSettings::Mode::kRelative) {
@@ -189,7 +189,7 @@ ModelEvaluation evaluate_model(const Model& automatic_model, const Model& refere
       out.vertices = compare_vertices(automatic, reference, out.pairs, out.shift, vertex_tolerance_m, task);
     }
   }
-  Span span(task, 0.6, 1, "comparing contours");
+  ProgressSpan span(task, 0.6, 1, "comparing contours");
   parallel_for(task, out.pairs.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const ComparedFace& r = reference.faces[out.pairs[i].reference];

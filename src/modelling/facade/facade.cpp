@@ -14,18 +14,18 @@ Model run(const Segmentation& segmentation, const ExtrusionSettings& settings,
   if (plane_count(segmentation.segments) == 0) return {};
   std::vector<VectorPlane> planes;
   {
-    const Span span(task, 0, 0.6);
+    const ProgressSpan span(task, 0, 0.6);
     planes = vectorise(segmentation, settings.vectorise, task);
   }
   FacadePlan plan;
   {
-    const Span span(task, 0.6, 0.9);
+    const ProgressSpan span(task, 0.6, 0.9);
     std::vector<SharedCorner> shared =
         join_planes(planes, segmentation.segments, settings.joints, task);
     plan = plan_facades(segmentation, std::move(planes), settings.plan, task);
     plan.shared = std::move(shared);
   }
-  const Span span(task, 0.9, 1, "putting faces together");
+  const ProgressSpan span(task, 0.9, 1, "putting faces together");
   return assemble_facades(segmentation, std::move(plan), assembly, task);
 }
 

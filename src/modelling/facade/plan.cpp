@@ -130,7 +130,7 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
   WallList list = list_walls(segmentation, plan, setting);
   std::vector<WallSurvey> surveys;
   {
-    const Span span(task, 0.05, 0.8, "looking through openings");
+    const ProgressSpan span(task, 0.05, 0.8, "looking through openings");
     surveys = survey_walls(segmentation, list.walls, setting.survey, task);
   }
   // 3. Openings and shadows.

@@ -55,11 +55,11 @@ std::vector<PoseCandidate> coarse_candidates(const CoarseSurface& reference, con
   std::vector<FeatureMatch> matches;
   std::vector<PoseCandidate> out;
   {
-    const Span span(task, 0, 0.7, "matching features");
+    const ProgressSpan span(task, 0, 0.7, "matching features");
     matches = match_features(reference, moving, kRank, kMostMatches, task);
     add_from_features(reference, moving, matches, task, out);
   }
-  const Span span(task, 0.7, 1, "matching planes");
+  const ProgressSpan span(task, 0.7, 1, "matching planes");
   add_from_planes(reference, moving, matches, level, task, out);
   return out;
 }

@@ -93,7 +93,7 @@ Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving,
   // 1. Surfaces.
   CoarseSurface reference_surface, moving_surface;
   {
-    const Span span(task, 0, 0.2, "thinning");
+    const ProgressSpan span(task, 0, 0.2, "thinning");
     const double cell_m = cell_of(*reference, *moving, settings, task);
     reference_surface = described(*reference, cell_m, "reference", task);
     moving_surface = described(*moving, cell_m, "moving", task);
@@ -103,13 +103,13 @@ Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving,
   // 2. Candidates.
   std::vector<PoseCandidate> candidates{{T_start_local, PoseSource::kStart}};
   {
-    const Span span(task, 0.2, 0.5, nullptr);
+    const ProgressSpan span(task, 0.2, 0.5, nullptr);
     const auto made =
         coarse_candidates(reference_surface, moving_surface, settings.gravity, task);
     candidates.insert(candidates.end(), made.begin(), made.end());
   }
   // 3. The best of them.
-  const Span span(task, 0.5, 1, nullptr);
+  const ProgressSpan span(task, 0.5, 1, nullptr);
   const PoseFilter is_wanted = filter_of(settings, T_start_local, moving_surface.centroid);
   CoarseSearch found = search_poses(reference_surface, moving_surface, candidates, is_wanted, task);
   // 4. Is it the only one?

@@ -111,7 +111,7 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
   Poses poses;
   {
     // Steps 1 and 2.
-    const Span span(task, 0, 0.6, "settling poses");
+    const ProgressSpan span(task, 0, 0.6, "settling poses");
     poses = distinct(first_look(few, candidates, is_wanted, task), few, kSamePose * cell_m, kSettled);
     settle(poses, more, kFirstReach, kIterations, task);
     std::erase_if(poses, unwanted);
@@ -120,7 +120,7 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
   }
   if (poses.empty()) return out;
   // Step 2 again, on many points.
-  const Span span(task, 0.6, 1, "judging poses");
+  const ProgressSpan span(task, 0.6, 1, "judging poses");
   settle(poses, many, kReach, kLastIterations, task);
   std::erase_if(poses, unwanted);
   if (poses.empty()) return out;

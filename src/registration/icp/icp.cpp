@@ -122,21 +122,21 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
     fail(Status::kInvalidArgument, "the start has a shift that is not finite");
   IcpProblem problem;
   {
-    Span span(task, 0, 0.5, "local planes");
+    ProgressSpan span(task, 0, 0.5, "local planes");
     cell_m = thinning_cell_m(*reference, *moving, settings, task);
     problem = problem_of(reference, moving, settings, cell_m, task);
   }
   IcpState state;
   state.T_reference_moving = problem.clouds.to_local(T_start);
   {
-    Span span(task, 0.5, 0.85, "iterations");
+    ProgressSpan span(task, 0.5, 0.85, "iterations");
     iterate(problem, state, task);
   }
   {
-    Span span(task, 0.85, 0.95, "patches of both clouds");
+    ProgressSpan span(task, 0.85, 0.95, "patches of both clouds");
     icp_settle(problem, state, task);
   }
-  Span span(task, 0.95, 1, "covariance");
+  ProgressSpan span(task, 0.95, 1, "covariance");
   Registration out = icp_result(problem, state, task);
   add_value<double>(out.summary, "thinning_cell", "m", "edge of the cubes thinned to a point; 0: none", cell_m);
   return out;

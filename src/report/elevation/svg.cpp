@@ -85,7 +85,7 @@ std::span<const ParamRow> elevation_rows() { return kElevationRows; }
 
 std::string elevation_svg(const Segmentation& segmentation, const Model& model,
                           const ElevationSettings& settings, Task& task) {
-  const Span span(task, 0, 1, "drawing the elevation");
+  const ProgressSpan span(task, 0, 1, "drawing the elevation");
   OpeningList openings = list_openings(model, settings.type_tolerance_m);
   const ElevationView view = elevation_view(segmentation, model, openings, settings.facade);
   const ElevationContent content = content_of(segmentation, view, settings);

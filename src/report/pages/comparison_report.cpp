@@ -199,7 +199,7 @@ std::span<const ParamRow> comparison_report_rows() { return kRows; }
 std::string comparison_html(const Comparison& forward, const Comparison* reverse,
                             const FieldTable& changes, std::string_view notes_json,
                             const ComparisonReportSettings& settings, Task& task) {
-  const Span span(task, 0, 1, "writing the report");
+  const ProgressSpan span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
   std::vector<const Comparison*> both{&forward};
   if (reverse != nullptr) both.push_back(reverse);

@@ -171,7 +171,7 @@ std::span<const ParamRow> report_rows() { return kReportRows; }
 
 std::string report_html(const Segmentation& segmentation, const Model& model,
                         std::string_view notes_json, const ReportSettings& settings, Task& task) {
-  const Span span(task, 0, 1, "writing the report");
+  const ProgressSpan span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
   const Residuals residuals =
       bin_residuals(segmentation, 0, static_cast<size_t>(settings.bins), task);

@@ -108,7 +108,7 @@ void write_residuals(JsonWriter& json, const Residuals& r) {
 }  // namespace
 
 std::string report_json(const Segmentation& segmentation, const Model& model, std::string_view notes_json, Task& task) {
-  const Span span(task, 0, 1, "writing the report");
+  const ProgressSpan span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
   const std::string& parameters = segmentation.parameters_json;
   JsonWriter json(1);

@@ -105,7 +105,7 @@ std::span<const ParamRow> registration_report_rows() { return kRows; }
 std::string registration_html(const Registration& r, const CloudPtr& reference,
                               const CloudPtr& moving, std::string_view notes_json,
                               const RegistrationReportSettings& settings, Task& task) {
-  const Span span(task, 0, 1, "writing the report");
+  const ProgressSpan span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
   Page page;
   open_page(page, notes.title);

@@ -136,7 +136,7 @@ std::span<const ParamRow> deviation_picture_rows() { return kRows; }
 
 std::string deviation_svg(const Comparison& comparison, const DeviationScale& scale,
                           const DeviationPictureSettings& settings, Task& task) {
-  const Span span(task, 0, 1, "drawing the distances");
+  const ProgressSpan span(task, 0, 1, "drawing the distances");
   const View view = view_of(comparison, settings.view, task);
   const LabelRaster raster = raster_of(comparison, scale, view, task);
   const bool is_empty = raster.labels.empty();
@@ -168,7 +168,7 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
 
 std::string deviation_png(const Comparison& comparison, const DeviationScale& scale,
                           const DeviationPictureSettings& settings, Task& task) {
-  const Span span(task, 0, 1, "drawing the distances");
+  const ProgressSpan span(task, 0, 1, "drawing the distances");
   LabelRaster raster = raster_of(comparison, scale, view_of(comparison, settings.view, task), task);
   if (raster.labels.empty()) {  // a picture has at least one pixel
     raster.columns = raster.rows = 1;

@@ -140,11 +140,11 @@ LabelRaster rasterise_points(const Cloud& cloud, Labels labels, const Projection
   LabelRaster out;
   if (box.n == 0 || !std::isfinite(box.high.u - box.low.u) || !std::isfinite(box.high.v - box.low.v)) return out;
   const double spacing = [&] {
-    Span span(task, 0, 0.3);
+    ProgressSpan span(task, 0, 0.3);
     return spacing_of(cloud, projection, box, task);
   }();
   out = frame(box, spacing);
-  Span span(task, 0.3, 1);
+  ProgressSpan span(task, 0.3, 1);
   draw_points(cloud, labels, projection, out.pixel_m < 1.2 * spacing ? 1 : 0, out, task);
   close_holes(out);
   return out;

@@ -129,7 +129,7 @@ std::span<const ParamRow> picture_rows() { return kRows; }
 
 std::string picture_svg(const Segmentation& segmentation, const PictureSettings& settings,
                         Task& task) {
-  const Span span(task, 0, 1, "drawing the segments");
+  const ProgressSpan span(task, 0, 1, "drawing the segments");
   Picture picture{
       segmentation, rasterise_labels(segmentation, settings.view, task), {}, settings.view, {}};
   picture.colours = colour_labels(picture.raster, segmentation.segments.size());
@@ -166,7 +166,7 @@ std::string picture_svg(const Segmentation& segmentation, const PictureSettings&
 
 std::string picture_png(const Segmentation& segmentation, const PictureSettings& settings,
                         Task& task) {
-  const Span span(task, 0, 1, "drawing the segments");
+  const ProgressSpan span(task, 0, 1, "drawing the segments");
   LabelRaster raster = rasterise_labels(segmentation, settings.view, task);
   if (raster.labels.empty()) {  // a picture has at least one pixel
     raster.columns = raster.rows = 1;

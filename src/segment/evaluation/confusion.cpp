@@ -45,7 +45,7 @@ std::vector<ClassCounts> counts_of(const Confusion& c) {
 std::vector<uint64_t> classes_of(const WholeNumbers& a, const WholeNumbers& b, size_t n, Task& task) {
   std::vector<uint64_t> out;
   for (const auto& [field, other, from] : {std::tuple{&a, &b, 0.0}, std::tuple{&b, &a, 0.5}}) {
-    Span span(task, from, from + 0.5);
+    ProgressSpan span(task, from, from + 0.5);
     const auto counts = count_keys(task, n, [f = field, o = other](size_t begin, size_t end, uint64_t* keys) {
       std::vector<uint64_t> others(end - begin);
       f->keys(begin, end, keys);
@@ -87,7 +87,7 @@ Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::stri
   const WholeNumbers truth(cloud.fields.require(reference), settings.ignored_classes);
   const size_t n = cloud.size();
   const std::vector<uint64_t> classes = [&] {
-    Span span(task, 0, 0.6, "counting classes");
+    ProgressSpan span(task, 0, 0.6, "counting classes");
     return classes_of(found, truth, n, task);
   }();
   const auto index_of = [&](uint64_t key) {
@@ -96,7 +96,7 @@ Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::stri
   Confusion out;
   for (const uint64_t key : classes) out.classes.push_back(WholeNumbers::value_of(key));
   out.counts.assign(classes.size() * classes.size(), 0);
-  Span span(task, 0.6, 1, "counting points");
+  ProgressSpan span(task, 0.6, 1, "counting points");
   const auto cells = count_keys(task, n, [&](size_t begin, size_t end, uint64_t* keys) {
     std::vector<uint64_t> truths(end - begin);
     found.keys(begin, end, keys);

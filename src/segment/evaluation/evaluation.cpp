@@ -110,7 +110,7 @@ Evaluation evaluate_segmentation(const Segmentation& automatic, const Segmentati
                                  const EvaluationSettings& settings, Task& task) {
   Evaluation out;
   {
-    Span span(task, 0, 0.1, "comparing points");
+    ProgressSpan span(task, 0, 0.1, "comparing points");
     require_same_points(*automatic.cloud, *reference.cloud, settings.coordinate_tolerance_m, task);
   }
   out.automatic = judge_sizes(automatic, settings);
@@ -118,15 +118,15 @@ Evaluation evaluate_segmentation(const Segmentation& automatic, const Segmentati
   out.automatic_source = source_labels(automatic);
   out.reference_source = source_labels(reference);
   const std::vector<Overlap> overlaps = [&] {
-    Span span(task, 0.1, 0.4, "counting overlaps");
+    ProgressSpan span(task, 0.1, 0.4, "counting overlaps");
     return count_overlaps(automatic, reference, out, task);
   }();
   judge_overlaps(overlaps, settings.part_share, out);
   {
-    Span span(task, 0.4, 0.6, "pairing segments");
+    ProgressSpan span(task, 0.4, 0.6, "pairing segments");
     pair_segments(overlaps, settings.min_iou, out, task);
   }
-  Span span(task, 0.6, 1, "comparing planes");
+  ProgressSpan span(task, 0.6, 1, "comparing planes");
   compare_planes(automatic, reference, out.pairs, task);
   out.totals = total_up(out, settings.covered_share);
   return out;

@@ -72,10 +72,10 @@ void compare_planes(const Segmentation& automatic, const Segmentation& reference
   for (SegmentPair& pair : pairs)
     if (reference.segments[pair.reference - 1].has_plane()) pair_of[pair.automatic] = &pair;
   const LabelGroups groups = [&] {
-    Span span(task, 0, 0.4);
+    ProgressSpan span(task, 0, 0.4);
     return LabelGroups(automatic.labels->values<uint32_t>(), automatic.segments.size(), task);
   }();
-  Span span(task, 0.4, 1);
+  ProgressSpan span(task, 0.4, 1);
   const Cloud& cloud = *automatic.cloud;
   groups.for_each(task, [&](uint32_t label) {
     SegmentPair* pair = pair_of[label];

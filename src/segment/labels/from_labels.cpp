@@ -105,22 +105,22 @@ Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view fi
   out.parameters_json = parameters_text(field, settings.pixel_m);
   const size_t n = cloud->size();
   const Rows rows = [&] {
-    Span span(task, 0, 0.2, "counting labels");
+    ProgressSpan span(task, 0, 0.2, "counting labels");
     return Rows(count_keys(task, n, [&](size_t begin, size_t end, uint64_t* keys) { labels.keys(begin, end, keys); }));
   }();
-  Span span(task, 0.2, 1, "fitting planes");
+  ProgressSpan span(task, 0.2, 1, "fitting planes");
   {
-    Span inner(task, 0, 0.2);
+    ProgressSpan inner(task, 0, 0.2);
     out.labels = label_column(labels, rows, n, task);
   }
   const auto dense = out.labels->values<uint32_t>();
   const Vec3 origin = local_origin(*cloud, task);
   const LabelGroups groups = [&] {
-    Span inner(task, 0.2, 0.4);
+    ProgressSpan inner(task, 0.2, 0.4);
     return LabelGroups(dense, rows.size(), task);
   }();
   {
-    Span inner(task, 0.4, 0.9);
+    ProgressSpan inner(task, 0.4, 0.9);
     out.segments.resize(rows.size());
     groups.for_each(task, [&](uint32_t row) {
       Segment& segment = out.segments[row - 1];
@@ -129,7 +129,7 @@ Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view fi
       segment.source_label = rows.label(row);
     });
   }
-  Span inner(task, 0.9, 1);
+  ProgressSpan inner(task, 0.9, 1);
   const FacadeContext context{*cloud, origin, settings.orientation_tolerance_rad, kNearPlane_m,
                               settings.facade_frame};
   turn_normals(context, dense, out.segments, task);

@@ -27,7 +27,7 @@ LabelGroups::LabelGroups(std::span<const uint32_t> labels, size_t count, Task& t
   if (labels.size() > std::numeric_limits<uint32_t>::max())
     fail(Status::kLimit, "%zu points; segments can be told apart in at most 4294967295", labels.size());
   {
-    Span span(task, 0, 0.3);
+    ProgressSpan span(task, 0, 0.3);
     walk(labels.size(), task, [&](size_t i) {
       if (labels[i] != 0) ++first_[labels[i]];
     });
@@ -35,7 +35,7 @@ LabelGroups::LabelGroups(std::span<const uint32_t> labels, size_t count, Task& t
   for (size_t g = 1; g <= count; ++g) first_[g] += first_[g - 1];
   order_.resize(first_[count]);
   std::vector<uint64_t> next(first_.begin(), first_.end() - 1);
-  Span span(task, 0.3, 1);
+  ProgressSpan span(task, 0.3, 1);
   walk(labels.size(), task, [&](size_t i) {
     if (labels[i] != 0) order_[next[labels[i] - 1]++] = static_cast<uint32_t>(i);
   });

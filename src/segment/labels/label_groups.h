@@ -43,11 +43,11 @@ void LabelGroups::for_each(Task& task, F&& f) const {
   for (uint32_t label = 1; label <= count(); ++label) {
     if (of(label).size() < kLarge) continue;
     const double share = static_cast<double>(of(label).size()) / static_cast<double>(order_.size());
-    Span span(task, done, done + share);
+    ProgressSpan span(task, done, done + share);
     f(label);
     done += share;
   }
-  Span span(task, done, 1);
+  ProgressSpan span(task, done, 1);
   parallel_for(task, count(), kLabelsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
       if (of(static_cast<uint32_t>(i + 1)).size() < kLarge) f(static_cast<uint32_t>(i + 1));

@@ -122,10 +122,10 @@ std::vector<PropagatedPlane> propagate_planes(const Segmentation& segmentation,
   for (size_t s = 0; s < out.size(); ++s) out[s].label = segmentation.segments[s].label;
   const Adjustment adjustment(*segmentation.cloud, without_common_errors(precision));
   const LabelGroups groups = [&] {
-    Span span(task, 0, 0.3);
+    ProgressSpan span(task, 0, 0.3);
     return LabelGroups(segmentation.labels->values<uint32_t>(), segmentation.segments.size(), task);
   }();
-  Span span(task, 0.3, 1, "adjusting planes");
+  ProgressSpan span(task, 0.3, 1, "adjusting planes");
   groups.for_each(task, [&](uint32_t label) {
     const Segment& segment = segmentation.segments[label - 1];
     if (!segment.has_plane()) return;

@@ -44,7 +44,7 @@ class Sequence {
   std::vector<Surface> run() {
     const std::vector<OrientationPass> passes = orientation_passes(scene_, task_);
     for (int round = 0; round < kMostRounds; ++round) {
-      const Span span(task_, round / double{kMostRounds}, (round + 1) / double{kMostRounds}, nullptr);
+      const ProgressSpan span(task_, round / double{kMostRounds}, (round + 1) / double{kMostRounds}, nullptr);
       const size_t before = surfaces_.size();
       if (round > 0) renew_pool();
       run_passes(passes);
@@ -59,7 +59,7 @@ class Sequence {
   void run_passes(const std::vector<OrientationPass>& passes) {
     const auto part = static_cast<double>(passes.size());
     for (size_t i = 0; i < passes.size(); ++i) {
-      const Span span(task_, static_cast<double>(i) / part, static_cast<double>(i + 1) / part, nullptr);
+      const ProgressSpan span(task_, static_cast<double>(i) / part, static_cast<double>(i + 1) / part, nullptr);
       run_pass(passes[i]);
     }
   }

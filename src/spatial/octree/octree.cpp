@@ -56,10 +56,10 @@ std::shared_ptr<const Octree> Octree::build(std::span<const double> xyz, const C
     fail(Status::kLimit, "an octree holds at most 2^32 - 2 points; there are %zu", impl.count);
   if (impl.count == 0) return tree;
   {
-    Span span(task, 0, 0.9, "building the index");
+    ProgressSpan span(task, 0, 0.9, "building the index");
     impl.sort_points(task);
   }
-  Span span(task, 0.9, 1);
+  ProgressSpan span(task, 0.9, 1);
   impl.build_boxes(task);
   return tree;
 }

@@ -138,7 +138,7 @@ void Octree::Impl::sort_points(Task& task) {
   std::atomic<bool> all_on_grid{true};
   std::vector<Bucket> buckets;
   {
-    Span span(task, 0, 0.5, "sorting points");
+    ProgressSpan span(task, 0, 0.5, "sorting points");
     const Vec3 o = cube.origin;
     const double inverse = inverse_step, s = step;
     const double* p = xyz.data();
@@ -163,11 +163,11 @@ void Octree::Impl::sort_points(Task& task) {
     });
   }
   on_grid = all_on_grid;
-  Span rest(task, 0.5, 1);
+  ProgressSpan rest(task, 0.5, 1);
   constexpr size_t kTaskPoints = size_t{1} << 15;
   constexpr size_t kMostSerial = size_t{1} << 19;  // points of a bucket: a cancel has to wait for its sort
   {
-    Span span(task, 0, 0.3);
+    ProgressSpan span(task, 0, 0.3);
     buckets = split_large(std::move(buckets), std::clamp(count / 16, 4 * kTaskPoints, kMostSerial), arrays, task);
   }
 
@@ -178,7 +178,7 @@ void Octree::Impl::sort_points(Task& task) {
   order = Buffer<uint32_t>(count);
   const auto groups = groups_of(buckets.size(), kTaskPoints, [&](size_t b) { return buckets[b].count; });
   std::vector<std::vector<uint32_t>> leaves_of(groups.size() - 1);
-  Span span(task, 0.3, 1);
+  ProgressSpan span(task, 0.3, 1);
   parallel_chunks(task, groups.size() - 1, [&](size_t g) {
     size_t most = 0;
     for (size_t b = groups[g]; b < groups[g + 1]; ++b) most = std::max(most, buckets[b].count);

@@ -158,7 +158,7 @@ std::vector<uint32_t> NearestTriangles::Impl::make_nodes(std::span<const Vec3> v
       boxes[i] = float_box(box);
     }
   });
-  const Span span(task, 0.1, 0.8);
+  const ProgressSpan span(task, 0.1, 0.8);
   triangle_tree::Nodes tree = triangle_tree::build_nodes({boxes.data(), boxes.size()}, kWidth, kWidth, task);
   nodes = std::move(tree.nodes);
   return std::move(tree.order);

@@ -264,10 +264,10 @@ Nodes build_nodes(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t 
   std::vector<Job> jobs;
   const Range all = builder.range_of(0, n);
   {
-    const Span span(task, 0, 0.4);
+    const ProgressSpan span(task, 0, 0.4);
     builder.build(all, 0, out.nodes, n > kSubtreeSize ? &jobs : nullptr);
   }
-  const Span span(task, 0.4, 1);
+  const ProgressSpan span(task, 0.4, 1);
   if (!jobs.empty()) build_subtrees(builder, out.nodes, jobs, task);
   return out;
 }

@@ -117,7 +117,7 @@ Components connected_components(std::span<const double> xyz, const Vec3& origin,
   VoxelGrid grid;
   std::vector<CellNumber> cells;
   {
-    Span span(task, 0, 0.5);
+    ProgressSpan span(task, 0, 0.5);
     grid = voxel_grid(xyz, origin, cell_m, task);
     cells = cell_numbers_of(grid, xyz, origin, cell_m, task);
   }
@@ -125,12 +125,12 @@ Components connected_components(std::span<const double> xyz, const Vec3& origin,
   UnionFind sets(grid.size());
   const auto steps = forward_steps(connectivity);
   for (size_t s = 0; s < steps.size(); ++s) {
-    Span span(task, 0.5 + 0.4 * static_cast<double>(s) / static_cast<double>(steps.size()),
-              0.5 + 0.4 * static_cast<double>(s + 1) / static_cast<double>(steps.size()));
+    ProgressSpan span(task, 0.5 + 0.4 * static_cast<double>(s) / static_cast<double>(steps.size()),
+                      0.5 + 0.4 * static_cast<double>(s + 1) / static_cast<double>(steps.size()));
     join_along(cells, steps[s], sets, task);
   }
   // 3. Number the components by size and hand the numbers to the points.
-  Span span(task, 0.9, 1);
+  ProgressSpan span(task, 0.9, 1);
   const std::vector<uint32_t> label = number_components(grid, sets, min_points, out.point_counts);
   parallel_for(task, grid.size(), kCellGrain, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v)

@@ -59,18 +59,18 @@ class Centroids {
 
   Buffer<double> find(const VoxelNumbers& numbers, Task& task) {
     {
-      Span span(task, 0, 0.55, "voxel grid");
+      ProgressSpan span(task, 0, 0.55, "voxel grid");
       fill_buckets(numbers, task);
     }
     {
-      Span span(task, 0.55, 0.65);
+      ProgressSpan span(task, 0.55, 0.65);
       split_large(task);
     }
     {
-      Span span(task, 0.65, 0.95);
+      ProgressSpan span(task, 0.65, 0.95);
       reduce_buckets(task);
     }
-    Span span(task, 0.95, 1);
+    ProgressSpan span(task, 0.95, 1);
     return moved_together(task);
   }
 
@@ -79,12 +79,12 @@ class Centroids {
   void fill_buckets(const VoxelNumbers& numbers, Task& task) {
     Buffer<uint64_t> keys(count_);  // made once for both passes of the partition
     {
-      Span span(task, 0, 0.4);
+      ProgressSpan span(task, 0, 0.4);
       parallel_for(task, count_, kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) keys[i] = numbers.key(i);
       });
     }
-    Span span(task, 0.4, 1);
+    ProgressSpan span(task, 0.4, 1);
     const int key_bits = numbers.key_bits();
     const int digit_bits = std::min({kDigitBits, key_bits, static_cast<int>(std::bit_width(count_ >> 10))});
     const int shift = digit_bits == 0 ? 0 : key_bits - digit_bits;

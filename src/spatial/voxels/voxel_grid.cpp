@@ -78,7 +78,7 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
   Buffer<KeyedIndex> records(n);
   std::vector<size_t> begins;
   {
-    Span span(task, 0, 0.5, "sorting points into cells");
+    ProgressSpan span(task, 0, 0.5, "sorting points into cells");
     const VoxelNumbers numbering(xyz, range_of(xyz, task), origin, cell_m, task);
     Buffer<uint64_t> keys(n);  // made once: divisions cost more than memory
     parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
@@ -95,7 +95,7 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
   const auto groups = groups_of(begins.size() - 1, kGrain, [&](size_t b) { return begins[b + 1] - begins[b]; });
   std::vector<std::vector<uint32_t>> firsts(groups.size() - 1);
   {
-    Span span(task, 0.5, 0.8);
+    ProgressSpan span(task, 0.5, 0.8);
     parallel_chunks(task, firsts.size(), [&](size_t g) {
       size_t most = 0;
       for (size_t b = groups[g]; b < groups[g + 1]; ++b) most = std::max(most, begins[b + 1] - begins[b]);
@@ -113,7 +113,7 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
   for (const auto& part : firsts)
     for (const uint32_t first : part) grid.first[at++] = first;
   grid.first[cells] = static_cast<uint32_t>(n);
-  Span span(task, 0.8, 1);
+  ProgressSpan span(task, 0.8, 1);
   add_centroids(xyz, origin, grid, task);
   return grid;
 }

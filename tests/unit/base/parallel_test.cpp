@@ -151,11 +151,11 @@ TEST_CASE("progress grows monotonically on the calling thread and stays below 1 
     parallel_for(task, 200, 1, [](size_t, size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); });
   };
   {
-    Span first(task, 0, 0.5, "first");
+    ProgressSpan first(task, 0, 0.5, "first");
     work();
   }
   {
-    Span second(task, 0.5, 1, "second");
+    ProgressSpan second(task, 0.5, 1, "second");
     work();
   }
   REQUIRE(seen.fractions.size() >= 3);

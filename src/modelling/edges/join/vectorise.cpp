@@ -170,15 +170,15 @@ std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const Vecto
   const auto& m = segmentation.T_facade_world.m;
   const Vec3 facade_x{m[0], m[1], m[2]};
   const LabelGroups groups = [&] {
-    const Span span(task, 0, 0.05, "sorting points by plane");
+    const ProgressSpan span(task, 0, 0.05, "sorting points by plane");
     return LabelGroups(segmentation.labels->values<uint32_t>(), count, task);
   }();
   Vectoriser vectoriser{segmentation, setting, nullptr, facade_x, groups};
   if (setting.straighten) {
-    const Span span(task, 0.05, 0.1, "indexing points");
+    const ProgressSpan span(task, 0.05, 0.1, "indexing points");
     vectoriser.tree = segmentation.cloud->octree(task);
   }
-  const Span span(task, 0.1, 1, "drawing outlines");
+  const ProgressSpan span(task, 0.1, 1, "drawing outlines");
   parallel_for(task, count, 1, [&](size_t begin, size_t end) {
     for (size_t s = begin; s < end; ++s) out[s] = vectoriser(s, task);
   });
