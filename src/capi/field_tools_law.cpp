@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <limits>
 
+#include "base/numbers.h"
 #include "capi/support/guard.h"
 #include "capi/support/noise_law_handle.h"
 #include "fieldtools/field_values.h"
@@ -84,7 +84,7 @@ jalon_status jalon_noise_law_quantiles(const jalon_noise_law* law, const double*
     const auto at = numbers(probabilities, count, "probabilities");
     if (count != 0) require(out, "out");
     for (size_t i = 0; i < at.size(); ++i)
-      out[i] = at[i] >= 0 && at[i] <= 1 ? law->law.quantile(at[i]) : std::numeric_limits<double>::quiet_NaN();
+      out[i] = at[i] >= 0 && at[i] <= 1 ? law->law.quantile(at[i]) : kNaN;
   });
 }
 

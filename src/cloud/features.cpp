@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string_view>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
 #include "cloud/operations.h"
@@ -73,7 +73,6 @@ Choice parse_which(std::string_view text) {
   return chosen;
 }
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 using Values = std::array<double, kFeatures>;
 
 struct Scratch {

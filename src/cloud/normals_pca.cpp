@@ -3,8 +3,8 @@
 #include "cloud/normals_pca.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/numbers.h"
 #include "cloud/neighbour_planes.h"
 
 namespace jalon {
@@ -33,12 +33,11 @@ class ColumnWriter {
         curvature_(out.curvature ? out.curvature->values<float>().data() : nullptr) {}
 
   void operator()(const NeighbourPlane& plane) const {
-    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
     const size_t target = order_[plane.position];
     float* to = normal_ + 3 * target;
-    for (int c = 0; c < 3; ++c) to[c] = plane.normal == nullptr ? kNone : static_cast<float>(plane.normal[c]);
+    for (int c = 0; c < 3; ++c) to[c] = plane.normal == nullptr ? kFloatNaN : static_cast<float>(plane.normal[c]);
     if (curvature_ != nullptr)
-      curvature_[target] = plane.normal == nullptr ? kNone : static_cast<float>(plane.variation);
+      curvature_[target] = plane.normal == nullptr ? kFloatNaN : static_cast<float>(plane.variation);
   }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <limits>
 
+#include "base/numbers.h"
 #include "cloud/neighbourhoods.h"
 #include "cloud/normals_parts.h"
 
@@ -21,7 +21,6 @@ Vec3 quadric_normal(const Octree& tree, const Neighbourhood& around, Scratch& sc
     scratch.points.push_back(tree.local(j));
     moments.add(scratch.points.back());
   }
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   PrincipalFrame frame;
   if (!principal_frame(moments, frame)) return {kNaN, kNaN, kNaN};
   LocalQuadric fit;

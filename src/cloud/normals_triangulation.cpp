@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "cloud/neighbourhoods.h"
 #include "cloud/normals_parts.h"
@@ -119,7 +119,6 @@ std::shared_ptr<Column> triangulation_normals(const Octree& tree, Task& task) {
   parallel_for(task, cells.size(), kCellsPerChunk, [&](size_t begin, size_t end) {
     Scratch scratch;
     for (size_t c = begin; c < end; ++c) {
-      constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
       PrincipalFrame frame;
       const bool flat = gather(tree, position_of, cells[c], scratch, frame);
       if (flat) accumulate(frame, scratch);

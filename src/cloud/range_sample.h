@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 
+#include "base/numbers.h"
 #include "cloud/cloud.h"
 #include "geometry/plane.h"
 
@@ -15,8 +15,8 @@ namespace jalon {
 struct RangeSample {
   PlaneFit fit;               ///< sigma divided by n - 3
   double range_precision_m = 0;  ///< s_d, divided by n - 1
-  double mean_intensity = std::numeric_limits<double>::quiet_NaN();
-  double std_intensity = std::numeric_limits<double>::quiet_NaN();  ///< divided by n - 1
+  double mean_intensity = kNaN;
+  double std_intensity = kNaN;  ///< divided by n - 1
 };
 
 /// indices: none = all points.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/table_columns.h"
 #include "compare/comparison.h"
@@ -57,7 +58,7 @@ FieldTable summarise(std::span<const double> distances, std::span<const uint8_t>
     return part;
   });
   const auto n = static_cast<double>(sums.of_status[0]);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double nan = kNaN;
   const double mean = n > 0 ? sums.sum / n : nan;
   // Second pass about the mean: the squares of large distances would take the digits of a small spread.
   const double squares = parallel_reduce(task, distances.size(), kGrain, 0.0, [&](size_t begin, size_t end) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "fieldtools/chamfer.h"
@@ -167,7 +168,7 @@ Cloud with_map_distance(const Cloud& compared, const Cloud& reference,
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = compared.point(i);
       const double d = chamfer ? double{map.distance_m[cell_of(map.grid, p)]} : interpolated(map, p);
-      distances[i] = d <= limit_m ? d : kNoValue;
+      distances[i] = d <= limit_m ? d : kNaN;
     }
   });
   return with_field<double>(compared, name, "m", "distance by a grid of cells", distances);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "cloud/neighbourhoods.h"
 #include "fieldtools/chi_square.h"
@@ -23,7 +24,7 @@ constexpr double kShareForSingles = 0.03;  // of the points: a search by itself 
 /// Outcome of one test, in units of the cut of the first pass: distances of tests with other numbers of classes are
 /// brought to it by the ratio of the tabulated cuts.
 struct Outcome {
-  double distance = std::numeric_limits<double>::quiet_NaN();
+  double distance = kNaN;
   double saturating = 0;  ///< the same over equally probable classes, which the band is about
   bool above = false;     ///< deviations above those of the law
 };
@@ -212,7 +213,7 @@ void hand_out(const ValuedPoints& valued, const std::vector<Outcome>& outcomes, 
 ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, const NoiseLaw& law,
                             const ChiSquareSettings& settings, Task& task) {
   ChangeFilter out;
-  out.distance.assign(values.size(), kNoValue);
+  out.distance.assign(values.size(), kNaN);
   out.changed.assign(values.size(), 0);
   ValuedPoints valued;
   {

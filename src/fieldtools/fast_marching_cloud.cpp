@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "fieldtools/fast_marching.h"
@@ -64,7 +65,7 @@ Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds
   ProgressSpan span(task, 0.5, 1, "front");
   std::vector<double> distances = surface_distances({xyz.data(), xyz.size()}, cells, starts, most_m, task);
   for (double& d : distances)
-    if (!std::isfinite(d)) d = kNoValue;
+    if (!std::isfinite(d)) d = kNaN;
   return with_field<double>(cloud, name, "m", "distance along the surface from the nearest seed", distances);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "fieldtools/field_values.h"
@@ -34,7 +35,7 @@ constexpr Operator kOperators[] = {
     {Operation::kAdd, [](double a, double b) { return a + b; }},
     {Operation::kSubtract, [](double a, double b) { return a - b; }},
     {Operation::kMultiply, [](double a, double b) { return a * b; }},
-    {Operation::kDivide, [](double a, double b) { return b != 0 ? a / b : kNoValue; }},
+    {Operation::kDivide, [](double a, double b) { return b != 0 ? a / b : kNaN; }},
     {Operation::kMinimum,
      [](double a, double b) { return a < b ? a : b < a ? b : a + 0 * b; }},
     {Operation::kMaximum,
@@ -42,11 +43,11 @@ constexpr Operator kOperators[] = {
     {Operation::kPower, [](double a, double b) { return std::pow(a, b); }},
     {Operation::kAbsolute, [](double a, double) { return std::fabs(a); }},
     {Operation::kNegate, [](double a, double) { return -a; }},
-    {Operation::kSqrt, [](double a, double) { return a >= 0 ? std::sqrt(a) : kNoValue; }},
+    {Operation::kSqrt, [](double a, double) { return a >= 0 ? std::sqrt(a) : kNaN; }},
     {Operation::kSquare, [](double a, double) { return a * a; }},
     {Operation::kExp, [](double a, double) { return std::exp(a); }},
-    {Operation::kLog, [](double a, double) { return a > 0 ? std::log(a) : kNoValue; }},
-    {Operation::kLog10, [](double a, double) { return a > 0 ? std::log10(a) : kNoValue; }},
+    {Operation::kLog, [](double a, double) { return a > 0 ? std::log(a) : kNaN; }},
+    {Operation::kLog10, [](double a, double) { return a > 0 ? std::log10(a) : kNaN; }},
     {Operation::kDot, [](double a, double b) { return a * b; }},
     {Operation::kNorm, [](double a, double) { return a * a; }},
 };

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 
 namespace jalon {
@@ -61,7 +62,7 @@ std::vector<double> finite_values(std::span<const double> values) {
 }
 
 MeanAndVariance mean_and_variance(std::span<const double> values, Task& task) {
-  if (values.empty()) return {0, kNoValue, kNoValue};
+  if (values.empty()) return {0, kNaN, kNaN};
   MeanAndVariance out;
   out.count = values.size();
   out.mean = values[0] + mean_of(values, values[0], false, task);
@@ -111,7 +112,7 @@ double mean_spacing(const Cloud& cloud, const ValuedPoints& valued) {
   constexpr size_t kSamples = 1000;
   constexpr uint32_t kNearest = 8;  // the point itself and seven others
   const size_t n = valued.size();
-  if (n < kNearest) return kNoValue;
+  if (n < kNearest) return kNaN;
   std::vector<double> squared;
   const size_t step = std::max<size_t>(1, n / kSamples);
   for (size_t i = step / 2; i < n; i += step) {
@@ -121,7 +122,7 @@ double mean_spacing(const Cloud& cloud, const ValuedPoints& valued) {
   }
   const auto middle = squared.begin() + static_cast<ptrdiff_t>(squared.size() / 2);
   std::nth_element(squared.begin(), middle, squared.end());
-  return *middle > 0 ? std::sqrt(std::numbers::pi * *middle / (kNearest - 1)) : kNoValue;
+  return *middle > 0 ? std::sqrt(std::numbers::pi * *middle / (kNearest - 1)) : kNaN;
 }
 
 double radius_or_spacings(double radius_m, double factor, const Cloud& cloud, const ValuedPoints& valued) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,7 +18,6 @@
 namespace jalon {
 
 /// Stands where a point has no value; infinite values count as none either.
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// The values of a field of one component, as doubles. kNotFound lists the names there are; kInvalidArgument for
 /// vectors.

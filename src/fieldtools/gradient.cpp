@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
@@ -17,7 +18,7 @@ constexpr size_t kGrain = 1 << 15;
 constexpr double kSpacings = 4;         // automatic radius, of the 3 to 5 spacings that keep a ball full
 constexpr double kLipschitzSlack = 1e-3;  // distances that went through single precision
 constexpr size_t kFewestForSlopes = 4;  // a plane of the values has three unknowns
-const Vec3 kNoGradient{kNoValue, kNoValue, kNoValue};
+constexpr Vec3 kNoGradient{kNaN, kNaN, kNaN};
 
 struct NoScratch {};
 
@@ -112,8 +113,8 @@ Cloud with_gradient(const Cloud& cloud, std::string_view field, const GradientSe
   const double radius_m = radius_or_spacings(settings.radius_m, kSpacings, cloud, valued);
   const std::vector<Vec3> gradients =
       field_gradients(valued, radius_m, settings.method, settings.distance_field, task);
-  std::vector<float> norms(cloud.size(), std::numeric_limits<float>::quiet_NaN());
-  std::vector<float> vectors(vector_name.empty() ? 0 : 3 * cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> norms(cloud.size(), kFloatNaN);
+  std::vector<float> vectors(vector_name.empty() ? 0 : 3 * cloud.size(), kFloatNaN);
   parallel_for(task, valued.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3& g = gradients[i];

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/json_reader.h"
 #include "base/json_writer.h"
+#include "base/numbers.h"
 #include "base/table_columns.h"
 
 namespace jalon {
@@ -18,7 +19,6 @@ namespace jalon {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Quantiles at equal steps, straight lines between them.
 double empirical_cumulative(const std::vector<double>& quantiles, double x) {

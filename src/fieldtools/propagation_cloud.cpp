@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "base/table_columns.h"
@@ -35,7 +36,7 @@ Nodes nodes_of(const Cloud& cloud, std::span<const double> deviations, std::span
   Nodes out;
   std::vector<double> both(deviations.begin(), deviations.end());
   for (size_t i = 0; i < both.size(); ++i)
-    if (!std::isfinite(gradients[i])) both[i] = kNoValue;
+    if (!std::isfinite(gradients[i])) both[i] = kNaN;
   for (size_t i = 0; i < both.size(); ++i)
     if (std::isfinite(both[i])) {
       out.points.push_back(static_cast<uint32_t>(i));
@@ -161,7 +162,7 @@ PropagationResult segment_by_propagation(const Cloud& cloud, std::span<const dou
   for (const Found& f : found) sizes.push_back(f.points);
   const std::vector<uint32_t> ranks = ranks_by_size(sizes);
   out.labels.assign(cloud.size(), 0);
-  out.arrival_m.assign(cloud.size(), kNoValue);
+  out.arrival_m.assign(cloud.size(), kNaN);
   std::vector<const Found*> rows;
   for (size_t f = 0; f < found.size(); ++f) {
     if (found[f].points < settings.min_points) continue;

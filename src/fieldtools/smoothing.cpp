@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
 
@@ -109,7 +110,7 @@ Cloud with_filtered_field(const Cloud& cloud, std::string_view field,
                            radius_or_spacings(settings.sigma_m, kSigmaSpacings, cloud, valued),
                            settings.cut_sigmas, task)
           : reduced_neighbourhoods(cloud, valued, settings, task);
-  std::vector<double> values(cloud.size(), kNoValue);
+  std::vector<double> values(cloud.size(), kNaN);
   for (size_t i = 0; i < found.size(); ++i) values[valued.points[i]] = found[i];
   const std::string meaning = choice_at(kMethodRow, static_cast<size_t>(settings.method)) + " of " +
                               std::string(field) + " around the point";

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "geometry/cholesky.h"
 
@@ -207,7 +207,7 @@ bool covariance_of(const Sums<K>& sums, bool least_squares, Square<K>& out) {
   const double n = static_cast<double>(sums.n), freedom = n - static_cast<double>(K);
   out = factor.inverse();
   if (!(freedom > 0)) {
-    out.fill(std::numeric_limits<double>::quiet_NaN());
+    out.fill(kNaN);
   } else if (least_squares) {
     for (double& c : out) c *= sums.psi2 / freedom;
   } else {

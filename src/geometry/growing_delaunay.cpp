@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace jalon {
 
@@ -32,8 +33,8 @@ struct Cotangent {
 
 void GrowingDelaunay::snap(std::span<const Vec2> points, double grid_m) {
   const size_t lanes = (points.size() + kLanes - 1) / kLanes * kLanes;
-  x_.assign(lanes, std::numeric_limits<double>::quiet_NaN());
-  y_.assign(lanes, std::numeric_limits<double>::quiet_NaN());
+  x_.assign(lanes, kNaN);
+  y_.assign(lanes, kNaN);
   Vec2 low = points[0];
   for (const Vec2& p : points) low = {std::min(low.u, p.u), std::min(low.v, p.v)};
   bool fits = true;

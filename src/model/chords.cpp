@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "model/topology.h"
 
 namespace jalon {
@@ -15,7 +16,6 @@ namespace jalon {
 namespace {
 
 constexpr double kSameArc_m = 1e-6;  // between the apexes of an arc as two rings tell it: rounding of map coordinates
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 bool is_arc(double sagitta_m) { return sagitta_m != 0 && std::isfinite(sagitta_m); }
 
@@ -117,7 +117,7 @@ Model with_chords(const Model& model, double chord_error_m) {
     if (done[r] == 0) add_ring(r, {});
   if (!out.vertex_covariances.empty()) {
     std::array<double, 9> unknown{};
-    unknown.fill(kUnknown);
+    unknown.fill(kNaN);
     out.vertex_covariances.resize(out.vertices.size(), unknown);
   }
   return out;

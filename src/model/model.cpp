@@ -6,14 +6,14 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<double, 9> kUnknownCovariance{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown,
-                                                   kUnknown, kUnknown, kUnknown, kUnknown};
+constexpr std::array<double, 9> kUnknownCovariance{kNaN, kNaN, kNaN, kNaN, kNaN,
+                                                   kNaN, kNaN, kNaN, kNaN};
 
 constexpr const char* kEvidenceNames[] = {"none", "measured", "seen_behind", "revealed", "shape", "copied", "derived"};
 

@@ -4,12 +4,12 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/numbers.h"
 #include "base/shared_text.h"
 #include "geometry/plane.h"
 #include "geometry/vec.h"
@@ -58,9 +58,9 @@ struct Part {
   std::string name;
   std::string part_class;  ///< one of part_classes.h, or any other word
   uint64_t parent = kNoParent;
-  double width_m = std::numeric_limits<double>::quiet_NaN();   ///< of its upright box in the plane of its wall
-  double height_m = std::numeric_limits<double>::quiet_NaN();
-  double depth_m = std::numeric_limits<double>::quiet_NaN();   ///< behind the plane of its wall, negative in front
+  double width_m = kNaN;   ///< of its upright box in the plane of its wall
+  double height_m = kNaN;
+  double depth_m = kNaN;   ///< behind the plane of its wall, negative in front
   uint64_t copied_from = kNoParent;  ///< the part it repeats
   uint8_t level_of_detail = 0;  ///< CityGML 3: 2 walls and roofs, 3 with openings; 0 = not told
   Evidence evidence = Evidence::kNone;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "scan/misfit.h"
 #include "scan/pulse.h"
@@ -122,7 +122,7 @@ class Scan {
     out.range->values<float>()[i] = static_cast<float>(range);
     if (out.incidence)
       out.incidence->values<float>()[i] =
-          is_outlier ? std::numeric_limits<float>::quiet_NaN()
+          is_outlier ? kFloatNaN
                      : static_cast<float>(std::acos(surfaces_.cosine(r.triangle, direction)));
   }
 

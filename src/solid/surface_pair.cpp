@@ -3,10 +3,10 @@
 #include "solid/surface_pair.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "solid/fcl_distance.h"
 #include "solid/nearest_point.h"
@@ -116,7 +116,7 @@ PairClearance clearance_of_surfaces(const PartSurface& first, const PartSurface&
 
   // 3. How deep, where there is an inside.
   result.meet = result.least.distance_m == 0 || lies_in(first, second) || lies_in(second, first);
-  result.depth_m = first.is_closed() || second.is_closed() ? 0 : std::numeric_limits<double>::quiet_NaN();
+  result.depth_m = first.is_closed() || second.is_closed() ? 0 : kNaN;
   if (result.meet) {
     take_depth(first, second, settings.depth_tolerance_m, task, result);
     take_depth(second, first, settings.depth_tolerance_m, task, result);

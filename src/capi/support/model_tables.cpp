@@ -3,8 +3,8 @@
 #include "capi/support/model_tables.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "model/topology.h"
 
@@ -28,7 +28,7 @@ FieldTable vertex_table(const Model& model) {
       model.vertices.size());
   const auto out = covariance->values<double>();
   if (model.vertex_covariances.empty())
-    std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
+    std::fill(out.begin(), out.end(), kNaN);
   else
     for (size_t i = 0; i < model.vertices.size(); ++i)
       std::copy_n(model.vertex_covariances[i].data(), 9, out.data() + 9 * i);

@@ -3,9 +3,9 @@
 #include "compare/clearance/clearance.h"
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "solid/surface_pair.h"
@@ -101,8 +101,7 @@ ClearanceTables clearance_to_cloud(const Model& model, uint64_t part, const Clou
       clearance_of_points(surface, *cloud.octree(task), cloud.xyz(), settings.margin_m, task);
 
   ClearanceTables tables{near_points_table({found.least}, cloud, triangles), {}};
-  const double depth = !surface.is_closed() ? std::numeric_limits<double>::quiet_NaN()
-                                            : std::max(0.0, -found.least.distance_m);
+  const double depth = !surface.is_closed() ? kNaN : std::max(0.0, -found.least.distance_m);
   add_inside(tables.summary, surface.is_closed(), found.inside > 0 || found.least.distance_m == 0, depth,
              found.near.size());
   add_value<uint64_t>(tables.summary, "inside", "", "points inside", found.inside);

@@ -4,11 +4,11 @@
 // A gauge along a trajectory: the tables of solid/sweep.h.
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <tuple>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "compare/clearance/clearance.h"
 #include "solid/motion.h"
@@ -17,8 +17,6 @@
 namespace jalon {
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void put(const Vec3& v, bool known, double* out) {
   for (int i = 0; i < 3; ++i) out[i] = known ? v[i] : kNaN;

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "compare/distance/distance_columns.h"
 #include "compare/distance/hausdorff.h"
@@ -48,7 +48,6 @@ void nearest_points(const Cloud& reference, const Cloud& compared, const Trees& 
       const size_t i = order[batch.first + j];
       const bool found = batch.nearest[j] != kNoPoint;
       const uint32_t nearest = found ? reference_order[batch.nearest[j]] : kNoPoint;
-      constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
       columns.distances[i] = found ? std::sqrt(batch.squared[j]) : kNaN;
       columns.nearests[i] = nearest;
       columns.statuses[i] = static_cast<uint8_t>(found ? CompareStatus::kCompared : CompareStatus::kNothingNear);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/table_columns.h"
 #include "compare/distance/model_surface.h"
@@ -26,7 +27,6 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGrain = 1 << 15;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr uint8_t kInTolerance = 1, kOffTolerance = 0, kNotJudged = 2;
 
 // What is asked for and only clouds can give is refused, not passed over.

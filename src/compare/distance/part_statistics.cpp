@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/numbers.h"
 #include "base/table_columns.h"
 
 namespace jalon {
@@ -14,7 +15,6 @@ namespace jalon {
 namespace {
 
 constexpr size_t kStep = 1 << 16;  // points between two looks at the task, about 1 ms
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct PartSums {
   uint64_t points = 0, within = 0;

@@ -3,10 +3,10 @@
 #include "compare/distance/sampling_error.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/buffer.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 
 namespace jalon {
@@ -15,7 +15,6 @@ namespace {
 
 // Points around a reference point that tell its density, itself included: R^2 scatters by 1 / sqrt(k), a quarter.
 constexpr uint32_t kDensityPoints = 17;
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 // For every reference point, in the caller's order, R^2 = 1 / (pi lambda). Around a point of a random plane, pi lambda
 // r^2 of the j-th other point has the gamma law of order j. But queries fall to the points that stand where the others
@@ -30,7 +29,7 @@ Buffer<float> squared_errors(const Octree& tree, Task& task) {
       uint32_t last = batch.k - 1;
       while (last > 0 && neighbours[last] == kNoPoint) --last;
       const float squared = batch.squared[i * size_t{batch.k} + last];
-      out[order[batch.first + i]] = last > 0 ? squared / static_cast<float>(last + 1) : kNaN;
+      out[order[batch.first + i]] = last > 0 ? squared / static_cast<float>(last + 1) : kFloatNaN;
     }
   });
   return out;
@@ -56,14 +55,14 @@ SamplingError predict_sampling_error(const Octree& reference, std::span<const ui
   const Sums sums = parallel_reduce(task, nearest.size(), kGrain, Sums{}, [&](size_t begin, size_t end) {
     Sums part;
     for (size_t i = begin; i < end; ++i) {
-      const float square = nearest[i] == kNoPoint ? kNaN : squared[nearest[i]];
+      const float square = nearest[i] == kNoPoint ? kFloatNaN : squared[nearest[i]];
       errors[i] = std::sqrt(square);
       if (square != square) continue;
       part += {square, std::sqrt(static_cast<double>(square)), 1};
     }
     return part;
   });
-  const double per_point = sums.count > 0 ? 1 / sums.count : std::numeric_limits<double>::quiet_NaN();
+  const double per_point = sums.count > 0 ? 1 / sums.count : kNaN;
   out.rms_m = std::sqrt(sums.squares * per_point);
   // 1 / (2 sqrt(lambda)) = R sqrt(pi) / 2
   out.mean_m = sums.roots * per_point * std::sqrt(std::numbers::pi) / 2;

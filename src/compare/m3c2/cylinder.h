@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "base/numbers.h"
 #include "cloud/cloud.h"
 #include "compare/comparison.h"
 #include "compare/m3c2/level_of_detection.h"
@@ -21,14 +21,14 @@ namespace jalon {
 /// The surface that one cloud gives in a cylinder.
 struct SurfaceInCylinder {
   uint32_t count = 0;  ///< of its points; of all points in the cylinder where there is no surface
-  SurfacePosition position{0, std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  SurfacePosition position{0, kNaN, 0, 0};
 };
 
 /// What one cylinder tells.
 struct CylinderResult {
   CompareStatus status = CompareStatus::kTooFewPoints;
-  double distance_m = std::numeric_limits<double>::quiet_NaN();  ///< compared minus reference
-  double lod_m = std::numeric_limits<double>::quiet_NaN();
+  double distance_m = kNaN;  ///< compared minus reference
+  double lod_m = kNaN;
   SurfaceInCylinder reference, compared;
 };
 

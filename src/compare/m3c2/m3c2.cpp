@@ -3,9 +3,9 @@
 #include "compare/m3c2/m3c2.h"
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/table_columns.h"
 #include "cloud/operations.h"
@@ -17,7 +17,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kGrain = 128;  // core points: some 100 us to 10 ms, by density
 
 template <class T>

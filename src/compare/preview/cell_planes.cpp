@@ -3,8 +3,8 @@
 #include "compare/preview/cell_planes.h"
 
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "geometry/symmetric_eigen.h"
 
 namespace jalon {
@@ -54,7 +54,7 @@ double plane_angle(const Octree& reference, const Octree& compared, int level, c
   Vec3 a, b;
   if (!normal_of(reference, level, pair.reference_first, pair.reference_count, a) ||
       !normal_of(compared, level, pair.compared_first, pair.compared_count, b))
-    return std::numeric_limits<double>::quiet_NaN();
+    return kNaN;
   return std::atan2(norm(cross(a, b)), std::fabs(dot(a, b)));
 }
 

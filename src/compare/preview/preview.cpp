@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "compare/preview/cell_planes.h"
@@ -34,7 +35,6 @@ constexpr auto kRows = setting_rows(
         "Above level: all levels from level to this one, and each point keeps its least value. 0 "
         "= one level."));
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Pairs that share a hand-over to a thread.
 constexpr size_t kGroupPoints = size_t{1} << 13;
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 
 namespace jalon {
@@ -47,7 +48,7 @@ AngularGrid grid_over(const AngularField& field, const AngularSteps& steps, doub
 /// point, or with one too close for a slope.
 double slope(const DepthMap::Cell& from, const DepthMap::Cell* to, double apart) {
   constexpr double kLeastApart = 0.4;
-  if (to == nullptr || std::abs(apart) < kLeastApart) return std::numeric_limits<double>::quiet_NaN();
+  if (to == nullptr || std::abs(apart) < kLeastApart) return kNaN;
   return (1 / double{to->range_m} - 1 / double{from.range_m}) / apart;
 }
 

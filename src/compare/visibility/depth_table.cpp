@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/visibility/depth_table.h"
 
-#include <limits>
-
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/table_columns.h"
 
 namespace jalon {
@@ -31,7 +30,7 @@ FieldTable depth_table(const DepthMap& map) {
     vertical[c] = grid.vertical_of(static_cast<uint32_t>(c / grid.columns));
   }
   add_column<float>(t, cells, "range", "m", "of the surface; NaN: empty", [](const DepthMap::Cell& c) {
-    return c.range_m > 0 ? c.range_m : std::numeric_limits<float>::quiet_NaN();
+    return c.range_m > 0 ? c.range_m : kFloatNaN;
   });
   add_column<uint8_t>(t, fill, "fill", "", "0 empty, 1 measured, 2 from neighbours", [](uint8_t f) { return f; });
   add_column<uint32_t>(t, map.counts(), "points", "", "in the cell", [](uint32_t n) { return n; });

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "compare/visibility/recovery.h"
 #include "geometry/delaunay2.h"
@@ -101,7 +102,7 @@ std::vector<std::array<uint32_t, 3>> short_triangles(const std::vector<Vec3>& po
 
 std::vector<double> heights_along(const Cloud& reference, const Cloud& compared, std::span<const uint64_t> points,
                                   const Vec3& direction, double radius_m, Task& task) {
-  std::vector<double> heights(points.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> heights(points.size(), kNaN);
   if (points.empty()) return heights;
   // 1. The part of the reference that can matter.
   const PlanFrame frame(compared.point(points[0]), direction);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
 #include "compare/visibility/recovery.h"
 #include "spatial/voxels/components.h"
 
@@ -14,7 +15,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kFitPoints = 2000;  // of a zone, evenly chosen: a fit of six numbers needs no more
 constexpr int kFitSteps = 30;
 

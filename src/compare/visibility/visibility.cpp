@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 
 namespace jalon {
@@ -91,7 +92,7 @@ double VisibilityTest::spacing_m(const Vec3& p) const {
     const double spacing = maps_[m].spacing_m(place);
     if (spacing > 0) best = std::min(best, spacing);
   }
-  return std::isinf(best) ? std::numeric_limits<double>::quiet_NaN() : best;
+  return std::isinf(best) ? kNaN : best;
 }
 
 void VisibilityTest::label(std::span<const double> xyz, std::span<uint8_t> out) const {

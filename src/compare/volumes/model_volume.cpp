@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/table_columns.h"
 #include "compare/distance/model_surface.h"
@@ -21,7 +22,6 @@ namespace {
 constexpr double kChordError_m = 1e-4;
 constexpr double kCellsAcross = 500;
 constexpr size_t kCellGrain = 2048;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct State {
   ModelSurface surface;

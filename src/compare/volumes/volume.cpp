@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "base/table_columns.h"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr size_t kGrain = 1 << 15;
 constexpr double kSpacings = 3;  // of the thinner cloud: nine points a cell on the average
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using S = VolumeSettings;
 

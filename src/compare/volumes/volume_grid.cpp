@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "geometry/symmetric_eigen.h"
 #include "model/polygon_triangles.h"
@@ -17,7 +18,6 @@ namespace {
 constexpr size_t kMostCells = size_t{1} << 25;  // 1.3 GB of two states' heights
 constexpr size_t kPointGrain = 1 << 15, kCellGrain = 4096;
 constexpr uint32_t kEnoughAround = 5;  // of eight cells, so that an empty one is surrounded
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The points of each cell, in their order.
 class CellPoints {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "modelling/evaluation/index_rows.h"
 
@@ -16,12 +17,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double rate(double part, double whole) { return whole > 0 ? part / whole : kNoIndex; }
+double rate(double part, double whole) { return whole > 0 ? part / whole : kNaN; }
 
 // Excess or deficit against what is shared.
 double factor(double wrong, double shared) {
   if (shared > 0) return wrong / shared;
-  return wrong > 0 ? kInfinity : kNoIndex;
+  return wrong > 0 ? kInfinity : kNaN;
 }
 
 struct IndexColumn {

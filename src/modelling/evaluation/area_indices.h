@@ -3,15 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 
 #include "base/field.h"
+#include "base/numbers.h"
 #include "base/params.h"
 
 namespace jalon {
-
-constexpr double kNoIndex = std::numeric_limits<double>::quiet_NaN();
 
 /// Which definitions the indices follow (Boulaassal 2010, 5.6.3.2, table 5.5).
 enum class IndexFormulas : uint8_t {
@@ -34,18 +32,18 @@ struct ComparedAreas {
 /// Identities (canonical): quality = 1 / (1 + branching + miss); completeness = 1 / (1 + miss); correctness = 1 / (1 +
 /// branching). branching and miss are inf where nothing is shared; a rate of nothing is NaN.
 struct AreaIndices {
-  double completeness = kNoIndex;  ///< rho_d: TP / |SR|, the detection rate
-  double correctness = kNoIndex;   ///< TP / |SA|
-  double quality = kNoIndex;       ///< rho_q: TP / |SR u SA|
-  double branching = kNoIndex;     ///< rho_b, the excess factor
-  double miss = kNoIndex;          ///< rho_m, the deficit factor
-  double failure = kNoIndex;       ///< rho_f as printed, FP / |SR|; the words of the thesis mean omission
-  double omission = kNoIndex;      ///< FN / |SR|
+  double completeness = kNaN;  ///< rho_d: TP / |SR|, the detection rate
+  double correctness = kNaN;   ///< TP / |SA|
+  double quality = kNaN;       ///< rho_q: TP / |SR u SA|
+  double branching = kNaN;     ///< rho_b, the excess factor
+  double miss = kNaN;          ///< rho_m, the deficit factor
+  double failure = kNaN;       ///< rho_f as printed, FP / |SR|; the words of the thesis mean omission
+  double omission = kNaN;      ///< FN / |SR|
 };
 AreaIndices area_indices(const ComparedAreas& areas, IndexFormulas formulas);
 
 struct MeanAndStd {
-  double mean = kNoIndex, std = kNoIndex;  ///< divided by n - 1; of the finite values
+  double mean = kNaN, std = kNaN;  ///< divided by n - 1; of the finite values
 };
 MeanAndStd mean_and_std(std::span<const double> values);
 

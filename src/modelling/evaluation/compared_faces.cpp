@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeastArea_m2 = 1e-8;  // a square of the polygons' grid
 constexpr size_t kFacesPerChunk = 16;     // areas of polygons: some 10 us each
 constexpr size_t kFacesPerCheckpoint = 256;
-const Vec3 kAlongX{1, 0, 0};
+constexpr Vec3 kAlongX{1, 0, 0};
 
 // Twice the vector area of a closed chain (Newell), about its first corner.
 Vec3 vector_area(const std::vector<Vec3>& corners) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "modelling/evaluation/compared_faces.h"
 #include "modelling/evaluation/face_pairing.h"
@@ -92,7 +93,7 @@ double normalised_deviation(const Vec3& e, const Model& a, uint32_t vertex_a, co
   const auto known = [](const Model& model, uint32_t v) {
     return !model.vertex_covariances.empty() && std::isfinite(model.vertex_covariances[v][0]);
   };
-  if (!known(a, vertex_a) && !known(r, vertex_r)) return VertexPair::kUnknown;
+  if (!known(a, vertex_a) && !known(r, vertex_r)) return kNaN;
   std::array<double, 9> sum{};
   for (size_t i = 0; i < 9; ++i)
     sum[i] = (known(a, vertex_a) ? a.vertex_covariances[vertex_a][i] : 0) +

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/distributions.h"
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "geometry/symmetric_eigen.h"
 #include "modelling/evaluation/area_indices.h"
@@ -68,7 +69,7 @@ double root_mean_square(std::span<const double> values) {
   size_t n = 0;
   for (const double v : values)
     if (std::isfinite(v)) squares += v * v, ++n;
-  return n > 0 ? std::sqrt(squares / static_cast<double>(n)) : kNoIndex;
+  return n > 0 ? std::sqrt(squares / static_cast<double>(n)) : kNaN;
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ std::vector<VertexPair> homologous_vertices(std::span<const Vec3> automatic, std
 
 double normalised_deviation(const Vec3& e, const std::array<double, 9>& c) {
   for (const double value : c)
-    if (!std::isfinite(value)) return VertexPair::kUnknown;
+    if (!std::isfinite(value)) return kNaN;
   const Eigen3 eigen = symmetric_eigen({c[0], c[1], c[2], c[4], c[5], c[8]});
   double sum = 0;
   for (size_t i = 0; i < 3; ++i) {
@@ -118,7 +119,7 @@ FieldTable vertex_pair_table(std::span<const VertexPair> pairs) {
 
 void add_vertex_totals(FieldTable& table, std::span<const VertexPair> pairs) {
   add_value<uint64_t>(table, "vertices", "", "homologous vertices", pairs.size());
-  double largest = pairs.empty() ? kNoIndex : 0;
+  double largest = pairs.empty() ? kNaN : 0;
   for (const VertexPair& pair : pairs) largest = std::max(largest, pair.distance_m());
   for (const DeviationColumn& c : kColumns) {
     std::vector<double> values;
@@ -136,7 +137,7 @@ void add_vertex_totals(FieldTable& table, std::span<const VertexPair> pairs) {
     within += pair.normalised * pair.normalised <= chi_square_quantile(3, 0.95);
   }
   add_value<double>(table, "within_95", "1", "share of the known covariances whose 95 % ellipsoid holds the deviation",
-                    known > 0 ? static_cast<double>(within) / static_cast<double>(known) : kNoIndex);
+                    known > 0 ? static_cast<double>(within) / static_cast<double>(known) : kNaN);
 }
 
 }  // namespace jalon

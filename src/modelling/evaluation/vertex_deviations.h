@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "base/field.h"
+#include "base/numbers.h"
 #include "base/task.h"
 #include "geometry/vec.h"
 
@@ -18,11 +18,10 @@ namespace jalon {
 struct VertexPair {
   uint32_t automatic = 0, reference = 0;  ///< vertices of the two models, or rows of the lists
   Vec3 deviation;                         ///< automatic less reference: DX, DY, DZ
-  Vec3 in_facade{kUnknown, kUnknown, kUnknown};  ///< the same along the facade, up and out of it; NaN: no face told
-  double normalised = kUnknown;  ///< sqrt(e^T C^-1 e), C the sum of the two covariances; NaN where neither is known
+  Vec3 in_facade{kNaN, kNaN, kNaN};  ///< the same along the facade, up and out of it; NaN: no face told
+  double normalised = kNaN;  ///< sqrt(e^T C^-1 e), C the sum of the two covariances; NaN where neither is known
   double distance_m() const { return norm(deviation); }
 
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Homologous vertices, one to one: the nearest pair first, then the nearest of what is left, up to the tolerance;

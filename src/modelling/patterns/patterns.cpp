@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/numbers.h"
 #include "modelling/patterns/candidate.h"
 #include "modelling/patterns/grid.h"
 #include "modelling/patterns/place.h"
@@ -252,7 +253,7 @@ class Completion {
         copy.outline = moved(copy.outline, motion);
         copy.piece = piece_around(wall_, outline_points(copy.outline));
         copy.coverage = 0;
-        copy.residual_m = std::numeric_limits<double>::quiet_NaN();
+        copy.residual_m = kNaN;
         copy.border_points.clear();
         copy.joinery_label = 0;
         wall_.openings.push_back(std::move(copy));

@@ -3,8 +3,8 @@
 #include "modelling/plane/corner_covariances.h"
 
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "modelling/plane/vertex_covariance.h"
 
 namespace jalon {
@@ -35,9 +35,8 @@ CornerEdge edge_of(const VectorRing& ring, size_t e, bool at_end, bool by_chord)
 }  // namespace
 
 void set_covariances(Model& model, const PlaneFrame& frame, const Face& plane, const RingVertices& ring) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::array<double, 9> unknown;
-  unknown.fill(kUnknown);
+  unknown.fill(kNaN);
   model.vertex_covariances.resize(model.vertices.size(), unknown);
   const size_t n = ring.vertices.size();
   for (size_t i = 0; i < n; ++i) {

@@ -16,7 +16,8 @@ constexpr size_t kSamples = 1000;
 constexpr size_t kNeighbours = 8;
 constexpr double kSpacingQuantile = 0.75;
 // k points in a disc of radius d take pi d^2 / k each: spacing = sqrt(pi / 8) d.
-const double kSpacingOfRadius = std::sqrt(3.14159265358979323846 / static_cast<double>(kNeighbours));
+constexpr double kSpacingOfRadius = 0.62665706865775006;
+static_assert(kNeighbours == 8);
 
 // Squared distance to the 8th neighbour of p, looking at most reach cells away; infinity when there are fewer.
 double eighth_neighbour(std::span<const Vec2> points, const CellRows& rows, const Vec2& p, uint64_t reach) {

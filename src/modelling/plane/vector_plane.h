@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "base/numbers.h"
 #include "modelling/plane/plane_frame.h"
 
 namespace jalon {
@@ -24,7 +24,7 @@ enum class EdgeSource : uint8_t {
 /// The edge from one corner of a ring to the next.
 struct VectorEdge {
   double sagitta_m = 0;  ///< of an arc, as Model::sagittas; 0: straight
-  double sigma_m = std::numeric_limits<double>::quiet_NaN();  ///< standard deviation of its position across it
+  double sigma_m = kNaN;  ///< standard deviation of its position across it
   EdgeDirection direction = EdgeDirection::kInclined;
   EdgeSource source = EdgeSource::kContour;
 };

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "base/numbers.h"
 #include "geometry/plane.h"
 #include "model/model.h"
 #include "modelling/plane/vector_plane.h"
@@ -28,15 +28,15 @@ struct FacadeOpening {
   OpeningKind kind = OpeningKind::kOpening;
   Evidence evidence = Evidence::kNone;
   /// Of the joinery (frame, pane, leaf) behind the wall, along its normal; negative in front of it; NaN: nothing seen.
-  double depth_m = std::numeric_limits<double>::quiet_NaN();
-  double depth_sigma_m = std::numeric_limits<double>::quiet_NaN();
+  double depth_m = kNaN;
+  double depth_sigma_m = kNaN;
   uint32_t joinery_label = 0;  ///< segment the depth was measured on; 0: none
   std::vector<uint32_t> standing_labels;  ///< segments in it before the joinery: parapets, mullions, surrounds
   /// Share of the outline's length, less that at a sill, along which points of the wall end and nothing in front hides
   /// the opening: 1 = seen all round, 0 = its place is a guess.
   double coverage = 0;
   /// Root mean square distance of border_points to the outline, less the wall's set-back; NaN without such points.
-  double residual_m = std::numeric_limits<double>::quiet_NaN();
+  double residual_m = kNaN;
   /// Points of the wall next to the opening where coverage holds: what its outline was drawn from.
   std::vector<Vec2> border_points;
   int32_t copied_from = -1;  ///< index in FacadeWall::openings of the opening it repeats; -1: measured itself

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "modelling/plane/ring_tools.h"
 #include "modelling/walls/bays.h"
 #include "modelling/walls/border_evidence.h"
@@ -75,7 +76,7 @@ double depth_of_points(const HoleSurvey& survey, double tolerance_m) {
   std::vector<double> depths;
   for (const HolePoint& p : survey.points)
     if (p.w < -tolerance_m) depths.push_back(-p.w);
-  if (depths.size() < kDepthPoints) return std::numeric_limits<double>::quiet_NaN();
+  if (depths.size() < kDepthPoints) return kNaN;
   const auto middle = depths.begin() + static_cast<ptrdiff_t>(depths.size() / 2);
   std::nth_element(depths.begin(), middle, depths.end());
   return *middle;

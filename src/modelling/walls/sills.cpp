@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/numbers.h"
 #include "modelling/edges/adjust/bar_edge.h"
 #include "modelling/plane/ring_tools.h"
 
@@ -41,7 +42,7 @@ std::vector<Sill> sills_before(const std::vector<VectorPlane>& planes, size_t wa
   for (size_t p = 0; p < planes.size(); ++p) {
     if (p == wall || planes[p].faces.empty() || dot(planes[p].frame.normal, frame.normal) < kParallel) continue;
     for (const VectorFace& face : planes[p].faces) {
-      Sill sill{{}, std::numeric_limits<double>::quiet_NaN()};
+      Sill sill{{}, kNaN};
       double in_front = 0;
       for (const Vec2& corner : face.outline.corners) {
         const Vec3 at = planes[p].frame.lift(corner);

@@ -4,8 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "registration/registration_tables.h"
 
@@ -13,7 +13,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Share of the mean stiffness below which a direction is not held: normals of cells scatter by some degrees, most at
 // edges, whose squared sine is what a plane seems to hold along itself. Corridors come to 0.02, rooms to 0.4.
 constexpr double kHeld = 0.05;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "registration/icp/influence.h"
 #include "registration/icp/settle.h"
@@ -14,7 +14,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kGrain = 1 << 13;
 constexpr double kCut = 3;
 constexpr double kCutVariance = 0.973337;  // of the standard normal within 3: 1 - 6 phi(3) / (2 Phi(3) - 1)

@@ -3,8 +3,8 @@
 #include "registration/icp/result.h"
 
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "registration/icp/covariance.h"
 
@@ -63,11 +63,11 @@ FieldTable residual_table(const IcpProblem& problem, const IcpState& state) {
 }
 
 void set_unknown(Registration& out) {
-  out.covariance.fill(std::numeric_limits<double>::quiet_NaN());
+  out.covariance.fill(kNaN);
   std::array<PoseDirection, 6> directions;
   for (size_t k = 0; k < 6; ++k) {
     directions[k].unit[k] = 1;
-    directions[k].sigma_m = std::numeric_limits<double>::quiet_NaN();
+    directions[k].sigma_m = kNaN;
     directions[k].observable = false;
   }
   fill_tables(out, directions);

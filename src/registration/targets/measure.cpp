@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/numbers.h"
 #include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "registration/targets/flat_target.h"
@@ -24,10 +25,10 @@ FieldTable table_of(const std::vector<MeasuredTarget>& rows, std::span<const Vec
   size_t i = 0;
   add_columns<double, 3>(table, rows, "centre", "m", "of the target", [&](Row r, double* out) {
     const Vec3 at = places[i++] + r.centre;
-    for (int k = 0; k < 3; ++k) out[k] = found(r) ? at[k] : NAN;
+    for (int k = 0; k < 3; ++k) out[k] = found(r) ? at[k] : kNaN;
   });
   add_columns<double, 9>(table, rows, "covariance", "m2", "of the centre, row-major", [&](Row r, double* out) {
-    for (size_t k = 0; k < 9; ++k) out[k] = found(r) ? r.covariance[k] : NAN;
+    for (size_t k = 0; k < 9; ++k) out[k] = found(r) ? r.covariance[k] : kNaN;
   });
   add_column<double>(table, rows, "radius", "m", "of a sphere or a disc", [](Row r) { return r.radius_m; });
   add_column<double>(table, rows, "radius_sigma", "m", "its standard deviation; 0: given",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/params.h"
 #include "cloud/cloud.h"
 #include "geometry/cholesky.h"
@@ -22,9 +23,9 @@ struct MeasuredTarget {
   TargetKind kind = TargetKind::kSphere;
   Vec3 centre;
   Square<3> covariance{};       ///< m2
-  double radius_m = NAN, radius_sigma_m = NAN;  ///< of spheres and discs
-  Vec3 normal{NAN, NAN, NAN};   ///< of flat ones
-  double sigma_m = NAN;         ///< of the points from the surface
+  double radius_m = kNaN, radius_sigma_m = kNaN;  ///< of spheres and discs
+  Vec3 normal{kNaN, kNaN, kNaN};   ///< of flat ones
+  double sigma_m = kNaN;         ///< of the points from the surface
   uint64_t points = 0;          ///< that carry it
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "registration/registration_tables.h"
 
@@ -71,7 +72,7 @@ FieldTable global_columns(const TargetSets& sets, const TargetSolution& solution
                       sets.reference.size() - pairs);
   add_value<uint64_t>(table, "unpaired_moving", "", "moving targets without a partner", sets.moving.size() - pairs);
   add_value<uint64_t>(table, "redundancy", "", "observations more than unknowns", static_cast<uint64_t>(a.redundancy));
-  const double factor = a.redundancy > 0 ? std::sqrt(a.weighted_squares / a.redundancy) : NAN;
+  const double factor = a.redundancy > 0 ? std::sqrt(a.weighted_squares / a.redundancy) : kNaN;
   add_value<double>(table, "sigma0", "1", "of unit weight, by the residuals: 1 where covariances are right", factor);
   add_value<uint8_t>(table, "sigma0_estimated", "", "1: the covariance is scaled by it",
                      setting.snooping.estimated());

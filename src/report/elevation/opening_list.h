@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "model/model.h"
 #include "report/settings.h"
 
@@ -24,10 +24,10 @@ struct OpeningRow {
   Evidence evidence = Evidence::kNone;
   uint64_t copied_from = kNoParent;
   double width_m = 0, height_m = 0;  ///< of the upright box in the plane of the wall
-  double depth_m = std::numeric_limits<double>::quiet_NaN();
-  double sigma_width_m = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
-  double sigma_height_m = std::numeric_limits<double>::quiet_NaN();
-  double sigma_depth_m = std::numeric_limits<double>::quiet_NaN();
+  double depth_m = kNaN;
+  double sigma_width_m = kNaN;  ///< NaN: not known
+  double sigma_height_m = kNaN;
+  double sigma_depth_m = kNaN;
   bool arched = false;  ///< its contour has an arc
   std::vector<FaceRing> contour;  ///< holes of the wall, or the outlines of its own faces where it is no hole
   std::vector<size_t> joinery;    ///< faces seen in it

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/numbers.h"
 #include "report/elevation/opening_list.h"
 #include "report/names/part_tree.h"
 
@@ -17,7 +18,7 @@ void write_place(JsonWriter& json, const char* name, uint64_t part, const Model&
   if (part < model.parts.size())
     json.value(part);
   else
-    json.value(std::numeric_limits<double>::quiet_NaN());
+    json.value(kNaN);
 }
 
 void write_type(JsonWriter& json, const OpeningType& type) {

@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-const Vec3 kX{1, 0, 0}, kZ{0, 0, 1};
+constexpr Vec3 kX{1, 0, 0}, kZ{0, 0, 1};
 
 /// An opening; flat when it does not rise.
 struct Window {

@@ -9,7 +9,7 @@ namespace jalon {
 
 namespace {
 
-const Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 
 /// Upright, seen from the front, at this depth: u is x, v is z.
 Frame upright(double y) { return {kY * y, kX, kZ}; }

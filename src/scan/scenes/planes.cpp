@@ -11,7 +11,7 @@ namespace jalon {
 
 namespace {
 
-const Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 const Frame kFront{{}, kX, kZ};
 constexpr double kWallWidth_m = 10, kWallHeight_m = 6;  // of sills and robbery
 

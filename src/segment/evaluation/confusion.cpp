@@ -3,9 +3,9 @@
 #include "segment/evaluation/confusion.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "segment/labels/whole_numbers.h"
@@ -16,7 +16,6 @@ namespace jalon {
 namespace {
 
 constexpr size_t kMaxClasses = 1024;  // a matrix of 8 MiB; more are no classes but instances
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double ratio(double a, double b) { return b > 0 ? a / b : kNaN; }
 double ratio(uint64_t a, uint64_t b) { return ratio(static_cast<double>(a), static_cast<double>(b)); }

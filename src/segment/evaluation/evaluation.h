@@ -2,23 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <vector>
 
+#include "base/numbers.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
-
-constexpr double kNoRate = std::numeric_limits<double>::quiet_NaN();
 
 /// An automatic segment A and the reference segment SR it stands for (2010 thesis, 5.5.3.2).
 struct SegmentPair {
   uint32_t automatic = 0, reference = 0;  ///< labels
   uint64_t card_automatic = 0, card_reference = 0, intersection = 0;
-  double angle_rad = kNoRate;     ///< between the normals, 0 ... pi / 2 (5.11)
-  double distance_m = kNoRate;    ///< mean distance of A's points from SR's plane
-  double offset_m = kNoRate;      ///< A's plane beyond SR's along SR's normal, at A's centroid
+  double angle_rad = kNaN;     ///< between the normals, 0 ... pi / 2 (5.11)
+  double distance_m = kNaN;    ///< mean distance of A's points from SR's plane
+  double offset_m = kNaN;      ///< A's plane beyond SR's along SR's normal, at A's centroid
 
   uint64_t commission() const { return card_automatic - intersection; }  ///< D+
   uint64_t omission() const { return card_reference - intersection; }    ///< D-
@@ -39,7 +37,7 @@ struct SegmentVerdict {
 };
 
 struct MeanAndDeviation {
-  double mean = kNoRate, deviation = kNoRate;  ///< of the values that are numbers; deviation with n - 1
+  double mean = kNaN, deviation = kNaN;  ///< of the values that are numbers; deviation with n - 1
 };
 
 struct EvaluationTotals {
@@ -47,10 +45,10 @@ struct EvaluationTotals {
   uint64_t left_out_automatic = 0, left_out_reference = 0;
   uint64_t over_segmented = 0, under_segmented = 0, non_segmented = 0;
   uint64_t card_automatic = 0, card_reference = 0, intersection = 0;  ///< sums over the pairs
-  double global_tdr = kNoRate, global_tda = kNoRate, global_iou = kNoRate;  ///< of those sums
-  double mean_tdr = kNoRate, mean_tda = kNoRate, mean_iou = kNoRate;        ///< over the pairs
-  double detection = kNoRate;   ///< mean TDR over all kept reference segments, unmatched ones as 0
-  double accuracy = kNoRate;    ///< mean TDA over all kept automatic segments, unmatched ones as 0
+  double global_tdr = kNaN, global_tda = kNaN, global_iou = kNaN;  ///< of those sums
+  double mean_tdr = kNaN, mean_tda = kNaN, mean_iou = kNaN;        ///< over the pairs
+  double detection = kNaN;   ///< mean TDR over all kept reference segments, unmatched ones as 0
+  double accuracy = kNaN;    ///< mean TDA over all kept automatic segments, unmatched ones as 0
   MeanAndDeviation angle_rad, distance_m, offset_m;
 };
 

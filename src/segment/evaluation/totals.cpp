@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "base/numbers.h"
 #include "segment/evaluation/parts.h"
 
 namespace jalon {
 
 namespace {
 
-double ratio(double a, double b) { return b > 0 ? a / b : kNoRate; }
+double ratio(double a, double b) { return b > 0 ? a / b : kNaN; }
 double ratio(uint64_t a, uint64_t b) { return ratio(static_cast<double>(a), static_cast<double>(b)); }
 
 // Mean and deviation of what value(pair) gives, NaN left out.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "cloud/neighbour_planes.h"
 
@@ -120,7 +121,7 @@ void look_around(SegmentScene& scene, GrowingPoints& points, const GrowingSettin
       if (settings.field_normals()) return;
       const bool known = plane.normal != nullptr && width_of(plane) * step >= least_width;
       for (size_t c = 0; c < 3; ++c)
-        scene.normals[3 * position + c] = known ? static_cast<float>(plane.normal[c]) : kNotANumber;
+        scene.normals[3 * position + c] = known ? static_cast<float>(plane.normal[c]) : kFloatNaN;
     });
     for (size_t i = 0; i < b.count; ++i) planes.add(b.first + i, b.neighbours + i * k, k);
     planes.flush();

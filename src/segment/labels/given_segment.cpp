@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "segment/surface/connectivity.h"
 
@@ -13,7 +13,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kPointsPerChunk = 1 << 15;
 constexpr double kPointsPerPixel = 4;    // connectivity.cpp: pixels of twice the spacing
 constexpr int kPixelRounds = 6;

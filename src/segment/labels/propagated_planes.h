@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "base/field.h"
+#include "base/numbers.h"
 #include "base/task.h"
 #include "cloud/precision.h"
 #include "segment/segmentation.h"
@@ -15,17 +15,16 @@ namespace jalon {
 
 /// A plane adjusted with what its points are worth, and what that makes its parameters worth.
 struct PropagatedPlane {
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   uint32_t label = 0;
-  Plane plane{{kUnknown, kUnknown, kUnknown}, kUnknown};
+  Plane plane{{kNaN, kNaN, kNaN}, kNaN};
   std::array<double, 16> covariance = filled();  ///< of (normal, offset), from the points' covariances
-  double sigma_prior_m = kUnknown;    ///< of the points along the normal, root of their mean variance
-  double sigma_m = kUnknown;          ///< of their residuals, n - 3
-  double variance_factor = kUnknown;  ///< residuals against their own sigmas, n - 3: 1 where the budget is right
+  double sigma_prior_m = kNaN;    ///< of the points along the normal, root of their mean variance
+  double sigma_m = kNaN;          ///< of their residuals, n - 3
+  double variance_factor = kNaN;  ///< residuals against their own sigmas, n - 3: 1 where the budget is right
 
   static constexpr std::array<double, 16> filled() {
     std::array<double, 16> out{};
-    for (double& value : out) value = kUnknown;
+    for (double& value : out) value = kNaN;
     return out;
   }
 };

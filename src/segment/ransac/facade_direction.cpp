@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "segment/ransac/orientation_pass.h"
 
@@ -41,7 +42,7 @@ struct Mean {
 // Azimuth of the normal in [0, pi); NaN for what is not upright.
 double azimuth(const SegmentScene& scene, size_t position) {
   const float* m = &scene.normals[3 * position];
-  if (!(std::fabs(m[2]) <= kUpright)) return NAN;
+  if (!(std::fabs(m[2]) <= kUpright)) return kNaN;
   const double angle = std::atan2(static_cast<double>(m[1]), static_cast<double>(m[0]));
   const double turned = angle < 0 ? angle + std::numbers::pi : angle;
   return turned >= std::numbers::pi ? 0 : turned;

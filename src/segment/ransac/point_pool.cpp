@@ -6,6 +6,7 @@
 #include <bit>
 #include <numeric>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/simd.h"
@@ -65,7 +66,7 @@ void PointPool::fill_block(const SegmentScene& scene, size_t block) {
   Box3 box;
   for (size_t slot = block * kBlockPoints; slot < (block + 1) * kBlockPoints; ++slot) {
     const uint32_t position = positions_[slot];
-    float v[6] = {kNotANumber, 0, 0, kNotANumber, 0, 0};
+    float v[6] = {kFloatNaN, 0, 0, kFloatNaN, 0, 0};
     if (position != kNoPoint) {
       const Vec3 p = scene.local(position);
       for (int k = 0; k < 3; ++k) v[k] = static_cast<float>(p[k]);
@@ -184,7 +185,7 @@ std::vector<uint32_t> PointPool::collect(const CurvedTest& test, Task& task) con
 }
 
 void PointPool::remove(uint32_t slot) {
-  values_[slot] = kNotANumber;
+  values_[slot] = kFloatNaN;
   const size_t block = slot / kBlockPoints;
   for (size_t p = 0; p < kPieces; ++p)
     if (block < first_block_[p + 1]) {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/result/point_columns.h"
 
-#include <limits>
-
+#include "base/numbers.h"
 #include "base/parallel.h"
 
 namespace jalon {
@@ -33,7 +32,7 @@ void add_point_columns(Segmentation& s, const Vec3& origin, Task& task) {
   const auto orientation = orientations->values<uint8_t>();
   parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      residual[i] = std::numeric_limits<float>::quiet_NaN();
+      residual[i] = kFloatNaN;
       orientation[i] = 0;
       if (labels[i] == 0) continue;
       const Segment& segment = s.segments[labels[i] - 1];

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+
+#include "base/numbers.h"
 
 namespace jalon {
 
@@ -36,13 +37,12 @@ ColumnPtr length_column(const Segmentation& s, const char* name, const char* uni
 }
 
 // What a segment's type lacks is NaN.
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr Vec3 kUnknownVector{kUnknown, kUnknown, kUnknown};
+constexpr Vec3 kUnknownVector{kNaN, kNaN, kNaN};
 
 template <size_t kCount>
 std::array<double, kCount> unknown_matrix() {
   std::array<double, kCount> out;
-  out.fill(kUnknown);
+  out.fill(kNaN);
   return out;
 }
 
@@ -60,7 +60,7 @@ Vec3 centroid_of(const Segment& s) {
 
 double radius_of(const Segment& s) {
   if (s.type == PrimitiveType::kSphere) return s.sphere.sphere.radius;
-  return s.is_plane() ? kUnknown : s.cylinder.cylinder.radius;
+  return s.is_plane() ? kNaN : s.cylinder.cylinder.radius;
 }
 
 std::array<double, 16> covariance_of(const Segment& s) {
@@ -105,7 +105,7 @@ FieldTable segment_table(const Segmentation& s) {
                           "plane: unit normal, toward the station where known; cylinder: axis direction",
                           normal_of));
   table.set(length_column(s, "offset", "m", "normal . p = offset (planes)",
-                          [](const P& p) { return p.is_plane() ? p.fit.plane.offset : kUnknown; }));
+                          [](const P& p) { return p.is_plane() ? p.fit.plane.offset : kNaN; }));
   table.set(vector_column(s, "centroid", "m",
                           "plane: mean of its core points; sphere: centre; cylinder: point of the axis at mid height",
                           centroid_of));

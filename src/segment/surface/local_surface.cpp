@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "geometry/symmetric_eigen.h"
 #include "segment/surface/scene.h"
@@ -48,7 +49,7 @@ Vec3 cell_normal(const SegmentScene& scene, const PointRange& cell, size_t free_
   size_t turn = 0;
   for (size_t i = cell.begin; i < cell.end; ++i)
     if (scene.owner[i] == 0 && turn++ % step == 0) moments.add(scene.local(i));
-  const Vec3 none{kNotANumber, kNotANumber, kNotANumber};
+  const Vec3 none{kFloatNaN, kFloatNaN, kFloatNaN};
   if (moments.n < 3) return none;
   const Eigen3 eigen = symmetric_eigen(moments.covariance());
   const double thickness = kMaxThickness * scene.settings.distance_tolerance_m;
@@ -60,7 +61,7 @@ void decide_cell(SegmentScene& scene, const PointRange& cell, int level, bool ke
   const Census census = census_of(scene, cell);
   const bool enough = census.free >= kMinCellPoints;
   if (!census.undecided || (!enough && level > scene.coarse_level)) return;
-  Vec3 normal{kNotANumber, kNotANumber, kNotANumber};
+  Vec3 normal{kFloatNaN, kFloatNaN, kFloatNaN};
   if (enough && !keep_normals) normal = cell_normal(scene, cell, census.free);
   const double edge = std::ldexp(scene.tree->cube().edge, -level);
   const double spacing = edge / std::sqrt(static_cast<double>(std::max<size_t>(1, census.free)));
@@ -85,7 +86,7 @@ void take_field_normals(SegmentScene& scene, Task& task) {
       const Vec3 m = normalized({column.number(p, 0), column.number(p, 1), column.number(p, 2)});
       const bool known = is_finite(m) && squared_norm(m) > 0;
       for (int k = 0; k < 3; ++k)
-        scene.normals[3 * i + static_cast<size_t>(k)] = known ? static_cast<float>(m[k]) : kNotANumber;
+        scene.normals[3 * i + static_cast<size_t>(k)] = known ? static_cast<float>(m[k]) : kFloatNaN;
     }
   });
 }

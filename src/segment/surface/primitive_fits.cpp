@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "base/text_number.h"
@@ -99,7 +100,7 @@ Vec3 normal_near(const Cloud& cloud, const Octree& tree, const Vec3& place, uint
   moments.reference = place;
   for (const Neighbour& neighbour : near) moments.add(cloud.point(neighbour.index));
   PlaneFit fit;
-  if (near.size() < 3 || !fit_plane(moments, fit)) return Vec3{NAN, NAN, NAN};
+  if (near.size() < 3 || !fit_plane(moments, fit)) return Vec3{kNaN, kNaN, kNaN};
   return fit.plane.normal;
 }
 
@@ -133,8 +134,8 @@ void describe_curved(std::span<const Vec3> points, double pixel_m, Segment& segm
     high = {std::max(high.u, uv[i].u), std::max(high.v, uv[i].v)};
   }
   const bool cylinder = segment.type == PrimitiveType::kCylinder;
-  segment.length_u_m = cylinder ? high.v - low.v : NAN;
-  segment.length_v_m = cylinder ? high.u - low.u : NAN;
+  segment.length_u_m = cylinder ? high.v - low.v : kNaN;
+  segment.length_v_m = cylinder ? high.u - low.u : kNaN;
   const double n = static_cast<double>(points.size());
   double area = (high.u - low.u) * (high.v - low.v);
   for (int round = 0; pixel_m <= 0 && round < kPixelRounds && area > 0; ++round)

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,7 +20,6 @@
 
 namespace jalon {
 
-constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr uint8_t kMostRejections = 3;
 
 /// What all steps of one run share. Points are named by their position in the octree's order; coordinates are

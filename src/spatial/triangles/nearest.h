@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 
+#include "base/numbers.h"
 #include "base/task.h"
 #include "geometry/vec.h"
 
@@ -31,7 +32,7 @@ struct TriangleQuestions {
 
 /// The triangle nearest to a point.
 struct TriangleAnswer {
-  double distance = std::numeric_limits<double>::quiet_NaN();  ///< not negative
+  double distance = kNaN;  ///< not negative
   uint32_t triangle = ~uint32_t{0};                            ///< caller's number
   TriangleFeature feature = TriangleFeature::kFace;
   bool is_behind = false;  ///< on the side from which the surface's corners run clockwise

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include <limits>
-
+#include "base/numbers.h"
 #include "geometry/circle.h"
 #include "unit/geometry/primitives.h"
 
@@ -11,8 +10,6 @@ namespace jalon {
 namespace {
 
 using namespace test;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Vec3> flat_patch(size_t n, double noise_m) {
   RandomStream random(5, 0);

@@ -14,7 +14,7 @@ constexpr double kSigmas = 4, kSpacings = 0.5;
 constexpr double kBetter = 0.7;  // a jamb that the arc fixes so much better has its place from there
 // The arc starts and ends near the jambs' own direction: within 35 degrees, as its ends are ragged. A segmental arch
 // that rises by a quarter of its width starts at 37.
-const double kTangent = std::cos(35 * 3.14159265358979323846 / 180);
+constexpr double kTangent = 0.8191520442889918;  // cosine
 
 Vec2 tangent(const EdgeShape& arc, double t) {
   const Vec2 r = (arc.at(t, 0) - arc.circle.centre) * (1 / arc.circle.radius);

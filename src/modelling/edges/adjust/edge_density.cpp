@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "modelling/edges/adjust/point_rows.h"
 
@@ -11,7 +12,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // In spacings: a point counts in full to kFull inside the assumed edge and fades out over kFade; the density is that of
 // the points that do not count, over kInner more and a second fade. Nothing ends abruptly where a row of a grid may be.
 constexpr double kFull = 0.25, kFade = 2, kInner = 1.5;
@@ -173,9 +173,10 @@ CountingVariance counting_variance(std::span<const MeasuredEdge* const> edges, d
   out.common_m2 = common / weight;
   if (rows.visibility > 0) {
     // Of the sawtooth that a row leaves, q^2 / 12, its first harmonic has 6 / pi^2; visibility blurs that.
-    const double q2 = rows.distance_m * rows.distance_m, most_blur = std::exp(-2 * kPi * kPi * sigma_m * sigma_m / q2);
+    const double q2 = rows.distance_m * rows.distance_m;
+    const double most_blur = std::exp(-2 * std::numbers::pi * std::numbers::pi * sigma_m * sigma_m / q2);
     const double visibility = std::clamp(rows.visibility, std::min(most_blur, 1.0), 1.0);
-    const double sharp = out.common_m2 * kPi * kPi / 6 / (visibility * visibility);
+    const double sharp = out.common_m2 * std::numbers::pi * std::numbers::pi / 6 / (visibility * visibility);
     out.common_m2 = std::max(out.common_m2, std::min(sharp, q2 / 12));
   }
   return out;

@@ -3,13 +3,13 @@
 #include "modelling/edges/adjust/point_rows.h"
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace jalon {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr size_t kMostBlocks = 64;
 // Distances of rows looked for, in spacings, by equal steps of their frequency.
 constexpr double kLeast = 0.55, kMost = 2.2;
@@ -22,9 +22,9 @@ double power(const EdgeBlock& block, double first_m, double last_m, double frequ
   double cosines = 0, sines = 0, sum = 0, squares = 0;
   for (const StripPoint& p : block.points) {
     if (p.d_m < first_m || p.d_m > last_m) continue;
-    const double s = std::sin(kPi * (p.d_m - first_m) / (last_m - first_m)), weight = s * s;  // Hann
-    cosines += weight * std::cos(2 * kPi * frequency * p.d_m);
-    sines += weight * std::sin(2 * kPi * frequency * p.d_m);
+    const double s = std::sin(std::numbers::pi * (p.d_m - first_m) / (last_m - first_m)), weight = s * s;  // Hann
+    cosines += weight * std::cos(2 * std::numbers::pi * frequency * p.d_m);
+    sines += weight * std::sin(2 * std::numbers::pi * frequency * p.d_m);
     sum += weight;
     squares += weight * weight;
   }

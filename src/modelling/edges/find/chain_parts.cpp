@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/polygon2.h"
 #include "modelling/edges/find/chain_moments.h"
@@ -12,7 +13,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // Standard deviation of contour points about their line, in spacings: 0.29 on a grid, up to 0.5 measured on scattered
 // points, which are not independent of their neighbours either.
 constexpr double kNoise = 0.5;
@@ -30,7 +30,7 @@ constexpr size_t kLeastArcPoints = 8;
 // twice as large is a curve that was built.
 constexpr double kLeastSagitta = 4, kLeastRadius = 8;
 // Round heads turn by half a circle at most (a little more for noise); what turns by more is a whole circle.
-constexpr double kLeastTurn = 0.3, kMostTurn = 1.15 * kPi, kWholeTurn = 1.8 * kPi;
+constexpr double kLeastTurn = 0.3, kMostTurn = 1.15 * std::numbers::pi, kWholeTurn = 1.8 * std::numbers::pi;
 constexpr double kLengthAgreement = 1.5;  // a chain zigzags: it is longer than its arc by up to this factor
 // A part that misses its points by so many sigma on average is not worth extending; looked at for some more candidates.
 constexpr double kHopeless = 36;

@@ -11,7 +11,7 @@ namespace jalon {
 
 namespace {
 
-const double kAligned = std::sin(5 * 3.14159265358979323846 / 180);
+constexpr double kAligned = 0.087155742747658166;  // sine of 5 degrees
 constexpr double kMaxSnap_rad = 0.26;  // 15 degrees, for edges so short that noise turns them
 
 // Points of the run that lie further than the cut corners reach from both ends; all of them when few would be left.

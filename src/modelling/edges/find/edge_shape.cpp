@@ -3,6 +3,7 @@
 #include "modelling/edges/find/edge_shape.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "modelling/edges/find/chain_parts.h"
 
@@ -10,7 +11,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMostOpen = 0.26;  // 15 degrees, for edges so short that noise turns them
 // Standard deviation of contour points about their line in spacings, a spacing apart, neighbours half dependent.
 constexpr double kNoise = 0.7;
@@ -56,7 +56,7 @@ void EdgeShape::set_ends(const Vec2& from, const Vec2& to) {
   }
   const Vec2 a = from - circle.centre, b = to - circle.centre;
   double angle = turn * std::atan2(cross(a, b), dot(a, b));
-  if (angle <= 0) angle += 2 * kPi;
+  if (angle <= 0) angle += 2 * std::numbers::pi;
   length_m = circle.radius * angle;
   const double c = std::cos(turn * angle / 2), s = std::sin(turn * angle / 2), size = norm(a);
   axis = Vec2{c * a.u - s * a.v, s * a.u + c * a.v} * (1 / size);

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <span>
 
+#include "base/numbers.h"
 #include "geometry/circle.h"
 #include "modelling/edges/find/edge_line.h"
 #include "modelling/plane/vector_plane.h"
@@ -23,7 +23,7 @@ struct EdgeShape {
   Vec2 axis{1, 0};        ///< arcs: unit vector from the centre to half way along
   Vec2 first, last;       ///< contour points at its ends
   double length_m = 0;    ///< between them, along it
-  double sigma_m = std::numeric_limits<double>::quiet_NaN();
+  double sigma_m = kNaN;
   EdgeDirection direction = EdgeDirection::kInclined;
   EdgeSource source = EdgeSource::kContour;
 
