@@ -6,42 +6,16 @@
 #include <cmath>
 
 #include "base/text_number.h"
-#include "report/sheet/svg_parts.h"
-#include "report/sheet/ticks.h"
+#include "report/charts/histogram_plot.h"
 
 namespace jalon {
 
 namespace {
 
-// The plot's window in the chart's millimetres.
-constexpr double kWidth = 180, kHeight = 80, kLeft = 20, kRight = 176, kTop = 10, kBottom = 66;
-constexpr double kText = 2.8, kLine = 0.5;
-constexpr const char* kBar = "#65a8c4";
+constexpr double kTop = 10, kLine = 0.5;  // mm; the key of the curve stands above the plot
+constexpr double kLeft = HistogramPlot::kLeft, kRight = HistogramPlot::kRight, kText = HistogramPlot::kText;
 constexpr const char* kCurve = "#b3472f";
 constexpr const char* kMark = "#1a1a1a";
-
-struct Plot {
-  double from_mm, to_mm, most;
-  double x(double mm) const { return kLeft + (mm - from_mm) / (to_mm - from_mm) * (kRight - kLeft); }
-  double y(double count) const { return kBottom - std::min(count / most, 1.0) * (kBottom - kTop); }
-};
-
-void draw_axes(SvgWriter& svg, const Plot& plot) {
-  const Ticks x = make_ticks(plot.from_mm, plot.to_mm, (plot.to_mm - plot.from_mm) / 12);
-  for (const double mm : x.values) {
-    svg_line(svg, {plot.x(mm), kBottom}, {plot.x(mm), kBottom + 1.5}, kInk, 0.2);
-    svg_text(svg, {plot.x(mm), kBottom + 5}, kText, Anchor::kMiddle, x.label(mm));
-  }
-  const Ticks y = make_ticks(0, plot.most, std::max(plot.most / 6, 1.0));
-  for (const double count : y.values) {
-    svg_line(svg, {kLeft, plot.y(count)}, {kRight, plot.y(count)}, kFaint, 0.15);
-    svg_text(svg, {kLeft - 1.5, plot.y(count) + 1}, kText, Anchor::kEnd, y.label(count));
-  }
-  svg_line(svg, {kLeft, kBottom}, {kRight, kBottom}, kInk, 0.25);
-  svg_line(svg, {kLeft, kTop}, {kLeft, kBottom}, kInk, 0.25);
-  svg_text(svg, {(kLeft + kRight) / 2, kBottom + 10.5}, 3, Anchor::kMiddle, "Distance (mm)");
-  svg_text(svg, {4, (kTop + kBottom) / 2}, 3, Anchor::kMiddle, "Points per bin", false, true);
-}
 
 std::string law_text(const NoiseLaw& law) {
   if (law.kind == LawKind::kWeibull)
@@ -50,7 +24,7 @@ std::string law_text(const NoiseLaw& law) {
 }
 
 // Expected points per bin at each place.
-void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law, const Plot& plot) {
+void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law, const HistogramPlot& plot) {
   constexpr int kSteps = 240;
   std::vector<Vec2> curve;
   const double points = static_cast<double>(histogram.values) * histogram.width();
@@ -64,12 +38,12 @@ void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law, c
   svg_text(svg, {kRight - 58, kTop - 4}, kText, Anchor::kStart, law_text(law));
 }
 
-void draw_marks(SvgWriter& svg, std::span<const ChartMark> marks, const Plot& plot) {
+void draw_marks(SvgWriter& svg, std::span<const ChartMark> marks, const HistogramPlot& plot) {
   double row = kTop + 3;
   for (const ChartMark& mark : marks) {
     const double mm = 1000 * mark.at_m;
     if (mm < plot.from_mm || mm > plot.to_mm) continue;
-    svg.leaf("path", {{"d", svg_polyline(std::vector<Vec2>{{plot.x(mm), kTop}, {plot.x(mm), kBottom}})},
+    svg.leaf("path", {{"d", svg_polyline(std::vector<Vec2>{{plot.x(mm), kTop}, {plot.x(mm), HistogramPlot::kBottom}})},
                       {"fill", "none"}, {"stroke", kMark}, {"stroke-width", 0.3}, {"stroke-dasharray", "1.5 1"}});
     const bool is_right = plot.x(mm) > (kLeft + kRight) / 2;
     svg_text(svg, {plot.x(mm) + (is_right ? -1 : 1), row}, kText, is_right ? Anchor::kEnd : Anchor::kStart,
@@ -82,22 +56,12 @@ void draw_marks(SvgWriter& svg, std::span<const ChartMark> marks, const Plot& pl
 
 std::string distance_chart(const Histogram& histogram, const NoiseLaw* law, std::span<const ChartMark> marks) {
   SvgWriter svg;
-  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"viewBox", "0 0 " + svg_number(kWidth) + " " + svg_number(kHeight)},
-                   {"font-family", "Helvetica, Arial, sans-serif"}});
-  svg.element("title", {}, "Histogram of the distances");
-  Plot plot{1000 * histogram.from, 1000 * histogram.to, 1};
+  open_histogram(svg, "Histogram of the distances");
+  HistogramPlot plot{kTop, 1000 * histogram.from, 1000 * histogram.to};
   if (!(plot.to_mm > plot.from_mm)) plot.to_mm = plot.from_mm + 1;
   for (const uint64_t n : histogram.counts) plot.most = std::max(plot.most, 1.05 * static_cast<double>(n));
-  draw_axes(svg, plot);
-  const double bin_mm = (plot.to_mm - plot.from_mm) / static_cast<double>(std::max<size_t>(1, histogram.counts.size()));
-  for (size_t i = 0; i < histogram.counts.size(); ++i) {
-    if (histogram.counts[i] == 0) continue;
-    const double from = plot.from_mm + static_cast<double>(i) * bin_mm;
-    const double top = plot.y(static_cast<double>(histogram.counts[i]));
-    svg.leaf("rect", {{"x", plot.x(from)}, {"y", top}, {"width", plot.x(from + bin_mm) - plot.x(from)},
-                      {"height", kBottom - top}, {"fill", kBar}, {"stroke", "#ffffff"}, {"stroke-width", 0.1}});
-  }
+  draw_axes(svg, plot, "Distance (mm)");
+  draw_bars(svg, plot, histogram.counts);
   if (law != nullptr) draw_law(svg, histogram, *law, plot);
   draw_marks(svg, marks, plot);
   return svg.take();

@@ -11,6 +11,7 @@
 #include "cloud/statistics.h"
 #include "report/elevation/title_block.h"
 #include "report/pictures/label_raster.h"
+#include "report/pictures/picture_axes.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
 
@@ -83,25 +84,6 @@ IndexedImage image_of(const LabelRaster& raster, const DeviationScale& scale) {
   return image;
 }
 
-void draw_axes(SvgWriter& svg, const LabelRaster& r, const Sheet& sheet, const View& view) {
-  const Box_mm& v = sheet.view;
-  const double mm = sheet.mm_of(1);
-  for (const double value : make_ticks(r.low.u, r.low.u + r.width_m(), 18 / mm).values) {
-    const double at = v.x + sheet.mm_of(value - r.low.u);
-    svg_line(svg, {at, v.bottom()}, {at, v.bottom() + 1.5}, kInk, 0.18);
-    svg_text(svg, {at, v.bottom() + 4.8}, kText, Anchor::kMiddle,
-             make_ticks(r.low.u, r.low.u + r.width_m(), 18 / mm).label(value));
-  }
-  const Ticks up = make_ticks(r.low.v, r.low.v + r.height_m(), 8 / mm);
-  for (const double value : up.values) {
-    const double at = v.bottom() - sheet.mm_of(value - r.low.v);
-    svg_line(svg, {v.x - 1.5, at}, {v.x, at}, kInk, 0.18);
-    svg_text(svg, {v.x - 2.3, at + 0.9}, 2, Anchor::kEnd, up.label(value));
-  }
-  svg_text(svg, {v.x + v.width / 2, v.bottom() + 9.5}, 2.8, Anchor::kMiddle, kAxisNames[view.right]);
-  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, 2.8, Anchor::kMiddle, kAxisNames[view.up], false, true);
-}
-
 void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const char* text) {
   svg.leaf("rect", {{"x", x}, {"y", y}, {"width", kBarWidth}, {"height", 3}, {"fill", hex_of(colour)}, {"stroke", kInk},
                     {"stroke-width", 0.18}});
@@ -160,7 +142,7 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
                        {"xlink:href", "data:image/png;base64," + base64_of(png_of(image_of(raster, scale)))}});
   svg.leaf("rect", {{"x", v.x}, {"y", v.y}, {"width", v.width}, {"height", v.height}, {"fill", "none"},
                     {"stroke", kInk}, {"stroke-width", 0.25}});
-  if (!is_empty) draw_axes(svg, raster, sheet, view);
+  if (!is_empty) draw_axes(svg, raster, sheet, {kAxisNames[view.right], kAxisNames[view.up]});
   draw_scale(svg, scale, sheet);
   draw_scale_bar(svg, sheet);
   return svg.take();

@@ -9,8 +9,8 @@
 #include "report/elevation/title_block.h"
 #include "report/pictures/label_colours.h"
 #include "report/pictures/label_numbers.h"
+#include "report/pictures/picture_axes.h"
 #include "report/sheet/svg_parts.h"
-#include "report/sheet/ticks.h"
 
 namespace jalon {
 
@@ -25,7 +25,7 @@ constexpr auto kRows =
                  bool_row<&PictureSettings::numbers>(
                      "numbers", "", "Segment numbers on segments that have room for them"));
 
-constexpr double kText = 2.5, kSmallText = 2, kRow = 4.2, kSwatch = 6;
+constexpr double kText = 2.5, kRow = 4.2, kSwatch = 6;
 
 struct Picture {
   const Segmentation& segmentation;
@@ -33,10 +33,6 @@ struct Picture {
   std::vector<uint8_t> colours;
   PictureView view;
   Sheet sheet;
-
-  Vec2 on_paper(const Vec2& p) const {
-    return {sheet.view.x + sheet.mm_of(p.u - raster.low.u), sheet.view.bottom() - sheet.mm_of(p.v - raster.low.v)};
-  }
 };
 
 void draw_image(SvgWriter& svg, const Picture& picture) {
@@ -52,28 +48,10 @@ void draw_image(SvgWriter& svg, const Picture& picture) {
 }
 
 // Front: x counts from the left end of the picture, as on the elevation; plan: X and Y of the data.
-void draw_axes(SvgWriter& svg, const Picture& picture) {
-  const LabelRaster& r = picture.raster;
-  const Sheet& sheet = picture.sheet;
-  const Box_mm& v = sheet.view;
-  const bool is_front = picture.view == PictureView::kFront;
-  const double zero = is_front ? r.low.u : 0, mm = sheet.mm_of(1);
-  const Ticks x = make_ticks(r.low.u - zero, r.low.u - zero + r.width_m(), (is_front ? 12 : 18) / mm);
-  const Ticks y = make_ticks(r.low.v, r.low.v + r.height_m(), 8 / mm);
-  for (const double value : x.values) {
-    const double at = picture.on_paper({value + zero, 0}).u;
-    svg_line(svg, {at, v.bottom()}, {at, v.bottom() + 1.5}, kInk, 0.18);
-    svg_text(svg, {at, v.bottom() + 4.8}, kText, Anchor::kMiddle, x.label(value));
-  }
-  for (const double value : y.values) {
-    const double at = picture.on_paper({0, value}).v;
-    svg_line(svg, {v.x - 1.5, at}, {v.x, at}, kInk, 0.18);
-    svg_text(svg, {v.x - 2.3, at + 0.9}, is_front ? kText : kSmallText, Anchor::kEnd, y.label(value));
-  }
-  svg_text(svg, {v.x + v.width / 2, v.bottom() + 9.5}, 2.8, Anchor::kMiddle,
-           is_front ? "Distance along the facade (m)" : "X (m)");
-  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, 2.8, Anchor::kMiddle, is_front ? "Height Z (m)" : "Y (m)", false,
-           true);
+PictureAxes axes_of(const Picture& picture) {
+  if (picture.view == PictureView::kFront)
+    return {"Distance along the facade (m)", "Height Z (m)", picture.raster.low.u, 12, kText};
+  return {"X (m)", "Y (m)"};
 }
 
 // A white border keeps numbers readable on any colour.
@@ -157,7 +135,7 @@ std::string picture_svg(const Segmentation& segmentation, const PictureSettings&
   svg.leaf("rect",
            {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width}, {"height", sheet.view.height},
                     {"fill", "none"}, {"stroke", kInk}, {"stroke-width", 0.25}});
-  draw_axes(svg, picture);
+  draw_axes(svg, picture.raster, picture.sheet, axes_of(picture));
   if (settings.numbers) draw_numbers(svg, picture);
   draw_legend(svg, picture);
   draw_scale_bar(svg, sheet);

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "report/pictures/picture_axes.h"
+
+#include "report/sheet/ticks.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kText = 2.5, kNameText = 2.8, kUpApart_mm = 8;
+
+}  // namespace
+
+void draw_axes(SvgWriter& svg, const LabelRaster& raster, const Sheet& sheet, const PictureAxes& axes) {
+  const Box_mm& v = sheet.view;
+  const double mm = sheet.mm_of(1), low = raster.low.u - axes.right_zero;
+  const Ticks right = make_ticks(low, low + raster.width_m(), axes.right_apart_mm / mm);
+  const Ticks up = make_ticks(raster.low.v, raster.low.v + raster.height_m(), kUpApart_mm / mm);
+  for (const double value : right.values) {
+    const double at = v.x + sheet.mm_of(value + axes.right_zero - raster.low.u);
+    svg_line(svg, {at, v.bottom()}, {at, v.bottom() + 1.5}, kInk, 0.18);
+    svg_text(svg, {at, v.bottom() + 4.8}, kText, Anchor::kMiddle, right.label(value));
+  }
+  for (const double value : up.values) {
+    const double at = v.bottom() - sheet.mm_of(value - raster.low.v);
+    svg_line(svg, {v.x - 1.5, at}, {v.x, at}, kInk, 0.18);
+    svg_text(svg, {v.x - 2.3, at + 0.9}, axes.up_text_mm, Anchor::kEnd, up.label(value));
+  }
+  svg_text(svg, {v.x + v.width / 2, v.bottom() + 9.5}, kNameText, Anchor::kMiddle, axes.right_name);
+  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, kNameText, Anchor::kMiddle, axes.up_name, false, true);
+}
+
+}  // namespace jalon
