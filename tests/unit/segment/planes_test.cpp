@@ -1,12 +1,14 @@
-// SPDX-FileCopyrightText: 2026 The Jalon authors SPDX-License-Identifier: Apache-2.0 Synthetic
-// scenes after Boulaassal 2010 (window surrounds, a plane, staggered strips, two patches), and the
-// covariance of the parameters.
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+// Synthetic scenes after Boulaassal 2010 (window surrounds, a plane, staggered strips, two patches),
+// and the covariance of the parameters.
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
 
+#include "unit/segment/method_checks.h"
 #include "unit/segment/scenes.h"
 #include "unit/segment/surrounds.h"
 
@@ -75,21 +77,8 @@ TEST_CASE("S6 normality: residuals of one plane are normal about it") {
 }
 
 TEST_CASE("S7 oblique trap: staggered strips come out one by one, none slanted") {
-  for (uint64_t seed = 1; seed <= 5; ++seed) {
-    Scene scene;
-    RandomStream random(seed, 7);
-    for (int k = 0; k < 6; ++k)
-      scene.rectangle(k + 1, {1.5 * k, 0.10 * k, 0}, {1.5, 0, 0}, {0, 0, 8}, 3000, 0.005, random);
-    const Segmentation s = run(cloud_of(scene.points), ransac_params("{}", seed));
-    REQUIRE(s.segments.size() == 6);
-    for (int k = 1; k <= 6; ++k) {
-      size_t best = 0;
-      for (uint32_t label = 1; label <= 6; ++label) best = std::max(best, overlap(scene, s, k, label));
-      CHECK(best >= 2940);
-    }
-    for (const Segment& segment : s.segments)
-      CHECK(std::fabs(segment.fit.plane.normal.y) > std::cos(0.5 * kDegree));
-  }
+  takes_staggered_strips_one_by_one(
+      [](const CloudPtr& cloud, uint64_t seed) { return run(cloud, ransac_params("{}", seed)); });
 }
 
 TEST_CASE("S8 two coplanar patches 1 m apart are two segments, 0.3 m apart one") {

@@ -9,34 +9,15 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "unit/segment/method_checks.h"
 #include "unit/segment/same_bits.h"
 #include "unit/segment/scenes.h"
 
 using namespace jalon;
 using namespace jalon::test;
 
-namespace {
-
-Status status_of(const std::vector<Vec3>& points) {
-  try {
-    run(cloud_of(points), ransac_params());
-  } catch (const Error& error) {
-    return error.status();
-  }
-  return Status::kOk;
-}
-
-}  // namespace
-
 TEST_CASE("ransac refuses clouds without area") {
-  CHECK(status_of({}) == Status::kInsufficientData);
-  CHECK(status_of({{1, 2, 3}}) == Status::kInsufficientData);
-  CHECK(status_of({{1, 2, 3}, {4, 5, 6}}) == Status::kInsufficientData);
-  CHECK(status_of(std::vector<Vec3>(1000, Vec3{652000, 6861000, 35})) == Status::kDegenerate);
-  std::vector<Vec3> line;
-  for (int i = 0; i < 500; ++i) line.push_back({1.0 + 0.5 * i, 2.0 - 0.25 * i, 3.0 + 0.125 * i});
-  CHECK(status_of(line) == Status::kDegenerate);
-  CHECK(status_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == Status::kOk);  // a plane, but below min_points
+  refuses_clouds_without_area([](const CloudPtr& cloud) { run(cloud, ransac_params()); });
 }
 
 TEST_CASE("ransac takes three points as a plane when asked") {

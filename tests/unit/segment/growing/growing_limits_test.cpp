@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "unit/segment/method_checks.h"
 #include "unit/segment/same_bits.h"
 #include "unit/segment/scenes.h"
 
@@ -14,15 +15,6 @@ using namespace jalon;
 using namespace jalon::test;
 
 namespace {
-
-Status status_of(const std::vector<Vec3>& points) {
-  try {
-    grow(cloud_of(points));
-  } catch (const Error& error) {
-    return error.status();
-  }
-  return Status::kOk;
-}
 
 // The cloud with a field "normal": value(i) for point i.
 template <class F>
@@ -40,14 +32,7 @@ CloudPtr with_normals(const std::vector<Vec3>& points, ElementType type, uint32_
 }  // namespace
 
 TEST_CASE("growing refuses clouds without area") {
-  CHECK(status_of({}) == Status::kInsufficientData);
-  CHECK(status_of({{1, 2, 3}}) == Status::kInsufficientData);
-  CHECK(status_of({{1, 2, 3}, {4, 5, 6}}) == Status::kInsufficientData);
-  CHECK(status_of(std::vector<Vec3>(1000, Vec3{652000, 6861000, 35})) == Status::kDegenerate);
-  std::vector<Vec3> line;
-  for (int i = 0; i < 500; ++i) line.push_back({1.0 + 0.5 * i, 2.0 - 0.25 * i, 3.0 + 0.125 * i});
-  CHECK(status_of(line) == Status::kDegenerate);
-  CHECK(status_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == Status::kOk);  // a plane, but below min_points
+  refuses_clouds_without_area([](const CloudPtr& cloud) { grow(cloud); });
 }
 
 TEST_CASE("growing finds nothing in points scattered through a volume") {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "unit/segment/method_checks.h"
 #include "unit/segment/scenes.h"
 #include "unit/segment/surrounds.h"
 
@@ -104,21 +105,7 @@ TEST_CASE("S2 surrounds: growing gives one wall, 12 surrounds and 12 joineries")
 }
 
 TEST_CASE("S7 oblique trap: growing takes the strips one by one, none slanted") {
-  for (uint64_t seed = 1; seed <= 5; ++seed) {
-    Scene scene;
-    RandomStream random(seed, 7);
-    for (int k = 0; k < 6; ++k)
-      scene.rectangle(k + 1, {1.5 * k, 0.10 * k, 0}, {1.5, 0, 0}, {0, 0, 8}, 3000, 0.005, random);
-    const Segmentation s = grow(cloud_of(scene.points));
-    REQUIRE(s.segments.size() == 6);
-    for (int k = 1; k <= 6; ++k) {
-      size_t best = 0;
-      for (uint32_t label = 1; label <= 6; ++label) best = std::max(best, overlap(scene, s, k, label));
-      CHECK(best >= 2940);
-    }
-    for (const Segment& segment : s.segments)
-      CHECK(std::fabs(segment.fit.plane.normal.y) > std::cos(0.5 * kDegree));
-  }
+  takes_staggered_strips_one_by_one([](const CloudPtr& cloud, uint64_t) { return grow(cloud); });
 }
 
 TEST_CASE("S8 growing keeps coplanar patches 1 m apart as two segments and joins those 0.3 m apart") {

@@ -12,34 +12,15 @@
 #include "base/random.h"
 #include "base/task.h"
 #include "spatial/triangles/tree.h"
+#include "unit/spatial/triangles/mesh.h"
 
 using namespace jalon;
+using namespace jalon::test;
 
 namespace {
 
-using Triangle = std::array<uint32_t, 3>;
-
-struct Mesh {
-  std::vector<Vec3> vertices;
-  std::vector<Triangle> triangles;
-
-  void add(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto first = static_cast<uint32_t>(vertices.size());
-    vertices.insert(vertices.end(), {a, b, c});
-    triangles.push_back({first, first + 1, first + 2});
-  }
-  Mesh shifted(const Vec3& by) const {
-    Mesh out = *this;
-    for (Vec3& v : out.vertices) v += by;
-    return out;
-  }
-};
-
 std::shared_ptr<const TriangleTree> tree_of(const Mesh& mesh, unsigned threads = 0) {
-  Task::Hooks hooks;
-  hooks.threads = threads;
-  Task task(hooks);
-  return TriangleTree::build(mesh.vertices, mesh.triangles, task);
+  return built<TriangleTree>(mesh, threads);
 }
 
 Vec3 random_point(RandomStream& random, double size) {
