@@ -4,9 +4,9 @@
  * @file search.h
  * Neighbours and cells: the cloud's octree of sorted Morton codes (Girardeau-Montaut 2006, chapter 4).
  *
- * Answers are exact: they equal a brute-force search in double precision; neighbours come nearest first, ties by
- * smaller index. Level 0 is the cube around the cloud, level 21 the deepest. Codes interleave the cell numbers as x y z
- * bits, x highest.
+ * Answers are exact: they equal a brute-force search in double precision; the k nearest come
+ * nearest first, ties by smaller index. Level 0 is the cube around the cloud, level 21 the deepest.
+ * Codes interleave the cell numbers as x y z bits, x highest.
  */
 #ifndef JALON_SEARCH_H
 #define JALON_SEARCH_H
@@ -50,7 +50,7 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_knn_all(const jalon_cloud* cloud,
  *     first   uint64  -     where the neighbours of each query begin, and at last how many there
  *                           are
  *
- * neighbours, one row a pair of query and point:
+ * neighbours, one row a pair of query and point, those of a query by ascending index:
  *     column    type     unit  meaning
  *     index     uint64   -     of the point in the cloud
  *     distance  float64  m     from the query

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "capi/support/guard.h"
+#include "spatial/neighbours/radius_batch.h"
 #include "spatial/octree/morton.h"
 
 using namespace jalon;
@@ -136,38 +137,9 @@ jalon_status jalon_cloud_radius_search(const jalon_cloud* cloud, const void* que
         tree = cloud->cloud->octree(t);
       }
       ProgressSpan span(t, 0.3, 1, "searching neighbours");
-      constexpr size_t kGrain = 256;
-      std::vector<std::vector<Neighbour>> parts((count + kGrain - 1) / kGrain);
-      auto first = new_column<uint64_t>("first", count + 1, 1, "", "where the neighbours of each query begin");
-      const auto firsts = first->values<uint64_t>();
-      parallel_for(t, count, kGrain, [&](size_t begin, size_t end) {
-        std::vector<Neighbour> found;
-        for (size_t i = begin; i < end; ++i) {
-          tree->radius(points[i], radius_m, found);
-          auto& part = parts[begin / kGrain];
-          part.insert(part.end(), found.begin(), found.end());
-          firsts[i + 1] = found.size();
-        }
-      });
-      firsts[0] = 0;
-      for (size_t i = 0; i < count; ++i) firsts[i + 1] += firsts[i];
-      const size_t total = firsts[count];
-      auto index = new_column<uint64_t>("index", total, 1, "", "index of the point in the cloud");
-      auto distance = new_column<double>("distance", total, 1, "m", "distance from the query");
-      size_t at = 0;
-      for (auto& part : parts) {
-        for (const Neighbour& n : part) {
-          index->values<uint64_t>()[at] = n.index;
-          distance->values<double>()[at++] = std::sqrt(n.squared_distance);
-        }
-        part = {};
-      }
-      FieldTable range_table, neighbour_table;
-      range_table.set(std::move(first));
-      neighbour_table.set(std::move(index));
-      neighbour_table.set(std::move(distance));
-      made_ranges.reset(new_fields(std::move(range_table)));
-      made_neighbours.reset(new_fields(std::move(neighbour_table)));
+      RadiusNeighbours found = radius_neighbours(*tree, points, radius_m, t);
+      made_ranges.reset(new_fields(std::move(found.ranges)));
+      made_neighbours.reset(new_fields(std::move(found.neighbours)));
     });
     *ranges = made_ranges.release();
     *neighbours = made_neighbours.release();

@@ -91,10 +91,12 @@ jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation
     const Segmentation& s = *segmentation->segmentation;
     if (label > s.segments.size())
       fail(Status::kNotFound, "no segment with label %u; there are %zu segments", label, s.segments.size());
-    Residuals residuals;
-    with_task(task, [&](Task& t) { residuals = bin_residuals(s, label, bins, t); });
-    auto table = std::unique_ptr<jalon_fields>(new_fields(residual_bins_table(residuals)));
-    *out_normal = new_fields(residual_normal_table(residuals));
-    *out_bins = table.release();
+    auto [made_bins, made_normal] = with_task(task, [&](Task& t) {
+      const Residuals residuals = bin_residuals(s, label, bins, t);
+      return std::pair(own(new_fields(residual_bins_table(residuals))),
+                       own(new_fields(residual_normal_table(residuals))));
+    });
+    *out_bins = made_bins.release();
+    *out_normal = made_normal.release();
   });
 }

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "spatial/neighbours/radius_batch.h"
+#include "unit/spatial/octree_fixture.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+TEST_CASE("radius_batch__equals_brute_force_in_order_for_any_threads") {
+  const auto xyz = street(3000);
+  const size_t n = xyz.size() / 3;
+  std::vector<Vec3> queries;  // more than one chunk; the last are far away from everything
+  for (size_t i = 0; i < 600; ++i) queries.push_back(point(xyz, 5 * i) + Vec3{0.05, 0, -0.02});
+  for (size_t i = 0; i < 3; ++i) queries.push_back({1000, 0, 0});
+  const double radius_m = 0.9;
+  for (const unsigned count : {1u, 3u}) {
+    Task task(threads(count));
+    const RadiusNeighbours found = radius_neighbours(*build(xyz), queries, radius_m, task);
+    const auto first = found.ranges.require("first").values<uint64_t>();
+    const auto index = found.neighbours.require("index").values<uint64_t>();
+    const auto distance = found.neighbours.require("distance").values<double>();
+    REQUIRE(first.size() == queries.size() + 1);
+    REQUIRE(first.back() == index.size());
+    size_t at = 0;
+    for (size_t q = 0; q < queries.size(); ++q) {
+      REQUIRE(first[q] == at);
+      for (size_t i = 0; i < n; ++i) {
+        const double squared = squared_norm(point(xyz, i) - queries[q]);
+        if (squared > radius_m * radius_m) continue;
+        REQUIRE(index[at] == i);
+        REQUIRE(distance[at++] == std::sqrt(squared));
+      }
+    }
+    CHECK(at == index.size());
+    CHECK(at > 1000);
+  }
+}
+
+TEST_CASE("radius_batch__without_queries_has_one_row_of_ranges_and_no_neighbours") {
+  Task task;
+  const RadiusNeighbours found = radius_neighbours(*build(street(100)), {}, 1, task);
+  REQUIRE(found.ranges.require("first").count() == 1);
+  CHECK(found.ranges.require("first").number(0) == 0);
+  CHECK(found.neighbours.require("index").count() == 0);
+  CHECK(found.neighbours.require("distance").info().unit == "m");
+}
