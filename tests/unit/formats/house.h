@@ -159,4 +159,11 @@ class House {
   uint32_t building_, facade_, wall_, window_, joinery_, door_, copy_, round_, shadow_, sill_, ground_, roof_;
 };
 
+/// Of all faces of a model, m2.
+inline double face_area(const Model& model) {
+  double sum = 0;
+  for (const Face& face : model.faces) sum += face.area_m2;
+  return sum;
+}
+
 }  // namespace jalon::test

@@ -48,12 +48,6 @@ Json cube() {
   })");
 }
 
-double area_of(const Model& model) {
-  double sum = 0;
-  for (const Face& face : model.faces) sum += face.area_m2;
-  return sum;
-}
-
 }  // namespace
 
 TEST_CASE("city__windows_and_doors_are_children_of_the_wall_and_fill_its_holes") {
@@ -146,7 +140,7 @@ TEST_CASE("city__coordinates_keep_to_half_a_step_and_a_second_round_changes_noth
 TEST_CASE("city__files_of_others_are_read_by_their_semantics") {
   const Model model = read_text(cube().dump());
   CHECK(model.faces.size() == 6);  // the highest level of detail
-  CHECK(area_of(model) == doctest::Approx(6));
+  CHECK(face_area(model) == doctest::Approx(6));
   CHECK(model.vertices[6] == Vec3{11, 21, 31});
   REQUIRE(model.solids.size() == 1);
   std::map<std::string, int> classes;
@@ -216,6 +210,6 @@ TEST_CASE("city__a_mesh_and_an_empty_model_are_written") {
   mesh.parts.push_back({"mesh", "mesh", kNoParent});
   const Model back = read_text(written(mesh));
   CHECK(back.faces.size() == 2);
-  CHECK(area_of(back) == doctest::Approx(1));
+  CHECK(face_area(back) == doctest::Approx(1));
   CHECK(read_text(written(Model{})).faces.empty());
 }

@@ -28,12 +28,6 @@ double mesh_area(const Model& model) {
   return sum;
 }
 
-double face_area(const Model& model) {
-  double sum = 0;
-  for (const Face& face : model.faces) sum += face.area_m2;
-  return sum;
-}
-
 }  // namespace
 
 TEST_CASE("stl__both_forms_come_back_with_their_area_and_place") {

@@ -4,11 +4,11 @@
 
 #include <bit>
 #include <cmath>
-#include <vector>
 
 #include "base/random.h"
 #include "base/simd.h"
 #include "segment/ransac/curved_kernel.h"
+#include "unit/segment/point_block.h"
 
 using namespace jalon;
 
@@ -33,13 +33,8 @@ TEST_CASE("curved_kernel__all_forms__agree_with_the_definition_point_by_point") 
   RandomStream random(6, 0);
   uint32_t counted = 0;
   for (int round = 0; round < 200; ++round) {
-    std::vector<float> v(6 * kBlockPoints);
-    for (float& x : v) x = static_cast<float>(2 * random.uniform() - 1);
-    for (size_t i = 0; i < kBlockPoints; i += 9) v[i] = NAN;                     // removed
-    for (size_t i = 0; i < kBlockPoints; i += 5) v[3 * kBlockPoints + i] = NAN;  // normal unknown
-    const float* p = v.data();
-    const PointColumns points{p, p + kBlockPoints, p + 2 * kBlockPoints, p + 3 * kBlockPoints, p + 4 * kBlockPoints,
-                              p + 5 * kBlockPoints};
+    const test::PointBlock block(random);
+    const PointColumns points = block.points();
     const bool sphere = round % 2 == 0;
     const CurvedTest test{0.1f, -0.2f, 0.3f, sphere ? 0 : 0.6f, sphere ? 0 : -0.48f, sphere ? 0 : 0.64f, 0.25f, 0.64f,
                           round % 3 ? 0.2f : 0.0f};

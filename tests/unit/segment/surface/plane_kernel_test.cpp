@@ -4,24 +4,19 @@
 
 #include <bit>
 #include <cmath>
-#include <vector>
 
 #include "base/random.h"
 #include "base/simd.h"
 #include "segment/surface/plane_kernel.h"
+#include "unit/segment/point_block.h"
 
 using namespace jalon;
 
 TEST_CASE("all forms of the counting loop agree with the definition, point by point") {
   RandomStream random(5, 0);
   for (int round = 0; round < 200; ++round) {
-    std::vector<float> v(6 * kBlockPoints);
-    for (float& x : v) x = static_cast<float>(2 * random.uniform() - 1);
-    for (size_t i = 0; i < kBlockPoints; i += 9) v[i] = NAN;                          // removed
-    for (size_t i = 0; i < kBlockPoints; i += 5) v[3 * kBlockPoints + i] = NAN;       // normal unknown
-    const float* p = v.data();
-    const PointColumns points{p, p + kBlockPoints, p + 2 * kBlockPoints, p + 3 * kBlockPoints, p + 4 * kBlockPoints,
-                              p + 5 * kBlockPoints};
+    const test::PointBlock block(random);
+    const PointColumns points = block.points();
     const PlaneTest test{0.6f, -0.48f, 0.64f, 0.1f, 0.3f, round % 2 ? 0.5f : 0.0f};
     uint32_t expected = 0;
     for (size_t i = 0; i < kBlockPoints; ++i) {
