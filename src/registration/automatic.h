@@ -20,8 +20,8 @@ std::span<const ParamRow> automatic_rows();
 
 /// Method "automatic": method "coarse", then "icp" from the pose it gives, with the settings of
 /// both. What comes of coarse without a pose, or with more than one, is the result as it is; else
-/// it is that of ICP, with the scores of coarse in the summary. T_start: a T_reference_moving of the
-/// caller's coordinates, which coarse takes as one candidate more.
+/// it is that of ICP, with the scores of coarse in the summary. T_start: a T_reference_moving of
+/// the caller's coordinates, which coarse takes as one candidate more.
 Registration register_automatic(const CloudPtr& reference, const CloudPtr& moving,
                                 const Transform& T_start, const AutomaticSettings& settings,
                                 Task& task);

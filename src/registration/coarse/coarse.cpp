@@ -49,7 +49,8 @@ CoarseSurface described(const Cloud& cloud, double cell_m, const char* which, Ta
 }
 
 // T_start, like the poses asked about, between the surfaces' own frames.
-PoseFilter filter_of(const CoarseSettings& settings, const Transform& T_start, const Vec3& centroid) {
+PoseFilter filter_of(const CoarseSettings& settings, const Transform& T_start,
+                     const Vec3& centroid) {
   const bool level = settings.gravity;
   const double turn = settings.max_turn_rad, shift = settings.max_shift_m;
   return [=](const Transform& T_reference_moving) {
@@ -103,9 +104,8 @@ Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving,
   // 2. Candidates.
   std::vector<PoseCandidate> candidates{{T_start_local, PoseSource::kStart}};
   {
-    const ProgressSpan span(task, 0.2, 0.5, nullptr);
-    const auto made =
-        coarse_candidates(reference_surface, moving_surface, settings.gravity, task);
+    const Span span(task, 0.2, 0.5, nullptr);
+    const auto made = coarse_candidates(reference_surface, moving_surface, settings.gravity, task);
     candidates.insert(candidates.end(), made.begin(), made.end());
   }
   // 3. The best of them.

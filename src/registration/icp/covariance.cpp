@@ -111,8 +111,7 @@ IcpCovariance icp_covariance(const IcpProblem& problem, const IcpState& state, T
   if (state.patches.patches > 0) {
     scaled = patch_covariance(state.patches, directions);
   } else {
-    const Square<6> scatter =
-        pair_scatter(at, frame, kernel, sums, problem.settings.k, task);
+    const Square<6> scatter = pair_scatter(at, frame, kernel, sums, problem.settings.k, task);
     scaled = sandwich<6>(inverse_of(directions), scatter);
     for (double& c : scaled) c *= out.sigma0 * out.sigma0;
   }

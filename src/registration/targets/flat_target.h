@@ -12,7 +12,7 @@ namespace jalon {
 ///
 /// Before: a finite place, size_m above 0. After: a centre relative to the place where status is
 /// kOk, else only how many points there were. Same bits for the same seed.
-MeasuredTarget measure_flat(const Cloud& cloud, const Octree& tree, const Vec3& place, const MeasuringSettings& setting,
-                            Task& task);
+MeasuredTarget measure_flat(const Cloud& cloud, const Octree& tree, const Vec3& place,
+                            const MeasuringSettings& setting, Task& task);
 
 }  // namespace jalon

@@ -22,7 +22,7 @@ struct Matching {
 ///
 /// After: each way begins with the named pairs, has three pairs or more, and uses a target once;
 /// none where no three agree. Deterministic.
-Matching match_by_distances(const TargetSets& sets, std::span<const IndexPair> named, const TargetSettings& setting,
-                            Task& task);
+Matching match_by_distances(const TargetSets& sets, std::span<const IndexPair> named,
+                            const TargetSettings& setting, Task& task);
 
 }  // namespace jalon

@@ -74,13 +74,15 @@ TestedPair predicted(const IndexPair& pair, const TargetPair& measured, const Ta
 std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs,
                                             const TargetSettings& setting, std::string& why) {
   why = on_one_line("");
-  const std::optional<SimilarityFit> closed = fit_similarity(places_of(pairs), setting.with_scale());
+  const std::optional<SimilarityFit> closed =
+      fit_similarity(places_of(pairs), setting.with_scale());
   if (!closed) return {};
   if (is_mirrored(*closed, pairs)) {
     why = "the targets of one side are the mirror image of the other's: an axis has the wrong sign, or two are swapped";
     return {};
   }
-  AdjustedTargets adjusted = adjust_targets(pairs, setting.with_scale(), closed->T_reference_moving);
+  AdjustedTargets adjusted =
+      adjust_targets(pairs, setting.with_scale(), closed->T_reference_moving);
   if (adjusted.failure == AdjustmentFailure::kWeights)
     fail(Status::kInvalidArgument, "pair %zu: its two covariances add up to one without an inverse",
          adjusted.wrong_pair);

@@ -39,14 +39,14 @@ struct TargetSolution {
 /// Closed form, then adjustment, of 3 pairs or more. Nothing, and why, for pairs along one line, as
 /// far as the covariances can tell, and for mirrored sets; kInvalidArgument for covariances without
 /// an inverse. After: the weakest turn is fixed.
-std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs, const TargetSettings& setting,
-                                            std::string& why);
+std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs,
+                                            const TargetSettings& setting, std::string& why);
 /// Adjusts, tests and, where the setting asks for it, removes the worst outlier and starts again
 /// while 3 pairs and more are left. kInsufficientData below 3 pairs; kDegenerate where they give no
 /// pose. After: the pairs in use in the order they came, as in used and in the adjustment, then
 /// those removed in the order of their removal.
-TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pairs, const TargetSettings& setting,
-                             Task& task);
+TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pairs,
+                             const TargetSettings& setting, Task& task);
 /// Back from the origins of the sets to the coordinates that came: the pose between these.
 Transform placed(const Transform& T_reference_moving, const TargetSets& sets);
 

@@ -11,7 +11,7 @@ namespace jalon {
 ///
 /// Before: out has converged and stopped. After: all its other members are set, in the caller's
 /// coordinates; residuals and pair_names have a row a pair, those in use first.
-void describe_targets(const TargetSets& sets, const TargetSolution& solution, const TargetSettings& setting,
-                      Registration& out);
+void describe_targets(const TargetSets& sets, const TargetSolution& solution,
+                      const TargetSettings& setting, Registration& out);
 
 }  // namespace jalon
