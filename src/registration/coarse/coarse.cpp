@@ -104,7 +104,7 @@ Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving,
   // 2. Candidates.
   std::vector<PoseCandidate> candidates{{T_start_local, PoseSource::kStart}};
   {
-    const Span span(task, 0.2, 0.5, nullptr);
+    const ProgressSpan span(task, 0.2, 0.5, nullptr);
     const auto made = coarse_candidates(reference_surface, moving_surface, settings.gravity, task);
     candidates.insert(candidates.end(), made.begin(), made.end());
   }
