@@ -90,7 +90,7 @@ struct TablePair {
   }
 };
 
-ClearanceSettings settings_of(const jalon_params* options) {
+ClearanceSettings settings_of_of_clearance(const jalon_params* options) {
   return settings_from<ClearanceSettings>(options_or_default(options, "clearance"));
 }
 
@@ -118,7 +118,7 @@ jalon_status jalon_model_clearance(const jalon_model* model, uint64_t part, cons
   return guard([&] {
     require(model, "model");
     require(cloud, "cloud");
-    const ClearanceSettings settings = settings_of(options);
+    const ClearanceSettings settings = settings_of_of_clearance(options);
     TablePair tables;
     with_task(task, [&](Task& t) {
       ClearanceTables made = clearance_to_cloud(*model->model, part, *cloud->cloud, settings, t);
@@ -134,7 +134,7 @@ jalon_status jalon_model_clearance_to_model(const jalon_model* model, uint64_t p
   return guard([&] {
     require(model, "model");
     require(other, "other");
-    const ClearanceSettings settings = settings_of(options);
+    const ClearanceSettings settings = settings_of_of_clearance(options);
     TablePair tables;
     with_task(task, [&](Task& t) {
       ClearanceTables made =
@@ -150,7 +150,7 @@ jalon_status jalon_gauge_sweep(const jalon_gauge_piece* pieces, uint64_t piece_c
                                const jalon_cloud* cloud, const jalon_model* model, const jalon_params* options,
                                jalon_task* task, jalon_fields** places, jalon_fields** intervals) {
   return guard([&] {
-    const ClearanceSettings settings = settings_of(options);
+    const ClearanceSettings settings = settings_of_of_clearance(options);
     const std::vector<ConvexPiece> gauge = gauge_of(pieces, piece_count, hull_points, hull_point_count);
     const std::vector<Transform> list = pose_list(poses, pose_count);
     sweep([&] { return gauge; }, list, cloud, model, settings, task, places, intervals);
@@ -162,7 +162,7 @@ jalon_status jalon_gauge_sweep_model(const jalon_model* gauge, const jalon_trans
                                      jalon_task* task, jalon_fields** places, jalon_fields** intervals) {
   return guard([&] {
     require(gauge, "gauge");
-    const ClearanceSettings settings = settings_of(options);
+    const ClearanceSettings settings = settings_of_of_clearance(options);
     const std::vector<Transform> list = pose_list(poses, pose_count);
     sweep([&] { return gauge_of_model(*gauge->model, settings.chord_m); }, list, cloud, model,
           settings, task, places, intervals);

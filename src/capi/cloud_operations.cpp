@@ -11,7 +11,7 @@ namespace {
 
 /// Runs change(cloud, task) and puts the result in place of the handle's cloud.
 template <class F>
-void change_cloud(jalon_cloud* cloud, jalon_task* task, F&& change) {
+void change_cloud_of_cloud_operations(jalon_cloud* cloud, jalon_task* task, F&& change) {
   auto changed = with_task(task, [&](Task& t) { return std::make_shared<const Cloud>(change(*cloud->cloud, t)); });
   cloud->cloud = std::move(changed);
 }
@@ -36,14 +36,14 @@ jalon_status jalon_cloud_compute_normals(jalon_cloud* cloud, const jalon_params*
   return guard([&] {
     require(cloud, "cloud");
     const auto chosen = settings_from<NormalsSettings>(options_or_default(options, "normals"));
-    change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_normals(c, chosen, t); });
+    change_cloud_of_cloud_operations(cloud, task, [&](const Cloud& c, Task& t) { return with_normals(c, chosen, t); });
   });
 }
 
 jalon_status jalon_cloud_invert_normals(jalon_cloud* cloud, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
-    change_cloud(cloud, task, [](const Cloud& c, Task& t) { return with_inverted_normals(c, t); });
+    change_cloud_of_cloud_operations(cloud, task, [](const Cloud& c, Task& t) { return with_inverted_normals(c, t); });
   });
 }
 
@@ -51,7 +51,7 @@ jalon_status jalon_cloud_compute_features(jalon_cloud* cloud, const jalon_params
   return guard([&] {
     require(cloud, "cloud");
     const auto chosen = settings_from<FeaturesSettings>(options_or_default(options, "features"));
-    change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_features(c, chosen, t); });
+    change_cloud_of_cloud_operations(cloud, task, [&](const Cloud& c, Task& t) { return with_features(c, chosen, t); });
   });
 }
 
@@ -63,7 +63,7 @@ jalon_status jalon_cloud_compute_components(jalon_cloud* cloud, const jalon_para
     const auto chosen =
         settings_from<ComponentsSettings>(options_or_default(options, "components"));
     uint64_t count = 0;
-    change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_components(c, chosen, t, count); });
+    change_cloud_of_cloud_operations(cloud, task, [&](const Cloud& c, Task& t) { return with_components(c, chosen, t, count); });
     *out = count;
   });
 }

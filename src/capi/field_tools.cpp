@@ -22,7 +22,7 @@ namespace {
 
 /// Runs change(cloud, task) and puts the result in place of the handle's cloud.
 template <class F>
-void change_cloud(jalon_cloud* cloud, jalon_task* task, F&& change) {
+void change_cloud_of_field_tools(jalon_cloud* cloud, jalon_task* task, F&& change) {
   auto changed = with_task(task, [&](Task& t) { return std::make_shared<const Cloud>(change(*cloud->cloud, t)); });
   cloud->cloud = std::move(changed);
 }
@@ -31,7 +31,7 @@ void change_cloud(jalon_cloud* cloud, jalon_task* task, F&& change) {
 template <class F>
 void change_cloud_with_table(jalon_cloud* cloud, jalon_task* task, jalon_fields** out, F&& change) {
   Owned<jalon_fields> made = own<jalon_fields>(nullptr);
-  change_cloud(cloud, task, [&](const Cloud& c, Task& t) {
+  change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) {
     FieldTable table;
     Cloud changed = change(c, t, table);
     made.reset(new_fields(std::move(table)));
@@ -110,7 +110,7 @@ jalon_status jalon_cloud_compute_gradient(jalon_cloud* cloud, const char* field,
     require(cloud, "cloud");
     const std::string from = require_text(field, "field");
     const auto chosen = settings_from<GradientSettings>(options_or_default(options, "gradient"));
-    change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_gradient(c, from, chosen, t); });
+    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) { return with_gradient(c, from, chosen, t); });
   });
 }
 
@@ -121,7 +121,7 @@ jalon_status jalon_cloud_filter_field(jalon_cloud* cloud, const char* field, con
     const std::string from = require_text(field, "field");
     const auto chosen =
         settings_from<FieldFilterSettings>(options_or_default(options, "field_filter"));
-    change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_filtered_field(c, from, chosen, t); });
+    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) { return with_filtered_field(c, from, chosen, t); });
   });
 }
 
@@ -133,7 +133,7 @@ jalon_status jalon_cloud_compute_field(jalon_cloud* cloud, const char* field, co
     if (other != nullptr && b.empty()) fail(Status::kInvalidArgument, "other is an empty name");
     const auto chosen =
         settings_from<FieldArithmeticSettings>(options_or_default(options, "field_arithmetic"));
-    change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_computed_field(c, a, b, chosen, t); });
+    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) { return with_computed_field(c, a, b, chosen, t); });
   });
 }
 
@@ -143,7 +143,7 @@ jalon_status jalon_cloud_compute_geodesic(jalon_cloud* cloud, const uint64_t* se
     require(cloud, "cloud");
     require_array(seeds, JALON_UINT64, count, 1, 0, "seeds");
     const auto chosen = settings_from<GeodesicSettings>(options_or_default(options, "geodesic"));
-    change_cloud(cloud, task, [&](const Cloud& c, Task& t) {
+    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) {
       return with_geodesic_distance(c, {seeds, static_cast<size_t>(count)}, chosen, t);
     });
   });
@@ -178,7 +178,7 @@ jalon_status jalon_cloud_compute_map_distance(jalon_cloud* cloud, const jalon_cl
     const auto chosen =
         settings_from<DistanceMapSettings>(options_or_default(options, "distance_map"));
     const CloudPtr from = reference->cloud;  // it may be the same handle
-    change_cloud(cloud, task, [&](const Cloud& c, Task& t) { return with_map_distance(c, *from, chosen, t); });
+    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) { return with_map_distance(c, *from, chosen, t); });
   });
 }
 

@@ -23,7 +23,7 @@ Owned<jalon_noise_law> handle_of(NoiseLaw law) {
   return own(handle.release());
 }
 
-std::span<const double> numbers(const double* values, uint64_t count, const char* name) {
+std::span<const double> numbers_of_field_tools_law(const double* values, uint64_t count, const char* name) {
   require_array(values, JALON_FLOAT64, count, 1, 0, name);
   return {values, static_cast<size_t>(count)};
 }
@@ -69,7 +69,7 @@ jalon_status jalon_noise_law_evaluate(const jalon_noise_law* law, const double* 
                                       double* cumulative) {
   return guard([&] {
     require(law, "law");
-    const auto at = numbers(values, count, "values");
+    const auto at = numbers_of_field_tools_law(values, count, "values");
     for (size_t i = 0; i < at.size(); ++i) {
       if (density != nullptr) density[i] = law->law.density(at[i]);
       if (cumulative != nullptr) cumulative[i] = law->law.cumulative(at[i]);
@@ -81,7 +81,7 @@ jalon_status jalon_noise_law_quantiles(const jalon_noise_law* law, const double*
                                        double* out) {
   return guard([&] {
     require(law, "law");
-    const auto at = numbers(probabilities, count, "probabilities");
+    const auto at = numbers_of_field_tools_law(probabilities, count, "probabilities");
     if (count != 0) require(out, "out");
     for (size_t i = 0; i < at.size(); ++i)
       out[i] = at[i] >= 0 && at[i] <= 1 ? law->law.quantile(at[i]) : kNaN;

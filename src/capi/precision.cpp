@@ -17,7 +17,7 @@ using namespace jalon::capi;
 
 namespace {
 
-std::span<const double> numbers(const double* values, uint64_t count, const char* name) {
+std::span<const double> numbers_of_precision(const double* values, uint64_t count, const char* name) {
   require_array(values, JALON_FLOAT64, count, 1, 0, name);
   return {values, static_cast<size_t>(count)};
 }
@@ -81,7 +81,7 @@ jalon_status jalon_precision_budget(const double* ranges_m, const double* vertic
                                     uint64_t count, const jalon_params* options, jalon_fields** out) {
   return guard([&] {
     require(out, "out");
-    const auto ranges = numbers(ranges_m, count, "ranges_m");
+    const auto ranges = numbers_of_precision(ranges_m, count, "ranges_m");
     require_positive(ranges);
     const auto precision =
         settings_from<ScannerPrecision>(options_or_default(options, "precision"));
@@ -141,7 +141,7 @@ jalon_status jalon_baseline_constant(const double* measured_m, const double* kno
   return guard([&] {
     require(out, "out");
     const BaselineConstant found =
-        baseline_constant(numbers(measured_m, count, "measured_m"), numbers(known_m, count, "known_m"));
+        baseline_constant(numbers_of_precision(measured_m, count, "measured_m"), numbers_of_precision(known_m, count, "known_m"));
     FieldTable t;
     add_value<uint64_t>(t, "distances", "", "of the baseline", found.count);
     add_value<double>(t, "constant", "m", "k: measured ranges are too long by it", found.constant_m);
@@ -156,8 +156,8 @@ jalon_status jalon_angular_precision(const double* measured_m, const double* kno
                                      uint64_t count, jalon_fields** out) {
   return guard([&] {
     require(out, "out");
-    const auto measured = numbers(measured_m, count, "measured_m"), known = numbers(known_m, count, "known_m"),
-               ranges = numbers(ranges_m, count, "ranges_m");
+    const auto measured = numbers_of_precision(measured_m, count, "measured_m"), known = numbers_of_precision(known_m, count, "known_m"),
+               ranges = numbers_of_precision(ranges_m, count, "ranges_m");
     require_positive(ranges);
     // An angular error is a baseline's error over the range.
     std::vector<double> found, truth;
@@ -178,6 +178,6 @@ jalon_status jalon_angular_precision(const double* measured_m, const double* kno
 jalon_status jalon_phase_range(const double* wavelengths_m, const double* remainders_m, uint64_t count, double* out) {
   return guard([&] {
     require(out, "out");
-    *out = phase_range_m(numbers(wavelengths_m, count, "wavelengths_m"), numbers(remainders_m, count, "remainders_m"));
+    *out = phase_range_m(numbers_of_precision(wavelengths_m, count, "wavelengths_m"), numbers_of_precision(remainders_m, count, "remainders_m"));
   });
 }

@@ -26,7 +26,7 @@ std::unique_ptr<jalon_registration> handle_of(Registration made, const ParamSet&
 }
 
 // Lengths and right angles kept within 1e-6, and no mirror.
-void require_rigid(const Transform& pose) {
+void require_rigid_start(const Transform& pose) {
   constexpr double kTolerance = 1e-6;
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j <= i; ++j) {
@@ -85,7 +85,7 @@ jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_c
     require(out, "out");
     require_same_crs(reference->cloud->crs, moving->cloud->crs);
     const Transform from = start != nullptr ? from_c(*start) : Transform{};
-    require_rigid(from);
+    require_rigid_start(from);
     const RegistrationMethod& method = *registrar->method;
     if (method.run == nullptr)
       fail(Status::kUnsupported, "method \"%s\" registers targets; see jalon_registrar_run_targets",

@@ -15,7 +15,7 @@ using namespace jalon::capi;
 
 namespace {
 
-DepthSettings settings_of(const jalon_params* options) {
+DepthSettings settings_of_of_visibility(const jalon_params* options) {
   return settings_from<DepthSettings>(options_or_default(options, "visibility"));
 }
 
@@ -26,7 +26,7 @@ jalon_status jalon_cloud_compute_visibility(jalon_cloud* cloud, const jalon_clou
   return guard([&] {
     require(cloud, "cloud");
     require(reference, "reference");
-    const DepthSettings settings = settings_of(options);
+    const DepthSettings settings = settings_of_of_visibility(options);
     auto changed = with_task(task, [&](Task& t) {
       return std::make_shared<const Cloud>(
           with_visibility(*reference->cloud, *cloud->cloud, settings, t));
@@ -40,7 +40,7 @@ jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t statio
   return guard([&] {
     require(reference, "reference");
     require(out, "out");
-    const DepthSettings settings = settings_of(options);
+    const DepthSettings settings = settings_of_of_visibility(options);
     AngularGrid grid;
     *out = with_task(task, [&](Task& t) {
              const DepthMap map = station_depth_map(*reference->cloud, station, settings, t);
@@ -57,7 +57,7 @@ jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t 
   return guard([&] {
     require(reference, "reference");
     const std::string target = require_text(path, "path");
-    const DepthSettings settings = settings_of(options);
+    const DepthSettings settings = settings_of_of_visibility(options);
     with_task(task, [&](Task& t) {
       AtomicFile file(target);
       file.write(depth_png(station_depth_map(*reference->cloud, station, settings, t)));

@@ -242,7 +242,7 @@ struct Compare {
   }
 };
 
-std::string tables() {
+std::string tables_of_compare() {
   return method_tables<Comparer>("Parameters of --set with --method ", jalon_comparer_methods, jalon_comparer_create,
                                  jalon_comparer_params) +
          "Parameters of --change-set:\n" + describe(make_params("diagnosis").get()) +
@@ -297,7 +297,7 @@ void add_compare(Command& app) {
            "and widens the threshold where these lie far apart: visibility=stations, local_model=plane and\n"
            "reference_spacing=true, unless --set or --params say otherwise. Without stations shadows may show as\n"
            "changes.\n\n" +
-           tables() +
+           tables_of_compare() +
            "Examples:\n  jalon compare march.las april.las -o changes\n"
            "  jalon compare march.las april.las -o changes --one-way --threshold 0.02 --set max_distance_m=1\n"
            "  jalon compare model.city.json scan.las -o as_built --set tolerance_m=0.01\n"

@@ -8,7 +8,7 @@ namespace jalon::cli {
 
 namespace {
 
-void run(const CloudJob& job) {
+void run_of_convert(const CloudJob& job) {
   Console console(job.common);
   const Cloud cloud = job.read(console);
   const Params options = make_params("write");
@@ -26,7 +26,7 @@ void add_convert(Command& app) {
   job->add_to(command, "output", "Parameters of --set", "write",
               "Examples:\n  jalon convert scan.las scan.ply\n"
               "  jalon convert scan.txt scan.las --columns \"x y z intensity\"");
-  command.on_run([job] { run(*job); });
+  command.on_run([job] { run_of_convert(*job); });
 }
 
 }  // namespace jalon::cli

@@ -12,15 +12,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegrees = 57.29577951308232;
+constexpr double kEvaluateModelDegrees = 57.29577951308232;
 
-std::string right(const std::string& text, size_t width) {
+std::string right_of_evaluate_model(const std::string& text, size_t width) {
   return text.size() >= width ? text : std::string(width - text.size(), ' ') + text;
 }
 
 std::string cell(const Table& table, const std::string& name, uint64_t row, size_t width, int decimals,
                  double scale = 1) {
-  return right(fixed(scale * table.number(name.c_str(), row), decimals), width);
+  return right_of_evaluate_model(fixed(scale * table.number(name.c_str(), row), decimals), width);
 }
 
 Table table_of(const jalon_model_evaluation* evaluation,
@@ -57,23 +57,23 @@ struct ModelTables {
   void print_faces(const Console& console) const {
     console.say(" reference  automatic       A m2       R m2   A n R m2  compl  corr   qual   branch   miss  FP/R"
                 "  angle deg  dist mm  H95 mm");
-    const auto face = [](const Table& side, uint64_t row) { return right(grouped(side.count("face", row)), 10); };
+    const auto face = [](const Table& side, uint64_t row) { return right_of_evaluate_model(grouped(side.count("face", row)), 10); };
     for (uint64_t i = 0; i < pairs.rows(); ++i) {
       std::string line = face(reference, pairs.count("reference", i)) + " ";
       line += face(automatic, pairs.count("automatic", i));
       for (const char* name : {"area_automatic", "area_reference", "intersection"}) line += cell(pairs, name, i, 11, 3);
       for (const char* name : kIndices) line += cell(pairs, name, i, 7, 3);
-      console.say(line + cell(pairs, "angle", i, 10, 3, kDegrees) + cell(pairs, "distance", i, 9, 1, 1000) +
+      console.say(line + cell(pairs, "angle", i, 10, 3, kEvaluateModelDegrees) + cell(pairs, "distance", i, 9, 1, 1000) +
                   cell(pairs, "hausdorff95", i, 8, 1, 1000));
     }
-    std::string sums = right("total", 21);
+    std::string sums = right_of_evaluate_model("total", 21);
     for (const char* name : {"area_automatic", "area_reference", "intersection"}) sums += cell(totals, name, 0, 11, 3);
     for (const char* name : kIndices) sums += cell(totals, std::string("total_") + name, 0, 7, 3);
     console.say(sums);
     for (const char* kind : {"mean", "std"}) {
-      std::string line = right(kind, 54);
+      std::string line = right_of_evaluate_model(kind, 54);
       for (const char* name : kIndices) line += cell(totals, std::string(kind) + "_" + name, 0, 7, 3);
-      line += cell(totals, std::string(kind) + "_angle", 0, 10, 3, kDegrees);
+      line += cell(totals, std::string(kind) + "_angle", 0, 10, 3, kEvaluateModelDegrees);
       console.say(line + cell(totals, std::string(kind) + "_plane_distance", 0, 9, 1, 1000));
     }
     const auto count = [&](const char* name) { return grouped(totals.count(name, 0)); };
@@ -90,7 +90,7 @@ struct ModelTables {
     console.say("vertices " + grouped(totals.count("vertices", 0)) +
                 " (mm)         DX        DY        DZ         D     along        up       out");
     for (const char* kind : {"mean", "std", "rms"}) {
-      std::string line = right(kind, 16);
+      std::string line = right_of_evaluate_model(kind, 16);
       for (const char* name : {"dx", "dy", "dz", "distance", "along", "up", "out"})
         line += cell(totals, std::string(kind) + "_" + name, 0, 10, 1, 1000);
       console.say(line);

@@ -116,7 +116,7 @@ struct Facade {
   }
 };
 
-std::string tables() {
+std::string tables_of_facade() {
   Params planes;
   make_segmenter("ransac", planes);
   return "Parameters of --set (planes):\n" + describe(planes.get()) + "\n" + modeller_tables("--model-set") +
@@ -143,7 +143,7 @@ void add_facade(Command& app) {
   state->files.add_to(command);
   add_common(command, state->common);
   command.footer([] {
-    return tables() +
+    return tables_of_facade() +
            "\nExamples:\n  jalon facade scan.las -o result\n"
            "  jalon facade scan.txt -o result --columns \"x y z intensity\" --set seed=7";
   });

@@ -8,7 +8,7 @@ namespace jalon::cli {
 
 namespace {
 
-void run(const CloudJob& job) {
+void run_of_normals(const CloudJob& job) {
   Console console(job.common);
   const Cloud cloud = job.read(console);
   console.step("normals");
@@ -30,7 +30,7 @@ void add_normals(Command& app) {
   auto job = std::make_shared<CloudJob>();
   job->add_to(command, "-o,--output", "Parameters of --set", "normals",
               "Example: jalon normals scan.las -o normals.ply --set k=24 --set orientation=centroid");
-  command.on_run([job] { run(*job); });
+  command.on_run([job] { run_of_normals(*job); });
 }
 
 }  // namespace jalon::cli

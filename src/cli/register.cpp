@@ -161,7 +161,7 @@ struct Register {
   }
 };
 
-std::string tables() {
+std::string tables_of_register() {
   return method_tables<Registrar>("Parameters of --set with --method ", jalon_registrar_methods, jalon_registrar_create,
                                   jalon_registrar_params);
 }
@@ -197,7 +197,7 @@ void add_register(Command& app) {
   state->settings.add_to(command);
   add_common(command, state->common);
   command.footer([] {
-    return tables() + "Examples:\n  jalon register hall_1.las hall_2.las -o joined\n"
+    return tables_of_register() + "Examples:\n  jalon register hall_1.las hall_2.las -o joined\n"
                       "  jalon register hall_1.las hall_2.las -o joined --start pose.txt\n"
                       "  jalon register hall_1.las hall_2.las -o joined --targets control.txt spheres_2.txt";
   });

@@ -106,7 +106,7 @@ struct Segment {
   }
 };
 
-std::string tables() {
+std::string tables_of_segment() {
   return method_tables<Segmenter>("Parameters of --set with --method ", jalon_segmenter_methods, jalon_segmenter_create,
                                   jalon_segmenter_params);
 }
@@ -130,7 +130,7 @@ void add_segment(Command& app) {
   state->settings.add_to(command);
   add_common(command, state->common);
   command.footer([] {
-    return tables() +
+    return tables_of_segment() +
            "Examples:\n  jalon segment scan.las -o result\n"
            "  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set min_area_m2=0.2\n"
            "  jalon segment plant.las -o result --set primitives=all --set max_radius_m=1\n"

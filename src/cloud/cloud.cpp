@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 16;                           // points a chunk: 1.5 MB, about 0.2 ms
+constexpr size_t kCloudGrain = 1 << 16;                           // points a chunk: 1.5 MB, about 0.2 ms
 constexpr uint64_t kExponentBits = 0x7ff0000000000000ull;  // all set in infinities and NaNs only
 
 /// Integer compares, which the compiler turns into vector code.
@@ -45,7 +45,7 @@ void require_finite(std::span<const double> xyz) {
 }
 
 Box3 bounds(const Cloud& cloud, Task& task) {
-  return parallel_reduce(task, cloud.size(), kGrain, Box3{}, [&](size_t begin, size_t end) {
+  return parallel_reduce(task, cloud.size(), kCloudGrain, Box3{}, [&](size_t begin, size_t end) {
     Box3 box;
     for (size_t i = begin; i < end; ++i) box.add(cloud.point(i));
     return box;

@@ -12,7 +12,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 16;
+constexpr size_t kCombineGrain = 1 << 16;
 // Below this share of the product of the row lengths a determinant is rounding noise: the map flattens space.
 constexpr double kSingular = 1e-12;
 
@@ -76,7 +76,7 @@ ColumnPtr transformed_normals(const Column& column, const Transform& transform, 
     if constexpr (std::is_floating_point_v<T>) {
       const auto from = column.values<T>();
       const auto to = out->template values<T>();
-      parallel_for(task, column.count(), kGrain, [&](size_t begin, size_t end) {
+      parallel_for(task, column.count(), kCombineGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
           const Vec3 n{double{from[3 * i]}, double{from[3 * i + 1]}, double{from[3 * i + 2]}};
           const auto& m = back.m;
@@ -97,7 +97,7 @@ Cloud append(const Cloud& a, const Cloud& b, Task& task) {
     fail(Status::kInvalidArgument, "the clouds have different coordinate reference systems");
   Buffer<double> xyz(3 * (a.size() + b.size()));
   const auto copy = [&](const Cloud& from, size_t first) {
-    parallel_for(task, from.size(), kGrain, [&](size_t begin, size_t end) {
+    parallel_for(task, from.size(), kCombineGrain, [&](size_t begin, size_t end) {
       std::memcpy(xyz.data() + 3 * (first + begin), from.xyz().data() + 3 * begin, (end - begin) * 3 * sizeof(double));
     });
   };
@@ -137,7 +137,7 @@ Cloud transformed(const Cloud& cloud, const Transform& transform, Task& task) {
   Buffer<double> xyz(3 * cloud.size());
   {
     ProgressSpan span(task, 0, 0.7);
-    parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+    parallel_for(task, cloud.size(), kCombineGrain, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const Vec3 p = transform.point(cloud.point(i));
         for (int c = 0; c < 3; ++c) xyz[3 * i + static_cast<size_t>(c)] = p[c];

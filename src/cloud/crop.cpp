@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kCropGrain = 1 << 15;
 
 template <class F>
 std::vector<uint8_t> mask_where(const Cloud& cloud, Task& task, size_t grain, F&& is_inside) {
@@ -27,7 +27,7 @@ std::vector<uint8_t> mask_where(const Cloud& cloud, Task& task, size_t grain, F&
 }  // namespace
 
 std::vector<uint8_t> inside_box(const Cloud& cloud, const Box3& box, const Transform& T_box_world, Task& task) {
-  return mask_where(cloud, task, kGrain, [&](const Vec3& p) { return box.contains(T_box_world.point(p)); });
+  return mask_where(cloud, task, kCropGrain, [&](const Vec3& p) { return box.contains(T_box_world.point(p)); });
 }
 
 std::vector<uint8_t> inside_prism(const Cloud& cloud, std::span<const Vec2> polygon, double w_min, double w_max,
@@ -39,7 +39,7 @@ std::vector<uint8_t> inside_prism(const Cloud& cloud, std::span<const Vec2> poly
     high = {std::max(high.u, corner.u), std::max(high.v, corner.v)};
   }
   // Polygons of many corners get smaller chunks, so that cancel stays quick.
-  const size_t grain = std::max<size_t>(64, kGrain * 8 / (8 + polygon.size()));
+  const size_t grain = std::max<size_t>(64, kCropGrain * 8 / (8 + polygon.size()));
   return mask_where(cloud, task, grain, [&](const Vec3& p) {
     const Vec3 q = T_prism_world.point(p);
     return q.z >= w_min && q.z <= w_max && q.x >= low.u && q.x <= high.u && q.y >= low.v && q.y <= high.v &&
@@ -55,7 +55,7 @@ std::vector<uint8_t> inside_cylinder(const Cloud& cloud, const Vec3& foot, const
     fail(Status::kInvalidArgument, "foot and top of the cylinder are one point, or not finite");
   if (!(radius_m > 0) || !std::isfinite(radius_m))
     fail(Status::kInvalidArgument, "a radius of %s m: it must be above 0", text_of(radius_m).c_str());
-  return mask_where(cloud, task, kGrain, [&](const Vec3& p) {
+  return mask_where(cloud, task, kCropGrain, [&](const Vec3& p) {
     const Vec3 d = p - foot;
     const double along = dot(d, axis);
     if (!(along >= 0 && along <= length2)) return false;

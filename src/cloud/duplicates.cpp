@@ -16,7 +16,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kDuplicatesGrain = 1 << 15;
 /// Points are dealt into this many buckets by hash, so that one bucket's table (8 M points: 8000
 /// entries of 8 B, half full) stays in the fast cache.
 constexpr size_t kBuckets = 1024;
@@ -67,13 +67,13 @@ size_t bucket_of(uint64_t hash) { return hash >> (64 - std::bit_width(kBuckets -
 
 /// Counting sort by bucket with fixed chunks: stable, so the order does not depend on the threads.
 Buckets deal(const Cloud& cloud, const Rounding& rounding, Task& task) {
-  const size_t n = cloud.size(), chunks = (n + kGrain - 1) / kGrain;
+  const size_t n = cloud.size(), chunks = (n + kDuplicatesGrain - 1) / kDuplicatesGrain;
   std::vector<uint32_t> counts(chunks * kBuckets, 0);
   Buffer<uint64_t> hashes(n);
   {
     ProgressSpan span(task, 0, 0.6);
-    parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
-      uint32_t* own = counts.data() + begin / kGrain * kBuckets;
+    parallel_for(task, n, kDuplicatesGrain, [&](size_t begin, size_t end) {
+      uint32_t* own = counts.data() + begin / kDuplicatesGrain * kBuckets;
       for (size_t i = begin; i < end; ++i) {
         hashes[i] = hash_of(rounding(cloud.point(i)));
         ++own[bucket_of(hashes[i])];
@@ -92,8 +92,8 @@ Buckets deal(const Cloud& cloud, const Rounding& rounding, Task& task) {
   }
   buckets.first[kBuckets] = at;
   ProgressSpan span(task, 0.6, 1);
-  parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
-    uint32_t* next = counts.data() + begin / kGrain * kBuckets;
+  parallel_for(task, n, kDuplicatesGrain, [&](size_t begin, size_t end) {
+    uint32_t* next = counts.data() + begin / kDuplicatesGrain * kBuckets;
     for (size_t i = begin; i < end; ++i)
       buckets.entries[next[bucket_of(hashes[i])]++] = {static_cast<uint32_t>(hashes[i]), static_cast<uint32_t>(i)};
   });

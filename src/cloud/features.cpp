@@ -75,7 +75,7 @@ Choice parse_which(std::string_view text) {
 
 using Values = std::array<double, kFeatures>;
 
-struct Scratch {
+struct FeaturesScratch {
   std::vector<Vec3> points, work;
 };
 
@@ -110,7 +110,7 @@ void shape(const PrincipalFrame& frame, Values& values) {
   values[kVerticality] = 1 - std::fabs(frame.n.z);
 }
 
-Values features_at(const Octree& tree, const Neighbourhood& around, double radius_m, const Choice& chosen, Scratch& s) {
+Values features_at(const Octree& tree, const Neighbourhood& around, double radius_m, const Choice& chosen, FeaturesScratch& s) {
   Values values;
   values.fill(kNaN);
   if (chosen[kDensity]) values[kDensity] = density(around, radius_m);
@@ -167,8 +167,8 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
   }
   ProgressSpan span(task, 0.2, 1, "features");
   const auto order = tree->order();
-  for_each_neighbourhood<Scratch>(
-      *tree, settings.k, radius_m, task, [&](const Neighbourhood& around, Scratch& scratch) {
+  for_each_neighbourhood<FeaturesScratch>(
+      *tree, settings.k, radius_m, task, [&](const Neighbourhood& around, FeaturesScratch& scratch) {
         const Values values = features_at(*tree, around, radius_m, chosen, scratch);
         const size_t i = order[around.point];
         for (size_t f = 0; f < kFeatures; ++f)

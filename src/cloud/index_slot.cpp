@@ -10,10 +10,10 @@ namespace jalon {
 namespace {
 
 constexpr auto kCancelPoll = std::chrono::milliseconds(50);  // the API promises an answer to cancel within 100 ms
-constexpr size_t kGrain = 1 << 16;
+constexpr size_t kIndexSlotGrain = 1 << 16;
 
 Box3 bounds_of(std::span<const double> xyz, Task& task) {
-  return parallel_reduce(task, xyz.size() / 3, kGrain, Box3{}, [&](size_t begin, size_t end) {
+  return parallel_reduce(task, xyz.size() / 3, kIndexSlotGrain, Box3{}, [&](size_t begin, size_t end) {
     Box3 box;
     for (size_t i = begin; i < end; ++i) box.add({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
     return box;

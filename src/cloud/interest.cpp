@@ -15,7 +15,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kInterestGrain = 1 << 15;
 
 struct SlabPoint {
   uint32_t index;
@@ -25,10 +25,10 @@ struct SlabPoint {
 /// Step 2: the points in the slab about the plane, with their places in it, in order.
 std::vector<SlabPoint> points_in_slab(const Cloud& cloud, const FacadePlane& facade, double front_m, double back_m,
                                       Task& task) {
-  const size_t chunks = (cloud.size() + kGrain - 1) / kGrain;
+  const size_t chunks = (cloud.size() + kInterestGrain - 1) / kInterestGrain;
   std::vector<std::vector<SlabPoint>> parts(chunks);
-  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
-    auto& part = parts[begin / kGrain];
+  parallel_for(task, cloud.size(), kInterestGrain, [&](size_t begin, size_t end) {
+    auto& part = parts[begin / kInterestGrain];
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = cloud.point(i) - facade.origin;
       const double s = facade.plane.distance(p);
@@ -68,7 +68,7 @@ void remove_ground(const Cloud& cloud, const FacadePlane& facade, double toleran
                    std::vector<uint8_t>& mask) {
   GroundPlane ground;
   if (!find_ground(cloud, facade, tolerance_m, seed, task, ground)) return;
-  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, cloud.size(), kInterestGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = cloud.point(i) - facade.origin;
       if (std::fabs(facade.plane.distance(p)) > tolerance_m && ground.plane.distance(p) <= tolerance_m) mask[i] = 0;

@@ -14,7 +14,7 @@ namespace {
 
 using Orientation = NormalsSettings::Orientation;
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kNormalsGrain = 1 << 15;
 
 const Column& require_normals(const Cloud& cloud) {
   const Column& normal = cloud.fields.require("normal");
@@ -91,7 +91,7 @@ void orient(const Cloud& cloud, const NormalsSettings& settings, Column& normal,
   }
   const bool by_station = orientation == Orientation::kStation;
   const auto normals = normal.values<float>();
-  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, cloud.size(), kNormalsGrain, [&](size_t begin, size_t end) {
     const Station* station = nullptr;
     for (size_t i = begin; i < end; ++i) {
       if (by_station && (station == nullptr || i - station->first >= station->count)) station = station_of(cloud, i);
@@ -137,7 +137,7 @@ Cloud with_inverted_normals(const Cloud& cloud, Task& task) {
     if constexpr (std::is_floating_point_v<T>) {
       const auto from = normal.values<T>();
       const auto to = inverted->template values<T>();
-      parallel_for(task, from.size(), 3 * kGrain, [&](size_t begin, size_t end) {
+      parallel_for(task, from.size(), 3 * kNormalsGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) to[i] = -from[i];
       });
     }

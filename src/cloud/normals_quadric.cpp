@@ -9,11 +9,11 @@ namespace jalon {
 
 namespace {
 
-struct Scratch {
+struct NormalsQuadricScratch {
   std::vector<Vec3> points, work;
 };
 
-Vec3 quadric_normal(const Octree& tree, const Neighbourhood& around, Scratch& scratch) {
+Vec3 quadric_normal(const Octree& tree, const Neighbourhood& around, NormalsQuadricScratch& scratch) {
   Moments moments;
   moments.reference = tree.local(around.point);
   scratch.points.clear();
@@ -40,7 +40,7 @@ std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double r
   auto column = new_normal_column(tree.size());
   const auto out = column->values<float>();
   const auto order = tree.order();
-  for_each_neighbourhood<Scratch>(tree, k, radius_m, task, [&](const Neighbourhood& around, Scratch& scratch) {
+  for_each_neighbourhood<NormalsQuadricScratch>(tree, k, radius_m, task, [&](const Neighbourhood& around, NormalsQuadricScratch& scratch) {
     const Vec3 n = quadric_normal(tree, around, scratch);
     float* to = out.data() + 3 * size_t{order[around.point]};
     to[0] = static_cast<float>(n.x);

@@ -26,7 +26,7 @@ constexpr double kGridShare = 0x1p-24;
 constexpr size_t kCellsPerChunk = 128;
 
 /// Memory of one chunk of cells.
-struct Scratch {
+struct NormalsTriangulationScratch {
   std::vector<uint32_t> members;  // sorted positions; the cell's own come first
   std::vector<Vec3> points, sums;
   std::vector<Vec2> flat;
@@ -59,7 +59,7 @@ Vec3 rounded(const Vec3& p) {
 }
 
 /// (a)-(c): the cell's points and, when they are too few or on a line, those about its centre.
-bool gather(const Octree& tree, const std::vector<uint32_t>& position_of, const Octree::Cell& cell, Scratch& s,
+bool gather(const Octree& tree, const std::vector<uint32_t>& position_of, const Octree::Cell& cell, NormalsTriangulationScratch& s,
             PrincipalFrame& frame) {
   s.members.resize(cell.count);
   s.points.resize(cell.count);
@@ -83,7 +83,7 @@ bool gather(const Octree& tree, const std::vector<uint32_t>& position_of, const 
 }
 
 /// (d)-(g): project, triangulate, add up the cross products of the triangles.
-void accumulate(const PrincipalFrame& frame, Scratch& s) {
+void accumulate(const PrincipalFrame& frame, NormalsTriangulationScratch& s) {
   s.flat.resize(s.points.size());
   double size = 0;
   for (size_t i = 0; i < s.points.size(); ++i) {
@@ -117,7 +117,7 @@ std::shared_ptr<Column> triangulation_normals(const Octree& tree, Task& task) {
   }
   ProgressSpan span(task, 0.1, 1);
   parallel_for(task, cells.size(), kCellsPerChunk, [&](size_t begin, size_t end) {
-    Scratch scratch;
+    NormalsTriangulationScratch scratch;
     for (size_t c = begin; c < end; ++c) {
       PrincipalFrame frame;
       const bool flat = gather(tree, position_of, cells[c], scratch, frame);

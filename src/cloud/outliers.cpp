@@ -10,7 +10,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kOutliersGrain = 1 << 15;
 
 struct Sums {
   double sum = 0;
@@ -47,7 +47,7 @@ std::vector<uint8_t> statistical_mask(const Octree& tree, uint32_t k, double sig
   }
   ProgressSpan span(task, 0.9, 1);
   const auto sum_over = [&](auto&& term) {
-    return parallel_reduce(task, distance.size(), kGrain, Sums{}, [&](size_t begin, size_t end) {
+    return parallel_reduce(task, distance.size(), kOutliersGrain, Sums{}, [&](size_t begin, size_t end) {
       Sums part;
       for (size_t i = begin; i < end; ++i) part += Sums{term(double{distance[i]}), 1};
       return part;
@@ -58,7 +58,7 @@ std::vector<uint8_t> statistical_mask(const Octree& tree, uint32_t k, double sig
   const double limit = mean + sigmas * std::sqrt(variance);
   std::vector<uint8_t> keep(tree.size());
   const auto order = tree.order();
-  parallel_for(task, tree.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, tree.size(), kOutliersGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) keep[order[i]] = double{distance[i]} <= limit;
   });
   return keep;

@@ -11,7 +11,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 14;
+constexpr size_t kPointCovariancesGrain = 1 << 14;
 
 void require_poses(const Cloud& cloud) {
   for (uint64_t i = 0; i < cloud.size();) {
@@ -54,7 +54,7 @@ Cloud with_point_covariances(const Cloud& cloud, const ScannerPrecision& precisi
   const Incidence incidence(cloud);
   const auto out = covariance->values<float>();
   const auto sigmas = sigma->values<float>();
-  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, cloud.size(), kPointCovariancesGrain, [&](size_t begin, size_t end) {
     const Station* station = nullptr;
     for (size_t i = begin; i < end; ++i) {
       if (station == nullptr || i - station->first >= station->count) station = station_of(cloud, i);

@@ -11,7 +11,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 16;
+constexpr size_t kRangeSampleGrain = 1 << 16;
 
 struct Intensities {
   uint64_t n = 0;
@@ -27,7 +27,7 @@ struct Intensities {
 template <class At>
 void set_intensity(const Column& column, size_t n, At&& at, Task& task, RangeSample& out) {
   const double about = column.number(at(0));  // near the mean: the squares stay small
-  const Intensities sums = parallel_reduce(task, n, kGrain, Intensities{}, [&](size_t begin, size_t end) {
+  const Intensities sums = parallel_reduce(task, n, kRangeSampleGrain, Intensities{}, [&](size_t begin, size_t end) {
     Intensities part;
     for (size_t i = begin; i < end; ++i) {
       const double v = column.number(at(i)) - about;
@@ -56,7 +56,7 @@ RangeSample range_sample(const Cloud& cloud, std::span<const uint64_t> indices, 
   const auto at = [&](size_t i) { return indices.empty() ? i : static_cast<size_t>(indices[i]); };
   Moments zero;
   zero.reference = cloud.point(at(0));
-  const Moments moments = parallel_reduce(task, n, kGrain, zero, [&](size_t begin, size_t end) {
+  const Moments moments = parallel_reduce(task, n, kRangeSampleGrain, zero, [&](size_t begin, size_t end) {
     Moments part = zero;
     for (size_t i = begin; i < end; ++i) part.add(cloud.point(at(i)));
     return part;

@@ -13,12 +13,12 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 16;
+constexpr size_t kSelectGrain = 1 << 16;
 
 /// Rows of these indices; constant sizes become plain moves.
 template <class Size>
 void gather_rows(const std::byte* from, std::byte* to, Size size, std::span<const uint64_t> indices, Task& task) {
-  parallel_for(task, indices.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, indices.size(), kSelectGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) std::memcpy(to + i * size, from + indices[i] * size, size);
   });
 }
@@ -54,7 +54,7 @@ std::vector<Station> surviving_stations(const Cloud& cloud, std::span<const uint
   std::vector<uint32_t> run_counts(cloud.stations.size(), 0);
   const Station* current = nullptr;
   for (size_t i = 0; i < indices.size(); ++i) {
-    if (i % kGrain == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(indices.size()));
+    if (i % kSelectGrain == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(indices.size()));
     const bool same = current != nullptr && indices[i] - current->first < current->count;
     if (!same) {
       current = station_of(cloud, indices[i]);
@@ -123,17 +123,17 @@ Cloud select_kept(const Cloud& cloud, std::span<const uint64_t> ascending, Task&
 }
 
 std::vector<uint64_t> indices_of(std::span<const uint8_t> mask, uint8_t value, Task& task) {
-  const size_t chunks = (mask.size() + kGrain - 1) / kGrain;
+  const size_t chunks = (mask.size() + kSelectGrain - 1) / kSelectGrain;
   std::vector<uint64_t> starts(chunks + 1, 0);
-  parallel_for(task, mask.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, mask.size(), kSelectGrain, [&](size_t begin, size_t end) {
     uint64_t n = 0;
     for (size_t i = begin; i < end; ++i) n += mask[i] == value;
-    starts[begin / kGrain + 1] = n;
+    starts[begin / kSelectGrain + 1] = n;
   });
   for (size_t c = 0; c < chunks; ++c) starts[c + 1] += starts[c];
   std::vector<uint64_t> indices(starts[chunks]);
-  parallel_for(task, mask.size(), kGrain, [&](size_t begin, size_t end) {
-    uint64_t at = starts[begin / kGrain];
+  parallel_for(task, mask.size(), kSelectGrain, [&](size_t begin, size_t end) {
+    uint64_t at = starts[begin / kSelectGrain];
     for (size_t i = begin; i < end; ++i)
       if (mask[i] == value) indices[at++] = i;
   });

@@ -12,11 +12,11 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kStatisticsGrain = 1 << 15;
 
 /// The centroid relative to an origin.
 Vec3 local_centroid(const Cloud& cloud, const Vec3& origin, Task& task) {
-  const Vec3 sum = parallel_reduce(task, cloud.size(), kGrain, Vec3{}, [&](size_t begin, size_t end) {
+  const Vec3 sum = parallel_reduce(task, cloud.size(), kStatisticsGrain, Vec3{}, [&](size_t begin, size_t end) {
     Vec3 part;
     for (size_t i = begin; i < end; ++i) part += cloud.point(i) - origin;
     return part;
@@ -46,7 +46,7 @@ CloudCovariance covariance_of(const Cloud& cloud, Task& task) {
   require_points(cloud);
   const Vec3 origin = local_origin(cloud, task);
   const Vec3 centre = local_centroid(cloud, origin, task);
-  const Moments moments = parallel_reduce(task, cloud.size(), kGrain, Moments{}, [&](size_t begin, size_t end) {
+  const Moments moments = parallel_reduce(task, cloud.size(), kStatisticsGrain, Moments{}, [&](size_t begin, size_t end) {
     Moments part;  // about the centroid: the sums of the first pass are all but zero here, so no digits cancel
     for (size_t i = begin; i < end; ++i) part.add(cloud.point(i) - origin - centre);
     return part;
@@ -61,7 +61,7 @@ double moment_of(const Cloud& cloud, uint32_t a, uint32_t b, uint32_t c, bool ce
     origin = local_origin(cloud, task);
     centre = local_centroid(cloud, origin, task);
   }
-  const double sum = parallel_reduce(task, cloud.size(), kGrain, 0.0, [&](size_t begin, size_t end) {
+  const double sum = parallel_reduce(task, cloud.size(), kStatisticsGrain, 0.0, [&](size_t begin, size_t end) {
     double part = 0;
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = cloud.point(i) - origin - centre;

@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kSubsampleGrain = 1 << 15;
 
 /// Greedy in order of the points: whoever is still there stays, and sends all within the distance away.
 Cloud at_minimum_distance(const Cloud& cloud, double distance_m, Task& task) {
@@ -72,7 +72,7 @@ Cloud at_random(const Cloud& cloud, uint64_t wanted, uint64_t seed, Task& task) 
   std::vector<uint8_t> keep(n);
   std::vector<std::pair<uint64_t, size_t>> ties;  // the border class
   ProgressSpan span(task, 0.3, 1, "sampling");
-  parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, n, kSubsampleGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const uint64_t drawn = draw(i) >> 48;
       keep[i] = drawn < border ? 1 : drawn == border ? 2 : 0;

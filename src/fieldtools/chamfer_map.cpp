@@ -14,9 +14,9 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 14;
+constexpr size_t kChamferMapGrain = 1 << 14;
 constexpr double kAutomaticCells = 2e6;       // of the automatic cell size
-constexpr double kMostCells = 0x1p27;         // 0.8 GiB at the peak of either method
+constexpr double kChamferMapMostCells = 0x1p27;         // 0.8 GiB at the peak of either method
 constexpr double kMostAlong = 20000;          // cells on an axis: thirds of a cell fit 16 bits along it
 
 DistanceGrid grid_around(const Box3& box, double cell_m) {
@@ -35,7 +35,7 @@ DistanceGrid grid_around(const Box3& box, double cell_m) {
   for (int i = 0; i < 3; ++i) {
     const double along = std::floor(extent[i] / cell_m) + 1 + 2 * grid.margin;
     cells *= along;
-    if (along > kMostAlong || cells > kMostCells)
+    if (along > kMostAlong || cells > kChamferMapMostCells)
       fail(Status::kLimit, "the box of the clouds has too many cells of this size");
     grid.size[static_cast<size_t>(i)] = static_cast<uint32_t>(along);
   }
@@ -70,7 +70,7 @@ Occupied occupied_cells(const DistanceGrid& grid, const Cloud& reference, Task& 
     float distance;
   };
   std::vector<Entry> entries(reference.size());
-  parallel_for(task, entries.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, entries.size(), kChamferMapGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const uint64_t cell = cell_of(grid, reference.point(i));
       const Vec3 away = reference.point(i) - grid.lowest - centre_offset(grid, cell);
@@ -164,7 +164,7 @@ Cloud with_map_distance(const Cloud& compared, const Cloud& reference,
   const bool chamfer = settings.method == DistanceMapSettings::Method::kChamfer;
   const double limit_m = limit_of(settings);
   std::vector<double> distances(compared.size());
-  parallel_for(task, distances.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, distances.size(), kChamferMapGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = compared.point(i);
       const double d = chamfer ? double{map.distance_m[cell_of(map.grid, p)]} : interpolated(map, p);

@@ -12,8 +12,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 14;
-constexpr uint32_t kMostClasses = 1000;
+constexpr size_t kChiSquareGrain = 1 << 14;
+constexpr uint32_t kChiSquareMostClasses = 1000;
 
 struct Counts {
   std::vector<uint64_t> of;
@@ -33,9 +33,9 @@ uint32_t classes_for(size_t n, uint32_t most) {
 ChiSquareDistance chi_square_distance(std::span<const double> values, const NoiseLaw& law, uint32_t classes,
                                       Task& task) {
   ChiSquareDistance out;
-  out.classes = classes >= 2 ? classes : classes_for(values.size(), kMostClasses);
+  out.classes = classes >= 2 ? classes : classes_for(values.size(), kChiSquareMostClasses);
   const Counts counts = parallel_reduce(
-      task, values.size(), kGrain, Counts{std::vector<uint64_t>(out.classes)}, [&](size_t begin, size_t end) {
+      task, values.size(), kChiSquareGrain, Counts{std::vector<uint64_t>(out.classes)}, [&](size_t begin, size_t end) {
         Counts part{std::vector<uint64_t>(out.classes)};
         for (size_t i = begin; i < end; ++i) {
           const double u = law.cumulative(values[i]);

@@ -16,8 +16,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 14;
-constexpr uint32_t kMostClasses = 32;  // reached at 1 024 values
+constexpr size_t kChiSquareFilterGrain = 1 << 14;
+constexpr uint32_t kChiSquareFilterMostClasses = 32;  // reached at 1 024 values
 constexpr double kLeastExpected = 1e-3;  // floor of n P_i in relaxed classes: no overflow, a wide range for the cut
 constexpr double kShareForSingles = 0.03;  // of the points: a search by itself costs some 30 of a batch
 
@@ -29,7 +29,7 @@ struct Outcome {
   bool above = false;     ///< deviations above those of the law
 };
 
-struct Scratch {
+struct ChiSquareFilterScratch {
   std::vector<double> work;
 };
 
@@ -39,24 +39,24 @@ class LocalTest {
   LocalTest(const NoiseLaw& law, const ChiSquareSettings& settings, const ValuedPoints& valued,
             Task& task)
       : law_(law), settings_(settings), valued_(valued), deviation_(expected_deviation(law)) {
-    for (uint32_t k = 2; k <= kMostClasses; ++k) thresholds_[k] = chi_square_threshold(k, settings.error_margin);
+    for (uint32_t k = 2; k <= kChiSquareFilterMostClasses; ++k) thresholds_[k] = chi_square_threshold(k, settings.error_margin);
     cumulative_.resize(valued.size());
-    parallel_for(task, valued.size(), kGrain, [&](size_t begin, size_t end) {
+    parallel_for(task, valued.size(), kChiSquareFilterGrain, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) cumulative_[i] = law.cumulative(valued.values[i]);
     });
   }
 
   double tabulated() const {
     return settings_.kolmogorov() ? kolmogorov_cut(settings_.neighbours)
-                                  : thresholds_[classes_for(settings_.neighbours, kMostClasses)];
+                                  : thresholds_[classes_for(settings_.neighbours, kChiSquareFilterMostClasses)];
   }
   double ceiling() const {
     if (settings_.kolmogorov()) return 1;
     if (settings_.relaxed()) return std::numeric_limits<double>::infinity();
-    return settings_.neighbours * (classes_for(settings_.neighbours, kMostClasses) - 1.0);
+    return settings_.neighbours * (classes_for(settings_.neighbours, kChiSquareFilterMostClasses) - 1.0);
   }
 
-  Outcome run(std::span<const uint32_t> members, Scratch& scratch) const {
+  Outcome run(std::span<const uint32_t> members, ChiSquareFilterScratch& scratch) const {
     if (members.size() < kFewestTested) return {};
     Outcome out;
     if (settings_.kolmogorov()) {
@@ -65,7 +65,7 @@ class LocalTest {
       out.distance = kolmogorov_distance(scratch.work) * tabulated() / kolmogorov_cut(members.size());
       out.saturating = out.distance;
     } else {
-      const uint32_t k = classes_for(members.size(), kMostClasses);
+      const uint32_t k = classes_for(members.size(), kChiSquareFilterMostClasses);
       const double to_first = tabulated() / thresholds_[k];
       out.saturating = equiprobable(members, k) * to_first;
       out.distance = settings_.relaxed() ? relaxed(members, k) * to_first : out.saturating;
@@ -83,7 +83,7 @@ class LocalTest {
   }
 
   double equiprobable(std::span<const uint32_t> members, uint32_t k) const {
-    std::array<uint32_t, kMostClasses> counts{};
+    std::array<uint32_t, kChiSquareFilterMostClasses> counts{};
     for (const uint32_t j : members) ++counts[std::min(k - 1, static_cast<uint32_t>(cumulative_[j] * k))];
     uint64_t squares = 0;  // sum (N - n/k)^2 / (n/k) = k / n sum N^2 - n
     for (uint32_t c = 0; c < k; ++c) squares += uint64_t{counts[c]} * counts[c];
@@ -99,7 +99,7 @@ class LocalTest {
       high = std::max(high, valued_.values[j]);
     }
     const double width = (high - low) / k;
-    std::array<uint32_t, kMostClasses> counts{};
+    std::array<uint32_t, kChiSquareFilterMostClasses> counts{};
     for (const uint32_t j : members)
       ++counts[width > 0 ? std::min(k - 1, static_cast<uint32_t>((valued_.values[j] - low) / width)) : 0];
     const auto n = static_cast<double>(members.size());
@@ -117,7 +117,7 @@ class LocalTest {
   const ChiSquareSettings& settings_;
   const ValuedPoints& valued_;
   ExpectedDeviation deviation_;
-  std::array<double, kMostClasses + 1> thresholds_{};
+  std::array<double, kChiSquareFilterMostClasses + 1> thresholds_{};
   std::vector<double> cumulative_;  ///< F of each value, by sorted position
 };
 
@@ -164,8 +164,8 @@ class SecondPass {
  private:
   void all_neighbourhoods(const std::vector<uint8_t>& in_band, std::vector<Outcome>& outcomes, Task& task) const {
     const double grown = std::sqrt(static_cast<double>(settings_.second_neighbours) / settings_.neighbours);
-    for_each_neighbourhood<Scratch>(*valued_.tree, settings_.second_neighbours, settings_.radius_m * grown, task,
-                                    [&](const Neighbourhood& around, Scratch& scratch) {
+    for_each_neighbourhood<ChiSquareFilterScratch>(*valued_.tree, settings_.second_neighbours, settings_.radius_m * grown, task,
+                                    [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
                                       if (in_band[around.point])
                                         outcomes[around.point] = test_.run(around.neighbours, scratch);
                                     });
@@ -178,7 +178,7 @@ class SecondPass {
     for (size_t i = 0; i < order.size(); ++i) position[order[i]] = static_cast<uint32_t>(i);
     constexpr size_t kBandGrain = 256;
     parallel_for(task, band.size(), kBandGrain, [&](size_t begin, size_t end) {
-      Scratch scratch;
+      ChiSquareFilterScratch scratch;
       std::vector<Neighbour> found(settings_.second_neighbours);
       std::vector<uint32_t> members(found.size());
       for (size_t i = begin; i < end; ++i) {
@@ -231,8 +231,8 @@ ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, 
   std::vector<Outcome> outcomes(valued.size());
   {
     ProgressSpan first(task, 0, settings.passes == 2 ? 0.5 : 0.95);
-    for_each_neighbourhood<Scratch>(*valued.tree, settings.neighbours, settings.radius_m, task,
-                                    [&](const Neighbourhood& around, Scratch& scratch) {
+    for_each_neighbourhood<ChiSquareFilterScratch>(*valued.tree, settings.neighbours, settings.radius_m, task,
+                                    [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
                                       outcomes[around.point] = test.run(around.neighbours, scratch);
                                     });
   }

@@ -7,7 +7,7 @@ namespace jalon {
 
 namespace {
 
-constexpr ParamRow kMethodRow = choice_row<&ChiSquareSettings::method>(
+constexpr ParamRow kChiSquareSettingsMethodRow = choice_row<&ChiSquareSettings::method>(
     "method", "chi_square|kolmogorov", "",
     "chi_square: counts in classes against the law; kolmogorov: largest difference of the "
     "cumulatives");
@@ -17,7 +17,7 @@ constexpr ParamRow kMethodRow = choice_row<&ChiSquareSettings::method>(
 std::span<const ParamRow> chi_square_rows() {
   using S = ChiSquareSettings;
   static constexpr auto kRows = setting_rows(
-      kMethodRow,
+      kChiSquareSettingsMethodRow,
       integer_row<&S::neighbours>("neighbours", kFewestTested, 256, "points", "",
                                   "Nearest points with a value that are tested together, the point "
                                   "itself included; not read when radius_m is above 0"),
@@ -53,7 +53,7 @@ std::span<const ParamRow> chi_square_rows() {
 }
 
 std::string ChiSquareSettings::distance_field() const {
-  return name.empty() ? choice_at(kMethodRow, static_cast<size_t>(method)) : name;
+  return name.empty() ? choice_at(kChiSquareSettingsMethodRow, static_cast<size_t>(method)) : name;
 }
 
 }  // namespace jalon

@@ -45,16 +45,16 @@ double arrival_time(std::span<AxisStep> axes) {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFastMarchingInfinity = std::numeric_limits<double>::infinity();
 constexpr uint32_t kNone = 0xffffffffu;
-constexpr size_t kGrain = 1 << 14;
+constexpr size_t kFastMarchingGrain = 1 << 14;
 constexpr int kStraightSteps = 3;
 
 /// The front of surface_distances.
 class SurfaceFront {
  public:
   SurfaceFront(std::span<const double> xyz, const SurfaceCells& cells)
-      : xyz_(xyz), cells_(cells), time_(cells.size(), kInfinity), slope_(cells.size()), accepted_(cells.size()),
+      : xyz_(xyz), cells_(cells), time_(cells.size(), kFastMarchingInfinity), slope_(cells.size()), accepted_(cells.size()),
         source_(cells.size(), kNone) {}
 
   /// The cells within a few steps of the seed's own start with their straight distance: there the front is so curved
@@ -93,7 +93,7 @@ class SurfaceFront {
 
   /// Distance of a point from its cell's time and slope.
   double at(uint32_t node, uint32_t i) const {
-    if (!accepted_[node]) return kInfinity;
+    if (!accepted_[node]) return kFastMarchingInfinity;
     if (source_[node] != kNone) return norm(point(i) - point(source_[node]));
     return std::max(0.0, time_[node] + dot(slope_[node], point(i) - cells_.centroid(node)));
   }
@@ -155,7 +155,7 @@ class SurfaceFront {
 std::vector<double> surface_distances(std::span<const double> xyz, const SurfaceCells& cells,
                                       std::span<const uint32_t> seeds, double most_m, Task& task) {
   std::vector<uint32_t> cell_of(xyz.size() / 3);
-  parallel_for(task, cells.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, cells.size(), kFastMarchingGrain, [&](size_t begin, size_t end) {
     for (size_t c = begin; c < end; ++c)
       for (const uint32_t i : cells.points(static_cast<uint32_t>(c))) cell_of[i] = static_cast<uint32_t>(c);
   });
@@ -163,10 +163,10 @@ std::vector<double> surface_distances(std::span<const double> xyz, const Surface
   for (const uint32_t seed : seeds) front.start(seed, cell_of[seed]);
   front.run(most_m, task);
   std::vector<double> out(cell_of.size());
-  parallel_for(task, out.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, out.size(), kFastMarchingGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double distance = front.at(cell_of[i], static_cast<uint32_t>(i));
-      out[i] = distance <= most_m ? distance : kInfinity;
+      out[i] = distance <= most_m ? distance : kFastMarchingInfinity;
     }
   });
   return out;

@@ -12,8 +12,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 12;
-constexpr double kMostCells = 0x1p30;  // on an axis
+constexpr size_t kFastMarchingCellsGrain = 1 << 12;
+constexpr double kFastMarchingCellsMostCells = 0x1p30;  // on an axis
 
 using Number = std::array<int32_t, 3>;
 
@@ -23,11 +23,11 @@ bool before(const Number& a, const Number& b) {
 
 std::vector<Number> numbers_of(const VoxelGrid& grid, std::span<const double> xyz, double cell_m, Task& task) {
   std::vector<Number> out(grid.size());
-  parallel_for(task, out.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, out.size(), kFastMarchingCellsGrain, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v)
       for (size_t c = 0; c < 3; ++c) {
         const double number = std::floor(xyz[3 * size_t{grid.order[grid.first[v]]} + c] / cell_m);
-        if (!(std::fabs(number) < kMostCells))
+        if (!(std::fabs(number) < kFastMarchingCellsMostCells))
           fail(Status::kLimit, "the cells are too small for the extent of the points");
         out[v][c] = static_cast<int32_t>(number);
       }
@@ -76,9 +76,9 @@ SurfaceCells surface_cells(std::span<const double> xyz, double cell_m, Task& tas
     out.numbers = numbers_of(out.grid, xyz, cell_m, task);
   }
   ProgressSpan span(task, 0.6, 1);
-  std::vector<Part> parts((out.size() + kGrain - 1) / kGrain);
-  parallel_for(task, out.size(), kGrain, [&](size_t begin, size_t end) {
-    parts[begin / kGrain] = neighbours_of(out.numbers, begin, end);
+  std::vector<Part> parts((out.size() + kFastMarchingCellsGrain - 1) / kFastMarchingCellsGrain);
+  parallel_for(task, out.size(), kFastMarchingCellsGrain, [&](size_t begin, size_t end) {
+    parts[begin / kFastMarchingCellsGrain] = neighbours_of(out.numbers, begin, end);
   });
   out.first.assign(1, 0);
   for (Part& part : parts) {

@@ -17,7 +17,7 @@ namespace {
 
 using Operation = FieldArithmeticSettings::Operation;
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kFieldArithmeticGrain = 1 << 15;
 
 constexpr ParamRow kOperationRow = choice_row<&FieldArithmeticSettings::operation>(
     "operation",
@@ -89,7 +89,7 @@ Cloud with_computed_field(const Cloud& cloud, std::string_view a, std::string_vi
   const double constant = settings.constant;
   const bool summed = operation == Operation::kDot || operation == Operation::kNorm;
   std::vector<double> out(summed ? cloud.size() : left.size());
-  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, cloud.size(), kFieldArithmeticGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       double sum = 0;
       for (uint32_t c = 0; c < components; ++c) {

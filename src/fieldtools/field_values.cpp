@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kFieldValuesGrain = 1 << 15;
 
 std::vector<uint32_t> finite_indices(std::span<const double> values) {
   std::vector<uint32_t> out;
@@ -24,7 +24,7 @@ std::vector<uint32_t> finite_indices(std::span<const double> values) {
 }
 
 double mean_of(std::span<const double> values, double from, bool squared, Task& task) {
-  const double sum = parallel_reduce(task, values.size(), kGrain, 0.0, [&](size_t begin, size_t end) {
+  const double sum = parallel_reduce(task, values.size(), kFieldValuesGrain, 0.0, [&](size_t begin, size_t end) {
     double part = 0;
     for (size_t i = begin; i < end; ++i) {
       const double d = values[i] - from;
@@ -46,7 +46,7 @@ std::vector<double> scalar_values(const Cloud& cloud, std::string_view name, Tas
   visit(column.info().type, [&](auto zero) {
     using T = decltype(zero);
     const auto from = column.values<T>();
-    parallel_for(task, out.size(), kGrain, [&](size_t begin, size_t end) {
+    parallel_for(task, out.size(), kFieldValuesGrain, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) out[i] = static_cast<double>(from[i]);
     });
   });
@@ -86,7 +86,7 @@ ValuedPoints valued_points(const Cloud& cloud, std::span<const double> values, T
   const auto order = out.tree->order();
   out.points.resize(order.size());
   out.values.resize(order.size());
-  parallel_for(task, order.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, order.size(), kFieldValuesGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       out.points[i] = all ? order[i] : with[order[i]];
       out.values[i] = values[out.points[i]];
@@ -99,7 +99,7 @@ Buffer<double> relative_coordinates(const Cloud& cloud, Task& task) {
   Buffer<double> out(3 * cloud.size());
   if (cloud.size() == 0) return out;
   const Vec3 origin = enclosing_cube(bounds(cloud, task)).origin;
-  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, cloud.size(), kFieldValuesGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = cloud.point(i) - origin;
       for (int c = 0; c < 3; ++c) out[3 * i + static_cast<size_t>(c)] = p[c];

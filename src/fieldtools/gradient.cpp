@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kGradientGrain = 1 << 15;
 constexpr double kSpacings = 4;         // automatic radius, of the 3 to 5 spacings that keep a ball full
 constexpr double kLipschitzSlack = 1e-3;  // distances that went through single precision
 constexpr size_t kFewestForSlopes = 4;  // a plane of the values has three unknowns
@@ -115,7 +115,7 @@ Cloud with_gradient(const Cloud& cloud, std::string_view field, const GradientSe
       field_gradients(valued, radius_m, settings.method, settings.distance_field, task);
   std::vector<float> norms(cloud.size(), kFloatNaN);
   std::vector<float> vectors(vector_name.empty() ? 0 : 3 * cloud.size(), kFloatNaN);
-  parallel_for(task, valued.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, valued.size(), kGradientGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3& g = gradients[i];
       const size_t point = valued.points[i];

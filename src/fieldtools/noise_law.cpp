@@ -18,7 +18,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoiseLawInfinity = std::numeric_limits<double>::infinity();
 
 /// Quantiles at equal steps, straight lines between them.
 double empirical_cumulative(const std::vector<double>& quantiles, double x) {
@@ -109,8 +109,8 @@ double NoiseLaw::cumulative(double x) const {
 double NoiseLaw::quantile(double p) const {
   if (kind == LawKind::kEmpirical) return empirical_quantile(quantiles, p);
   if (kind == LawKind::kGauss)
-    return p <= 0 ? -kInfinity : p >= 1 ? kInfinity : gauss_mean + gauss_sigma * normal_quantile(p);
-  return p >= 1 ? kInfinity : shift + scale * std::pow(-std::log1p(-p), 1 / shape);
+    return p <= 0 ? -kNoiseLawInfinity : p >= 1 ? kNoiseLawInfinity : gauss_mean + gauss_sigma * normal_quantile(p);
+  return p >= 1 ? kNoiseLawInfinity : shift + scale * std::pow(-std::log1p(-p), 1 / shape);
 }
 
 double NoiseLaw::mean() const {

@@ -15,7 +15,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 14;
+constexpr size_t kNoiseLawFitGrain = 1 << 14;
 constexpr size_t kFewestValues = 9;       // three classes of three (Saporta 1990)
 constexpr size_t kMostQuantiles = 4096;   // of an empirical law: steps far below what a neighbourhood can tell
 constexpr size_t kMostForShift = 1 << 14; // order statistics that the shift is sought with
@@ -62,7 +62,7 @@ class ShapeEquation {
     double f, slope;
   };
   WeibullSums sums(double a) {
-    return parallel_reduce(task_, logs_.size(), kGrain, WeibullSums{}, [&](size_t begin, size_t end) {
+    return parallel_reduce(task_, logs_.size(), kNoiseLawFitGrain, WeibullSums{}, [&](size_t begin, size_t end) {
       WeibullSums part;
       for (size_t i = begin; i < end; ++i) {
         const double l = logs_[i], w = std::exp(a * l);
@@ -97,7 +97,7 @@ ShiftedSample shifted_sample(std::span<const double> values, double shift, Task&
   if (2 * positive.size() < values.size())
     fail(Status::kDegenerate, "half of the values are not above 0: no Weibull law (\"gauss\" is for signed values)");
   out.logs.resize(positive.size());
-  parallel_for(task, positive.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, positive.size(), kNoiseLawFitGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) out.logs[i] = std::log(positive[i] / out.largest);
   });
   return out;

@@ -11,14 +11,14 @@ namespace jalon {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPropagationInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMostExponent = 100;  // e^100: twice what alpha = 50 reaches, far from the ends of a double
 
 }  // namespace
 
 Propagation::Propagation(const SurfaceCells& cells, std::span<const double> gradient,
                          const PropagationSettings& settings)
-    : cells_(cells), gradient_(gradient), settings_(settings), time_(cells.size(), kInfinity), taken_(cells.size()),
+    : cells_(cells), gradient_(gradient), settings_(settings), time_(cells.size(), kPropagationInfinity), taken_(cells.size()),
       accepted_(cells.size()) {}
 
 /// 1 / F (3.11).
@@ -32,7 +32,7 @@ double Propagation::slowness(uint32_t from, uint32_t to) const {
 double Propagation::local_time(uint32_t cell) const {
   AxisStep axes[3];
   bool known[3] = {false, false, false};
-  double best = kInfinity;
+  double best = kPropagationInfinity;
   for (const uint32_t q : cells_.neighbours(cell)) {
     if (!accepted_[q]) continue;
     const double slow = slowness(q, cell);
@@ -62,7 +62,7 @@ FrontRegion Propagation::spread(uint32_t seed_cell, Task& task) {
   constexpr size_t kBetweenLooks = 1024;
   FrontRegion region;
   region.seed_cell = seed_cell;
-  region.next_time_m = kInfinity;
+  region.next_time_m = kPropagationInfinity;
   FrontQueue queue;
   std::vector<uint32_t> touched{seed_cell};
   time_[seed_cell] = 0;
@@ -82,14 +82,14 @@ FrontRegion Propagation::spread(uint32_t seed_cell, Task& task) {
       if (accepted_[p] || taken_[p]) continue;
       const double time = local_time(p);
       if (!(time < time_[p])) continue;
-      if (time_[p] == kInfinity) touched.push_back(p);
+      if (time_[p] == kPropagationInfinity) touched.push_back(p);
       time_[p] = time;
       queue.push(time, p);
     }
     if (region.arrivals.size() % kBetweenLooks == 0)
       task.checkpoint(static_cast<double>(region.arrivals.size()) / static_cast<double>(cells_.size()));
   }
-  for (const uint32_t cell : touched) time_[cell] = kInfinity;
+  for (const uint32_t cell : touched) time_[cell] = kPropagationInfinity;
   for (const Arrival& a : region.arrivals) {
     accepted_[a.cell] = 0;
     taken_[a.cell] = 1;

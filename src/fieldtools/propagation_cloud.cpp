@@ -18,8 +18,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kCellSpacings = 3;  // some nine points a cell: means of gradients, and cells that touch
-constexpr size_t kGrain = 1 << 12;
+constexpr double kPropagationCloudCellSpacings = 3;  // some nine points a cell: means of gradients, and cells that touch
+constexpr size_t kPropagationCloudGrain = 1 << 12;
 
 /// The points that have both values.
 struct Nodes {
@@ -43,7 +43,7 @@ Nodes nodes_of(const Cloud& cloud, std::span<const double> deviations, std::span
       out.deviations.push_back(both[i]);
     }
   if (out.points.empty()) fail(Status::kInsufficientData, "no point has both a deviation and a gradient");
-  if (cell_m == 0) cell_m = radius_or_spacings(0, kCellSpacings, cloud, valued_points(cloud, both, task));
+  if (cell_m == 0) cell_m = radius_or_spacings(0, kPropagationCloudCellSpacings, cloud, valued_points(cloud, both, task));
   const Buffer<double> all = relative_coordinates(cloud, task);
   out.xyz = Buffer<double>(3 * out.points.size());
   for (size_t i = 0; i < out.points.size(); ++i)
@@ -51,7 +51,7 @@ Nodes nodes_of(const Cloud& cloud, std::span<const double> deviations, std::span
   out.cells = surface_cells({out.xyz.data(), out.xyz.size()}, cell_m, task);
   out.gradient.resize(out.cells.size());
   out.cell_of.resize(out.points.size());
-  parallel_for(task, out.cells.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, out.cells.size(), kPropagationCloudGrain, [&](size_t begin, size_t end) {
     for (size_t c = begin; c < end; ++c) {
       const auto members = out.cells.points(static_cast<uint32_t>(c));
       double sum = 0;

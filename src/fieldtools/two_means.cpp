@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTwoMeansInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -59,7 +59,7 @@ FieldClasses classify_values(std::span<const double> values, const ClassesSettin
   FieldClasses out;
   if (settings.method == ClassesSettings::Method::kTwoMeans) {
     out.low_cut = two_means(sorted_values(finite_values(values), task)).cut;
-    out.high_cut = kInfinity;
+    out.high_cut = kTwoMeansInfinity;
   } else {
     out.low_cut = settings.low;
     out.high_cut = settings.high;

@@ -6,7 +6,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kOpenRadius = 0.5;  // standard deviation of the radius, relative, of a circle that nothing fixes
+constexpr double kCircleOpenRadius = 0.5;  // standard deviation of the radius, relative, of a circle that nothing fixes
 constexpr double kStraight = 1e-3;   // sine of the angle of three points in a draw
 
 struct CircleModel {
@@ -74,7 +74,7 @@ bool fit_circle(std::span<const Vec2> points, const PrimitiveSetting& setting, T
   if (!adjust(points, setting.adjustment(), task, model, adjusted)) return false;
   const CircleFit fit{model.circle, adjusted.n, adjusted.sigma, adjusted.covariance};
   const double r = fit.circle.radius;
-  if (!setting.allows(r) || fit.covariance[8] > kOpenRadius * kOpenRadius * r * r) return false;
+  if (!setting.allows(r) || fit.covariance[8] > kCircleOpenRadius * kCircleOpenRadius * r * r) return false;
   out = fit;
   return true;
 }

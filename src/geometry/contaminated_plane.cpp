@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 14;
+constexpr size_t kContaminatedPlanePointsPerChunk = 1 << 14;
 constexpr size_t kLeastPoints = 20;      // twice the unknowns and more
 constexpr size_t kLeastZonePoints = 8;   // fewer are counted with the other zone
 constexpr size_t kMostForTwoStarts = 20000;  // among more, contamination cannot lead least squares astray
@@ -101,7 +101,7 @@ class Settling {
 
   StepSums sum() const {
     const std::vector<ContaminationTable> tables = state_.tables(tolerance_m_);
-    return parallel_reduce(task_, samples_.size(), kPointsPerChunk, StepSums{}, [&](size_t begin, size_t end) {
+    return parallel_reduce(task_, samples_.size(), kContaminatedPlanePointsPerChunk, StepSums{}, [&](size_t begin, size_t end) {
       StepSums part;
       for (size_t i = begin; i < end; ++i) {
         const PlaneSample& s = samples_[i];

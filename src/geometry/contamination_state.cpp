@@ -10,14 +10,14 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 13;
+constexpr size_t kContaminationStatePointsPerChunk = 1 << 13;
 constexpr size_t kMostForJackknife = 1000;  // an 8 x 8 solution a point; leverages are below 1 % beyond
 constexpr double kLeastCondition = 1e-14;
 
 // In this order: height, slope_u, slope_v, ln sigma, front and behind of zone 0, of zone 1.
-constexpr int kUnknowns = 8;
-using Mat8 = Eigen::Matrix<double, kUnknowns, kUnknowns>;
-using Vec8 = Eigen::Matrix<double, kUnknowns, 1>;
+constexpr int kContaminationStateUnknowns = 8;
+using Mat8 = Eigen::Matrix<double, kContaminationStateUnknowns, kContaminationStateUnknowns>;
+using Vec8 = Eigen::Matrix<double, kContaminationStateUnknowns, 1>;
 
 /// What a point, or many, tell: the gradient of the log likelihood and minus its second derivatives.
 struct PointInformation {
@@ -63,7 +63,7 @@ class Free {
     }
   }
   Mat8 of(Mat8 m) const {
-    for (Eigen::Index k = 0; k < kUnknowns; ++k)
+    for (Eigen::Index k = 0; k < kContaminationStateUnknowns; ++k)
       if (fixed_[k] != 0) m.row(k).setZero(), m.col(k).setZero(), m(k, k) = 1;
     return m;
   }
@@ -76,7 +76,7 @@ class Free {
 // Column by column: Eigen's solution of all at once keeps the sizes of the processor's caches in a static variable.
 Mat8 solve(const Eigen::LDLT<Mat8>& factors, const Mat8& right) {
   Mat8 out;
-  for (Eigen::Index k = 0; k < kUnknowns; ++k) out.col(k) = factors.solve(Vec8(right.col(k)));
+  for (Eigen::Index k = 0; k < kContaminationStateUnknowns; ++k) out.col(k) = factors.solve(Vec8(right.col(k)));
   return out;
 }
 
@@ -104,7 +104,7 @@ std::vector<ContaminationTable> ContaminationState::tables(double tolerance_m, b
 bool contamination_covariance(const std::vector<PlaneSample>& samples, const ContaminationState& state,
                               double tolerance_m, Task& task, Symmetric3& out) {
   const std::vector<ContaminationTable> tables = state.tables(tolerance_m, true);
-  const Sums sums = parallel_reduce(task, samples.size(), kPointsPerChunk, Sums{}, [&](size_t begin, size_t end) {
+  const Sums sums = parallel_reduce(task, samples.size(), kContaminationStatePointsPerChunk, Sums{}, [&](size_t begin, size_t end) {
     Sums part;
     for (size_t i = begin; i < end; ++i) {
       const PlaneSample& s = samples[i];

@@ -9,11 +9,11 @@ namespace jalon {
 
 namespace {
 
-constexpr double kParallelSine = 0.05;  // 3 degrees between two normals: below, their noise sets the axis
+constexpr double kCylinderParallelSine = 0.05;  // 3 degrees between two normals: below, their noise sets the axis
 constexpr double kLeastCosine = 0.906;  // 25 degrees between the normals of point and surface (Schnabel et al. 2007)
 constexpr int kAttempts = 3;                 // one in ten thousand starts leads nowhere
 constexpr uint64_t kSeedStep = 0x9E3779B9;  // keeps the draws of the attempts apart
-constexpr double kOpenRadius = 0.5;     // standard deviation of the radius, relative, of a cylinder that nothing fixes
+constexpr double kCylinderOpenRadius = 0.5;     // standard deviation of the radius, relative, of a cylinder that nothing fixes
 constexpr double kOpenDirection = 0.5;  // the same of the direction, rad
 // Variance h^2 / 12 along the axis of a closed cylinder against r^2 / 2 across it: h = 2 r * 1.5 gives 1.5 to 1.
 constexpr double kLeastElongation = 1.5;
@@ -115,7 +115,7 @@ std::array<Vec3, 2> across(const Vec3& direction) {
 bool cylinder_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2, Cylinder& out) {
   const Vec3 axis = cross(n1, n2);
   const double sine = norm(axis);
-  if (!(sine > kParallelSine)) return false;
+  if (!(sine > kCylinderParallelSine)) return false;
   const Vec3 a = axis / sine, w = p2 - p1;
   // Across the axis: p1 + t n1 = p2 + s n2 (both normals are perpendicular to it).
   const double t = dot(cross(w, n2), a) / sine;
@@ -162,7 +162,7 @@ bool adjust_cylinder(std::span<const Vec3> points, const Cylinder& start, const 
   fit.covariance = full_covariance(model, moved, adjusted.covariance);
   const double r = fit.cylinder.radius, turn = std::max(adjusted.covariance[12], adjusted.covariance[18]);
   if (!is_finite(fit.cylinder.point) || !setting.allows(r)) return false;
-  if (fit.covariance[48] > kOpenRadius * kOpenRadius * r * r || turn > kOpenDirection * kOpenDirection) return false;
+  if (fit.covariance[48] > kCylinderOpenRadius * kCylinderOpenRadius * r * r || turn > kOpenDirection * kOpenDirection) return false;
   out = fit;
   return true;
 }

@@ -13,7 +13,7 @@ namespace jalon {
 namespace {
 
 /// With coordinates in [0, 2^30) an orientation fits 62 bits and an in-circle determinant 124.
-constexpr double kMaxSteps = 0x1p30;
+constexpr double kDelaunay2MaxSteps = 0x1p30;
 /// Sub-problems of about this size ask whether to stop: a few milliseconds apart.
 constexpr size_t kCheckpointNodes = 2048;
 
@@ -122,7 +122,7 @@ void Delaunay::Impl::snap(std::span<const Vec2> points, double grid_m) {
   for (const Vec2& p : points) low = {std::min(low.u, p.u), std::min(low.v, p.v)};
   const auto steps = [&](double offset) {
     const double number = offset / grid_m + 0.5;
-    if (!(number < kMaxSteps))  // also NaN
+    if (!(number < kDelaunay2MaxSteps))  // also NaN
       fail(Status::kLimit, "the points of a triangulation lie too far apart for its grid, or are not finite");
     return static_cast<uint64_t>(number);
   };

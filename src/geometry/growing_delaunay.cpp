@@ -14,7 +14,7 @@ namespace jalon {
 namespace {
 
 // Differences of coordinates then are below 2^26, products below 2^52 and sums of two exact in doubles.
-constexpr double kMaxSteps = 0x1p26;
+constexpr double kGrowingDelaunayMaxSteps = 0x1p26;
 constexpr uint32_t kNone = 0xffffffffu;
 
 constexpr size_t kLanes = 2;
@@ -40,7 +40,7 @@ void GrowingDelaunay::snap(std::span<const Vec2> points, double grid_m) {
   bool fits = true;
   const auto steps = [&](double offset) {
     const double number = offset / grid_m + 0.5;
-    if (!(number < kMaxSteps)) return fits = false, 0.0;  // also NaN
+    if (!(number < kGrowingDelaunayMaxSteps)) return fits = false, 0.0;  // also NaN
     return static_cast<double>(static_cast<int32_t>(number));
   };
   for (size_t i = 0; i < points.size(); ++i) {

@@ -9,15 +9,15 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kUnknowns = 6;
+constexpr size_t kQuadricUnknowns = 6;
 // A pivot below this share of its diagonal element has lost ten of the sixteen digits: the unknown is not fixed.
 constexpr double kPivotShare = 1e-10;
 
-using Row = std::array<double, kUnknowns>;
+using Row = std::array<double, kQuadricUnknowns>;
 
 /// Solves the normal equations by Cholesky's method in place (Golub & Van Loan, 4.2); only the lower triangle is read.
-bool solve(std::array<Row, kUnknowns>& m, Row& x) {
-  for (size_t i = 0; i < kUnknowns; ++i) {
+bool solve(std::array<Row, kQuadricUnknowns>& m, Row& x) {
+  for (size_t i = 0; i < kQuadricUnknowns; ++i) {
     const double diagonal = m[i][i];
     for (size_t j = 0; j <= i; ++j) {
       double sum = m[i][j];
@@ -30,12 +30,12 @@ bool solve(std::array<Row, kUnknowns>& m, Row& x) {
       }
     }
   }
-  for (size_t i = 0; i < kUnknowns; ++i) {
+  for (size_t i = 0; i < kQuadricUnknowns; ++i) {
     for (size_t k = 0; k < i; ++k) x[i] -= m[i][k] * x[k];
     x[i] /= m[i][i];
   }
-  for (size_t i = kUnknowns; i-- > 0;) {
-    for (size_t k = i + 1; k < kUnknowns; ++k) x[i] -= m[k][i] * x[k];
+  for (size_t i = kQuadricUnknowns; i-- > 0;) {
+    for (size_t k = i + 1; k < kQuadricUnknowns; ++k) x[i] -= m[k][i] * x[k];
     x[i] /= m[i][i];
   }
   return true;
@@ -60,13 +60,13 @@ double Quadric::gaussian_curvature(double x, double y) const {
 }
 
 bool fit_quadric(std::span<const Vec3> points, double scale, Quadric& out) {
-  if (points.size() < kUnknowns || !(scale > 0)) return false;
-  std::array<Row, kUnknowns> m{};
+  if (points.size() < kQuadricUnknowns || !(scale > 0)) return false;
+  std::array<Row, kQuadricUnknowns> m{};
   Row right{};
   for (const Vec3& p : points) {
     const double x = p.x / scale, y = p.y / scale;
     const Row terms{x * x, x, x * y, y, y * y, 1};
-    for (size_t i = 0; i < kUnknowns; ++i) {
+    for (size_t i = 0; i < kQuadricUnknowns; ++i) {
       for (size_t j = 0; j <= i; ++j) m[i][j] += terms[i] * terms[j];
       right[i] += terms[i] * p.z;
     }

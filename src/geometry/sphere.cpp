@@ -9,8 +9,8 @@ namespace jalon {
 namespace {
 
 constexpr double kFlat = 1e-6;          // smallest against largest extent of four points, of a thousandth each side
-constexpr double kParallelSine = 0.05;  // 3 degrees between two normals: below, noise of the normals sets the centre
-constexpr double kOpenRadius = 0.5;     // standard deviation of the radius, relative, of a sphere that nothing fixes
+constexpr double kSphereParallelSine = 0.05;  // 3 degrees between two normals: below, noise of the normals sets the centre
+constexpr double kSphereOpenRadius = 0.5;     // standard deviation of the radius, relative, of a sphere that nothing fixes
 
 struct SphereModel {
   using Point = Vec3;
@@ -35,7 +35,7 @@ struct SphereModel {
 bool usable(const SphereFit& fit, const PrimitiveSetting& setting) {
   if (!is_finite(fit.sphere.centre) || !setting.allows(fit.sphere.radius)) return false;
   const double variance = fit.covariance[15];
-  return !(variance > kOpenRadius * kOpenRadius * fit.sphere.radius * fit.sphere.radius);  // NaN: four points
+  return !(variance > kSphereOpenRadius * kSphereOpenRadius * fit.sphere.radius * fit.sphere.radius);  // NaN: four points
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ bool sphere_linear(std::span<const Vec3> points, Sphere& out) {
 
 bool sphere_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2, Sphere& out) {
   const double b = dot(n1, n2), sine2 = 1 - b * b;
-  if (!(sine2 > kParallelSine * kParallelSine)) return false;
+  if (!(sine2 > kSphereParallelSine * kSphereParallelSine)) return false;
   const Vec3 w = p1 - p2;
   const double d = dot(n1, w), e = dot(n2, w);
   const double t1 = (b * e - d) / sine2, t2 = (e - b * d) / sine2;

@@ -9,9 +9,9 @@ namespace jalon {
 
 namespace {
 
-constexpr double kMostBins = 1 << 20;
+constexpr double kPatchesMostBins = 1 << 20;
 constexpr uint32_t kNone = 0xffffffffu;
-constexpr size_t kPerCheck = 1 << 16;
+constexpr size_t kTrianglesPerCheck = 1 << 16;
 constexpr size_t kPatchesPerCheck = 1 << 12;
 constexpr size_t kMostBinsPerPatch = 16;  // 64 bytes
 
@@ -23,7 +23,7 @@ Patches::Patches(const FlatTriangles& flats, UnionFind& groups, Task& task) {
   std::vector<uint32_t> counts;
   std::vector<double> largest_area;
   for (uint32_t t = 0; t < flats.size(); ++t) {
-    if (t % kPerCheck == 0) task.checkpoint(0.5 * t / flats.size());
+    if (t % kTrianglesPerCheck == 0) task.checkpoint(0.5 * t / flats.size());
     if (!flats.is_flat(t)) continue;
     const uint32_t root = groups.find(t);
     if (root == t) {
@@ -46,7 +46,7 @@ Patches::Patches(const FlatTriangles& flats, UnionFind& groups, Task& task) {
   }
   triangles_.resize(sum);
   for (uint32_t t = 0; t < flats.size(); ++t) {
-    if (t % kPerCheck == 0) task.checkpoint(0.5 + 0.5 * t / flats.size());
+    if (t % kTrianglesPerCheck == 0) task.checkpoint(0.5 + 0.5 * t / flats.size());
     if (patch_of[t] != kNone) triangles_[counts[patch_of[t]]++] = t;
   }
 }
@@ -65,7 +65,7 @@ PatchBins::PatchBins(const Patches& patches, Task& task) {
                    [&](int a, int b) { return all.max[a] - all.min[a] > all.max[b] - all.min[b]; });
   for (size_t k = 0; k < 2; ++k) axis_[k] = axes[k];
   // 1. As many bins as patches; fewer where large patches would be in too many of them.
-  const double n = std::clamp(static_cast<double>(patches.size()), 1.0, kMostBins);
+  const double n = std::clamp(static_cast<double>(patches.size()), 1.0, kPatchesMostBins);
   for (side_ = static_cast<size_t>(std::ceil(std::sqrt(n)));; side_ = (side_ + 1) / 2) {
     for (size_t k = 0; k < 2; ++k) {
       from_[k] = all.min[axis_[k]];

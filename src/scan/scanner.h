@@ -41,7 +41,7 @@ struct SampleSettings {
   double spacing_m = 0.1;
   bool equal_counts = false;
   double noise_m = 0.003, point_noise_m = 0;
-  ScannedSurfaces surfaces{};
+  ScannedSurfaceSettings surfaces{};
   double outliers = 0;  ///< share of the points
   double coordinate_step_m = 0;
   std::vector<double> offset_m{0, 0, 0};

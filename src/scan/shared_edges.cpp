@@ -13,7 +13,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kEdgesPerBin = 4096;  // sorted in about 0.2 ms
-constexpr size_t kMostBins = 1 << 13;
+constexpr size_t kSharedEdgesMostBins = 1 << 13;
 constexpr size_t kJoinsPerCheck = 1 << 16;
 
 /// An edge under a hash of its two ends, whichever comes first.
@@ -77,7 +77,7 @@ std::vector<uint8_t> join_by_edges(const FlatTriangles& flats, UnionFind& groups
   if (n > 0xffffffffu) fail(Status::kLimit, "the true planes of at most 1 431 655 765 triangles can be found");
 
   // 1. Equal edges into the same bin.
-  const size_t bins = std::bit_floor(std::clamp<size_t>(n / kEdgesPerBin, 1, kMostBins));
+  const size_t bins = std::bit_floor(std::clamp<size_t>(n / kEdgesPerBin, 1, kSharedEdgesMostBins));
   Buffer<Edge> edges(n);
   std::vector<size_t> begins;
   {

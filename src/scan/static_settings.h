@@ -43,7 +43,7 @@ struct StaticSettings {
   double range_resolution_m = 0.3;
   Echo echo = Echo::kFirst;
 
-  ScannedSurfaces surfaces{};
+  ScannedSurfaceSettings surfaces{};
   double dropout = 0, outliers = 0;  ///< shares of the returns
   OutlierPlace outlier_place = OutlierPlace::kRay;
 

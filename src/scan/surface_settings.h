@@ -6,7 +6,7 @@ namespace jalon {
 
 /// Of every scanner: which faces are true planes, and what glass lets through. Its rows:
 /// scan/surfaces.h.
-struct ScannedSurfaces {
+struct ScannedSurfaceSettings {
   double truth_min_area_m2 = 0.05;
   double glass_return_min = 1, glass_return_max = 1;  ///< shares of the pulses
 };

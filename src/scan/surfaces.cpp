@@ -29,7 +29,7 @@ std::unordered_set<uint32_t> glass_ids(const Model& model) {
 
 }  // namespace
 
-Surfaces::Surfaces(const Model& model, const ScannedSurfaces& settings, uint64_t seed, Task& task)
+Surfaces::Surfaces(const Model& model, const ScannedSurfaceSettings& settings, uint64_t seed, Task& task)
     : model_(model), truth_(find_truth(model, settings.truth_min_area_m2, task)) {
   const double least = settings.glass_return_min, most = settings.glass_return_max;
   if (!(least <= most)) fail(Status::kInvalidArgument, "glass_return_min is above glass_return_max");

@@ -18,7 +18,7 @@ namespace jalon {
 class Surfaces {
  public:
   /// seed: of each pane's share.
-  Surfaces(const Model& model, const ScannedSurfaces& settings, uint64_t seed, Task& task);
+  Surfaces(const Model& model, const ScannedSurfaceSettings& settings, uint64_t seed, Task& task);
 
   uint32_t face(uint32_t triangle) const { return model_.triangle_faces[triangle]; }
   uint32_t segment(uint32_t triangle) const { return truth_.triangle_segments[triangle]; }
@@ -36,15 +36,15 @@ class Surfaces {
   std::vector<double> glass_;  ///< empty when everything returns
 };
 
-/// The rows of ScannedSurfaces, in the two places where the scanners' tables have them.
+/// The rows of ScannedSurfaceSettings, in the two places where the scanners' tables have them.
 inline constexpr auto kGlassRows = setting_rows(
-    number_row<&ScannedSurfaces::glass_return_min>(
+    number_row<&ScannedSurfaceSettings::glass_return_min>(
         "glass_return_min", 0, 1, "1", "",
         "least share of the pulses that a pane of glass returns; each has its own, the others pass "
         "through"),
-    number_row<&ScannedSurfaces::glass_return_max>("glass_return_max", 0, 1, "1", "",
+    number_row<&ScannedSurfaceSettings::glass_return_max>("glass_return_max", 0, 1, "1", "",
                                                    "largest share, at least the least"));
-inline constexpr auto kTruthRows = setting_rows(number_row<&ScannedSurfaces::truth_min_area_m2>(
+inline constexpr auto kTruthRows = setting_rows(number_row<&ScannedSurfaceSettings::truth_min_area_m2>(
     "truth_min_area_m2", 0, 1e9, "m2", "",
     "connected coplanar faces from this area on are a true plane: the numbers of the field "
     "segment"));

@@ -15,7 +15,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kBinGrain = 256;
-constexpr size_t kPerCheck = 4096;
+constexpr size_t kTouchingPerCheck = 4096;
 
 /// A piece of a patch's border in coordinates of its plane.
 struct Piece {
@@ -90,7 +90,7 @@ class Comparison {
     size_t compared = 0;
     for (const Piece& s : of_a)
       for (const Piece& t : of_b) {
-        if (++compared % kPerCheck == 0 && task_.cancelled()) return false;
+        if (++compared % kTouchingPerCheck == 0 && task_.cancelled()) return false;
         if (near(s, t)) return true;
       }
     return covers(a, axes.flat(flats_.corner(patches_[b].largest, 0)), axes) ||

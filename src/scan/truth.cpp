@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPerCheck = 1 << 16;
+constexpr size_t kTruthPerCheck = 1 << 16;
 
 /// Numbers the groups that are large enough by their first triangle, which is their root.
 Truth numbered(const Model& model, const FlatTriangles& flats, UnionFind& groups, double min_area_m2, Task& task) {
@@ -22,7 +22,7 @@ Truth numbered(const Model& model, const FlatTriangles& flats, UnionFind& groups
   std::vector<double> area(flats.size(), 0), largest_area(flats.size(), 0);
   std::vector<uint32_t> largest(flats.size());
   for (uint32_t t = 0; t < flats.size(); ++t) {
-    if (t % kPerCheck == 0) task.checkpoint(0.5 * t / flats.size());
+    if (t % kTruthPerCheck == 0) task.checkpoint(0.5 * t / flats.size());
     if (!flats.is_flat(t)) continue;
     const uint32_t root = groups.find(t);
     const double own = flats.area(t);
@@ -33,7 +33,7 @@ Truth numbered(const Model& model, const FlatTriangles& flats, UnionFind& groups
   Truth truth;
   truth.triangle_segments.assign(flats.size(), kNoSegment);
   for (uint32_t t = 0; t < flats.size(); ++t) {
-    if (t % kPerCheck == 0) task.checkpoint(0.5 + 0.5 * t / flats.size());
+    if (t % kTruthPerCheck == 0) task.checkpoint(0.5 + 0.5 * t / flats.size());
     if (!flats.is_flat(t)) continue;
     const uint32_t root = groups.find(t);
     if (root == t && area[t] >= min_area_m2) {

@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-using Corners = std::array<Vec3, 3>;
+using SurfaceDepthCorners = std::array<Vec3, 3>;
 
 Depth depth_in_convex(const PartSurface& surface, const ConvexPiece& piece) {
   Depth deepest;
@@ -25,18 +25,18 @@ Depth depth_in_convex(const PartSurface& surface, const ConvexPiece& piece) {
   return deepest;
 }
 
-std::array<Corners, 4> quarters(const Corners& c) {
+std::array<SurfaceDepthCorners, 4> quarters(const SurfaceDepthCorners& c) {
   const Vec3 ab = (c[0] + c[1]) * 0.5, bc = (c[1] + c[2]) * 0.5, ca = (c[2] + c[0]) * 0.5;
   return {{{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
 }
 
 // Cuts one triangle until no piece can hold a point deeper than the deepest so far by more than the tolerance.
-void search(const Corners& triangle, const NearestTriangles& closed, double tolerance_m, const Task& task,
+void search(const SurfaceDepthCorners& triangle, const NearestTriangles& closed, double tolerance_m, const Task& task,
             Depth& deepest) {
-  std::vector<Corners> open{triangle};
+  std::vector<SurfaceDepthCorners> open{triangle};
   while (!open.empty()) {
     if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
-    const Corners c = open.back();
+    const SurfaceDepthCorners c = open.back();
     open.pop_back();
     const Vec3 middle = (c[0] + c[1] + c[2]) / 3;
     const double radius = std::max({norm(c[0] - middle), norm(c[1] - middle), norm(c[2] - middle)});
@@ -44,7 +44,7 @@ void search(const Corners& triangle, const NearestTriangles& closed, double tole
     const double depth = answer.is_behind ? answer.distance : -answer.distance;
     if (depth > deepest.depth_m) deepest = {depth, middle, answer.foot};
     if (depth + radius <= deepest.depth_m + tolerance_m) continue;
-    for (const Corners& quarter : quarters(c)) open.push_back(quarter);
+    for (const SurfaceDepthCorners& quarter : quarters(c)) open.push_back(quarter);
   }
 }
 

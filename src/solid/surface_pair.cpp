@@ -16,12 +16,12 @@ namespace jalon {
 
 namespace {
 
-using Corners = std::array<Vec3, 3>;
+using SurfacePairCorners = std::array<Vec3, 3>;
 
-constexpr double kRounding_m = 1e-9;
+constexpr double kSurfacePairRounding_m = 1e-9;
 
 // Where the sides of one triangle pierce the other, added up (Moeller & Trumbore 1997).
-void add_piercings(const Corners& sides, const Corners& t, Vec3& sum, int& count) {
+void add_piercings(const SurfacePairCorners& sides, const SurfacePairCorners& t, Vec3& sum, int& count) {
   const Vec3 e1 = t[1] - t[0], e2 = t[2] - t[0];
   for (size_t k = 0; k < 3; ++k) {
     const Vec3 from = sides[k], along = sides[(k + 1) % 3] - from, h = cross(along, e2);
@@ -36,9 +36,9 @@ void add_piercings(const Corners& sides, const Corners& t, Vec3& sum, int& count
 }
 
 // The middle of the line in which two triangles meet; of two in one plane any point of both.
-Vec3 meeting_point(const Corners& a, const Corners& b, const Vec3& otherwise) {
+Vec3 meeting_point(const SurfacePairCorners& a, const SurfacePairCorners& b, const Vec3& otherwise) {
   const Vec3 origin = a[0];
-  Corners p = a, q = b;
+  SurfacePairCorners p = a, q = b;
   for (size_t k = 0; k < 3; ++k) p[k] -= origin, q[k] -= origin;
   Vec3 sum;
   int count = 0;
@@ -47,14 +47,14 @@ Vec3 meeting_point(const Corners& a, const Corners& b, const Vec3& otherwise) {
   return count > 0 ? origin + sum / count : otherwise;
 }
 
-NearTriangle measured(uint32_t i, const Corners& a, uint32_t j, const Corners& b) {
+NearTriangle measured(uint32_t i, const SurfacePairCorners& a, uint32_t j, const SurfacePairCorners& b) {
   NearTriangle pair{i, j, 0, {}, {}};
   pair.distance_m = triangle_distance(a, b, pair.first_point, pair.second_point);
   return pair;
 }
 
 // The triangle of the other surface nearest to one, if it is within the limit; ties by index.
-std::optional<NearTriangle> nearest_to(uint32_t i, const Corners& a, const TriangleBoxes& other, double limit) {
+std::optional<NearTriangle> nearest_to(uint32_t i, const SurfacePairCorners& a, const TriangleBoxes& other, double limit) {
   std::optional<NearTriangle> best;
   other.walk(
       [&](const BoundingBall& ball, double& key) {
@@ -93,7 +93,7 @@ PairClearance clearance_of_surfaces(const PartSurface& first, const PartSurface&
   require_fcl();
   // 1. The nearest pair; the others need not be looked for beyond it and the margin.
   const TrianglePair start = nearest_pair(first.boxes(), second.boxes());
-  const double limit = std::max(settings.margin_m, start.distance_m) + kRounding_m;
+  const double limit = std::max(settings.margin_m, start.distance_m) + kSurfacePairRounding_m;
 
   // 2. Every triangle of the first against its nearest of the second.
   constexpr size_t kGrain = 64;

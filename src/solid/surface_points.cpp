@@ -16,7 +16,7 @@ namespace {
 
 /// Corners of the surface whose nearest point bounds the search from above.
 constexpr size_t kProbes = 256;
-constexpr double kRounding_m = 1e-9;
+constexpr double kSurfacePointsRounding_m = 1e-9;
 
 // Step 1: some point is at most this far from the surface.
 double first_bound(const PartSurface& surface, const Octree& octree) {
@@ -55,7 +55,7 @@ bool precedes(const NearPoint& a, const NearPoint& b) {
 
 PointClearance clearance_of_points(const PartSurface& surface, const Octree& octree, std::span<const double> xyz,
                                    double margin_m, Task& task) {
-  const double limit = std::max(margin_m, first_bound(surface, octree)) + kRounding_m;
+  const double limit = std::max(margin_m, first_bound(surface, octree)) + kSurfacePointsRounding_m;
   const std::vector<uint32_t> order = candidates(surface, octree, limit, task);
 
   // Step 3: their distances.

@@ -27,7 +27,7 @@ constexpr double kTwinShare = 0.97;
 constexpr double kSizeRatio = 1.5;        // between the extents of twins: one epoch may see less of it than the other
 constexpr double kSizeCells = 4;
 constexpr double kSideShare = 0.05;       // of the changed surface: less than that on one side is its edge
-constexpr double kInsideShare = 0.02;     // of the points, in the box of the other: more than touches it
+constexpr double kDiagnosisInsideShare = 0.02;     // of the points, in the box of the other: more than touches it
 
 struct Job {
   const Epoch &before, &after;
@@ -65,7 +65,7 @@ bool overlaps(const Job& job, const ChangedObject& object, double margin_m) {
   const StandingBox box = standing_box(job.before_of(object), up_of(object));
   const auto inside = static_cast<double>(
       std::count_if(after.begin(), after.end(), [&](const Vec3& p) { return box.contains(p, margin_m); }));
-  return inside > kInsideShare * static_cast<double>(after.size());
+  return inside > kDiagnosisInsideShare * static_cast<double>(after.size());
 }
 
 RigidMatch match(const Job& job, const ChangedObject& object) {

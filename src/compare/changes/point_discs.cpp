@@ -21,7 +21,7 @@ constexpr double kBorderOffset = 4 / (3 * std::numbers::pi);
 constexpr double kChanceOffset = 0.25;
 // Of the area, what this gives inside a surface: 0.976 for points at random places (chance takes some for a border),
 // 0.982 for a square lattice (whose 16th neighbour lies sqrt(5) off: 5 pi / 16).
-constexpr double kInsideShare = 0.979;
+constexpr double kPointDiscsInsideShare = 0.979;
 // Cells of two to four times the radius of a point's disc connect what one surface holds; where a scanner looked
 // along a surface its points are farther apart in one direction, so the upper end and the sparser points count.
 constexpr double kCellFactor = 4;
@@ -36,7 +36,7 @@ double disc_radius(const Cloud& cloud, const Vec3& p, std::span<const Neighbour>
   const double share = farthest > 0 ? norm(offset) / (k * std::sqrt(farthest)) : 0;
   const double beside = std::clamp((share - kChanceOffset) / (kBorderOffset - kChanceOffset), 0.0, 1.0);
   // pi d^2 / k = 1 / density in the mean, on a plane.
-  return std::sqrt(farthest / (k * kInsideShare) * (1 - 0.5 * beside));
+  return std::sqrt(farthest / (k * kPointDiscsInsideShare) * (1 - 0.5 * beside));
 }
 
 Vec3 disc_normal(const Cloud& cloud, const Vec3& p, std::span<const Neighbour> around) {

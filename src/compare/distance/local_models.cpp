@@ -183,10 +183,10 @@ class OneNeighbourhood {
   std::vector<uint32_t> positions_;
 };
 
-constexpr size_t kGrain = 1024;
+constexpr size_t kLocalModelsGrain = 1024;
 
 void model_used(const Work& work, const NearestGroups& groups, Task& task) {
-  parallel_for(task, work.reference.size(), 16 * kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, work.reference.size(), 16 * kLocalModelsGrain, [&](size_t begin, size_t end) {
     OneNeighbourhood one(work);
     for (size_t p = begin; p < end; ++p)
       if (!groups[p].empty())
@@ -196,7 +196,7 @@ void model_used(const Work& work, const NearestGroups& groups, Task& task) {
 
 // 2.3.2 as printed: the neighbourhood of the compared point.
 void model_around_points(const Work& work, std::span<const uint32_t> nearest, Task& task) {
-  parallel_for(task, nearest.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, nearest.size(), kLocalModelsGrain, [&](size_t begin, size_t end) {
     OneNeighbourhood one(work);
     for (size_t q = begin; q < end; ++q) {
       if (nearest[q] == kNoPoint) continue;

@@ -26,7 +26,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kModelDistanceGrain = 1 << 15;
 constexpr uint8_t kInTolerance = 1, kOffTolerance = 0, kNotJudged = 2;
 
 // What is asked for and only clouds can give is refused, not passed over.
@@ -107,7 +107,7 @@ class ModelColumns {
 };
 
 uint64_t count_of(std::span<const uint8_t> values, uint8_t value, Task& task) {
-  return parallel_reduce(task, values.size(), kGrain, uint64_t{0}, [&](size_t begin, size_t end) {
+  return parallel_reduce(task, values.size(), kModelDistanceGrain, uint64_t{0}, [&](size_t begin, size_t end) {
     uint64_t sum = 0;
     for (size_t i = begin; i < end; ++i) sum += values[i] == value ? 1 : 0;
     return sum;
@@ -136,7 +136,7 @@ void judge(const ModelColumns& columns, double tolerance_m, Comparison& made, Ta
   const auto distances = columns.distances();
   const NewColumn<uint8_t> within("within_tolerance", "",
                                   "1 at most tolerance_m from the model, 0 farther, 2 no distance", distances.size());
-  parallel_for(task, distances.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, distances.size(), kModelDistanceGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
       within.values[i] = std::isnan(distances[i])                ? kNotJudged
                          : std::abs(distances[i]) <= tolerance_m ? kInTolerance

@@ -15,20 +15,19 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 14;
+constexpr size_t kModelSampleGrain = 1 << 14;
 constexpr double kMostPoints = 4294967294.0;
 
-using S = ModelSampleSettings;
 
-constexpr auto kRows = setting_rows(
-    integer_row<&S::points>("points", 0, kMostPoints, "points", "",
+constexpr auto kModelSampleRows = setting_rows(
+    integer_row<&ModelSampleSettings::points>("points", 0, kMostPoints, "points", "",
                             "Number of points; 0 = by the spacing."),
-    number_row<&S::spacing_m>(
+    number_row<&ModelSampleSettings::spacing_m>(
         "spacing_m", 1e-5, 1e6, "m", "",
         "One point a square of this side on the average, unless the number of points is given."),
-    number_row<&S::chord_error_m>("chord_error_m", 1e-7, 1, "m", "",
+    number_row<&ModelSampleSettings::chord_error_m>("chord_error_m", 1e-7, 1, "m", "",
                                   "Largest distance of chords from the arcs they stand for."),
-    integer_row<&S::seed>("seed", 0, 9007199254740992.0, "", "",
+    integer_row<&ModelSampleSettings::seed>("seed", 0, 9007199254740992.0, "", "",
                           "The same seed gives the same bits."));
 
 /// Running sums of the triangles' areas.
@@ -87,7 +86,7 @@ class Sample {
 
 }  // namespace
 
-std::span<const ParamRow> model_sample_rows() { return kRows; }
+std::span<const ParamRow> model_sample_rows() { return kModelSampleRows; }
 
 Cloud sample_model(const Model& model, const ModelSampleSettings& settings, Task& task) {
   const ModelSurface surface(model, settings.chord_error_m, task);
@@ -97,7 +96,7 @@ Cloud sample_model(const Model& model, const ModelSampleSettings& settings, Task
   Sample sample(n);
   // The area is cut into as many equal parts as there are points, one drawn from each: every triangle gets its share to
   // within two points. Point i is a pure function of the seed and its number.
-  parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, n, kModelSampleGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       RandomStream random(settings.seed, i);
       const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(n) * sums.back();

@@ -15,67 +15,66 @@ namespace {
 // 16 for a quadric (0.5 % with 12).
 constexpr uint32_t kPlanePoints = 8, kDelaunayPoints = 16, kQuadricPoints = 16;
 
-using S = DistanceSettings;
 
-constexpr auto kRows = setting_rows(
-    number_row<&S::max_distance_m>(
+constexpr auto kSettingsRows = setting_rows(
+    number_row<&DistanceSettings::max_distance_m>(
         "max_distance_m", 0, 1e9, "m", "",
         "Radius beyond which a point counts as without reference (status nothing near); 0 = no "
         "limit."),
-    bool_row<&S::is_signed>(
+    bool_row<&DistanceSettings::is_signed>(
         "signed", "",
         "Of a model: distances are negative behind its surfaces, where their corners run "
         "clockwise."),
-    number_row<&S::tolerance_m>(
+    number_row<&DistanceSettings::tolerance_m>(
         "tolerance_m", 0, 1e9, "m", "",
         "Of a model: distance up to which a point is judged to be within tolerance; 0 = no "
         "judgement."),
-    number_row<&S::chord_error_m>(
+    number_row<&DistanceSettings::chord_error_m>(
         "chord_error_m", 1e-7, 1, "m", "",
         "Of a model: largest distance of chords from the arcs they stand for."),
-    choice_row<&S::local_model>(
+    choice_row<&DistanceSettings::local_model>(
         "local_model", "none|plane|delaunay|quadric", "",
         "Surface through the reference points around the nearest one, to which the distance is "
         "taken: it takes away the sampling error of a thin or uneven reference. Never more than "
         "the distance to the nearest point."),
-    integer_row<&S::k>(
+    integer_row<&DistanceSettings::k>(
         "k", 0, 256, "", "",
         "Reference points of a local model, the nearest one included; 0 = 8 for a plane, 16 for "
         "the others. Not used with radius_m."),
-    number_row<&S::radius_m>(
+    number_row<&DistanceSettings::radius_m>(
         "radius_m", 0, 1e6, "m", "",
         "Radius of the neighbourhood of a local model, instead of k; 0 = by k. Three to five "
         "times the mean spacing of the reference."),
-    choice_row<&S::neighbourhood>(
+    choice_row<&DistanceSettings::neighbourhood>(
         "neighbourhood", "nearest|point", "",
         "Where a local model lies: around the nearest reference point, or around the compared "
         "point itself."),
-    bool_row<&S::differences>(
+    bool_row<&DistanceSettings::differences>(
         "differences", "",
         "Also gives the columns difference_x, _y, _z: from the foot on the reference to the "
         "compared point."),
-    bool_row<&S::sampling_error>(
+    bool_row<&DistanceSettings::sampling_error>(
         "sampling_error", "",
         "Also predicts, from the density of the reference, the distance that sampling alone "
         "makes."),
-    bool_row<&S::hausdorff>(
+    bool_row<&DistanceSettings::hausdorff>(
         "hausdorff", "",
         "Also measures from the reference to the compared cloud, for the symmetric Hausdorff "
         "distance."),
-    choice_row<&S::visibility>(
+    choice_row<&DistanceSettings::visibility>(
         "visibility", "none|stations", "",
         "stations: points that the stations of the reference cloud could not have seen get no "
         "distance, and say why; none: every point is compared"),
-    bool_row<&S::reference_spacing>(
+    bool_row<&DistanceSettings::reference_spacing>(
         "reference_spacing", "",
         "With visibility: also tells how far apart the reference's points lie where each point is "
         "seen, along grazing rays and across edges in depth: a distance up to half of that is no "
         "sign of a change"),
-    nested_rows<&S::depth, kDepthRows>(), nested_rows<&S::hidden, kHiddenRows>());
+    nested_rows<&DistanceSettings::depth, kDepthRows>(), nested_rows<&DistanceSettings::hidden, kHiddenRows>());
 
 }  // namespace
 
-std::span<const ParamRow> distance_rows() { return kRows; }
+std::span<const ParamRow> distance_rows() { return kSettingsRows; }
 
 uint32_t DistanceSettings::model_points() const {
   if (k != 0) return k;

@@ -16,7 +16,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;  // rows a chunk
+constexpr size_t kVisibleComparisonGrain = 1 << 15;  // rows a chunk
 
 std::vector<uint64_t> points_with(std::span<const uint8_t> labels, Visibility label) {
   std::vector<uint64_t> out;
@@ -28,7 +28,7 @@ std::vector<uint64_t> points_with(std::span<const uint8_t> labels, Visibility la
 /// The points alone: no method reads the fields of the compared points.
 CloudPtr points_of(const Cloud& cloud, std::span<const uint64_t> indices, Task& task) {
   Buffer<double> xyz(3 * indices.size());
-  parallel_for(task, indices.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, indices.size(), kVisibleComparisonGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
       std::memcpy(xyz.data() + 3 * i, cloud.xyz().data() + 3 * indices[i], 3 * sizeof(double));
   });
@@ -89,7 +89,7 @@ ColumnPtr spacing_column(const VisibilityTest& test, const Cloud& cloud, Task& t
                                                    "of the reference's points where this one is seen"},
                                          cloud.size());
   const auto out = column->values<float>();
-  parallel_for(task, cloud.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, cloud.size(), kVisibleComparisonGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) out[i] = static_cast<float>(test.spacing_m(cloud.point(i)));
   });
   return column;

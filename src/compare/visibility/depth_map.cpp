@@ -15,8 +15,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 14;     // points a chunk: about 1 ms
-constexpr size_t kPerCheck = 1 << 18;  // points of the serial passes
+constexpr size_t kDepthMapGrain = 1 << 14;     // points a chunk: about 1 ms
+constexpr size_t kDepthMapPerCheck = 1 << 18;  // points of the serial passes
 constexpr uint64_t kMaxCells = uint64_t{1} << 28;
 
 /// The grid over the field. Outermost points lie half a step inside, as on a scanner's lattice.
@@ -72,7 +72,7 @@ DepthMap DepthMap::build(const Cloud& cloud, const Station& station, const Vec3&
   std::vector<Seen> seen(station.count);
   {
     const ProgressSpan span(task, 0, 0.4, "depth map");
-    parallel_for(task, seen.size(), kGrain, [&](size_t begin, size_t end) {
+    parallel_for(task, seen.size(), kDepthMapGrain, [&](size_t begin, size_t end) {
       SightingBlock block;
       for (size_t first = begin; first < end; first += SightingBlock::kPoints) {
         const size_t n = std::min(end - first, SightingBlock::kPoints);
@@ -113,7 +113,7 @@ void DepthMap::accumulate(std::span<const Seen> seen, uint64_t first, CellRule r
   counts_.assign(grid_.size(), 0);
   std::vector<float> nearest(grid_.size(), std::numeric_limits<float>::infinity());
   for (size_t i = 0; i < seen.size(); ++i) {
-    if (i % kPerCheck == 0) task.checkpoint(0.8 * static_cast<double>(i) / static_cast<double>(seen.size()));
+    if (i % kDepthMapPerCheck == 0) task.checkpoint(0.8 * static_cast<double>(i) / static_cast<double>(seen.size()));
     AngularGrid::Place place;
     const float range = seen[i].range_m;
     // A point in the optical centre has no direction.

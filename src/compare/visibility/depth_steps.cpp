@@ -13,7 +13,7 @@ namespace jalon {
 namespace {
 
 constexpr double kTurn_rad = 2 * std::numbers::pi;
-constexpr size_t kPerCheck = 1 << 18;
+constexpr size_t kDepthStepsPerCheck = 1 << 18;
 constexpr double kLoneStep_rad = 0.01;  // of a station with a single point: any will do
 
 /// The field cut into at most 64 x 64 windows with 16 points on average.
@@ -61,7 +61,7 @@ std::vector<std::vector<Seen>> typical_windows(std::span<const Seen> points, con
   for (size_t k = 0; k < chosen; ++k) slot[common[k * common.size() / chosen]] = static_cast<uint32_t>(k + 1);
   std::vector<std::vector<Seen>> out(chosen);
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i % kPerCheck == 0) task.checkpoint(0.5 + 0.4 * static_cast<double>(i) / static_cast<double>(points.size()));
+    if (i % kDepthStepsPerCheck == 0) task.checkpoint(0.5 + 0.4 * static_cast<double>(i) / static_cast<double>(points.size()));
     const uint32_t k = slot[windows.of(points[i])];
     if (k != 0 && out[k - 1].size() < kPoints) out[k - 1].push_back(points[i]);
   }
@@ -99,7 +99,7 @@ AngularField angular_field(std::span<const Seen> points, Task& task) {
     return std::min(kParts - 1, static_cast<size_t>(std::max(0.0, (h / kTurn_rad + 0.5) * kParts)));
   };
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i % kPerCheck == 0) task.checkpoint(0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
+    if (i % kDepthStepsPerCheck == 0) task.checkpoint(0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
     seen[part_of(points[i].horizontal_rad)] = true;
     low = std::min(low, double{points[i].vertical_rad});
     high = std::max(high, double{points[i].vertical_rad});
@@ -117,7 +117,7 @@ AngularField angular_field(std::span<const Seen> points, Task& task) {
   double first = kTurn_rad, last = 0;
   const double after_gap = (static_cast<double>(gap_end) / kParts - 0.5) * kTurn_rad;
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i % kPerCheck == 0) task.checkpoint(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
+    if (i % kDepthStepsPerCheck == 0) task.checkpoint(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
     double around = points[i].horizontal_rad - after_gap;
     if (part_of(points[i].horizontal_rad) < gap_end) around += kTurn_rad;
     first = std::min(first, around);
@@ -134,7 +134,7 @@ AngularSteps angular_steps(std::span<const Seen> points, const AngularField& fie
   const Windows windows(field, points.size());
   std::vector<uint32_t> counts(windows.size(), 0);
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i % kPerCheck == 0) task.checkpoint(0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
+    if (i % kDepthStepsPerCheck == 0) task.checkpoint(0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
     ++counts[windows.of(points[i])];
   }
   std::vector<uint32_t> occupied;

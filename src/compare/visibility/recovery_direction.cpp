@@ -17,7 +17,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 12;  // points a chunk
+constexpr size_t kRecoveryDirectionGrain = 1 << 12;  // points a chunk
 
 /// Coordinates across (x, y) and along (z) the direction, from whole metres at a point.
 class PlanFrame {
@@ -74,11 +74,11 @@ std::vector<uint64_t> cells_near(const Cloud& cloud, std::span<const uint64_t> p
 std::vector<Vec3> points_in(const Cloud& reference, const std::vector<uint64_t>& near, const PlanFrame& frame,
                             const PlanCells& cells, Task& task) {
   const size_t n = reference.size();
-  std::vector<std::vector<Vec3>> parts((n + kGrain - 1) / kGrain);
-  parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
+  std::vector<std::vector<Vec3>> parts((n + kRecoveryDirectionGrain - 1) / kRecoveryDirectionGrain);
+  parallel_for(task, n, kRecoveryDirectionGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = frame.of(reference.point(i));
-      if (std::binary_search(near.begin(), near.end(), cells.number(p))) parts[begin / kGrain].push_back(p);
+      if (std::binary_search(near.begin(), near.end(), cells.number(p))) parts[begin / kRecoveryDirectionGrain].push_back(p);
     }
   });
   std::vector<Vec3> out;
@@ -122,7 +122,7 @@ std::vector<double> heights_along(const Cloud& reference, const Cloud& compared,
   for (const Vec3& p : surface) top = std::max(top, p.z);
   // 3. A ray down on it from above each point: in plan the triangles do not overlap.
   const ProgressSpan span(task, 0.9, 1);
-  parallel_for(task, points.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, points.size(), kRecoveryDirectionGrain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       const Vec3 p = frame.of(compared.point(points[k]));
       RayHit hit;

@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 13;  // points a chunk: about 1 ms
+constexpr size_t kVisibilityGrain = 1 << 13;  // points a chunk: about 1 ms
 
 /// All points belong to stations with poses: an unknown viewpoint could have seen anything.
 void require_stations(const Cloud& cloud) {
@@ -111,7 +111,7 @@ void VisibilityTest::label(std::span<const double> xyz, std::span<uint8_t> out) 
 
 std::vector<uint8_t> visibility_labels(const VisibilityTest& test, const Cloud& cloud, Task& task) {
   std::vector<uint8_t> labels(cloud.size());
-  parallel_for(task, labels.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, labels.size(), kVisibilityGrain, [&](size_t begin, size_t end) {
     for (size_t first = begin; first < end; first += SightingBlock::kPoints) {
       const size_t n = std::min(end - first, SightingBlock::kPoints);
       test.label(cloud.xyz().subspan(3 * first, 3 * n), std::span(labels).subspan(first, n));

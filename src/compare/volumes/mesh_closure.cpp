@@ -17,7 +17,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kBins = 1024;
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kMeshClosureGrain = 1 << 15;
 
 uint64_t mixed(uint64_t z) {  // splitmix64's finaliser (Steele, Lea & Flood 2014)
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
@@ -100,7 +100,7 @@ double enclosed_volume(std::span<const Vec3> vertices, std::span<const std::arra
   if (triangles.empty()) return 0;
   // About a corner of the surface: map coordinates lose nothing.
   const Vec3 origin = vertices[triangles[0][0]];
-  return parallel_reduce(task, triangles.size(), kGrain, 0.0, [&](size_t begin, size_t end) {
+  return parallel_reduce(task, triangles.size(), kMeshClosureGrain, 0.0, [&](size_t begin, size_t end) {
     double sum = 0;
     for (size_t i = begin; i < end; ++i) {
       const auto& [a, b, c] = triangles[i];

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kChordError_m = 1e-4;
 constexpr double kCellsAcross = 500;
-constexpr size_t kCellGrain = 2048;
+constexpr size_t kModelVolumeCellGrain = 2048;
 
 struct State {
   ModelSurface surface;
@@ -48,7 +48,7 @@ Box3 projected_box(const State& state, const VolumeGrid& grid) {
 CellHeights surface_heights(const State& state, const VolumeGrid& grid, double top, Task& task) {
   const auto tree = TriangleTree::build(state.surface.vertices(), state.surface.triangles(), task);
   CellHeights out(grid.cells());
-  parallel_for(task, grid.cells(), kCellGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, grid.cells(), kModelVolumeCellGrain, [&](size_t begin, size_t end) {
     for (size_t c = begin; c < end; ++c) {
       RayHit hit;
       const bool found = tree->nearest({grid.place(c, top), -grid.up}, hit);

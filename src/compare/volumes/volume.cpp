@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kVolumeGrain = 1 << 15;
 constexpr double kSpacings = 3;  // of the thinner cloud: nine points a cell on the average
 
 using S = VolumeSettings;
@@ -41,7 +41,7 @@ constexpr auto kRows = setting_rows(
         "both are."));
 
 Box3 projected_box(const Cloud& cloud, const VolumeGrid& grid, Task& task) {
-  return parallel_reduce(task, cloud.size(), kGrain, Box3{}, [&](size_t begin, size_t end) {
+  return parallel_reduce(task, cloud.size(), kVolumeGrain, Box3{}, [&](size_t begin, size_t end) {
     Box3 box;
     for (size_t i = begin; i < end; ++i) box.add(grid.project(cloud.point(i)));
     return box;
@@ -145,7 +145,7 @@ std::span<const ParamRow> volume_rows() { return kRows; }
 
 Volume sum_up_volume(const VolumeGrid& grid, const CellHeights& reference,
                      const CellHeights& compared, double dead_band_m, Task& task) {
-  const Totals totals = parallel_reduce(task, grid.cells(), kGrain, Totals{}, [&](size_t begin, size_t end) {
+  const Totals totals = parallel_reduce(task, grid.cells(), kVolumeGrain, Totals{}, [&](size_t begin, size_t end) {
     Totals part;
     for (size_t c = begin; c < end; ++c) {
       const uint8_t status = status_of(reference.height[c], compared.height[c]);

@@ -16,7 +16,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kMostCells = size_t{1} << 25;  // 1.3 GB of two states' heights
-constexpr size_t kPointGrain = 1 << 15, kCellGrain = 4096;
+constexpr size_t kPointGrain = 1 << 15, kVolumeGridCellGrain = 4096;
 constexpr uint32_t kEnoughAround = 5;  // of eight cells, so that an empty one is surrounded
 
 /// The points of each cell, in their order.
@@ -174,7 +174,7 @@ VolumeGrid grid_over(VolumeGrid grid, const Box3& projected, double cell_m) {
 CellHeights cloud_heights(const Cloud& cloud, const VolumeGrid& grid, CellValue value, Task& task) {
   const CellPoints points(cloud, grid, task);
   CellHeights out(grid.cells());
-  parallel_for(task, grid.cells(), kCellGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, grid.cells(), kVolumeGridCellGrain, [&](size_t begin, size_t end) {
     std::vector<double> heights;
     for (size_t cell = begin; cell < end; ++cell) {
       const uint32_t count = points.count(cell);

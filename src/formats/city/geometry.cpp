@@ -14,7 +14,7 @@ namespace jalon::city {
 
 namespace {
 
-constexpr size_t kTicks = 1024;                // faces or triangles between two looks at the task
+constexpr size_t kGeometryTicks = 1024;                // faces or triangles between two looks at the task
 constexpr double kMaxSteps = 9007199254740992.0;  // 2^53: whole numbers that every JSON reader keeps
 
 /// Sorts the surfaces of a model into the objects they belong to.
@@ -31,13 +31,13 @@ class Arranger {
     std::vector<uint8_t> in_solid(model_.faces.size(), 0);
     for (const Solid& solid : model_.solids) add_solid(solid, in_solid);
     for (uint32_t f = 0; f < model_.faces.size(); ++f) {
-      if (f % kTicks == 0) task_.checkpoint(0.1);
+      if (f % kGeometryTicks == 0) task_.checkpoint(0.1);
       if (in_solid[f] == 0) add_face(surfaces_of(model_.faces[f].part), f);
       add_closings(model_.faces[f]);
     }
     const bool by_part = is_mesh_by_part(model_);
     for (const uint32_t t : loose_triangles(model_)) {
-      if (t % kTicks == 0) task_.checkpoint(0.1);
+      if (t % kGeometryTicks == 0) task_.checkpoint(0.1);
       add_triangle(t, by_part ? model_.triangle_faces[t] : kNoPart);
     }
     city_.wall_of_opening = std::move(openings_.wall);

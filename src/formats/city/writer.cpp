@@ -17,7 +17,7 @@ namespace {
 
 using namespace city;
 
-constexpr size_t kTicks = 1024;  // surfaces or vertices between two looks at the task
+constexpr size_t kWriterTicks = 1024;  // surfaces or vertices between two looks at the task
 
 /// The semantic surfaces of one geometry: a part each, in the order of their first polygon.
 struct Semantics {
@@ -62,7 +62,7 @@ class CityFile {
     for (const auto& [part, object] : city_.objects) add_object(part, object, task);
     json_.end_object().name("vertices").begin_array();
     for (size_t i = 0; i < grid_.steps().size(); ++i) {
-      if (i % kTicks == 0) flush(task);
+      if (i % kWriterTicks == 0) flush(task);
       json_.begin_array();
       for (const int64_t step : grid_.steps()[i]) json_.value(step);
       json_.end_array();
@@ -170,7 +170,7 @@ class CityFile {
     json_.name("boundaries").begin_array();
     if (geometry.solid) json_.begin_array();
     for (size_t s = 0; s < geometry.surfaces.size(); ++s) {
-      if (s % kTicks == 0) flush(task);
+      if (s % kWriterTicks == 0) flush(task);
       json_.begin_array();
       for (const auto& ring : geometry.surfaces[s].rings) {
         json_.begin_array();

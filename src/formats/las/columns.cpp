@@ -15,13 +15,13 @@ namespace jalon::las {
 
 namespace {
 
-constexpr size_t kGrain = size_t{1} << 18;  // items a chunk when values are only looked at
+constexpr size_t kColumnsGrain = size_t{1} << 18;  // items a chunk when values are only looked at
 constexpr size_t kMaxPlainBytes = 255;      // of a dimension of type 0
 
 // Counts what does not fit, so that the answer is the same for any number of threads.
 template <class F>
 bool all_items(Task& task, size_t n, F&& fits) {
-  return parallel_reduce<uint64_t>(task, n, kGrain, 0, [&](size_t begin, size_t end) {
+  return parallel_reduce<uint64_t>(task, n, kColumnsGrain, 0, [&](size_t begin, size_t end) {
            uint64_t bad = 0;
            for (size_t i = begin; i < end; ++i) bad += fits(i) ? 0 : 1;
            return bad;

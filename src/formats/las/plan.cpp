@@ -14,7 +14,7 @@ namespace jalon::las {
 
 namespace {
 
-constexpr size_t kGrain = size_t{1} << 18;
+constexpr size_t kPlanGrain = size_t{1} << 18;
 constexpr double kDefaultScale_m = 0.0001;  // a tenth of what a scanner resolves
 constexpr double kLargest = 2147483000;     // of int32, with room for rounding
 constexpr double kExact = 1e-3;  // of a scale step: coordinates that came from such integers
@@ -146,7 +146,7 @@ bool old_steps_fit(const Cloud& cloud, const Plan& plan, const Vec3& scale, cons
                    Task& task) {
   const std::span<const double> xyz = cloud.xyz();
   const Vec3 unit{plan.units.horizontal, plan.units.horizontal, plan.units.vertical};
-  return parallel_reduce<uint64_t>(task, cloud.size(), kGrain, 0, [&](size_t begin, size_t end) {
+  return parallel_reduce<uint64_t>(task, cloud.size(), kPlanGrain, 0, [&](size_t begin, size_t end) {
            uint64_t bad = 0;
            for (size_t i = begin; i < end; ++i)
              for (int k = 0; k < 3; ++k) {

@@ -17,7 +17,7 @@ namespace {
 
 using namespace las;
 
-constexpr size_t kGrain = size_t{1} << 16;  // points a chunk: some milliseconds
+constexpr size_t kReaderGrain = size_t{1} << 16;  // points a chunk: some milliseconds
 constexpr size_t kBlockBytes =
     size_t{96} << 10;  // read at once: stays in the cache, and below the allocator's mmap limit
 
@@ -128,7 +128,7 @@ void decode_points(const ByteSource& source, const Header& header, const LengthU
   const size_t stride = header.record_bytes;
   const size_t block = std::max<size_t>(1, kBlockBytes / stride);
   const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
-  parallel_for(task, header.count, kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, header.count, kReaderGrain, [&](size_t begin, size_t end) {
     const size_t room = std::min(block, end - begin) * stride;
     const auto records = std::make_unique_for_overwrite<std::byte[]>(room);
     for (size_t first = begin; first < end; first += block) {

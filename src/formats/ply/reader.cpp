@@ -17,7 +17,7 @@ namespace {
 
 using namespace ply;
 
-constexpr size_t kGrain = size_t{1} << 15;        // vertices a chunk
+constexpr size_t kReaderGrain = size_t{1} << 15;        // vertices a chunk
 constexpr size_t kBlockBytes = size_t{96} << 10;  // read at once
 constexpr size_t kTicks = 4096;                   // items between two looks at the task
 
@@ -109,7 +109,7 @@ void read_binary_vertices(const ByteSource& source, const Header& header, const 
                           uint64_t offset, const Vertices& vertices, Task& task) {
   const auto record = static_cast<size_t>(element.least_bytes(header.encoding));
   const size_t block = std::max<size_t>(1, kBlockBytes / record);
-  parallel_for(task, element.count, kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, element.count, kReaderGrain, [&](size_t begin, size_t end) {
     const auto bytes =
         std::make_unique_for_overwrite<char[]>(std::min(block, end - begin) * record);
     for (size_t first = begin; first < end; first += block) {

@@ -16,8 +16,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = size_t{1} << 14;
-constexpr size_t kBatch = 16 * kGrain;
+constexpr size_t kWriterGrain = size_t{1} << 14;
+constexpr size_t kBatch = 16 * kWriterGrain;
 
 const char* type_word(ElementType type) {
   switch (type) {
@@ -145,7 +145,7 @@ void write_ply(const Cloud& cloud, const std::string& path, const WriteSettings&
   const std::string header = header_text(cloud, form);
   AtomicFile file(path);
   file.write(header);
-  write_in_batches(cloud.size(), kBatch, kGrain, file, task,
+  write_in_batches(cloud.size(), kBatch, kWriterGrain, file, task,
                    [&](size_t begin, size_t end, std::string& out) {
                      if (form == PlyForm::kLittleEndian)
                        append_vertices<std::endian::little>(cloud, begin, end, out);
@@ -207,13 +207,13 @@ void write_ply_model(const Model& given, const std::string& path, const WriteSet
     append_number(out, value);
     out += after;
   };
-  write_in_batches(model.vertices.size(), kBatch, kGrain, file, task,
+  write_in_batches(model.vertices.size(), kBatch, kWriterGrain, file, task,
                    [&](size_t begin, size_t end, std::string& out) {
                      for (size_t i = begin; i < end; ++i)
                        for (int k = 0; k < 3; ++k)
                          put(out, model.vertices[i][k], k == 2 ? '\n' : ' ');
                    });
-  write_in_batches(triangles.size(), kBatch, kGrain, file, task,
+  write_in_batches(triangles.size(), kBatch, kWriterGrain, file, task,
                    [&](size_t begin, size_t end, std::string& out) {
                      for (size_t i = begin; i < end; ++i) {
                        put(out, uint8_t{3}, ' ');

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLeastArea_m2 = 1e-8;  // a square of the polygons' grid
 constexpr size_t kFacesPerChunk = 16;     // areas of polygons: some 10 us each
-constexpr size_t kFacesPerCheckpoint = 256;
+constexpr size_t kComparedFacesFacesPerCheckpoint = 256;
 constexpr Vec3 kAlongX{1, 0, 0};
 
 // Twice the vector area of a closed chain (Newell), about its first corner.
@@ -141,7 +141,7 @@ std::vector<ComparedFace> merged_by_plane(std::vector<ComparedFace> faces, const
   std::vector<ComparedFace> planes;
   size_t done = 0;
   for (const size_t f : order) {
-    if (done++ % kFacesPerCheckpoint == 0) task.checkpoint(0);
+    if (done++ % kComparedFacesFacesPerCheckpoint == 0) task.checkpoint(0);
     const auto plane = std::find_if(planes.begin(), planes.end(),
                                     [&](const ComparedFace& p) { return on_plane_of(p, faces[f], {}, choice); });
     if (plane == planes.end()) {

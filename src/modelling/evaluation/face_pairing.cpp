@@ -14,9 +14,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kPairsPerChunk = 4;  // intersections of polygons: some 0.1 ms each
-constexpr size_t kFacesPerCheckpoint = 256;
+constexpr size_t kFacePairingFacesPerCheckpoint = 256;
 
-struct Candidate {
+struct FacePairingCandidate {
   uint32_t automatic, reference;
 };
 
@@ -33,15 +33,15 @@ Box3 moved(Box3 box, const Vec3& shift) {
 }
 
 // Kept faces whose planes agree and whose boxes meet, by a sweep along x; ascending by reference, automatic.
-std::vector<Candidate> candidates_of(std::span<const ComparedFace> automatic, std::span<const ComparedFace> reference,
+std::vector<FacePairingCandidate> candidates_of(std::span<const ComparedFace> automatic, std::span<const ComparedFace> reference,
                                      const Vec3& shift, const FaceChoice& choice, Task& task) {
   std::vector<uint32_t> order(automatic.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
                    [&](uint32_t a, uint32_t b) { return automatic[a].box.min.x < automatic[b].box.min.x; });
-  std::vector<Candidate> out;
+  std::vector<FacePairingCandidate> out;
   for (uint32_t r = 0; r < reference.size(); ++r) {
-    if (r % kFacesPerCheckpoint == 0) task.checkpoint(0);
+    if (r % kFacePairingFacesPerCheckpoint == 0) task.checkpoint(0);
     if (!reference[r].kept) continue;
     for (const uint32_t a : order) {
       const Box3 box = moved(automatic[a].box, shift);
@@ -51,7 +51,7 @@ std::vector<Candidate> candidates_of(std::span<const ComparedFace> automatic, st
         out.push_back({a, r});
     }
   }
-  std::sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) {
+  std::sort(out.begin(), out.end(), [](const FacePairingCandidate& a, const FacePairingCandidate& b) {
     return a.reference != b.reference ? a.reference < b.reference : a.automatic < b.automatic;
   });
   return out;
@@ -70,7 +70,7 @@ FacePair compare(const ComparedFace& a, const ComparedFace& r, const Vec3& shift
 
 std::vector<FacePair> pair_faces(std::span<const ComparedFace> automatic, std::span<const ComparedFace> reference,
                                  const Vec3& shift, const FaceChoice& choice, double min_iou, Task& task) {
-  const std::vector<Candidate> candidates = candidates_of(automatic, reference, shift, choice, task);
+  const std::vector<FacePairingCandidate> candidates = candidates_of(automatic, reference, shift, choice, task);
   std::vector<FacePair> compared(candidates.size());
   parallel_for(task, candidates.size(), kPairsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

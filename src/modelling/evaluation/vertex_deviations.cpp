@@ -21,7 +21,7 @@ constexpr size_t kVerticesPerCheckpoint = 1024;
 constexpr double kFlat = 1e-12;     // variance against the largest: none, to rounding
 constexpr double kOnFlat_m = 1e-9;  // a deviation of nothing, to rounding
 
-struct Candidate {
+struct VertexDeviationsCandidate {
   double distance_m;
   uint32_t automatic, reference;
 };
@@ -34,10 +34,10 @@ std::vector<uint32_t> order_along_x(std::span<const Vec3> points) {
 }
 
 // All pairs within the tolerance, by a sweep along x.
-std::vector<Candidate> near_pairs(std::span<const Vec3> automatic, std::span<const Vec3> reference, double tolerance_m,
+std::vector<VertexDeviationsCandidate> near_pairs(std::span<const Vec3> automatic, std::span<const Vec3> reference, double tolerance_m,
                                   Task& task) {
   const std::vector<uint32_t> a = order_along_x(automatic), r = order_along_x(reference);
-  std::vector<Candidate> out;
+  std::vector<VertexDeviationsCandidate> out;
   size_t from = 0;
   for (size_t i = 0; i < a.size(); ++i) {
     if (i % kVerticesPerCheckpoint == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(a.size()));
@@ -76,14 +76,14 @@ double root_mean_square(std::span<const double> values) {
 
 std::vector<VertexPair> homologous_vertices(std::span<const Vec3> automatic, std::span<const Vec3> reference,
                                             double tolerance_m, Task& task) {
-  std::vector<Candidate> candidates = near_pairs(automatic, reference, tolerance_m, task);
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+  std::vector<VertexDeviationsCandidate> candidates = near_pairs(automatic, reference, tolerance_m, task);
+  std::sort(candidates.begin(), candidates.end(), [](const VertexDeviationsCandidate& a, const VertexDeviationsCandidate& b) {
     if (a.distance_m != b.distance_m) return a.distance_m < b.distance_m;
     return a.reference != b.reference ? a.reference < b.reference : a.automatic < b.automatic;
   });
   std::vector<uint8_t> used_a(automatic.size()), used_r(reference.size());
   std::vector<VertexPair> out;
-  for (const Candidate& c : candidates) {
+  for (const VertexDeviationsCandidate& c : candidates) {
     if (used_a[c.automatic] != 0 || used_r[c.reference] != 0) continue;
     used_a[c.automatic] = used_r[c.reference] = 1;
     out.push_back({c.automatic, c.reference, automatic[c.automatic] - reference[c.reference]});

@@ -17,7 +17,7 @@ namespace {
 constexpr double kLeastAgreements = 4;
 constexpr size_t kLeastOfRow = 4;      // a single line: equal distances of three and a gap
 constexpr double kLineOccupancy = 0.5; // of the crossings of a line that can be seen
-constexpr double kSolid = 0.2;         // share of a crossing's cells that shows the bare wall
+constexpr double kGridSolid = 0.2;         // share of a crossing's cells that shows the bare wall
 
 /// One axis: 0 = u makes columns, 1 = v makes rows.
 double along(const Vec2& p, int axis) { return axis == 0 ? p.u : p.v; }
@@ -56,7 +56,7 @@ Crossing crossing_of(const FacadeWall& wall, std::span<const RingBox> boxes, con
       return Crossing::kUnseen;  // another opening is in the way: no sign against the grid
   const std::vector<Vec2> form{c - half, {c.u + half.u, c.v - half.v}, c + half, {c.u - half.u, c.v + half.v}};
   const CellCount cells = count_cells(wall.map, form, wall.map.cell_m);
-  if (cells.all() == 0 || cells.share(WallCell::kSolid) > kSolid) return Crossing::kBare;
+  if (cells.all() == 0 || cells.share(WallCell::kSolid) > kGridSolid) return Crossing::kBare;
   return Crossing::kUnseen;
 }
 

@@ -21,7 +21,7 @@ constexpr double kAround_cells = 8;      // beside an opening, where its local s
 constexpr double kSolidWhereLit = 0.75;  // share of the wall's cells, one spacing wide, that have a point: 0.6-0.95
 constexpr double kLeastLit = 0.1;        // of it; a copy from fewer points is a guess
 
-constexpr auto kSolid = static_cast<size_t>(WallCell::kSolid), kThrough = static_cast<size_t>(WallCell::kThrough);
+constexpr auto kSiteSolid = static_cast<size_t>(WallCell::kSolid), kThrough = static_cast<size_t>(WallCell::kThrough);
 
 CellCount cells_in(const WallMap& map, const RingBox& b) {
   return count_cells(map, std::array{b.low, Vec2{b.high.u, b.low.v}, b.high, Vec2{b.low.u, b.high.v}}, 0);
@@ -42,7 +42,7 @@ double spacing_beside(const FacadeWall& wall, const RingBox& box) {
   const double cell_m = wall.map.cell_m;
   const CellCount all = cells_in(wall.map, box.grown(kAround_cells * cell_m));
   const CellCount inner = cells_in(wall.map, box.grown(cell_m));
-  const auto solid = static_cast<double>(all.of[kSolid] - inner.of[kSolid]);
+  const auto solid = static_cast<double>(all.of[kSiteSolid] - inner.of[kSiteSolid]);
   const auto cells = static_cast<double>(all.all() - inner.all());
   const double lit = cells > 0 ? solid / cells / kSolidWhereLit : 1;
   return wall.spacing_m / std::sqrt(std::clamp(lit, kLeastLit, 1.0));

@@ -9,7 +9,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kFlattest = 0.94;  // |cos| of 20 degrees: flatter planes share more than a row of points
+constexpr double kCrossingPointsFlattest = 0.94;  // |cos| of 20 degrees: flatter planes share more than a row of points
 constexpr double kOn = 3, kLeastSigma_m = 0.001;  // sigma: of points on a plane
 constexpr int kLeastBeside = 2;     // points on one side of a plane before it goes on there
 
@@ -27,7 +27,7 @@ CrossingPoints::CrossingPoints(const Segmentation& segmentation, const Octree& t
   crosses_.assign(segmentation.segments.size() + 1, 0);
   for (const Segment& other : segmentation.segments)
     crosses_[other.label] =
-        other.has_plane() && std::fabs(dot(other.fit.plane.normal, own_.fit.plane.normal)) < kFlattest;
+        other.has_plane() && std::fabs(dot(other.fit.plane.normal, own_.fit.plane.normal)) < kCrossingPointsFlattest;
 }
 
 bool CrossingPoints::ends_at(const Segment& other, const Vec3& p, const std::vector<Neighbour>& near) const {

@@ -15,7 +15,7 @@ namespace jalon {
 namespace {
 
 constexpr double kGapOfSpacing = 2;  // an edge misses the line by its last spacing and as much by noise and beam width
-constexpr double kFlattest = 0.94;      // |cos| of 20 degrees: flatter planes have no useful line
+constexpr double kPlaneLinesFlattest = 0.94;      // |cos| of 20 degrees: flatter planes have no useful line
 constexpr double kEdgeAlong = 0.996;    // 5 degrees between edge and line
 constexpr double kChord_m = 0.01;       // of arcs, where only "near or not" is asked
 constexpr int kProbes = 5;              // along an edge ...
@@ -54,7 +54,7 @@ double height_above(const PlaneFrame& frame, const Vec3& p) {
 // The line of both planes, p nearest to `near`; none when they are too flat to each other.
 std::optional<PlaneLine> line_of(const PlaneFrame& a, const PlaneFrame& b, const Vec3& near) {
   const double cosine = dot(a.normal, b.normal);
-  if (std::fabs(cosine) > kFlattest) return std::nullopt;
+  if (std::fabs(cosine) > kPlaneLinesFlattest) return std::nullopt;
   PlaneLine out;
   const double ha = height_above(a, near), hb = height_above(b, near), square = 1 - cosine * cosine;
   out.d = normalized(cross(a.normal, b.normal));

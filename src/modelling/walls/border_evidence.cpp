@@ -13,7 +13,7 @@ namespace jalon {
 namespace {
 
 constexpr double kReach = 2;          // cells from the outline to the wall's outermost points, gaps included
-constexpr double kChordOfCell = 0.1;
+constexpr double kBorderEvidenceChordOfCell = 0.1;
 
 // A step along the outline, and the wall's point nearest to it.
 struct Step {
@@ -25,7 +25,7 @@ struct Step {
 
 // The upper edge of a sill is left out: no point of the wall lies below it.
 std::vector<Step> steps_along(const FacadeOpening& opening, const WallMap& map) {
-  const std::vector<Vec2> ring = flattened(opening.outline, kChordOfCell * map.cell_m);
+  const std::vector<Vec2> ring = flattened(opening.outline, kBorderEvidenceChordOfCell * map.cell_m);
   std::vector<Step> out;
   for (size_t i = opening.ends_at_sill ? 1 : 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], d = ring[(i + 1) % ring.size()] - a;

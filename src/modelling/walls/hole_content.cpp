@@ -10,8 +10,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kParallel = 0.985;     // 10 degrees, as walls of one facade
-constexpr double kUpright = 0.174;      // 10 degrees from upright to the wall
+constexpr double kHoleContentParallel = 0.985;     // 10 degrees, as walls of one facade
+constexpr double kHoleContentUpright = 0.174;      // 10 degrees from upright to the wall
 constexpr uint32_t kBlock = 4;           // cells a side
 constexpr double kLowQuantile = 0.02;
 
@@ -60,7 +60,7 @@ HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segment
     const Segment* segment = filler.label == 0 ? nullptr : &segmentation.segments[filler.label - 1];
     const double cosine =
         segment != nullptr && segment->has_plane() ? std::fabs(dot(segment->fit.plane.normal, normal)) : 0.5;
-    (cosine >= kParallel ? out.parallel : cosine <= kUpright ? out.upright : out.other).push_back(filler);
+    (cosine >= kHoleContentParallel ? out.parallel : cosine <= kHoleContentUpright ? out.upright : out.other).push_back(filler);
   }
   for (auto* fillers : {&out.parallel, &out.upright, &out.other})
     std::stable_sort(fillers->begin(), fillers->end(),

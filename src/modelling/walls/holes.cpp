@@ -12,12 +12,12 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSteep = 3;         // |dv| / |du| of a jamb
+constexpr double kHolesSteep = 3;         // |dv| / |du| of a jamb
 constexpr double kFeetLevel_m = 0.4; // steps of sloping ground from foot to foot
 constexpr size_t kMostEdges = 12;    // of a head between the jambs
 
-bool goes_up(const Vec2& d) { return d.v > kSteep * std::fabs(d.u); }
-bool goes_down(const Vec2& d) { return -d.v > kSteep * std::fabs(d.u); }
+bool goes_up(const Vec2& d) { return d.v > kHolesSteep * std::fabs(d.u); }
+bool goes_down(const Vec2& d) { return -d.v > kHolesSteep * std::fabs(d.u); }
 
 // The notch whose left jamb is edge `up` of the outline. Walking anticlockwise along the lower border a notch goes up,
 // to the right along its head and down again; the right end of the face goes up and then to the left.

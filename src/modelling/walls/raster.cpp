@@ -14,7 +14,7 @@ namespace {
 constexpr double kMostCells = 4e6;    // a 60 x 20 m facade in cells of 2 cm has 3 million
 constexpr uint32_t kMargin = 2;       // cells about a hole: reveals and the wall's own border points
 constexpr double kBelowNotch_m = 1.5; // doors go down to the ground behind a plinth before the wall
-constexpr double kChordOfCell = 0.1;
+constexpr double kRasterChordOfCell = 0.1;
 
 WallRaster empty_raster(const VectorPlane& wall, std::span<const WallHole> holes) {
   RingBox box;
@@ -73,7 +73,7 @@ WallRaster rasterise_wall(const VectorPlane& wall, std::span<const WallHole> hol
   out.hole.assign(static_cast<size_t>(out.columns) * out.rows, kNoHole);
   if (out.hole.empty()) return out;
   for (size_t h = 0; h < holes.size(); ++h)
-    fill(out, out.hole, flattened(holes[h].outline, kChordOfCell * out.cell_m), static_cast<uint32_t>(h));
+    fill(out, out.hole, flattened(holes[h].outline, kRasterChordOfCell * out.cell_m), static_cast<uint32_t>(h));
   out.near_hole = out.hole;
   for (size_t h = 0; h < holes.size(); ++h) {
     if (!holes[h].is_notch) continue;

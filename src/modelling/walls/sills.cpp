@@ -14,12 +14,12 @@ namespace jalon {
 
 namespace {
 
-constexpr double kParallel = 0.985;      // 10 degrees, as walls of one facade
+constexpr double kSillsParallel = 0.985;      // 10 degrees, as walls of one facade
 constexpr double kMostHeight_m = 0.35;   // of a sill's front: stone sills have 0.08-0.25
 constexpr double kLeastSpan = 0.8;       // of the hole's width
 constexpr double kLowestShare = 0.3;     // of the hole's height, where its upper edge may be
 constexpr double kFlare_spacings = 4;    // above it, where the hole narrows from the sill's width to its own
-constexpr double kSteep = 3;             // |dv| / |du| of a jamb
+constexpr double kSillsSteep = 3;             // |dv| / |du| of a jamb
 constexpr double kFront_spacings = 0.5;  // nearer to the wall's plane a surface is the wall's own
 
 constexpr double kEdgeSigma = 0.3;       // spacings, of an edge drawn from its last row of points
@@ -40,7 +40,7 @@ std::vector<Sill> sills_before(const std::vector<VectorPlane>& planes, size_t wa
   const PlaneFrame& frame = planes[wall].frame;
   std::vector<Sill> out;
   for (size_t p = 0; p < planes.size(); ++p) {
-    if (p == wall || planes[p].faces.empty() || dot(planes[p].frame.normal, frame.normal) < kParallel) continue;
+    if (p == wall || planes[p].faces.empty() || dot(planes[p].frame.normal, frame.normal) < kSillsParallel) continue;
     for (const VectorFace& face : planes[p].faces) {
       Sill sill{{}, kNaN};
       double in_front = 0;
@@ -132,7 +132,7 @@ void refine(std::span<const Vec2> front, double spacing_m, Sill& sill) {
 /// Where a jamb that goes up from a to b, prolonged, crosses the level.
 double foot_of(const Vec2& a, const Vec2& b, double level) {
   const Vec2 d = b - a;
-  return std::fabs(d.v) > kSteep * std::fabs(d.u) ? a.u + d.u * (level - a.v) / d.v : b.u;
+  return std::fabs(d.v) > kSillsSteep * std::fabs(d.u) ? a.u + d.u * (level - a.v) / d.v : b.u;
 }
 
 /// The ring (anticlockwise) from this level on: what lies above the flare, and the jambs down to the level. Nothing

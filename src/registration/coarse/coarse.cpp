@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFeatureRadius = 5;     // cells (Rusu et al. 2009: a few times the radius of the normals)
 constexpr size_t kDistinctPoints = 4000;
-constexpr size_t kLeastCells = 50;       // fewer show no shape
+constexpr size_t kCoarseLeastCells = 50;       // fewer show no shape
 constexpr double kLevel = 0.9962;        // cosine, 5 degrees: of what stands upright, before fine registration
 // Salient places near the other cloud: few of them, all in one corner, look alike anywhere. Scans of different places
 // came to 0.05, of the same place to 0.6 and more.
@@ -41,9 +41,9 @@ struct Frames {
 
 CoarseSurface described(const Cloud& cloud, double cell_m, const char* which, Task& task) {
   CoarseSurface surface = coarse_surface(cloud, cell_m, task);
-  if (surface.size() < kLeastCells)
+  if (surface.size() < kCoarseLeastCells)
     fail(Status::kInsufficientData, "the %s cloud fills only %zu cells; coarse registration needs %zu", which,
-         surface.size(), kLeastCells);
+         surface.size(), kCoarseLeastCells);
   describe_features(surface, kFeatureRadius * cell_m, kDistinctPoints, task);
   return surface;
 }
@@ -89,8 +89,8 @@ std::span<const ParamRow> coarse_rows() { return kCoarseRows; }
 
 Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving,
                              const Transform& T_start, const CoarseSettings& settings, Task& task) {
-  if (reference->size() < kLeastCells || moving->size() < kLeastCells)
-    fail(Status::kInsufficientData, "coarse registration needs %zu points in each cloud", kLeastCells);
+  if (reference->size() < kCoarseLeastCells || moving->size() < kCoarseLeastCells)
+    fail(Status::kInsufficientData, "coarse registration needs %zu points in each cloud", kCoarseLeastCells);
   // 1. Surfaces.
   CoarseSurface reference_surface, moving_surface;
   {

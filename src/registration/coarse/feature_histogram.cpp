@@ -14,9 +14,9 @@ namespace {
 
 constexpr size_t kBins = 11;             // Rusu et al. 2009
 constexpr float kSum = 100;              // of an angle's bins, as in the authors' own code
-constexpr size_t kLeastNeighbours = 6;
+constexpr size_t kFeatureHistogramLeastNeighbours = 6;
 constexpr size_t kSalientOneIn = 7;
-constexpr size_t kGrain = 64;
+constexpr size_t kFeatureHistogramGrain = 64;
 
 size_t bin_of(double value, double low, double high) {
   const double at = (value - low) / (high - low) * static_cast<double>(kBins);
@@ -33,7 +33,7 @@ Vec3 facing_normal(const CoarseSurface& s, size_t i, const std::vector<Neighbour
 // The simplified histogram of one point: the angles of the Darboux frame with each neighbour.
 Feature simplified_histogram(const CoarseSurface& s, size_t i, double radius_m, const std::vector<Neighbour>& near) {
   Feature out{};
-  if (squared_norm(s.normals[i]) == 0 || near.size() < kLeastNeighbours) return out;
+  if (squared_norm(s.normals[i]) == 0 || near.size() < kFeatureHistogramLeastNeighbours) return out;
   const Vec3 u = facing_normal(s, i, near), place = s.points[i] + u * radius_m;
   size_t n = 0;
   for (const Neighbour& neighbour : near) {
@@ -66,14 +66,14 @@ void normalise(Feature& f) {
 // Each point's own histogram and those of its neighbours, by their nearness.
 std::vector<Feature> feature_histograms(const CoarseSurface& s, double radius_m, Task& task) {
   std::vector<Feature> simplified(s.size()), out(s.size());
-  parallel_for(task, s.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, s.size(), kFeatureHistogramGrain, [&](size_t begin, size_t end) {
     std::vector<Neighbour> near;
     for (size_t i = begin; i < end; ++i) {
       s.tree->radius(s.points[i], radius_m, near);
       simplified[i] = simplified_histogram(s, i, radius_m, near);
     }
   });
-  parallel_for(task, s.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, s.size(), kFeatureHistogramGrain, [&](size_t begin, size_t end) {
     std::vector<Neighbour> near;
     for (size_t i = begin; i < end; ++i) {
       Feature& f = out[i];

@@ -12,7 +12,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kLanes = 8;
-constexpr size_t kGrain = 32;
+constexpr size_t kFeatureMatchGrain = 32;
 
 /// Features of distinct points side by side, so that one is compared with eight at once.
 class FeatureLanes {
@@ -53,7 +53,7 @@ struct Near {
 std::vector<std::vector<Near>> nearest_features(const CoarseSurface& s, const FeatureLanes& lanes, size_t rank,
                                                 Task& task) {
   std::vector<std::vector<Near>> out(s.distinct.size());
-  parallel_for(task, out.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, out.size(), kFeatureMatchGrain, [&](size_t begin, size_t end) {
     std::vector<float> distances;
     for (size_t i = begin; i < end; ++i) {
       lanes.distances(s.features[s.distinct[i]], distances);

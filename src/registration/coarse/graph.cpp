@@ -14,7 +14,7 @@ namespace jalon {
 namespace {
 
 constexpr double kNormalSlack = 0.35;  // of cosines: normals of cells at edges are good to some 20 degrees
-constexpr size_t kGrain = 16;
+constexpr size_t kGraphGrain = 16;
 
 struct Place {
   Vec3 p, n;
@@ -39,7 +39,7 @@ MatchGraph::MatchGraph(std::span<const FeatureMatch> matches, const CoarseSurfac
     from[i] = {moving.points[matches[i].moving], moving.normals[matches[i].moving]};
     to[i] = {reference.points[matches[i].reference], reference.normals[matches[i].reference]};
   }
-  parallel_for(task, count_, kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, count_, kGraphGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       uint64_t* bits = bits_.data() + i * words_;
       for (size_t j = 0; j < count_; ++j)
@@ -78,7 +78,7 @@ std::vector<std::vector<uint32_t>> MatchGraph::cliques(size_t most, size_t least
   // Second-order degree (Chen et al. 2022, SC2-PCR): the neighbours that a match shares with its neighbours; wrong
   // matches have neighbours by chance, which share few.
   std::vector<uint64_t> second(count_);
-  parallel_for(task, count_, kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, count_, kGraphGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
       for (size_t w = 0; w < words_; ++w)
         for (uint64_t rest = row(i)[w]; rest != 0; rest &= rest - 1)

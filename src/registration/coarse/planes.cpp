@@ -12,11 +12,11 @@ namespace jalon {
 
 namespace {
 
-constexpr double kReach = 1.8;            // cells: the eight around one on a plane
+constexpr double kPlanesReach = 1.8;            // cells: the eight around one on a plane
 constexpr double kSeedVariation = 0.01;
-constexpr double kSameFacing = 0.94;      // cosine, 20 degrees: normals of single cells
-constexpr double kOffPlane = 0.4;         // cells
-constexpr size_t kLeastCells = 20;
+constexpr double kPlanesSameFacing = 0.94;      // cosine, 20 degrees: normals of single cells
+constexpr double kPlanesOffPlane = 0.4;         // cells
+constexpr size_t kPlanesLeastCells = 20;
 constexpr double kCoplanarFacing = 0.9986;  // cosine, 3 degrees
 constexpr double kCoplanarOffset = 0.5;   // cells, at the other's centroid
 
@@ -32,7 +32,7 @@ class RegionGrower {
     parallel_for(task, s_.size(), kGrain, [&](size_t begin, size_t end) {
       std::vector<Neighbour> near;
       for (size_t i = begin; i < end; ++i) {
-        s_.tree->radius(s_.points[i], kReach * s_.cell_m, near);
+        s_.tree->radius(s_.points[i], kPlanesReach * s_.cell_m, near);
         for (const Neighbour& n : near) near_[i].push_back(n.index);
       }
     });
@@ -48,15 +48,15 @@ class RegionGrower {
       if (k % 1024 == 0) task.checkpoint(static_cast<double>(k) / static_cast<double>(seeds.size()));
       if (label_[seeds[k]]) continue;
       Region region = grown(seeds[k]);
-      if (region.moments.n >= kLeastCells) out.push_back(region);
+      if (region.moments.n >= kPlanesLeastCells) out.push_back(region);
     }
     return out;
   }
 
  private:
   bool belongs(uint32_t i, const Plane& plane) const {
-    return std::abs(dot(s_.normals[i], plane.normal)) >= kSameFacing &&
-           std::abs(plane.distance(s_.points[i])) <= kOffPlane * s_.cell_m;
+    return std::abs(dot(s_.normals[i], plane.normal)) >= kPlanesSameFacing &&
+           std::abs(plane.distance(s_.points[i])) <= kPlanesOffPlane * s_.cell_m;
   }
 
   // The plane is fitted anew whenever the region has doubled.

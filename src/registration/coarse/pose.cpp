@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSameFacing = 0.8;  // cosine, 37 degrees: of normals of cells of two grids
+constexpr double kPoseSameFacing = 0.8;  // cosine, 37 degrees: of normals of cells of two grids
 constexpr float kAlike = 0.2f;  // of the squared distance from the mean feature: 0.45 of the way there
 constexpr double kDamping = 1e-4;    // keeps directions that nothing fixes where they are
 constexpr size_t kLeastPairs = 12;   // two for each unknown
@@ -31,7 +31,7 @@ Found partner(const CoarseSurface& surface, const Vec3& place, const Vec3& facin
   if (!surface.tree->nearest_within(place, reach_m, near)) return found;
   const Vec3& normal = surface.normals[near.index];
   const bool is_flat = squared_norm(normal) > 0 && squared_norm(facing) > 0;
-  if (is_flat && std::abs(dot(normal, facing)) < kSameFacing) return found;
+  if (is_flat && std::abs(dot(normal, facing)) < kPoseSameFacing) return found;
   found.index = near.index;
   found.distance = std::sqrt(near.squared_distance);
   found.off_plane = is_flat ? std::abs(dot(normal, place - surface.points[near.index])) : found.distance;
@@ -112,7 +112,7 @@ PoseJudge::Likeness PoseJudge::likeness(const Side& side, const Transform& T_oth
     const float far = kAlike * squared_distance(s.features[i], s.mean_feature);
     const Vec3 facing = T_other_side.direction(s.normals[i]);
     out.alike += std::any_of(near.begin(), near.end(), [&](const Neighbour& n) {
-      return std::abs(dot(facing, other.normals[n.index])) >= kSameFacing &&
+      return std::abs(dot(facing, other.normals[n.index])) >= kPoseSameFacing &&
              squared_distance(s.features[i], other.features[n.index]) <= far;
     });
   }

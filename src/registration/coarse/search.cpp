@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t kFewPoints = 400, kMorePoints = 1000, kManyPoints = 6000;  // of each surface
 constexpr double kLooseReach = 2, kLooseOffPlane = 1;  // cells: before poses have settled
-constexpr double kReach = 1.5, kOffPlane = 0.5;        // cells: once they have
+constexpr double kSearchReach = 1.5, kSearchOffPlane = 0.5;        // cells: once they have
 constexpr double kFirstReach = 4, kLastReach = 1.2;    // cells, of the iterations
 constexpr int kIterations = 14, kLastIterations = 8;
 constexpr size_t kSettled = 40, kRivals = 8;           // poses that are settled, and judged in the end
@@ -57,7 +57,7 @@ void settle(Poses& poses, const PoseJudge& judge, double first_reach, int iterat
       Transform& T_reference_moving = poses[i].T_reference_moving;
       T_reference_moving =
           judge.settled(T_reference_moving, first_reach, kLastReach, iterations).T_reference_moving;
-      poses[i].overlap = judge.overlap(T_reference_moving, kReach, kOffPlane);
+      poses[i].overlap = judge.overlap(T_reference_moving, kSearchReach, kSearchOffPlane);
     }
   });
 }
@@ -121,19 +121,19 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
   if (poses.empty()) return out;
   // Step 2 again, on many points.
   const ProgressSpan span(task, 0.6, 1, "judging poses");
-  settle(poses, many, kReach, kLastIterations, task);
+  settle(poses, many, kSearchReach, kLastIterations, task);
   std::erase_if(poses, unwanted);
   if (poses.empty()) return out;
   rank(poses);
   const SettledPose settled =
-      many.settled(poses.front().T_reference_moving, kReach, kLastReach, kLastIterations);
+      many.settled(poses.front().T_reference_moving, kSearchReach, kLastReach, kLastIterations);
   poses.front().T_reference_moving = settled.T_reference_moving;
   out.fixed = settled.fixed;
   // Steps 3 and 4. The best may be found again by a slide; then it keeps its source.
   const RankedPose best = poses.front();
   Poses moved = slides(best, out.fixed, moving);
   settle(moved, more, kFirstReach, kIterations, task);
-  settle(moved, many, kReach, kLastIterations, task);
+  settle(moved, many, kSearchReach, kLastIterations, task);
   poses.insert(poses.end(), moved.begin(), moved.end());
   std::erase_if(poses, unwanted);
   rank(poses);

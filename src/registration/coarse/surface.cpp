@@ -20,9 +20,9 @@ constexpr double kPointsPerCell = 3;     // on average, at the least
 constexpr int kCellTurns = 6;
 constexpr double kSparse = 0.03;         // of the points in the cell of the median point: less is an outlier
 constexpr double kNormalReach = 2.2;     // cells: about 15 neighbours on a plane
-constexpr size_t kLeastNeighbours = 4;
+constexpr size_t kSurfaceLeastNeighbours = 4;
 constexpr double kFlatVariation = 0.02;  // above, a place is curved or broken
-constexpr size_t kGrain = 256;
+constexpr size_t kSurfaceGrain = 256;
 
 Buffer<double> even_sample(const Cloud& cloud) {
   const size_t step = cloud.size() / kCellSample + 1, n = (cloud.size() + step - 1) / step;
@@ -87,7 +87,7 @@ CellShape shape_of(const Cloud& cloud, const VoxelGrid& grid, size_t v, const Ve
 void fit_plane(CoarseSurface& s, const std::vector<CellShape>& shapes, size_t i, std::vector<Neighbour>& near) {
   s.tree->radius(s.points[i], kNormalReach * s.cell_m, near);
   s.variation[i] = 1;
-  if (near.size() < kLeastNeighbours) return;
+  if (near.size() < kSurfaceLeastNeighbours) return;
   Moments moments;
   moments.reference = s.points[i];
   Symmetric3 within{};
@@ -131,7 +131,7 @@ CoarseSurface coarse_surface(const Cloud& cloud, double cell_m, Task& task) {
   for (uint32_t v = 0; v < grid.size(); ++v)
     if (grid.first[v + 1] - grid.first[v] >= least) kept.push_back(v);
   std::vector<CellShape> shapes(kept.size());
-  parallel_for(task, kept.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, kept.size(), kSurfaceGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) shapes[i] = shape_of(cloud, grid, kept[i], s.origin);
   });
   s.xyz = Buffer<double>(3 * kept.size());
@@ -145,7 +145,7 @@ CoarseSurface coarse_surface(const Cloud& cloud, double cell_m, Task& task) {
   s.variation.resize(kept.size());
   s.scatter_m2.resize(kept.size());
   s.tree = Octree::build(s.xyz, enclosing_cube(box), task);
-  parallel_for(task, kept.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, kept.size(), kSurfaceGrain, [&](size_t begin, size_t end) {
     std::vector<Neighbour> near;
     for (size_t i = begin; i < end; ++i) fit_plane(s, shapes, i, near);
   });

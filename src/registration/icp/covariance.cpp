@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 13;
+constexpr size_t kCovarianceGrain = 1 << 13;
 constexpr double kCut = 3;
 constexpr double kCutVariance = 0.973337;  // of the standard normal within 3: 1 - 6 phi(3) / (2 Phi(3) - 1)
 
@@ -36,7 +36,7 @@ struct Scatter {
 
 double sigma0_of(const IcpPairing& at, double sigma_m, Task& task) {
   const auto both = [&](const Buffer<uint32_t>& near, PairWay way) {
-    return parallel_reduce(task, near.size(), kGrain, Scatter{}, [&](size_t begin, size_t end) {
+    return parallel_reduce(task, near.size(), kCovarianceGrain, Scatter{}, [&](size_t begin, size_t end) {
       Scatter part;
       IcpPair pair;
       for (size_t i = begin; i < end; ++i) {

@@ -9,27 +9,27 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kMost = 32;      // neighbours looked at
+constexpr size_t kFacePlaneMost = 32;      // neighbours looked at
 constexpr size_t kHypotheses = 6; // nearest points that, two at a time, give the planes: fifteen of them
-constexpr size_t kLeastPoints = 6;
+constexpr size_t kFacePlaneLeastPoints = 6;
 // A plane through three noisy points is off by some noises where it is extrapolated; one through all is not.
 constexpr double kWide = 4;
 // Points along a line fix no plane: the narrower extent must be a fifth of the wider.
-constexpr double kLeastAspect = 0.04;
+constexpr double kFacePlaneLeastAspect = 0.04;
 
 using Four = float __attribute__((vector_size(16)));
 constexpr size_t kLanes = 4;
 
 /// The neighbours relative to the point, in grid steps.
 struct Around {
-  alignas(16) float x[kMost], y[kMost], z[kMost];
+  alignas(16) float x[kFacePlaneMost], y[kFacePlaneMost], z[kFacePlaneMost];
   size_t count = 0;
   Vec3 at(size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
 Around around(const Octree& tree, size_t position, std::span<const uint32_t> neighbours) {
   Around out;
-  out.count = std::min(neighbours.size(), kMost);
+  out.count = std::min(neighbours.size(), kFacePlaneMost);
   const int32_t *x = tree.grid_x(), *y = tree.grid_y(), *z = tree.grid_z();
   for (size_t i = 0; i < out.count; ++i) {
     out.x[i] = static_cast<float>(x[neighbours[i]] - x[position]);
@@ -67,7 +67,7 @@ std::optional<Vec3> best_normal(const Around& points, double noise) {
       const Vec3 n = cross(points.at(i), points.at(j));
       const double length2 = squared_norm(n);
       // The point itself, and points in line with it, span no plane.
-      if (!(length2 > kLeastAspect * squared_norm(points.at(i)) * squared_norm(points.at(j)))) continue;
+      if (!(length2 > kFacePlaneLeastAspect * squared_norm(points.at(i)) * squared_norm(points.at(j)))) continue;
       const Vec3 unit = n / std::sqrt(length2);
       const float score = score_of(points, unit, limit);
       if (score <= best) continue;
@@ -108,14 +108,14 @@ std::optional<PlanePoints> points_of_face(const Octree& tree, size_t position,
   PlanePoints out = sums_within(points, *normal, 0, kWide * noise);
   constexpr int kRefits = 2;
   for (int refit = 0; refit < kRefits; ++refit) {
-    if (out.count < kLeastPoints) return std::nullopt;
+    if (out.count < kFacePlaneLeastPoints) return std::nullopt;
     const Eigen3 e = symmetric_eigen(out.scatter);
-    if (!(e.values[1] > kLeastAspect * e.values[2])) return std::nullopt;
+    if (!(e.values[1] > kFacePlaneLeastAspect * e.values[2])) return std::nullopt;
     const double offset = dot(e.vectors[0], out.offset);
     if (std::abs(offset) > kFaceNoises * noise) return std::nullopt;  // the point is not on it
     out = sums_within(points, e.vectors[0], offset, kFaceNoises * noise);
   }
-  if (out.count < kLeastPoints) return std::nullopt;
+  if (out.count < kFacePlaneLeastPoints) return std::nullopt;
   return out;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr size_t kFewest = 4000;      // cells of the coarsest level: enough for steps of a millimetre on a street
 constexpr size_t kMore = 60'000, kMany = 300'000;
-constexpr size_t kLeastPoints = 20;
+constexpr size_t kIcpLeastPoints = 20;
 constexpr double kMisfits = 3;        // of the first distance
 
 // Step 2: the deepest level with at most so many occupied cells.
@@ -78,10 +78,10 @@ IcpProblem problem_of(const CloudPtr& reference, const CloudPtr& moving,
   out.thinned_moving = thinned(moving, cell_m, task);
   const Cloud &few_reference = *out.thinned_reference.cloud,
               &few_moving = *out.thinned_moving.cloud;
-  if (few_reference.size() < kLeastPoints || few_moving.size() < kLeastPoints)
+  if (few_reference.size() < kIcpLeastPoints || few_moving.size() < kIcpLeastPoints)
     fail(Status::kInsufficientData,
          "thinned to its cells the clouds have %zu and %zu points; they need %zu",
-         few_reference.size(), few_moving.size(), kLeastPoints);
+         few_reference.size(), few_moving.size(), kIcpLeastPoints);
   out.clouds.reference = surface_planes(few_reference.octree(task), settings.k, task);
   out.clouds.moving = surface_planes(few_moving.octree(task), settings.k, task);
   return out;
@@ -115,9 +115,9 @@ std::span<const ParamRow> icp_rows() { return kIcpRows; }
 Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
                           const Transform& T_start, const IcpSettings& settings, Task& task) {
   double cell_m = 0;
-  if (reference->size() < kLeastPoints || moving->size() < kLeastPoints)
+  if (reference->size() < kIcpLeastPoints || moving->size() < kIcpLeastPoints)
     fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud", reference->size(),
-         moving->size(), kLeastPoints);
+         moving->size(), kIcpLeastPoints);
   if (!is_finite(T_start.translation()))
     fail(Status::kInvalidArgument, "the start has a shift that is not finite");
   IcpProblem problem;

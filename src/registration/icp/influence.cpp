@@ -13,9 +13,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kExact = 100'000;     // points of a cloud
-constexpr size_t kRun = 16;            // points of a run in the tree's order: those of a plane, or nearly
+constexpr size_t kInfluenceRun = 16;            // points of a run in the tree's order: those of a plane, or nearly
 constexpr size_t kMostInfluences = size_t{1} << 17;  // points looked at; of more, every second, third ... run
-constexpr size_t kBetweenReports = 1 << 15;  // pairs or points: some milliseconds
+constexpr size_t kInfluenceBetweenReports = 1 << 15;  // pairs or points: some milliseconds
 constexpr double kOneFace = 0.7;       // cosine between the normals of points on one face
 
 /// Six numbers of one point.
@@ -62,17 +62,17 @@ class CloudInfluence {
   }
 
   Square<6> squares(uint32_t k, const Progress& report) {
-    const size_t step = exact_ ? 1 : kRun * stride_;
+    const size_t step = exact_ ? 1 : kInfluenceRun * stride_;
     for (size_t first = 0, done = 0; first < planes_.size(); first += step, ++done) {
-      if (done % (kBetweenReports / kRun) == 0) report(first, planes_.size());
+      if (done % (kInfluenceBetweenReports / kInfluenceRun) == 0) report(first, planes_.size());
       if (exact_)
         share_exactly(static_cast<uint32_t>(first), k);
       else
         share_in_run(first);
     }
     Square<6> out{};
-    for (size_t first = 0; first < planes_.size(); first += kRun * stride_)
-      for (size_t i = first; i < std::min(first + kRun, planes_.size()); ++i) add_square(i, out);
+    for (size_t first = 0; first < planes_.size(); first += kInfluenceRun * stride_)
+      for (size_t i = first; i < std::min(first + kInfluenceRun, planes_.size()); ++i) add_square(i, out);
     for (double& v : out) v *= static_cast<double>(stride_);
     return out;
   }
@@ -81,10 +81,10 @@ class CloudInfluence {
   static constexpr size_t kUnused = SIZE_MAX;
   using Tilt = std::array<Share, 3>;
 
-  size_t slots() const { return (planes_.size() / (kRun * stride_) + 1) * kRun; }
+  size_t slots() const { return (planes_.size() / (kInfluenceRun * stride_) + 1) * kInfluenceRun; }
   size_t slot(size_t position) const {
-    const size_t run = position / kRun;
-    return run % stride_ == 0 ? run / stride_ * kRun + position % kRun : kUnused;
+    const size_t run = position / kInfluenceRun;
+    return run % stride_ == 0 ? run / stride_ * kInfluenceRun + position % kInfluenceRun : kUnused;
   }
   // +1 or -1: which way the normal of b points against that of a; 0: on different faces.
   double alike(size_t a, size_t b) const {
@@ -108,9 +108,9 @@ class CloudInfluence {
   }
 
   void share_in_run(size_t first) {
-    const size_t end = std::min(first + kRun, planes_.size());
+    const size_t end = std::min(first + kInfluenceRun, planes_.size());
     for (size_t p = first; p < end; ++p) {
-      double signs[kRun] = {}, count = 0;
+      double signs[kInfluenceRun] = {}, count = 0;
       for (size_t m = first; m < end; ++m) {
         signs[m - first] = alike(p, m);
         count += std::abs(signs[m - first]);
@@ -156,7 +156,7 @@ Square<6> icp_influence(const IcpPairing& at, const IcpFrame& frame, uint32_t k,
   const Buffer<uint32_t>& partners = at.neighbours.of_moving;
   for (size_t i = 0; i < partners.size(); ++i) {
     const uint32_t m = static_cast<uint32_t>(i), r = partners[i];
-    if (i % kBetweenReports == 0) forth(i, partners.size());
+    if (i % kInfluenceBetweenReports == 0) forth(i, partners.size());
     if (r == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
     if (!pair_of(at, m, r, PairWay::kForth, pair)) continue;
     const Coefficients<6> j = coefficients_of(pair, frame);
@@ -168,7 +168,7 @@ Square<6> icp_influence(const IcpPairing& at, const IcpFrame& frame, uint32_t k,
   const Buffer<uint32_t>& partners_back = at.neighbours.of_reference;
   for (size_t i = 0; i < partners_back.size(); ++i) {
     const uint32_t r = static_cast<uint32_t>(i), m = partners_back[i];
-    if (i % kBetweenReports == 0) back(i, partners_back.size());
+    if (i % kInfluenceBetweenReports == 0) back(i, partners_back.size());
     if (m == kNoPoint || !(moving.looks_at(m) || reference.looks_at(r))) continue;
     if (!pair_of(at, m, r, PairWay::kBack, pair)) continue;
     const Coefficients<6> j = coefficients_of(pair, frame);

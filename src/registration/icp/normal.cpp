@@ -11,12 +11,12 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 13;
+constexpr size_t kNormalGrain = 1 << 13;
 constexpr size_t kResidualSample = 1 << 15;  // of either side: a median of so many is within 1 % of that of all
 // Information that stands out of noise: twice as much again as noise alone would give. The estimate of the noise is
 // good to some per cent where normals scatter alike in all directions, and to a factor of two where they do not.
 constexpr double kOverNoise = 10;
-constexpr double kLeastShare = 1e-9;  // of the strongest direction: what rounding leaves of a noise-free plane
+constexpr double kNormalLeastShare = 1e-9;  // of the strongest direction: what rounding leaves of a noise-free plane
 
 void add_plane_pair(const IcpPair& pair, double w, const IcpFrame& frame, IcpSums& sums) {
   const Vec3 arm = (pair.place - frame.centre) / frame.extent_m, turn = cross(arm, pair.normal);
@@ -57,7 +57,7 @@ void add_pair(const IcpPair& pair, IcpMetric metric, const RobustKernel& kernel,
   }
 }
 
-void mirror(Square<6>& m) {
+void mirror_of_normal(Square<6>& m) {
   for (size_t r = 0; r < 6; ++r)
     for (size_t c = 0; c < r; ++c) m[6 * r + c] = m[6 * c + r];
 }
@@ -82,7 +82,7 @@ IcpSums icp_sums(const IcpPairing& at, const RobustKernel& kernel, const IcpFram
                  Task& task) {
   const Buffer<uint32_t>&forth = at.neighbours.of_moving, &back = at.neighbours.of_reference;
   IcpSums sums =
-      parallel_reduce(task, forth.size(), kGrain, IcpSums{}, [&](size_t begin, size_t end) {
+      parallel_reduce(task, forth.size(), kNormalGrain, IcpSums{}, [&](size_t begin, size_t end) {
         IcpSums part;
         IcpPair pair;
         for (size_t i = begin; i < end; ++i) {
@@ -93,7 +93,7 @@ IcpSums icp_sums(const IcpPairing& at, const RobustKernel& kernel, const IcpFram
         part.of_moving = part.pairs;
         return part;
       });
-  sums += parallel_reduce(task, back.size(), kGrain, IcpSums{}, [&](size_t begin, size_t end) {
+  sums += parallel_reduce(task, back.size(), kNormalGrain, IcpSums{}, [&](size_t begin, size_t end) {
     IcpSums part;
     IcpPair pair;
     for (size_t i = begin; i < end; ++i) {
@@ -103,8 +103,8 @@ IcpSums icp_sums(const IcpPairing& at, const RobustKernel& kernel, const IcpFram
     }
     return part;
   });
-  mirror(sums.normal);
-  mirror(sums.noise);
+  mirror_of_normal(sums.normal);
+  mirror_of_normal(sums.noise);
   return sums;
 }
 
@@ -137,7 +137,7 @@ IcpDirections icp_directions(const IcpSums& sums) {
     out.information[k] = solver.eigenvalues()(static_cast<Eigen::Index>(k));
     const double of_noise = v.dot(noise * v);
     out.observable[k] =
-        out.information[k] > kOverNoise * of_noise && out.information[k] > kLeastShare * strongest;
+        out.information[k] > kOverNoise * of_noise && out.information[k] > kNormalLeastShare * strongest;
   }
   return out;
 }

@@ -11,7 +11,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kPlane = 3, kParaboloid = 6;  // coefficients
-constexpr size_t kLeastPoints = 10;            // of both clouds
+constexpr size_t kPatchFitLeastPoints = 10;            // of both clouds
 constexpr size_t kLeastOfEach = 3;             // of either cloud
 constexpr size_t kLeastBent = 30;              // for a paraboloid
 constexpr int kFits = 2;                       // with weights of the one before
@@ -90,7 +90,7 @@ std::optional<double> fit(const RobustKernel& kernel, PatchSurface& s) {
       squares += s.weights[i] * r * r;
       weights += s.weights[i];
     }
-    if (weights < static_cast<double>(kLeastPoints)) return std::nullopt;
+    if (weights < static_cast<double>(kPatchFitLeastPoints)) return std::nullopt;
     variance_m2 = squares / (weights - static_cast<double>(m));
   }
   return variance_m2;
@@ -169,7 +169,7 @@ void add_points(const std::vector<PatchPoint>& points, const PatchSurface& s, co
   }
 }
 
-void mirror(Square<6>& m) {
+void mirror_of_patch_fit(Square<6>& m) {
   for (size_t r = 0; r < 6; ++r)
     for (size_t c = r + 1; c < 6; ++c) m[6 * r + c] = m[6 * c + r];
 }
@@ -189,9 +189,9 @@ double squared_psi(const Side& side, const Cholesky<kParaboloid>& both) {
 // Step 5: the surface is eliminated (Schur complement). A moving point acts on the pose by g = j - K q, one of the
 // reference by -K q, with K = mixed surface^-1 of both clouds, and each by the noise of its own cloud here.
 bool add_reduced(PatchEquations& e, size_t unknowns, PatchSums& sums) {
-  mirror(e.pose);
-  mirror(e.reference.terms);
-  mirror(e.moving.terms);
+  mirror_of_patch_fit(e.pose);
+  mirror_of_patch_fit(e.reference.terms);
+  mirror_of_patch_fit(e.moving.terms);
   Square<6> both{};
   for (size_t i = 0; i < 36; ++i) both[i] = e.reference.terms[i] + e.moving.terms[i];
   for (size_t r = unknowns; r < 6; ++r) both[7 * r] = 1;
@@ -248,7 +248,7 @@ void add_patch(const std::vector<PatchPoint>& points, const Vec3& normal, double
                const IcpFrame& frame, PatchSums& sums) {
   const auto moving = static_cast<size_t>(
       std::count_if(points.begin(), points.end(), [](const PatchPoint& p) { return p.moving; }));
-  if (points.size() < kLeastPoints || std::min(moving, points.size() - moving) < kLeastOfEach) return;
+  if (points.size() < kPatchFitLeastPoints || std::min(moving, points.size() - moving) < kLeastOfEach) return;
   PatchSurface surface;
   set_base(points, normal, surface);
   if (!fit_surface(noise_m, kernel, surface)) return;
@@ -257,7 +257,7 @@ void add_patch(const std::vector<PatchPoint>& points, const Vec3& normal, double
   add_points(points, surface, kernel, frame, equations, part);
   const double all = equations.reference.count + equations.moving.count;
   if (std::min(equations.reference.count, equations.moving.count) < static_cast<double>(kLeastOfEach) ||
-      all < static_cast<double>(kLeastPoints) || !add_reduced(equations, surface.unknowns, part))
+      all < static_cast<double>(kPatchFitLeastPoints) || !add_reduced(equations, surface.unknowns, part))
     return;
   part.points = static_cast<uint64_t>(all);
   part.of_moving = static_cast<uint64_t>(equations.moving.count);

@@ -15,10 +15,10 @@ namespace jalon {
 namespace {
 
 // Points of the reference that are cut into patches together: a patch of a wall has as many.
-constexpr size_t kRun = 192;
+constexpr size_t kPatchesRun = 192;
 constexpr size_t kRunsPerChunk = 32;
-constexpr size_t kGrain = 1 << 14;
-constexpr size_t kBetweenReports = 1 << 18;  // points: a few milliseconds
+constexpr size_t kPatchesGrain = 1 << 14;
+constexpr size_t kPatchesBetweenReports = 1 << 18;  // points: a few milliseconds
 constexpr size_t kMostSeeds = 32;     // in a run: what is left are stray points
 // A point belongs to the patch of another where both their planes, in the mean, lead from one to the other within so
 // many noises, and a share of the distance for the noise of their normals and the bend of the surface.
@@ -27,7 +27,7 @@ constexpr double kAlike = 0.75;       // cosine between the normals
 constexpr size_t kLeastFlat = 6;
 // A plane through many points tells which others lie on it better than the normals of these do.
 constexpr double kFlatNoises = 1.4, kOnPlaneNoises = 4, kAlikeOnPlane = 0.5;
-constexpr double kLeastAspect = 0.02; // of the squared extents
+constexpr double kPatchesLeastAspect = 0.02; // of the squared extents
 constexpr double kBeyond = 3;         // root mean squares of the points along either axis
 
 // Where a wall lies along the sides of the tree's cells, as walls at whole metres do, the noise of its points tells on
@@ -39,7 +39,7 @@ constexpr Vec3 kTurn_rad{0.53, 0.71, 0.97};
 std::vector<uint32_t> turned_order(const SurfacePlanes& reference, Task& task) {
   const Transform turned = motion_about({}, kTurn_rad, {});
   Buffer<double> xyz(3 * reference.size());
-  const Box3 box = parallel_reduce(task, reference.size(), kGrain, Box3{}, [&](size_t begin, size_t end) {
+  const Box3 box = parallel_reduce(task, reference.size(), kPatchesGrain, Box3{}, [&](size_t begin, size_t end) {
     Box3 part;
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = turned.point(reference.place(i));
@@ -114,7 +114,7 @@ class Run {
     }
     const Eigen3 e = symmetric_eigen(scatter);
     const double flat_m = kFlatNoises * noise_m_;
-    if (e.values[0] > count * flat_m * flat_m || !(e.values[1] > kLeastAspect * e.values[2])) return;
+    if (e.values[0] > count * flat_m * flat_m || !(e.values[1] > kPatchesLeastAspect * e.values[2])) return;
     const double along = kBeyond * kBeyond * e.values[2] / count, across = kBeyond * kBeyond * e.values[1] / count;
     members_.clear();
     for (uint32_t i = 0; i < all_.size(); ++i) {
@@ -160,14 +160,14 @@ IcpPatches::IcpPatches(const IcpClouds& clouds, const IcpNeighbours& neighbours,
   const auto has_say = [&](size_t i) { return partner[i] != kNoPoint && clouds.moving.flat(i); };
   first_.assign(clouds.reference.size() + 1, 0);
   for (size_t i = 0; i < partner.size(); ++i) {
-    if (i % kBetweenReports == 0) task.checkpoint(1);
+    if (i % kPatchesBetweenReports == 0) task.checkpoint(1);
     if (has_say(i)) ++first_[partner[i] + 1];
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   moving_.resize(first_.back());
   std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
   for (size_t i = 0; i < partner.size(); ++i) {
-    if (i % kBetweenReports == 0) task.checkpoint(1);
+    if (i % kPatchesBetweenReports == 0) task.checkpoint(1);
     if (has_say(i)) moving_[next[partner[i]]++] = static_cast<uint32_t>(i);
   }
 }
@@ -175,12 +175,12 @@ IcpPatches::IcpPatches(const IcpClouds& clouds, const IcpNeighbours& neighbours,
 PatchSums IcpPatches::sums(const Transform& T_reference_moving, const RobustKernel& kernel,
                            const IcpFrame& frame, Task& task) const {
   const SurfacePlanes &reference = clouds_.reference, &moving = clouds_.moving;
-  const size_t runs = (reference.size() + kRun - 1) / kRun;
+  const size_t runs = (reference.size() + kPatchesRun - 1) / kPatchesRun;
   return parallel_reduce(task, runs, kRunsPerChunk, PatchSums{}, [&](size_t begin, size_t end) {
     PatchSums part;
     Run run(noise_m_, kernel, frame);
     for (size_t r = begin; r < end; ++r) {
-      const size_t first = r * kRun, last = std::min(first + kRun, reference.size());
+      const size_t first = r * kPatchesRun, last = std::min(first + kPatchesRun, reference.size());
       run.clear();
       for (size_t at = first; at < last; ++at) {
         const uint32_t i = order_[at];

@@ -15,7 +15,7 @@ namespace jalon {
 
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::infinity();
+constexpr float kPlanesNone = std::numeric_limits<float>::infinity();
 constexpr size_t kNoiseSample = 1 << 12;
 constexpr size_t kMedianSample = 1 << 14;  // a median of so many is within 1 % of that of all
 // Of the median scatter. A scatter of 13 degrees of freedom is that large once in ten thousand; across an edge it is a
@@ -23,17 +23,17 @@ constexpr size_t kMedianSample = 1 << 14;  // a median of so many is within 1 % 
 constexpr double kFlat = 1.75;
 // ... about a paraboloid: less, since across an edge the six coefficients take some of the misfit up.
 constexpr double kBent = 1.5;
-constexpr size_t kUnknowns = 3;  // of a plane
+constexpr size_t kPlanesUnknowns = 3;  // of a plane
 
 // From sums of products about the centroid, in grid steps; least: the smallest eigenvalue.
 SurfacePlane plane_of(const PlanePoints& points, const Vec3& n, double least, double step) {
-  SurfacePlane out{{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
+  SurfacePlane out{{0, 0, 0}, 0, kPlanesNone, 0, 0, SurfaceShape::kPlane};
   const Symmetric3& s = points.scatter;
   const double tangent = s[0] + s[3] + s[5] - least;
   const double minors = (s[0] * s[3] - s[1] * s[1]) + (s[0] * s[5] - s[2] * s[2]) + (s[3] * s[5] - s[4] * s[4]);
   const double product = minors - least * tangent;  // of the two larger eigenvalues
-  if (points.count <= kUnknowns || !(product > 0)) return out;
-  const double variance = least / static_cast<double>(points.count - kUnknowns);
+  if (points.count <= kPlanesUnknowns || !(product > 0)) return out;
+  const double variance = least / static_cast<double>(points.count - kPlanesUnknowns);
   for (int c = 0; c < 3; ++c) out.normal[c] = static_cast<float>(n[c]);
   out.height_m = static_cast<float>(dot(n, points.offset) * step);
   out.sigma_m = static_cast<float>(std::sqrt(variance) * step);
@@ -44,7 +44,7 @@ SurfacePlane plane_of(const PlanePoints& points, const Vec3& n, double least, do
 
 SurfacePlane plane_of(const NeighbourPlane& from, double step) {
   const Symmetric3& s = *from.scatter;
-  if (from.normal == nullptr) return {{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
+  if (from.normal == nullptr) return {{0, 0, 0}, 0, kPlanesNone, 0, 0, SurfaceShape::kPlane};
   return plane_of({s, from.offset, from.count}, {from.normal[0], from.normal[1], from.normal[2]},
                   std::max(0.0, from.variation * (s[0] + s[3] + s[5])), step);
 }
@@ -54,7 +54,7 @@ SurfacePlane face_plane(const Octree& tree, size_t position, std::span<const uin
                         double noise_m) {
   const double step = tree.grid_step();
   const auto points = points_of_face(tree, position, neighbours, noise_m / step);
-  if (!points) return {{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
+  if (!points) return {{0, 0, 0}, 0, kPlanesNone, 0, 0, SurfaceShape::kPlane};
   const Eigen3 e = symmetric_eigen(points->scatter);
   SurfacePlane out = plane_of(*points, e.vectors[0], std::max(0.0, e.values[0]), step);
   out.shape = SurfaceShape::kFace;
@@ -79,7 +79,7 @@ double noise_of(const Octree& tree, uint32_t k) {
     }
     const Eigen3 e = symmetric_eigen(points.scatter);
     const SurfacePlane plane = plane_of(points, e.vectors[0], std::max(0.0, e.values[0]), 1);
-    if (plane.sigma_m < kNone) sigmas.push_back(plane.sigma_m);
+    if (plane.sigma_m < kPlanesNone) sigmas.push_back(plane.sigma_m);
   }
   if (sigmas.empty()) return 0;
   const auto middle = sigmas.begin() + static_cast<ptrdiff_t>(sigmas.size() / 2);
@@ -92,7 +92,7 @@ double median_of(const Buffer<SurfacePlane>& planes, Value value) {
   std::vector<float> values;
   const size_t stride = planes.size() / kMedianSample + 1;
   for (size_t i = 0; i < planes.size(); i += stride)
-    if (planes[i].sigma_m < kNone) values.push_back(value(planes[i]));
+    if (planes[i].sigma_m < kPlanesNone) values.push_back(value(planes[i]));
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

@@ -12,10 +12,10 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kUnknowns = 6;
-constexpr size_t kMost = 64;            // neighbours looked at
-constexpr size_t kLeast = 2 * kUnknowns;
-constexpr double kLeastAspect = 0.1;    // of the neighbours' spread, squared: a strip fixes no bend across itself
+constexpr size_t kQuadricPlaneUnknowns = 6;
+constexpr size_t kQuadricPlaneMost = 64;            // neighbours looked at
+constexpr size_t kLeast = 2 * kQuadricPlaneUnknowns;
+constexpr double kQuadricPlaneLeastAspect = 0.1;    // of the neighbours' spread, squared: a strip fixes no bend across itself
 constexpr double kSteepest = 1.25;      // slope of the paraboloid at the point: the neighbours' plane is no base for it
 
 // Step 2: the plane through the neighbours as base; none where they lie along a line.
@@ -31,7 +31,7 @@ std::optional<LocalQuadric> base_of(std::span<const Vec3> offsets) {
     for (size_t c = 0; c < 6; ++c) scatter[c] += row[c];
   }
   const Eigen3 e = symmetric_eigen(scatter);
-  if (!(e.values[1] > kLeastAspect * e.values[2])) return std::nullopt;
+  if (!(e.values[1] > kQuadricPlaneLeastAspect * e.values[2])) return std::nullopt;
   LocalQuadric out;
   out.u = e.vectors[2];
   out.v = e.vectors[1];
@@ -44,12 +44,12 @@ std::optional<LocalQuadric> base_of(std::span<const Vec3> offsets) {
 
 std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
                                           std::span<const uint32_t> neighbours) {
-  const size_t count = std::min(neighbours.size(), kMost);
+  const size_t count = std::min(neighbours.size(), kQuadricPlaneMost);
   if (count < kLeast) return std::nullopt;
   // Step 1: the offsets of the neighbours from the point.
   const double step = tree.grid_step();
   const int32_t *x = tree.grid_x(), *y = tree.grid_y(), *z = tree.grid_z();
-  Vec3 offsets[kMost];
+  Vec3 offsets[kQuadricPlaneMost];
   for (size_t i = 0; i < count; ++i) {
     const uint32_t n = neighbours[i];
     offsets[i] = Vec3{static_cast<double>(x[n] - x[position]), static_cast<double>(y[n] - y[position]),
@@ -59,24 +59,24 @@ std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
   if (!found) return found;
   LocalQuadric& out = *found;
   // Step 3: least squares of the heights.
-  Square<kUnknowns> normal{};
-  Coefficients<kUnknowns> right{};
+  Square<kQuadricPlaneUnknowns> normal{};
+  Coefficients<kQuadricPlaneUnknowns> right{};
   double squares = 0;
   for (size_t i = 0; i < count; ++i) {
     const double height = dot(out.n, offsets[i]);
-    const Coefficients<kUnknowns> q = out.terms(offsets[i]);
-    for (size_t r = 0; r < kUnknowns; ++r) {
+    const Coefficients<kQuadricPlaneUnknowns> q = out.terms(offsets[i]);
+    for (size_t r = 0; r < kQuadricPlaneUnknowns; ++r) {
       right[r] += q[r] * height;
-      for (size_t c = 0; c <= r; ++c) normal[kUnknowns * r + c] += q[r] * q[c];
+      for (size_t c = 0; c <= r; ++c) normal[kQuadricPlaneUnknowns * r + c] += q[r] * q[c];
     }
     squares += height * height;
   }
-  Cholesky<kUnknowns> factor;
+  Cholesky<kQuadricPlaneUnknowns> factor;
   if (!factor.factor(normal)) return std::nullopt;
   out.a = factor.solve(right);
   out.cofactors = factor.inverse();
-  for (size_t i = 0; i < kUnknowns; ++i) squares -= out.a[i] * right[i];
-  out.sigma_m = std::sqrt(std::max(0.0, squares) / static_cast<double>(count - kUnknowns));
+  for (size_t i = 0; i < kQuadricPlaneUnknowns; ++i) squares -= out.a[i] * right[i];
+  out.sigma_m = std::sqrt(std::max(0.0, squares) / static_cast<double>(count - kQuadricPlaneUnknowns));
   return found;
 }
 

@@ -11,7 +11,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = 1 << 14;
+constexpr size_t kSearchGrain = 1 << 14;
 constexpr uint32_t kAround = 8;  // points looked at around a corner
 
 // Sorted positions of the reference for each query, in the caller's order of the queries or in
@@ -51,7 +51,7 @@ std::shared_ptr<const Octree> IcpSearch::moved_tree(const Transform& T_reference
   const Octree& reference = *clouds_.reference.tree;
   const Vec3 origin = reference.cube().origin;
   const double step = reference.grid_step();
-  const Box3 box = parallel_reduce(task, n, kGrain, Box3{}, [&](size_t begin, size_t end) {
+  const Box3 box = parallel_reduce(task, n, kSearchGrain, Box3{}, [&](size_t begin, size_t end) {
     Box3 part;
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = T_reference_moving.point(clouds_.moving.place(level_.moving.position(i)));
@@ -100,7 +100,7 @@ void IcpSearch::turn_corners(const Octree& moved, const Transform& T_reference_m
       if (const uint32_t p = position(near[k].index); fits(p)) return p;
     return kNoPoint;
   };
-  parallel_for(task, found.of_moving.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, found.of_moving.size(), kSearchGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       uint32_t& near = found.of_moving[i];
       const uint32_t m = level_.moving.position(i);
@@ -112,7 +112,7 @@ void IcpSearch::turn_corners(const Octree& moved, const Transform& T_reference_m
     }
   });
   const auto order = moved.order();
-  parallel_for(task, found.of_reference.size(), kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, found.of_reference.size(), kSearchGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       uint32_t& near = found.of_reference[i];
       const uint32_t r = level_.reference.position(i);

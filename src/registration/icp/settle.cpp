@@ -18,9 +18,9 @@ constexpr int kMostSteps = 4;
 // 99 % of the efficiency of least squares, the usual one 95.
 constexpr double kWider = 1.4;
 // Steps in standard deviations of the pose: the last one, and one that is not worth taking.
-constexpr double kSmall = 0.1, kNone = 0.02;
+constexpr double kSmall = 0.1, kSettleNone = 0.02;
 // A point has a pair either way, and two points at most say half of what one and a true surface would.
-constexpr double kOfPairs = 0.25, kLeastShare = 0.5;
+constexpr double kOfPairs = 0.25, kSettleLeastShare = 0.5;
 
 using Matrix = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
@@ -47,7 +47,7 @@ bool says_enough(const PatchSums& sums, const IcpDirections& directions) {
   for (size_t k = 0; k < 6; ++k) {
     if (!directions.observable[k]) continue;
     const Eigen::Map<const Eigen::Matrix<double, 6, 1>> unit(directions.unit[k].data());
-    if (!(unit.dot(normal * unit) >= kLeastShare * kOfPairs * directions.information[k])) return false;
+    if (!(unit.dot(normal * unit) >= kSettleLeastShare * kOfPairs * directions.information[k])) return false;
   }
   return sums.patches > 0;
 }
@@ -79,7 +79,7 @@ void icp_settle(const IcpProblem& problem, IcpState& state, Task& task) {
     const Vec3 shift{step[3], step[4], step[5]};
     const double deviations =
         std::sqrt(std::max(0.0, step.dot(right)) * sums.weights / sums.squares);
-    if (deviations > kNone)
+    if (deviations > kSettleNone)
       state.T_reference_moving = motion_about(frame.centre, turn, shift) * state.T_reference_moving;
     IcpIteration row = state.log.back();
     row.level += k == 0 ? 1 : 0;
@@ -87,8 +87,8 @@ void icp_settle(const IcpProblem& problem, IcpState& state, Task& task) {
     row.kept =
         static_cast<double>(sums.of_moving) / static_cast<double>(problem.clouds.moving.size());
     row.rms_m = std::sqrt(sums.squares / sums.weights);
-    row.turn_rad = deviations > kNone ? norm(turn) : 0;
-    row.shift_m = deviations > kNone ? norm(shift) : 0;
+    row.turn_rad = deviations > kSettleNone ? norm(turn) : 0;
+    row.shift_m = deviations > kSettleNone ? norm(shift) : 0;
     state.log.push_back(row);
     moved_m += row.shift_m + row.turn_rad * problem.extent_m;
     // 3. Until the steps are small. What went farther than the residuals scatter left the minimum

@@ -11,8 +11,8 @@ namespace jalon {
 
 namespace {
 
-constexpr int kMaxSteps = 100;       // three or four are usual
-constexpr double kSmallStep = 1e-8;  // in standard deviations of the unknowns: far below anything that matters
+constexpr int kMostAdjustments = 100;       // three or four are usual
+constexpr double kSmallAdjustment = 1e-8;  // in standard deviations of the unknowns: far below anything that matters
 
 template <size_t K>
 using Design = std::array<double, 3 * K>;  // row-major, 3 x K
@@ -22,7 +22,7 @@ Square<3> rotated(const Transform& T, const Square<3>& covariance) {
   return propagated<3, 3>({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}, covariance);
 }
 
-Vec3 times(const Square<3>& m, const Vec3& v) {
+Vec3 times_of_adjustment(const Square<3>& m, const Vec3& v) {
   return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[3] * v.x + m[4] * v.y + m[5] * v.z,
           m[6] * v.x + m[7] * v.y + m[8] * v.z};
 }
@@ -60,7 +60,7 @@ class Adjuster {
   AdjustedTargets run() {
     AdjustedTargets result;
     TargetAdjustment& out = result.adjustment;
-    for (int step = 0; step < kMaxSteps && !out.converged; ++step) {
+    for (int step = 0; step < kMostAdjustments && !out.converged; ++step) {
       // 1. Normal equations at the present pose.
       if (!normal_equations(result)) return result;
       // 2. Their solution, and its length in standard deviations.
@@ -74,7 +74,7 @@ class Adjuster {
       out.steps.push_back({squares_, std::sqrt(std::max(0.0, length2))});
       // 3. The step.
       move(x);
-      out.converged = out.steps.back().step < kSmallStep;
+      out.converged = out.steps.back().step < kSmallAdjustment;
     }
     // 4. Residuals and cofactors at the last pose.
     if (normal_equations(result)) write(out);
@@ -114,9 +114,9 @@ class Adjuster {
       Cholesky<3> factor;
       if (!factor.factor(row.covariance)) return i;
       row.weight = factor.inverse();
-      const Vec3 correlates = times(row.weight, row.residual);
+      const Vec3 correlates = times_of_adjustment(row.weight, row.residual);
       const Vec3 corrected =
-          times(rotated(T_reference_moving_, pair.moving_covariance), correlates);
+          times_of_adjustment(rotated(T_reference_moving_, pair.moving_covariance), correlates);
       const Vec3 adjusted = T_reference_moving_.point(pair.moving) - corrected;
       row.design = design_at<K>(adjusted - centre);
       squares_ += dot(row.residual, correlates);
@@ -128,7 +128,7 @@ class Adjuster {
   void add(const Row& row, const Vec3& correlates) {
     for (size_t c = 0; c < K; ++c) {
       const Vec3 column{row.design[c], row.design[K + c], row.design[2 * K + c]};
-      const Vec3 weighted = times(row.weight, column);
+      const Vec3 weighted = times_of_adjustment(row.weight, column);
       right_[c] -= dot(column, correlates);
       for (size_t d = 0; d < K; ++d)
         normal_[K * d + c] += dot(Vec3{row.design[d], row.design[K + d], row.design[2 * K + d]}, weighted);

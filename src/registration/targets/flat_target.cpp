@@ -17,7 +17,7 @@ namespace jalon {
 namespace {
 
 constexpr double kSearchSizes = 1.5;
-constexpr int kDraws = 400;
+constexpr int kFlatTargetDraws = 400;
 constexpr double kLeastExplained = 0.5;  // of the brightness: less is no pattern
 constexpr double kPixelSpacings = 2;     // of a plate's raster
 constexpr double kMostSizeOff = 0.5;     // of a plate's size, relative
@@ -63,7 +63,7 @@ std::optional<FittedPlane> plane_of(const std::vector<Vec3>& points,
                                     const MeasuringSettings& setting, Task& task) {
   FittedPlane out;
   double best = 0;
-  for (int i = 0; i < kDraws; ++i) {
+  for (int i = 0; i < kFlatTargetDraws; ++i) {
     RandomStream random(setting.seed, static_cast<uint64_t>(i));
     Plane plane;
     const auto draw = [&] { return points[random.below(points.size())]; };

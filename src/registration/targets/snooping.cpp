@@ -20,7 +20,7 @@ constexpr double kMostNoncentrality = 1000;  // a blunder of 30 standard deviati
 constexpr size_t kMostTerms = 2000;     // of a Poisson mixture with a mean below 500
 constexpr double kNegligible = 1e-12;   // weight of the terms left
 
-Vec3 times(const Square<3>& m, const Vec3& v) {
+Vec3 times_of_snooping(const Square<3>& m, const Vec3& v) {
   return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[3] * v.x + m[4] * v.y + m[5] * v.z,
           m[6] * v.x + m[7] * v.y + m[8] * v.z};
 }
@@ -127,7 +127,7 @@ double Snooping::noncentrality(int dimensions) const {
 TargetTest Snooping::test(const PairResidual& pair) const {
   TargetTest out;
   const Square<3> controlled = sandwich<3>(pair.weight, pair.cofactor);  // P Q_e P
-  const Vec3 weighted = times(pair.weight, pair.residual_m);
+  const Vec3 weighted = times_of_snooping(pair.weight, pair.residual_m);
   out.statistic = controlled_form(pair.weight, controlled, weighted, out.dimensions);
   out.p_value = p_value(out.statistic, out.dimensions);
   out.outlier = out.p_value < setting_.significance;

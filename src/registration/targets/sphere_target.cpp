@@ -22,7 +22,7 @@ constexpr double kCapShare = 0.9;       // of the points lie within it
 constexpr double kMostInside = 0.3;     // points inside the ball, to those on it: something else
 constexpr double kMostSigma = 0.5;      // of the tolerance: as even a distribution as that is no surface
 constexpr double kOneSided = 0.5;       // length of the mean normal: 2 / 3 of a sphere seen from afar, 0 all round
-constexpr int kDraws = 3000;
+constexpr int kSphereTargetDraws = 3000;
 constexpr int kTries = 12;              // for a second and a third point close enough to the first
 constexpr size_t kScored = 1024;        // points that a draw is judged by
 
@@ -83,7 +83,7 @@ std::optional<Sphere> draw_known(const Surroundings& near, const MeasuringSettin
   for (size_t i = 0; i < near.points.size(); i += step) sample.push_back(near.points[i]);
   std::optional<Sphere> best;
   double best_score = 0;
-  for (int i = 0; i < kDraws; ++i) {
+  for (int i = 0; i < kSphereTargetDraws; ++i) {
     if (i % 64 == 0) task.checkpoint(0);
     RandomStream random(setting.seed, static_cast<uint64_t>(i));
     const Vec3 a = near.points[random.below(near.points.size())];

@@ -15,8 +15,8 @@ namespace jalon {
 namespace {
 
 // The plot's window in the chart's millimetres.
-constexpr double kWidth = 180, kHeight = 84, kLeft = 20, kRight = 176, kTop = 12, kBottom = 70;
-constexpr double kText = 2.8;
+constexpr double kWidth = 180, kHeight = 84, kConvergenceChartLeft = 20, kConvergenceChartRight = 176, kConvergenceChartTop = 12, kConvergenceChartBottom = 70;
+constexpr double kConvergenceChartText = 2.8;
 
 struct Curve {
   const char* column;
@@ -30,8 +30,8 @@ constexpr Curve kCurves[] = {{"rms", "rms residual", "#1f6f8b", ""},
 
 struct Plot {
   double rows, low, high;  // decades: log10 of millimetres
-  double x(double row) const { return kLeft + (rows > 1 ? (row - 1) / (rows - 1) : 0.5) * (kRight - kLeft); }
-  double y(double decade) const { return kBottom - (decade - low) / (high - low) * (kBottom - kTop); }
+  double x(double row) const { return kConvergenceChartLeft + (rows > 1 ? (row - 1) / (rows - 1) : 0.5) * (kConvergenceChartRight - kConvergenceChartLeft); }
+  double y(double decade) const { return kConvergenceChartBottom - (decade - low) / (high - low) * (kConvergenceChartBottom - kConvergenceChartTop); }
 };
 
 double decade_of(double metres) { return std::log10(1000 * metres); }
@@ -55,8 +55,8 @@ Plot plot_of(const FieldTable& log) {
 
 void draw_level(SvgWriter& svg, const Plot& plot, double mm) {
   const double decade = std::log10(mm);
-  svg_line(svg, {kLeft, plot.y(decade)}, {kRight, plot.y(decade)}, kFaint, 0.15);
-  svg_text(svg, {kLeft - 1.5, plot.y(decade) + 1}, kText, Anchor::kEnd,
+  svg_line(svg, {kConvergenceChartLeft, plot.y(decade)}, {kConvergenceChartRight, plot.y(decade)}, kFaint, 0.15);
+  svg_text(svg, {kConvergenceChartLeft - 1.5, plot.y(decade) + 1}, kConvergenceChartText, Anchor::kEnd,
            text_of(mm, static_cast<int>(std::max(0.0, -std::floor(decade + 1e-9)))));
 }
 
@@ -69,13 +69,13 @@ void draw_axes(SvgWriter& svg, const Plot& plot) {
   }
   for (const double row : make_ticks(1, std::max(plot.rows, 2.0), std::max(1.0, plot.rows / 12)).values) {
     if (row != std::floor(row) || row > plot.rows) continue;
-    svg_line(svg, {plot.x(row), kBottom}, {plot.x(row), kBottom + 1.5}, kInk, 0.2);
-    svg_text(svg, {plot.x(row), kBottom + 5}, kText, Anchor::kMiddle, text_of(row, 0));
+    svg_line(svg, {plot.x(row), kConvergenceChartBottom}, {plot.x(row), kConvergenceChartBottom + 1.5}, kInk, 0.2);
+    svg_text(svg, {plot.x(row), kConvergenceChartBottom + 5}, kConvergenceChartText, Anchor::kMiddle, text_of(row, 0));
   }
-  svg_line(svg, {kLeft, kBottom}, {kRight, kBottom}, kInk, 0.25);
-  svg_line(svg, {kLeft, kTop}, {kLeft, kBottom}, kInk, 0.25);
-  svg_text(svg, {(kLeft + kRight) / 2, kBottom + 10.5}, 3, Anchor::kMiddle, "Iteration");
-  svg_text(svg, {4, (kTop + kBottom) / 2}, 3, Anchor::kMiddle, "mm (logarithmic)", false, true);
+  svg_line(svg, {kConvergenceChartLeft, kConvergenceChartBottom}, {kConvergenceChartRight, kConvergenceChartBottom}, kInk, 0.25);
+  svg_line(svg, {kConvergenceChartLeft, kConvergenceChartTop}, {kConvergenceChartLeft, kConvergenceChartBottom}, kInk, 0.25);
+  svg_text(svg, {(kConvergenceChartLeft + kConvergenceChartRight) / 2, kConvergenceChartBottom + 10.5}, 3, Anchor::kMiddle, "Iteration");
+  svg_text(svg, {4, (kConvergenceChartTop + kConvergenceChartBottom) / 2}, 3, Anchor::kMiddle, "mm (logarithmic)", false, true);
 }
 
 void draw_curve(SvgWriter& svg, const Column& column, const Curve& curve, const Plot& plot) {
@@ -99,13 +99,13 @@ std::string convergence_chart(const FieldTable& log) {
   svg.element("title", {}, "Convergence");
   const Plot plot = plot_of(log);
   draw_axes(svg, plot);
-  double key = kLeft;
+  double key = kConvergenceChartLeft;
   for (const Curve& curve : kCurves) {
     const Column* column = log.find(curve.column);
     if (column == nullptr) continue;
     draw_curve(svg, *column, curve, plot);
-    svg_line(svg, {key, kTop - 6}, {key + 7, kTop - 6}, curve.colour, 0.6);
-    svg_text(svg, {key + 8.5, kTop - 5}, kText, Anchor::kStart, curve.name);
+    svg_line(svg, {key, kConvergenceChartTop - 6}, {key + 7, kConvergenceChartTop - 6}, curve.colour, 0.6);
+    svg_text(svg, {key + 8.5, kConvergenceChartTop - 5}, kConvergenceChartText, Anchor::kStart, curve.name);
     key += 46;
   }
   return svg.take();

@@ -12,8 +12,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kTop = 6;  // mm; the key of the curve stands in the plot
-constexpr const char* kCurve = "#b3472f";
+constexpr double kResidualChartTop = 6;  // mm; the key of the curve stands in the plot
+constexpr const char* kResidualChartCurve = "#b3472f";
 
 void draw_curve(SvgWriter& svg, const Residuals& r, const HistogramPlot& plot) {
   constexpr int kSteps = 160;
@@ -22,9 +22,9 @@ void draw_curve(SvgWriter& svg, const Residuals& r, const HistogramPlot& plot) {
     const double value = r.half_range_m * (2.0 * i / kSteps - 1);
     curve.push_back({plot.x(1000 * value), plot.y(r.expected(value))});
   }
-  svg.leaf("path", {{"d", svg_polyline(curve)}, {"fill", "none"}, {"stroke", kCurve}, {"stroke-width", 0.5}});
-  svg_line(svg, {HistogramPlot::kRight - 48, kTop + 2}, {HistogramPlot::kRight - 40, kTop + 2}, kCurve, 0.5);
-  svg_text(svg, {HistogramPlot::kRight - 38, kTop + 3}, HistogramPlot::kText, Anchor::kStart,
+  svg.leaf("path", {{"d", svg_polyline(curve)}, {"fill", "none"}, {"stroke", kResidualChartCurve}, {"stroke-width", 0.5}});
+  svg_line(svg, {HistogramPlot::kRight - 48, kResidualChartTop + 2}, {HistogramPlot::kRight - 40, kResidualChartTop + 2}, kResidualChartCurve, 0.5);
+  svg_text(svg, {HistogramPlot::kRight - 38, kResidualChartTop + 3}, HistogramPlot::kText, Anchor::kStart,
            "normal, \xCF\x83 = " + text_of(1000 * r.sigma_m, 2) + " mm");
 }
 
@@ -33,7 +33,7 @@ void draw_curve(SvgWriter& svg, const Residuals& r, const HistogramPlot& plot) {
 std::string residual_chart(const Residuals& residuals) {
   SvgWriter svg;
   open_histogram(svg, "Histogram of the residuals");
-  HistogramPlot plot{kTop, -1000 * residuals.half_range_m, 1000 * residuals.half_range_m};
+  HistogramPlot plot{kResidualChartTop, -1000 * residuals.half_range_m, 1000 * residuals.half_range_m};
   for (const uint64_t n : residuals.bins) plot.most = std::max(plot.most, static_cast<double>(n));
   if (residuals.sigma_m > 0) plot.most = std::max(plot.most, residuals.expected(residuals.mean_m));
   plot.most *= 1.05;

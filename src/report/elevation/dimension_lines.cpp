@@ -11,7 +11,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kText = 2.5, kThin = 0.18;
+constexpr double kDimensionLinesText = 2.5, kThin = 0.18;
 constexpr double kAbove = 1.1, kBelow = 3.3;  // base lines of numbers on either side of the line
 constexpr double kTick = 1, kEnd = 1.5;       // half a tick; how far the line runs on
 constexpr double kClear = 0.6;                // between a number and its neighbours
@@ -32,7 +32,7 @@ bool place_numbers(const DimensionLine& line, std::vector<Place>& out) {
   for (size_t i = 0; i < pieces; ++i) {
     const double from = way * line.at_mm[i], to = way * line.at_mm[i + 1];
     Place place{(from + to) / 2, text_of(line.values_m[i], 2), false};
-    const double width = text_width(place.text, kText);
+    const double width = text_width(place.text, kDimensionLinesText);
     if (width + kClear > to - from) {
       if (i == 0 && pieces > 1) {
         place.middle_mm = from - kEnd - width / 2;
@@ -78,7 +78,7 @@ void draw_dimension_line(SvgWriter& svg, const DimensionLine& line) {
   std::vector<Place> places;
   place_numbers(line, places);
   for (const Place& place : places)
-    svg_text(svg, turned(line, place.middle_mm, line.line_mm + (place.is_below ? kBelow : -kAbove)), kText,
+    svg_text(svg, turned(line, place.middle_mm, line.line_mm + (place.is_below ? kBelow : -kAbove)), kDimensionLinesText,
              Anchor::kMiddle, place.text, false, line.is_upright);
 }
 
@@ -95,7 +95,7 @@ void draw_level_marks(SvgWriter& svg, const LevelMarks& marks) {
     svg.leaf("path", {{"d", svg_polyline(triangle) + "Z"}, {"fill", is_zero ? kInk : "#ffffff"}, {"stroke", kInk},
                       {"stroke-width", kThin}});
     const std::string sign = is_zero ? "\xC2\xB1" : number.front() == '-' ? "" : "+";
-    svg_text(svg, {x + 3.2, y - 0.7}, kText, Anchor::kStart, sign + number);
+    svg_text(svg, {x + 3.2, y - 0.7}, kDimensionLinesText, Anchor::kStart, sign + number);
   }
 }
 

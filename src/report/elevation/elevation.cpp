@@ -12,7 +12,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kText = 2.5;
+constexpr double kElevationText = 2.5;
 
 void define_hatching(SvgWriter& svg, const std::string& id, double spacing, const char* colour, double width) {
   svg.open("pattern", {{"id", id},
@@ -49,13 +49,13 @@ void draw_axes(SvgWriter& svg, const ElevationDrawing& drawing) {
     const double at = drawing.on_paper({value + drawing.faces.wall_low.u, 0}).u;
     svg_line(svg, {at, v.y}, {at, v.bottom()}, kFaint, 0.1);
     svg_line(svg, {at, axis}, {at, axis + 1.5}, kInk, 0.18);
-    svg_text(svg, {at, axis + 4.8}, kText, Anchor::kMiddle, x.label(value));
+    svg_text(svg, {at, axis + 4.8}, kElevationText, Anchor::kMiddle, x.label(value));
   }
   for (const double value : z.values) {
     const double at = drawing.on_paper({0, value}).v;
     svg_line(svg, {v.x, at}, {v.right(), at}, kFaint, 0.1);
     svg_line(svg, {v.x - 1.5, at}, {v.x, at}, kInk, 0.18);
-    svg_text(svg, {v.x - 2.3, at + 0.9}, kText, Anchor::kEnd, z.label(value));
+    svg_text(svg, {v.x - 2.3, at + 0.9}, kElevationText, Anchor::kEnd, z.label(value));
   }
   svg_text(svg, {v.x + v.width / 2, axis + 9.5}, 2.8, Anchor::kMiddle, "Distance along the facade (m)");
   svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, 2.8, Anchor::kMiddle, "Height Z (m)", false, true);

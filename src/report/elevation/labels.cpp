@@ -10,7 +10,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kText = 2.5, kSmallText = 1.8;
+constexpr double kLabelsText = 2.5, kSmallText = 1.8;
 
 bool overlap(const Box_mm& a, const Box_mm& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
@@ -77,7 +77,7 @@ void draw_type(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnOpeni
   const Vec2 middle = (opening.low + opening.high) * 0.5;
   const std::string& tag = faces.list.types[row.type].tag;
   const double room = drawing.sheet.mm_of(opening.high.u - opening.low.u);
-  const double size = text_width(tag, kText) + 1.2 <= room ? kText : kSmallText;
+  const double size = text_width(tag, kLabelsText) + 1.2 <= room ? kLabelsText : kSmallText;
   const double width = text_width(tag, size) + 0.8;
   if (width > room || is_covered(middle, faces, opening.depth_m)) return;
   const Vec2 p = drawing.on_paper(middle);
@@ -92,12 +92,12 @@ void draw_type(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnOpeni
 void draw_number(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnFace& face, Taken& taken) {
   Vec2 at;
   const std::string text = std::to_string(face.label);
-  const double room = drawing.sheet.mm_of(roomiest_point(face, at)), width = text_width(text, kText);
-  if (room < std::max(kText, width) * 0.6 || is_covered(at, drawing.faces, face.depth_m)) return;
+  const double room = drawing.sheet.mm_of(roomiest_point(face, at)), width = text_width(text, kLabelsText);
+  if (room < std::max(kLabelsText, width) * 0.6 || is_covered(at, drawing.faces, face.depth_m)) return;
   const Vec2 p = drawing.on_paper(at);
-  if (!taken.take({p.u - width / 2, p.v - kText, width, 2 * kText})) return;
+  if (!taken.take({p.u - width / 2, p.v - kLabelsText, width, 2 * kLabelsText})) return;
   const std::string fill = group_colour(drawing.faces, face.group, drawing.content.colours);
-  svg_text(svg, {p.u, p.v + 0.9}, kText, Anchor::kMiddle, text, true, false, is_dark(fill) ? "#ffffff" : kInk);
+  svg_text(svg, {p.u, p.v + 0.9}, kLabelsText, Anchor::kMiddle, text, true, false, is_dark(fill) ? "#ffffff" : kInk);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 using Sign = LegendItem::Sign;
 
-constexpr double kText = 2.5, kRow = 4.6, kSwatch = 7, kSwatchHeight = 3.4;
+constexpr double kLegendText = 2.5, kRow = 4.6, kSwatch = 7, kSwatchHeight = 3.4;
 
 std::string depth_text(double depth_m) {
   const std::string number = text_of(depth_m, 2);
@@ -122,13 +122,13 @@ void draw_item(SvgWriter& svg, const LegendItem& item, double x, double y, doubl
     case Sign::kHeading: return svg_text(svg, {x, base}, 2.8, Anchor::kStart, item.text, true);
     case Sign::kNote: return svg_text(svg, {x, y + 1.6}, 2, Anchor::kStart, item.text, false, false, kGrey);
     case Sign::kType:
-      svg_text(svg, {x, base}, kText, Anchor::kStart, item.tag, true, false, item.colour.c_str());
-      svg_text(svg, {x + kSwatch + 2, base}, kText, Anchor::kStart, item.text);
-      return svg_text(svg, {x + width, base}, kText, Anchor::kEnd, item.count);
+      svg_text(svg, {x, base}, kLegendText, Anchor::kStart, item.tag, true, false, item.colour.c_str());
+      svg_text(svg, {x + kSwatch + 2, base}, kLegendText, Anchor::kStart, item.text);
+      return svg_text(svg, {x + width, base}, kLegendText, Anchor::kEnd, item.count);
     default: break;
   }
   draw_sign(svg, item, x, y);
-  svg_text(svg, {x + kSwatch + 2, base}, kText, Anchor::kStart, item.text);
+  svg_text(svg, {x + kSwatch + 2, base}, kLegendText, Anchor::kStart, item.text);
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ void draw_legend(SvgWriter& svg, const std::vector<LegendItem>& items, const She
   for (size_t i = 0; i < items.size(); ++i) {
     const bool is_last = i + 1 == items.size();
     if (y + kRow * (is_last ? 1 : 2) > sheet.legend.bottom()) {
-      svg_text(svg, {x, y + 2.6}, kText, Anchor::kStart, "and " + std::to_string(items.size() - i) + " more lines");
+      svg_text(svg, {x, y + 2.6}, kLegendText, Anchor::kStart, "and " + std::to_string(items.size() - i) + " more lines");
       return;
     }
     draw_item(svg, items[i], x, y, width);

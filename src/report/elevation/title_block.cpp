@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kText = 2.5;
+constexpr double kTitleBlockText = 2.5;
 constexpr double kBlockWidth = 185, kBlockShare = 0.62;  // of the strip, at most
 constexpr double kScaleBarRoom = 73;                     // left of the plan of the view
 
@@ -88,7 +88,7 @@ void draw_view_plan(SvgWriter& svg, const Vec2& centre, const ElevationContent& 
   draw_arrow(svg, centre - look * kRadius, centre - look * 0.6, "#b3472f");
   const Vec2 north = centre + Vec2{kRadius + 6, 0};
   draw_arrow(svg, north + Vec2{0, kRadius * 0.8}, north - Vec2{0, kRadius * 0.5}, kInk);
-  svg_text(svg, north - Vec2{0, kRadius * 0.5 + 1.2}, kText, Anchor::kMiddle,
+  svg_text(svg, north - Vec2{0, kRadius * 0.5 + 1.2}, kTitleBlockText, Anchor::kMiddle,
            content.has_north ? "N" : "+Y", true);
 }
 
@@ -110,8 +110,8 @@ void draw_scale_bar(SvgWriter& svg, const Sheet& sheet) {
                       {"stroke", kInk},
                       {"stroke-width", 0.18}});
   for (int i = 0; i <= fields; ++i)
-    svg_text(svg, {x + i * field, y + height + 3.2}, kText, Anchor::kMiddle, text_of(i * field_m, decimals));
-  svg_text(svg, {x + fields * field + 4, y + height + 3.2}, kText, Anchor::kStart, "m");
+    svg_text(svg, {x + i * field, y + height + 3.2}, kTitleBlockText, Anchor::kMiddle, text_of(i * field_m, decimals));
+  svg_text(svg, {x + fields * field + 4, y + height + 3.2}, kTitleBlockText, Anchor::kStart, "m");
   if (sheet.frame.width > 0)
     svg_text(svg, {x, y - 3}, 3, Anchor::kStart, "Scale 1:" + std::to_string(sheet.denominator), true);
 }

@@ -19,7 +19,7 @@ namespace jalon {
 
 namespace {
 
-constexpr auto kRows = setting_rows(
+constexpr auto kChangeOutlinesRows = setting_rows(
     number_row<&ChangeOutlineSettings::max_edge_m>(
         "max_edge_m", 0, 1e6, "m", "",
         "Widest gap between points of one region that counts as surface; 0 = twice what joined its "
@@ -191,7 +191,7 @@ std::string class_in(const Outlined& region, const FieldTable* changes, bool is_
 
 }  // namespace
 
-std::span<const ParamRow> change_outlines_rows() { return kRows; }
+std::span<const ParamRow> change_outlines_rows() { return kChangeOutlinesRows; }
 
 Model change_outlines(const ChangedCloud& after, const ChangedCloud& before,
                       const FieldTable* changes, const ChangeOutlineSettings& settings,

@@ -19,24 +19,23 @@ namespace jalon {
 
 namespace {
 
-using S = ComparisonReportSettings;
 
-constexpr auto kRows = setting_rows(
-    integer_row<&S::bins>("bins", 5, 400, "1", "", "Bins of the histograms"),
-    number_row<&S::threshold_m>(
+constexpr auto kComparisonReportRows = setting_rows(
+    integer_row<&ComparisonReportSettings::bins>("bins", 5, 400, "1", "", "Bins of the histograms"),
+    number_row<&ComparisonReportSettings::threshold_m>(
         "threshold_m", 0, 1e9, "m", "",
         "Distance marked in the histograms, up to which they are noise; 0 = none"),
-    number_row<&S::limit_m>("limit_m", 0, 1e9, "m", "",
+    number_row<&ComparisonReportSettings::limit_m>("limit_m", 0, 1e9, "m", "",
                             "Distance at the end of the colour scale; 0 = 98 % lie within"),
-    bool_row<&S::picture>("picture", "", "With the pictures of the points"));
+    bool_row<&ComparisonReportSettings::picture>("picture", "", "With the pictures of the points"));
 
 constexpr size_t kMostRows = 500;  // of changes in the page; the CSV has them all
 constexpr const char* kClasses[] = {"", "appearance", "disappearance", "displacement", "displacement with overlap",
                                     "deformation", "deformation with overlap"};
-constexpr const char* kSideBySide = "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
+constexpr const char* kComparisonReportSideBySide = "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
 
 std::string mm(double metres) { return std::isfinite(metres) ? text_of(1000 * metres, 2) : "-"; }
-std::string metres(double value, int decimals = 3) { return std::isfinite(value) ? text_of(value, decimals) : "-"; }
+std::string metres_of_comparison_report(double value, int decimals = 3) { return std::isfinite(value) ? text_of(value, decimals) : "-"; }
 
 std::vector<double> finite_distances(const Comparison& comparison) {
   std::vector<double> out;
@@ -82,7 +81,7 @@ void add_summary(Page& page, const Comparison& forward, const Comparison* revers
     for (const char* count : {"points", "compared", "hidden", "out_of_range", "out_of_field", "nothing_near"})
       page.number(grouped(static_cast<uint64_t>(c.summary.require(count).number(0))));
     for (const char* value : {"mean", "rms", "sigma"}) page.number(mm(c.summary.require(value).number(0)));
-    for (const char* value : {"minimum", "maximum"}) page.number(metres(c.summary.require(value).number(0)));
+    for (const char* value : {"minimum", "maximum"}) page.number(metres_of_comparison_report(c.summary.require(value).number(0)));
     html.close();
   };
   row("compared with the reference", forward);
@@ -103,7 +102,7 @@ void add_more(Page& page, const Comparison& comparison) {
     const bool in_mm = info.unit == "m";
     const double value = column->number(0);
     pairs.emplace_back(info.meaning.empty() ? info.name : info.name + ": " + info.meaning,
-                       is_floating(info.type) ? (in_mm ? mm(value) + " mm" : metres(value, 4) + " " + info.unit)
+                       is_floating(info.type) ? (in_mm ? mm(value) + " mm" : metres_of_comparison_report(value, 4) + " " + info.unit)
                                               : grouped(static_cast<uint64_t>(std::max(0.0, value))));
   }
   if (pairs.empty()) return;
@@ -114,7 +113,7 @@ void add_more(Page& page, const Comparison& comparison) {
 std::string vector_text(const Column& column, size_t row, int decimals) {
   std::string out;
   for (uint32_t k = 0; k < column.info().components; ++k)
-    out += (k > 0 ? ", " : "") + metres(column.number(row, k), decimals);
+    out += (k > 0 ? ", " : "") + metres_of_comparison_report(column.number(row, k), decimals);
   return out;
 }
 
@@ -138,7 +137,7 @@ void add_changes(Page& page, const FieldTable& changes) {
       html.element("td", {}, kClasses[std::min<size_t>(6, static_cast<size_t>(changes.require("class").number(i)))]);
       page.number(text_of(changes.require("confidence").number(i), 2));
       for (const char* name : {"area_before", "area_after", "volume_before", "volume_after"})
-        page.number(metres(changes.require(name).number(i)));
+        page.number(metres_of_comparison_report(changes.require(name).number(i)));
       for (const char* name : {"centroid_before", "centroid_after", "displacement"})
         page.number(vector_text(changes.require(name), i, 3));
       const Column& covariance = changes.require("covariance");
@@ -147,7 +146,7 @@ void add_changes(Page& page, const FieldTable& changes) {
       page.number(sigma);
     } else {
       page.number(grouped(static_cast<uint64_t>(changes.require("points").number(i))));
-      for (const char* name : {"area", "volume"}) page.number(metres(changes.require(name).number(i)));
+      for (const char* name : {"area", "volume"}) page.number(metres_of_comparison_report(changes.require(name).number(i)));
       page.number(mm(changes.require("mean").number(i)));
       page.number(mm(changes.require("extreme").number(i)));
       page.number(vector_text(changes.require("centroid"), i, 2));
@@ -162,7 +161,7 @@ void add_pictures(Page& page, const Comparison& forward, const Comparison* rever
                   Task& task) {
   page.heading("Where");
   DeviationPictureSettings settings;
-  page.html().open("div", {{"style", kSideBySide}});
+  page.html().open("div", {{"style", kComparisonReportSideBySide}});
   settings.title = "Compared with the reference";
   page.html().raw(deviation_svg(forward, scale, settings, task));
   if (reverse != nullptr) {
@@ -178,7 +177,7 @@ void add_histograms(Page& page, const Comparison& forward, const Comparison* rev
                     Task& task) {
   page.heading("How far");
   const double threshold_m = settings.threshold_m;
-  page.html().open("div", {{"style", kSideBySide}});
+  page.html().open("div", {{"style", kComparisonReportSideBySide}});
   for (const Comparison* comparison : {&forward, reverse}) {
     if (comparison == nullptr) continue;
     const Fitted fitted = fit(*comparison, scale, threshold_m, settings.bins, task);
@@ -194,7 +193,7 @@ void add_histograms(Page& page, const Comparison& forward, const Comparison* rev
 
 }  // namespace
 
-std::span<const ParamRow> comparison_report_rows() { return kRows; }
+std::span<const ParamRow> comparison_report_rows() { return kComparisonReportRows; }
 
 std::string comparison_html(const Comparison& forward, const Comparison* reverse,
                             const FieldTable& changes, std::string_view notes_json,

@@ -15,7 +15,7 @@ namespace jalon {
 namespace {
 
 // Nothing for what is not known.
-std::string metres(double value_m, int decimals = 2) {
+std::string metres_of_html_model(double value_m, int decimals = 2) {
   return std::isfinite(value_m) ? text_of(value_m, decimals) : std::string();
 }
 std::string millimetres(double value_m) { return std::isfinite(value_m) ? text_of(1000 * value_m, 2) : std::string(); }
@@ -52,7 +52,7 @@ void add_each(Page& page, const Model& model, const OpeningList& openings) {
     page.number(millimetres(row.sigma_width_m));
     page.number(text_of(row.height_m, 3));
     page.number(millimetres(row.sigma_height_m));
-    page.number(metres(row.depth_m, 3));
+    page.number(metres_of_html_model(row.depth_m, 3));
     page.number(millimetres(row.sigma_depth_m));
     page.foreign("td", row.copied_from != kNoParent ? "copy of " + part_label(model, row.copied_from)
                                                     : std::string(evidence_name(row.evidence)));
@@ -108,9 +108,9 @@ void add_parts(Page& page, const Model& model) {
     page.foreign("td", part.part_class);
     page.number(faces > 0 ? std::to_string(faces) : "");
     page.number(faces > 0 ? text_of(area_m2, 2) : "");
-    page.number(metres(part.width_m, 3));
-    page.number(metres(part.height_m, 3));
-    page.number(metres(part.depth_m, 3));
+    page.number(metres_of_html_model(part.width_m, 3));
+    page.number(metres_of_html_model(part.height_m, 3));
+    page.number(metres_of_html_model(part.depth_m, 3));
     page.foreign("td", part.copied_from != kNoParent ? "copy of " + part_label(model, part.copied_from)
                                                      : std::string(evidence_name(part.evidence)));
     page.html().close();

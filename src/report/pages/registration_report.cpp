@@ -23,14 +23,13 @@ namespace jalon {
 
 namespace {
 
-using S = RegistrationReportSettings;
 
-constexpr auto kRows =
-    setting_rows(integer_row<&S::bins>("bins", 5, 400, "1", "", "Bins of the histograms"),
-                 integer_row<&S::sample>("sample", 1, 1e9, "points", "",
+constexpr auto kRegistrationReportRows =
+    setting_rows(integer_row<&RegistrationReportSettings::bins>("bins", 5, 400, "1", "", "Bins of the histograms"),
+                 integer_row<&RegistrationReportSettings::sample>("sample", 1, 1e9, "points", "",
                                          "Most points of the moving cloud in the histograms"));
 
-constexpr const char* kSideBySide = "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
+constexpr const char* kRegistrationReportSideBySide = "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
 
 // Every nth point, so that at most this many are left.
 Cloud sample_of(const Cloud& cloud, size_t most, Task& task) {
@@ -90,7 +89,7 @@ void add_before_after(Page& page, const Registration& r, const CloudPtr& referen
   const Cloud sample = sample_of(*moving, static_cast<size_t>(settings.sample), task);
   const Cloud moved = transformed(sample, r.pose, task);
   const CloudPtr surface = as_registered(reference, r, task);
-  page.html().open("div", {{"style", kSideBySide}});
+  page.html().open("div", {{"style", kRegistrationReportSideBySide}});
   add_histogram(page, "Before", distances(surface, sample, task), settings.bins, task);
   add_histogram(page, "After", distances(surface, moved, task), settings.bins, task);
   page.html().close();
@@ -100,7 +99,7 @@ void add_before_after(Page& page, const Registration& r, const CloudPtr& referen
 
 }  // namespace
 
-std::span<const ParamRow> registration_report_rows() { return kRows; }
+std::span<const ParamRow> registration_report_rows() { return kRegistrationReportRows; }
 
 std::string registration_html(const Registration& r, const CloudPtr& reference,
                               const CloudPtr& moving, std::string_view notes_json,

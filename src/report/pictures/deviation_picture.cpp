@@ -21,7 +21,7 @@ namespace {
 
 using S = DeviationPictureSettings;
 
-constexpr auto kRows = setting_rows(
+constexpr auto kDeviationPictureRows = setting_rows(
     string_row<&S::title>("title", "", "What stands above the picture"),
     choice_row<&S::view>("view", "auto|plan|front|side", "",
                          "plan: X and Y from above; front: X and Z; side: Y and Z; auto: the one "
@@ -29,7 +29,7 @@ constexpr auto kRows = setting_rows(
     number_row<&S::limit_m>("limit_m", 0, 1e9, "m", "",
                             "Distance at the end of the colour scale; 0 = 98 % lie within"));
 
-constexpr double kText = 2.5, kBarWidth = 5, kBarHeight = 46, kLegend = 70;
+constexpr double kDeviationPictureText = 2.5, kBarWidth = 5, kBarHeight = 46, kLegend = 70;
 constexpr uint32_t kHiddenLabel = DeviationScale::kSteps + 1;
 constexpr const char* kAxisNames[3] = {"X (m)", "Y (m)", "Z (m)"};
 
@@ -87,7 +87,7 @@ IndexedImage image_of(const LabelRaster& raster, const DeviationScale& scale) {
 void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const char* text) {
   svg.leaf("rect", {{"x", x}, {"y", y}, {"width", kBarWidth}, {"height", 3}, {"fill", hex_of(colour)}, {"stroke", kInk},
                     {"stroke-width", 0.18}});
-  svg_text(svg, {x + kBarWidth + 2, y + 2.4}, kText, Anchor::kStart, text);
+  svg_text(svg, {x + kBarWidth + 2, y + 2.4}, kDeviationPictureText, Anchor::kStart, text);
 }
 
 // The colour scale in millimetres or metres, whatever has fewer digits.
@@ -106,7 +106,7 @@ void draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet)
   for (const double value : ticks.values) {
     const double y = top + kBarHeight * (1 - (value - low) / (high - low));
     svg_line(svg, {x + kBarWidth, y}, {x + kBarWidth + 1.2, y}, kInk, 0.18);
-    svg_text(svg, {x + kBarWidth + 2, y + 0.9}, kText, Anchor::kStart, ticks.label(value));
+    svg_text(svg, {x + kBarWidth + 2, y + 0.9}, kDeviationPictureText, Anchor::kStart, ticks.label(value));
   }
   swatch(svg, x, top + kBarHeight + 5, kHiddenColour, "hidden");
   swatch(svg, x, top + kBarHeight + 10, kNotComparedColour, "not compared");
@@ -114,7 +114,7 @@ void draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet)
 
 }  // namespace
 
-std::span<const ParamRow> deviation_picture_rows() { return kRows; }
+std::span<const ParamRow> deviation_picture_rows() { return kDeviationPictureRows; }
 
 std::string deviation_svg(const Comparison& comparison, const DeviationScale& scale,
                           const DeviationPictureSettings& settings, Task& task) {

@@ -16,7 +16,7 @@ namespace jalon {
 
 namespace {
 
-constexpr auto kRows =
+constexpr auto kPictureRows =
     setting_rows(string_row<&PictureSettings::title>(
                      "title", "", "What stands before the kind of view in the title"),
                  choice_row<&PictureSettings::view>(
@@ -25,7 +25,7 @@ constexpr auto kRows =
                  bool_row<&PictureSettings::numbers>(
                      "numbers", "", "Segment numbers on segments that have room for them"));
 
-constexpr double kText = 2.5, kRow = 4.2, kSwatch = 6;
+constexpr double kPictureText = 2.5, kRow = 4.2, kSwatch = 6;
 
 struct Picture {
   const Segmentation& segmentation;
@@ -50,27 +50,27 @@ void draw_image(SvgWriter& svg, const Picture& picture) {
 // Front: x counts from the left end of the picture, as on the elevation; plan: X and Y of the data.
 PictureAxes axes_of(const Picture& picture) {
   if (picture.view == PictureView::kFront)
-    return {"Distance along the facade (m)", "Height Z (m)", picture.raster.low.u, 12, kText};
+    return {"Distance along the facade (m)", "Height Z (m)", picture.raster.low.u, 12, kPictureText};
   return {"X (m)", "Y (m)"};
 }
 
 // A white border keeps numbers readable on any colour.
 void draw_numbers(SvgWriter& svg, const Picture& picture) {
   const double mm = picture.sheet.mm_of(picture.raster.pixel_m);
-  for (const LabelNumber& number : place_numbers(picture.raster, kText / mm)) {
+  for (const LabelNumber& number : place_numbers(picture.raster, kPictureText / mm)) {
     const Box_mm& v = picture.sheet.view;
-    const Vec2 at{v.x + mm * (number.column + 0.5), v.y + mm * (number.row + 0.5) + 0.36 * kText};
+    const Vec2 at{v.x + mm * (number.column + 0.5), v.y + mm * (number.row + 0.5) + 0.36 * kPictureText};
     const std::string text = std::to_string(number.label);
-    svg.element("text", {{"x", at.u}, {"y", at.v}, {"font-size", kText}, {"text-anchor", "middle"}, {"fill", "#ffffff"},
+    svg.element("text", {{"x", at.u}, {"y", at.v}, {"font-size", kPictureText}, {"text-anchor", "middle"}, {"fill", "#ffffff"},
                          {"stroke", "#ffffff"}, {"stroke-width", 0.7}, {"stroke-linejoin", "round"}}, text);
-    svg_text(svg, at, kText, Anchor::kMiddle, text);
+    svg_text(svg, at, kPictureText, Anchor::kMiddle, text);
   }
 }
 
 void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const std::string& text) {
   svg.leaf("rect", {{"x", x}, {"y", y}, {"width", kSwatch}, {"height", 3}, {"fill", hex_of(colour)},
                     {"stroke", kInk}, {"stroke-width", 0.18}});
-  svg_text(svg, {x + kSwatch + 2, y + 2.5}, kText, Anchor::kStart, text);
+  svg_text(svg, {x + kSwatch + 2, y + 2.5}, kPictureText, Anchor::kStart, text);
 }
 
 void draw_legend(SvgWriter& svg, const Picture& picture) {
@@ -87,7 +87,7 @@ void draw_legend(SvgWriter& svg, const Picture& picture) {
     swatch(svg, x, y, segment_palette()[picture.colours[i]],
            std::to_string(s.segments[i].label) + "  (" + grouped(s.segments[i].point_count()) + ")");
   if (s.segments.size() > rows) {
-    svg_text(svg, {x, y + 2.5}, kText, Anchor::kStart,
+    svg_text(svg, {x, y + 2.5}, kPictureText, Anchor::kStart,
              "and " + std::to_string(s.segments.size() - rows) + " smaller ones");
     y += kRow;
   }
@@ -103,7 +103,7 @@ std::string title_of(const Picture& picture, const PictureSettings& settings) {
 
 }  // namespace
 
-std::span<const ParamRow> picture_rows() { return kRows; }
+std::span<const ParamRow> picture_rows() { return kPictureRows; }
 
 std::string picture_svg(const Segmentation& segmentation, const PictureSettings& settings,
                         Task& task) {

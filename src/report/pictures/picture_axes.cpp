@@ -8,7 +8,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kText = 2.5, kNameText = 2.8, kUpApart_mm = 8;
+constexpr double kPictureAxesText = 2.5, kNameText = 2.8, kUpApart_mm = 8;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void draw_axes(SvgWriter& svg, const LabelRaster& raster, const Sheet& sheet, co
   for (const double value : right.values) {
     const double at = v.x + sheet.mm_of(value + axes.right_zero - raster.low.u);
     svg_line(svg, {at, v.bottom()}, {at, v.bottom() + 1.5}, kInk, 0.18);
-    svg_text(svg, {at, v.bottom() + 4.8}, kText, Anchor::kMiddle, right.label(value));
+    svg_text(svg, {at, v.bottom() + 4.8}, kPictureAxesText, Anchor::kMiddle, right.label(value));
   }
   for (const double value : up.values) {
     const double at = v.bottom() - sheet.mm_of(value - raster.low.v);

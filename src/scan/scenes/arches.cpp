@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kZ{0, 0, 1};
+constexpr Vec3 kArchesX{1, 0, 0}, kArchesZ{0, 0, 1};
 
 /// An opening; flat when it does not rise.
 struct Window {
@@ -66,7 +66,7 @@ void build_lycee(const SceneSettings& settings, SceneBuilder& out) {
   Vec3 corner;
   for (size_t i = 0; i < 6; ++i) {
     const Vec3 along{std::cos(kTurn * kHeading[i]), std::sin(kTurn * kHeading[i]), 0};
-    const Frame frame{corner, along, kZ};
+    const Frame frame{corner, along, kArchesZ};
     const uint32_t wall = out.part("wall", "wall", out.part("facade " + std::to_string(i + 1), "facade"));
     const std::vector<Window> windows = i == 0 ? lycee_windows() : std::vector<Window>{};
     add_wall(out, wall, frame, kWidth_m[i], kHeight_m, windows);
@@ -101,7 +101,7 @@ void build_arches(const SceneSettings&, SceneBuilder& out) {
       {{9, 0.4, 0}, 4.2, 8, {square(1.3, 1.2), arched(1.5, 4.8)}}};
   for (const Wall& w : kWalls) {
     const uint32_t wall = out.part("wall", "wall", out.part("facade", "facade"));
-    const Frame frame{w.corner, kX, kZ};
+    const Frame frame{w.corner, kArchesX, kArchesZ};
     add_wall(out, wall, frame, w.width_m, w.height_m, w.windows);
     for (size_t i = 0; i < w.windows.size(); ++i) {
       const Window& opening = w.windows[i];

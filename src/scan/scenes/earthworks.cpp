@@ -13,9 +13,9 @@ namespace jalon {
 namespace {
 
 constexpr double kDegree_rad = std::numbers::pi / 180;
-constexpr double kLength_m = 60, kWidth_m = 40;  // along X and Y
+constexpr double kLength_m = 60, kEarthworksWidth_m = 40;  // along X and Y
 constexpr double kStep_m = 0.125;                // of the ground's triangles; every border of a change lies on it
-constexpr double kWallHeight_m = 8, kFooting_m = 1.5;
+constexpr double kEarthworksWallHeight_m = 8, kFooting_m = 1.5;
 
 constexpr Vec2 kHeap{44, 24};
 constexpr double kHeapRadius_m = 1.5, kHeapHeight_m = 1;
@@ -51,7 +51,7 @@ double earth_moved_m(const Day& day, double x, double y) {
 
 void add_ground(SceneBuilder& out, const Day& day) {
   const uint32_t ground = out.new_id(), heap = out.new_id(), pit = out.new_id();
-  const auto columns = static_cast<uint32_t>(kLength_m / kStep_m), rows = static_cast<uint32_t>(kWidth_m / kStep_m);
+  const auto columns = static_cast<uint32_t>(kLength_m / kStep_m), rows = static_cast<uint32_t>(kEarthworksWidth_m / kStep_m);
   out.relief(
       columns, rows,
       [&](uint32_t i, uint32_t j) {
@@ -100,8 +100,8 @@ void build_earthworks(const SceneSettings& settings, SceneBuilder& out) {
   const uint32_t site = out.part("site", "site");
   add_ground(out, day);
   const uint32_t walls = out.part("walls", "wall", site);
-  out.face(walls, {y * kWidth_m - z * kFooting_m, x, z}, {0, kLength_m, 0, kWallHeight_m + kFooting_m});
-  out.face(walls, {z * -kFooting_m, z, y}, {0, kWallHeight_m + kFooting_m, 0, kWidth_m});
+  out.face(walls, {y * kEarthworksWidth_m - z * kFooting_m, x, z}, {0, kLength_m, 0, kEarthworksWallHeight_m + kFooting_m});
+  out.face(walls, {z * -kFooting_m, z, y}, {0, kEarthworksWallHeight_m + kFooting_m, 0, kEarthworksWidth_m});
   const Vec3 size{6, 0.3, 3}, corner{22, 24, relief_m(25, 24)};
   if (day.free_wall)
     out.box(out.part("free wall", "free_wall", site), corner - z * kFooting_m, size + z * kFooting_m, false);

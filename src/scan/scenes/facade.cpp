@@ -13,7 +13,7 @@ namespace {
 // Proportions of a plain town house; the sizes that matter to tests are parameters.
 constexpr double kPlinthHeight_m = 0.60, kPlinthDepth_m = 0.05;
 constexpr double kCorniceHeight_m = 0.50;
-constexpr double kWindowWidth_m = 1.20, kDoorWidth_m = 1.30;
+constexpr double kFacadeWindowWidth_m = 1.20, kDoorWidth_m = 1.30;
 constexpr double kSillShare = 0.32, kLintelShare = 0.84;  // of a storey's height
 constexpr double kGroundBeside_m = 4.0;
 // Reveals of the storeys are 1.25, 1 and 0.75 times the parameter, in turn: planes that only their depth tells apart.
@@ -50,7 +50,7 @@ std::vector<Opening> openings_of(const SceneSettings& settings) {
     for (int64_t b = 0; b < bays; ++b) {
       const bool door = s == 0 && is_door_bay(b, bays, doors);
       const double middle = bay_width * (static_cast<double>(b) + 0.5),
-                   half = (door ? kDoorWidth_m : kWindowWidth_m) / 2;
+                   half = (door ? kDoorWidth_m : kFacadeWindowWidth_m) / 2;
       const double floor = storey * static_cast<double>(s);
       const double sill = door ? 0 : std::max(floor + kSillShare * storey, kPlinthHeight_m);
       const double depth = reveal * (door ? kDoorReveal : kStoreyReveals[s % 3]);

@@ -9,16 +9,16 @@ namespace jalon {
 
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+constexpr Vec3 kGridFacadeX{1, 0, 0}, kGridFacadeY{0, 1, 0}, kGridFacadeZ{0, 0, 1};
 
 /// Upright, seen from the front, at this depth: u is x, v is z.
-Frame upright(double y) { return {kY * y, kX, kZ}; }
+Frame upright(double y) { return {kGridFacadeY * y, kGridFacadeX, kGridFacadeZ}; }
 /// Upright, looking along -X or +X at this x; u is z and v is y, or the other way round.
-Frame looking_left(double x) { return {kX * x, kZ, kY}; }
-Frame looking_right(double x) { return {kX * x, kY, kZ}; }
+Frame looking_left(double x) { return {kGridFacadeX * x, kGridFacadeZ, kGridFacadeY}; }
+Frame looking_right(double x) { return {kGridFacadeX * x, kGridFacadeY, kGridFacadeZ}; }
 /// Level, looking up (u is x, v is y) or down (u is y, v is x) at this height.
-Frame looking_up(double z) { return {kZ * z, kX, kY}; }
-Frame looking_down(double z) { return {kZ * z, kY, kX}; }
+Frame looking_up(double z) { return {kGridFacadeZ * z, kGridFacadeX, kGridFacadeY}; }
+Frame looking_down(double z) { return {kGridFacadeZ * z, kGridFacadeY, kGridFacadeX}; }
 
 class Builder {
  public:
@@ -148,7 +148,7 @@ class Builder {
     out_.face(balcony, looking_down(bottom), {y0, y1, x0, x1});
     const double i0 = x0 + kThick, i1 = x1 - kThick, iy = y0 + kThick;
     out_.face(balcony, looking_up(z), {i0, i1, iy, y1});
-    out_.face(balcony, {kY * iy, kZ, kX}, {z, top, i0, i1});
+    out_.face(balcony, {kGridFacadeY * iy, kGridFacadeZ, kGridFacadeX}, {z, top, i0, i1});
     out_.face(balcony, looking_right(i0), {iy, y1, z, top});
     out_.face(balcony, looking_left(i1), {z, top, iy, y1});
     const Rect well{i0, i1, iy, y1};

@@ -9,7 +9,7 @@ namespace jalon {
 
 namespace {
 
-constexpr int kFacets = 32;
+constexpr int kObjectsFacets = 32;
 constexpr double kLeaf_m = 0.12;  // leaves are triangles of random corners in a ball of this radius
 /// Mean area of such a triangle over the squared radius: 0.367 by simulation; its mean shadow is half of it (Cauchy).
 constexpr double kLeafArea = 0.367;
@@ -46,13 +46,13 @@ void add_crown(SceneBuilder& out, uint32_t parent, const Vec3& middle, double ra
 void add_tree(SceneBuilder& out, uint32_t parent, const Vec3& crown_middle, double crown_radius_m, double opacity,
               const RandomStream& random) {
   add_crown(out, parent, crown_middle, crown_radius_m, opacity, random);
-  out.cylinder({crown_middle.x, crown_middle.y, 0}, 0.12, crown_middle.z, kFacets);
+  out.cylinder({crown_middle.x, crown_middle.y, 0}, 0.12, crown_middle.z, kObjectsFacets);
 }
 
 void add_pedestrian(SceneBuilder& out, uint32_t parent, const Vec3& foot) {
   out.part("pedestrian", "pedestrian", parent);
-  out.cylinder(foot, 0.22, 1.5, kFacets);
-  out.sphere(foot + Vec3{0, 0, 1.62}, 0.13, kFacets);
+  out.cylinder(foot, 0.22, 1.5, kObjectsFacets);
+  out.sphere(foot + Vec3{0, 0, 1.62}, 0.13, kObjectsFacets);
 }
 
 }  // namespace jalon

@@ -13,7 +13,7 @@ namespace jalon {
 namespace {
 
 constexpr double kJoineryWidth_m = 0.08;  // of a window frame (as in the scene surrounds)
-constexpr double kGlassBehind_m = 0.02;   // behind it (same place)
+constexpr double kOpeningsGlassBehind_m = 0.02;   // behind it (same place)
 constexpr double kChord_m = 1e-4;         // of an arc from its chords
 constexpr double kSameLevel_m = 1e-9;     // corners that rounding alone sets apart
 
@@ -124,7 +124,7 @@ void SceneBuilder::arched_joinery(uint32_t part, const Frame& back, const Rect& 
   const double inner_rise = inner_radius - std::sqrt(std::max(0.0, inner_radius * inner_radius - half * half));
   const Outline glass = arched_outline(inner, inner_rise);
   polygon_face(this->part("joinery", "joinery", part), back, arched_outline(opening, rise_m), {glass});
-  polygon_face(this->part("glass", "glass", part), back.raised(-kGlassBehind_m), glass);
+  polygon_face(this->part("glass", "glass", part), back.raised(-kOpeningsGlassBehind_m), glass);
 }
 
 void SceneBuilder::arched_recess(uint32_t part, const Frame& frame, const Rect& opening, double rise_m,

@@ -12,7 +12,7 @@ namespace jalon {
 
 namespace {
 
-constexpr int kFacets = 96;  // chords stay within 0.14 mm of a 0.25 m column
+constexpr int kStreetFacets = 96;  // chords stay within 0.14 mm of a 0.25 m column
 constexpr double kSillHeight_m = 1.2;
 
 struct StreetFacade {
@@ -88,25 +88,25 @@ void build_street(const SceneSettings& settings, SceneBuilder& out) {
 
   out.part("columns", "column");
   for (int i = 0; i < 6; ++i) {
-    out.cylinder({3.0 + 10 * i, 7.0, 0}, 0.25, 4.0, kFacets);
-    out.cylinder({3.0 + 10 * i, -6.8, 0}, 0.20, 3.5, kFacets);
+    out.cylinder({3.0 + 10 * i, 7.0, 0}, 0.25, 4.0, kStreetFacets);
+    out.cylinder({3.0 + 10 * i, -6.8, 0}, 0.20, 3.5, kStreetFacets);
   }
   out.part("gutters", "pipe");
   for (int i = 0; i < 4; ++i) {
-    out.cylinder({20.0 * i, 7.6, 0}, 0.06, 11.5, kFacets);
-    out.cylinder({20.0 * i, -7.55, 0}, 0.05, 11.5, kFacets);
+    out.cylinder({20.0 * i, 7.6, 0}, 0.06, 11.5, kStreetFacets);
+    out.cylinder({20.0 * i, -7.55, 0}, 0.05, 11.5, kStreetFacets);
   }
   const uint32_t boxes = out.part("boxes", "box");
   out.box(boxes, {10, 2.5, 0}, {4.2, 1.8, 1.5}, false);
   out.box(boxes, {48, 3, 0}, {4.0, 1.7, 1.6}, false);
   if (second_epoch) {
     out.box(boxes, {22, -4.6, 0}, {4.2, 1.8, 1.5}, false);
-    out.cylinder({27, 4, 0}, 0.10, 6, kFacets);
+    out.cylinder({27, 4, 0}, 0.10, 6, kStreetFacets);
   } else {
     out.box(boxes, {32, -4.5, 0}, {4.4, 1.8, 1.4}, false);
   }
   out.part("sphere", "sphere");
-  out.sphere({54, -2, 0.9}, 0.9, kFacets);
+  out.sphere({54, -2, 0.9}, 0.9, kStreetFacets);
 }
 
 }  // namespace jalon

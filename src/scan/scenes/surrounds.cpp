@@ -13,13 +13,13 @@ namespace jalon {
 
 namespace {
 
-constexpr double kWidth_m = 12, kHeight_m = 9;
+constexpr double kSurroundsWidth_m = 12, kHeight_m = 9;
 constexpr int kColumns = 4, kRows = 3;
-constexpr double kWindowWidth_m = 1.2, kWindowHeight_m = 1.8;
+constexpr double kSurroundsWindowWidth_m = 1.2, kWindowHeight_m = 1.8;
 constexpr double kSurround_m = 0.15, kSurroundOut_m = 0.06;  // width, and how far it stands before the wall
 constexpr double kJoinery_m = 0.08, kJoineryIn_m = 0.20;
-constexpr double kGlassBehind_m = 0.02;  // behind the joinery, of S3
-const Frame kFront{{}, {1, 0, 0}, {0, 0, 1}};
+constexpr double kSurroundsGlassBehind_m = 0.02;  // behind the joinery, of S3
+const Frame kSurroundsFront{{}, {1, 0, 0}, {0, 0, 1}};
 
 Rect grown(const Rect& r, double by) { return {r.u0 - by, r.u1 + by, r.v0 - by, r.v1 + by}; }
 
@@ -27,9 +27,9 @@ std::vector<Rect> windows() {
   std::vector<Rect> out;
   for (int j = 0; j < kRows; ++j)
     for (int i = 0; i < kColumns; ++i) {
-      const double u = kWidth_m * (i + 0.5) / kColumns - kWindowWidth_m / 2,
+      const double u = kSurroundsWidth_m * (i + 0.5) / kColumns - kSurroundsWindowWidth_m / 2,
                    v = kHeight_m * (j + 0.5) / kRows - kWindowHeight_m / 2;
-      out.push_back({u, u + kWindowWidth_m, v, v + kWindowHeight_m});
+      out.push_back({u, u + kSurroundsWindowWidth_m, v, v + kWindowHeight_m});
     }
   return out;
 }
@@ -40,12 +40,12 @@ void add_house(SceneBuilder& out, double glass_behind_m) {
   const std::vector<Rect> list = windows();
   std::vector<Rect> holes;
   for (const Rect& w : list) holes.push_back(grown(w, kSurround_m));
-  out.face(wall, kFront, {0, kWidth_m, 0, kHeight_m}, holes);
+  out.face(wall, kSurroundsFront, {0, kSurroundsWidth_m, 0, kHeight_m}, holes);
   for (size_t w = 0; w < list.size(); ++w) {
     const uint32_t window = out.part("window " + std::to_string(w + 1), "window", wall);
-    out.face(out.part("surround", "surround", window), kFront.raised(kSurroundOut_m), holes[w], {&list[w], 1});
+    out.face(out.part("surround", "surround", window), kSurroundsFront.raised(kSurroundOut_m), holes[w], {&list[w], 1});
     const Rect inner = grown(list[w], -kJoinery_m);
-    const Frame back = kFront.raised(-kJoineryIn_m);
+    const Frame back = kSurroundsFront.raised(-kJoineryIn_m);
     out.face(out.part("joinery", "joinery", window), back, list[w], {&inner, 1});
     if (glass_behind_m > 0) out.face(out.part("glass", "glass", window), back.raised(-glass_behind_m), inner);
   }
@@ -64,7 +64,7 @@ void add_ghosts(SceneBuilder& out, uint32_t parent, uint64_t seed) {
       const double u = window.u0 + window.width() / 2 + kAside_m * (2 * random.uniform() - 1);
       const double width = 0.4 + 0.8 * random.uniform(), height = 0.5 + random.uniform();
       const double v = std::min(window.v0 + window.height() * random.uniform(), kHeight_m - height);
-      out.face(ghosts, kFront.raised(-behind), {u - width / 2, u + width / 2, v, v + height});
+      out.face(ghosts, kSurroundsFront.raised(-behind), {u - width / 2, u + width / 2, v, v + height});
     }
   }
 }
@@ -78,7 +78,7 @@ void build_surrounds(const SceneSettings& settings, SceneBuilder& out) {
 void build_unwanted(const SceneSettings& settings, SceneBuilder& out) {
   constexpr double kCrown_m = 1.5, kOpacity = 0.9;
   const uint64_t seed = settings.seed;
-  add_house(out, kGlassBehind_m);
+  add_house(out, kSurroundsGlassBehind_m);
   const uint32_t unwanted = out.part("unwanted", "unwanted");
   add_tree(out, unwanted, {2, -5.5, 3.2}, kCrown_m, kOpacity, {seed, 1u << 30});
   add_tree(out, unwanted, {6.5, -4.6, 4.0}, kCrown_m, kOpacity, {seed, (1u << 30) + 1});

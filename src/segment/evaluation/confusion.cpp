@@ -17,16 +17,16 @@ namespace {
 
 constexpr size_t kMaxClasses = 1024;  // a matrix of 8 MiB; more are no classes but instances
 
-double ratio(double a, double b) { return b > 0 ? a / b : kNaN; }
-double ratio(uint64_t a, uint64_t b) { return ratio(static_cast<double>(a), static_cast<double>(b)); }
+double ratio_of_confusion(double a, double b) { return b > 0 ? a / b : kNaN; }
+double ratio_of_confusion(uint64_t a, uint64_t b) { return ratio_of_confusion(static_cast<double>(a), static_cast<double>(b)); }
 
 // Row, column and diagonal sums of one class.
 struct ClassCounts {
   uint64_t support = 0, predicted = 0, correct = 0;
-  double precision() const { return ratio(correct, predicted); }
-  double recall() const { return ratio(correct, support); }
-  double f1() const { return ratio(2 * correct, support + predicted); }  // 2 TP / (2 TP + FP + FN)
-  double iou() const { return ratio(correct, support + predicted - correct); }
+  double precision() const { return ratio_of_confusion(correct, predicted); }
+  double recall() const { return ratio_of_confusion(correct, support); }
+  double f1() const { return ratio_of_confusion(2 * correct, support + predicted); }  // 2 TP / (2 TP + FP + FN)
+  double iou() const { return ratio_of_confusion(correct, support + predicted - correct); }
 };
 
 std::vector<ClassCounts> counts_of(const Confusion& c) {
@@ -147,7 +147,7 @@ FieldTable agreement_table(const Confusion& c) {
     recall += k.recall();
     f1 += k.f1();
   }
-  const double n = static_cast<double>(c.points), by_chance = ratio(chance, n * n), accuracy = ratio(correct, c.points);
+  const double n = static_cast<double>(c.points), by_chance = ratio_of_confusion(chance, n * n), accuracy = ratio_of_confusion(correct, c.points);
   FieldTable t;
   const auto number = [&](const char* name, const char* meaning, double value) {
     add<double>(t, 1, 1, name, "1", meaning, [&](size_t, uint32_t) { return value; });
@@ -156,10 +156,10 @@ FieldTable agreement_table(const Confusion& c) {
   add<uint64_t>(t, 1, 1, "correct", "points", "points of equal class", [&](size_t, uint32_t) { return correct; });
   number("accuracy", "correct / points; also precision, recall and F1 over all points", accuracy);
   number("mean_precision", "mean over the reference's classes; a class that was never given counts 0",
-         ratio(precision, present));
-  number("mean_recall", "mean over the reference's classes", ratio(recall, present));
-  number("mean_f1", "mean over the reference's classes", ratio(f1, present));
-  number("kappa", "agreement beyond chance (Cohen 1960)", ratio(accuracy - by_chance, 1 - by_chance));
+         ratio_of_confusion(precision, present));
+  number("mean_recall", "mean over the reference's classes", ratio_of_confusion(recall, present));
+  number("mean_f1", "mean over the reference's classes", ratio_of_confusion(f1, present));
+  number("kappa", "agreement beyond chance (Cohen 1960)", ratio_of_confusion(accuracy - by_chance, 1 - by_chance));
   return t;
 }
 

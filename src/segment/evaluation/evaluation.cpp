@@ -14,7 +14,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr size_t kEvaluationPointsPerChunk = 1 << 15;
 constexpr size_t kNone = ~size_t{0};
 
 struct FirstIndex {
@@ -33,7 +33,7 @@ void require_same_points(const Cloud& a, const Cloud& b, double tolerance_m, Tas
          "the automatic segmentation has %zu points, the reference %zu: both must be of one cloud",
          a.size(), b.size());
   const FirstIndex none;
-  const FirstIndex first = parallel_reduce(task, a.size(), kPointsPerChunk, none, [&](size_t begin, size_t end) {
+  const FirstIndex first = parallel_reduce(task, a.size(), kEvaluationPointsPerChunk, none, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
       if (!(norm(a.point(i) - b.point(i)) <= tolerance_m)) return FirstIndex{i};
     return none;

@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr size_t kPairsPointsPerChunk = 1 << 15;
 
 SegmentPair make_pair(const Overlap& overlap, const Evaluation& verdicts) {
   SegmentPair pair;
@@ -83,7 +83,7 @@ void compare_planes(const Segmentation& automatic, const Segmentation& reference
     const auto points = groups.of(label);
     const PlaneFit& plane = reference.segments[pair->reference - 1].fit;
     // From the plane's centroid, so that national coordinates cancel before they are multiplied.
-    const double sum = parallel_reduce(task, points.size(), kPointsPerChunk, 0.0, [&](size_t begin, size_t end) {
+    const double sum = parallel_reduce(task, points.size(), kPairsPointsPerChunk, 0.0, [&](size_t begin, size_t end) {
       double part = 0;
       for (size_t i = begin; i < end; ++i)
         part += std::fabs(dot(plane.plane.normal, cloud.point(points[i]) - plane.centroid));

@@ -9,8 +9,8 @@ namespace jalon {
 
 namespace {
 
-double ratio(double a, double b) { return b > 0 ? a / b : kNaN; }
-double ratio(uint64_t a, uint64_t b) { return ratio(static_cast<double>(a), static_cast<double>(b)); }
+double ratio_of_totals(double a, double b) { return b > 0 ? a / b : kNaN; }
+double ratio_of_totals(uint64_t a, uint64_t b) { return ratio_of_totals(static_cast<double>(a), static_cast<double>(b)); }
 
 // Mean and deviation of what value(pair) gives, NaN left out.
 template <class F>
@@ -58,15 +58,15 @@ EvaluationTotals total_up(const Evaluation& e, double covered_share) {
     tda += pair.tda();
     iou += pair.iou();
   }
-  t.global_tdr = ratio(t.intersection, t.card_reference);
-  t.global_tda = ratio(t.intersection, t.card_automatic);
-  t.global_iou = ratio(t.intersection, t.card_automatic + t.card_reference - t.intersection);
+  t.global_tdr = ratio_of_totals(t.intersection, t.card_reference);
+  t.global_tda = ratio_of_totals(t.intersection, t.card_automatic);
+  t.global_iou = ratio_of_totals(t.intersection, t.card_automatic + t.card_reference - t.intersection);
   const double pairs = static_cast<double>(t.pairs);
-  t.mean_tdr = ratio(tdr, pairs);
-  t.mean_tda = ratio(tda, pairs);
-  t.mean_iou = ratio(iou, pairs);
-  t.detection = ratio(tdr, static_cast<double>(t.pairs + t.unmatched_reference));
-  t.accuracy = ratio(tda, static_cast<double>(t.pairs + t.unmatched_automatic));
+  t.mean_tdr = ratio_of_totals(tdr, pairs);
+  t.mean_tda = ratio_of_totals(tda, pairs);
+  t.mean_iou = ratio_of_totals(iou, pairs);
+  t.detection = ratio_of_totals(tdr, static_cast<double>(t.pairs + t.unmatched_reference));
+  t.accuracy = ratio_of_totals(tda, static_cast<double>(t.pairs + t.unmatched_automatic));
   t.angle_rad = spread(e.pairs, [](const SegmentPair& p) { return p.angle_rad; });
   t.distance_m = spread(e.pairs, [](const SegmentPair& p) { return p.distance_m; });
   t.offset_m = spread(e.pairs, [](const SegmentPair& p) { return p.offset_m; });

@@ -19,7 +19,7 @@ constexpr double kMaxThickness = 0.5;      // sigma of a seed, in tolerances
 constexpr double kMaxFlatness = 0.05;      // smallest against middle eigenvalue of a seed
 constexpr size_t kMaxSample = 2000;        // fixes the curvature of a piece of a column to a few percent
 constexpr double kLargestTurn_rad = 0.35;
-constexpr size_t kLeavesPerChunk = 512;
+constexpr size_t kFlatnessLeavesPerChunk = 512;
 
 }  // namespace
 
@@ -58,7 +58,7 @@ bool seed_plane(const SegmentScene& scene, const GrowingPoints& points, size_t l
 std::vector<uint32_t> seeds_by_flatness(const SegmentScene& scene, const GrowingPoints& points, Task& task) {
   const size_t leaves = points.leaves();
   std::vector<float> sigma(leaves, INFINITY);
-  parallel_for(task, leaves, kLeavesPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, leaves, kFlatnessLeavesPerChunk, [&](size_t begin, size_t end) {
     PlaneFit fit;
     for (size_t leaf = begin; leaf < end; ++leaf)
       if (seed_plane(scene, points, leaf, fit)) sigma[leaf] = static_cast<float>(fit.sigma);

@@ -24,7 +24,7 @@ constexpr double kReachInSpacings = 2;  // of gap_m = 0: neighbouring leaves tou
 // 16 points of one octree cell on a surface span 4 to 5 spacings. A leaf that is wider holds an outlier or bits of two
 // surfaces with a gap between: nothing may grow through it.
 constexpr double kLooseInSpacings = 7;
-constexpr size_t kLeavesPerChunk = 1024;
+constexpr size_t kPointsLeavesPerChunk = 1024;
 constexpr size_t kPointsPerChunk = 1 << 15;
 
 // Free points, one of each occupied cell, and where in the scene's order the cells begin.
@@ -167,7 +167,7 @@ void connect_leaves(const SegmentScene& scene, GrowingPoints& points, const Grow
   const auto first = points.leaf_first();
   points.leaf_spacing = Buffer<float>(points.leaves());
   std::vector<float> reach(points.leaves());
-  parallel_for(task, points.leaves(), kLeavesPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, points.leaves(), kPointsLeavesPerChunk, [&](size_t begin, size_t end) {
     for (size_t leaf = begin; leaf < end; ++leaf) {
       const float spacing = spacing_of_leaf(scene, points, first[leaf], first[leaf + 1]);
       points.leaf_spacing[leaf] = spacing;

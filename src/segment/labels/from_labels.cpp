@@ -23,7 +23,7 @@ namespace jalon {
 namespace {
 
 constexpr double kNearPlane_m = 0.025;     // the segmenter's default tolerance: tells front from back of the facade
-constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr size_t kFromLabelsPointsPerChunk = 1 << 15;
 
 // Which row (1-based) a key has: by falling number of points, ties by value.
 class Rows {
@@ -53,7 +53,7 @@ class Rows {
 std::shared_ptr<Column> label_column(const WholeNumbers& field, const Rows& rows, size_t n, Task& task) {
   auto column = make_label_column(n);
   const auto labels = column->values<uint32_t>();
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, n, kFromLabelsPointsPerChunk, [&](size_t begin, size_t end) {
     std::vector<uint64_t> keys(end - begin);
     field.keys(begin, end, keys.data());
     uint64_t last = kNoKey;

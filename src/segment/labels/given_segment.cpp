@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr size_t kGivenSegmentPointsPerChunk = 1 << 15;
 constexpr double kPointsPerPixel = 4;    // connectivity.cpp: pixels of twice the spacing
 constexpr int kPixelRounds = 6;
 constexpr double kPixelSettled = 0.05;   // relative change that ends the rounds
@@ -59,7 +59,7 @@ Segment describe_given(const GivenPoints& points, double pixel_m, Task& task) {
   if (n == 0) return segment;
   Moments zero;
   zero.reference = points.local(0);
-  const Moments moments = parallel_reduce(task, n, kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+  const Moments moments = parallel_reduce(task, n, kGivenSegmentPointsPerChunk, zero, [&](size_t begin, size_t end) {
     Moments part = zero;
     for (size_t i = begin; i < end; ++i) part.add(points.local(i));
     return part;
@@ -67,7 +67,7 @@ Segment describe_given(const GivenPoints& points, double pixel_m, Task& task) {
   if (!fit_plane(moments, segment.fit)) return segment;
   const PlaneFit& fit = segment.fit;
   std::vector<Vec2> flat(n);
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, n, kGivenSegmentPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 d = points.local(i) - fit.centroid;
       flat[i] = {dot(d, fit.axis_u), dot(d, fit.axis_v)};

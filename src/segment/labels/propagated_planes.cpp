@@ -15,7 +15,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 14;
+constexpr size_t kPropagatedPlanesPointsPerChunk = 1 << 14;
 
 // Sums of the weighted normal equations of w = alpha u + beta v + gamma, and what the residuals need.
 struct NormalEquations {
@@ -57,7 +57,7 @@ class Adjustment {
   Adjustment(const Cloud& cloud, const ScannerPrecision& precision) : cloud_(cloud), precision_(precision) {}
 
   NormalEquations sums(std::span<const uint32_t> points, const PlaneFit& start, Task& task) const {
-    return parallel_reduce(task, points.size(), kPointsPerChunk, NormalEquations{}, [&](size_t begin, size_t end) {
+    return parallel_reduce(task, points.size(), kPropagatedPlanesPointsPerChunk, NormalEquations{}, [&](size_t begin, size_t end) {
       NormalEquations part;
       for (size_t i = begin; i < end; ++i) {
         const Vec3 p = cloud_.point(points[i]), d = p - start.centroid;

@@ -13,7 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kLeastGain = 2;     // rms about the best plane against the own sigma
+constexpr double kCurvedChecksLeastGain = 2;     // rms about the best plane against the own sigma
 // A bar has four faces, and five where the map is cut amid one; octagons count as round.
 constexpr size_t kMostFacets = 5;
 constexpr size_t kArcs = 24;         // places along the arc where an edge may be
@@ -60,7 +60,7 @@ std::array<Moments, kArcs> moments_of_arcs(const Surface& surface, std::span<con
 bool bends(const SurfaceSettings& settings, const Surface& surface, std::span<const Vec3> points) {
   if (turn_rad(surface.curved, points) < 2 * settings.normal_tolerance_rad) return false;
   PlaneFit plane;
-  return fit_plane(points, plane) && plane.sigma >= kLeastGain * surface.sigma_m;
+  return fit_plane(points, plane) && plane.sigma >= kCurvedChecksLeastGain * surface.sigma_m;
 }
 
 // Least sum of squares of one plane, two, three ... over consecutive arcs, by dynamic programming over their ends.

@@ -14,8 +14,8 @@ namespace jalon {
 
 namespace {
 
-constexpr int kMaxRounds = 12;            // as for planes (extraction.cpp)
-constexpr double kStable = 0.001;
+constexpr int kCurvedExtractionMaxRounds = 12;            // as for planes (extraction.cpp)
+constexpr double kCurvedExtractionStable = 0.001;
 constexpr int kTurningRounds = 3;
 constexpr size_t kSettleSample = 2048;    // points that settle the shape; the last fit takes all
 // Of the tolerance. Points evenly spread over it have 0.41 when a sphere or cylinder has settled on them, which bends
@@ -23,7 +23,7 @@ constexpr size_t kSettleSample = 2048;    // points that settle the shape; the l
 constexpr double kMaxRoughness = 0.39;
 constexpr double kMostOpenRadius = 0.1;   // standard deviation of the radius, relative
 
-struct Members {
+struct CurvedExtractionMembers {
   std::vector<uint32_t> slots;
   double area_m2 = 0, pixel_m = 0;
 };
@@ -32,13 +32,13 @@ bool too_rough_to_bend(const SurfaceSettings& settings, double sigma_m) {
   return settings.uses_normals() && sigma_m > kMaxRoughness * settings.distance_tolerance_m;
 }
 
-std::vector<Vec3> points_of(const PointPool& pool, const Members& members) {
+std::vector<Vec3> points_of(const PointPool& pool, const CurvedExtractionMembers& members) {
   std::vector<Vec3> out(members.slots.size());
   for (size_t i = 0; i < out.size(); ++i) out[i] = pool.point(members.slots[i]);
   return out;
 }
 
-void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Curved& curved, Members& members) {
+void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Curved& curved, CurvedExtractionMembers& members) {
   std::vector<float> spacings(members.slots.size());
   for (size_t i = 0; i < spacings.size(); ++i) spacings[i] = scene.spacing[pool.position(members.slots[i])];
   members.pixel_m = connectivity_pixel(scene.settings, std::move(spacings));
@@ -58,7 +58,7 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
   members.slots.resize(region.members.size());
 }
 
-bool large_enough(const SurfaceSettings& settings, const Members& members) {
+bool large_enough_of_curved_extraction(const SurfaceSettings& settings, const CurvedExtractionMembers& members) {
   return members.slots.size() >= std::max<size_t>(3, settings.min_points) &&
          members.area_m2 >= settings.min_area_m2;
 }
@@ -73,14 +73,14 @@ PrimitiveSetting fit_setting(const SurfaceSettings& settings, bool robust) {
 }
 
 // An even one.
-std::vector<Vec3> sample_of(const PointPool& pool, const Members& members) {
+std::vector<Vec3> sample_of(const PointPool& pool, const CurvedExtractionMembers& members) {
   std::vector<Vec3> out;
   const size_t step = members.slots.size() / kSettleSample + 1;
   for (size_t i = 0; i < members.slots.size(); i += step) out.push_back(pool.point(members.slots[i]));
   return out;
 }
 
-bool fit_members(const SegmentScene& scene, const PointPool& pool, const Members& members, Task& task,
+bool fit_members(const SegmentScene& scene, const PointPool& pool, const CurvedExtractionMembers& members, Task& task,
                  Surface& surface) {
   Segment fitted;
   const PrimitiveSetting setting = fit_setting(scene.settings, false);
@@ -92,28 +92,28 @@ bool fit_members(const SegmentScene& scene, const PointPool& pool, const Members
 
 // Rounds of collect - region - least squares; members are those of the last round.
 bool settle(const SegmentScene& scene, const PointPool& pool, double edge_m, Task& task, Surface& surface,
-            Members& members) {
+            CurvedExtractionMembers& members) {
   const SurfaceSettings& settings = scene.settings;
   double reach = settings.distance_tolerance_m;
   size_t previous = 0;
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round < kCurvedExtractionMaxRounds; ++round) {
     members.slots = pool.collect(curved_test(scene, surface.curved, edge_m, reach), task);
     if (members.slots.empty()) return false;
     keep_largest_region(scene, pool, surface.curved, members);
-    if (!large_enough(settings, members) || !fit_members(scene, pool, members, task, surface)) return false;
+    if (!large_enough_of_curved_extraction(settings, members) || !fit_members(scene, pool, members, task, surface)) return false;
     // The axis of a short piece soon leaves a long pipe: the first rounds only turn it.
     if (round >= kTurningRounds && too_rough_to_bend(settings, surface.sigma_m)) return false;
     reach = core_reach(settings, surface.sigma_m);
     const double change = std::fabs(static_cast<double>(members.slots.size()) - static_cast<double>(previous));
-    if (round >= kTurningRounds && change <= kStable * static_cast<double>(previous)) break;
+    if (round >= kTurningRounds && change <= kCurvedExtractionStable * static_cast<double>(previous)) break;
     previous = members.slots.size();
   }
   return true;
 }
 
 // The points of the settled surface: all within its core, and out to the tolerance those whose normals agree.
-Members members_of(const SegmentScene& scene, const PointPool& pool, const Surface& surface, Task& task) {
-  Members members;
+CurvedExtractionMembers members_of(const SegmentScene& scene, const PointPool& pool, const Surface& surface, Task& task) {
+  CurvedExtractionMembers members;
   CurvedTest test = curved_test(scene, surface.curved, 0, scene.settings.distance_tolerance_m);
   test.cosine2 = 0;
   members.slots = pool.collect(test, task);
@@ -128,7 +128,7 @@ Members members_of(const SegmentScene& scene, const PointPool& pool, const Surfa
 
 // A sphere that is a band of a cylinder settles anew as one; false when it is and cylinders are not looked for.
 bool settle_as_what_it_is(const SegmentScene& scene, const PointPool& pool, double edge_m, Task& task, Surface& surface,
-                          Members& members) {
+                          CurvedExtractionMembers& members) {
   if (!settle(scene, pool, edge_m, task, surface, members)) return false;
   if (!surface.curved.is_sphere()) return true;
   const PrimitiveSetting setting = fit_setting(scene.settings, false);
@@ -143,7 +143,7 @@ bool is_curved(const SegmentScene& scene, const PointPool& pool, const Surface& 
          stands_out(scene, pool, surface, points, task);
 }
 
-void reject(SegmentScene& scene, const PointPool& pool, const Candidate& candidate, const Members& members) {
+void reject_of_curved_extraction(SegmentScene& scene, const PointPool& pool, const Candidate& candidate, const CurvedExtractionMembers& members) {
   const auto note = [&](uint32_t position) {
     if (position != kNoPoint && scene.curved_rejections[position] < kMostRejections)
       ++scene.curved_rejections[position];
@@ -158,15 +158,15 @@ bool extract_curved(SegmentScene& scene, PointPool& pool, const Candidate& candi
                     Surface& out) {
   Surface surface;
   surface.curved = candidate.curved;
-  Members members;
+  CurvedExtractionMembers members;
   const double edge = scene.cell_edge_m(candidate.seed);
   const bool settled = settle_as_what_it_is(scene, pool, edge, task, surface, members);
   if (settled) members = members_of(scene, pool, surface, task);
   surface.area_m2 = members.area_m2;
   surface.pixel_m = members.pixel_m;
-  if (!settled || !large_enough(scene.settings, members) ||
+  if (!settled || !large_enough_of_curved_extraction(scene.settings, members) ||
       !is_curved(scene, pool, surface, points_of(pool, members), task)) {
-    reject(scene, pool, candidate, members);
+    reject_of_curved_extraction(scene, pool, candidate, members);
     return false;
   }
   for (const uint32_t slot : members.slots) {

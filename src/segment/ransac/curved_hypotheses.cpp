@@ -14,16 +14,16 @@ namespace jalon {
 namespace {
 
 constexpr uint64_t kCurvedStream = 0x63757276;  // keeps these draws apart from those of planes
-constexpr int kSeedTries = 32;
-constexpr int kTries = 8;                 // for a free point in a cell
-constexpr int kLevelsUp = 5;              // cells drawn from: the point's own level and up to four above
+constexpr int kCurvedHypothesesSeedTries = 32;
+constexpr int kCurvedHypothesesTries = 8;                 // for a free point in a cell
+constexpr int kCurvedHypothesesLevelsUp = 5;              // cells drawn from: the point's own level and up to four above
 constexpr size_t kSample = 64;            // points of the cell that test and refine a hypothesis
 constexpr size_t kLeastSample = 12;
 constexpr double kMinSupport = 0.5;       // share of them that must lie on the surface
 // Thickness of a cell, in tolerances, above which its points tell a radius: what is flatter counts as a plane
 // (local_surface.cpp).
 constexpr double kLeastBend = 0.5;
-constexpr double kLeastGain = 2;          // rms about the best plane against rms about the curved surface
+constexpr double kCurvedHypothesesLeastGain = 2;          // rms about the best plane against rms about the curved surface
 // A closed cylinder is longest along its axis from this ratio of variances on (geometry/cylinder.cpp).
 constexpr double kLeastElongation = 1.5;
 
@@ -38,8 +38,8 @@ Recipe recipe_of(const SurfaceSettings& settings, uint64_t draw) {
   return points_alone ? Recipe::kCylinderOfPoints : Recipe::kCylinderOfNormals;
 }
 
-bool pick_seed(const SegmentScene& scene, const PointPool& pool, RandomStream& random, uint32_t& seed) {
-  for (int i = 0; i < kSeedTries; ++i) {
+bool pick_seed_of_curved_hypotheses(const SegmentScene& scene, const PointPool& pool, RandomStream& random, uint32_t& seed) {
+  for (int i = 0; i < kCurvedHypothesesSeedTries; ++i) {
     seed = pool.position(static_cast<uint32_t>(random.below(pool.slots())));
     if (seed != kNoPoint && scene.may_seed_curved(seed)) return true;
   }
@@ -89,7 +89,7 @@ bool oriented_at(const SegmentScene& scene, uint32_t position, Oriented& out) {
 }
 
 bool pick_oriented(const SegmentScene& scene, const Octree::Cell& cell, RandomStream& random, Oriented& out) {
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kCurvedHypothesesTries; ++i) {
     const size_t p = cell.first + random.below(cell.count);
     if (scene.owner[p] == 0) return oriented_at(scene, static_cast<uint32_t>(p), out);
   }
@@ -160,7 +160,7 @@ bool refine(const SegmentScene& scene, std::span<const Vec3> sample, Task& task,
   const Eigen3 spread = symmetric_eigen(moments_of(support).covariance());
   double squares = 0;
   for (const Vec3& p : support) squares += curved.distance(p) * curved.distance(p);
-  return spread.values[0] >= kLeastGain * kLeastGain * squares / static_cast<double>(support.size());
+  return spread.values[0] >= kCurvedHypothesesLeastGain * kCurvedHypothesesLeastGain * squares / static_cast<double>(support.size());
 }
 
 }  // namespace
@@ -189,8 +189,8 @@ bool draw_curved(const RansacScene& scene, const PointPool& pool, uint64_t draw,
                  Candidate& out) {
   RandomStream random(scene.draw.seed ^ kCurvedStream, draw);
   Candidate candidate;
-  if (!pick_seed(scene, pool, random, candidate.seed)) return false;
-  const Octree::Cell cell = cell_at(scene, candidate.seed, static_cast<int>(random.below(kLevelsUp)));
+  if (!pick_seed_of_curved_hypotheses(scene, pool, random, candidate.seed)) return false;
+  const Octree::Cell cell = cell_at(scene, candidate.seed, static_cast<int>(random.below(kCurvedHypothesesLevelsUp)));
   const std::vector<Vec3> sample = sample_of(scene, cell);
   if (sample.size() < kLeastSample) return false;
   const Eigen3 spread = symmetric_eigen(moments_of(sample).covariance());

@@ -11,8 +11,8 @@ namespace jalon {
 
 namespace {
 
-constexpr int kMaxRounds = 12;          // a plane from a 0.2 m cell reaches a 20 m wall in 3-5
-constexpr double kStable = 0.001;       // change of the number of points that ends the rounds
+constexpr int kExtractionMaxRounds = 12;          // a plane from a 0.2 m cell reaches a 20 m wall in 3-5
+constexpr double kExtractionStable = 0.001;       // change of the number of points that ends the rounds
 constexpr double kSigmas = 3;
 constexpr double kLeastReach = 0.1;     // of the tolerance: keeps noise-free planes from reaching nothing
 // A strip of n points with rms width s fixes the plane's turn about its long side to sigma / (s sqrt(n)) (fit_plane's
@@ -21,24 +21,24 @@ constexpr double kLeastReach = 0.1;     // of the tolerance: keeps noise-free pl
 constexpr double kLargestTurn_rad = 0.035;
 // A strip whose width is that of the noise has no direction however many its points.
 constexpr double kLeastWidthInSigmas = 1.5;
-constexpr size_t kPointsPerChunk = 1 << 14;
+constexpr size_t kExtractionPointsPerChunk = 1 << 14;
 // The surface is followed from the candidate's cell outward: looking at a whole infinite plane for each small surface
 // would cost far more than the surface.
 constexpr double kFirstWindow = 4;      // half side, in edges of the cell
 constexpr double kWindowGrowth = 3;
 
-struct Members {
+struct ExtractionMembers {
   std::vector<uint32_t> slots;
   double area_m2 = 0, pixel_m = 0;
 };
 
 // Millions of points: each loop over them looks at the cancel.
 void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane, Task& task,
-                         Members& members) {
+                         ExtractionMembers& members) {
   std::vector<float> spacings(members.slots.size());
   std::vector<Vec2> uv(members.slots.size());
   const PlaneFrame frame = plane_frame(plane, pool.point(members.slots[0]));
-  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, uv.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       spacings[i] = scene.spacing[pool.position(members.slots[i])];
       uv[i] = frame(pool.point(members.slots[i]));
@@ -58,11 +58,11 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
   members.slots.resize(region.members.size());
 }
 
-bool fit_members(const PointPool& pool, const Members& members, Task& task, PlaneFit& fit) {
+bool fit_members(const PointPool& pool, const ExtractionMembers& members, Task& task, PlaneFit& fit) {
   Moments zero;
   zero.reference = pool.point(members.slots[0]);
   const Moments moments =
-      parallel_reduce(task, members.slots.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+      parallel_reduce(task, members.slots.size(), kExtractionPointsPerChunk, zero, [&](size_t begin, size_t end) {
         Moments part = zero;
         for (size_t i = begin; i < end; ++i) part.add(pool.point(members.slots[i]));
         return part;
@@ -70,7 +70,7 @@ bool fit_members(const PointPool& pool, const Members& members, Task& task, Plan
   return fit_plane(moments, fit);
 }
 
-bool large_enough(const SurfaceSettings& settings, const Members& members) {
+bool large_enough_of_extraction(const SurfaceSettings& settings, const ExtractionMembers& members) {
   return members.slots.size() >= std::max<size_t>(3, settings.min_points) &&
          members.area_m2 >= settings.min_area_m2;
 }
@@ -89,7 +89,7 @@ struct Window {
   }
   bool whole() const { return half_m >= all_m; }
   // True when the region might go on outside; then the window has grown.
-  bool grow_if_touched(const PointPool& pool, const Members& members, double margin_m) {
+  bool grow_if_touched(const PointPool& pool, const ExtractionMembers& members, double margin_m) {
     if (whole()) return false;
     bool touched = false;
     for (const uint32_t slot : members.slots) {
@@ -111,7 +111,7 @@ Window first_window(const SegmentScene& scene, const Candidate& candidate) {
 
 // Rounds of collect - region - least squares; members are those of the last round.
 bool settle_plane(const RansacScene& scene, const PointPool& pool, Task& task, Surface& surface,
-                  Window& window, Members& members) {
+                  Window& window, ExtractionMembers& members) {
   const SurfaceSettings& settings = scene.settings;
   if (!scene.draw.refit) {
     window.half_m = window.all_m;
@@ -120,7 +120,7 @@ bool settle_plane(const RansacScene& scene, const PointPool& pool, Task& task, S
   }
   double reach = settings.distance_tolerance_m;
   size_t previous = 0;
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round < kExtractionMaxRounds; ++round) {
     members.slots = pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
     if (members.slots.empty()) return false;
     keep_largest_region(scene, pool, surface.plane, task, members);
@@ -130,19 +130,19 @@ bool settle_plane(const RansacScene& scene, const PointPool& pool, Task& task, S
     surface.sigma_m = fit.sigma;
     reach = core_reach(settings, fit.sigma);
     const bool grown = window.grow_if_touched(pool, members, settings.gap_m + 2 * members.pixel_m);
-    if (!grown && (!large_enough(settings, members) || !wide_enough(settings, fit))) return false;
+    if (!grown && (!large_enough_of_extraction(settings, members) || !wide_enough(settings, fit))) return false;
     if (too_rough(settings, fit.sigma)) return false;
     const double change = std::fabs(static_cast<double>(members.slots.size()) - static_cast<double>(previous));
-    if (!grown && round > 1 && change <= kStable * static_cast<double>(previous)) break;
+    if (!grown && round > 1 && change <= kExtractionStable * static_cast<double>(previous)) break;
     previous = members.slots.size();
   }
   return true;
 }
 
 // The points of the settled plane: all within its core, and out to the tolerance those whose normals agree.
-Members members_of(const SegmentScene& scene, const PointPool& pool, const Surface& surface, const Window& window,
+ExtractionMembers members_of(const SegmentScene& scene, const PointPool& pool, const Surface& surface, const Window& window,
                    Task& task) {
-  Members members;
+  ExtractionMembers members;
   const PlaneTest test = scene.test(surface.plane, scene.settings.distance_tolerance_m, 0);
   members.slots = pool.collect(test, window.box(), task);
   const double cosine = scene.min_cosine(), core = core_reach(scene.settings, surface.sigma_m);
@@ -155,7 +155,7 @@ Members members_of(const SegmentScene& scene, const PointPool& pool, const Surfa
 }
 
 // Notes on the points of a surface that it was none, so that they do not lead to it for ever.
-void reject(SegmentScene& scene, const PointPool& pool, const Candidate& candidate, const Members& members) {
+void reject_of_extraction(SegmentScene& scene, const PointPool& pool, const Candidate& candidate, const ExtractionMembers& members) {
   const auto note = [&](uint32_t position) {
     if (position != kNoPoint && scene.rejections[position] < 255) ++scene.rejections[position];
   };
@@ -215,7 +215,7 @@ double settled_sigma(const RansacScene& scene, const PointPool& pool, const Cand
   Surface surface;
   surface.plane = candidate.plane;
   Window window = first_window(scene, candidate);
-  Members members;
+  ExtractionMembers members;
   return settle_plane(scene, pool, task, surface, window, members) ? surface.sigma_m : INFINITY;
 }
 
@@ -224,17 +224,17 @@ bool extract_surface(RansacScene& scene, PointPool& pool, const OrientationPass&
   Surface surface;
   surface.plane = candidate.plane;
   Window window = first_window(scene, candidate);
-  Members members;
+  ExtractionMembers members;
   const bool settled = settle_plane(scene, pool, task, surface, window, members) && pass.accepts(surface.plane.normal);
   if (settled) members = members_of(scene, pool, surface, window, task);
-  if (!settled || !large_enough(scene.settings, members)) {
-    reject(scene, pool, candidate, members);
+  if (!settled || !large_enough_of_extraction(scene.settings, members)) {
+    reject_of_extraction(scene, pool, candidate, members);
     return false;
   }
   surface.area_m2 = members.area_m2;
   surface.pixel_m = members.pixel_m;
   surface.positions.resize(members.slots.size());
-  parallel_for(task, members.slots.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, members.slots.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       surface.positions[i] = pool.position(members.slots[i]);
       scene.owner[surface.positions[i]] = owner_id;

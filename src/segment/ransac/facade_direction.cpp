@@ -16,7 +16,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr size_t kFacadeDirectionPointsPerChunk = 1 << 15;
 constexpr double kUpright = 0.1736;  // |nz| within 10 degrees of the vertical: walls lean
 constexpr size_t kBins = 180;        // one degree each; normals have no sign
 constexpr double kHalfWindows_rad[] = {0.087, 0.052, 0.035};  // 5, 3, 2 degrees about the direction so far
@@ -53,7 +53,7 @@ double turn_between(double a, double b) { return std::remainder(a - b, std::numb
 
 double busiest_azimuth(const SegmentScene& scene, Task& task) {
   constexpr double kBinsPerRad = kBins / std::numbers::pi;
-  const Votes votes = parallel_reduce(task, scene.size(), kPointsPerChunk, Votes{}, [&](size_t begin, size_t end) {
+  const Votes votes = parallel_reduce(task, scene.size(), kFacadeDirectionPointsPerChunk, Votes{}, [&](size_t begin, size_t end) {
     Votes part;
     for (size_t i = begin; i < end; ++i) {
       const double a = azimuth(scene, i);
@@ -78,7 +78,7 @@ double busiest_azimuth(const SegmentScene& scene, Task& task) {
 FacadeAxes facade_axes(const SegmentScene& scene, Task& task) {
   double direction = busiest_azimuth(scene, task);
   for (const double window : kHalfWindows_rad) {
-    const Mean mean = parallel_reduce(task, scene.size(), kPointsPerChunk, Mean{}, [&](size_t begin, size_t end) {
+    const Mean mean = parallel_reduce(task, scene.size(), kFacadeDirectionPointsPerChunk, Mean{}, [&](size_t begin, size_t end) {
       Mean part;
       for (size_t i = begin; i < end; ++i) {
         const double turn = turn_between(azimuth(scene, i), direction);

@@ -11,16 +11,16 @@ namespace jalon {
 
 namespace {
 
-constexpr int kTries = 8;                 // for a free point in a cell
-constexpr int kLevelsUp = 3;              // cells drawn from: the point's own level and up to two above
+constexpr int kHypothesesTries = 8;                 // for a free point in a cell
+constexpr int kHypothesesLevelsUp = 3;              // cells drawn from: the point's own level and up to two above
 constexpr size_t kLocalSample = 48;       // points of the cell that test and refine a hypothesis
 constexpr double kMinLocalSupport = 0.5;  // share of them that must lie on the plane
 constexpr double kMinSpread = 2;          // distance of the three points, in tolerances
 constexpr double kNarrow = 0.2;           // width of the bounds, relative, at which scoring may stop
-constexpr int kSeedTries = 32;
+constexpr int kHypothesesSeedTries = 32;
 
-bool pick_seed(const SegmentScene& scene, const PointPool& pool, RandomStream& random, uint32_t& seed) {
-  for (int i = 0; i < kSeedTries; ++i) {
+bool pick_seed_of_hypotheses(const SegmentScene& scene, const PointPool& pool, RandomStream& random, uint32_t& seed) {
+  for (int i = 0; i < kHypothesesSeedTries; ++i) {
     seed = pool.position(static_cast<uint32_t>(random.below(pool.slots())));
     if (seed != kNoPoint && scene.may_seed(seed)) return true;
   }
@@ -29,14 +29,14 @@ bool pick_seed(const SegmentScene& scene, const PointPool& pool, RandomStream& r
 
 Octree::Cell pick_cell(const SegmentScene& scene, uint32_t seed, RandomStream& random) {
   const int own = scene.level[seed];
-  const int level = std::max(scene.coarse_level, own - static_cast<int>(random.below(kLevelsUp)));
+  const int level = std::max(scene.coarse_level, own - static_cast<int>(random.below(kHypothesesLevelsUp)));
   return scene.tree->cell(level, scene.tree->code(seed) >> (3 * (kMaxLevel - level)));
 }
 
 bool pick_partner(const SegmentScene& scene, const Octree::Cell& cell, const Vec3& away_from, RandomStream& random,
                   Vec3& out) {
   const double spread = kMinSpread * scene.settings.distance_tolerance_m;
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kHypothesesTries; ++i) {
     const size_t p = cell.first + random.below(cell.count);
     if (scene.owner[p] != 0) continue;
     out = scene.local(p);
@@ -71,7 +71,7 @@ bool draw_globally(const SegmentScene& scene, const PointPool& pool, RandomStrea
   Vec3 points[3];
   for (Vec3& point : points) {
     uint32_t position = kNoPoint;
-    if (!pick_seed(scene, pool, random, position)) return false;
+    if (!pick_seed_of_hypotheses(scene, pool, random, position)) return false;
     if (&point == points) candidate.seed = position;
     point = scene.local(position);
     for (const Vec3* other = points; other != &point; ++other)
@@ -102,7 +102,7 @@ bool draw_candidate(const RansacScene& scene, const PointPool& pool, const Orien
     out = candidate;
     return true;
   }
-  if (!pick_seed(scene, pool, random, candidate.seed)) return false;
+  if (!pick_seed_of_hypotheses(scene, pool, random, candidate.seed)) return false;
   const Octree::Cell cell = pick_cell(scene, candidate.seed, random);
   const Vec3 a = scene.local(candidate.seed);
   Vec3 b, c;

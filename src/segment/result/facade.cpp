@@ -15,7 +15,7 @@ constexpr double kVerticalSine = 0.1736;  // |nz| of a plane within 10 degrees o
 constexpr double kNearFacade_m = 1;       // depth of what tells a facade's back from its front
 constexpr double kFoot = 0.1;             // part of the height left out of that: ground and plants lie in front
 constexpr double kSameDirection = 0.985;  // 10 degrees
-constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr size_t kFacadePointsPerChunk = 1 << 15;
 
 struct Sides {
   int64_t front = 0, behind = 0;
@@ -41,7 +41,7 @@ Sides count_sides(const FacadeContext& c, const Segment& facade, std::span<const
   const Plane& plane = facade.fit.plane;
   const Vec3 along = normalized(cross({0, 0, 1}, plane.normal));
   const size_t n = c.cloud.size();
-  const Extent extent = parallel_reduce(task, n, kPointsPerChunk, Extent{}, [&](size_t begin, size_t end) {
+  const Extent extent = parallel_reduce(task, n, kFacadePointsPerChunk, Extent{}, [&](size_t begin, size_t end) {
     Extent e;
     for (size_t i = begin; i < end; ++i) {
       if (labels[i] != facade.label) continue;
@@ -51,7 +51,7 @@ Sides count_sides(const FacadeContext& c, const Segment& facade, std::span<const
     return e;
   });
   const double low = extent.low + kFoot * (extent.high - extent.low);
-  return parallel_reduce(task, n, kPointsPerChunk, Sides{}, [&](size_t begin, size_t end) {
+  return parallel_reduce(task, n, kFacadePointsPerChunk, Sides{}, [&](size_t begin, size_t end) {
     Sides sides;
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = c.cloud.point(i) - c.origin;
@@ -86,7 +86,7 @@ std::vector<int64_t> station_votes(const FacadeContext& c, std::span<const uint3
 }
 
 Vec3 middle_of(const FacadeContext& c, Task& task) {
-  const Vec3 sum = parallel_reduce(task, c.cloud.size(), kPointsPerChunk, Vec3{}, [&](size_t begin, size_t end) {
+  const Vec3 sum = parallel_reduce(task, c.cloud.size(), kFacadePointsPerChunk, Vec3{}, [&](size_t begin, size_t end) {
     Vec3 part;
     for (size_t i = begin; i < end; ++i) part += c.cloud.point(i) - c.origin;
     return part;

@@ -9,7 +9,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr size_t kPointColumnsPointsPerChunk = 1 << 15;
 
 std::shared_ptr<Column> point_column(const char* name, ElementType type, const char* unit, const char* meaning,
                                      size_t n) {
@@ -30,7 +30,7 @@ void add_point_columns(Segmentation& s, const Vec3& origin, Task& task) {
   const auto labels = s.labels->values<uint32_t>();
   const auto residual = residuals->values<float>();
   const auto orientation = orientations->values<uint8_t>();
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, n, kPointColumnsPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       residual[i] = kFloatNaN;
       orientation[i] = 0;

@@ -12,7 +12,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 14;
+constexpr size_t kAssignmentPointsPerChunk = 1 << 14;
 constexpr size_t kPointsPerBlock = 64;
 constexpr double kLeastSigma = 0.04;      // of the tolerance: noise-free planes do not pull points from noisy ones
 constexpr double kLeastArea_m2 = 1e-6;
@@ -108,7 +108,7 @@ void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& ta
   parallel_for(task, surfaces.size(), 1, [&](size_t i, size_t) { patches[i] = patch_of(scene, surfaces[i]); });
   const double min_cosine = scene.min_cosine();
   const size_t blocks = (scene.size() + kPointsPerBlock - 1) / kPointsPerBlock;
-  parallel_for(task, blocks, kPointsPerChunk / kPointsPerBlock, [&](size_t begin, size_t end) {
+  parallel_for(task, blocks, kAssignmentPointsPerChunk / kPointsPerBlock, [&](size_t begin, size_t end) {
     std::vector<uint32_t> near;
     for (size_t block = begin; block < end; ++block) {
       const size_t first = block * kPointsPerBlock, last = std::min(scene.size(), first + kPointsPerBlock);

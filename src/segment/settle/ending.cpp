@@ -19,7 +19,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 15;
+constexpr size_t kEndingPointsPerChunk = 1 << 15;
 constexpr int kAssignmentRounds = 3;
 constexpr int kFitRounds = 3;
 
@@ -89,7 +89,7 @@ void require_area(const Cloud& cloud, Task& task) {
     fail(Status::kInsufficientData, "the cloud has %zu points; a plane needs 3", cloud.size());
   Moments zero;
   zero.reference = cloud.point(0);
-  const Moments moments = parallel_reduce(task, cloud.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+  const Moments moments = parallel_reduce(task, cloud.size(), kEndingPointsPerChunk, zero, [&](size_t begin, size_t end) {
     Moments part = zero;
     for (size_t i = begin; i < end; ++i) part.add(cloud.point(i));
     return part;

@@ -15,16 +15,16 @@ constexpr double kMaxCosine = 0.985;      // 10 degrees: beyond, no joint fit is
 constexpr double kRoughnessGrowth = 1.5;  // rms about the joint plane against the own sigma
 constexpr double kFreeRoughness = 0.3;    // of the tolerance: rms that needs no comparison
 constexpr double kOverlap = 0.5;          // share of a layer's points over the other's pixels
-constexpr size_t kPointsPerChunk = 1 << 14;
+constexpr size_t kMergingPointsPerChunk = 1 << 14;
 
-struct Part {
+struct MergingPart {
   Moments moments;
   PlaneFit fit;
   Box3 box;
   bool alive = true;
 };
 
-Part part_of(const SegmentScene& scene, const Surface& surface, Task& task) {
+MergingPart part_of(const SegmentScene& scene, const Surface& surface, Task& task) {
   struct Sums {
     Moments moments;
     Box3 box;
@@ -37,7 +37,7 @@ Part part_of(const SegmentScene& scene, const Surface& surface, Task& task) {
   const double half = scene.tree->cube().edge / 2;
   zero.moments.reference = {half, half, half};
   const auto& positions = surface.positions;
-  const Sums sums = parallel_reduce(task, positions.size(), kPointsPerChunk, zero, [&](size_t begin, size_t end) {
+  const Sums sums = parallel_reduce(task, positions.size(), kMergingPointsPerChunk, zero, [&](size_t begin, size_t end) {
     Sums part = zero;
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = scene.local(positions[i]);
@@ -46,24 +46,24 @@ Part part_of(const SegmentScene& scene, const Surface& surface, Task& task) {
     }
     return part;
   });
-  Part part;
+  MergingPart part;
   part.moments = sums.moments;
   part.box = sums.box;
   part.alive = surface.is_plane() && fit_plane(sums.moments, part.fit);
   return part;
 }
 
-bool one_plane_fits(const SegmentScene& scene, const Part& a, const Part& b) {
+bool one_plane_fits(const SegmentScene& scene, const MergingPart& a, const MergingPart& b) {
   const double tolerance = scene.settings.distance_tolerance_m;
-  const Part& large = a.moments.n >= b.moments.n ? a : b;
-  const Part& small = a.moments.n >= b.moments.n ? b : a;
+  const MergingPart& large = a.moments.n >= b.moments.n ? a : b;
+  const MergingPart& small = a.moments.n >= b.moments.n ? b : a;
   if (std::fabs(large.fit.plane.distance(small.fit.centroid)) > tolerance) return false;
   if (std::fabs(dot(a.fit.plane.normal, b.fit.plane.normal)) < kMaxCosine) return false;
   Moments joint = a.moments;
   joint += b.moments;
   PlaneFit fit;
   if (!fit_plane(joint, fit)) return false;
-  const auto agrees = [&](const Part& part) {
+  const auto agrees = [&](const MergingPart& part) {
     return rms_about(part.moments, fit.plane) <=
            std::max(kRoughnessGrowth * part.fit.sigma, kFreeRoughness * tolerance);
   };
@@ -71,7 +71,7 @@ bool one_plane_fits(const SegmentScene& scene, const Part& a, const Part& b) {
 }
 
 // Two layers within the tolerance are one plane: it is as thick as its noise.
-bool layers_are_one(const SegmentScene& scene, const Part& a, const Part& b) {
+bool layers_are_one(const SegmentScene& scene, const MergingPart& a, const MergingPart& b) {
   if (std::fabs(dot(a.fit.plane.normal, b.fit.plane.normal)) < kMaxCosine) return false;
   Moments joint = a.moments;
   joint += b.moments;
@@ -112,7 +112,7 @@ bool pixels_near(const SegmentScene& scene, const Surface& a, const Surface& b) 
   return false;
 }
 
-void absorb(Surface& into, Part& into_part, Surface& from, Part& from_part) {
+void absorb(Surface& into, MergingPart& into_part, Surface& from, MergingPart& from_part) {
   into_part.moments += from_part.moments;
   into_part.box += from_part.box;
   fit_plane(into_part.moments, into_part.fit);
@@ -130,7 +130,7 @@ void absorb(Surface& into, Part& into_part, Surface& from, Part& from_part) {
 }  // namespace
 
 void merge_coplanar(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  std::vector<Part> parts;
+  std::vector<MergingPart> parts;
   for (const Surface& surface : surfaces) parts.push_back(part_of(scene, surface, task));
   for (bool merged = true; merged;) {
     merged = false;
@@ -148,7 +148,7 @@ void merge_coplanar(const SegmentScene& scene, std::vector<Surface>& surfaces, T
 }
 
 bool merge_layers(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  std::vector<Part> parts;
+  std::vector<MergingPart> parts;
   for (const Surface& surface : surfaces) parts.push_back(part_of(scene, surface, task));
   for (size_t i = 0; i < surfaces.size(); ++i) {
     task.checkpoint(static_cast<double>(i) / static_cast<double>(surfaces.size()));

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kMostReach = 256;  // pixels
 
-struct Part {
+struct SplittingPart {
   std::vector<uint32_t> positions;
   uint64_t pixels = 0;
 };
 
 /// The connected parts of a surface, the one of most pixels first.
-std::vector<Part> parts_of(const SegmentScene& scene, const Surface& surface, double& pixel_area_m2) {
+std::vector<SplittingPart> parts_of(const SegmentScene& scene, const Surface& surface, double& pixel_area_m2) {
   const std::vector<Vec2> uv = flat_points(scene, surface);
   // Dilation by r joins what is up to 2 r empty pixels apart: no less than connectivity and merging have joined.
   const double gap = std::max(scene.settings.gap_m, scene.settings.merge_gap_m);
@@ -28,12 +28,12 @@ std::vector<Part> parts_of(const SegmentScene& scene, const Surface& surface, do
   const Raster raster = bounded_raster(uv, surface.pixel_m, reach);
   const Regions regions = label_regions(dilated(raster, reach));
   pixel_area_m2 = raster.pixel_m * raster.pixel_m;
-  std::vector<Part> parts(regions.count());
+  std::vector<SplittingPart> parts(regions.count());
   for (size_t p = 0; p < raster.size(); ++p)
     if (raster.pixels[p] != 0) ++parts[regions.labels[p] - 1].pixels;
   for (size_t i = 0; i < uv.size(); ++i)
     parts[regions.labels[raster.pixel_of(uv[i])] - 1].positions.push_back(surface.positions[i]);
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.pixels > b.pixels; });
+  std::stable_sort(parts.begin(), parts.end(), [](const SplittingPart& a, const SplittingPart& b) { return a.pixels > b.pixels; });
   return parts;
 }
 
@@ -45,12 +45,12 @@ bool split_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& t
   std::vector<uint8_t> changed(surfaces.size(), 0);
   parallel_for(task, surfaces.size(), 1, [&](size_t s, size_t) {
     double pixel_area_m2 = 0;
-    std::vector<Part> parts = parts_of(scene, surfaces[s], pixel_area_m2);
+    std::vector<SplittingPart> parts = parts_of(scene, surfaces[s], pixel_area_m2);
     if (parts.size() < 2) return;
     changed[s] = 1;
     surfaces[s].positions = std::move(parts[0].positions);
     for (size_t k = 1; k < parts.size(); ++k) {
-      Part& part = parts[k];
+      SplittingPart& part = parts[k];
       const double area_m2 = static_cast<double>(part.pixels) * pixel_area_m2;
       if (part.positions.size() < least || area_m2 < scene.settings.min_area_m2) {
         for (const uint32_t position : part.positions) scene.owner[position] = 0;

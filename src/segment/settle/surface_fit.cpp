@@ -15,7 +15,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 14;
+constexpr size_t kSurfaceFitPointsPerChunk = 1 << 14;
 // Share of the points, and of the variance of their narrow side, that those away from the border must have to stand for
 // the surface: strips keep all.
 constexpr double kLeastInner = 0.3;
@@ -33,12 +33,12 @@ constexpr size_t kMostForBorder = 50000;  // larger surfaces tell their border b
 std::vector<uint8_t> inner_points(const SegmentScene& scene, const Surface& surface, Task& task) {
   const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
   std::vector<Vec2> uv(surface.positions.size());
-  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, uv.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) uv[i] = frame(scene.local(surface.positions[i]));
   });
   const Raster inner = eroded(closed(bounded_raster(uv, surface.pixel_m, 1), 1), 1);
   std::vector<uint8_t> out(uv.size());
-  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, uv.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) out[i] = inner.pixels[inner.pixel_of(uv[i])];
   });
   return out;
@@ -76,7 +76,7 @@ CoreMoments core_moments(const SegmentScene& scene, const Surface& surface, Task
     }
     return part;
   };
-  return parallel_reduce(task, surface.positions.size(), kPointsPerChunk, zero, part_of);
+  return parallel_reduce(task, surface.positions.size(), kSurfaceFitPointsPerChunk, zero, part_of);
 }
 
 // Do the fits to all points and to the inner ones differ by more than chance? The difference of an efficient and a
@@ -124,7 +124,7 @@ std::vector<PlaneSample> samples_of(const SegmentScene& scene, const Surface& su
   std::vector<uint8_t> zones(surface.positions.size(), 1);
   if (by_pixels) zones = inner_points(scene, surface, task);
   std::vector<PlaneSample> samples(surface.positions.size());
-  parallel_for(task, samples.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, samples.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 d = scene.exact(surface.positions[i]) - fit.centroid;
       const double across = dot(d, fit.plane.normal);
@@ -172,7 +172,7 @@ bool bends(const SegmentScene& scene, const Surface& surface, const PlaneFit& fi
     }
     return part;
   };
-  const BendSums sums = parallel_reduce(task, surface.positions.size(), kPointsPerChunk, BendSums{}, sums_of);
+  const BendSums sums = parallel_reduce(task, surface.positions.size(), kSurfaceFitPointsPerChunk, BendSums{}, sums_of);
   Bend bend;
   if (!largest_bend(sums, long_m, across_m, bend)) return false;
   return std::fabs(bend.curvature) > 1 / radius && std::fabs(bend.curvature) - 1 / radius > kBendSigmas * bend.sigma;

@@ -11,8 +11,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 12;
-constexpr unsigned kSectors = 8;
+constexpr size_t kBorderPointsPerChunk = 1 << 12;
+constexpr unsigned kBorderSectors = 8;
 constexpr unsigned kEmptySideBySide = 3;
 
 unsigned sector_of(double u, double v) {
@@ -22,8 +22,8 @@ unsigned sector_of(double u, double v) {
 }
 
 bool has_open_side(unsigned filled) {
-  const unsigned twice = filled | filled << kSectors;
-  for (unsigned k = 0; k < kSectors; ++k)
+  const unsigned twice = filled | filled << kBorderSectors;
+  for (unsigned k = 0; k < kBorderSectors; ++k)
     if ((twice >> k & ((1u << kEmptySideBySide) - 1)) == 0) return true;
   return false;
 }
@@ -77,7 +77,7 @@ std::vector<uint8_t> border_points(std::span<const Vec2> points, double margin_m
   if (points.empty()) return out;
   const Grid grid(points, reach_m);
   const double near2 = margin_m * margin_m, far2 = reach_m * reach_m;
-  parallel_for(task, points.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, points.size(), kBorderPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       unsigned filled = 0;
       grid.near(points[i], [&](const Vec2& q) {

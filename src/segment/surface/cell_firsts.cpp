@@ -12,7 +12,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = size_t{1} << 16;
+constexpr size_t kCellFirstsPointsPerChunk = size_t{1} << 16;
 
 // The coarsest level at which a cell begins with this position; kMaxLevel + 1 when none does.
 uint8_t first_level(const Octree& tree, size_t position) {
@@ -28,15 +28,15 @@ std::vector<std::vector<uint32_t>> cell_firsts(const Octree& tree, int coarse, i
                                                Task& task) {
   const size_t levels = static_cast<size_t>(fine - coarse) + 1, n = tree.size();
   // 1. At which level each position begins a cell, and how many do so in each chunk.
-  std::vector<std::vector<uint32_t>> room((n + kPointsPerChunk - 1) / kPointsPerChunk);
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
+  std::vector<std::vector<uint32_t>> room((n + kCellFirstsPointsPerChunk - 1) / kCellFirstsPointsPerChunk);
+  parallel_for(task, n, kCellFirstsPointsPerChunk, [&](size_t begin, size_t end) {
     std::vector<uint32_t> counts(levels, 0);
     for (size_t i = begin; i < end; ++i) {
       scratch[i] = first_level(tree, i);
       for (int level = std::max<int>(scratch[i], coarse); level <= fine; ++level)
         ++counts[static_cast<size_t>(level - coarse)];
     }
-    room[begin / kPointsPerChunk] = std::move(counts);
+    room[begin / kCellFirstsPointsPerChunk] = std::move(counts);
   });
   // 2. Where the chunks write.
   std::vector<std::vector<uint32_t>> firsts(levels);
@@ -47,8 +47,8 @@ std::vector<std::vector<uint32_t>> cell_firsts(const Octree& tree, int coarse, i
     firsts[k].back() = static_cast<uint32_t>(n);
   }
   // 3. The positions.
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
-    std::vector<uint32_t>& next = room[begin / kPointsPerChunk];
+  parallel_for(task, n, kCellFirstsPointsPerChunk, [&](size_t begin, size_t end) {
+    std::vector<uint32_t>& next = room[begin / kCellFirstsPointsPerChunk];
     for (size_t i = begin; i < end; ++i)
       for (int level = std::max<int>(scratch[i], coarse); level <= fine; ++level) {
         const auto k = static_cast<size_t>(level - coarse);

@@ -18,7 +18,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerChunk = 1 << 13;
+constexpr size_t kPrimitiveFitsPointsPerChunk = 1 << 13;
 constexpr size_t kNormalsPerChunk = 1 << 10;
 constexpr double kPointsPerPixel = 4;  // pixels of twice the spacing, as the segmenter's
 constexpr int kPixelRounds = 6;
@@ -87,7 +87,7 @@ PointList listed_points(const Cloud& cloud, std::span<const uint64_t> indices, T
   const Vec3 first = cloud.point(point_index(indices, 0));
   out.origin = {std::floor(first.x), std::floor(first.y), std::floor(first.z)};
   out.points.resize(n);
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
+  parallel_for(task, n, kPrimitiveFitsPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) out.points[i] = cloud.point(point_index(indices, i)) - out.origin;
   });
   return out;

@@ -12,21 +12,21 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kSectors = 180;  // of 2 degrees: wider gaps than those between points of a scan
+constexpr size_t kSurfaceMapSectors = 180;  // of 2 degrees: wider gaps than those between points of a scan
 
 // Middle of the longest run of empty sectors, as an angle; half a turn when none is empty.
-double widest_gap(const std::array<bool, kSectors>& occupied) {
+double widest_gap(const std::array<bool, kSurfaceMapSectors>& occupied) {
   size_t best = 0, best_end = 0, run = 0;
-  for (size_t i = 0; i < 2 * kSectors; ++i) {  // twice round, for a run across the start
-    run = occupied[i % kSectors] ? 0 : run + 1;
-    if (run > best && run <= kSectors) {
+  for (size_t i = 0; i < 2 * kSurfaceMapSectors; ++i) {  // twice round, for a run across the start
+    run = occupied[i % kSurfaceMapSectors] ? 0 : run + 1;
+    if (run > best && run <= kSurfaceMapSectors) {
       best = run;
       best_end = i + 1;
     }
   }
   if (best == 0) return std::numbers::pi;
   const double middle = static_cast<double>(best_end) - static_cast<double>(best) / 2;
-  return 2 * std::numbers::pi * middle / kSectors;
+  return 2 * std::numbers::pi * middle / kSurfaceMapSectors;
 }
 
 }  // namespace
@@ -47,11 +47,11 @@ SurfaceMap SurfaceMap::of_cylinder(const Cylinder& cylinder, std::span<const Vec
   map.w_ = cylinder.direction;
   map.radius_ = cylinder.radius;
   const auto e = across(cylinder.direction);
-  std::array<bool, kSectors> occupied{};
+  std::array<bool, kSurfaceMapSectors> occupied{};
   for (const Vec3& p : points) {
     const Vec3 d = p - cylinder.point;
     const double turn = std::atan2(dot(d, e[1]), dot(d, e[0])) / (2 * std::numbers::pi);
-    occupied[static_cast<size_t>((turn - std::floor(turn)) * kSectors) % kSectors] = true;
+    occupied[static_cast<size_t>((turn - std::floor(turn)) * kSurfaceMapSectors) % kSurfaceMapSectors] = true;
   }
   const double cut = widest_gap(occupied);  // the map begins and ends where u_ points away from
   map.u_ = -(std::cos(cut) * e[0] + std::sin(cut) * e[1]);

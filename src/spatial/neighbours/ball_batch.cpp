@@ -20,39 +20,39 @@ namespace jalon {
 
 namespace {
 
-constexpr int64_t kWholeCube = int64_t{1} << 31;
-constexpr double kSqrt3 = 1.7320508075688773;  // a distance on the grid is less than that wrong, in steps
+constexpr int64_t kBallBatchWholeCube = int64_t{1} << 31;
+constexpr double kBallBatchSqrt3 = 1.7320508075688773;  // a distance on the grid is less than that wrong, in steps
 constexpr size_t kVector = 16;                 // room that the kernels may write beyond the end
 // Neighbours that are handed on at once, at least those of one point.
 constexpr size_t kMostNeighbours = size_t{1} << 21;
 
-struct Kernels {
+struct BallBatchKernels {
   bool (*gather)(const OctreeView&, const GridBox&, BallCandidates&);
   size_t (*pick)(const BallCandidates&, const Ball&, uint32_t*, float*, size_t&);
 };
 
 class BallSearch {
  public:
-  BallSearch(const Octree::Impl& tree, double radius_m, const Kernels& kernels)
+  BallSearch(const Octree::Impl& tree, double radius_m, const BallBatchKernels& kernels)
       : tree_(tree), radius_m_(radius_m), radius_(radius_m * tree.inverse_step), kernels_(kernels) {
     constexpr double kRounding = 1 + 0x1p-20;  // of a squared distance in floats
-    const double inner = std::max(0.0, radius_ - kSqrt3), outer = radius_ + kSqrt3;
+    const double inner = std::max(0.0, radius_ - kBallBatchSqrt3), outer = radius_ + kBallBatchSqrt3;
     surely_ = static_cast<float>(std::min(inner * inner / kRounding / kRounding, 0x1p100));
     perhaps_ = static_cast<float>(std::min(outer * outer * kRounding * kRounding, 0x1p101));
-    if (radius_ < kSqrt3) surely_ = -1;
+    if (radius_ < kBallBatchSqrt3) surely_ = -1;
     reserve(size_t{1} << 12);
   }
 
   /// Gathers what the points of a leaf need.
   void enter(size_t leaf) {
     const size_t first = tree_.leaf_first[leaf], last = tree_.leaf_first[leaf + 1];
-    const auto reach = static_cast<int64_t>(std::min(radius_ + 2, static_cast<double>(kWholeCube)));
+    const auto reach = static_cast<int64_t>(std::min(radius_ + 2, static_cast<double>(kBallBatchWholeCube)));
     const int32_t* axes[3] = {tree_.x.data(), tree_.y.data(), tree_.z.data()};
     GridBox box;
     for (int axis = 0; axis < 3; ++axis) {
       const auto [lo, hi] = std::minmax_element(axes[axis] + first, axes[axis] + last);
       box.lo[axis] = static_cast<int32_t>(std::max<int64_t>(0, *lo - reach));
-      box.hi[axis] = static_cast<int32_t>(std::min<int64_t>(kWholeCube - 1, *hi + reach));
+      box.hi[axis] = static_cast<int32_t>(std::min<int64_t>(kBallBatchWholeCube - 1, *hi + reach));
     }
     for (;;) {
       candidates_.count = 0;
@@ -96,7 +96,7 @@ class BallSearch {
 
   const Octree::Impl& tree_;
   const double radius_m_, radius_;  // radius_: grid steps
-  const Kernels kernels_;
+  const BallBatchKernels kernels_;
   float surely_ = 0, perhaps_ = 0;
   Buffer<int32_t> values_;
   Buffer<uint32_t> positions_;
@@ -126,8 +126,8 @@ struct Found {
 
 void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, const BallBatch&), void* context) const {
   if (!(radius_m >= 0)) fail(Status::kInvalidArgument, "the radius is negative");
-  const Kernels kernels = use_avx2() ? Kernels{gather_ball_candidates_avx2, points_in_ball_avx2}
-                                     : Kernels{gather_ball_candidates_baseline, points_in_ball_baseline};
+  const BallBatchKernels kernels = use_avx2() ? BallBatchKernels{gather_ball_candidates_avx2, points_in_ball_avx2}
+                                     : BallBatchKernels{gather_ball_candidates_baseline, points_in_ball_baseline};
   constexpr size_t kLeavesAtOnce = 32;
   parallel_for(task, impl_->leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
     BallSearch search(*impl_, radius_m, kernels);

@@ -23,15 +23,15 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSqrt3 = 1.7320508075688773;
-constexpr int64_t kWholeCube = int64_t{1} << 31;
+constexpr double kKnnBatchSqrt3 = 1.7320508075688773;
+constexpr int64_t kKnnBatchWholeCube = int64_t{1} << 31;
 // The reach guessed for a leaf: what the leaf before needed, and a fifth more for less dense ones: repeating costs
 // more than a few candidates too many.
-constexpr double kGuess = 1.2;
+constexpr double kKnnBatchGuess = 1.2;
 // A leaf that needs this much more than was guessed holds outliers: those are answered one by one.
-constexpr double kFarOff = 2.5;
+constexpr double kKnnBatchFarOff = 2.5;
 
-struct Kernels {
+struct KnnBatchKernels {
   bool (*gather)(const OctreeView&, const GridBox&, Candidates&);
   void (*search)(const Candidates&, KnnGroup&);
   void (*nearest)(const OctreeView&, const int32_t* query, uint32_t size, float* squared, uint32_t* position);
@@ -39,7 +39,7 @@ struct Kernels {
 
 class BatchSearch {
  public:
-  BatchSearch(const Octree& octree, uint32_t k, const Kernels& kernels)
+  BatchSearch(const Octree& octree, uint32_t k, const KnnBatchKernels& kernels)
       : tree_(octree.impl()), k_(k), kernels_(kernels), keys_((k + 1) * size_t{kMostQueries}) {}
 
   /// Sorted positions and squared distances for the points of one leaf.
@@ -66,10 +66,10 @@ class BatchSearch {
       write(first, done, neighbours, squared);
       pending &= group_.incomplete;
       if (pending == 0) {
-        reach_ = std::max<int64_t>(4, static_cast<int64_t>(kGuess * largest_));
+        reach_ = std::max<int64_t>(4, static_cast<int64_t>(kKnnBatchGuess * largest_));
         return;
       }
-      const bool far_off = static_cast<double>(needed) > kFarOff * static_cast<double>(reach_);
+      const bool far_off = static_cast<double>(needed) > kKnnBatchFarOff * static_cast<double>(reach_);
       if ((attempt != 0 && far_off) || attempt == 8 || group_.count <= 2) {
         one_by_one(first, pending, neighbours, squared);
         return;
@@ -127,7 +127,7 @@ class BatchSearch {
     GridBox wide;
     for (int axis = 0; axis < 3; ++axis) {
       wide.lo[axis] = static_cast<int32_t>(std::max<int64_t>(0, box_.lo[axis] - reach_));
-      wide.hi[axis] = static_cast<int32_t>(std::min<int64_t>(kWholeCube - 1, box_.hi[axis] + reach_));
+      wide.hi[axis] = static_cast<int32_t>(std::min<int64_t>(kKnnBatchWholeCube - 1, box_.hi[axis] + reach_));
     }
     if (!kernels_.gather(tree_.view, wide, candidates_)) return 0;
     if (candidates_.count < k_ && candidates_.count < tree_.count) {
@@ -148,7 +148,7 @@ class BatchSearch {
     }
     // More candidates may mean fewer bits next time: allow for the coarsest keys.
     constexpr double kCoarsest = 0x1p-12;
-    return static_cast<int64_t>(std::min(needed * (1 + 4 * kCoarsest) + 8, static_cast<double>(kWholeCube)));
+    return static_cast<int64_t>(std::min(needed * (1 + 4 * kCoarsest) + 8, static_cast<double>(kKnnBatchWholeCube)));
   }
 
   double truncation() const { return std::ldexp(1.0, static_cast<int>(group_.index_bits) - 23) + 0x1p-20; }
@@ -159,7 +159,7 @@ class BatchSearch {
   void set_tolerances() {
     group_.index_bits = std::max(1u, static_cast<uint32_t>(std::bit_width(candidates_.count - 1)));
     // A point outside the box is farther than reach_; a distance on the grid is sqrt(3) wrong at most.
-    const double sure = std::max(0.0, static_cast<double>(reach_) - kSqrt3 - 0.01);
+    const double sure = std::max(0.0, static_cast<double>(reach_) - kKnnBatchSqrt3 - 0.01);
     group_.covered = static_cast<float>(sure * sure * (1 - 2 * truncation()));
     group_.tie_slope = static_cast<float>(1.01 * truncation());
     // |d_j - d_i| <= 2 sqrt(3) means |d_j^2 - d_i^2| <= 2 sqrt(3) (2 d_k + 2 sqrt(3)).
@@ -201,7 +201,7 @@ class BatchSearch {
   // Step 4: the candidates that may be among the k nearest, in doubles; runs that the grid cannot order by the caller's
   // coordinates.
   void settle(size_t position, uint32_t q, uint32_t* to, float* to_squared) {
-    const double slack = tree_.on_grid ? 0 : 2 * kSqrt3 + 1e-3;
+    const double slack = tree_.on_grid ? 0 : 2 * kKnnBatchSqrt3 + 1e-3;
     const float kth = squared_of(keys_[(k_ - 1) * size_t{kMostQueries} + q]);  // not a number: fewer than k candidates
     const double reach = std::sqrt(static_cast<double>(kth) * (1 + 2 * truncation())) + slack;
     const double limit = kth == kth ? reach * reach * (1 + 1e-12) : std::numeric_limits<double>::infinity();
@@ -265,7 +265,7 @@ class BatchSearch {
 
   const Octree::Impl& tree_;
   const uint32_t k_;
-  const Kernels kernels_;
+  const KnnBatchKernels kernels_;
   GridBox box_{};
   int64_t reach_ = 0;     // grid units; 0 = no guess
   size_t run_begin_ = 0, run_end_ = 0;  // a run of points with the same coordinates
@@ -280,8 +280,8 @@ class BatchSearch {
 
 void Octree::knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batch&), void* context) const {
   if (k < 1 || k > 256) fail(Status::kInvalidArgument, "k is %u; 1 ... 256 are possible", k);
-  const Kernels kernels = use_avx2() ? Kernels{gather_candidates_avx2, knn_group_avx2, nearest_on_grid_avx2}
-                                     : Kernels{gather_candidates_baseline, knn_group_baseline,
+  const KnnBatchKernels kernels = use_avx2() ? KnnBatchKernels{gather_candidates_avx2, knn_group_avx2, nearest_on_grid_avx2}
+                                     : KnnBatchKernels{gather_candidates_baseline, knn_group_baseline,
                                                nearest_on_grid_baseline};
   constexpr size_t kLeavesAtOnce = 128;
   parallel_for(task, impl_->leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {

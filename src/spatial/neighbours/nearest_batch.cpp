@@ -30,14 +30,14 @@ namespace {
 constexpr int64_t kWholeFrame = int64_t{1} << 31;
 // The reach guessed for a leaf: what the leaf before needed, and a quarter more: repeating costs more than a few
 // candidates too many.
-constexpr double kGuess = 1.25;
+constexpr double kNearestBatchGuess = 1.25;
 // Surfaces farther apart than so many sides of the leaf have far more points in reach than can be nearest.
-constexpr double kFarOff = 4;
+constexpr double kNearestBatchFarOff = 4;
 // Two coordinates that are wrong by less than 2 steps each: a distance is wrong by less than 2 sqrt(3).
-constexpr double kGridError = 3.4642;
+constexpr double kNearestBatchGridError = 3.4642;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-struct Kernels {
+struct NearestBatchKernels {
   bool (*gather)(const OctreeView&, const GridMap&, const GridBox&, const int32_t*, NearCandidates&);
   void (*of_group)(const NearCandidates&, NearestGroup&);
   void (*of_one)(const OctreeView&, const GridMap&, const int32_t*, float, NearestOne&);
@@ -46,11 +46,11 @@ struct Kernels {
 class LeafSearch {
  public:
   LeafSearch(const Octree& reference, const Octree& compared, const SearchFrame& frame, double max_distance_m,
-             const Kernels& kernels)
+             const NearestBatchKernels& kernels)
       : reference_(reference.impl()),
         compared_(compared.impl()),
         frame_(frame),
-        max_reach_(std::min(max_distance_m / frame.step + 2 * kGridError, static_cast<double>(2 * kWholeFrame))),
+        max_reach_(std::min(max_distance_m / frame.step + 2 * kNearestBatchGridError, static_cast<double>(2 * kWholeFrame))),
         kernels_(kernels) {}
 
   /// Sorted positions in the reference for the points of one leaf.
@@ -64,11 +64,11 @@ class LeafSearch {
       if (!try_reach(pending, needed)) return one_by_one(pending, nearest);
       pending = write(pending, nearest);
       if (pending == 0) {
-        reach_ = std::min(max_reach_, kGuess * largest_ + 2 * kGridError);
+        reach_ = std::min(max_reach_, kNearestBatchGuess * largest_ + 2 * kNearestBatchGridError);
         return;
       }
-      if (attempt != 0 || needed > kFarOff * std::max(reach_, side_)) return one_by_one(pending, nearest);
-      reach_ = std::min(max_reach_, needed + 4 * kGridError);
+      if (attempt != 0 || needed > kNearestBatchFarOff * std::max(reach_, side_)) return one_by_one(pending, nearest);
+      reach_ = std::min(max_reach_, needed + 4 * kNearestBatchGridError);
     }
   }
 
@@ -102,8 +102,8 @@ class LeafSearch {
     if (nearest[0] == kNoPoint) return false;
     known_[0] = last_ = nearest[0];
     const double distance = std::sqrt(static_cast<double>(squared_on_grid(0, nearest[0])));
-    if (distance > kFarOff * side_) return false;
-    reach_ = std::min(max_reach_, std::max(kGuess * distance, side_ / 2) + 2 * kGridError);
+    if (distance > kNearestBatchFarOff * side_) return false;
+    reach_ = std::min(max_reach_, std::max(kNearestBatchGuess * distance, side_ / 2) + 2 * kNearestBatchGridError);
     return true;
   }
 
@@ -122,9 +122,9 @@ class LeafSearch {
     kernels_.of_group(candidates_, group_);
     // Offsets from the anchor are rounded to 24 bits.
     const double rounding = (side_ + reach_) * 0x1p-22;
-    error_ = static_cast<float>(2 * (kGridError + rounding));
+    error_ = static_cast<float>(2 * (kNearestBatchGridError + rounding));
     // A point outside the box is farther than the reach.
-    const double sure = std::max(0.0, std::floor(reach_) - kGridError - rounding);
+    const double sure = std::max(0.0, std::floor(reach_) - kNearestBatchGridError - rounding);
     largest_ = 0;
     complete_ = 0;
     for (uint32_t q = 0; q < group_.count; ++q) {
@@ -204,7 +204,7 @@ class LeafSearch {
 
   // Step 4 for one query. start: a point to begin with, or kNoPoint.
   uint32_t search_one(uint32_t q, uint32_t start) const {
-    const auto error = static_cast<float>(2 * kGridError);
+    const auto error = static_cast<float>(2 * kNearestBatchGridError);
     const auto limit = static_cast<float>(max_reach_ * max_reach_ * (1 + 0x1p-20));
     NearestOne one{max_reach_ < static_cast<double>(kWholeFrame) * 2 ? limit : kInfinity, kInfinity, kNoPoint};
     if (start != kNoPoint) {
@@ -230,7 +230,7 @@ class LeafSearch {
   const Octree::Impl& compared_;
   const SearchFrame& frame_;
   const double max_reach_;   // steps
-  const Kernels kernels_;
+  const NearestBatchKernels kernels_;
   double reach_ = 0;         // steps; 0 = no guess
   double side_ = 0;          // of the leaf's box
   double largest_ = 0;       // distance of the complete queries of the last attempt
@@ -274,8 +274,8 @@ void nearest_batches(const Octree& reference, const Octree& compared, double max
   if (!(max_distance_m >= 0)) fail(Status::kInvalidArgument, "the greatest distance is negative");
   if (compared.size() == 0) return;
   if (reference.size() == 0) fail(Status::kInvalidArgument, "the reference has no points");
-  const Kernels kernels = use_avx2() ? Kernels{gather_near_avx2, nearest_of_group_avx2, nearest_of_one_avx2}
-                                     : Kernels{gather_near_baseline, nearest_of_group_baseline,
+  const NearestBatchKernels kernels = use_avx2() ? NearestBatchKernels{gather_near_avx2, nearest_of_group_avx2, nearest_of_one_avx2}
+                                     : NearestBatchKernels{gather_near_baseline, nearest_of_group_baseline,
                                                nearest_of_one_baseline};
   const DistinctPoints distinct(reference, task);
   const SearchFrame frame(reference.cube(), compared.cube());

@@ -19,12 +19,12 @@ constexpr size_t kFirstCapacity = 1024;
 constexpr double kMargin = 1.0;
 
 // A grid coordinate stands for [g, g + 1): the point is within half a diagonal, sqrt(3) / 2, of the cell's middle.
-constexpr double kGridError = 1;
+constexpr double kShapeSearchGridError = 1;
 
 // A float above the limit by its rounding and by that of the kernel's sums of lengths up to reach.
 float widened(double limit, double reach) {
   constexpr double kRounding = 0x1p-20;
-  return static_cast<float>(limit + kGridError + kRounding * (limit + reach));
+  return static_cast<float>(limit + kShapeSearchGridError + kRounding * (limit + reach));
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kGridError = 0.8661;  // as in octree_query.cpp
-constexpr double kRounding = 1 + 1e-12;
+constexpr double kLevelGridError = 0.8661;  // as in octree_query.cpp
+constexpr double kLevelRounding = 1 + 1e-12;
 constexpr int64_t kEverything = int64_t{1} << 32;  // a Chebyshev distance beyond all cells
 
 bool nearer(const Neighbour& a, const Neighbour& b) {
@@ -154,7 +154,7 @@ class CellSearch {
     // Steps 3 to 5.
     while (!complete_) {
       const double covered =
-          (r0 + static_cast<double>(std::max<int64_t>(shell_, 0)) * edge_) * (1 - 1e-12) - kGridError;
+          (r0 + static_cast<double>(std::max<int64_t>(shell_, 0)) * edge_) * (1 - 1e-12) - kLevelGridError;
       if (shell_ >= 0 && heap_.size() == k_ && std::sqrt(heap_[0].squared_distance) * tree_.inverse_step < covered)
         break;
       const size_t known = points_.size();
@@ -180,7 +180,7 @@ class CellSearch {
   void extend(double r0) {
     int64_t outer;
     if (heap_.size() == k_) {
-      const double d = std::sqrt(heap_[0].squared_distance) * tree_.inverse_step * kRounding + 4 * kGridError;
+      const double d = std::sqrt(heap_[0].squared_distance) * tree_.inverse_step * kLevelRounding + 4 * kLevelGridError;
       const double j = std::ceil((d - r0) / edge_);
       outer = j < static_cast<double>(kEverything) ? std::max(static_cast<int64_t>(j), shell_ + 1) : kEverything;
     } else {
@@ -207,8 +207,8 @@ class CellSearch {
       }
       std::push_heap(heap_.begin(), heap_.end(), nearer);
       if (heap_.size() < k_) continue;
-      const double reach = std::sqrt(heap_[0].squared_distance) * tree_.inverse_step * kRounding + kGridError;
-      limit_ = reach * reach * kRounding;
+      const double reach = std::sqrt(heap_[0].squared_distance) * tree_.inverse_step * kLevelRounding + kLevelGridError;
+      limit_ = reach * reach * kLevelRounding;
     }
   }
 

@@ -17,8 +17,8 @@ namespace {
 
 // A grid coordinate stands for [g, g + 1): its centre is within half a diagonal, sqrt(3) / 2, of the point; a little is
 // added for the rounding of the distances themselves.
-constexpr double kGridError = 0.8661;
-constexpr double kRounding = 1 + 1e-12;
+constexpr double kQueryGridError = 0.8661;
+constexpr double kQueryRounding = 1 + 1e-12;
 
 struct Visit {
   double squared;  // lower bound, grid units
@@ -80,8 +80,8 @@ Vec3 to_grid(const Octree::Impl& tree, const Vec3& q) { return (q - tree.cube.or
 
 // Largest squared grid distance of a grid centre whose point can be within sqrt(squared_m2) of the query.
 double limit_of(const Octree::Impl& tree, double squared_m2) {
-  const double reach = std::sqrt(squared_m2) * tree.inverse_step * kRounding + kGridError;
-  return reach * reach * kRounding;
+  const double reach = std::sqrt(squared_m2) * tree.inverse_step * kQueryRounding + kQueryGridError;
+  return reach * reach * kQueryRounding;
 }
 
 struct Found {

@@ -22,8 +22,8 @@ using triangle_tree::FloatBox;
 using triangle_tree::kWidth;
 using triangle_tree::Node;
 
-constexpr double kMaxSpan_m = 1e9;   // as of TriangleTree
-constexpr size_t kBoxGrain = 65536;  // triangles a chunk, about 1 ms
+constexpr double kNearestMaxSpan_m = 1e9;   // as of TriangleTree
+constexpr size_t kNearestBoxGrain = 65536;  // triangles a chunk, about 1 ms
 constexpr size_t kNodeGrain = 8192;
 constexpr size_t kAskGrain = 2048;   // points a chunk, about 1 ms
 constexpr size_t kRun = 256;         // points answered before they are looked at: they stay in the cache
@@ -38,7 +38,7 @@ double limit_of(double max_distance) { return max_distance * max_distance * (1 +
 /// The box of the triangles' corners; throws when one is not finite.
 Box3 box_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles, Task& task) {
   std::atomic<bool> all_finite{true};
-  const Box3 box = parallel_reduce(task, triangles.size(), kBoxGrain, Box3{}, [&](size_t begin, size_t end) {
+  const Box3 box = parallel_reduce(task, triangles.size(), kNearestBoxGrain, Box3{}, [&](size_t begin, size_t end) {
     Box3 part;
     bool good = true;
     for (size_t i = begin; i < end; ++i)
@@ -151,7 +151,7 @@ size_t NearestTriangles::Impl::fill_block(TriangleBlock& block, std::span<const 
 std::vector<uint32_t> NearestTriangles::Impl::make_nodes(std::span<const Vec3> vertices, std::span<const Triangle> all,
                                                          Task& task) {
   Buffer<FloatBox> boxes(all.size());
-  parallel_for(task, all.size(), kBoxGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, all.size(), kNearestBoxGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       Box3 box;
       for (const uint32_t v : all[i]) box.add(vertices[v] - origin);
@@ -211,7 +211,7 @@ std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const 
   impl.origin = {std::floor(world.min.x), std::floor(world.min.y), std::floor(world.min.z)};
   const Vec3 top = world.max - impl.origin;
   impl.span_m = std::max({top.x, top.y, top.z});
-  if (!(impl.span_m <= kMaxSpan_m)) fail(Status::kLimit, "a mesh may span 1e9 m at most");
+  if (!(impl.span_m <= kNearestMaxSpan_m)) fail(Status::kLimit, "a mesh may span 1e9 m at most");
   // 2. The nodes, and the triangles of each leaf side by side.
   impl.make_blocks(vertices, triangles, impl.make_nodes(vertices, triangles, task), task);
   return out;

@@ -18,20 +18,20 @@ constexpr double kRoundingShare = 0x1p-44;
 // but for the digits of a file (floats, 2^-24 of some ten metres) leave no gap.
 constexpr double kGapShare = 0x1p-18;
 
-using Corners = std::array<Vec3, 3>;
+using SideCorners = std::array<Vec3, 3>;
 
-Corners corners_of(const TriangleBlock& block, uint32_t lane) {
+SideCorners corners_of(const TriangleBlock& block, uint32_t lane) {
   const auto corner = [&](uint8_t at) { return Vec3{block.corners[at], block.corners[at + 1], block.corners[at + 2]}; };
   return {corner(block.a[lane]), corner(block.b[lane]), corner(block.c[lane])};
 }
 
-ClosestResult<double> closest_to(const Corners& k, const Vec3& p) {
+ClosestResult<double> closest_to(const SideCorners& k, const Vec3& p) {
   return closest_on_triangle<double>({p.x, p.y, p.z}, {k[0].x, k[0].y, k[0].z}, {k[1].x, k[1].y, k[1].z},
                                      {k[2].x, k[2].y, k[2].z});
 }
 
 /// The normal against which the triangle runs anticlockwise; zero for one that has no plane.
-Vec3 unit_normal(const Corners& corners, bool is_turned) {
+Vec3 unit_normal(const SideCorners& corners, bool is_turned) {
   const Vec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]);
   double longest2 = 0;
   for (size_t k = 0; k < 3; ++k) longest2 = std::max(longest2, squared_norm(corners[(k + 1) % 3] - corners[k]));
@@ -45,7 +45,7 @@ class Surroundings {
   Surroundings(const Vec3& at, double tolerance) : at_(at), tolerance_(tolerance) {}
 
   /// A triangle that touches the point; one without a plane says nothing.
-  void add(const Corners& corners, bool is_turned) {
+  void add(const SideCorners& corners, bool is_turned) {
     const Vec3 normal = unit_normal(corners, is_turned);
     if (normal == Vec3{}) return;
     // 1. At a corner: two sides leave it. Walked anticlockwise, the triangle is to the left of the one to the next.
@@ -116,7 +116,7 @@ Surroundings surroundings(const TriangleBlocks& tree, const Vec3& at, double tol
   descend(tree.nodes, p, limit2, [&](uint32_t child) {
     const TriangleBlock& block = tree.blocks[child];
     for (uint32_t lane = 0; lane < block.count; ++lane) {
-      const Corners corners = corners_of(block, lane);
+      const SideCorners corners = corners_of(block, lane);
       if (closest_to(corners, at).squared <= limit2) found.add(corners, (block.turned >> lane & 1) != 0);
     }
     return limit2;
@@ -124,14 +124,14 @@ Surroundings surroundings(const TriangleBlocks& tree, const Vec3& at, double tol
   return found;
 }
 
-double longest_side(const Corners& corners) {
+double longest_side(const SideCorners& corners) {
   return std::max({norm(corners[1] - corners[0]), norm(corners[2] - corners[1]), norm(corners[0] - corners[2])});
 }
 
 }  // namespace
 
 ClosestOfTriangle closest_of(const TriangleBlock& block, uint32_t lane, const Vec3& point) {
-  const Corners corners = corners_of(block, lane);
+  const SideCorners corners = corners_of(block, lane);
   const ClosestResult<double> closest = closest_to(corners, point);
   if (closest.on_face) {
     const double share = closest.height / closest.normal2;
@@ -147,7 +147,7 @@ ClosestOfTriangle closest_of(const TriangleBlock& block, uint32_t lane, const Ve
 
 SideOfSurface side_of_surface(const TriangleBlocks& tree, const TriangleBlock& block, uint32_t lane,
                               const ClosestOfTriangle& closest, double span_m) {
-  const Corners corners = corners_of(block, lane);
+  const SideCorners corners = corners_of(block, lane);
   const bool behind_own = dot(closest.above, unit_normal(corners, (block.turned >> lane & 1) != 0)) < 0;
   if (closest.feature == TriangleFeature::kFace) return {behind_own, TriangleSide::kCertain};
   const double gap = kGapShare * std::min(longest_side(corners), norm(closest.above));

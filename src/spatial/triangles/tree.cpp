@@ -24,8 +24,8 @@ using triangle_tree::kStackSize;
 using triangle_tree::kWidth;
 using triangle_tree::Node;
 
-constexpr double kMaxSpan_m = 1e9;   // beyond it floats no longer tell boxes apart
-constexpr size_t kBoxGrain = 65536;  // triangles a chunk, about 1 ms
+constexpr double kTreeMaxSpan_m = 1e9;   // beyond it floats no longer tell boxes apart
+constexpr size_t kTreeBoxGrain = 65536;  // triangles a chunk, about 1 ms
 // Boxes grow by this share of the whole: eight roundings of a float (2^-24), for their own corners and for the ray's
 // origin.
 constexpr double kBoxMargin = 0x1.0p-21;
@@ -34,7 +34,7 @@ constexpr float kSlabSlack = 0x1.0p-21f;
 // Stands for a direction component of 0: moves no point by more than the boxes' margin.
 constexpr double kTinyComponent = 1e-20;
 
-struct Corners {
+struct TreeCorners {
   double a[3], b[3], c[3];  ///< relative to the tree's origin
 };
 
@@ -58,7 +58,7 @@ struct WoopRay {
 
   /// t of the triangle's plane where the ray meets the triangle. The edge functions of a shared edge are exact
   /// negatives of each other, and 0 counts as inside for both sides: no gap.
-  bool meets(const Corners& triangle, double& t) const {
+  bool meets(const TreeCorners& triangle, double& t) const {
     const double az = triangle.a[kz] - origin[kz], bz = triangle.b[kz] - origin[kz], cz = triangle.c[kz] - origin[kz];
     const double ax = triangle.a[kx] - origin[kx] - sx * az, ay = triangle.a[ky] - origin[ky] - sy * az;
     const double bx = triangle.b[kx] - origin[kx] - sx * bz, by = triangle.b[ky] - origin[ky] - sy * bz;
@@ -109,11 +109,11 @@ struct SlabRay {
 #if defined(__SSE__)
 inline Float4 max4(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 inline Float4 min4(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
-inline uint32_t less_equal(Float4 a, Float4 b) { return static_cast<uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a, b))); }
+inline uint32_t tree_less_equal(Float4 a, Float4 b) { return static_cast<uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a, b))); }
 #else
 inline Float4 max4(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 min4(Float4 a, Float4 b) { return a < b ? a : b; }
-inline uint32_t less_equal(Float4 a, Float4 b) {
+inline uint32_t tree_less_equal(Float4 a, Float4 b) {
   uint32_t mask = 0;
   for (uint32_t i = 0; i < kWidth; ++i) mask |= (a[i] <= b[i] ? 1u : 0u) << i;
   return mask;
@@ -131,7 +131,7 @@ inline uint32_t slabs(const Node& node, const SlabRay& ray, float reach, Float4&
   const Float4 zero = {0, 0, 0, 0}, all = {reach, reach, reach, reach};
   near = max4(max4(x0, y0), max4(z0, zero));
   const Float4 far = min4(min4(x1, y1), min4(z1, all)) * (1 + kSlabSlack);
-  return less_equal(near * (1 - kSlabSlack), far);
+  return tree_less_equal(near * (1 - kSlabSlack), far);
 }
 
 /// A child still to be visited.
@@ -147,7 +147,7 @@ struct TriangleTree::Impl {
   Box3 bounds;         ///< of the corners, relative to origin
   Box3 padded_bounds;  ///< with the boxes' margin
   triangle_tree::Nodes tree;
-  Buffer<Corners> corners;  ///< in tree order
+  Buffer<TreeCorners> corners;  ///< in tree order
 
   /// visit(t, triangle) gets every hit in the ray's interval and gives back the new end of it; negative infinity
   /// stops.
@@ -199,7 +199,7 @@ const Vec3& TriangleTree::origin() const { return impl_->origin; }
 const Box3& TriangleTree::local_bounds() const { return impl_->bounds; }
 size_t TriangleTree::memory_bytes() const {
   return sizeof(Impl) + impl_->tree.nodes.capacity() * sizeof(Node) +
-         impl_->tree.order.capacity() * sizeof(uint32_t) + impl_->corners.size() * sizeof(Corners);
+         impl_->tree.order.capacity() * sizeof(uint32_t) + impl_->corners.size() * sizeof(TreeCorners);
 }
 
 bool TriangleTree::nearest(const Ray& ray, RayHit& hit) const {
@@ -230,7 +230,7 @@ std::shared_ptr<const TriangleTree> TriangleTree::build(std::span<const Vec3> ve
   if (triangles.empty()) return out;
 
   // 1. The local frame: whole metres, so that a shift by whole metres shifts it and changes no bit.
-  const Box3 world = parallel_reduce(task, triangles.size(), kBoxGrain, Box3{}, [&](size_t begin, size_t end) {
+  const Box3 world = parallel_reduce(task, triangles.size(), kTreeBoxGrain, Box3{}, [&](size_t begin, size_t end) {
     Box3 box;
     for (size_t i = begin; i < end; ++i)
       for (const uint32_t v : triangles[i]) box.add(vertices[v]);
@@ -239,14 +239,14 @@ std::shared_ptr<const TriangleTree> TriangleTree::build(std::span<const Vec3> ve
   impl.origin = {std::floor(world.min.x), std::floor(world.min.y), std::floor(world.min.z)};
   impl.bounds = {world.min - impl.origin, world.max - impl.origin};
   const double span = std::max({impl.bounds.max.x, impl.bounds.max.y, impl.bounds.max.z});
-  if (!(span <= kMaxSpan_m)) fail(Status::kLimit, "a mesh may span 1e9 m at most");
+  if (!(span <= kTreeMaxSpan_m)) fail(Status::kLimit, "a mesh may span 1e9 m at most");
   const double margin = kBoxMargin * span;
   const Vec3 margins{margin, margin, margin};
   impl.padded_bounds = {impl.bounds.min - margins, impl.bounds.max + margins};
 
   // 2. A float box around each triangle.
   Buffer<FloatBox> boxes(triangles.size());
-  parallel_for(task, triangles.size(), kBoxGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, triangles.size(), kTreeBoxGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       Box3 box;
       for (const uint32_t v : triangles[i]) box.add(vertices[v] - impl.origin);
@@ -259,8 +259,8 @@ std::shared_ptr<const TriangleTree> TriangleTree::build(std::span<const Vec3> ve
 
   // 3. The nodes, and the corners in their order.
   impl.tree = triangle_tree::build_nodes({boxes.data(), boxes.size()}, triangle_tree::kLeafSize, 1, task);
-  impl.corners = Buffer<Corners>(triangles.size());
-  parallel_for(task, triangles.size(), kBoxGrain, [&](size_t begin, size_t end) {
+  impl.corners = Buffer<TreeCorners>(triangles.size());
+  parallel_for(task, triangles.size(), kTreeBoxGrain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       const auto& t = triangles[impl.tree.order[k]];
       const Vec3 a = vertices[t[0]] - impl.origin, b = vertices[t[1]] - impl.origin, c = vertices[t[2]] - impl.origin;

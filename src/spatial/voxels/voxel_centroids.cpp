@@ -24,7 +24,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = size_t{1} << 15;
+constexpr size_t kVoxelCentroidsGrain = size_t{1} << 15;
 constexpr int kDigitBits = 10;                     // 1024 open write streams
 constexpr size_t kMostSerial = size_t{1} << 19;  // points of a bucket: a cancel has to wait for its sort
 
@@ -80,7 +80,7 @@ class Centroids {
     Buffer<uint64_t> keys(count_);  // made once for both passes of the partition
     {
       ProgressSpan span(task, 0, 0.4);
-      parallel_for(task, count_, kGrain, [&](size_t begin, size_t end) {
+      parallel_for(task, count_, kVoxelCentroidsGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) keys[i] = numbers.key(i);
       });
     }
@@ -103,7 +103,7 @@ class Centroids {
   }
 
   void split_large(Task& task) {
-    const size_t limit = std::clamp(count_ / 16, 4 * kGrain, kMostSerial);
+    const size_t limit = std::clamp(count_ / 16, 4 * kVoxelCentroidsGrain, kMostSerial);
     for (bool again = true; again;) {
       again = false;
       std::vector<Bucket> split;
@@ -132,7 +132,7 @@ class Centroids {
   // How many low bits of the keys differ in the bucket.
   int differing_bits(const Bucket& bucket, Task& task) const {
     const Record* from = records_[bucket.in_second].data() + bucket.first;
-    const KeyBits all = parallel_reduce(task, bucket.count, kGrain, KeyBits{}, [&](size_t begin, size_t end) {
+    const KeyBits all = parallel_reduce(task, bucket.count, kVoxelCentroidsGrain, KeyBits{}, [&](size_t begin, size_t end) {
       KeyBits part;
       for (size_t i = begin; i < end; ++i) part.bits |= from[i].key ^ from[0].key;
       return part;
@@ -142,7 +142,7 @@ class Centroids {
 
   // Step 3, in groups of buckets worth a hand-over.
   void reduce_buckets(Task& task) {
-    const auto groups = groups_of(buckets_.size(), kGrain / 2, [&](size_t b) { return buckets_[b].count; });
+    const auto groups = groups_of(buckets_.size(), kVoxelCentroidsGrain / 2, [&](size_t b) { return buckets_[b].count; });
     cells_.assign(buckets_.size(), 0);
     parallel_chunks(task, groups.size() - 1, [&](size_t g) {
       size_t most = 0;
@@ -183,7 +183,7 @@ class Centroids {
     std::vector<size_t> first(buckets_.size() + 1, 0);
     for (size_t b = 0; b < buckets_.size(); ++b) first[b + 1] = first[b] + cells_[b];
     Buffer<double> out(3 * first.back());
-    const auto groups = groups_of(buckets_.size(), kGrain, [&](size_t b) { return cells_[b]; });
+    const auto groups = groups_of(buckets_.size(), kVoxelCentroidsGrain, [&](size_t b) { return cells_[b]; });
     parallel_chunks(task, groups.size() - 1, [&](size_t g) {
       for (size_t b = groups[g]; b < groups[g + 1]; ++b)
         std::memcpy(out.data() + 3 * first[b], records_[buckets_[b].in_second].data() + buckets_[b].first,

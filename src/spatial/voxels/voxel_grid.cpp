@@ -19,10 +19,10 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = size_t{1} << 15;
+constexpr size_t kVoxelGridGrain = size_t{1} << 15;
 
 Box3 range_of(std::span<const double> xyz, Task& task) {
-  return parallel_reduce(task, xyz.size() / 3, kGrain, Box3{}, [&](size_t begin, size_t end) {
+  return parallel_reduce(task, xyz.size() / 3, kVoxelGridGrain, Box3{}, [&](size_t begin, size_t end) {
     Box3 part;
     for (size_t i = begin; i < end; ++i) part.add({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
     return part;
@@ -81,7 +81,7 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
     ProgressSpan span(task, 0, 0.5, "sorting points into cells");
     const VoxelNumbers numbering(xyz, range_of(xyz, task), origin, cell_m, task);
     Buffer<uint64_t> keys(n);  // made once: divisions cost more than memory
-    parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
+    parallel_for(task, n, kVoxelGridGrain, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) keys[i] = numbering.key(i);
     });
     // Parts of about a thousand points, at most 4096 of them.
@@ -92,7 +92,7 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
         records.data(), [&](size_t i) { return KeyedIndex{keys[i], static_cast<uint32_t>(i)}; });
   }
   grid.order = Buffer<uint32_t>(n);
-  const auto groups = groups_of(begins.size() - 1, kGrain, [&](size_t b) { return begins[b + 1] - begins[b]; });
+  const auto groups = groups_of(begins.size() - 1, kVoxelGridGrain, [&](size_t b) { return begins[b + 1] - begins[b]; });
   std::vector<std::vector<uint32_t>> firsts(groups.size() - 1);
   {
     ProgressSpan span(task, 0.5, 0.8);

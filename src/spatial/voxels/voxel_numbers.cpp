@@ -11,7 +11,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kGrain = size_t{1} << 15;
+constexpr size_t kVoxelNumbersGrain = size_t{1} << 15;
 constexpr double kMostCells = 0x1p41;  // either side of the origin
 
 }  // namespace
@@ -40,7 +40,7 @@ VoxelNumbers::VoxelNumbers(std::span<const double> xyz, const Box3& box, const V
 // Keeps the order: the numbers in use get the places they have among themselves.
 void VoxelNumbers::renumber(size_t n, size_t axis, Task& task) {
   std::vector<uint64_t> used(n);
-  parallel_for(task, n, kGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, n, kVoxelNumbersGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) used[i] = number(i, axis);
   });
   std::sort(used.begin(), used.end());

@@ -16,19 +16,19 @@ constexpr double kMostGap = 2.5;       // spacings from row to row
 constexpr double kEven = 12;           // variance of what is spread evenly: its range squared over this
 
 /// The highest point of a column and the widest gap between two of its points, 0 with one alone.
-struct Column {
+struct BarColumn {
   double top = 0, gap_m = 0;
 };
 
-std::vector<Column> columns_of(std::span<const Vec2> points, double width_m) {
+std::vector<BarColumn> columns_of(std::span<const Vec2> points, double width_m) {
   std::vector<std::pair<int64_t, double>> order;
   for (const Vec2& p : points) order.emplace_back(static_cast<int64_t>(std::floor(p.u / width_m)), p.v);
   std::sort(order.begin(), order.end());
-  std::vector<Column> out;
+  std::vector<BarColumn> out;
   for (size_t i = 0; i < order.size(); ++i) {
     const bool is_new = i == 0 || order[i].first != order[i - 1].first;
     if (is_new) out.emplace_back();
-    Column& column = out.back();
+    BarColumn& column = out.back();
     if (!is_new) column.gap_m = std::max(column.gap_m, order[i].second - order[i - 1].second);
     column.top = order[i].second;
   }
@@ -36,9 +36,9 @@ std::vector<Column> columns_of(std::span<const Vec2> points, double width_m) {
 }
 
 /// The distance of rows: the middle one of the columns' gaps.
-double row_distance(std::span<const Column> columns, double most_m) {
+double row_distance(std::span<const BarColumn> columns, double most_m) {
   std::vector<double> gaps;
-  for (const Column& c : columns)
+  for (const BarColumn& c : columns)
     if (c.gap_m > 0 && c.gap_m <= most_m) gaps.push_back(c.gap_m);
   if (gaps.empty()) return most_m / 2;
   const auto middle = gaps.begin() + static_cast<ptrdiff_t>(gaps.size() / 2);
@@ -50,11 +50,11 @@ double row_distance(std::span<const Column> columns, double most_m) {
 
 std::optional<BarEdge> upper_edge(std::span<const Vec2> points, double spacing_m, double sigma_m) {
   // 1. Columns a spacing wide and where they end.
-  const std::vector<Column> columns = columns_of(points, spacing_m);
+  const std::vector<BarColumn> columns = columns_of(points, spacing_m);
   if (columns.size() < kLeastColumns) return {};
   const double row_m = row_distance(columns, kMostGap * spacing_m);
   std::vector<double> tops;
-  for (const Column& c : columns) tops.push_back(c.top);
+  for (const BarColumn& c : columns) tops.push_back(c.top);
   std::sort(tops.begin(), tops.end());
   // 2. The edge lies above all of them, and below the first that a row more would take beyond the highest. Columns that
   // end lower still are cut short by something else.

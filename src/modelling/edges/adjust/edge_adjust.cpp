@@ -17,10 +17,10 @@ constexpr double kContourSigma = 0.35;
 constexpr double kPoor = 0.5;
 // And of what the contour says of an edge's slope (rad) and an arc's centre (spacings): weak, for edges with few
 // offsets.
-constexpr double kSlopeSigma = 0.1, kCentreSigma = 3;
+constexpr double kEdgeAdjustSlopeSigma = 0.1, kCentreSigma = 3;
 // Offsets beyond this were measured on something else.
 constexpr double kMostOffset = 1.5;
-constexpr double kOutlier = 4, kConflict = 4;
+constexpr double kEdgeAdjustOutlier = 4, kConflict = 4;
 constexpr double kManyPoints = 20;
 constexpr double kSnapSigmas = 3;
 
@@ -79,7 +79,7 @@ void drop_outliers(EdgeEvidence& evidence, double spacing_m) {
   const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   std::erase_if(all, [&](const EdgeOffset& o) {
-    return std::fabs(o.offset_m - *middle) > kOutlier * std::sqrt(1 / o.weight) + spacing_m / 4;
+    return std::fabs(o.offset_m - *middle) > kEdgeAdjustOutlier * std::sqrt(1 / o.weight) + spacing_m / 4;
   });
 }
 
@@ -109,7 +109,7 @@ Information prior_of(const Unknowns& unknowns, double spacing_m) {
     const double weight = 1 / (kCentreSigma * kCentreSigma * spacing_m * spacing_m);
     for (size_t k = 0; k < 3; ++k) out.matrix[4 * k] = weight;
   } else {
-    out.matrix[4] = 1 / (kSlopeSigma * kSlopeSigma);
+    out.matrix[4] = 1 / (kEdgeAdjustSlopeSigma * kEdgeAdjustSlopeSigma);
     out.matrix[8] = 1;  // lines have no third unknown
   }
   return out;

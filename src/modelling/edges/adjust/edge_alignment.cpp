@@ -13,7 +13,7 @@ namespace {
 
 // Edges agree within so many standard deviations of their difference; those whose line was given by others too
 // (EdgeShape::is_guided) a little further. Never further than so many spacings.
-constexpr double kAgree = 2, kAgreeGuided = 4, kMost = 1.5;
+constexpr double kAgree = 2, kAgreeGuided = 4, kEdgeAlignmentMost = 1.5;
 constexpr double kLeastSigma = 0.02;  // spacings: nothing is known better beside neighbours
 constexpr std::array<Vec2, 4> kDirections{Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
 
@@ -49,7 +49,7 @@ void align(std::vector<Aligned>& all, const Vec2& direction, double spacing_m) {
       const double mean = weight > 0 ? moment / weight : 0, variance = weight > 0 ? 1 / weight : 0;
       const double sigma = std::sqrt(variance + all[k].sigma_m * all[k].sigma_m), own = all[k].place_m - origin;
       const double limit = all[k].edge->shape.is_guided ? kAgreeGuided : kAgree;
-      if (std::fabs(own - mean) > std::min(limit * sigma, kMost * spacing_m)) continue;
+      if (std::fabs(own - mean) > std::min(limit * sigma, kEdgeAlignmentMost * spacing_m)) continue;
       members.push_back(k);
       weight += 1 / (all[k].sigma_m * all[k].sigma_m);
       moment += own / (all[k].sigma_m * all[k].sigma_m);

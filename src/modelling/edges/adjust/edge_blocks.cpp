@@ -12,7 +12,7 @@ namespace {
 // In spacings. Next to its ends the other edge takes points away or adds some; a block holds about eight columns of
 // points, enough for a density and short enough to part what differs along the edge.
 constexpr double kEnd = 1, kBlock = 8;
-constexpr double kMostBlocks = 256;
+constexpr double kEdgeBlocksMostBlocks = 256;
 // Contour points further than this from the edge are another edge's; nearer ones are its own.
 constexpr double kOwn = 1.6;
 // Points of a reveal lie within this of the edge.
@@ -61,7 +61,7 @@ void collect_blocks(const NearPoints& near, const PointRows& contours, double sp
   const double p = spacing_m, length = shape.length_m - 2 * kEnd * p;
   if (!(length >= p)) return;
   const double outward = kStripOutward * p, inward = kStripInward * p;
-  const auto count = static_cast<size_t>(std::clamp(std::floor(length / (kBlock * p)), 1.0, kMostBlocks));
+  const auto count = static_cast<size_t>(std::clamp(std::floor(length / (kBlock * p)), 1.0, kEdgeBlocksMostBlocks));
   const double step = length / static_cast<double>(count);
   for (size_t k = 0; k < count; ++k) {
     EdgeBlock block;

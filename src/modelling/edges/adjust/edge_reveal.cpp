@@ -25,9 +25,9 @@ constexpr double kAstray[] = {0.6, 1.1};  // spacings: half of one and noise, an
 constexpr double kBeforeFilling_m = 0.006, kBeforeFillingSigmas = 3;
 // Noise of points across a surface seen nearly along it: millimetres, whatever the spacing.
 constexpr double kReach_m = 0.004, kReachOfSpacing = 0.12;
-constexpr double kOutlier = 3, kLeastSigma_m = 0.0003;
+constexpr double kEdgeRevealOutlier = 3, kLeastSigma_m = 0.0003;
 // Walls and reveals are square within a degree or two; what the points say of the slope is weighed with that.
-constexpr double kSlopeSigma = 0.03;
+constexpr double kEdgeRevealSlopeSigma = 0.03;
 constexpr double kBins = 8, kLeastBinsHit = 3;
 constexpr double kTimesBackground = 2.5;
 
@@ -115,7 +115,7 @@ struct SettledLine {
 // Step 3: least squares on the points near it, their own spread deciding which.
 std::optional<SettledLine> settled_line(std::span<const RevealPoint> points, double reach_m,
                                         const CrossLine& drawn) {
-  SettledLine out{drawn, reach_m / kOutlier * 1.5, {}, {}};
+  SettledLine out{drawn, reach_m / kEdgeRevealOutlier * 1.5, {}, {}};
   auto& [line, sigma_m, inliers, sums] = out;
   for (int round = 0; round < 6; ++round) {
     inliers.clear();
@@ -123,15 +123,15 @@ std::optional<SettledLine> settled_line(std::span<const RevealPoint> points, dou
     double squares = 0;
     for (const RevealPoint& p : points) {
       const double r = line.residual(p);
-      if (std::fabs(r) > kOutlier * sigma_m) continue;
+      if (std::fabs(r) > kEdgeRevealOutlier * sigma_m) continue;
       inliers.push_back(p);
       sums.add(p);
       squares += r * r;
     }
     if (inliers.size() < kLeastPoints) return std::nullopt;
     const double n = static_cast<double>(inliers.size());
-    sigma_m = std::clamp(std::sqrt(squares / (n - 2)), kLeastSigma_m, reach_m / kOutlier * 1.5);
-    line = sums.solve(sigma_m * sigma_m / (kSlopeSigma * kSlopeSigma));
+    sigma_m = std::clamp(std::sqrt(squares / (n - 2)), kLeastSigma_m, reach_m / kEdgeRevealOutlier * 1.5);
+    line = sums.solve(sigma_m * sigma_m / (kEdgeRevealSlopeSigma * kEdgeRevealSlopeSigma));
   }
   if (!(std::fabs(line.slope) <= kMostSlope)) return std::nullopt;
   return out;
@@ -149,7 +149,7 @@ bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint
     low = std::min(low, p.d_m);
     high = std::max(high, p.d_m);
   }
-  const double inside = 2 * kOutlier * sigma_m, rest = std::max(high - low - inside, inside);
+  const double inside = 2 * kEdgeRevealOutlier * sigma_m, rest = std::max(high - low - inside, inside);
   const double n = static_cast<double>(inliers.size());
   const double clutter = (static_cast<double>(points.size()) - n) * inside / rest;
   if (n < kTimesBackground * clutter + 3 * std::sqrt(clutter)) return false;
@@ -195,7 +195,7 @@ std::optional<Reveal> find_about(std::span<const RevealPoint> points, double ass
     nearest = std::min(nearest, std::fabs(p.height_m));
     farthest = std::max(farthest, std::fabs(p.height_m));
   }
-  const double prior = sigma * sigma / (kSlopeSigma * kSlopeSigma), variance = sigma * sigma;
+  const double prior = sigma * sigma / (kEdgeRevealSlopeSigma * kEdgeRevealSlopeSigma), variance = sigma * sigma;
   Reveal out;
   out.offset_m = line.offset_m;
   out.slope = line.slope;

@@ -10,9 +10,9 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kMostBlocks = 64;
+constexpr size_t kPointRowsMostBlocks = 64;
 // Distances of rows looked for, in spacings, by equal steps of their frequency.
-constexpr double kLeast = 0.55, kMost = 2.2;
+constexpr double kLeast = 0.55, kPointRowsMost = 2.2;
 constexpr int kFrequencies = 48;
 constexpr double kLeastPower = 0.1;  // below, a period among so few points may be chance
 
@@ -39,12 +39,12 @@ Rows find_rows(std::span<const MeasuredEdge* const> edges, double spacing_m) {
     for (const EdgeBlock& block : edge->blocks)
       if (block.depth_m >= kStripInward * spacing_m) blocks.push_back(&block);
   if (blocks.empty()) return {};
-  const size_t step = blocks.size() / kMostBlocks + 1;
+  const size_t step = blocks.size() / kPointRowsMostBlocks + 1;
   Rows best;
   double most = kLeastPower;
   for (int k = 0; k < kFrequencies; ++k) {
     const double share = k / (kFrequencies - 1.0);
-    const double frequency = ((1 - share) / kMost + share / kLeast) / spacing_m;
+    const double frequency = ((1 - share) / kPointRowsMost + share / kLeast) / spacing_m;
     double sum = 0, count = 0;
     for (size_t b = 0; b < blocks.size(); b += step) {
       sum += power(*blocks[b], spacing_m, kStripInward * spacing_m, frequency);

@@ -15,7 +15,7 @@ namespace {
 
 // Standard deviation of contour points about their line, in spacings: 0.29 on a grid, up to 0.5 measured on scattered
 // points, which are not independent of their neighbours either.
-constexpr double kNoise = 0.5;
+constexpr double kChainPartsNoise = 0.5;
 // Where contour points lie further apart than this many spacings, they stray in proportion.
 constexpr double kStep = 2;
 // A part costs as much as on a ring of so many points at most: what a window's corner is worth on a window.
@@ -40,8 +40,8 @@ constexpr int kPatience = 4;
 constexpr double kNearGuide = 1, kEndOff = 2, kBridge = 1.5;
 // Slanted edges are rare on facades (Boulaassal 2010, 4.3.1): a short one costs so many cuts more.
 // In spacings; a tangent.
-constexpr double kOdd = 2, kShort = 12, kSlanted = 0.25;
-constexpr double kLeastSine = 0.3;  // of the angle of a corner that is cut
+constexpr double kOdd = 2, kChainPartsShort = 12, kSlanted = 0.25;
+constexpr double kChainPartsLeastSine = 0.3;  // of the angle of a corner that is cut
 
 std::vector<double> weights_of(std::span<const Vec2> chain, double spacing_m) {
   const size_t n = chain.size();
@@ -62,7 +62,7 @@ struct Splitter {
 
   Splitter(std::span<const Vec2> points, const PartsSetting& s)
       : chain(points), setting(s), moments(points, weights_of(points, s.spacing_m)) {
-    variance = kNoise * kNoise * s.spacing_m * s.spacing_m;
+    variance = kChainPartsNoise * kChainPartsNoise * s.spacing_m * s.spacing_m;
     // Schwarz: parameters x ln(n); a cut is one more.
     const double log_n = std::log(static_cast<double>(std::clamp<size_t>(points.size(), 8, kMostRing)));
     cut_cost = log_n;
@@ -138,7 +138,7 @@ bool is_odd(const Splitter& s, size_t first, size_t last) {
   if (s.setting.guides == nullptr) return false;
   const Vec2 chord = s.at(last) - s.at(first);
   const double most = std::max(std::fabs(chord.u), std::fabs(chord.v));
-  return most < kShort * s.setting.spacing_m && std::min(std::fabs(chord.u), std::fabs(chord.v)) > kSlanted * most;
+  return most < kChainPartsShort * s.setting.spacing_m && std::min(std::fabs(chord.u), std::fabs(chord.v)) > kSlanted * most;
 }
 
 PartCost cost_of(const Splitter& s, size_t first, size_t last) {
@@ -278,7 +278,7 @@ void drop_bridges(const Splitter& s, std::vector<ChainPart>& parts) {
   for (size_t i = 0; i < parts.size() && parts.size() > 3;) {
     const size_t n = parts.size(), first = parts[i].first, last = first + parts[i].count - 1;
     const ChainPart &a = parts[(i + n - 1) % n], &c = parts[(i + 1) % n];
-    const auto corner = intersect(a.line, c.line, kLeastSine);
+    const auto corner = intersect(a.line, c.line, kChainPartsLeastSine);
     const bool is_cut = is_bridge(s, first, last) && !parts[i].is_guided && !a.is_arc &&
                         !c.is_arc && corner && norm(*corner - s.at(first)) <= s.setting.bridge_m &&
                         norm(*corner - s.at(last)) <= s.setting.bridge_m &&

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kMostOpen = 0.26;  // 15 degrees, for edges so short that noise turns them
 // Standard deviation of contour points about their line in spacings, a spacing apart, neighbours half dependent.
-constexpr double kNoise = 0.7;
+constexpr double kEdgeShapeNoise = 0.7;
 
 // Angle by which noise turns a line of this length: that of a least-squares slope, three times.
 double open_angle(double length_m, double spacing_m) {
   const double points = std::max(2.0, length_m / spacing_m);
-  return std::min(kMostOpen, 3 * kNoise * spacing_m * std::sqrt(12 / points) / length_m);
+  return std::min(kMostOpen, 3 * kEdgeShapeNoise * spacing_m * std::sqrt(12 / points) / length_m);
 }
 
 void classify(EdgeShape& shape, double spacing_m, double classes_rad, double snap_rad) {

@@ -10,9 +10,9 @@ namespace jalon {
 namespace {
 
 // Spacings: what a guide may be away, how small a step may be, how short an edge is that may be slanted by noise alone.
-constexpr double kReach = 3, kLeastStep = 1.5, kShort = 12;
+constexpr double kReach = 3, kLeastStep = 1.5, kGuidedStepsShort = 12;
 constexpr double kAlong = 0.999;     // cosine of lines of one direction
-constexpr double kLeastSine = 0.5;
+constexpr double kGuidedStepsLeastSine = 0.5;
 
 bool is_upright(const EdgeShape& s) { return !s.is_arc && (s.line.direction.u == 0 || s.line.direction.v == 0); }
 
@@ -22,8 +22,8 @@ bool are_parallel(const EdgeShape& a, const EdgeShape& b) {
 
 // The edge with its ends where the neighbours are; nothing where it would run backwards.
 std::optional<EdgeShape> fitted_between(const EdgeShape& a, const EdgeShape& b, EdgeShape edge) {
-  const auto from = intersect(a.line, edge.line, kLeastSine);
-  const auto to = intersect(edge.line, b.line, kLeastSine);
+  const auto from = intersect(a.line, edge.line, kGuidedStepsLeastSine);
+  const auto to = intersect(edge.line, b.line, kGuidedStepsLeastSine);
   if (!from || !to || !(dot(edge.line.direction, *to - *from) > 0)) return std::nullopt;
   edge.set_ends(*from, *to);
   return edge;
@@ -69,7 +69,7 @@ void guide_steps(const GuideLines& guides, double spacing_m, std::vector<EdgeSha
     const size_t n = ring.size();
     const EdgeShape &a = ring[(i + n - 1) % n], &b = ring[(i + 1) % n];
     EdgeShape& edge = ring[i];
-    if (edge.is_arc || is_upright(edge) || edge.length_m > kShort * spacing_m || !are_parallel(a, b)) continue;
+    if (edge.is_arc || is_upright(edge) || edge.length_m > kGuidedStepsShort * spacing_m || !are_parallel(a, b)) continue;
     const Vec2 middle = (edge.first + edge.last) * 0.5;
     if (const auto guided = guided_step(guides, spacing_m, a, b, middle)) edge = *guided;
   }

@@ -15,7 +15,7 @@ namespace {
 // Neighbouring lines flatter than this to each other have no useful intersection.
 constexpr double kLeastSine = 0.1;
 // Chords of an arc this near to it decide whether a ring crosses itself, in spacings.
-constexpr double kChordError = 0.05;
+constexpr double kRingNodesChordError = 0.05;
 
 // Ends of neighbours nearer to each other than this are one node, in spacings; of arcs that go on each other more.
 constexpr double kStep = 0.1, kArcStep = 0.5;
@@ -138,7 +138,7 @@ std::optional<VectorRing> join_edges(std::span<const EdgeShape> edges, double sp
     out.edges.push_back({});
   }
   if (out.corners.size() == 2) halve_arcs(out, edges);
-  const auto flat = flattened(out, kChordError * spacing_m);
+  const auto flat = flattened(out, kRingNodesChordError * spacing_m);
   if (flat.size() < 3 || !is_simple(flat)) return std::nullopt;
   return out;
 }

@@ -21,7 +21,7 @@ namespace {
 
 // Strip of a straight edge in triangle edges: cut corners are at most half an edge deep.
 constexpr double kToleranceOfEdge = 0.6;
-constexpr double kChordError = 0.05;  // spacings: chords for arcs in the tests of nesting
+constexpr double kVectoriseChordError = 0.05;  // spacings: chords for arcs in the tests of nesting
 constexpr double kCrossingReach = 3;  // spacings: about 28 points of each of two planes
 constexpr double kParallel = 0.9;     // cosine: 26 degrees
 
@@ -55,7 +55,7 @@ RingForms forms_of(VectorRing measured, const Chain& chain, bool is_opening, con
       setting.tolerance_m != 0 ? setting.tolerance_m : kToleranceOfEdge * contour.max_edge_m;
   s.snap_angle_rad = setting.snap_angle_rad;
   s.set_back_m = kSetBack * contour.spacing_m;
-  const double chord_error = kChordError * contour.spacing_m;
+  const double chord_error = kVectoriseChordError * contour.spacing_m;
   RingForms forms;
   const auto add = [&](Polygon polygon) {
     if (polygon.size() >= 3) forms.add(ring_of(std::move(polygon), chain), chord_error);
