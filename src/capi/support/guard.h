@@ -101,19 +101,6 @@ jalon_status give_fields(const Handle* handle, const char* name, jalon_fields** 
     *out = new_fields(table());
   });
 }
-/// What a worker's getter of its parameters does: a handle that shares them.
-template <class Worker>
-jalon_status give_params(Worker* worker, const char* name, jalon_params** out) {
-  return guard([&] {
-    require(worker, name);
-    require(out, "out");
-    auto handle = std::make_unique<jalon_params>();
-    handle->operation = std::string(name) + " " + worker->method;
-    handle->values = worker->values;
-    *out = handle.release();
-  });
-}
-
 /// Releases handles made so far unless the whole call succeeds.
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;
