@@ -18,13 +18,13 @@
 namespace jalon::test {
 
 /// A scene, its scan and what the chain makes of it, with default parameters throughout but those given.
-struct Chain {
+struct SceneChain {
   Model scene;
   CloudPtr cloud;
   Segmentation segmentation;
   Model outlines;
 
-  Chain(SceneName name, double step_rad, uint64_t seed, double outliers = 0) {
+  SceneChain(SceneName name, double step_rad, uint64_t seed, double outliers = 0) {
     Task task;
     scene = build_scene({.name = name}, task);
     const StaticSettings scanner{.horizontal_step_rad = step_rad,
@@ -44,7 +44,7 @@ struct SegmentTruth {
   double purity() const { return points == 0 ? 0 : static_cast<double>(own) / static_cast<double>(points); }
 };
 
-inline std::vector<SegmentTruth> truth_of_segments(const Chain& chain) {
+inline std::vector<SegmentTruth> truth_of_segments(const SceneChain& chain) {
   const auto labels = chain.segmentation.labels->values<uint32_t>();
   const auto ids = chain.cloud->fields.require("face").values<uint32_t>();
   std::vector<std::map<uint32_t, uint64_t>> counts(chain.segmentation.segments.size());

@@ -59,20 +59,19 @@ inline Transform site_pose(int day) {
   return shift * z * y * x;
 }
 
-inline ParamSet site_scanner(double step_deg, uint64_t seed) {
-  const double step = step_deg * kDegree_rad;
-  return scanner_params({{{"horizontal_step_rad", step},
-                          {"vertical_step_rad", step},
-                          {"horizontal_from_rad", kSiteLeft_rad},
-                          {"horizontal_to_rad", kSiteRight_rad},
-                          {"vertical_from_rad", kSiteLow_rad},
-                          {"vertical_to_rad", kSiteHigh_rad},
-                          {"range_noise_m", 0.006},
-                          {"range_noise_ppm", 20},
-                          {"beam_diameter_m", 0.005},
-                          {"beam_divergence_rad", 0.0003},
-                          {"seed", static_cast<double>(seed)}},
-                         {}});
+inline StaticSettings site_scanner(double step_deg, uint64_t seed) {
+  StaticSettings s;
+  s.horizontal_step_rad = s.vertical_step_rad = step_deg * kDegree_rad;
+  s.horizontal_from_rad = kSiteLeft_rad;
+  s.horizontal_to_rad = kSiteRight_rad;
+  s.vertical_from_rad = kSiteLow_rad;
+  s.vertical_to_rad = kSiteHigh_rad;
+  s.range_noise_m = 0.006;
+  s.range_noise_ppm = 20;
+  s.beam_diameter_m = 0.005;
+  s.beam_divergence_rad = 0.0003;
+  s.seed = seed;
+  return s;
 }
 
 /// Scanned as the table of 3 says: day 3 with a window at 0.0277 degrees, day 4 at 0.18 degrees. The window belongs to
@@ -88,11 +87,11 @@ inline SiteDay site_day(int day) {
   const auto seed = static_cast<uint64_t>(100 + day);
   Cloud cloud = scanned(model, site_scanner(day == 4 ? 0.18 : 0.2, seed), stations);
   if (day == 3) {
-    ParamSet window = site_scanner(0.0277, seed + 50);
-    window.set_number("horizontal_from_rad", -45 * kDegree_rad);
-    window.set_number("horizontal_to_rad", -15 * kDegree_rad);
-    window.set_number("vertical_from_rad", -15 * kDegree_rad);
-    window.set_number("vertical_to_rad", 0);
+    StaticSettings window = site_scanner(0.0277, seed + 50);
+    window.horizontal_from_rad = -45 * kDegree_rad;
+    window.horizontal_to_rad = -15 * kDegree_rad;
+    window.vertical_from_rad = -15 * kDegree_rad;
+    window.vertical_to_rad = 0;
     cloud = append(cloud, scanned(model, window, stations), task);
     cloud.stations = {cloud.stations[0]};
     cloud.stations[0].count = cloud.size();

@@ -20,8 +20,8 @@ constexpr double kLeastPurity = 1 - 0.025 / 0.15;
 constexpr uint64_t kSeenPoints = 500;  // faces turned away from all stations (the top of the cornice) have none
 
 /// One chain for all cases: they look at it from several sides.
-const Chain& facade() {
-  static const Chain chain(SceneName::kFacade, kFacadeStep_rad, 1);
+const SceneChain& facade() {
+  static const SceneChain chain(SceneName::kFacade, kFacadeStep_rad, 1);
   return chain;
 }
 
@@ -33,7 +33,7 @@ std::string name_of(const Model& scene, const Face& face) {
 }  // namespace
 
 TEST_CASE("chain_facade__finds_every_true_plane_of_2_m2_once_and_in_its_place") {
-  const Chain& chain = facade();
+  const SceneChain& chain = facade();
   const auto truths = truth_of_segments(chain);
   const auto seen = points_of_faces(*chain.cloud);
   MESSAGE(chain.cloud->size() << " points, " << chain.segmentation.segments.size() << " segments");
@@ -68,7 +68,7 @@ TEST_CASE("chain_facade__finds_every_true_plane_of_2_m2_once_and_in_its_place") 
 }
 
 TEST_CASE("chain_facade__has_no_slanted_or_mixed_segment") {
-  const Chain& chain = facade();
+  const SceneChain& chain = facade();
   const auto truths = truth_of_segments(chain);
   std::map<uint32_t, const Face*> faces;
   for (const Face& face : chain.scene.faces) faces[face.id] = &face;
@@ -99,7 +99,7 @@ TEST_CASE("chain_facade__has_no_slanted_or_mixed_segment") {
 }
 
 TEST_CASE("chain_facade__outlines_have_all_openings_in_their_places") {
-  const Chain& chain = facade();
+  const SceneChain& chain = facade();
   const auto truths = truth_of_segments(chain);
   const Face* true_wall = nullptr;
   for (const Face& face : chain.scene.faces)
