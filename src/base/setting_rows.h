@@ -9,17 +9,22 @@
 
 #include "base/params.h"
 
-/// Rows bound to the members of a settings struct S. A parameter is said once, as a row; its default is the initialiser of
-/// the member:
+/// Rows bound to the members of a settings struct S. A parameter is said once, as a row; its default
+/// is the initialiser of the member:
 ///
-///   struct ThinSettings { double spacing_m = 0.02; Keep keep = Keep::kNearest; };     // enum class Keep { kNearest, kFirst }
+///   enum class Keep { kNearest, kFirst };
+///   struct ThinSettings {
+///     double spacing_m = 0.02;
+///     Keep keep = Keep::kNearest;
+///   };
 ///   constexpr auto kRows = setting_rows(
-///       number_row<&ThinSettings::spacing_m>("spacing_m", 1e-5, 10, "m", "", "Least distance of two points."),
-///       choice_row<&ThinSettings::keep>("keep", "nearest|first", "", "Which point stands for a cell."));
+///       number_row<&ThinSettings::spacing_m>("spacing_m", 1e-5, 10, "m", "", "Least distance."),
+///       choice_row<&ThinSettings::keep>("keep", "nearest|first", "", "Which point stays."));
 ///   std::span<const ParamRow> thin_rows() { return kRows; }
 ///
-/// Members: double; int, int64_t, uint32_t, uint64_t; bool; std::string; an enum whose values are the places of the choices,
-/// from 0; std::vector<double>. settings_from<S>(params) of params.h makes the struct.
+/// Members: double; int, int64_t, uint32_t, uint64_t; bool; std::string; an enum whose values are the
+/// places of the choices, from 0; std::vector<double>. settings_from<S>(params) of params.h makes the
+/// struct.
 namespace jalon {
 
 namespace rows {

@@ -59,8 +59,8 @@ class Command {
   CLI::App* app_;
 };
 
-/// Declares the commands and runs the one that the arguments name; what it throws passes. Returns the exit status: 0, or 2
-/// where the arguments are wrong, which it has then said.
+/// Declares the commands and runs the one that the arguments name; what it throws passes. Returns the
+/// exit status: 0, or 2 where the arguments are wrong, which it has then said.
 int run_commands(int argc, char** argv, const char* about, const char* footer, const char* version,
                  const std::function<void(Command&)>& declare);
 

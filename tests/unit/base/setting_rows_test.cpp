@@ -42,12 +42,14 @@ constexpr auto kOuter = setting_rows(
 TEST_CASE("setting_rows__defaults_are_the_initialisers_of_the_members") {
   const ParamSet set("test", kOuter);
   CHECK(set.to_json() ==
-        R"({"spacing_m":0.02,"keep":"first","most":7,"has_mean":true,"field":"normal","margin_m":3.0,"centre":[1.0,2.0]})");
+        R"({"spacing_m":0.02,"keep":"first","most":7,"has_mean":true,"field":"normal",)"
+        R"("margin_m":3.0,"centre":[1.0,2.0]})");
 }
 
 TEST_CASE("setting_rows__what_is_set_reaches_the_members") {
   ParamSet set("test", kOuter);
-  set.from_json(R"({"spacing_m":0.5,"keep":"mean","most":3,"has_mean":false,"field":"x","margin_m":4,"centre":[]})");
+  set.from_json(R"({"spacing_m":0.5,"keep":"mean","most":3,"has_mean":false,"field":"x",)"
+                R"("margin_m":4,"centre":[]})");
   const auto settings = settings_from<Outer>(set);
   CHECK(settings.spacing_m == 0.5);
   CHECK(settings.keep == Keep::kMean);
