@@ -10,6 +10,6 @@
 set -uo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/examples/packages.sh"
-need_packages "${build_packages[@]}" doctest-dev libcmocka-dev abigail-tools binutils pkg-config python3 python3-venv locales \
+need_packages "${build_packages[@]}" doctest-dev libcmocka-dev abigail-tools binutils pkg-config python3 python3-venv clang-format-14 locales \
   file librsvg2-bin "${binding_packages[@]}" || exit 1
 exec python3 "$root/tests/runner/run.py" "$@"

@@ -117,10 +117,10 @@ def constants():
         text = read("include/jalon/" + name)
         for match in re.finditer(r"(?:/\*\*((?:(?!\*/).)*)\*/\s*)?\benum \{(.*?)\};", text, re.S):
             group += 1
-            for item in re.finditer(r"JALON_(\w+) = (-?\d+),?(?:\s*/\*\*<(.*?)\*/)?", match.group(2), re.S):
+            for item in re.finditer(r"JALON_(\w+)\s*=\s*(-?\d+),?(?:\s*/\*\*<(.*?)\*/)?", match.group(2), re.S):
                 found.append((item.group(1), int(item.group(2)), " ".join((item.group(3) or "").split()), group))
         group += 1
-        for item in re.finditer(r"#define JALON_(\w+) (\d+|UINT64_MAX)\b[^\n]*?(?:/\*\*<(.*?)\*/)?\n", text):
+        for item in re.finditer(r"#define JALON_(\w+)[\s\\]+(\d+|UINT64_MAX)\b[^\n]*?(?:/\*\*<(.*?)\*/)?\n", text):
             value = 2 ** 64 - 1 if item.group(2) == "UINT64_MAX" else int(item.group(2))
             if not item.group(1).startswith("VERSION"):
                 found.append((item.group(1), value, (item.group(3) or "").strip(), group))

@@ -50,8 +50,9 @@ inline ArrayIn rows_of(const ArrayIn* array, std::uint32_t components, const cha
     }
   }
   if (rows.components != components && rows.count != 0) {
-    throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name) + " must have rows of " + std::to_string(components) +
-                                                    ", not of " + std::to_string(rows.components)};
+    throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name) + " must have rows of " +
+                                                    std::to_string(components) + ", not of " +
+                                                    std::to_string(rows.components)};
   }
   static const double nothing = 0;  // so that an empty array is not taken for none
   if (rows.data == nullptr) rows.data = &nothing;
@@ -84,7 +85,8 @@ struct TypeOf<std::uint32_t> {
 template <class T>
 class Packed {
  public:
-  Packed(const ArrayIn* array, std::uint32_t components, const char* name) : given_(array != nullptr), name_(name) {
+  Packed(const ArrayIn* array, std::uint32_t components, const char* name)
+      : given_(array != nullptr), name_(name) {
     const ArrayIn rows = rows_of(array, components, name);
     count_ = rows.count;
     if (!given_) return;
@@ -104,8 +106,9 @@ class Packed {
   /** Of arrays that stand side by side: the same number of items as the first, unless there is none. */
   const T* data_like(std::uint64_t count) const {
     if (given_ && count_ != count) {
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name_) + " has " + std::to_string(count_) +
-                                                      " items where " + std::to_string(count) + " are needed"};
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name_) + " has " +
+                                                      std::to_string(count_) + " items where " +
+                                                      std::to_string(count) + " are needed"};
     }
     return data_;
   }
@@ -147,8 +150,9 @@ class Packed {
     From value;
     std::memcpy(&value, item + c * sizeof(From), sizeof(From));
     if (std::numeric_limits<T>::is_integer && !whole(value)) {
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name_) + " must hold whole numbers from 0 to " +
-                                                      std::to_string(std::numeric_limits<T>::max())};
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    std::string(name_) + " must hold whole numbers from 0 to " +
+                        std::to_string(std::numeric_limits<T>::max())};
     }
     return static_cast<T>(value);
   }
@@ -156,11 +160,12 @@ class Packed {
   static bool whole(From value) {
     if (!std::numeric_limits<From>::is_integer) {
       const double wide = static_cast<double>(value);
-      return wide >= 0 && wide < 18446744073709551616.0 && wide <= static_cast<double>(std::numeric_limits<T>::max()) &&
+      return wide >= 0 && wide < 18446744073709551616.0 &&
+             wide <= static_cast<double>(std::numeric_limits<T>::max()) &&
              wide == static_cast<double>(static_cast<std::uint64_t>(wide));
     }
-    return value >= From(0) &&
-           static_cast<std::uint64_t>(value) <= static_cast<std::uint64_t>(std::numeric_limits<T>::max());
+    return value >= From(0) && static_cast<std::uint64_t>(value) <=
+                                   static_cast<std::uint64_t>(std::numeric_limits<T>::max());
   }
 
   bool given_;
@@ -173,19 +178,22 @@ class Packed {
 /** A 3 x 4 map from 12 numbers in rows, or from 4 x 4 with the last row 0 0 0 1; a point from 3; a box from 2 x 3. */
 class Numbers12 {
  public:
-  Numbers12(const ArrayIn* array, std::uint32_t wanted, const char* name) : given_(array != nullptr) {
+  Numbers12(const ArrayIn* array, std::uint32_t wanted, const char* name)
+      : given_(array != nullptr) {
     if (!given_) return;
     ArrayIn rows = *array;
     const std::uint64_t elements = rows.count * rows.components;
     const Packed<double> packed(&rows, rows.components, name);
     const bool square = wanted == 12 && elements == 16;
     if (elements != wanted && !square) {
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name) + " must have " + std::to_string(wanted) +
-                                                      " numbers, not " + std::to_string(elements)};
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name) + " must have " +
+                                                      std::to_string(wanted) + " numbers, not " +
+                                                      std::to_string(elements)};
     }
-    if (square &&
-        (packed.data()[12] != 0 || packed.data()[13] != 0 || packed.data()[14] != 0 || packed.data()[15] != 1)) {
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name) + " must have the last row 0 0 0 1"};
+    if (square && (packed.data()[12] != 0 || packed.data()[13] != 0 || packed.data()[14] != 0 ||
+                   packed.data()[15] != 1)) {
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    std::string(name) + " must have the last row 0 0 0 1"};
     }
     std::memcpy(values_, packed.data(), wanted * sizeof(double));
   }
@@ -204,7 +212,8 @@ class Numbers12 {
  */
 class Array {
  public:
-  Array(const jalon_array_view& view, std::shared_ptr<void> owner) : view_(view), owner_(std::move(owner)) {}
+  Array(const jalon_array_view& view, std::shared_ptr<void> owner)
+      : view_(view), owner_(std::move(owner)) {}
   template <class T>
   static Array* made(std::uint64_t rows, std::uint64_t columns, T** data) {
     if (columns != 0 && rows > (std::uint64_t(1) << 46) / columns) {
@@ -214,14 +223,16 @@ class Array {
     std::shared_ptr<void> owner(std::malloc(bytes == 0 ? 1 : bytes), std::free);
     if (owner == nullptr) throw std::bad_alloc();
     *data = static_cast<T*>(owner.get());
-    const jalon_array_view view = {owner.get(), rows, static_cast<std::uint32_t>(columns), TypeOf<T>::value,
-                                   columns * sizeof(T)};
+    const jalon_array_view view = {owner.get(), rows, static_cast<std::uint32_t>(columns),
+                                   TypeOf<T>::value, columns * sizeof(T)};
     return new Array(view, std::move(owner));
   }
   /** Memory for elements of a type known at run time. */
   static Array* made_as(std::int32_t type, std::uint64_t rows, std::uint32_t columns) {
     const std::uint64_t size = size_of_type(type);
-    if (size == 0) throw Failure{JALON_ERROR_INVALID_ARGUMENT, "there is no element type " + std::to_string(type)};
+    if (size == 0)
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "there is no element type " + std::to_string(type)};
     std::shared_ptr<void> owner(std::malloc(rows * columns * size + 1), std::free);
     if (owner == nullptr) throw std::bad_alloc();
     const jalon_array_view view = {owner.get(), rows, columns, type, columns * size};

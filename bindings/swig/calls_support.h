@@ -2,11 +2,15 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /* Small steps of the generated calls; read inside namespace jalon_binding, after the boxes have their names. */
 
-inline std::string text_of(const char* text) { return text == nullptr ? std::string() : std::string(text); }
+inline std::string text_of(const char* text) {
+  return text == nullptr ? std::string() : std::string(text);
+}
 
 /** Names of one kind, none of them empty. */
 typedef std::vector<std::string> Texts;
-inline Texts texts_of(const char* const* texts, std::uint64_t count) { return Texts(texts, texts + count); }
+inline Texts texts_of(const char* const* texts, std::uint64_t count) {
+  return Texts(texts, texts + count);
+}
 /** Each with a zero behind it: how they cross to a language that takes them as one block. */
 inline std::string block_of(const Texts& texts) {
   std::string block;

@@ -61,9 +61,10 @@ inline void on_log(int32_t level, const char* text, void* user) {
 inline void set_callbacks(Handle<jalon_task>* box, const Callbacks& given) {
   auto callbacks = std::make_shared<Callbacks>(given);
   const jalon_binding::Use<jalon_task> task(box);
+  jalon_binding::check(jalon_task_set_progress(
+      task, given.progress == nullptr ? nullptr : on_progress, callbacks.get()));
   jalon_binding::check(
-      jalon_task_set_progress(task, given.progress == nullptr ? nullptr : on_progress, callbacks.get()));
-  jalon_binding::check(jalon_task_set_log(task, given.log == nullptr ? nullptr : on_log, callbacks.get()));
+      jalon_task_set_log(task, given.log == nullptr ? nullptr : on_log, callbacks.get()));
   box->host = callbacks;
 }
 
@@ -77,8 +78,8 @@ JALON_CSHARP_EXPORT const char* jalon_csharp_take_message() {
   return jalon_csharp::keep_text(jalon_csharp::last_failure().message);
 }
 /** A borrowed array as the wrappers take it, freed by jalon_csharp_array_free. components 0: no notion of rows. */
-JALON_CSHARP_EXPORT void* jalon_csharp_array(const void* data, int32_t type, uint64_t count, uint32_t components,
-                                             uint64_t stride_bytes) {
+JALON_CSHARP_EXPORT void* jalon_csharp_array(const void* data, int32_t type, uint64_t count,
+                                             uint32_t components, uint64_t stride_bytes) {
   auto* array = new (std::nothrow) jalon_binding::ArrayIn(data, type, count);
   if (array != nullptr && components != 0) {
     array->components = components;
@@ -87,11 +88,13 @@ JALON_CSHARP_EXPORT void* jalon_csharp_array(const void* data, int32_t type, uin
   }
   return array;
 }
-JALON_CSHARP_EXPORT void jalon_csharp_array_free(void* array) { delete static_cast<jalon_binding::ArrayIn*>(array); }
+JALON_CSHARP_EXPORT void jalon_csharp_array_free(void* array) {
+  delete static_cast<jalon_binding::ArrayIn*>(array);
+}
 /** The callbacks of a task (nullptr: none); a failure as of any call. */
 JALON_CSHARP_EXPORT void jalon_csharp_callbacks(jalon_binding::Handle<jalon_task>* task,
-                                                jalon_csharp::ManagedProgress progress, jalon_csharp::ManagedLog log,
-                                                void* user) {
+                                                jalon_csharp::ManagedProgress progress,
+                                                jalon_csharp::ManagedLog log, void* user) {
   try {
     jalon_csharp::set_callbacks(task, jalon_csharp::Callbacks{progress, log, user});
   } catch (...) {

@@ -76,7 +76,8 @@ class Owned {
  public:
   Owned() = default;
   explicit Owned(H* handle) : handle_(handle) { count(); }
-  Owned(Owned&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)), counted_(other.counted_) {}
+  Owned(Owned&& other) noexcept
+      : handle_(std::exchange(other.handle_, nullptr)), counted_(other.counted_) {}
   Owned& operator=(Owned&&) = delete;
   ~Owned() {
     if (handle_ == nullptr) return;
@@ -116,7 +117,9 @@ class Handle {
   /** Gives the native memory back now. Closing twice is harmless. */
   void close() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (uses_ != 0) throw Failure{JALON_ERROR_BUSY, std::string(Ownership<H>::text()) + " is in use by a running call"};
+    if (uses_ != 0)
+      throw Failure{JALON_ERROR_BUSY,
+                    std::string(Ownership<H>::text()) + " is in use by a running call"};
     drop();
   }
   bool closed() const {
@@ -126,7 +129,8 @@ class Handle {
 
   H* begin_use() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (handle_ == nullptr) throw Failure{kClosed, std::string(Ownership<H>::text()) + " is closed"};
+    if (handle_ == nullptr)
+      throw Failure{kClosed, std::string(Ownership<H>::text()) + " is closed"};
     ++uses_;
     return handle_;
   }

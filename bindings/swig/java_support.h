@@ -17,7 +17,8 @@ using jalon_binding::Failure;
 inline jbyteArray bytes_of(JNIEnv* env, const std::string& text) {
   const jsize size = static_cast<jsize>(text.size());
   jbyteArray bytes = env->NewByteArray(size);
-  if (bytes != nullptr) env->SetByteArrayRegion(bytes, 0, size, reinterpret_cast<const jbyte*>(text.data()));
+  if (bytes != nullptr)
+    env->SetByteArrayRegion(bytes, 0, size, reinterpret_cast<const jbyte*>(text.data()));
   return bytes;
 }
 
@@ -30,8 +31,10 @@ inline void raise_failure(JNIEnv* env, const Failure& failure) {
   jmethodID of = env->GetStaticMethodID(type, "of", "(I[B)Lorg/jalon/JalonException;");
   jbyteArray message = of == nullptr ? nullptr : bytes_of(env, failure.message);
   if (message == nullptr) return;
-  jobject exception = env->CallStaticObjectMethod(type, of, static_cast<jint>(failure.status), message);
-  if (!env->ExceptionCheck() && exception != nullptr) env->Throw(static_cast<jthrowable>(exception));
+  jobject exception =
+      env->CallStaticObjectMethod(type, of, static_cast<jint>(failure.status), message);
+  if (!env->ExceptionCheck() && exception != nullptr)
+    env->Throw(static_cast<jthrowable>(exception));
 }
 
 /** A text as UTF-8 bytes that end with 0; null is no text. */
@@ -77,11 +80,12 @@ class Elements {
     jclass type = env->GetObjectClass(rows);
     object_ = env->GetObjectField(rows, env->GetFieldID(type, "memory", "Ljava/lang/Object;"));
     array_.type = env->GetIntField(rows, env->GetFieldID(type, "type", "I"));
-    array_.count = static_cast<std::uint64_t>(env->GetLongField(rows, env->GetFieldID(type, "count", "J")));
-    array_.components =
-        static_cast<std::uint32_t>(env->GetIntField(rows, env->GetFieldID(type, "components", "I")));
-    array_.stride_bytes =
-        static_cast<std::uint64_t>(env->GetLongField(rows, env->GetFieldID(type, "strideBytes", "J")));
+    array_.count =
+        static_cast<std::uint64_t>(env->GetLongField(rows, env->GetFieldID(type, "count", "J")));
+    array_.components = static_cast<std::uint32_t>(
+        env->GetIntField(rows, env->GetFieldID(type, "components", "I")));
+    array_.stride_bytes = static_cast<std::uint64_t>(
+        env->GetLongField(rows, env->GetFieldID(type, "strideBytes", "J")));
     array_.flat = array_.components == 1;
     array_.data = env->GetDirectBufferAddress(object_);
     if (array_.data == nullptr && array_.count != 0) {
@@ -94,31 +98,38 @@ class Elements {
     *to = &array_;
     return true;
   }
-  bool take(JNIEnv* env, jobject object, const ArrayIn** to) { return take(env, object, const_cast<ArrayIn**>(to)); }
+  bool take(JNIEnv* env, jobject object, const ArrayIn** to) {
+    return take(env, object, const_cast<ArrayIn**>(to));
+  }
 
  private:
   bool copy_elements() {
     switch (array_.type) {
       case JALON_FLOAT64:
-        return copy<jdoubleArray>(&JNIEnv::GetDoubleArrayElements, &JNIEnv::ReleaseDoubleArrayElements);
+        return copy<jdoubleArray>(&JNIEnv::GetDoubleArrayElements,
+                                  &JNIEnv::ReleaseDoubleArrayElements);
       case JALON_FLOAT32:
-        return copy<jfloatArray>(&JNIEnv::GetFloatArrayElements, &JNIEnv::ReleaseFloatArrayElements);
+        return copy<jfloatArray>(&JNIEnv::GetFloatArrayElements,
+                                 &JNIEnv::ReleaseFloatArrayElements);
       case JALON_INT64:
         return copy<jlongArray>(&JNIEnv::GetLongArrayElements, &JNIEnv::ReleaseLongArrayElements);
       case JALON_INT32:
         return copy<jintArray>(&JNIEnv::GetIntArrayElements, &JNIEnv::ReleaseIntArrayElements);
       case JALON_INT16:
-        return copy<jshortArray>(&JNIEnv::GetShortArrayElements, &JNIEnv::ReleaseShortArrayElements);
+        return copy<jshortArray>(&JNIEnv::GetShortArrayElements,
+                                 &JNIEnv::ReleaseShortArrayElements);
       default:
         return copy<jbyteArray>(&JNIEnv::GetByteArrayElements, &JNIEnv::ReleaseByteArrayElements);
     }
   }
   template <class JArray, class Element>
-  bool copy(Element* (JNIEnv::*get)(JArray, jboolean*), void (JNIEnv::*release)(JArray, Element*, jint)) {
+  bool copy(Element* (JNIEnv::*get)(JArray, jboolean*),
+            void (JNIEnv::*release)(JArray, Element*, jint)) {
     memory_ = (env_->*get)(static_cast<JArray>(object_), nullptr);
     static void (JNIEnv::*releaser)(JArray, Element*, jint) = release;
     release_ = [](JNIEnv* env, jobject object, void* memory) {
-      if (memory != nullptr) (env->*releaser)(static_cast<JArray>(object), static_cast<Element*>(memory), JNI_ABORT);
+      if (memory != nullptr)
+        (env->*releaser)(static_cast<JArray>(object), static_cast<Element*>(memory), JNI_ABORT);
     };
     return memory_ != nullptr;
   }
@@ -135,18 +146,21 @@ inline jdoubleArray doubles_of(JNIEnv* env, Array* numbers) {
   const std::unique_ptr<Array> taken(numbers);
   const jsize size = static_cast<jsize>(taken->count() * taken->components());
   jdoubleArray array = env->NewDoubleArray(size);
-  if (array != nullptr) env->SetDoubleArrayRegion(array, 0, size, static_cast<const jdouble*>(taken->data()));
+  if (array != nullptr)
+    env->SetDoubleArrayRegion(array, 0, size, static_cast<const jdouble*>(taken->data()));
   return array;
 }
 
 /** The memory of so many items; it must not outlive the array. */
-inline jobject buffer_of(JNIEnv* env, const Array& array, std::uint64_t first, std::uint64_t items) {
+inline jobject buffer_of(JNIEnv* env, const Array& array, std::uint64_t first,
+                         std::uint64_t items) {
   static char nothing[1];
   const std::uint64_t stride = array.stride_bytes();
   if (stride != 0 && items > 0x7fffffff / stride) {
-    throw Failure{JALON_ERROR_LIMIT,
-                  std::to_string(items) + " items of " + std::to_string(stride) +
-                      " bytes: a Java buffer shows 2^31 - 1 bytes; take pieces with bytes(first, items)"};
+    throw Failure{
+        JALON_ERROR_LIMIT,
+        std::to_string(items) + " items of " + std::to_string(stride) +
+            " bytes: a Java buffer shows 2^31 - 1 bytes; take pieces with bytes(first, items)"};
   }
   char* data = static_cast<char*>(const_cast<void*>(array.data()));
   return env->NewDirectByteBuffer(data == nullptr ? nothing : data + first * stride,

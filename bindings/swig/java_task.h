@@ -68,8 +68,10 @@ inline std::int32_t on_progress(double fraction, const char* stage, void* user) 
     jbyteArray text = listener == nullptr ? nullptr : bytes_of(env, stage == nullptr ? "" : stage);
     jclass calls = text == nullptr ? nullptr : env->FindClass("org/jalon/Text");
     if (calls == nullptr) return;
-    jmethodID method = env->GetStaticMethodID(calls, "progress", "(Lorg/jalon/ProgressListener;D[B)Z");
-    if (method != nullptr) go_on = env->CallStaticBooleanMethod(calls, method, listener, fraction, text) != JNI_FALSE;
+    jmethodID method =
+        env->GetStaticMethodID(calls, "progress", "(Lorg/jalon/ProgressListener;D[B)Z");
+    if (method != nullptr)
+      go_on = env->CallStaticBooleanMethod(calls, method, listener, fraction, text) != JNI_FALSE;
   });
   return fine && go_on ? 0 : 1;
 }
@@ -82,7 +84,8 @@ inline void on_log(std::int32_t level, const char* line, void* user) {
     jclass calls = text == nullptr ? nullptr : env->FindClass("org/jalon/Text");
     if (calls == nullptr) return;
     jmethodID method = env->GetStaticMethodID(calls, "log", "(Lorg/jalon/LogListener;I[B)V");
-    if (method != nullptr) env->CallStaticVoidMethod(calls, method, listener, static_cast<jint>(level), text);
+    if (method != nullptr)
+      env->CallStaticVoidMethod(calls, method, listener, static_cast<jint>(level), text);
   });
 }
 
@@ -92,7 +95,8 @@ inline void listen(JNIEnv* env, jalon_binding::Task& task, jobject progress, job
   if (task.host == nullptr) task.host = std::make_shared<Listeners>(env);
   Listeners& listeners = *static_cast<Listeners*>(task.host.get());
   listeners.set(env, progress, log);
-  jalon_binding::check(jalon_task_set_progress(use, progress == nullptr ? nullptr : on_progress, &listeners));
+  jalon_binding::check(
+      jalon_task_set_progress(use, progress == nullptr ? nullptr : on_progress, &listeners));
   jalon_binding::check(jalon_task_set_log(use, log == nullptr ? nullptr : on_log, &listeners));
 }
 

@@ -67,7 +67,8 @@ class Targets {
       target.name = names_.back().c_str();
     }
     target.xyz = *point.as<jalon_vec3>();
-    if (covariance != nullptr) std::memcpy(target.covariance, spread.as<double>(), sizeof target.covariance);
+    if (covariance != nullptr)
+      std::memcpy(target.covariance, spread.as<double>(), sizeof target.covariance);
     targets_.push_back(target);
   }
   std::uint64_t count() const { return targets_.size(); }

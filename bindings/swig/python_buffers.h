@@ -67,16 +67,19 @@ class Buffer {
     held_ = true;
     array_.type = type_of_format(view_.format, view_.itemsize);
     if (array_.type == 0) {
-      PyErr_Format(PyExc_TypeError,
-                   "arrays of format '%s' are not taken: numbers of 8 to 64 bits in native byte order are",
-                   view_.format);
+      PyErr_Format(
+          PyExc_TypeError,
+          "arrays of format '%s' are not taken: numbers of 8 to 64 bits in native byte order are",
+          view_.format);
       return false;
     }
     if (!lay_out()) return false;
     *to = &array_;
     return true;
   }
-  bool take(PyObject* object, const ArrayIn** to) { return take(object, const_cast<ArrayIn**>(to)); }
+  bool take(PyObject* object, const ArrayIn** to) {
+    return take(object, const_cast<ArrayIn**>(to));
+  }
 
  private:
   /** Items along the first axis; the others must be side by side, else one packed copy is made. */

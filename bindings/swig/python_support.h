@@ -76,10 +76,11 @@ inline void raise_failure(const Failure& failure) {
     return;
   }
   PyObject* status = PyLong_FromLong(failure.status);
-  PyObject* found = errors() == nullptr || status == nullptr ? nullptr : PyDict_GetItem(errors(), status);
+  PyObject* found =
+      errors() == nullptr || status == nullptr ? nullptr : PyDict_GetItem(errors(), status);
   Py_XDECREF(status);
-  PyObject* text =
-      PyUnicode_DecodeUTF8(failure.message.data(), static_cast<Py_ssize_t>(failure.message.size()), "replace");
+  PyObject* text = PyUnicode_DecodeUTF8(failure.message.data(),
+                                        static_cast<Py_ssize_t>(failure.message.size()), "replace");
   if (text == nullptr) return;
   PyErr_SetObject(found != nullptr ? found : PyExc_RuntimeError, text);
   Py_DECREF(text);
@@ -101,7 +102,8 @@ class Text {
     }
     bytes_ = PyUnicode_AsEncodedString(object, "utf-8", "surrogateescape");
     if (bytes_ == nullptr) return false;
-    if (static_cast<std::size_t>(PyBytes_GET_SIZE(bytes_)) != std::strlen(PyBytes_AS_STRING(bytes_))) {
+    if (static_cast<std::size_t>(PyBytes_GET_SIZE(bytes_)) !=
+        std::strlen(PyBytes_AS_STRING(bytes_))) {
       PyErr_SetString(PyExc_ValueError, "embedded null character");
       return false;
     }
@@ -144,9 +146,11 @@ inline int32_t on_progress(double fraction, const char* stage, void* user) {
 inline void on_log(int32_t level, const char* text, void* user) {
   const Locked locked;
   if (pending().type != nullptr) return;
-  PyObject* line = PyUnicode_DecodeUTF8(text, static_cast<Py_ssize_t>(std::strlen(text)), "replace");
-  PyObject* answer =
-      line == nullptr ? nullptr : PyObject_CallFunction(static_cast<Callbacks*>(user)->log, "iO", level, line);
+  PyObject* line =
+      PyUnicode_DecodeUTF8(text, static_cast<Py_ssize_t>(std::strlen(text)), "replace");
+  PyObject* answer = line == nullptr ? nullptr
+                                     : PyObject_CallFunction(static_cast<Callbacks*>(user)->log,
+                                                             "iO", level, line);
   if (answer == nullptr) keep_exception();
   Py_XDECREF(line);
   Py_XDECREF(answer);
@@ -159,7 +163,8 @@ inline void set_callbacks(Handle<jalon_task>* box, PyObject* progress, PyObject*
   if (log != Py_None) Py_XINCREF(callbacks->log = log);
   const jalon_binding::Use<jalon_task> task(box);
   jalon_binding::check(jalon_task_set_progress(task, on_progress, callbacks.get()));
-  jalon_binding::check(jalon_task_set_log(task, callbacks->log == nullptr ? nullptr : on_log, callbacks.get()));
+  jalon_binding::check(
+      jalon_task_set_log(task, callbacks->log == nullptr ? nullptr : on_log, callbacks.get()));
   box->host = callbacks;
 }
 
@@ -168,7 +173,8 @@ class CallTask {
  public:
   bool make(PyObject* progress) {
     if (progress != Py_None && !PyCallable_Check(progress)) {
-      PyErr_Format(PyExc_TypeError, "progress must be callable, not %s", Py_TYPE(progress)->tp_name);
+      PyErr_Format(PyExc_TypeError, "progress must be callable, not %s",
+                   Py_TYPE(progress)->tp_name);
       return false;
     }
     try {

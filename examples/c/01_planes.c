@@ -9,7 +9,8 @@
 
 /* Every call says whether it worked; the line tells why not. */
 static int failed(jalon_status status) {
-  if (status != JALON_OK) fprintf(stderr, "%s: %s\n", jalon_status_name(status), jalon_last_error_message());
+  if (status != JALON_OK)
+    fprintf(stderr, "%s: %s\n", jalon_status_name(status), jalon_last_error_message());
   return status != JALON_OK;
 }
 
@@ -23,10 +24,12 @@ int main(int argc, char** argv) {
   int bad;
 
   if (argc != 2) return fprintf(stderr, "usage: %s SCAN\n", argv[0]), 2;
-  bad = failed(jalon_cloud_read(argv[1], NULL, NULL, &cloud)) || failed(jalon_segmenter_create("ransac", &segmenter)) ||
+  bad = failed(jalon_cloud_read(argv[1], NULL, NULL, &cloud)) ||
+        failed(jalon_segmenter_create("ransac", &segmenter)) ||
         failed(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation)) ||
         failed(jalon_segmentation_segments(segmentation, &segments)) ||
-        failed(jalon_fields_view(segments, "area", &area)) || failed(jalon_fields_view(segments, "sigma", &sigma));
+        failed(jalon_fields_view(segments, "area", &area)) ||
+        failed(jalon_fields_view(segments, "sigma", &sigma));
   for (i = 0; !bad && i < area.count; ++i)
     printf("plane %2d: %7.2f m2, sigma %.1f mm\n", (int)i + 1, ((const double*)area.data)[i],
            1000 * ((const double*)sigma.data)[i]);

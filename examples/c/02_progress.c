@@ -29,13 +29,14 @@ int main(void) {
     xyz[3 * i] = x, xyz[3 * i + 1] = y, xyz[3 * i + 2] = -0.02f * (x * x + y * y);
   }
   bad = jalon_cloud_create(xyz, JALON_FLOAT32, SIDE * SIDE, 0, 0, &cloud) != JALON_OK ||
-        jalon_task_create(&task) != JALON_OK || jalon_task_set_progress(task, show, NULL) != JALON_OK ||
+        jalon_task_create(&task) != JALON_OK ||
+        jalon_task_set_progress(task, show, NULL) != JALON_OK ||
         jalon_params_create("normals", &options) != JALON_OK ||
         jalon_params_set_int64(options, "k", 16) != JALON_OK ||
         jalon_cloud_compute_normals(cloud, options, task) != JALON_OK ||
-        jalon_cloud_fields(cloud, &fields) != JALON_OK || jalon_fields_view(fields, "normal", &normals) != JALON_OK;
-  if (bad)
-    fprintf(stderr, "%s\n", jalon_last_error_message());
+        jalon_cloud_fields(cloud, &fields) != JALON_OK ||
+        jalon_fields_view(fields, "normal", &normals) != JALON_OK;
+  if (bad) fprintf(stderr, "%s\n", jalon_last_error_message());
   else {
     const float* n = (const float*)normals.data + 3 * (SIDE * SIDE / 2 + SIDE / 2);
     printf("\nnormal at the top: %.4f %.4f %.4f\n", n[0], n[1], n[2]);

@@ -10,7 +10,8 @@
 #include <string.h>
 
 static int failed(jalon_status status) {
-  if (status != JALON_OK) fprintf(stderr, "%s: %s\n", jalon_status_name(status), jalon_last_error_message());
+  if (status != JALON_OK)
+    fprintf(stderr, "%s: %s\n", jalon_status_name(status), jalon_last_error_message());
   return status != JALON_OK;
 }
 
@@ -40,15 +41,18 @@ int main(int argc, char** argv) {
   int bad;
   if (argc != 3) return fprintf(stderr, "usage: %s SCAN MODEL\n", argv[0]), 2;
   bad = make_model(argv[1], &model) || failed(jalon_model_write(model, argv[2], NULL, NULL)) ||
-        failed(jalon_model_faces(model, &faces)) || failed(jalon_fields_view(faces, "area", &area)) ||
-        failed(jalon_model_parts(model, &parts)) || failed(jalon_fields_view(parts, "width", &width)) ||
+        failed(jalon_model_faces(model, &faces)) ||
+        failed(jalon_fields_view(faces, "area", &area)) ||
+        failed(jalon_model_parts(model, &parts)) ||
+        failed(jalon_fields_view(parts, "width", &width)) ||
         failed(jalon_fields_view(parts, "height", &height));
   if (!bad) printf("%d faces\n", (int)area.count);
   for (i = 0; !bad && i < width.count; ++i) {
     const char *name, *part_class;
     bad = failed(jalon_model_part(model, i, &name, &part_class, NULL));
     if (!bad && (strcmp(part_class, "window") == 0 || strcmp(part_class, "door") == 0))
-      printf("%s: %.3f x %.3f m\n", name, ((const double*)width.data)[i], ((const double*)height.data)[i]);
+      printf("%s: %.3f x %.3f m\n", name, ((const double*)width.data)[i],
+             ((const double*)height.data)[i]);
   }
   jalon_fields_release(faces);
   jalon_fields_release(parts);

@@ -9,12 +9,14 @@
 #include <stdio.h>
 
 static int failed(jalon_status status) {
-  if (status != JALON_OK) fprintf(stderr, "%s: %s\n", jalon_status_name(status), jalon_last_error_message());
+  if (status != JALON_OK)
+    fprintf(stderr, "%s: %s\n", jalon_status_name(status), jalon_last_error_message());
   return status != JALON_OK;
 }
 
 /* Distances from local planes of the reference; only what its scanners could have seen counts. */
-static int compare(const jalon_cloud* before, const jalon_cloud* after, jalon_comparison** comparison) {
+static int compare(const jalon_cloud* before, const jalon_cloud* after,
+                   jalon_comparison** comparison) {
   jalon_comparer* comparer = NULL;
   jalon_params* params = NULL;
   const int bad = failed(jalon_comparer_create("distance", &comparer)) ||
@@ -41,8 +43,9 @@ static int list_regions(const jalon_comparison* comparison) {
                   failed(jalon_fields_view(regions, "area", &area)) ||
                   failed(jalon_fields_view(regions, "mean", &mean));
   for (i = 0; !bad && i < points.count; ++i)
-    printf("region %d: %d points, %.3f m2, mean %.3f m\n", (int)i + 1, (int)((const uint64_t*)points.data)[i],
-           ((const double*)area.data)[i], ((const double*)mean.data)[i]);
+    printf("region %d: %d points, %.3f m2, mean %.3f m\n", (int)i + 1,
+           (int)((const uint64_t*)points.data)[i], ((const double*)area.data)[i],
+           ((const double*)mean.data)[i]);
   jalon_fields_release(regions);
   jalon_params_release(options);
   return bad;
@@ -54,8 +57,8 @@ int main(int argc, char** argv) {
   int bad;
   if (argc != 3) return fprintf(stderr, "usage: %s BEFORE AFTER\n", argv[0]), 2;
   bad = failed(jalon_cloud_read(argv[1], NULL, NULL, &before)) ||
-        failed(jalon_cloud_read(argv[2], NULL, NULL, &after)) || compare(before, after, &comparison) ||
-        list_regions(comparison);
+        failed(jalon_cloud_read(argv[2], NULL, NULL, &after)) ||
+        compare(before, after, &comparison) || list_regions(comparison);
   jalon_comparison_release(comparison);
   jalon_cloud_release(after);
   jalon_cloud_release(before);

@@ -51,8 +51,10 @@ JALON_BEGIN_C
  * jalon_cloud_volume.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_regions(const jalon_comparison* comparison,
-                                                const jalon_params* options, jalon_task* task,
-                                                jalon_fields** out_points, jalon_fields** out_regions);
+                                                            const jalon_params* options,
+                                                            jalon_task* task,
+                                                            jalon_fields** out_points,
+                                                            jalon_fields** out_regions);
 
 /** What happened to an object (Girardeau-Montaut 2006, 1.1 and annex B). */
 enum {
@@ -107,11 +109,10 @@ enum {
  *     rotation         float64 x 3   rad   rotation vector
  *     covariance       float64 x 36  -     of rotation (rad) and displacement (m), row-major
  */
-JALON_API JALON_CHECK jalon_status jalon_comparison_diagnose(const jalon_comparison* forward,
-                                                 const jalon_comparison* reverse,
-                                                 const jalon_params* options, jalon_task* task,
-                                                 jalon_fields** out_forward, jalon_fields** out_reverse,
-                                                 jalon_fields** out_changes);
+JALON_API JALON_CHECK jalon_status
+jalon_comparison_diagnose(const jalon_comparison* forward, const jalon_comparison* reverse,
+                          const jalon_params* options, jalon_task* task, jalon_fields** out_forward,
+                          jalon_fields** out_reverse, jalon_fields** out_changes);
 
 /**
  * Outlines of change regions as a model, for maps and drawings: jalon_model_write makes GeoJSON,
@@ -136,12 +137,10 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_diagnose(const jalon_compari
  * JALON_ERROR_INVALID_ARGUMENT when the tables do not fit the comparisons. Without regions the
  * model has no faces. O(m log n) for m changed points of n.
  */
-JALON_API JALON_CHECK jalon_status jalon_comparison_outlines(const jalon_comparison* forward,
-                                                 const jalon_fields* forward_points,
-                                                 const jalon_comparison* reverse,
-                                                 const jalon_fields* reverse_points,
-                                                 const jalon_fields* changes, const jalon_params* options,
-                                                 jalon_task* task, jalon_model** out);
+JALON_API JALON_CHECK jalon_status jalon_comparison_outlines(
+    const jalon_comparison* forward, const jalon_fields* forward_points,
+    const jalon_comparison* reverse, const jalon_fields* reverse_points,
+    const jalon_fields* changes, const jalon_params* options, jalon_task* task, jalon_model** out);
 
 JALON_END_C
 

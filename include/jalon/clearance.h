@@ -49,8 +49,10 @@ JALON_BEGIN_C
  *     inside      uint64       -     points inside
  */
 JALON_API JALON_CHECK jalon_status jalon_model_clearance(const jalon_model* model, uint64_t part,
-                                             const jalon_cloud* cloud, const jalon_params* options,
-                                             jalon_task* task, jalon_fields** summary, jalon_fields** near_points);
+                                                         const jalon_cloud* cloud,
+                                                         const jalon_params* options,
+                                                         jalon_task* task, jalon_fields** summary,
+                                                         jalon_fields** near_points);
 /**
  * The same of two models or parts of them. JALON_ERROR_UNSUPPORTED in a library built without FCL.
  *
@@ -81,10 +83,10 @@ JALON_API JALON_CHECK jalon_status jalon_model_clearance(const jalon_model* mode
  * small; clearance is its negative, and xyz and foot are the deepest point and its nearest. Where
  * neither is closed, depth is NaN and the clearance 0.
  */
-JALON_API JALON_CHECK jalon_status jalon_model_clearance_to_model(const jalon_model* model, uint64_t part,
-                                                      const jalon_model* other, uint64_t other_part,
-                                                      const jalon_params* options, jalon_task* task,
-                                                      jalon_fields** summary, jalon_fields** near_faces);
+JALON_API JALON_CHECK jalon_status
+jalon_model_clearance_to_model(const jalon_model* model, uint64_t part, const jalon_model* other,
+                               uint64_t other_part, const jalon_params* options, jalon_task* task,
+                               jalon_fields** summary, jalon_fields** near_faces);
 
 /** Kinds of gauge pieces. */
 enum {
@@ -97,10 +99,12 @@ enum {
 /** One solid convex piece of a gauge. Frozen. */
 typedef struct jalon_gauge_piece {
   int32_t kind;
-  int32_t reserved;       /**< 0 */
-  jalon_transform frame;  /**< T_gauge_piece: rigid; the centre of boxes, spheres and cylinders is its origin */
-  jalon_vec3 size;        /**< m; not read for hulls */
-  uint64_t first, count;  /**< hulls: 4 to 4096 points in the gauge's frame moved by frame, not all in one plane */
+  int32_t reserved; /**< 0 */
+  jalon_transform
+      frame; /**< T_gauge_piece: rigid; the centre of boxes, spheres and cylinders is its origin */
+  jalon_vec3 size; /**< m; not read for hulls */
+  uint64_t first,
+      count; /**< hulls: 4 to 4096 points in the gauge's frame moved by frame, not all in one plane */
 } jalon_gauge_piece;
 
 /**
@@ -138,21 +142,20 @@ typedef struct jalon_gauge_piece {
  * out are cut further. Clearance in a piece is that of the deepest point of the obstacle below that
  * piece's surface. O(poses (near points) log); parallel over the intervals.
  */
-JALON_API JALON_CHECK jalon_status jalon_gauge_sweep(const jalon_gauge_piece* pieces, uint64_t piece_count,
-                                         const double* hull_points, uint64_t hull_point_count,
-                                         const jalon_transform* poses, uint64_t pose_count,
-                                         const jalon_cloud* cloud, const jalon_model* model,
-                                         const jalon_params* options, jalon_task* task, jalon_fields** places,
-                                         jalon_fields** intervals);
+JALON_API JALON_CHECK jalon_status
+jalon_gauge_sweep(const jalon_gauge_piece* pieces, uint64_t piece_count, const double* hull_points,
+                  uint64_t hull_point_count, const jalon_transform* poses, uint64_t pose_count,
+                  const jalon_cloud* cloud, const jalon_model* model, const jalon_params* options,
+                  jalon_task* task, jalon_fields** places, jalon_fields** intervals);
 /**
  * The same with a model as the gauge: each part with a surface of its own is one convex piece, in the order of the
  * parts; a mesh without parts is one piece. JALON_ERROR_INVALID_ARGUMENT for a part that is not convex,
  * JALON_ERROR_DEGENERATE for a flat one.
  */
-JALON_API JALON_CHECK jalon_status jalon_gauge_sweep_model(const jalon_model* gauge, const jalon_transform* poses,
-                                               uint64_t pose_count, const jalon_cloud* cloud,
-                                               const jalon_model* model, const jalon_params* options,
-                                               jalon_task* task, jalon_fields** places, jalon_fields** intervals);
+JALON_API JALON_CHECK jalon_status jalon_gauge_sweep_model(
+    const jalon_model* gauge, const jalon_transform* poses, uint64_t pose_count,
+    const jalon_cloud* cloud, const jalon_model* model, const jalon_params* options,
+    jalon_task* task, jalon_fields** places, jalon_fields** intervals);
 
 JALON_END_C
 

@@ -22,12 +22,12 @@ typedef struct jalon_comparison jalon_comparison;
 
 /** What became of a compared point; 0 to 3 are the labels of the visibility test, the best known first. */
 enum {
-  JALON_COMPARED = 0,       /**< it has a distance */
-  JALON_HIDDEN = 1,         /**< behind what the reference's scanners saw */
-  JALON_OUT_OF_RANGE = 2,   /**< farther than they reach */
-  JALON_OUT_OF_FIELD = 3,   /**< outside their field of view */
-  JALON_NOTHING_NEAR = 4,   /**< no reference within max_distance_m */
-  JALON_TOO_FEW_POINTS = 5  /**< too few points around it for a value */
+  JALON_COMPARED = 0,      /**< it has a distance */
+  JALON_HIDDEN = 1,        /**< behind what the reference's scanners saw */
+  JALON_OUT_OF_RANGE = 2,  /**< farther than they reach */
+  JALON_OUT_OF_FIELD = 3,  /**< outside their field of view */
+  JALON_NOTHING_NEAR = 4,  /**< no reference within max_distance_m */
+  JALON_TOO_FEW_POINTS = 5 /**< too few points around it for a value */
 };
 
 /**
@@ -47,19 +47,22 @@ enum {
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
 /** The names of the methods, the default first. Static texts. */
-JALON_API JALON_CHECK jalon_status jalon_comparer_methods(const char* const** names, uint64_t* count);
+JALON_API JALON_CHECK jalon_status jalon_comparer_methods(const char* const** names,
+                                                          uint64_t* count);
 JALON_API jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer);
 JALON_API void jalon_comparer_release(jalon_comparer* comparer);
 /** The comparer's own parameter set: setting it changes the comparer. The caller releases it. */
-JALON_API JALON_CHECK jalon_status jalon_comparer_params(jalon_comparer* comparer, jalon_params** out);
+JALON_API JALON_CHECK jalon_status jalon_comparer_params(jalon_comparer* comparer,
+                                                         jalon_params** out);
 /**
  * Compares a cloud with a reference cloud. JALON_ERROR_INSUFFICIENT_DATA when either is empty;
  * JALON_ERROR_INVALID_ARGUMENT when both have a CRS and these differ. Points without a value have the distance NaN and
  * a status that says why; when that is so for all of them, the call still succeeds.
  */
-JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comparer, const jalon_cloud* reference,
-                                          const jalon_cloud* compared, jalon_task* task,
-                                          jalon_comparison** out);
+JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comparer,
+                                                      const jalon_cloud* reference,
+                                                      const jalon_cloud* compared, jalon_task* task,
+                                                      jalon_comparison** out);
 
 /**
  * Compares a cloud with a reference model by method "distance"; other methods are
@@ -85,15 +88,17 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_run(const jalon_comparer* comp
  * model with a model, take points on one of them with jalon_model_sample.
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_run_model(const jalon_comparer* comparer,
-                                                const jalon_model* reference, const jalon_cloud* compared,
-                                                jalon_task* task, jalon_comparison** out);
+                                                            const jalon_model* reference,
+                                                            const jalon_cloud* compared,
+                                                            jalon_task* task,
+                                                            jalon_comparison** out);
 /**
  * As jalon_comparer_run, at given core points: the places where distances are measured, of any origin; the rows of the
  * comparison are theirs. Method "m3c2"; others are JALON_ERROR_UNSUPPORTED.
  */
-JALON_API JALON_CHECK jalon_status jalon_comparer_run_core(const jalon_comparer* comparer, const jalon_cloud* reference,
-                                               const jalon_cloud* compared, const jalon_cloud* core,
-                                               jalon_task* task, jalon_comparison** out);
+JALON_API JALON_CHECK jalon_status jalon_comparer_run_core(
+    const jalon_comparer* comparer, const jalon_cloud* reference, const jalon_cloud* compared,
+    const jalon_cloud* core, jalon_task* task, jalon_comparison** out);
 
 /**
  * Sets the parameters of method "m3c2" (others: JALON_ERROR_UNSUPPORTED) from a parameter file of CloudCompare's M3C2
@@ -106,8 +111,9 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_run_core(const jalon_comparer*
  * counterpart (PositiveSearchOnly, UsePrecisionMaps, other NormalPreferedOri) is JALON_ERROR_UNSUPPORTED; a file of
  * another kind or with a value that is no number JALON_ERROR_FORMAT; the parameters are unchanged then.
  */
-JALON_API JALON_CHECK jalon_status jalon_comparer_read_m3c2_file(jalon_comparer* comparer, const char* path,
-                                                     jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_comparer_read_m3c2_file(jalon_comparer* comparer,
+                                                                 const char* path,
+                                                                 jalon_task* task);
 
 JALON_API jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison);
 JALON_API void jalon_comparison_release(jalon_comparison* comparison);
@@ -164,7 +170,8 @@ JALON_API void jalon_comparison_release(jalon_comparison* comparison);
  *     column       type     unit  meaning
  *     plane_angle  float64  rad   between the planes of both clouds in the cell
  */
-JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_comparison* comparison,
+                                                           jalon_fields** out);
 /**
  * One row. Every method:
  *     column          type     unit  meaning
@@ -216,7 +223,8 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_compariso
  *     angle_minimum  float64  rad   least angle
  *     angle_maximum  float64  rad   largest angle
  */
-JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparison* comparison,
+                                                            jalon_fields** out);
 /**
  * The check of a reference model part by part: one row a part of it (names: jalon_model_part), for
  * the points whose nearest surface is of the part. A comparison with a cloud, or with a model
@@ -232,21 +240,24 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_summary(const jalon_comparis
  *     within_tolerance  uint64   -     tolerance_m > 0: points at most that far away
  *     tolerance_share   float64  1     tolerance_m > 0: of the points
  */
-JALON_API JALON_CHECK jalon_status jalon_comparison_parts(const jalon_comparison* comparison, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_comparison_parts(const jalon_comparison* comparison,
+                                                          jalon_fields** out);
 /** A new cloud handle: the points of the rows with the columns attached as fields, ready to be written; shares the
  * coordinates. */
-JALON_API JALON_CHECK jalon_status jalon_comparison_cloud(const jalon_comparison* comparison, jalon_cloud** out);
+JALON_API JALON_CHECK jalon_status jalon_comparison_cloud(const jalon_comparison* comparison,
+                                                          jalon_cloud** out);
 /**
  * The set of closest points: the reference points that are nearest to a point of the comparison, each once, in their
  * order, with their fields. reference: the cloud that the comparison (method "distance") was made with;
  * JALON_ERROR_NOT_FOUND for a comparison without "nearest", JALON_ERROR_INVALID_ARGUMENT for a cloud with fewer points
  * than it names.
  */
-JALON_API JALON_CHECK jalon_status jalon_comparison_closest_points(const jalon_comparison* comparison,
-                                                       const jalon_cloud* reference, jalon_task* task,
-                                                       jalon_cloud** out);
+JALON_API JALON_CHECK jalon_status
+jalon_comparison_closest_points(const jalon_comparison* comparison, const jalon_cloud* reference,
+                                jalon_task* task, jalon_cloud** out);
 /** The parameters the comparison was made with as JSON. Valid as long as the handle. */
-JALON_API JALON_CHECK jalon_status jalon_comparison_parameters(const jalon_comparison* comparison, const char** out);
+JALON_API JALON_CHECK jalon_status jalon_comparison_parameters(const jalon_comparison* comparison,
+                                                               const char** out);
 
 JALON_END_C
 

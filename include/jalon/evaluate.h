@@ -28,9 +28,11 @@ typedef struct jalon_evaluation jalon_evaluation;
  * JALON_ERROR_INVALID_ARGUMENT for one that holds fractions or several components a point. An empty cloud gives a
  * segmentation without segments. O(n log n), parallel.
  */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_from_labels(const jalon_cloud* cloud, const char* label_field,
-                                                      const jalon_params* options, jalon_task* task,
-                                                      jalon_segmentation** out);
+JALON_API JALON_CHECK jalon_status jalon_segmentation_from_labels(const jalon_cloud* cloud,
+                                                                  const char* label_field,
+                                                                  const jalon_params* options,
+                                                                  jalon_task* task,
+                                                                  jalon_segmentation** out);
 
 /**
  * Compares two segmentations of one cloud: the same points in the same order, up to coordinate_tolerance_m; otherwise
@@ -44,9 +46,10 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_from_labels(const jalon_cl
  * Boulaassal 2010, 5.5.3.2 (eq. 5.9-5.11). Empty segmentations are no error. O(n log n + sparse assignment), parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_evaluate(const jalon_segmentation* automatic,
-                                                   const jalon_segmentation* reference,
-                                                   const jalon_params* options, jalon_task* task,
-                                                   jalon_evaluation** out);
+                                                               const jalon_segmentation* reference,
+                                                               const jalon_params* options,
+                                                               jalon_task* task,
+                                                               jalon_evaluation** out);
 JALON_API jalon_evaluation* jalon_evaluation_retain(jalon_evaluation* evaluation);
 JALON_API void jalon_evaluation_release(jalon_evaluation* evaluation);
 /**
@@ -67,7 +70,8 @@ JALON_API void jalon_evaluation_release(jalon_evaluation* evaluation);
  *     distance           float64  m       mean distance of A's points from SR's plane
  *     offset_difference  float64  m       signed: A's centroid beyond SR's plane
  */
-JALON_API JALON_CHECK jalon_status jalon_evaluation_pairs(const jalon_evaluation* evaluation, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_evaluation_pairs(const jalon_evaluation* evaluation,
+                                                          jalon_fields** out);
 /**
  * One row an automatic segment, in the order of its labels.
  *     column        type    unit    meaning
@@ -79,9 +83,11 @@ JALON_API JALON_CHECK jalon_status jalon_evaluation_pairs(const jalon_evaluation
  *     parts         uint32  -       segments of the other side that are parts of it
  *     covered       uint64  points  its points that segments of the other side hold
  */
-JALON_API JALON_CHECK jalon_status jalon_evaluation_automatic(const jalon_evaluation* evaluation, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_evaluation_automatic(const jalon_evaluation* evaluation,
+                                                              jalon_fields** out);
 /** The same columns of the reference segments. */
-JALON_API JALON_CHECK jalon_status jalon_evaluation_reference(const jalon_evaluation* evaluation, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_evaluation_reference(const jalon_evaluation* evaluation,
+                                                              jalon_fields** out);
 /**
  * One row.
  *     column                  type     unit    meaning
@@ -115,7 +121,8 @@ JALON_API JALON_CHECK jalon_status jalon_evaluation_reference(const jalon_evalua
  *     mean_offset_difference  float64  m       A's centroid beyond SR's plane
  *     std_offset_difference   float64  m       divided by n - 1
  */
-JALON_API JALON_CHECK jalon_status jalon_evaluation_totals(const jalon_evaluation* evaluation, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_evaluation_totals(const jalon_evaluation* evaluation,
+                                                           jalon_fields** out);
 
 /**
  * Confusion of two class fields (whole numbers, any element type) of one cloud. O(n log n),
@@ -151,10 +158,9 @@ JALON_API JALON_CHECK jalon_status jalon_evaluation_totals(const jalon_evaluatio
  *     mean_f1         float64  1       harmonic mean of both
  *     kappa           float64  1       agreement beyond chance (Cohen 1960)
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_confusion(const jalon_cloud* cloud, const char* class_field,
-                                             const char* reference_field, const jalon_params* options,
-                                             jalon_task* task, jalon_fields** classes,
-                                             jalon_fields** totals);
+JALON_API JALON_CHECK jalon_status jalon_cloud_confusion(
+    const jalon_cloud* cloud, const char* class_field, const char* reference_field,
+    const jalon_params* options, jalon_task* task, jalon_fields** classes, jalon_fields** totals);
 
 /* ---- models (Boulaassal 2010, 5.6) ---- */
 
@@ -177,9 +183,11 @@ typedef struct jalon_model_evaluation jalon_model_evaluation;
  * relative moves the model by the medians of its vertices' deviations first and compares again. Classes of parts choose
  * what counts: "classes", "ignored_classes". Empty models are no error. O(pairs of near faces x corners), parallel.
  */
-JALON_API JALON_CHECK jalon_status jalon_model_evaluate(const jalon_model* model, const jalon_model* reference,
-                                            const jalon_params* options, jalon_task* task,
-                                            jalon_model_evaluation** out);
+JALON_API JALON_CHECK jalon_status jalon_model_evaluate(const jalon_model* model,
+                                                        const jalon_model* reference,
+                                                        const jalon_params* options,
+                                                        jalon_task* task,
+                                                        jalon_model_evaluation** out);
 JALON_API jalon_model_evaluation* jalon_model_evaluation_retain(jalon_model_evaluation* evaluation);
 JALON_API void jalon_model_evaluation_release(jalon_model_evaluation* evaluation);
 /**
@@ -215,8 +223,8 @@ JALON_API void jalon_model_evaluation_release(jalon_model_evaluation* evaluation
  *     hausdorff95        float64  m     95 % of both borders are nearer
  *     hausdorff          float64  m     largest distance
  */
-JALON_API JALON_CHECK jalon_status jalon_model_evaluation_pairs(const jalon_model_evaluation* evaluation,
-                                                    jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_model_evaluation_pairs(const jalon_model_evaluation* evaluation, jalon_fields** out);
 /**
  * One row a face (or opening, or plane) of the automatic model. Faces of classes that do not count
  * and those without an area are not listed.
@@ -230,11 +238,11 @@ JALON_API JALON_CHECK jalon_status jalon_model_evaluation_pairs(const jalon_mode
  *     kept     uint8    -     1; 0 = left out, too small
  *     partner  uint32   -     row of the other side's table; UINT32_MAX = unmatched
  */
-JALON_API JALON_CHECK jalon_status jalon_model_evaluation_automatic(const jalon_model_evaluation* evaluation,
-                                                        jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_model_evaluation_automatic(const jalon_model_evaluation* evaluation, jalon_fields** out);
 /** The same columns of the reference. */
-JALON_API JALON_CHECK jalon_status jalon_model_evaluation_reference(const jalon_model_evaluation* evaluation,
-                                                        jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_model_evaluation_reference(const jalon_model_evaluation* evaluation, jalon_fields** out);
 /**
  * One row a pair of homologous vertices, ascending by place of the reference. Deviations are
  * automatic less reference, after the shift of "mode" = relative.
@@ -252,8 +260,8 @@ JALON_API JALON_CHECK jalon_status jalon_model_evaluation_reference(const jalon_
  *                                below 2.80 in 95 % of the cases where these are right; NaN where
  *                                neither has one
  */
-JALON_API JALON_CHECK jalon_status jalon_model_evaluation_vertices(const jalon_model_evaluation* evaluation,
-                                                       jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_model_evaluation_vertices(const jalon_model_evaluation* evaluation, jalon_fields** out);
 /**
  * One row; * stands for the columns of that name in the tables above.
  *     column                  type         unit  meaning
@@ -289,8 +297,8 @@ JALON_API JALON_CHECK jalon_status jalon_model_evaluation_vertices(const jalon_m
  *     within_95               float64      1     share of the vertices with covariances that lie in
  *                                                their 95 % ellipsoid
  */
-JALON_API JALON_CHECK jalon_status jalon_model_evaluation_totals(const jalon_model_evaluation* evaluation,
-                                                     jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_model_evaluation_totals(const jalon_model_evaluation* evaluation, jalon_fields** out);
 
 /**
  * The area indices of areas that are already known, e.g. of a printed table: count automatic areas,
@@ -306,9 +314,11 @@ JALON_API JALON_CHECK jalon_status jalon_model_evaluation_totals(const jalon_mod
  * JALON_ERROR_INVALID_ARGUMENT for an area that is negative or not finite, or an intersection
  * larger than one of its areas.
  */
-JALON_API JALON_CHECK jalon_status jalon_area_indices(const double* automatic_m2, const double* reference_m2,
-                                          const double* intersection_m2, uint64_t count, const jalon_params* options,
-                                          jalon_fields** rows, jalon_fields** totals);
+JALON_API JALON_CHECK jalon_status jalon_area_indices(const double* automatic_m2,
+                                                      const double* reference_m2,
+                                                      const double* intersection_m2, uint64_t count,
+                                                      const jalon_params* options,
+                                                      jalon_fields** rows, jalon_fields** totals);
 /**
  * The same of two regions of one plane (m). One row with the columns of the rows of
  * jalon_area_indices. O((n + k) log n) for n corners and k crossings.
@@ -322,10 +332,10 @@ JALON_API JALON_CHECK jalon_status jalon_area_indices(const double* automatic_m2
  * JALON_ERROR_INVALID_ARGUMENT for a coordinate that is not finite, JALON_ERROR_LIMIT for one
  * beyond 13 km.
  */
-JALON_API JALON_CHECK jalon_status jalon_polygon_indices(const double* automatic_uv, const uint64_t* automatic_rings,
-                                             uint64_t automatic_ring_count, const double* reference_uv,
-                                             const uint64_t* reference_rings, uint64_t reference_ring_count,
-                                             const jalon_params* options, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_polygon_indices(
+    const double* automatic_uv, const uint64_t* automatic_rings, uint64_t automatic_ring_count,
+    const double* reference_uv, const uint64_t* reference_rings, uint64_t reference_ring_count,
+    const jalon_params* options, jalon_fields** out);
 /**
  * Deviations of count vertices from their reference, pair by pair: x, y, z packed.
  *
@@ -336,8 +346,10 @@ JALON_API JALON_CHECK jalon_status jalon_polygon_indices(const double* automatic
  *
  * JALON_ERROR_INVALID_ARGUMENT for a coordinate that is not finite.
  */
-JALON_API JALON_CHECK jalon_status jalon_vertex_deviations(const double* automatic_xyz, const double* reference_xyz,
-                                               uint64_t count, jalon_fields** rows, jalon_fields** totals);
+JALON_API JALON_CHECK jalon_status jalon_vertex_deviations(const double* automatic_xyz,
+                                                           const double* reference_xyz,
+                                                           uint64_t count, jalon_fields** rows,
+                                                           jalon_fields** totals);
 
 JALON_END_C
 

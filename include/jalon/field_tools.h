@@ -39,15 +39,17 @@ typedef struct jalon_noise_law jalon_noise_law;
  * all equal, or not above 0 by half for a Weibull law. O(n), O(n log n) with shift or empirical.
  */
 JALON_API JALON_CHECK jalon_status jalon_noise_law_fit(const jalon_cloud* cloud, const char* field,
-                                           const jalon_params* options, jalon_task* task,
-                                           jalon_noise_law** out);
+                                                       const jalon_params* options,
+                                                       jalon_task* task, jalon_noise_law** out);
 /**
  * From JSON text: {"law": "weibull", "shape": 1.9, "scale": 0.004, "shift": 0}, {"law": "gauss", "mean": 0, "sigma":
  * 0.003} or {"law": "empirical", "quantiles": [...]}, with "samples", "chi_square" and "classes" where they are known.
  */
-JALON_API JALON_CHECK jalon_status jalon_noise_law_from_json(const char* json, jalon_noise_law** out);
+JALON_API JALON_CHECK jalon_status jalon_noise_law_from_json(const char* json,
+                                                             jalon_noise_law** out);
 /** The law as JSON text, which jalon_noise_law_from_json reads back to the same law. Lives as long as the law. */
-JALON_API JALON_CHECK jalon_status jalon_noise_law_json(const jalon_noise_law* law, const char** out);
+JALON_API JALON_CHECK jalon_status jalon_noise_law_json(const jalon_noise_law* law,
+                                                        const char** out);
 /**
  * One row; numbers without a unit have that of the field.
  *     column              type     unit  meaning
@@ -63,13 +65,16 @@ JALON_API JALON_CHECK jalon_status jalon_noise_law_json(const jalon_noise_law* l
  *     chi_square          float64  1     distance to its own sample
  *     classes             uint32   -     equally probable classes of that distance
  */
-JALON_API JALON_CHECK jalon_status jalon_noise_law_table(const jalon_noise_law* law, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_noise_law_table(const jalon_noise_law* law,
+                                                         jalon_fields** out);
 /** Probability density and P(X <= x) at count values. Each output has count elements and may be NULL. */
-JALON_API JALON_CHECK jalon_status jalon_noise_law_evaluate(const jalon_noise_law* law, const double* values,
-                                                uint64_t count, double* density, double* cumulative);
+JALON_API JALON_CHECK jalon_status jalon_noise_law_evaluate(const jalon_noise_law* law,
+                                                            const double* values, uint64_t count,
+                                                            double* density, double* cumulative);
 /** The values that the law does not exceed with these probabilities; NaN for probabilities outside 0 ... 1. */
-JALON_API JALON_CHECK jalon_status jalon_noise_law_quantiles(const jalon_noise_law* law, const double* probabilities,
-                                                 uint64_t count, double* out);
+JALON_API JALON_CHECK jalon_status jalon_noise_law_quantiles(const jalon_noise_law* law,
+                                                             const double* probabilities,
+                                                             uint64_t count, double* out);
 JALON_API jalon_noise_law* jalon_noise_law_retain(jalon_noise_law* law);
 JALON_API void jalon_noise_law_release(jalon_noise_law* law);
 
@@ -110,10 +115,9 @@ JALON_API void jalon_noise_law_release(jalon_noise_law* law);
  *     p_value             float64  1       with a law: of such a distance or a larger one
  *     kolmogorov          float64  1       with a law: the largest difference of the cumulatives
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_field_histogram(const jalon_cloud* cloud, const char* field,
-                                                   const jalon_noise_law* law,
-                                                   const jalon_params* options, jalon_task* task,
-                                                   jalon_fields** bins, jalon_fields** summary);
+JALON_API JALON_CHECK jalon_status jalon_cloud_field_histogram(
+    const jalon_cloud* cloud, const char* field, const jalon_noise_law* law,
+    const jalon_params* options, jalon_task* task, jalon_fields** bins, jalon_fields** summary);
 
 /* ---- which points have changed ---- */
 
@@ -147,10 +151,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_field_histogram(const jalon_cloud
  * neighbourhoods is flagged; since neighbours share values, false alarms come in clumps: leave out
  * small components.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_compute_chi_square(jalon_cloud* cloud, const char* field,
-                                                      const jalon_noise_law* law,
-                                                      const jalon_params* options, jalon_task* task,
-                                                      jalon_fields** summary);
+JALON_API JALON_CHECK jalon_status jalon_cloud_compute_chi_square(
+    jalon_cloud* cloud, const char* field, const jalon_noise_law* law, const jalon_params* options,
+    jalon_task* task, jalon_fields** summary);
 /**
  * Groups by value: field "class" (uint8: 0 below the cut, 1 above it, 2 above a second cut, 255 no
  * value). Operation "classes": "method" two_means, the cut that leaves the least squares about the
@@ -171,8 +174,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_compute_chi_square(jalon_cloud* c
  *     missing   uint64   points  without a value
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_classify_field(jalon_cloud* cloud, const char* field,
-                                                  const jalon_params* options, jalon_task* task,
-                                                  jalon_fields** summary);
+                                                              const jalon_params* options,
+                                                              jalon_task* task,
+                                                              jalon_fields** summary);
 
 /* ---- fields from fields ---- */
 
@@ -182,22 +186,27 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_classify_field(jalon_cloud* cloud
  * over the ball of radius_m (3.9), which is half the slope on a surface; corrected, twice that; least_squares, slopes
  * over the tangent plane. NaN where no other point is in the ball. O(n m) for m points a ball, parallel.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_compute_gradient(jalon_cloud* cloud, const char* field,
-                                                    const jalon_params* options, jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_cloud_compute_gradient(jalon_cloud* cloud,
+                                                                const char* field,
+                                                                const jalon_params* options,
+                                                                jalon_task* task);
 /**
  * What neighbourhoods make of the field: field "filtered" (float64). Operation "field_filter": method gaussian, the
  * mean with weights exp(-d^2 / (2 sigma^2)) (3.10); mean, median, minimum or maximum of a ball or of k points.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_filter_field(jalon_cloud* cloud, const char* field,
-                                                const jalon_params* options, jalon_task* task);
+                                                            const jalon_params* options,
+                                                            jalon_task* task);
 /**
  * Arithmetic point by point: field "computed" (float64), of field and other, or of field and the option constant where
  * other is NULL. Operation "field_arithmetic": operation add, subtract, multiply, divide, minimum, maximum, power,
  * absolute, negate, sqrt, square, exp, log, log10, dot (scalar product over the components), norm. Fields may have
  * several components; other must have as many, or one. What is not defined is NaN.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_compute_field(jalon_cloud* cloud, const char* field, const char* other,
-                                                 const jalon_params* options, jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_cloud_compute_field(jalon_cloud* cloud, const char* field,
+                                                             const char* other,
+                                                             const jalon_params* options,
+                                                             jalon_task* task);
 
 /* ---- fronts ---- */
 
@@ -208,9 +217,11 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_compute_field(jalon_cloud* cloud,
  * nine points a cell: below 1.5 %, root mean square 0.6 %, beyond ten cells from the seed on planes and cylinders.
  * JALON_ERROR_INSUFFICIENT_DATA without seeds. O(n + c log c) for c cells.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_compute_geodesic(jalon_cloud* cloud, const uint64_t* seeds,
-                                                    uint64_t count, const jalon_params* options,
-                                                    jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_cloud_compute_geodesic(jalon_cloud* cloud,
+                                                                const uint64_t* seeds,
+                                                                uint64_t count,
+                                                                const jalon_params* options,
+                                                                jalon_task* task);
 /**
  * Segmentation by gradient-constrained propagation (3.3.2): from the largest deviation left, a
  * front spreads over the occupied cells with the speed exp(alpha (g_j - g_i)) of the gradient g and
@@ -236,10 +247,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_compute_geodesic(jalon_cloud* clo
  *     next_arrival    float64  m       of the cell that the front ended at; infinite: nothing was
  *                                      left
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_segment_propagation(jalon_cloud* cloud, const char* field,
-                                                       const char* gradient_field,
-                                                       const jalon_params* options,
-                                                       jalon_task* task, jalon_fields** regions);
+JALON_API JALON_CHECK jalon_status jalon_cloud_segment_propagation(
+    jalon_cloud* cloud, const char* field, const char* gradient_field, const jalon_params* options,
+    jalon_task* task, jalon_fields** regions);
 
 /* ---- distances by a grid ---- */
 
@@ -251,15 +261,17 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_segment_propagation(jalon_cloud* 
  * JALON_ERROR_INSUFFICIENT_DATA for an empty reference, JALON_ERROR_LIMIT above 2^27 cells or 20 000 along an axis.
  * O(n + c), O(n + c log c) for c cells.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_compute_map_distance(jalon_cloud* cloud, const jalon_cloud* reference,
-                                                        const jalon_params* options,
-                                                        jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_cloud_compute_map_distance(jalon_cloud* cloud,
+                                                                    const jalon_cloud* reference,
+                                                                    const jalon_params* options,
+                                                                    jalon_task* task);
 /**
  * The map itself: the centres of all cells around the cloud, with the field "map_distance" (float32, m); those beyond
  * max_distance_m are left out. Operation and errors as above.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_distance_map(const jalon_cloud* cloud, const jalon_params* options,
-                                                jalon_task* task, jalon_cloud** out);
+JALON_API JALON_CHECK jalon_status jalon_cloud_distance_map(const jalon_cloud* cloud,
+                                                            const jalon_params* options,
+                                                            jalon_task* task, jalon_cloud** out);
 
 JALON_END_C
 

@@ -34,16 +34,18 @@ JALON_API void jalon_fields_release(jalon_fields* fields);
 /** Number of columns. */
 JALON_API JALON_CHECK jalon_status jalon_fields_count(const jalon_fields* fields, uint64_t* out);
 /** Column i: its name, type, components, number of items, unit and meaning. */
-JALON_API JALON_CHECK jalon_status jalon_fields_info(const jalon_fields* fields, uint64_t i, jalon_field_info* out);
+JALON_API JALON_CHECK jalon_status jalon_fields_info(const jalon_fields* fields, uint64_t i,
+                                                     jalon_field_info* out);
 /** View of the column of that name; JALON_ERROR_NOT_FOUND lists the names there are. No copy. */
 JALON_API JALON_CHECK jalon_status jalon_fields_view(const jalon_fields* fields, const char* name,
-                                         jalon_array_view* out);
+                                                     jalon_array_view* out);
 /**
  * Copies a column into the caller's packed array of capacity_elements elements of the given type (count * components
  * are needed); values are converted, and one that does not fit is JALON_ERROR_INVALID_ARGUMENT with nothing written.
  */
-JALON_API JALON_CHECK jalon_status jalon_fields_copy(const jalon_fields* fields, const char* name, int32_t type,
-                                         void* out, uint64_t capacity_elements);
+JALON_API JALON_CHECK jalon_status jalon_fields_copy(const jalon_fields* fields, const char* name,
+                                                     int32_t type, void* out,
+                                                     uint64_t capacity_elements);
 
 JALON_END_C
 

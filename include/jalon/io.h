@@ -50,23 +50,24 @@ JALON_BEGIN_C
 
 /** Reads a cloud. options: operation "read" (columns, drop_invalid, ...) or NULL. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_read(const char* path, const jalon_params* options,
-                                        jalon_task* task, jalon_cloud** out);
+                                                    jalon_task* task, jalon_cloud** out);
 /** Writes a cloud in the format of the extension. options: operation "write" or NULL. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path,
-                                         const jalon_params* options, jalon_task* task);
+                                                     const jalon_params* options, jalon_task* task);
 /** Reads a mesh or model (CityJSON, OBJ, STL, PLY with faces). */
 JALON_API JALON_CHECK jalon_status jalon_model_read(const char* path, const jalon_params* options,
-                                        jalon_task* task, jalon_model** out);
+                                                    jalon_task* task, jalon_model** out);
 /** Writes a model in the format of the extension: DXF, CityJSON, GeoJSON, OBJ, STL or PLY. options: operation "write"
  * (dxf_version, dxf_view, chord_error_m ...) or NULL. */
 JALON_API JALON_CHECK jalon_status jalon_model_write(const jalon_model* model, const char* path,
-                                         const jalon_params* options, jalon_task* task);
+                                                     const jalon_params* options, jalon_task* task);
 /** Number of formats in the registry. */
 JALON_API JALON_CHECK jalon_status jalon_format_count(uint64_t* out);
 /** Format i: name ("LAS"), extensions ("las"), and what it can do as text, e.g. "cloud read write". Each output may be
  * NULL. */
-JALON_API JALON_CHECK jalon_status jalon_format_info(uint64_t i, const char** name, const char** extensions,
-                                         const char** abilities);
+JALON_API JALON_CHECK jalon_status jalon_format_info(uint64_t i, const char** name,
+                                                     const char** extensions,
+                                                     const char** abilities);
 
 JALON_END_C
 

@@ -18,11 +18,11 @@ typedef struct jalon_model jalon_model;
 /** How a part is known (column "evidence" of jalon_model_parts). */
 #define JALON_EVIDENCE_NONE 0        /**< not told */
 #define JALON_EVIDENCE_MEASURED 1    /**< points lie on it */
-#define JALON_EVIDENCE_SEEN_BEHIND 2 /**< an opening: points were seen through it, behind the wall */
+#define JALON_EVIDENCE_SEEN_BEHIND 2 /**< an opening: points seen through it, behind the wall */
 #define JALON_EVIDENCE_REVEALED 3    /**< an opening: its reveals were measured */
-#define JALON_EVIDENCE_SHAPE 4       /**< an opening by its shape alone: nothing was seen through it */
-#define JALON_EVIDENCE_COPIED 5      /**< a copy of a repeated element where data are missing */
-#define JALON_EVIDENCE_DERIVED 6     /**< follows from other parts: a reveal, the side of an extrusion */
+#define JALON_EVIDENCE_SHAPE 4   /**< an opening by its shape alone: nothing was seen through it */
+#define JALON_EVIDENCE_COPIED 5  /**< a copy of a repeated element where data are missing */
+#define JALON_EVIDENCE_DERIVED 6 /**< follows from other parts: reveals, sides of extrusions */
 
 /**
  * A model that is one triangle mesh.
@@ -32,10 +32,10 @@ typedef struct jalon_model jalon_model;
  * - face_ids: one number a triangle, or NULL (the triangle's index); the virtual scanner hands them
  *   on to the points.
  */
-JALON_API JALON_CHECK jalon_status jalon_model_create_mesh(const void* vertices, int32_t type,
-                                               uint64_t count_vertices, uint64_t stride_bytes,
-                                               const uint32_t* triangles, uint64_t count_triangles,
-                                               const uint32_t* face_ids, jalon_model** out);
+JALON_API JALON_CHECK jalon_status
+jalon_model_create_mesh(const void* vertices, int32_t type, uint64_t count_vertices,
+                        uint64_t stride_bytes, const uint32_t* triangles, uint64_t count_triangles,
+                        const uint32_t* face_ids, jalon_model** out);
 JALON_API jalon_model* jalon_model_retain(jalon_model* model);
 JALON_API void jalon_model_release(jalon_model* model);
 
@@ -45,7 +45,8 @@ JALON_API void jalon_model_release(jalon_model* model);
  *     xyz         float64 x 3  m     the vertex
  *     covariance  float64 x 9  m2    row-major; NaN where it is not known
  */
-JALON_API JALON_CHECK jalon_status jalon_model_vertices(const jalon_model* model, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_model_vertices(const jalon_model* model,
+                                                        jalon_fields** out);
 /**
  * One row a face.
  *     column      type          unit  meaning
@@ -79,14 +80,16 @@ JALON_API JALON_CHECK jalon_status jalon_model_rings(const jalon_model* model, j
  *                             chord; 0 = straight; positive = the arc runs anticlockwise seen
  *                             against the normal; its DXF bulge is 2 sagitta / chord
  */
-JALON_API JALON_CHECK jalon_status jalon_model_corners(const jalon_model* model, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_model_corners(const jalon_model* model,
+                                                       jalon_fields** out);
 /**
  * One row a triangle.
  *     column    type        unit  meaning
  *     vertices  uint32 x 3  -     rows of jalon_model_vertices
  *     face      uint32      -     the id given, or the face's id
  */
-JALON_API JALON_CHECK jalon_status jalon_model_triangles(const jalon_model* model, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_model_triangles(const jalon_model* model,
+                                                         jalon_fields** out);
 /**
  * One row a pair of vertices that rings join, ascending. O(n log n).
  *     column       type     unit  meaning
@@ -126,21 +129,24 @@ JALON_API JALON_CHECK jalon_status jalon_model_crs(const jalon_model* model, con
 /** Number of parts. */
 JALON_API JALON_CHECK jalon_status jalon_model_part_count(const jalon_model* model, uint64_t* out);
 /** Part i: its name, its class ("facade", "wall", ...) and its parent (or UINT64_MAX). Each output may be NULL. */
-JALON_API JALON_CHECK jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char** name,
-                                        const char** part_class, uint64_t* parent);
+JALON_API JALON_CHECK jalon_status jalon_model_part(const jalon_model* model, uint64_t i,
+                                                    const char** name, const char** part_class,
+                                                    uint64_t* parent);
 
 /**
  * The model with another name and class of part i, as a new handle; the old one is the undo. name, part_class: UTF-8,
  * NULL = as it is. Costs a copy of the model.
  */
-JALON_API JALON_CHECK jalon_status jalon_model_rename_part(const jalon_model* model, uint64_t i, const char* name,
-                                               const char* part_class, jalon_model** out);
+JALON_API JALON_CHECK jalon_status jalon_model_rename_part(const jalon_model* model, uint64_t i,
+                                                           const char* name, const char* part_class,
+                                                           jalon_model** out);
 /**
  * The model without part i, a copy of a repeated element (JALON_EVIDENCE_COPIED): the user's veto, as a new handle.
  * What is below the part and its faces go, the hole it filled in its wall closes; parts, faces, rings and vertices
  * behind it move up. Any other part is JALON_ERROR_INVALID_ARGUMENT. O(size).
  */
-JALON_API JALON_CHECK jalon_status jalon_model_remove_copy(const jalon_model* model, uint64_t i, jalon_model** out);
+JALON_API JALON_CHECK jalon_status jalon_model_remove_copy(const jalon_model* model, uint64_t i,
+                                                           jalon_model** out);
 
 JALON_END_C
 

@@ -60,32 +60,41 @@ JALON_API void jalon_params_release(jalon_params* params);
 /** Number of rows. */
 JALON_API JALON_CHECK jalon_status jalon_params_count(const jalon_params* params, uint64_t* out);
 /** Row i: its name, type, unit, range, default and help. */
-JALON_API JALON_CHECK jalon_status jalon_params_info(const jalon_params* params, uint64_t i, jalon_param_info* out);
+JALON_API JALON_CHECK jalon_status jalon_params_info(const jalon_params* params, uint64_t i,
+                                                     jalon_param_info* out);
 
 /** Set one value. JALON_ERROR_NOT_FOUND for an unknown name, JALON_ERROR_INVALID_ARGUMENT for a wrong type or range. */
-JALON_API JALON_CHECK jalon_status jalon_params_set_double(jalon_params* params, const char* name, double value);
+JALON_API JALON_CHECK jalon_status jalon_params_set_double(jalon_params* params, const char* name,
+                                                           double value);
 /** The same for whole numbers; a row of doubles takes them too. */
-JALON_API JALON_CHECK jalon_status jalon_params_set_int64(jalon_params* params, const char* name, int64_t value);
+JALON_API JALON_CHECK jalon_status jalon_params_set_int64(jalon_params* params, const char* name,
+                                                          int64_t value);
 /** Any value other than 0 is true. */
-JALON_API JALON_CHECK jalon_status jalon_params_set_bool(jalon_params* params, const char* name, int32_t value);
+JALON_API JALON_CHECK jalon_status jalon_params_set_bool(jalon_params* params, const char* name,
+                                                         int32_t value);
 /** Also sets choices. */
-JALON_API JALON_CHECK jalon_status jalon_params_set_string(jalon_params* params, const char* name, const char* value);
+JALON_API JALON_CHECK jalon_status jalon_params_set_string(jalon_params* params, const char* name,
+                                                           const char* value);
 /** Each value must lie in the row's range. They are copied. */
 JALON_API JALON_CHECK jalon_status jalon_params_set_doubles(jalon_params* params, const char* name,
-                                                const double* values, uint64_t count);
+                                                            const double* values, uint64_t count);
 
 /** Read one value; the type must be the row's. */
-JALON_API JALON_CHECK jalon_status jalon_params_get_double(const jalon_params* params, const char* name, double* out);
+JALON_API JALON_CHECK jalon_status jalon_params_get_double(const jalon_params* params,
+                                                           const char* name, double* out);
 /** A whole number. */
-JALON_API JALON_CHECK jalon_status jalon_params_get_int64(const jalon_params* params, const char* name, int64_t* out);
+JALON_API JALON_CHECK jalon_status jalon_params_get_int64(const jalon_params* params,
+                                                          const char* name, int64_t* out);
 /** 1 or 0. */
-JALON_API JALON_CHECK jalon_status jalon_params_get_bool(const jalon_params* params, const char* name, int32_t* out);
+JALON_API JALON_CHECK jalon_status jalon_params_get_bool(const jalon_params* params,
+                                                         const char* name, int32_t* out);
 /** A text or a choice; it lives until the row is set again or the set is released. */
-JALON_API JALON_CHECK jalon_status jalon_params_get_string(const jalon_params* params, const char* name,
-                                               const char** out);
+JALON_API JALON_CHECK jalon_status jalon_params_get_string(const jalon_params* params,
+                                                           const char* name, const char** out);
 /** The values in their order. */
-JALON_API JALON_CHECK jalon_status jalon_params_get_doubles(const jalon_params* params, const char* name,
-                                                const double** values, uint64_t* count);
+JALON_API JALON_CHECK jalon_status jalon_params_get_doubles(const jalon_params* params,
+                                                            const char* name, const double** values,
+                                                            uint64_t* count);
 
 /** All values back to their defaults. */
 JALON_API JALON_CHECK jalon_status jalon_params_reset(jalon_params* params);

@@ -48,9 +48,9 @@ JALON_BEGIN_C
  *
  * JALON_ERROR_INVALID_ARGUMENT for a range that is not positive, or an angle beyond a right one.
  */
-JALON_API JALON_CHECK jalon_status jalon_precision_budget(const double* ranges_m, const double* vertical_rad,
-                                              const double* incidence_rad, uint64_t count,
-                                              const jalon_params* options, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_precision_budget(
+    const double* ranges_m, const double* vertical_rad, const double* incidence_rad, uint64_t count,
+    const jalon_params* options, jalon_fields** out);
 
 /**
  * What the budget above makes of each point at its place as its station saw it. Incidence angles
@@ -62,8 +62,9 @@ JALON_API JALON_CHECK jalon_status jalon_precision_budget(const double* ranges_m
  *     covariance   float32 x 6  m2    xx, xy, xz, yy, yz, zz in the cloud's frame
  *     point_sigma  float32      m     root of the sum of the variances
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_compute_covariances(jalon_cloud* cloud, const jalon_params* options,
-                                                       jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_cloud_compute_covariances(jalon_cloud* cloud,
+                                                                   const jalon_params* options,
+                                                                   jalon_task* task);
 
 /**
  * Planes adjusted with what their points are worth: weighted least squares with 1 / (n^T C n) for
@@ -83,9 +84,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_compute_covariances(jalon_cloud* 
  *     variance_factor  float64       1     residuals against the scanner's sigmas: 1 where the
  *                                          budget is right
  */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_plane_covariances(const jalon_segmentation* segmentation,
-                                                            const jalon_params* options, jalon_task* task,
-                                                            jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_segmentation_plane_covariances(
+    const jalon_segmentation* segmentation, const jalon_params* options, jalon_task* task,
+    jalon_fields** out);
 
 /**
  * Range precision on a sample of one material (5.7): the mean plane of the points with these
@@ -102,8 +103,10 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_plane_covariances(const ja
  *     mean_intensity   float64      -       of the field "intensity"; NaN without
  *     std_intensity    float64      -       divided by n - 1
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_range_precision(const jalon_cloud* cloud, const uint64_t* indices,
-                                                   uint64_t count, jalon_task* task, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_cloud_range_precision(const jalon_cloud* cloud,
+                                                               const uint64_t* indices,
+                                                               uint64_t count, jalon_task* task,
+                                                               jalon_fields** out);
 
 /**
  * The additive constant of a range finder from a baseline (5.4.1): count measured distances m and
@@ -118,8 +121,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_range_precision(const jalon_cloud
  *     sigma_constant  float64  m     sigma / sqrt(n)
  *     rms             float64  m     accuracy before the correction, about 0
  */
-JALON_API JALON_CHECK jalon_status jalon_baseline_constant(const double* measured_m, const double* known_m,
-                                               uint64_t count, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_baseline_constant(const double* measured_m,
+                                                           const double* known_m, uint64_t count,
+                                                           jalon_fields** out);
 
 /**
  * Angular precision from pairs of spheres side by side at one range (5.3.1; Boehler & Marbs 2005):
@@ -133,8 +137,10 @@ JALON_API JALON_CHECK jalon_status jalon_baseline_constant(const double* measure
  *     std     float64  rad   about the mean, n - 1
  *     rms     float64  rad   about 0
  */
-JALON_API JALON_CHECK jalon_status jalon_angular_precision(const double* measured_m, const double* known_m,
-                                               const double* ranges_m, uint64_t count, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_angular_precision(const double* measured_m,
+                                                           const double* known_m,
+                                                           const double* ranges_m, uint64_t count,
+                                                           jalon_fields** out);
 
 /**
  * Range D (m) from phase differences (annex A.4): count wavelengths (m) and the remainders of 2D on each (0 ...
@@ -143,8 +149,9 @@ JALON_API JALON_CHECK jalon_status jalon_angular_precision(const double* measure
  * coarse to fine, unambiguous up to half the longest. The result is the mean over all wavelengths.
  * JALON_ERROR_INVALID_ARGUMENT for wavelengths that are not positive or equal, or a remainder outside its wavelength.
  */
-JALON_API JALON_CHECK jalon_status jalon_phase_range(const double* wavelengths_m, const double* remainders_m,
-                                         uint64_t count, double* out);
+JALON_API JALON_CHECK jalon_status jalon_phase_range(const double* wavelengths_m,
+                                                     const double* remainders_m, uint64_t count,
+                                                     double* out);
 
 JALON_END_C
 

@@ -33,19 +33,21 @@ JALON_BEGIN_C
  * straight or equal, when the standard deviation of the radius exceeds half of it, or when it lies
  * outside "min_radius_m" to "max_radius_m".
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_fit_sphere(const jalon_cloud* cloud, const uint64_t* indices,
-                                                          uint64_t count, const jalon_params* options, jalon_task* task,
-                                                          jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_cloud_fit_sphere(const jalon_cloud* cloud,
+                                                          const uint64_t* indices, uint64_t count,
+                                                          const jalon_params* options,
+                                                          jalon_task* task, jalon_fields** out);
 /**
  * Cylinder: one row as above. direction: of its axis, e.g. (0, 0, 1) for a column, any length; then
  * 3 points are enough. NULL = free: the start is drawn from pairs of points with normals (the field
  * "normal", else planes through "k" neighbours), all five unknowns are adjusted, and 5 points are
  * needed. Boulaassal 2010, E.1.2; Schnabel et al. 2007. Errors as above.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_fit_cylinder(const jalon_cloud* cloud, const uint64_t* indices,
-                                                            uint64_t count, const jalon_vec3* direction,
-                                                            const jalon_params* options, jalon_task* task,
-                                                            jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_cloud_fit_cylinder(const jalon_cloud* cloud,
+                                                            const uint64_t* indices, uint64_t count,
+                                                            const jalon_vec3* direction,
+                                                            const jalon_params* options,
+                                                            jalon_task* task, jalon_fields** out);
 /**
  * Circle in the least-squares plane of the points, from 3 on. Errors as above. One row:
  *     column      type          unit    meaning
@@ -56,14 +58,16 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_fit_cylinder(const jalon_cloud* c
  *     inliers     uint64        points  that carry it
  *     covariance  float64 x 16  -       of centre and radius, row-major, rank 3
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_fit_circle(const jalon_cloud* cloud, const uint64_t* indices,
-                                                          uint64_t count, const jalon_params* options, jalon_task* task,
-                                                          jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_cloud_fit_circle(const jalon_cloud* cloud,
+                                                          const uint64_t* indices, uint64_t count,
+                                                          const jalon_params* options,
+                                                          jalon_task* task, jalon_fields** out);
 
 /* ---- segments picked by hand (Boulaassal 2010, 5.5.2) ---- */
 
 /** A segmentation of the cloud without segments: every point remains to be picked. */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_start(const jalon_cloud* cloud, jalon_task* task,
+JALON_API JALON_CHECK jalon_status jalon_segmentation_start(const jalon_cloud* cloud,
+                                                            jalon_task* task,
                                                             jalon_segmentation** out);
 /**
  * A new segmentation with one segment more, its last row; the one given stays as it was and is the
@@ -85,19 +89,19 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_start(const jalon_cloud* c
  * when the picks gather fewer than "min_points"; JALON_ERROR_DEGENERATE when they fix no surface:
  * flat for a sphere or a cylinder, or the points around them equal or collinear.
  */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_pick(const jalon_segmentation* segmentation, int32_t primitive,
-                                               const double* picks, uint64_t count, const jalon_params* options,
-                                               jalon_task* task, jalon_segmentation** out);
+JALON_API JALON_CHECK jalon_status jalon_segmentation_pick(
+    const jalon_segmentation* segmentation, int32_t primitive, const double* picks, uint64_t count,
+    const jalon_params* options, jalon_task* task, jalon_segmentation** out);
 /** The points of label 0 with their fields, as a new cloud. */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_remaining(const jalon_segmentation* segmentation,
-                                                                jalon_task* task, jalon_cloud** out);
+JALON_API JALON_CHECK jalon_status jalon_segmentation_remaining(
+    const jalon_segmentation* segmentation, jalon_task* task, jalon_cloud** out);
 /**
  * Writes the segments as text, a row each: 1 nx ny nz offset (plane), 2 x y z radius (sphere,
  * centre), 3 x y z dx dy dz radius (cylinder, point and direction of the axis). Numbers come back
  * to the same bits.
  */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_write_primitives(const jalon_segmentation* segmentation,
-                                                                       const char* path);
+JALON_API JALON_CHECK jalon_status
+jalon_segmentation_write_primitives(const jalon_segmentation* segmentation, const char* path);
 
 JALON_END_C
 

@@ -39,9 +39,10 @@ enum {
 
 /** A point known in one frame: a measured target or a control point. Frozen. */
 typedef struct jalon_target {
-  const char* name;     /**< UTF-8; NULL = unnamed */
-  jalon_vec3 xyz;       /**< m; finite */
-  double covariance[9]; /**< m2, row-major, symmetric; all 0 = the parameter "sigma_m" on each axis */
+  const char* name; /**< UTF-8; NULL = unnamed */
+  jalon_vec3 xyz;   /**< m; finite */
+  double
+      covariance[9]; /**< m2, row-major, symmetric; all 0 = the parameter "sigma_m" on each axis */
 } jalon_target;
 
 /**
@@ -78,13 +79,16 @@ typedef struct jalon_target {
  * Method "icp": too little overlap is JALON_STOPPED_TOO_FEW_PAIRS: less than "min_overlap_percent"
  * of the moving points have a pair. About 3.5 s for 1 M points on 1 M with one thread.
  */
-JALON_API JALON_CHECK jalon_status jalon_registrar_create(const char* method, jalon_registrar** out);
+JALON_API JALON_CHECK jalon_status jalon_registrar_create(const char* method,
+                                                          jalon_registrar** out);
 /** The names of the methods, the default first. Static texts. */
-JALON_API JALON_CHECK jalon_status jalon_registrar_methods(const char* const** names, uint64_t* count);
+JALON_API JALON_CHECK jalon_status jalon_registrar_methods(const char* const** names,
+                                                           uint64_t* count);
 JALON_API jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar);
 JALON_API void jalon_registrar_release(jalon_registrar* registrar);
 /** The registrar's own parameter set: setting it changes the registrar. The caller releases it. */
-JALON_API JALON_CHECK jalon_status jalon_registrar_params(jalon_registrar* registrar, jalon_params** out);
+JALON_API JALON_CHECK jalon_status jalon_registrar_params(jalon_registrar* registrar,
+                                                          jalon_params** out);
 /**
  * Registers a cloud.
  *
@@ -93,9 +97,11 @@ JALON_API JALON_CHECK jalon_status jalon_registrar_params(jalon_registrar* regis
  * JALON_ERROR_UNSUPPORTED for method "targets". JALON_ERROR_INSUFFICIENT_DATA for clouds too small
  * to register, JALON_ERROR_INVALID_ARGUMENT when both have a CRS and these differ.
  */
-JALON_API JALON_CHECK jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_cloud* reference,
-                                           const jalon_cloud* moving, const jalon_transform* start,
-                                           jalon_task* task, jalon_registration** out);
+JALON_API JALON_CHECK jalon_status jalon_registrar_run(const jalon_registrar* registrar,
+                                                       const jalon_cloud* reference,
+                                                       const jalon_cloud* moving,
+                                                       const jalon_transform* start,
+                                                       jalon_task* task, jalon_registration** out);
 /**
  * Registers targets by method "targets" (others: JALON_ERROR_UNSUPPORTED): those of the same name
  * in both sets are pairs. Where one side of a pair has no name it is found by distances: the
@@ -123,16 +129,15 @@ JALON_API JALON_CHECK jalon_status jalon_registrar_run(const jalon_registrar* re
  * - JALON_ERROR_INVALID_ARGUMENT for two targets of one name or within 0.1 mm of each other in one
  *   set, coordinates that are not finite, a covariance with a negative variance.
  */
-JALON_API JALON_CHECK jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar,
-                                                   const jalon_target* reference, uint64_t reference_count,
-                                                   const jalon_target* moving, uint64_t moving_count,
-                                                   jalon_task* task, jalon_registration** out);
+JALON_API JALON_CHECK jalon_status jalon_registrar_run_targets(
+    const jalon_registrar* registrar, const jalon_target* reference, uint64_t reference_count,
+    const jalon_target* moving, uint64_t moving_count, jalon_task* task, jalon_registration** out);
 
 JALON_API jalon_registration* jalon_registration_retain(jalon_registration* registration);
 JALON_API void jalon_registration_release(jalon_registration* registration);
 /** T_reference_moving; of a similarity with the scale in its matrix. */
 JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registration* registration,
-                                               jalon_transform* T_reference_moving);
+                                                           jalon_transform* T_reference_moving);
 /**
  * One row. Every method:
  *     column        type          unit  meaning
@@ -187,8 +192,8 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
  *     cell               float64  m     edge of the cells that both were thinned to
  *     candidates         uint64   -     poses looked at
  */
-JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_registration* registration,
-                                                  jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_registration_summary(const jalon_registration* registration, jalon_fields** out);
 /**
  * The log of the iterations, one row each. Method "icp"; steps on patches are a level of their own:
  *     column      type     unit  meaning
@@ -220,8 +225,8 @@ JALON_API JALON_CHECK jalon_status jalon_registration_summary(const jalon_regist
  *     source             uint8         -     JALON_POSE_FROM_...
  *     pose               float64 x 12  -     T_reference_moving, rows of [A | t]
  */
-JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_registration* registration,
-                                                     jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_registration_iterations(const jalon_registration* registration, jalon_fields** out);
 /**
  * One row a pair. Method "targets", the pairs in use first, then those removed as outliers, judged
  * by the others; in the reference frame:
@@ -248,14 +253,14 @@ JALON_API JALON_CHECK jalon_status jalon_registration_iterations(const jalon_reg
  *     residual   float32  m     of the moved point over its partner's plane
  *     weight     float32  1     of the kernel
  */
-JALON_API JALON_CHECK jalon_status jalon_registration_residuals(const jalon_registration* registration,
-                                                    jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_registration_residuals(const jalon_registration* registration, jalon_fields** out);
 /**
  * The name of the pair in row i of the residuals, the targets'; "" where it has none. Lives as long as it.
  * JALON_ERROR_INVALID_ARGUMENT beyond the rows.
  */
-JALON_API JALON_CHECK jalon_status jalon_registration_pair_name(const jalon_registration* registration, uint64_t i,
-                                                    const char** out);
+JALON_API JALON_CHECK jalon_status
+jalon_registration_pair_name(const jalon_registration* registration, uint64_t i, const char** out);
 /**
  * The six principal directions of the pose, the weakest first.
  *     column      type         unit  meaning
@@ -264,22 +269,22 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pair_name(const jalon_regi
  *     sigma       float64      m     standard deviation along it
  *     observable  uint8        -     0 = the data do not fix it; the pose keeps the start there
  */
-JALON_API JALON_CHECK jalon_status jalon_registration_directions(const jalon_registration* registration,
-                                                     jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_registration_directions(const jalon_registration* registration, jalon_fields** out);
 /** The parameters it was made with, as JSON; lives as long as the registration. */
-JALON_API JALON_CHECK jalon_status jalon_registration_parameters(const jalon_registration* registration,
-                                                     const char** out);
+JALON_API JALON_CHECK jalon_status
+jalon_registration_parameters(const jalon_registration* registration, const char** out);
 /** A new cloud: the cloud moved by the pose, as jalon_cloud_transform; one without a CRS gets the reference's. */
 JALON_API JALON_CHECK jalon_status jalon_registration_apply(const jalon_registration* registration,
-                                                const jalon_cloud* cloud, jalon_task* task,
-                                                jalon_cloud** out);
+                                                            const jalon_cloud* cloud,
+                                                            jalon_task* task, jalon_cloud** out);
 /**
  * What the alignment of the clouds is worth flows into the level of detection: sets "registration_covariance" and
  * "registration_centre" of a comparer of method "m3c2" (others: JALON_ERROR_UNSUPPORTED). In directions that nothing
  * fixes there is no covariance: JALON_ERROR_DEGENERATE, and the parameters stay.
  */
-JALON_API JALON_CHECK jalon_status jalon_comparer_use_registration(jalon_comparer* comparer,
-                                                       const jalon_registration* registration);
+JALON_API JALON_CHECK jalon_status
+jalon_comparer_use_registration(jalon_comparer* comparer, const jalon_registration* registration);
 
 JALON_END_C
 

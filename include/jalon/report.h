@@ -26,18 +26,18 @@ JALON_BEGIN_C
  * plane numbers instead of types. Operation "elevation"; JALON_ERROR_INVALID_ARGUMENT for a facade that the model
  * does not have.
  */
-JALON_API JALON_CHECK jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation,
-                                                    const jalon_model* model, const char* path,
-                                                    const jalon_params* options, jalon_task* task);
+JALON_API JALON_CHECK jalon_status
+jalon_report_write_elevation(const jalon_segmentation* segmentation, const jalon_model* model,
+                             const char* path, const jalon_params* options, jalon_task* task);
 /**
  * Picture of the labelled points, without a model: each segment in its colour (those that meet in different ones),
  * noise grey where no segment lies, seen from the front in the facade frame or from above. A path that ends in ".png"
  * gives the points alone; any other an SVG figure with axes in metres, scale bar, segment numbers and legend around
  * them. Below 2 MB for any number of points. Operation "picture".
  */
-JALON_API JALON_CHECK jalon_status jalon_report_write_picture(const jalon_segmentation* segmentation,
-                                                  const char* path, const jalon_params* options,
-                                                  jalon_task* task);
+JALON_API JALON_CHECK jalon_status
+jalon_report_write_picture(const jalon_segmentation* segmentation, const char* path,
+                           const jalon_params* options, jalon_task* task);
 /**
  * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and
  * inliers, the spheres and cylinders with radius and its sigma, times, the elevations, the picture
@@ -54,14 +54,16 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_picture(const jalon_segmen
  * - options: operation "report".
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_html(const jalon_segmentation* segmentation,
-                                               const jalon_model* model, const char* notes_json,
-                                               const char* path, const jalon_params* options,
-                                               jalon_task* task);
+                                                           const jalon_model* model,
+                                                           const char* notes_json, const char* path,
+                                                           const jalon_params* options,
+                                                           jalon_task* task);
 /** The same content as JSON text for scripts, without the pictures. Unknown numbers are null. model may be NULL. */
 JALON_API JALON_CHECK jalon_status jalon_report_write_json(const jalon_segmentation* segmentation,
-                                               const jalon_model* model, const char* notes_json,
-                                               const char* path, const jalon_params* options,
-                                               jalon_task* task);
+                                                           const jalon_model* model,
+                                                           const char* notes_json, const char* path,
+                                                           const jalon_params* options,
+                                                           jalon_task* task);
 
 /**
  * The points of a comparison in the colours of their distances: signed ones from blue over white to red, others from
@@ -69,14 +71,18 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_json(const jalon_segmentat
  * ".png" gives the points alone, any other an SVG figure with axes in metres, scale bar and colour scale. Operation
  * "deviation_picture". O(n).
  */
-JALON_API JALON_CHECK jalon_status jalon_report_write_deviations(const jalon_comparison* comparison, const char* path,
-                                                     const jalon_params* options, jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_report_write_deviations(const jalon_comparison* comparison,
+                                                                 const char* path,
+                                                                 const jalon_params* options,
+                                                                 jalon_task* task);
 /**
  * Histogram of the distances as SVG with the noise law of those below the threshold (Weibull, Girardeau-Montaut 2006,
  * 3.4; of signed ones normal) and the threshold. Operation "comparison_report" (bins, threshold_m, limit_m).
  */
-JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comparison* comparison, const char* path,
-                                                    const jalon_params* options, jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comparison* comparison,
+                                                                const char* path,
+                                                                const jalon_params* options,
+                                                                jalon_task* task);
 /**
  * One self-contained HTML page on a comparison: summary of both directions, their pictures side by
  * side on one colour scale, histograms with noise law and threshold, the table of regions or
@@ -87,11 +93,9 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comp
  * - notes_json: as in jalon_report_write_html.
  * - options: operation "comparison_report".
  */
-JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(const jalon_comparison* forward,
-                                                     const jalon_comparison* reverse,
-                                                     const jalon_fields* changes, const char* notes_json,
-                                                     const char* path, const jalon_params* options,
-                                                     jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(
+    const jalon_comparison* forward, const jalon_comparison* reverse, const jalon_fields* changes,
+    const char* notes_json, const char* path, const jalon_params* options, jalon_task* task);
 
 /**
  * One self-contained HTML page on a registration: whether it converged or why it stopped, the pose
@@ -102,10 +106,9 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(const jalon_com
  * - notes_json: as in jalon_report_write_html.
  * - options: operation "registration_report".
  */
-JALON_API JALON_CHECK jalon_status jalon_report_write_registration(const jalon_registration* registration,
-                                                       const jalon_cloud* reference, const jalon_cloud* moving,
-                                                       const char* notes_json, const char* path,
-                                                       const jalon_params* options, jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_report_write_registration(
+    const jalon_registration* registration, const jalon_cloud* reference, const jalon_cloud* moving,
+    const char* notes_json, const char* path, const jalon_params* options, jalon_task* task);
 
 JALON_END_C
 

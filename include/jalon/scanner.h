@@ -22,7 +22,8 @@ typedef struct jalon_scanner jalon_scanner;
  */
 JALON_API JALON_CHECK jalon_status jalon_scanner_create(const char* method, jalon_scanner** out);
 /** The names of the methods, the default first. Static texts. */
-JALON_API JALON_CHECK jalon_status jalon_scanner_methods(const char* const** names, uint64_t* count);
+JALON_API JALON_CHECK jalon_status jalon_scanner_methods(const char* const** names,
+                                                         uint64_t* count);
 JALON_API jalon_scanner* jalon_scanner_retain(jalon_scanner* scanner);
 JALON_API void jalon_scanner_release(jalon_scanner* scanner);
 /**
@@ -36,8 +37,9 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_params(jalon_scanner* scanner, 
  * scanner truly stands. name may be NULL. A scanner of method "sample" with a station refuses to
  * run.
  */
-JALON_API JALON_CHECK jalon_status jalon_scanner_add_station(jalon_scanner* scanner, const char* name,
-                                                 const jalon_transform* pose);
+JALON_API JALON_CHECK jalon_status jalon_scanner_add_station(jalon_scanner* scanner,
+                                                             const char* name,
+                                                             const jalon_transform* pose);
 /**
  * Scans the model. "static" without a station places tripods 1.7 m above the model's lowest point:
  * two in front of a facade at 0.6 x its width, two on the long axis of a street or room, four
@@ -60,8 +62,9 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_add_station(jalon_scanner* scan
  * most of it. Glass (faces of parts of class "glass", and panes of windows) returns a share of the
  * pulses and lets the others pass. Same seed, same bits, whatever the threads.
  */
-JALON_API JALON_CHECK jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* model,
-                                         jalon_task* task, jalon_cloud** out);
+JALON_API JALON_CHECK jalon_status jalon_scanner_run(const jalon_scanner* scanner,
+                                                     const jalon_model* model, jalon_task* task,
+                                                     jalon_cloud** out);
 
 /**
  * The true planes of the model: connected groups of coplanar faces (within 0.001 degrees and 0.1
@@ -82,8 +85,10 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_run(const jalon_scanner* scanne
  *     area     float64      m2    openings taken off
  *     count    uint64       -     points of the cloud with that number; 0 without a cloud
  */
-JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model* model,
-                                           const jalon_cloud* cloud, jalon_task* task, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scanner,
+                                                       const jalon_model* model,
+                                                       const jalon_cloud* cloud, jalon_task* task,
+                                                       jalon_fields** out);
 
 /**
  * A ready-made scene. Operation "scene": name, turn, shift and sizes; see the parameter table.
@@ -107,7 +112,7 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scan
  * joinery, tree, car, ghost ...), and the triangles that are scanned.
  */
 JALON_API JALON_CHECK jalon_status jalon_scene_create(const jalon_params* options, jalon_task* task,
-                                          jalon_model** out);
+                                                      jalon_model** out);
 
 JALON_END_C
 

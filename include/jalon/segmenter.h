@@ -47,13 +47,16 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   planes, but it needs surfaces a few points wide and stops at their gaps (then joined up to
  *   merge_gap_m).
  */
-JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method, jalon_segmenter** out);
+JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method,
+                                                          jalon_segmenter** out);
 /** The names of the methods, the default first. Static texts. */
-JALON_API JALON_CHECK jalon_status jalon_segmenter_methods(const char* const** names, uint64_t* count);
+JALON_API JALON_CHECK jalon_status jalon_segmenter_methods(const char* const** names,
+                                                           uint64_t* count);
 JALON_API jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter);
 JALON_API void jalon_segmenter_release(jalon_segmenter* segmenter);
 /** The segmenter's own parameter set: setting it changes the segmenter. The caller releases it. */
-JALON_API JALON_CHECK jalon_status jalon_segmenter_params(jalon_segmenter* segmenter, jalon_params** out);
+JALON_API JALON_CHECK jalon_status jalon_segmenter_params(jalon_segmenter* segmenter,
+                                                          jalon_params** out);
 /**
  * Segments the cloud. JALON_ERROR_INSUFFICIENT_DATA below 3 points; JALON_ERROR_DEGENERATE when all
  * points are equal or collinear. A cloud without planes, or with fewer points on them than
@@ -61,8 +64,9 @@ JALON_API JALON_CHECK jalon_status jalon_segmenter_params(jalon_segmenter* segme
  * parameters gives the same status. Repeated points count as often as they occur; points that are
  * not finite never get into a cloud.
  */
-JALON_API JALON_CHECK jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_cloud* cloud,
-                                           jalon_task* task, jalon_segmentation** out);
+JALON_API JALON_CHECK jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter,
+                                                       const jalon_cloud* cloud, jalon_task* task,
+                                                       jalon_segmentation** out);
 
 JALON_API jalon_segmentation* jalon_segmentation_retain(jalon_segmentation* segmentation);
 JALON_API void jalon_segmentation_release(jalon_segmentation* segmentation);
@@ -74,7 +78,7 @@ JALON_API void jalon_segmentation_release(jalon_segmentation* segmentation);
  *     orientation  uint8    -     JALON_ORIENTATION_...
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_points(const jalon_segmentation* segmentation,
-                                                 jalon_fields** out);
+                                                             jalon_fields** out);
 /**
  * One row a segment, largest first. What a type lacks is NaN.
  *     column               type          unit    meaning
@@ -110,26 +114,26 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_points(const jalon_segment
  * lies within the 99 % ellipsoid in 97 of 100. Planes of few points (< 20) or almost no noise, and
  * those of jalon_segmentation_from_labels: least squares.
  */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_segments(const jalon_segmentation* segmentation,
-                                                   jalon_fields** out);
+JALON_API JALON_CHECK jalon_status
+jalon_segmentation_segments(const jalon_segmentation* segmentation, jalon_fields** out);
 /**
  * A new cloud handle with the points' fields attached, ready to be written; shares the coordinates.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmentation_cloud(const jalon_segmentation* segmentation,
-                                                jalon_cloud** out);
+                                                            jalon_cloud** out);
 /**
  * Rotation about Z and shift that put the main facade parallel to the plane OXZ, the station side
  * at -Y. Identity when off.
  */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_facade_frame(const jalon_segmentation* segmentation,
-                                                       jalon_transform* T_facade_world);
+JALON_API JALON_CHECK jalon_status jalon_segmentation_facade_frame(
+    const jalon_segmentation* segmentation, jalon_transform* T_facade_world);
 
 /**
  * The parameters the segmentation was made with as JSON, the tolerance as it was used; "" when it
  * was not made by a segmenter. Valid as long as the handle.
  */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_parameters(const jalon_segmentation* segmentation,
-                                                     const char** out);
+JALON_API JALON_CHECK jalon_status
+jalon_segmentation_parameters(const jalon_segmentation* segmentation, const char** out);
 /**
  * Distribution of the signed distances of points to their planes (Boulaassal 2010, 3.4.3.6).
  * JALON_ERROR_NOT_FOUND for an unknown label. O(points).
@@ -154,9 +158,9 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_parameters(const jalon_seg
  *     below            uint64   points  below the first bin
  *     above            uint64   points  above the last bin
  */
-JALON_API JALON_CHECK jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation,
-                                                    uint32_t label, uint32_t bins, jalon_task* task,
-                                                    jalon_fields** out_bins, jalon_fields** out_normal);
+JALON_API JALON_CHECK jalon_status
+jalon_segmentation_residuals(const jalon_segmentation* segmentation, uint32_t label, uint32_t bins,
+                             jalon_task* task, jalon_fields** out_bins, jalon_fields** out_normal);
 
 JALON_END_C
 

@@ -24,14 +24,14 @@ enum {
   JALON_ERROR_CANCELLED = -3,         /**< by jalon_task_cancel or by the progress callback */
   JALON_ERROR_NOT_FOUND = -4,         /**< no such file, field, parameter, station */
   JALON_ERROR_INSUFFICIENT_DATA = -5, /**< too few points for the work */
-  JALON_ERROR_DEGENERATE = -6,        /**< collinear, all equal, no plane: geometry without a solution */
-  JALON_ERROR_IO = -7,                /**< the system refused to open, read, write or rename */
-  JALON_ERROR_FORMAT = -8,            /**< a file's content is malformed or truncated */
-  JALON_ERROR_UNSUPPORTED = -9,       /**< valid, but not handled by this build */
-  JALON_ERROR_CALLBACK = -10,         /**< a host callback threw an exception */
-  JALON_ERROR_BUSY = -11,             /**< the task already runs a call */
-  JALON_ERROR_LIMIT = -12,            /**< more than the library can index or hold */
-  JALON_ERROR_INTERNAL = -99          /**< a defect of Jalon; please report it */
+  JALON_ERROR_DEGENERATE = -6,  /**< collinear, all equal, no plane: geometry without a solution */
+  JALON_ERROR_IO = -7,          /**< the system refused to open, read, write or rename */
+  JALON_ERROR_FORMAT = -8,      /**< a file's content is malformed or truncated */
+  JALON_ERROR_UNSUPPORTED = -9, /**< valid, but not handled by this build */
+  JALON_ERROR_CALLBACK = -10,   /**< a host callback threw an exception */
+  JALON_ERROR_BUSY = -11,       /**< the task already runs a call */
+  JALON_ERROR_LIMIT = -12,      /**< more than the library can index or hold */
+  JALON_ERROR_INTERNAL = -99    /**< a defect of Jalon; please report it */
 };
 
 /** Name of a status, e.g. "invalid argument". Static text; "unknown status" for other numbers. */

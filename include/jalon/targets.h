@@ -16,8 +16,8 @@ JALON_BEGIN_C
 enum {
   JALON_TARGET_SPHERE = 1,
   JALON_TARGET_CHECKER = 2, /**< the point where four quadrants, dark and bright by turns, meet */
-  JALON_TARGET_DISC = 3,    /**< centre of a disc that is brighter or darker than what surrounds it */
-  JALON_TARGET_PATCH = 4    /**< centre of a plate */
+  JALON_TARGET_DISC = 3, /**< centre of a disc that is brighter or darker than what surrounds it */
+  JALON_TARGET_PATCH = 4 /**< centre of a plate */
 };
 
 /**
@@ -53,9 +53,11 @@ enum {
  * of the plane. Without a pattern, the centre of the plate's outline when it ends within
  * "search_m", to half a point spacing.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_measure_targets(const jalon_cloud* cloud, const double* places,
-                                                   uint64_t count, const jalon_params* options,
-                                                   jalon_task* task, jalon_fields** out);
+JALON_API JALON_CHECK jalon_status jalon_cloud_measure_targets(const jalon_cloud* cloud,
+                                                               const double* places, uint64_t count,
+                                                               const jalon_params* options,
+                                                               jalon_task* task,
+                                                               jalon_fields** out);
 
 JALON_END_C
 

@@ -41,10 +41,12 @@ JALON_API void jalon_task_release(jalon_task* task);
 /** Threads of the next calls: 1..256, or 0 for all processors. The result never depends on it. */
 JALON_API JALON_CHECK jalon_status jalon_task_set_threads(jalon_task* task, uint32_t threads);
 /** callback may be NULL; user is handed through. */
-JALON_API JALON_CHECK jalon_status jalon_task_set_progress(jalon_task* task, jalon_progress_callback callback,
-                                               void* user);
+JALON_API JALON_CHECK jalon_status jalon_task_set_progress(jalon_task* task,
+                                                           jalon_progress_callback callback,
+                                                           void* user);
 /** callback may be NULL; user is handed through. */
-JALON_API JALON_CHECK jalon_status jalon_task_set_log(jalon_task* task, jalon_log_callback callback, void* user);
+JALON_API JALON_CHECK jalon_status jalon_task_set_log(jalon_task* task, jalon_log_callback callback,
+                                                      void* user);
 
 /** Asks the running and all later calls of this task to stop, until reset. Any thread. */
 JALON_API JALON_CHECK jalon_status jalon_task_cancel(jalon_task* task);

@@ -28,10 +28,11 @@ enum { JALON_VISIBLE = 0 };
 /** How a hidden point came to what is known of it: column "recovered" (uint8) of a comparison. */
 enum {
   JALON_NOT_RECOVERED = 0,
-  JALON_RECOVERED_VERTICAL = 1,     /**< hidden = vertical: column "height" has its sign, "distance" its size */
-  JALON_RECOVERED_OCCLUDER = 2,     /**< hidden = occluders: its zone fits what hides it; "shape_residual" tells how */
-  JALON_PROBABLY_UNCHANGED = 3,     /**< no distance, but the same before and after */
-  JALON_CHANGED_MEANWHILE = 4       /**< no distance, and not the same before and after: when is open */
+  JALON_RECOVERED_VERTICAL =
+      1, /**< hidden = vertical: "height" has its sign, "distance" its size */
+  JALON_RECOVERED_OCCLUDER = 2, /**< hidden = occluders: fits what hides it; see "shape_residual" */
+  JALON_PROBABLY_UNCHANGED = 3, /**< no distance, but the same before and after */
+  JALON_CHANGED_MEANWHILE = 4   /**< no distance, and not the same before and after: when is open */
 };
 
 /**
@@ -41,8 +42,10 @@ enum {
  * best label counts. With second_centre_m both optical centres of a triangulation scanner must see a point. An empty
  * reference sees nothing. O(points of both + cells), parallel.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_compute_visibility(jalon_cloud* cloud, const jalon_cloud* reference,
-                                                      const jalon_params* options, jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_cloud_compute_visibility(jalon_cloud* cloud,
+                                                                  const jalon_cloud* reference,
+                                                                  const jalon_params* options,
+                                                                  jalon_task* task);
 
 /**
  * The depth map of a station of the reference: rows x columns cells, row by row upward from the
@@ -56,18 +59,21 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_compute_visibility(jalon_cloud* c
  *     horizontal  float64  rad   of the cell's centre, clockwise from +Y
  *     vertical    float64  rad   of the cell's centre, from the horizon
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t station,
-                                             const jalon_params* options, jalon_task* task, jalon_fields** out,
-                                             uint64_t* rows, uint64_t* columns);
+JALON_API JALON_CHECK jalon_status jalon_cloud_depth_map(const jalon_cloud* reference,
+                                                         uint64_t station,
+                                                         const jalon_params* options,
+                                                         jalon_task* task, jalon_fields** out,
+                                                         uint64_t* rows, uint64_t* columns);
 
 /**
  * The same as a PNG picture as the scanner sees the scene, one pixel a cell: grey 255 for the nearest range down to 30
  * for the farthest, even in the logarithm of the range; dark blue for empty cells. The text chunk "Description" of the
  * file tells both ranges. JALON_ERROR_INSUFFICIENT_DATA for a station without points.
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t station,
-                                                   const char* path, const jalon_params* options,
-                                                   jalon_task* task);
+JALON_API JALON_CHECK jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference,
+                                                               uint64_t station, const char* path,
+                                                               const jalon_params* options,
+                                                               jalon_task* task);
 
 /**
  * A third epoch for what was hidden: of two comparisons of the same points, "hidden" with epoch t as the reference and
@@ -78,8 +84,10 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_write_depth_map(const jalon_cloud
  * JALON_ERROR_INVALID_ARGUMENT when the two are of different points. O(n).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparison_third_epoch(const jalon_comparison* hidden,
-                                                    const jalon_comparison* across, double tolerance_m,
-                                                    jalon_task* task, jalon_comparison** out);
+                                                                const jalon_comparison* across,
+                                                                double tolerance_m,
+                                                                jalon_task* task,
+                                                                jalon_comparison** out);
 
 JALON_END_C
 

@@ -57,9 +57,11 @@ JALON_BEGIN_C
  *     reference_points  uint32       -     points of the reference
  *     compared_points   uint32       -     points of the compared state
  */
-JALON_API JALON_CHECK jalon_status jalon_cloud_volume(const jalon_cloud* reference, const jalon_cloud* compared,
-                                          const jalon_params* options, jalon_task* task,
-                                          jalon_fields** out_summary, jalon_fields** out_cells);
+JALON_API JALON_CHECK jalon_status jalon_cloud_volume(const jalon_cloud* reference,
+                                                      const jalon_cloud* compared,
+                                                      const jalon_params* options, jalon_task* task,
+                                                      jalon_fields** out_summary,
+                                                      jalon_fields** out_cells);
 /**
  * Volume between two models, the same way round.
  *
@@ -80,9 +82,11 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_volume(const jalon_cloud* referen
  *     reference_volume  float64  m3    that the reference encloses; NaN unless closed
  *     compared_volume   float64  m3    that the compared model encloses; NaN unless closed
  */
-JALON_API JALON_CHECK jalon_status jalon_model_volume(const jalon_model* reference, const jalon_model* compared,
-                                          const jalon_params* options, jalon_task* task,
-                                          jalon_fields** out_summary, jalon_fields** out_cells);
+JALON_API JALON_CHECK jalon_status jalon_model_volume(const jalon_model* reference,
+                                                      const jalon_model* compared,
+                                                      const jalon_params* options, jalon_task* task,
+                                                      jalon_fields** out_summary,
+                                                      jalon_fields** out_cells);
 /**
  * Points on all surfaces of a model, uniform by area and without noise, for comparing a model with
  * a model: sample one and compare the points with the other (jalon_comparer_run_model). Every face
@@ -102,8 +106,9 @@ JALON_API JALON_CHECK jalon_status jalon_model_volume(const jalon_model* referen
  *     triangle  uint32       -     UINT32_MAX = a face
  *     part      uint32       -     UINT32_MAX = none
  */
-JALON_API JALON_CHECK jalon_status jalon_model_sample(const jalon_model* model, const jalon_params* options,
-                                          jalon_task* task, jalon_cloud** out);
+JALON_API JALON_CHECK jalon_status jalon_model_sample(const jalon_model* model,
+                                                      const jalon_params* options, jalon_task* task,
+                                                      jalon_cloud** out);
 
 JALON_END_C
 

@@ -41,6 +41,7 @@ class Error : public std::exception {
 
 /// Throws an Error whose text is made as by printf, without locale-dependent conversions of numbers
 /// (use %s, %d, %llu; doubles through text_of in base/text_number.h).
-[[noreturn]] void fail(Status status, const char* format, ...) __attribute__((format(printf, 2, 3)));
+[[noreturn]] void fail(Status status, const char* format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 }  // namespace jalon

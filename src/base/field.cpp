@@ -23,8 +23,9 @@ bool is_floating(ElementType type) {
 }
 
 const char* name_of(ElementType type) {
-  static constexpr const char* kNames[] = {"",       "int8",  "uint8",  "int16",   "uint16", "int32",
-                                           "uint32", "int64", "uint64", "float32", "float64"};
+  static constexpr const char* kNames[] = {"",       "int8",    "uint8",  "int16",
+                                           "uint16", "int32",   "uint32", "int64",
+                                           "uint64", "float32", "float64"};
   return kNames[static_cast<int32_t>(type)];
 }
 
@@ -42,8 +43,8 @@ Column::Column(FieldInfo info, size_t count) : info_(std::move(info)), count_(co
 
 void Column::check(ElementType type) const {
   if (type != info_.type)
-    fail(Status::kInternal, "field \"%s\" holds %s, read as %s", info_.name.c_str(), name_of(info_.type),
-         name_of(type));
+    fail(Status::kInternal, "field \"%s\" holds %s, read as %s", info_.name.c_str(),
+         name_of(info_.type), name_of(type));
 }
 
 double Column::number(size_t item, uint32_t component) const {
@@ -69,8 +70,8 @@ const Column& FieldTable::require(std::string_view name) const {
   if (const Column* column = find(name)) return *column;
   std::string names;
   for (const auto& column : columns_) names += (names.empty() ? "" : ", ") + column->info().name;
-  fail(Status::kNotFound, "no field \"%.*s\"; there are: %s", static_cast<int>(name.size()), name.data(),
-       names.empty() ? "none" : names.c_str());
+  fail(Status::kNotFound, "no field \"%.*s\"; there are: %s", static_cast<int>(name.size()),
+       name.data(), names.empty() ? "none" : names.c_str());
 }
 
 void FieldTable::set(ColumnPtr column) {
@@ -97,16 +98,30 @@ ColumnPtr gather(const Column& column, std::span<const uint64_t> indices) {
   const auto* from = static_cast<const char*>(column.raw());
   auto* to = static_cast<char*>(out->raw());
   const auto copy = [&](auto size) {
-    for (size_t i = 0; i < indices.size(); ++i) std::memcpy(to + i * size, from + indices[i] * size, size);
+    for (size_t i = 0; i < indices.size(); ++i)
+      std::memcpy(to + i * size, from + indices[i] * size, size);
   };
   switch (item) {  // constant sizes become plain moves
-    case 1: copy(std::integral_constant<size_t, 1>{}); break;
-    case 2: copy(std::integral_constant<size_t, 2>{}); break;
-    case 4: copy(std::integral_constant<size_t, 4>{}); break;
-    case 8: copy(std::integral_constant<size_t, 8>{}); break;
-    case 12: copy(std::integral_constant<size_t, 12>{}); break;
-    case 24: copy(std::integral_constant<size_t, 24>{}); break;
-    default: copy(item);
+    case 1:
+      copy(std::integral_constant<size_t, 1>{});
+      break;
+    case 2:
+      copy(std::integral_constant<size_t, 2>{});
+      break;
+    case 4:
+      copy(std::integral_constant<size_t, 4>{});
+      break;
+    case 8:
+      copy(std::integral_constant<size_t, 8>{});
+      break;
+    case 12:
+      copy(std::integral_constant<size_t, 12>{});
+      break;
+    case 24:
+      copy(std::integral_constant<size_t, 24>{});
+      break;
+    default:
+      copy(item);
   }
   return out;
 }

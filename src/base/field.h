@@ -37,23 +37,34 @@ constexpr ElementType element_type_of() {
   if constexpr (std::is_floating_point_v<T>)
     return sizeof(T) == 4 ? ElementType::kFloat32 : ElementType::kFloat64;
   else
-    return static_cast<ElementType>(std::countr_zero(sizeof(T)) * 2 + (std::is_signed_v<T> ? 1 : 2));
+    return static_cast<ElementType>(std::countr_zero(sizeof(T)) * 2 +
+                                    (std::is_signed_v<T> ? 1 : 2));
 }
 
 /// Calls f with a value-initialised element of the type: visit(type, [&](auto zero) { using T = decltype(zero); ... }).
 template <class F>
 decltype(auto) visit(ElementType type, F&& f) {
   switch (type) {
-    case ElementType::kInt8: return f(int8_t{});
-    case ElementType::kUint8: return f(uint8_t{});
-    case ElementType::kInt16: return f(int16_t{});
-    case ElementType::kUint16: return f(uint16_t{});
-    case ElementType::kInt32: return f(int32_t{});
-    case ElementType::kUint32: return f(uint32_t{});
-    case ElementType::kInt64: return f(int64_t{});
-    case ElementType::kUint64: return f(uint64_t{});
-    case ElementType::kFloat32: return f(float{});
-    case ElementType::kFloat64: break;
+    case ElementType::kInt8:
+      return f(int8_t{});
+    case ElementType::kUint8:
+      return f(uint8_t{});
+    case ElementType::kInt16:
+      return f(int16_t{});
+    case ElementType::kUint16:
+      return f(uint16_t{});
+    case ElementType::kInt32:
+      return f(int32_t{});
+    case ElementType::kUint32:
+      return f(uint32_t{});
+    case ElementType::kInt64:
+      return f(int64_t{});
+    case ElementType::kUint64:
+      return f(uint64_t{});
+    case ElementType::kFloat32:
+      return f(float{});
+    case ElementType::kFloat64:
+      break;
   }
   return f(double{});
 }
@@ -126,7 +137,8 @@ class FieldTable {
 template <class T>
 ColumnPtr make_column(FieldInfo info, std::span<const T> values) {
   info.type = element_type_of<T>();
-  auto column = std::make_shared<Column>(info, values.size() / (info.components ? info.components : 1));
+  auto column =
+      std::make_shared<Column>(info, values.size() / (info.components ? info.components : 1));
   auto out = column->template values<T>();
   for (size_t i = 0; i < out.size(); ++i) out[i] = values[i];
   return column;

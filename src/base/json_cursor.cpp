@@ -35,7 +35,8 @@ void append_utf8(std::string& out, uint32_t code) {
 
 }  // namespace
 
-JsonCursor::JsonCursor(std::string_view text, const JsonListener& listener) : text_(text), listener_(listener) {
+JsonCursor::JsonCursor(std::string_view text, const JsonListener& listener)
+    : text_(text), listener_(listener) {
   if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
 }
 
@@ -62,13 +63,19 @@ void JsonCursor::skip_space() {
 JsonCursor::Kind JsonCursor::kind() {
   skip_space();
   switch (peek()) {
-    case '{': return Kind::kObject;
-    case '[': return Kind::kArray;
-    case '"': return Kind::kText;
+    case '{':
+      return Kind::kObject;
+    case '[':
+      return Kind::kArray;
+    case '"':
+      return Kind::kText;
     case 't':
-    case 'f': return Kind::kBool;
-    case 'n': return Kind::kNull;
-    default: return Kind::kNumber;
+    case 'f':
+      return Kind::kBool;
+    case 'n':
+      return Kind::kNull;
+    default:
+      return Kind::kNumber;
   }
 }
 
@@ -133,7 +140,8 @@ std::string_view JsonCursor::number_text(bool& whole) {
 double JsonCursor::number() {
   bool whole = false;
   double out = 0;
-  if (!parse_number(number_text(whole), out) || !std::isfinite(out)) refuse("a number that a double holds");
+  if (!parse_number(number_text(whole), out) || !std::isfinite(out))
+    refuse("a number that a double holds");
   return out;
 }
 
@@ -169,10 +177,18 @@ std::string_view JsonCursor::skip() {
   bool whole = false;
   std::string name;
   switch (what) {
-    case Kind::kNull: null(); break;
-    case Kind::kBool: flag(); break;
-    case Kind::kNumber: number_text(whole); break;
-    case Kind::kText: string(nullptr); break;
+    case Kind::kNull:
+      null();
+      break;
+    case Kind::kBool:
+      flag();
+      break;
+    case Kind::kNumber:
+      number_text(whole);
+      break;
+    case Kind::kText:
+      string(nullptr);
+      break;
     case Kind::kArray:
       for (begin_array(); next_element();) skip();
       break;
@@ -227,7 +243,7 @@ uint32_t JsonCursor::hex4() {
   uint32_t code = 0;
   for (int i = 0; i < 4; ++i, ++at_) {
     const char c = peek();
-    const int digit = is_digit(c)              ? c - '0'
+    const int digit = is_digit(c)            ? c - '0'
                       : c >= 'a' && c <= 'f' ? c - 'a' + 10
                       : c >= 'A' && c <= 'F' ? c - 'A' + 10
                                              : -1;

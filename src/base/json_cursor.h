@@ -37,14 +37,14 @@ class JsonCursor {
   void begin_object();
   bool next_member(std::string& name);  ///< false behind the last one
   void begin_array();
-  bool next_element();                  ///< false behind the last one
-  double number();                      ///< finite
-  int64_t integer();                    ///< a number without fraction and exponent
+  bool next_element();  ///< false behind the last one
+  double number();      ///< finite
+  int64_t integer();    ///< a number without fraction and exponent
   std::string text();
   bool flag();
   void null();
-  std::string_view skip();              ///< the text of the value, checked
-  void end();                           ///< nothing but blanks may follow
+  std::string_view skip();  ///< the text of the value, checked
+  void end();               ///< nothing but blanks may follow
 
   uint64_t byte() const { return at_; }
   [[noreturn]] void refuse(const char* expected) const;

@@ -40,12 +40,16 @@ class Reader {
     values_.emplace_back();
     values_[self].name = std::move(name);
     switch (cursor_.kind()) {
-      case JsonCursor::Kind::kNull: cursor_.null(); break;
+      case JsonCursor::Kind::kNull:
+        cursor_.null();
+        break;
       case JsonCursor::Kind::kBool:
         values_[self].kind = Kind::kBool;
         values_[self].flag = cursor_.flag();
         break;
-      case JsonCursor::Kind::kNumber: number(values_[self]); break;
+      case JsonCursor::Kind::kNumber:
+        number(values_[self]);
+        break;
       case JsonCursor::Kind::kText:
         values_[self].kind = Kind::kText;
         values_[self].text = cursor_.text();
@@ -68,10 +72,12 @@ class Reader {
     const uint64_t begin = cursor_.byte();
     out.text = cursor_.skip();
     if (!parse_number(out.text, out.number) || !std::isfinite(out.number))
-      fail(Status::kInvalidArgument, "no JSON: the number at byte %llu is outside the range of a double",
+      fail(Status::kInvalidArgument,
+           "no JSON: the number at byte %llu is outside the range of a double",
            static_cast<unsigned long long>(begin));
     const bool whole = out.text.find_first_of(".eE") == std::string::npos;
-    out.kind = whole && parse_integer(out.text, out.integer) ? JsonValue::Kind::kInteger : JsonValue::Kind::kNumber;
+    out.kind = whole && parse_integer(out.text, out.integer) ? JsonValue::Kind::kInteger
+                                                             : JsonValue::Kind::kNumber;
   }
 
   Refusal refusal_;

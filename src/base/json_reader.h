@@ -39,7 +39,8 @@ class JsonChildren {
     bool operator==(const Iterator&) const = default;
   };
 
-  explicit JsonChildren(const JsonValue& parent) : first_(&parent + 1), last_(&parent + parent.extent) {}
+  explicit JsonChildren(const JsonValue& parent)
+      : first_(&parent + 1), last_(&parent + parent.extent) {}
   Iterator begin() const { return {first_}; }
   Iterator end() const { return {last_}; }
 

@@ -65,23 +65,29 @@ JsonWriter& JsonWriter::value(std::string_view text) {
 JsonWriter& JsonWriter::value(double number) {
   if (!std::isfinite(number)) return literal("null");
   std::string text = text_of(number);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";  // stays a double where it is read, -0.0 too
+  if (text.find_first_of(".e") == std::string::npos)
+    text += ".0";  // stays a double where it is read, -0.0 too
   return literal(text);
 }
 
 JsonWriter& JsonWriter::value(const JsonValue& read) {
   using Kind = JsonValue::Kind;
   switch (read.kind) {
-    case Kind::kNull: return literal("null");
-    case Kind::kBool: return value(read.flag);
+    case Kind::kNull:
+      return literal("null");
+    case Kind::kBool:
+      return value(read.flag);
     case Kind::kInteger:
-    case Kind::kNumber: return literal(read.text);
-    case Kind::kText: return value(read.text);
+    case Kind::kNumber:
+      return literal(read.text);
+    case Kind::kText:
+      return value(read.text);
     case Kind::kArray:
       begin_array();
       for (const JsonValue& child : JsonChildren(read)) value(child);
       return end_array();
-    case Kind::kObject: break;
+    case Kind::kObject:
+      break;
   }
   begin_object();
   for (const JsonValue& child : JsonChildren(read)) name(child.name).value(child);

@@ -49,7 +49,7 @@ class JsonWriter {
 
   std::string out_;
   int indent_, depth_ = 0;
-  bool empty_ = true;        ///< nothing yet in the open object or array
+  bool empty_ = true;  ///< nothing yet in the open object or array
   bool after_name_ = false;
 };
 

@@ -56,7 +56,8 @@ bool copy_finite(const void* from, size_t n, double* to) {
   __m128i overflow = _mm_setzero_si128();
   const size_t even = n / 2 * 2;
   for (size_t i = 0; i < even; i += 2) {
-    const __m128i pair = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes + i * sizeof(double)));
+    const __m128i pair =
+        _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes + i * sizeof(double)));
     overflow = _mm_or_si128(overflow, _mm_add_epi64(_mm_and_si128(pair, without_sign), step));
     _mm_stream_si128(reinterpret_cast<__m128i*>(to + i), pair);
   }

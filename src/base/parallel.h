@@ -34,7 +34,8 @@ void parallel_for(Task& task, size_t n, size_t grain, F&& f) {
 template <class F>
 void parallel_chunks(Task& task, size_t chunks, F&& f) {
   task.pool().run(
-      task, chunks, [](void* p, size_t chunk) { (*static_cast<std::remove_reference_t<F>*>(p))(chunk); }, &f);
+      task, chunks,
+      [](void* p, size_t chunk) { (*static_cast<std::remove_reference_t<F>*>(p))(chunk); }, &f);
 }
 
 /// Sum of map(begin, end) over fixed chunks, added up in chunk order: the same bits for any number of threads.
@@ -43,7 +44,8 @@ template <class T, class F>
 T parallel_reduce(Task& task, size_t n, size_t grain, T zero, F&& map) {
   grain = std::max<size_t>(1, grain);
   std::vector<T> parts((n + grain - 1) / grain, zero);
-  parallel_for(task, n, grain, [&](size_t begin, size_t end) { parts[begin / grain] = map(begin, end); });
+  parallel_for(task, n, grain,
+               [&](size_t begin, size_t end) { parts[begin / grain] = map(begin, end); });
   T sum = zero;
   for (const T& part : parts) sum += part;
   return sum;

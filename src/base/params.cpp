@@ -16,13 +16,14 @@ namespace jalon {
 namespace {
 
 const char* type_name(ParamType type) {
-  static constexpr const char* kNames[] = {"",       "a number", "an integer", "true or false",
-                                           "a text", "a choice", "an array of numbers"};
+  static constexpr const char* kNames[] = {
+      "", "a number", "an integer", "true or false", "a text", "a choice", "an array of numbers"};
   return kNames[static_cast<int32_t>(type)];
 }
 
 [[noreturn]] void wrong_type(const ParamRow& row, const char* given) {
-  fail(Status::kInvalidArgument, "parameter \"%s\" is %s, not %s", row.name, type_name(row.type), given);
+  fail(Status::kInvalidArgument, "parameter \"%s\" is %s, not %s", row.name, type_name(row.type),
+       given);
 }
 
 void check_range(const ParamRow& row, double value) {
@@ -38,10 +39,16 @@ void write_value(JsonWriter& json, ParamType type, const ParamSet::Value& value)
     case ParamType::kDouble:  // JSON has no infinity: it travels as text
       std::isfinite(value.number) ? json.value(value.number) : json.value(text_of(value.number));
       break;
-    case ParamType::kInt64: json.value(value.integer); break;
-    case ParamType::kBool: json.value(value.flag); break;
+    case ParamType::kInt64:
+      json.value(value.integer);
+      break;
+    case ParamType::kBool:
+      json.value(value.flag);
+      break;
     case ParamType::kString:
-    case ParamType::kChoice: json.value(value.text); break;
+    case ParamType::kChoice:
+      json.value(value.text);
+      break;
     case ParamType::kDoubles:
       json.begin_array();
       for (const double number : value.numbers) json.value(number);
@@ -53,28 +60,35 @@ void set_from_json(ParamSet& set, const JsonValue& value) {
   using Kind = JsonValue::Kind;
   const std::string& name = value.name;
   switch (value.kind) {
-    case Kind::kBool: return set.set_bool(name, value.flag);
-    case Kind::kInteger: return set.set_integer(name, value.integer);
-    case Kind::kNumber: return set.set_number(name, value.number);
+    case Kind::kBool:
+      return set.set_bool(name, value.flag);
+    case Kind::kInteger:
+      return set.set_integer(name, value.integer);
+    case Kind::kNumber:
+      return set.set_number(name, value.number);
     case Kind::kArray: {
       std::vector<double> numbers;
       for (const JsonValue& element : JsonChildren(value)) {
         if (!element.is_number())
-          fail(Status::kInvalidArgument, "parameter \"%.100s\": every array element must be a number", name.c_str());
+          fail(Status::kInvalidArgument,
+               "parameter \"%.100s\": every array element must be a number", name.c_str());
         numbers.push_back(element.number);
       }
       return set.set_numbers(name, numbers);
     }
     case Kind::kText: {
       double number = 0;
-      if (set.rows()[set.index_of(name)].type == ParamType::kDouble && parse_number(value.text, number))
+      if (set.rows()[set.index_of(name)].type == ParamType::kDouble &&
+          parse_number(value.text, number))
         return set.set_number(name, number);
       return set.set_text(name, value.text);
     }
     case Kind::kNull:
-    case Kind::kObject: break;
+    case Kind::kObject:
+      break;
   }
-  fail(Status::kInvalidArgument, "parameter \"%.100s\": a JSON value of this kind is not accepted", name.c_str());
+  fail(Status::kInvalidArgument, "parameter \"%.100s\": a JSON value of this kind is not accepted",
+       name.c_str());
 }
 
 }  // namespace
@@ -99,7 +113,9 @@ std::string choice_at(const ParamRow& row, size_t place) {
   }
 }
 
-ParamSet::ParamSet(const char* owner, std::span<const ParamRow> rows) : owner_(owner), rows_(rows) { reset(); }
+ParamSet::ParamSet(const char* owner, std::span<const ParamRow> rows) : owner_(owner), rows_(rows) {
+  reset();
+}
 
 void ParamSet::reset() {
   std::vector<Value> values;
@@ -130,12 +146,11 @@ void ParamSet::set_number(std::string_view name, double value) {
 void ParamSet::set_integer(std::string_view name, int64_t value) {
   const size_t i = index_of(name);
   const ParamRow& row = rows_[i];
-  if (row.type != ParamType::kInt64 && row.type != ParamType::kDouble) wrong_type(row, "an integer");
+  if (row.type != ParamType::kInt64 && row.type != ParamType::kDouble)
+    wrong_type(row, "an integer");
   check_range(row, static_cast<double>(value));
-  if (row.type == ParamType::kDouble)
-    values_[i].number = static_cast<double>(value);
-  else
-    values_[i].integer = value;
+  if (row.type == ParamType::kDouble) values_[i].number = static_cast<double>(value);
+  else values_[i].integer = value;
 }
 
 void ParamSet::set_bool(std::string_view name, bool value) {
@@ -169,10 +184,16 @@ const ParamSet::Value& ParamSet::typed(std::string_view name, ParamType type) co
   return values_[i];
 }
 
-double ParamSet::number(std::string_view name) const { return typed(name, ParamType::kDouble).number; }
-int64_t ParamSet::integer(std::string_view name) const { return typed(name, ParamType::kInt64).integer; }
+double ParamSet::number(std::string_view name) const {
+  return typed(name, ParamType::kDouble).number;
+}
+int64_t ParamSet::integer(std::string_view name) const {
+  return typed(name, ParamType::kInt64).integer;
+}
 bool ParamSet::flag(std::string_view name) const { return typed(name, ParamType::kBool).flag; }
-const std::string& ParamSet::text(std::string_view name) const { return typed(name, ParamType::kString).text; }
+const std::string& ParamSet::text(std::string_view name) const {
+  return typed(name, ParamType::kString).text;
+}
 const std::vector<double>& ParamSet::numbers(std::string_view name) const {
   return typed(name, ParamType::kDoubles).numbers;
 }
@@ -198,7 +219,8 @@ void ParamSet::from_json(std::string_view json) {
 
 void ParamSet::load_into(void* settings, const char* tag) const {
   for (size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].settings != tag) fail(Status::kInternal, "parameter \"%s\" belongs to other settings", rows_[i].name);
+    if (rows_[i].settings != tag)
+      fail(Status::kInternal, "parameter \"%s\" belongs to other settings", rows_[i].name);
     rows_[i].load(rows_[i], values_[i], settings);
   }
 }

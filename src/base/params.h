@@ -12,7 +12,14 @@
 namespace jalon {
 
 /// The numbers of jalon/params.h.
-enum class ParamType : int32_t { kDouble = 1, kInt64 = 2, kBool = 3, kString = 4, kChoice = 5, kDoubles = 6 };
+enum class ParamType : int32_t {
+  kDouble = 1,
+  kInt64 = 2,
+  kBool = 3,
+  kString = 4,
+  kChoice = 5,
+  kDoubles = 6
+};
 
 /// A value of a row; the member of the row's type counts. (A std::variant would do, but libstdc++
 /// leaves one without a value when a copy runs out of memory.)
@@ -62,7 +69,7 @@ class ParamSet {
   size_t index_of(std::string_view name) const;  ///< throws kNotFound
   const Value& value(size_t i) const { return values_[i]; }
 
-  void set_number(std::string_view name, double value);    ///< also accepted by int64 rows when whole
+  void set_number(std::string_view name, double value);  ///< also accepted by int64 rows when whole
   void set_integer(std::string_view name, int64_t value);  ///< also accepted by double rows
   void set_bool(std::string_view name, bool value);
   void set_text(std::string_view name, std::string_view value);

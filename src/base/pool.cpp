@@ -82,7 +82,8 @@ void Pool::run_inline(Task& task, size_t chunks, Work work, void* context) {
 
 void Pool::run(Task& task, size_t chunks, Work work, void* context) {
   if (chunks == 0) return;
-  if (threads_ <= 1 || chunks == 1 || !task.on_calling_thread() || running_.load(std::memory_order_relaxed)) {
+  if (threads_ <= 1 || chunks == 1 || !task.on_calling_thread() ||
+      running_.load(std::memory_order_relaxed)) {
     run_inline(task, chunks, work, context);
     return;
   }
@@ -101,7 +102,9 @@ void Pool::run(Task& task, size_t chunks, Work work, void* context) {
     ++generation_;
   }
   wake_.notify_all();
-  const auto fraction = [&] { return static_cast<double>(done_.load()) / static_cast<double>(chunks); };
+  const auto fraction = [&] {
+    return static_cast<double>(done_.load()) / static_cast<double>(chunks);
+  };
   std::exception_ptr host;  // from the progress callback or a cancel, on this thread
   try {
     while (run_one()) task.checkpoint(fraction());

@@ -13,7 +13,8 @@ namespace jalon {
 /// each key word in turn.
 class RandomStream {
  public:
-  RandomStream(uint64_t seed, uint64_t stream) : key_(mix(mix(seed + kGolden) ^ (stream * kGolden + 1))) {}
+  RandomStream(uint64_t seed, uint64_t stream)
+      : key_(mix(mix(seed + kGolden) ^ (stream * kGolden + 1))) {}
 
   uint64_t bits() { return mix(key_ + kGolden * ++counter_); }
   /// Uniform in [0, 1), 53 bits.

@@ -85,14 +85,14 @@ constexpr ParamRow bound(ParamRow row) {
 }  // namespace rows
 
 template <auto M>
-constexpr ParamRow number_row(const char* name, double minimum, double maximum, const char* unit, const char* methods,
-                              const char* help) {
+constexpr ParamRow number_row(const char* name, double minimum, double maximum, const char* unit,
+                              const char* methods, const char* help) {
   static_assert(std::is_same_v<rows::TypeOf<M>, double>);
   return rows::bound<M>({name, ParamType::kDouble, unit, methods, help, "", minimum, maximum});
 }
 template <auto M>
-constexpr ParamRow integer_row(const char* name, double minimum, double maximum, const char* unit, const char* methods,
-                               const char* help) {
+constexpr ParamRow integer_row(const char* name, double minimum, double maximum, const char* unit,
+                               const char* methods, const char* help) {
   static_assert(std::is_integral_v<rows::TypeOf<M>> && !std::is_same_v<rows::TypeOf<M>, bool>);
   return rows::bound<M>({name, ParamType::kInt64, unit, methods, help, "", minimum, maximum});
 }
@@ -107,13 +107,14 @@ constexpr ParamRow string_row(const char* name, const char* methods, const char*
   return rows::bound<M>({name, ParamType::kString, "", methods, help});
 }
 template <auto M>
-constexpr ParamRow choice_row(const char* name, const char* choices, const char* methods, const char* help) {
+constexpr ParamRow choice_row(const char* name, const char* choices, const char* methods,
+                              const char* help) {
   static_assert(std::is_enum_v<rows::TypeOf<M>> || std::is_same_v<rows::TypeOf<M>, std::string>);
   return rows::bound<M>({name, ParamType::kChoice, "", methods, help, choices});
 }
 template <auto M>
-constexpr ParamRow doubles_row(const char* name, double minimum, double maximum, const char* unit, const char* methods,
-                               const char* help) {
+constexpr ParamRow doubles_row(const char* name, double minimum, double maximum, const char* unit,
+                               const char* methods, const char* help) {
   return rows::bound<M>({name, ParamType::kDoubles, unit, methods, help, "", minimum, maximum});
 }
 
@@ -156,7 +157,8 @@ template <auto Outer, const auto& Inner>
 constexpr auto nested_rows() {
   return []<size_t... I>(std::index_sequence<I...>) {
     return std::array<ParamRow, sizeof...(I)>{rows::nested_row<Outer, Inner, I>()...};
-  }(std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(Inner)>>>{});
+  }
+  (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(Inner)>>>{});
 }
 
 /// A table of rows and of tables, in this order.

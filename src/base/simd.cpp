@@ -11,7 +11,8 @@ bool use_avx2() {
 #if defined(__x86_64__)
   static const bool use = [] {
     const char* wish = std::getenv("JALON_SIMD");
-    return __builtin_cpu_supports("avx2") && !(wish != nullptr && std::strcmp(wish, "baseline") == 0);
+    return __builtin_cpu_supports("avx2") &&
+           !(wish != nullptr && std::strcmp(wish, "baseline") == 0);
   }();
   return use;
 #else

@@ -13,9 +13,10 @@ namespace jalon {
 
 /// Adds a column of one element a row; value(row).
 template <class T, class Rows, class F>
-void add_column(FieldTable& table, const Rows& rows, const std::string& name, const char* unit, const char* meaning,
-                F&& value) {
-  auto column = std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), 1, unit, meaning}, std::size(rows));
+void add_column(FieldTable& table, const Rows& rows, const std::string& name, const char* unit,
+                const char* meaning, F&& value) {
+  auto column = std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), 1, unit, meaning},
+                                         std::size(rows));
   const auto out = column->template values<T>();
   size_t i = 0;
   for (const auto& row : rows) out[i++] = static_cast<T>(value(row));
@@ -24,9 +25,10 @@ void add_column(FieldTable& table, const Rows& rows, const std::string& name, co
 
 /// Adds a column of N elements a row; fill(row, first element).
 template <class T, size_t N, class Rows, class F>
-void add_columns(FieldTable& table, const Rows& rows, const std::string& name, const char* unit, const char* meaning,
-                 F&& fill) {
-  auto column = std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), N, unit, meaning}, std::size(rows));
+void add_columns(FieldTable& table, const Rows& rows, const std::string& name, const char* unit,
+                 const char* meaning, F&& fill) {
+  auto column = std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), N, unit, meaning},
+                                         std::size(rows));
   T* out = column->template values<T>().data();
   for (const auto& row : rows) {
     fill(row, out);
@@ -37,7 +39,8 @@ void add_columns(FieldTable& table, const Rows& rows, const std::string& name, c
 
 /// Adds a number to a table of one row.
 template <class T>
-void add_value(FieldTable& table, const std::string& name, const char* unit, const char* meaning, T value) {
+void add_value(FieldTable& table, const std::string& name, const char* unit, const char* meaning,
+               T value) {
   const T one[] = {value};
   add_column<T>(table, one, name, unit, meaning, [](T v) { return v; });
 }

@@ -26,7 +26,8 @@ const void* this_thread() {
 
 Task::Task(const Hooks& hooks)
     : hooks_(hooks),
-      threads_(hooks.threads != 0 ? hooks.threads : std::max(1u, std::thread::hardware_concurrency())),
+      threads_(hooks.threads != 0 ? hooks.threads
+                                  : std::max(1u, std::thread::hardware_concurrency())),
       calling_thread_(this_thread()),
       last_report_(std::chrono::steady_clock::now()) {}
 

@@ -38,7 +38,9 @@ class Task {
   Task& operator=(const Task&) = delete;
 
   unsigned threads() const { return threads_; }
-  bool cancelled() const { return hooks_.cancel != nullptr && hooks_.cancel->load(std::memory_order_relaxed); }
+  bool cancelled() const {
+    return hooks_.cancel != nullptr && hooks_.cancel->load(std::memory_order_relaxed);
+  }
   /// Throws when cancelled; tells the host the fraction (0..1 of the current window) when it is due. Calling thread
   /// only; elsewhere it only throws when cancelled.
   void checkpoint(double fraction);

@@ -28,7 +28,8 @@ std::string text_of(double value) {
 std::string text_of(double value, int decimals) {
   if (!std::isfinite(value) || std::fabs(value) > 1e15) return text_of(value);
   char text[64];
-  const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  const auto result =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
   std::string out(text, result.ptr);
   if (out.front() == '-' && out.find_first_not_of("-0.") == std::string::npos) out.erase(0, 1);
   return out;

@@ -11,22 +11,25 @@
 using namespace jalon;
 using namespace jalon::capi;
 
-jalon_status jalon_comparison_regions(const jalon_comparison* comparison, const jalon_params* options,
-                                      jalon_task* task, jalon_fields** out_points, jalon_fields** out_regions) {
+jalon_status jalon_comparison_regions(const jalon_comparison* comparison,
+                                      const jalon_params* options, jalon_task* task,
+                                      jalon_fields** out_points, jalon_fields** out_regions) {
   return guard([&] {
     require(comparison, "comparison");
     const auto settings = settings_from<RegionSettings>(options_or_default(options, "regions"));
     auto tables = with_task(task, [&](Task& t) {
       const Regions found = change_regions(*comparison->comparison, settings, t);
-      return std::pair(own(new_fields(region_points_table(found))), own(new_fields(regions_table(found))));
+      return std::pair(own(new_fields(region_points_table(found))),
+                       own(new_fields(regions_table(found))));
     });
     if (out_points != nullptr) *out_points = tables.first.release();
     if (out_regions != nullptr) *out_regions = tables.second.release();
   });
 }
 
-jalon_status jalon_comparison_diagnose(const jalon_comparison* forward, const jalon_comparison* reverse,
-                                       const jalon_params* options, jalon_task* task, jalon_fields** out_forward,
+jalon_status jalon_comparison_diagnose(const jalon_comparison* forward,
+                                       const jalon_comparison* reverse, const jalon_params* options,
+                                       jalon_task* task, jalon_fields** out_forward,
                                        jalon_fields** out_reverse, jalon_fields** out_changes) {
   return guard([&] {
     require(forward, "forward");
@@ -38,7 +41,8 @@ jalon_status jalon_comparison_diagnose(const jalon_comparison* forward, const ja
     Tables made = with_task(task, [&](Task& t) {
       const Diagnosis found = diagnose(*forward->comparison, *reverse->comparison, settings, t);
       return Tables{own(new_fields(diagnosis_points_table(found, true))),
-                    own(new_fields(diagnosis_points_table(found, false))), own(new_fields(changes_table(found)))};
+                    own(new_fields(diagnosis_points_table(found, false))),
+                    own(new_fields(changes_table(found)))};
     });
     if (out_forward != nullptr) *out_forward = made.forward.release();
     if (out_reverse != nullptr) *out_reverse = made.reverse.release();
@@ -46,10 +50,12 @@ jalon_status jalon_comparison_diagnose(const jalon_comparison* forward, const ja
   });
 }
 
-jalon_status jalon_comparison_outlines(const jalon_comparison* forward, const jalon_fields* forward_points,
-                                       const jalon_comparison* reverse, const jalon_fields* reverse_points,
-                                       const jalon_fields* changes, const jalon_params* options, jalon_task* task,
-                                       jalon_model** out) {
+jalon_status jalon_comparison_outlines(const jalon_comparison* forward,
+                                       const jalon_fields* forward_points,
+                                       const jalon_comparison* reverse,
+                                       const jalon_fields* reverse_points,
+                                       const jalon_fields* changes, const jalon_params* options,
+                                       jalon_task* task, jalon_model** out) {
   return guard([&] {
     require(forward, "forward");
     require(forward_points, "forward_points");

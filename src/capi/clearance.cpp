@@ -25,8 +25,8 @@ double positive(double size, uint64_t i) {
   return size;
 }
 
-ConvexPiece hull_of(const jalon_gauge_piece& piece, const Transform& frame, const double* points, uint64_t count,
-                    uint64_t i) {
+ConvexPiece hull_of(const jalon_gauge_piece& piece, const Transform& frame, const double* points,
+                    uint64_t count, uint64_t i) {
   if (points == nullptr || piece.first > count || piece.count > count - piece.first)
     fail(Status::kInvalidArgument, "piece %llu wants hull points that are not there",
          static_cast<unsigned long long>(i));
@@ -34,31 +34,38 @@ ConvexPiece hull_of(const jalon_gauge_piece& piece, const Transform& frame, cons
   for (uint64_t k = piece.first; k < piece.first + piece.count; ++k) {
     corners.push_back(frame.point({points[3 * k], points[3 * k + 1], points[3 * k + 2]}));
     if (!is_finite(corners.back()))
-      fail(Status::kInvalidArgument, "hull point %llu is not finite", static_cast<unsigned long long>(k));
+      fail(Status::kInvalidArgument, "hull point %llu is not finite",
+           static_cast<unsigned long long>(k));
   }
   return ConvexPiece::hull(corners);
 }
 
-ConvexPiece piece_of(const jalon_gauge_piece& piece, const double* points, uint64_t count, uint64_t i) {
+ConvexPiece piece_of(const jalon_gauge_piece& piece, const double* points, uint64_t count,
+                     uint64_t i) {
   Transform frame = from_c(piece.frame);
   require_rigid(frame, ("the frame of piece " + std::to_string(i)).c_str());
   frame = orthonormal(frame);
   switch (piece.kind) {
     case JALON_GAUGE_BOX:
-      return ConvexPiece::box(frame, {positive(piece.size.x, i), positive(piece.size.y, i), positive(piece.size.z, i)});
-    case JALON_GAUGE_SPHERE: return ConvexPiece::sphere(frame.translation(), positive(piece.size.x, i));
+      return ConvexPiece::box(
+          frame, {positive(piece.size.x, i), positive(piece.size.y, i), positive(piece.size.z, i)});
+    case JALON_GAUGE_SPHERE:
+      return ConvexPiece::sphere(frame.translation(), positive(piece.size.x, i));
     case JALON_GAUGE_CYLINDER:
       return ConvexPiece::cylinder(frame, positive(piece.size.x, i), positive(piece.size.z, i));
-    case JALON_GAUGE_HULL: return hull_of(piece, frame, points, count, i);
+    case JALON_GAUGE_HULL:
+      return hull_of(piece, frame, points, count, i);
     default:
-      fail(Status::kInvalidArgument, "%d is no kind of piece: 1 box, 2 sphere, 3 cylinder, 4 hull", piece.kind);
+      fail(Status::kInvalidArgument, "%d is no kind of piece: 1 box, 2 sphere, 3 cylinder, 4 hull",
+           piece.kind);
   }
 }
 
-std::vector<ConvexPiece> gauge_of(const jalon_gauge_piece* pieces, uint64_t count, const double* points,
-                                  uint64_t point_count) {
+std::vector<ConvexPiece> gauge_of(const jalon_gauge_piece* pieces, uint64_t count,
+                                  const double* points, uint64_t point_count) {
   if (count == 0 || count > kMaxPieces)
-    fail(Status::kInvalidArgument, "%llu pieces; a gauge has 1 to 1000", static_cast<unsigned long long>(count));
+    fail(Status::kInvalidArgument, "%llu pieces; a gauge has 1 to 1000",
+         static_cast<unsigned long long>(count));
   require(pieces, "pieces");
   if (point_count > 0) require_array(points, JALON_FLOAT64, point_count, 3, 0, "hull_points");
   std::vector<ConvexPiece> gauge;
@@ -99,7 +106,8 @@ template <class Gauge>
 void sweep(Gauge&& gauge, const std::vector<Transform>& poses, const jalon_cloud* cloud,
            const jalon_model* model, const ClearanceSettings& settings, jalon_task* task,
            jalon_fields** places, jalon_fields** intervals) {
-  if (cloud == nullptr && model == nullptr) fail(Status::kInvalidArgument, "cloud and model are both NULL");
+  if (cloud == nullptr && model == nullptr)
+    fail(Status::kInvalidArgument, "cloud and model are both NULL");
   TablePair tables;
   with_task(task, [&](Task& t) {
     const std::vector<ConvexPiece> pieces = gauge();
@@ -112,8 +120,9 @@ void sweep(Gauge&& gauge, const std::vector<Transform>& poses, const jalon_cloud
 
 }  // namespace
 
-jalon_status jalon_model_clearance(const jalon_model* model, uint64_t part, const jalon_cloud* cloud,
-                                   const jalon_params* options, jalon_task* task, jalon_fields** summary,
+jalon_status jalon_model_clearance(const jalon_model* model, uint64_t part,
+                                   const jalon_cloud* cloud, const jalon_params* options,
+                                   jalon_task* task, jalon_fields** summary,
                                    jalon_fields** near_points) {
   return guard([&] {
     require(model, "model");
@@ -128,8 +137,9 @@ jalon_status jalon_model_clearance(const jalon_model* model, uint64_t part, cons
   });
 }
 
-jalon_status jalon_model_clearance_to_model(const jalon_model* model, uint64_t part, const jalon_model* other,
-                                            uint64_t other_part, const jalon_params* options, jalon_task* task,
+jalon_status jalon_model_clearance_to_model(const jalon_model* model, uint64_t part,
+                                            const jalon_model* other, uint64_t other_part,
+                                            const jalon_params* options, jalon_task* task,
                                             jalon_fields** summary, jalon_fields** near_faces) {
   return guard([&] {
     require(model, "model");
@@ -145,21 +155,26 @@ jalon_status jalon_model_clearance_to_model(const jalon_model* model, uint64_t p
   });
 }
 
-jalon_status jalon_gauge_sweep(const jalon_gauge_piece* pieces, uint64_t piece_count, const double* hull_points,
-                               uint64_t hull_point_count, const jalon_transform* poses, uint64_t pose_count,
-                               const jalon_cloud* cloud, const jalon_model* model, const jalon_params* options,
-                               jalon_task* task, jalon_fields** places, jalon_fields** intervals) {
+jalon_status jalon_gauge_sweep(const jalon_gauge_piece* pieces, uint64_t piece_count,
+                               const double* hull_points, uint64_t hull_point_count,
+                               const jalon_transform* poses, uint64_t pose_count,
+                               const jalon_cloud* cloud, const jalon_model* model,
+                               const jalon_params* options, jalon_task* task, jalon_fields** places,
+                               jalon_fields** intervals) {
   return guard([&] {
     const ClearanceSettings settings = settings_of_of_clearance(options);
-    const std::vector<ConvexPiece> gauge = gauge_of(pieces, piece_count, hull_points, hull_point_count);
+    const std::vector<ConvexPiece> gauge =
+        gauge_of(pieces, piece_count, hull_points, hull_point_count);
     const std::vector<Transform> list = pose_list(poses, pose_count);
     sweep([&] { return gauge; }, list, cloud, model, settings, task, places, intervals);
   });
 }
 
-jalon_status jalon_gauge_sweep_model(const jalon_model* gauge, const jalon_transform* poses, uint64_t pose_count,
-                                     const jalon_cloud* cloud, const jalon_model* model, const jalon_params* options,
-                                     jalon_task* task, jalon_fields** places, jalon_fields** intervals) {
+jalon_status jalon_gauge_sweep_model(const jalon_model* gauge, const jalon_transform* poses,
+                                     uint64_t pose_count, const jalon_cloud* cloud,
+                                     const jalon_model* model, const jalon_params* options,
+                                     jalon_task* task, jalon_fields** places,
+                                     jalon_fields** intervals) {
   return guard([&] {
     require(gauge, "gauge");
     const ClearanceSettings settings = settings_of_of_clearance(options);

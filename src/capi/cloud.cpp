@@ -21,8 +21,8 @@ FieldInfo require_field_info(const char* name, int32_t type, uint32_t components
   if (info.name.empty()) fail(Status::kInvalidArgument, "the name of a field is empty");
   info.type = require_type(type);
   if (components == 0 || components > kMaxComponents)
-    fail(Status::kInvalidArgument, "field \"%s\": %u components; 1 ... %u are possible", info.name.c_str(), components,
-         kMaxComponents);
+    fail(Status::kInvalidArgument, "field \"%s\": %u components; 1 ... %u are possible",
+         info.name.c_str(), components, kMaxComponents);
   info.components = components;
   if (unit != nullptr) info.unit = require_text(unit, "unit");
   if (meaning != nullptr) info.meaning = require_text(meaning, "meaning");
@@ -35,7 +35,8 @@ bool require_flags(uint32_t flags) {
   return (flags & JALON_CLOUD_DROP_INVALID) != 0;
 }
 
-void load_coordinates(const void* xyz, ElementType type, size_t count, size_t stride_bytes, double* out) {
+void load_coordinates(const void* xyz, ElementType type, size_t count, size_t stride_bytes,
+                      double* out) {
   const auto* from = static_cast<const char*>(xyz);
   if (type == ElementType::kFloat64 && stride_bytes == 3 * sizeof(double)) {
     if (count != 0) std::memcpy(out, from, count * stride_bytes);
@@ -45,7 +46,8 @@ void load_coordinates(const void* xyz, ElementType type, size_t count, size_t st
     using T = decltype(zero);
     for (size_t i = 0; i < count; ++i) {
       T values[3];
-      std::memcpy(values, from + i * stride_bytes, sizeof values);  // the caller's memory need not be aligned
+      std::memcpy(values, from + i * stride_bytes,
+                  sizeof values);  // the caller's memory need not be aligned
       for (size_t c = 0; c < 3; ++c) out[3 * i + c] = static_cast<double>(values[c]);
     }
   });
@@ -88,8 +90,8 @@ void require_no_overflow(uint64_t count) {
 using namespace jalon;
 using namespace jalon::capi;
 
-jalon_status jalon_cloud_create(const void* xyz, int32_t type, uint64_t count, uint64_t stride_bytes, uint32_t flags,
-                                jalon_cloud** out) {
+jalon_status jalon_cloud_create(const void* xyz, int32_t type, uint64_t count,
+                                uint64_t stride_bytes, uint32_t flags, jalon_cloud** out) {
   return guard([&] {
     require(out, "out");
     const bool drop = require_flags(flags);
@@ -109,22 +111,25 @@ jalon_status jalon_cloud_create(const void* xyz, int32_t type, uint64_t count, u
   });
 }
 
-jalon_status jalon_cloud_create_columns(const void* x, const void* y, const void* z, int32_t type, uint64_t count,
-                                        uint64_t stride_bytes, uint32_t flags, jalon_cloud** out) {
+jalon_status jalon_cloud_create_columns(const void* x, const void* y, const void* z, int32_t type,
+                                        uint64_t count, uint64_t stride_bytes, uint32_t flags,
+                                        jalon_cloud** out) {
   return guard([&] {
     require(out, "out");
     const bool drop = require_flags(flags);
     const void* columns[3] = {x, y, z};
     const char* names[3] = {"x", "y", "z"};
     size_t stride = 0;
-    for (size_t c = 0; c < 3; ++c) stride = require_array(columns[c], type, count, 1, stride_bytes, names[c]);
+    for (size_t c = 0; c < 3; ++c)
+      stride = require_array(columns[c], type, count, 1, stride_bytes, names[c]);
     require_no_overflow(count);
     Buffer<double> coordinates(3 * count);
     if (coordinates.size() * sizeof(double) >= kLargeBytes)
       advise_large_pages(coordinates.data(), coordinates.size() * sizeof(double));
     visit(require_type(type), [&](auto zero) {
       using T = decltype(zero);
-      for (size_t i = 0; i < count; ++i)  // point by point, so that the result crosses the memory bus once
+      for (size_t i = 0; i < count;
+           ++i)  // point by point, so that the result crosses the memory bus once
         for (size_t c = 0; c < 3; ++c) {
           T value;
           std::memcpy(&value, static_cast<const char*>(columns[c]) + i * stride, sizeof value);
@@ -150,7 +155,8 @@ jalon_status jalon_cloud_points(const jalon_cloud* cloud, jalon_array_view* out)
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    *out = {cloud->cloud->xyz_buffer->data(), cloud->cloud->size(), 3, JALON_FLOAT64, 3 * sizeof(double)};
+    *out = {cloud->cloud->xyz_buffer->data(), cloud->cloud->size(), 3, JALON_FLOAT64,
+            3 * sizeof(double)};
   });
 }
 
@@ -162,7 +168,8 @@ jalon_status jalon_cloud_bounds(const jalon_cloud* cloud, jalon_box* out) {
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    if (cloud->cloud->size() == 0) fail(Status::kInsufficientData, "the cloud is empty: it has no bounds");
+    if (cloud->cloud->size() == 0)
+      fail(Status::kInsufficientData, "the cloud is empty: it has no bounds");
     const Box3 box = with_task(nullptr, [&](Task& task) { return bounds(*cloud->cloud, task); });
     *out = {to_c(box.min), to_c(box.max)};
   });
@@ -193,14 +200,15 @@ jalon_status jalon_cloud_station_count(const jalon_cloud* cloud, uint64_t* out) 
   });
 }
 
-jalon_status jalon_cloud_station(const jalon_cloud* cloud, uint64_t i, const char** name, int32_t* has_pose,
-                                 jalon_transform* pose, uint64_t* first, uint64_t* count) {
+jalon_status jalon_cloud_station(const jalon_cloud* cloud, uint64_t i, const char** name,
+                                 int32_t* has_pose, jalon_transform* pose, uint64_t* first,
+                                 uint64_t* count) {
   return guard([&] {
     require(cloud, "cloud");
     const auto& stations = cloud->cloud->stations;
     if (i >= stations.size())
-      fail(Status::kInvalidArgument, "station %llu; there are %zu", static_cast<unsigned long long>(i),
-           stations.size());
+      fail(Status::kInvalidArgument, "station %llu; there are %zu",
+           static_cast<unsigned long long>(i), stations.size());
     const Station& station = stations[i];
     if (name != nullptr) *name = station.name.c_str();
     if (has_pose != nullptr) *has_pose = station.has_pose ? 1 : 0;
@@ -210,7 +218,8 @@ jalon_status jalon_cloud_station(const jalon_cloud* cloud, uint64_t i, const cha
   });
 }
 
-jalon_status jalon_cloud_set_station(jalon_cloud* cloud, const char* name, const jalon_transform* pose) {
+jalon_status jalon_cloud_set_station(jalon_cloud* cloud, const char* name,
+                                     const jalon_transform* pose) {
   return guard([&] {
     require(cloud, "cloud");
     Station station;
@@ -224,16 +233,16 @@ jalon_status jalon_cloud_set_station(jalon_cloud* cloud, const char* name, const
   });
 }
 
-jalon_status jalon_cloud_set_field(jalon_cloud* cloud, const char* name, const void* data, int32_t type,
-                                   uint32_t components, uint64_t count, uint64_t stride_bytes, const char* unit,
-                                   const char* meaning) {
+jalon_status jalon_cloud_set_field(jalon_cloud* cloud, const char* name, const void* data,
+                                   int32_t type, uint32_t components, uint64_t count,
+                                   uint64_t stride_bytes, const char* unit, const char* meaning) {
   return guard([&] {
     require(cloud, "cloud");
     FieldInfo info = require_field_info(name, type, components, unit, meaning);
     const size_t stride = require_array(data, type, count, components, stride_bytes, "data");
     if (count != cloud->cloud->size())
-      fail(Status::kInvalidArgument, "field \"%s\" has %llu items; the cloud has %zu points", info.name.c_str(),
-           static_cast<unsigned long long>(count), cloud->cloud->size());
+      fail(Status::kInvalidArgument, "field \"%s\" has %llu items; the cloud has %zu points",
+           info.name.c_str(), static_cast<unsigned long long>(count), cloud->cloud->size());
     auto column = std::make_shared<Column>(std::move(info), count);
     store_converted(*column, 0, data, column->info().type, count, stride);
     Cloud changed = *cloud->cloud;

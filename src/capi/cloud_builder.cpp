@@ -41,10 +41,11 @@ struct Draft {
 Cloud cloud_of(const Draft& draft) {
   for (const GrowingField& field : draft.fields)
     if (field.count() != draft.size())
-      fail(Status::kInvalidArgument, "field \"%s\" has %zu items for %zu points", field.info.name.c_str(),
-           field.count(), draft.size());
+      fail(Status::kInvalidArgument, "field \"%s\" has %zu items for %zu points",
+           field.info.name.c_str(), field.count(), draft.size());
   Buffer<double> xyz(draft.xyz.size());
-  if (!draft.xyz.empty()) std::memcpy(xyz.data(), draft.xyz.data(), draft.xyz.size() * sizeof(double));
+  if (!draft.xyz.empty())
+    std::memcpy(xyz.data(), draft.xyz.data(), draft.xyz.size() * sizeof(double));
   Cloud cloud = make_cloud(std::move(xyz));
   for (const GrowingField& field : draft.fields) {
     auto column = std::make_shared<Column>(field.info, draft.size());
@@ -82,7 +83,9 @@ jalon_status jalon_cloud_builder_create(uint32_t flags, jalon_cloud_builder** ou
   });
 }
 
-jalon_cloud_builder* jalon_cloud_builder_retain(jalon_cloud_builder* builder) { return retain(builder); }
+jalon_cloud_builder* jalon_cloud_builder_retain(jalon_cloud_builder* builder) {
+  return retain(builder);
+}
 void jalon_cloud_builder_release(jalon_cloud_builder* builder) { release(builder); }
 
 jalon_status jalon_cloud_builder_set_crs(jalon_cloud_builder* builder, const char* crs) {
@@ -92,8 +95,9 @@ jalon_status jalon_cloud_builder_set_crs(jalon_cloud_builder* builder, const cha
   });
 }
 
-jalon_status jalon_cloud_builder_declare_field(jalon_cloud_builder* builder, const char* name, int32_t type,
-                                               uint32_t components, const char* unit, const char* meaning) {
+jalon_status jalon_cloud_builder_declare_field(jalon_cloud_builder* builder, const char* name,
+                                               int32_t type, uint32_t components, const char* unit,
+                                               const char* meaning) {
   return guard([&] {
     require(builder, "builder");
     FieldInfo info = require_field_info(name, type, components, unit, meaning);
@@ -117,8 +121,9 @@ jalon_status jalon_cloud_builder_begin_station(jalon_cloud_builder* builder, con
   });
 }
 
-jalon_status jalon_cloud_builder_append_points(jalon_cloud_builder* builder, const void* xyz, int32_t type,
-                                               uint64_t count, uint64_t stride_bytes) {
+jalon_status jalon_cloud_builder_append_points(jalon_cloud_builder* builder, const void* xyz,
+                                               int32_t type, uint64_t count,
+                                               uint64_t stride_bytes) {
   return guard([&] {
     require(builder, "builder");
     const size_t stride = require_array(xyz, type, count, 3, stride_bytes, "xyz");
@@ -138,12 +143,14 @@ jalon_status jalon_cloud_builder_append_points(jalon_cloud_builder* builder, con
   });
 }
 
-jalon_status jalon_cloud_builder_append_field(jalon_cloud_builder* builder, const char* name, const void* data,
-                                              int32_t type, uint64_t count, uint64_t stride_bytes) {
+jalon_status jalon_cloud_builder_append_field(jalon_cloud_builder* builder, const char* name,
+                                              const void* data, int32_t type, uint64_t count,
+                                              uint64_t stride_bytes) {
   return guard([&] {
     require(builder, "builder");
     GrowingField& field = builder->draft.require(require_text(name, "name"));
-    const size_t stride = require_array(data, type, count, field.info.components, stride_bytes, "data");
+    const size_t stride =
+        require_array(data, type, count, field.info.components, stride_bytes, "data");
     if (count == 0) return;
     Column block(field.info, count);
     store_converted(block, 0, data, require_type(type), count, stride);

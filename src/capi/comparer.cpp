@@ -38,7 +38,8 @@ jalon_status jalon_comparer_params(jalon_comparer* comparer, jalon_params** out)
 }
 
 jalon_status jalon_comparer_run(const jalon_comparer* comparer, const jalon_cloud* reference,
-                                const jalon_cloud* compared, jalon_task* task, jalon_comparison** out) {
+                                const jalon_cloud* compared, jalon_task* task,
+                                jalon_comparison** out) {
   return guard([&] {
     require(comparer, "comparer");
     require(reference, "reference");
@@ -53,7 +54,8 @@ jalon_status jalon_comparer_run(const jalon_comparer* comparer, const jalon_clou
 }
 
 jalon_status jalon_comparer_run_model(const jalon_comparer* comparer, const jalon_model* reference,
-                                      const jalon_cloud* compared, jalon_task* task, jalon_comparison** out) {
+                                      const jalon_cloud* compared, jalon_task* task,
+                                      jalon_comparison** out) {
   return guard([&] {
     require(comparer, "comparer");
     require(reference, "reference");
@@ -69,8 +71,8 @@ jalon_status jalon_comparer_run_model(const jalon_comparer* comparer, const jalo
 }
 
 jalon_status jalon_comparer_run_core(const jalon_comparer* comparer, const jalon_cloud* reference,
-                                     const jalon_cloud* compared, const jalon_cloud* core, jalon_task* task,
-                                     jalon_comparison** out) {
+                                     const jalon_cloud* compared, const jalon_cloud* core,
+                                     jalon_task* task, jalon_comparison** out) {
   return guard([&] {
     require(comparer, "comparer");
     require(reference, "reference");
@@ -88,7 +90,9 @@ jalon_status jalon_comparer_run_core(const jalon_comparer* comparer, const jalon
   });
 }
 
-jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison) { return retain(comparison); }
+jalon_comparison* jalon_comparison_retain(jalon_comparison* comparison) {
+  return retain(comparison);
+}
 void jalon_comparison_release(jalon_comparison* comparison) { release(comparison); }
 
 jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_fields** out) {
@@ -96,7 +100,8 @@ jalon_status jalon_comparison_points(const jalon_comparison* comparison, jalon_f
 }
 
 jalon_status jalon_comparison_summary(const jalon_comparison* comparison, jalon_fields** out) {
-  return give_fields(comparison, "comparison", out, [&] { return comparison->comparison->summary; });
+  return give_fields(comparison, "comparison", out,
+                     [&] { return comparison->comparison->summary; });
 }
 
 jalon_status jalon_comparison_parts(const jalon_comparison* comparison, jalon_fields** out) {
@@ -121,8 +126,9 @@ jalon_status jalon_comparison_parameters(const jalon_comparison* comparison, con
   });
 }
 
-jalon_status jalon_comparison_closest_points(const jalon_comparison* comparison, const jalon_cloud* reference,
-                                             jalon_task* task, jalon_cloud** out) {
+jalon_status jalon_comparison_closest_points(const jalon_comparison* comparison,
+                                             const jalon_cloud* reference, jalon_task* task,
+                                             jalon_cloud** out) {
   return guard([&] {
     require(comparison, "comparison");
     require(reference, "reference");

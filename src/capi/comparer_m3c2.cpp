@@ -13,7 +13,8 @@ namespace {
 std::string text_of_file(const char* path) {
   constexpr uint64_t kMostBytes = 1 << 20;  // such files have some forty lines
   const ByteSource source(path);
-  if (source.size() > kMostBytes) fail(Status::kFormat, "%.200s is too large for an M3C2 parameter file", path);
+  if (source.size() > kMostBytes)
+    fail(Status::kFormat, "%.200s is too large for an M3C2 parameter file", path);
   std::string text(static_cast<size_t>(source.size()), '\0');
   source.read(0, text.data(), text.size());
   return text;
@@ -21,7 +22,8 @@ std::string text_of_file(const char* path) {
 
 }  // namespace
 
-jalon_status jalon_comparer_read_m3c2_file(jalon_comparer* comparer, const char* path, jalon_task* task) {
+jalon_status jalon_comparer_read_m3c2_file(jalon_comparer* comparer, const char* path,
+                                           jalon_task* task) {
   return guard([&] {
     require(comparer, "comparer");
     require_text(path, "path");

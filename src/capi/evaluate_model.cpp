@@ -25,31 +25,38 @@ void give_table(const jalon_model_evaluation* evaluation, jalon_fields** out,
 
 constexpr uint64_t kMostCorners = uint64_t{1} << 32;
 
-FieldTable vertices_of(const ModelEvaluation& evaluation) { return vertex_pair_table(evaluation.vertices); }
+FieldTable vertices_of(const ModelEvaluation& evaluation) {
+  return vertex_pair_table(evaluation.vertices);
+}
 
 IndexFormulas formulas_of(const jalon_params* options) {
   return settings_from<IndexSettings>(options_or_default(options, "indices")).formulas;
 }
 
 void require_either(jalon_fields** rows, jalon_fields** totals) {
-  if (rows == nullptr && totals == nullptr) fail(Status::kInvalidArgument, "rows and totals are both NULL");
+  if (rows == nullptr && totals == nullptr)
+    fail(Status::kInvalidArgument, "rows and totals are both NULL");
 }
 
 // Hands out the tables that are wanted, both or none.
-void give_both(jalon_fields** rows, jalon_fields** totals, FieldTable row_table, FieldTable total_table) {
-  Owned<jalon_fields> first = own(new_fields(std::move(row_table))), second = own(new_fields(std::move(total_table)));
+void give_both(jalon_fields** rows, jalon_fields** totals, FieldTable row_table,
+               FieldTable total_table) {
+  Owned<jalon_fields> first = own(new_fields(std::move(row_table))),
+                      second = own(new_fields(std::move(total_table)));
   if (rows != nullptr) *rows = first.release();
   if (totals != nullptr) *totals = second.release();
 }
 
 // Rings by their sense: the union of the anticlockwise ones but the clockwise ones.
-std::vector<PolygonWithHoles> region_of(const double* uv, const uint64_t* rings, uint64_t count, const char* name) {
+std::vector<PolygonWithHoles> region_of(const double* uv, const uint64_t* rings, uint64_t count,
+                                        const char* name) {
   if (count > 0) require(uv, name);
   require_array(rings, JALON_UINT64, count, 1, 0, name);
   uint64_t corners = 0;
   for (uint64_t i = 0; i < count; ++i) {
     if (rings[i] > kMostCorners - corners)
-      fail(Status::kLimit, "%s: more than %llu corners", name, static_cast<unsigned long long>(kMostCorners));
+      fail(Status::kLimit, "%s: more than %llu corners", name,
+           static_cast<unsigned long long>(kMostCorners));
     corners += rings[i];
   }
   require_array(uv, JALON_FLOAT64, corners, 2, 0, name);
@@ -59,7 +66,8 @@ std::vector<PolygonWithHoles> region_of(const double* uv, const uint64_t* rings,
     for (uint64_t k = 0; k < rings[i]; ++k, ++at) {
       ring.push_back({uv[2 * at], uv[2 * at + 1]});
       if (!std::isfinite(ring.back().u) || !std::isfinite(ring.back().v))
-        fail(Status::kInvalidArgument, "%s: corner %llu is not finite", name, static_cast<unsigned long long>(at));
+        fail(Status::kInvalidArgument, "%s: corner %llu is not finite", name,
+             static_cast<unsigned long long>(at));
     }
     (signed_area(ring) < 0 ? holes : outlines).push_back({std::move(ring), {}});
   }
@@ -72,15 +80,17 @@ std::vector<Vec3> points_of(const double* xyz, uint64_t count, const char* name)
   for (uint64_t i = 0; i < count; ++i) {
     out.push_back({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
     if (!is_finite(out.back()))
-      fail(Status::kInvalidArgument, "%s: vertex %llu is not finite", name, static_cast<unsigned long long>(i));
+      fail(Status::kInvalidArgument, "%s: vertex %llu is not finite", name,
+           static_cast<unsigned long long>(i));
   }
   return out;
 }
 
 }  // namespace
 
-jalon_status jalon_model_evaluate(const jalon_model* model, const jalon_model* reference, const jalon_params* options,
-                                  jalon_task* task, jalon_model_evaluation** out) {
+jalon_status jalon_model_evaluate(const jalon_model* model, const jalon_model* reference,
+                                  const jalon_params* options, jalon_task* task,
+                                  jalon_model_evaluation** out) {
   return guard([&] {
     require(model, "model");
     require(reference, "reference");
@@ -95,31 +105,39 @@ jalon_status jalon_model_evaluate(const jalon_model* model, const jalon_model* r
   });
 }
 
-jalon_model_evaluation* jalon_model_evaluation_retain(jalon_model_evaluation* evaluation) { return retain(evaluation); }
+jalon_model_evaluation* jalon_model_evaluation_retain(jalon_model_evaluation* evaluation) {
+  return retain(evaluation);
+}
 void jalon_model_evaluation_release(jalon_model_evaluation* evaluation) { release(evaluation); }
 
-jalon_status jalon_model_evaluation_pairs(const jalon_model_evaluation* evaluation, jalon_fields** out) {
+jalon_status jalon_model_evaluation_pairs(const jalon_model_evaluation* evaluation,
+                                          jalon_fields** out) {
   return guard([&] { give_table(evaluation, out, face_pair_table); });
 }
 
-jalon_status jalon_model_evaluation_automatic(const jalon_model_evaluation* evaluation, jalon_fields** out) {
+jalon_status jalon_model_evaluation_automatic(const jalon_model_evaluation* evaluation,
+                                              jalon_fields** out) {
   return guard([&] { give_table(evaluation, out, automatic_face_table); });
 }
 
-jalon_status jalon_model_evaluation_reference(const jalon_model_evaluation* evaluation, jalon_fields** out) {
+jalon_status jalon_model_evaluation_reference(const jalon_model_evaluation* evaluation,
+                                              jalon_fields** out) {
   return guard([&] { give_table(evaluation, out, reference_face_table); });
 }
 
-jalon_status jalon_model_evaluation_vertices(const jalon_model_evaluation* evaluation, jalon_fields** out) {
+jalon_status jalon_model_evaluation_vertices(const jalon_model_evaluation* evaluation,
+                                             jalon_fields** out) {
   return guard([&] { give_table(evaluation, out, vertices_of); });
 }
 
-jalon_status jalon_model_evaluation_totals(const jalon_model_evaluation* evaluation, jalon_fields** out) {
+jalon_status jalon_model_evaluation_totals(const jalon_model_evaluation* evaluation,
+                                           jalon_fields** out) {
   return guard([&] { give_table(evaluation, out, model_totals_table); });
 }
 
-jalon_status jalon_area_indices(const double* automatic_m2, const double* reference_m2, const double* intersection_m2,
-                                uint64_t count, const jalon_params* options, jalon_fields** rows,
+jalon_status jalon_area_indices(const double* automatic_m2, const double* reference_m2,
+                                const double* intersection_m2, uint64_t count,
+                                const jalon_params* options, jalon_fields** rows,
                                 jalon_fields** totals) {
   return guard([&] {
     require_either(rows, totals);
@@ -128,7 +146,8 @@ jalon_status jalon_area_indices(const double* automatic_m2, const double* refere
     require_array(intersection_m2, JALON_FLOAT64, count, 1, 0, "intersection_m2");
     const IndexFormulas formulas = formulas_of(options);
     std::vector<ComparedAreas> areas;
-    for (uint64_t i = 0; i < count; ++i) areas.push_back({automatic_m2[i], reference_m2[i], intersection_m2[i]});
+    for (uint64_t i = 0; i < count; ++i)
+      areas.push_back({automatic_m2[i], reference_m2[i], intersection_m2[i]});
     require_areas(areas);
     give_both(rows, totals, index_table(areas, formulas), index_totals_table(areas, {}, formulas));
   });
@@ -149,8 +168,8 @@ jalon_status jalon_polygon_indices(const double* automatic_uv, const uint64_t* a
   });
 }
 
-jalon_status jalon_vertex_deviations(const double* automatic_xyz, const double* reference_xyz, uint64_t count,
-                                     jalon_fields** rows, jalon_fields** totals) {
+jalon_status jalon_vertex_deviations(const double* automatic_xyz, const double* reference_xyz,
+                                     uint64_t count, jalon_fields** rows, jalon_fields** totals) {
   return guard([&] {
     require_either(rows, totals);
     const std::vector<Vec3> a = points_of(automatic_xyz, count, "automatic_xyz"),

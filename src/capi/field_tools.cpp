@@ -23,7 +23,8 @@ namespace {
 /// Runs change(cloud, task) and puts the result in place of the handle's cloud.
 template <class F>
 void change_cloud_of_field_tools(jalon_cloud* cloud, jalon_task* task, F&& change) {
-  auto changed = with_task(task, [&](Task& t) { return std::make_shared<const Cloud>(change(*cloud->cloud, t)); });
+  auto changed = with_task(
+      task, [&](Task& t) { return std::make_shared<const Cloud>(change(*cloud->cloud, t)); });
   cloud->cloud = std::move(changed);
 }
 
@@ -44,7 +45,8 @@ FieldTable filter_table(const ChangeFilter& found) {
   FieldTable t;
   add_value<uint64_t>(t, "tested", "points", "with enough values around", found.tested);
   add_value<uint64_t>(t, "not_tested", "points", "without", found.distance.size() - found.tested);
-  add_value<uint64_t>(t, "second_pass", "points", "tested again with more neighbours", found.second_pass);
+  add_value<uint64_t>(t, "second_pass", "points", "tested again with more neighbours",
+                      found.second_pass);
   add_value<uint64_t>(t, "changed", "points", "above the cut", found.changed_count);
   add_value<double>(t, "threshold", "1", "the cut", found.threshold);
   add_value<double>(t, "ceiling", "1", "where distances saturate", found.ceiling);
@@ -67,8 +69,9 @@ FieldTable class_table(const FieldClasses& found) {
 
 }  // namespace
 
-jalon_status jalon_cloud_compute_chi_square(jalon_cloud* cloud, const char* field, const jalon_noise_law* law,
-                                            const jalon_params* options, jalon_task* task, jalon_fields** summary) {
+jalon_status jalon_cloud_compute_chi_square(jalon_cloud* cloud, const char* field,
+                                            const jalon_noise_law* law, const jalon_params* options,
+                                            jalon_task* task, jalon_fields** summary) {
   return guard([&] {
     require(cloud, "cloud");
     require(law, "law");
@@ -80,16 +83,18 @@ jalon_status jalon_cloud_compute_chi_square(jalon_cloud* cloud, const char* fiel
     change_cloud_with_table(cloud, task, summary, [&](const Cloud& c, Task& t, FieldTable& table) {
       const ChangeFilter found = filter_changes(c, scalar_values(c, from, t), law->law, chosen, t);
       table = filter_table(found);
-      const Cloud tested =
-          with_field<double>(c, name, "1", "distance of the values around it from the noise law", found.distance);
-      return with_field<uint8_t>(tested, changed_name, "", "1 = the values around do not follow the noise law",
+      const Cloud tested = with_field<double>(
+          c, name, "1", "distance of the values around it from the noise law", found.distance);
+      return with_field<uint8_t>(tested, changed_name, "",
+                                 "1 = the values around do not follow the noise law",
                                  found.changed);
     });
   });
 }
 
-jalon_status jalon_cloud_classify_field(jalon_cloud* cloud, const char* field, const jalon_params* options,
-                                        jalon_task* task, jalon_fields** summary) {
+jalon_status jalon_cloud_classify_field(jalon_cloud* cloud, const char* field,
+                                        const jalon_params* options, jalon_task* task,
+                                        jalon_fields** summary) {
   return guard([&] {
     require(cloud, "cloud");
     require(summary, "summary");
@@ -104,24 +109,27 @@ jalon_status jalon_cloud_classify_field(jalon_cloud* cloud, const char* field, c
   });
 }
 
-jalon_status jalon_cloud_compute_gradient(jalon_cloud* cloud, const char* field, const jalon_params* options,
-                                          jalon_task* task) {
+jalon_status jalon_cloud_compute_gradient(jalon_cloud* cloud, const char* field,
+                                          const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
     const std::string from = require_text(field, "field");
     const auto chosen = settings_from<GradientSettings>(options_or_default(options, "gradient"));
-    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) { return with_gradient(c, from, chosen, t); });
+    change_cloud_of_field_tools(
+        cloud, task, [&](const Cloud& c, Task& t) { return with_gradient(c, from, chosen, t); });
   });
 }
 
-jalon_status jalon_cloud_filter_field(jalon_cloud* cloud, const char* field, const jalon_params* options,
-                                      jalon_task* task) {
+jalon_status jalon_cloud_filter_field(jalon_cloud* cloud, const char* field,
+                                      const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
     const std::string from = require_text(field, "field");
     const auto chosen =
         settings_from<FieldFilterSettings>(options_or_default(options, "field_filter"));
-    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) { return with_filtered_field(c, from, chosen, t); });
+    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) {
+      return with_filtered_field(c, from, chosen, t);
+    });
   });
 }
 
@@ -129,11 +137,14 @@ jalon_status jalon_cloud_compute_field(jalon_cloud* cloud, const char* field, co
                                        const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
-    const std::string a = require_text(field, "field"), b = other != nullptr ? require_text(other, "other") : "";
+    const std::string a = require_text(field, "field"),
+                      b = other != nullptr ? require_text(other, "other") : "";
     if (other != nullptr && b.empty()) fail(Status::kInvalidArgument, "other is an empty name");
     const auto chosen =
         settings_from<FieldArithmeticSettings>(options_or_default(options, "field_arithmetic"));
-    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) { return with_computed_field(c, a, b, chosen, t); });
+    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) {
+      return with_computed_field(c, a, b, chosen, t);
+    });
   });
 }
 
@@ -149,23 +160,28 @@ jalon_status jalon_cloud_compute_geodesic(jalon_cloud* cloud, const uint64_t* se
   });
 }
 
-jalon_status jalon_cloud_segment_propagation(jalon_cloud* cloud, const char* field, const char* gradient_field,
-                                             const jalon_params* options, jalon_task* task, jalon_fields** regions) {
+jalon_status jalon_cloud_segment_propagation(jalon_cloud* cloud, const char* field,
+                                             const char* gradient_field,
+                                             const jalon_params* options, jalon_task* task,
+                                             jalon_fields** regions) {
   return guard([&] {
     require(cloud, "cloud");
     require(regions, "regions");
-    const std::string from = require_text(field, "field"), slope = require_text(gradient_field, "gradient_field");
+    const std::string from = require_text(field, "field"),
+                      slope = require_text(gradient_field, "gradient_field");
     const auto chosen =
         settings_from<PropagationSettings>(options_or_default(options, "propagation"));
     const std::string name = require_field_name(chosen.name), arrival = chosen.arrival_name;
     change_cloud_with_table(cloud, task, regions, [&](const Cloud& c, Task& t, FieldTable& table) {
-      PropagationResult found =
-          segment_by_propagation(c, scalar_values(c, from, t), scalar_values(c, slope, t), chosen, t);
+      PropagationResult found = segment_by_propagation(c, scalar_values(c, from, t),
+                                                       scalar_values(c, slope, t), chosen, t);
       table = std::move(found.regions);
-      Cloud out = with_field<uint32_t>(c, name, "", "region by propagation, 1 = most points, 0 = none", found.labels);
+      Cloud out = with_field<uint32_t>(
+          c, name, "", "region by propagation, 1 = most points, 0 = none", found.labels);
       return arrival.empty()
                  ? out
-                 : with_field<double>(out, arrival, "m", "arrival time of the front, m at speed 1", found.arrival_m);
+                 : with_field<double>(out, arrival, "m", "arrival time of the front, m at speed 1",
+                                      found.arrival_m);
     });
   });
 }
@@ -178,12 +194,14 @@ jalon_status jalon_cloud_compute_map_distance(jalon_cloud* cloud, const jalon_cl
     const auto chosen =
         settings_from<DistanceMapSettings>(options_or_default(options, "distance_map"));
     const CloudPtr from = reference->cloud;  // it may be the same handle
-    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) { return with_map_distance(c, *from, chosen, t); });
+    change_cloud_of_field_tools(cloud, task, [&](const Cloud& c, Task& t) {
+      return with_map_distance(c, *from, chosen, t);
+    });
   });
 }
 
-jalon_status jalon_cloud_distance_map(const jalon_cloud* cloud, const jalon_params* options, jalon_task* task,
-                                      jalon_cloud** out) {
+jalon_status jalon_cloud_distance_map(const jalon_cloud* cloud, const jalon_params* options,
+                                      jalon_task* task, jalon_cloud** out) {
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");

@@ -23,7 +23,8 @@ Owned<jalon_noise_law> handle_of(NoiseLaw law) {
   return own(handle.release());
 }
 
-std::span<const double> numbers_of_field_tools_law(const double* values, uint64_t count, const char* name) {
+std::span<const double> numbers_of_field_tools_law(const double* values, uint64_t count,
+                                                   const char* name) {
   require_array(values, JALON_FLOAT64, count, 1, 0, name);
   return {values, static_cast<size_t>(count)};
 }
@@ -33,8 +34,9 @@ std::span<const double> numbers_of_field_tools_law(const double* values, uint64_
 jalon_noise_law* jalon_noise_law_retain(jalon_noise_law* law) { return retain(law); }
 void jalon_noise_law_release(jalon_noise_law* law) { release(law); }
 
-jalon_status jalon_noise_law_fit(const jalon_cloud* cloud, const char* field, const jalon_params* options,
-                                 jalon_task* task, jalon_noise_law** out) {
+jalon_status jalon_noise_law_fit(const jalon_cloud* cloud, const char* field,
+                                 const jalon_params* options, jalon_task* task,
+                                 jalon_noise_law** out) {
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
@@ -65,8 +67,8 @@ jalon_status jalon_noise_law_table(const jalon_noise_law* law, jalon_fields** ou
   return give_fields(law, "law", out, [&] { return noise_law_table(law->law); });
 }
 
-jalon_status jalon_noise_law_evaluate(const jalon_noise_law* law, const double* values, uint64_t count, double* density,
-                                      double* cumulative) {
+jalon_status jalon_noise_law_evaluate(const jalon_noise_law* law, const double* values,
+                                      uint64_t count, double* density, double* cumulative) {
   return guard([&] {
     require(law, "law");
     const auto at = numbers_of_field_tools_law(values, count, "values");
@@ -77,8 +79,8 @@ jalon_status jalon_noise_law_evaluate(const jalon_noise_law* law, const double* 
   });
 }
 
-jalon_status jalon_noise_law_quantiles(const jalon_noise_law* law, const double* probabilities, uint64_t count,
-                                       double* out) {
+jalon_status jalon_noise_law_quantiles(const jalon_noise_law* law, const double* probabilities,
+                                       uint64_t count, double* out) {
   return guard([&] {
     require(law, "law");
     const auto at = numbers_of_field_tools_law(probabilities, count, "probabilities");
@@ -88,17 +90,19 @@ jalon_status jalon_noise_law_quantiles(const jalon_noise_law* law, const double*
   });
 }
 
-jalon_status jalon_cloud_field_histogram(const jalon_cloud* cloud, const char* field, const jalon_noise_law* law,
-                                         const jalon_params* options, jalon_task* task, jalon_fields** bins,
+jalon_status jalon_cloud_field_histogram(const jalon_cloud* cloud, const char* field,
+                                         const jalon_noise_law* law, const jalon_params* options,
+                                         jalon_task* task, jalon_fields** bins,
                                          jalon_fields** summary) {
   return guard([&] {
     require(cloud, "cloud");
     const std::string name = require_text(field, "field");
     const auto chosen = settings_from<HistogramSettings>(options_or_default(options, "histogram"));
-    Owned<jalon_fields> made_bins = own<jalon_fields>(nullptr), made_summary = own<jalon_fields>(nullptr);
+    Owned<jalon_fields> made_bins = own<jalon_fields>(nullptr),
+                        made_summary = own<jalon_fields>(nullptr);
     with_task(task, [&](Task& t) {
-      const Histogram h = field_histogram(scalar_values(*cloud->cloud, name, t), law != nullptr ? &law->law : nullptr,
-                                          chosen, t);
+      const Histogram h = field_histogram(scalar_values(*cloud->cloud, name, t),
+                                          law != nullptr ? &law->law : nullptr, chosen, t);
       const std::string unit = unit_of(*cloud->cloud, name);
       made_bins.reset(new_fields(histogram_bins(h, unit.c_str())));
       made_summary.reset(new_fields(histogram_summary(h, unit.c_str())));

@@ -24,19 +24,22 @@ jalon_status jalon_fields_info(const jalon_fields* fields, uint64_t i, jalon_fie
   return guard([&] {
     require(fields, "fields");
     require(out, "out");
-    if (i >= fields->table.size()) fail(Status::kInvalidArgument, "there are %zu fields", fields->table.size());
+    if (i >= fields->table.size())
+      fail(Status::kInvalidArgument, "there are %zu fields", fields->table.size());
     if (out->struct_size < sizeof(uint32_t) || out->struct_size > 4096)
       fail(Status::kInvalidArgument, "struct_size of jalon_field_info is not set");
     const Column& column = *fields->table.at(i);
     const FieldInfo& field = column.info();
-    const jalon_field_info info{out->struct_size,    static_cast<int32_t>(field.type), field.components,
-                                0,                   column.count(),                   field.name.c_str(),
+    const jalon_field_info info{out->struct_size,   static_cast<int32_t>(field.type),
+                                field.components,   0,
+                                column.count(),     field.name.c_str(),
                                 field.unit.c_str(), field.meaning.c_str()};
     std::memcpy(out, &info, std::min<size_t>(out->struct_size, sizeof info));
   });
 }
 
-jalon_status jalon_fields_view(const jalon_fields* fields, const char* name, jalon_array_view* out) {
+jalon_status jalon_fields_view(const jalon_fields* fields, const char* name,
+                               jalon_array_view* out) {
   return guard([&] {
     require(fields, "fields");
     require(out, "out");
@@ -44,8 +47,8 @@ jalon_status jalon_fields_view(const jalon_fields* fields, const char* name, jal
   });
 }
 
-jalon_status jalon_fields_copy(const jalon_fields* fields, const char* name, int32_t type, void* out,
-                               uint64_t capacity_elements) {
+jalon_status jalon_fields_copy(const jalon_fields* fields, const char* name, int32_t type,
+                               void* out, uint64_t capacity_elements) {
   return guard([&] {
     require(fields, "fields");
     const Column& column = fields->table.require(require_text(name, "name"));

@@ -39,12 +39,14 @@ const Model& model_of(const jalon_model* model) {
 }  // namespace
 }  // namespace jalon::capi
 
-jalon_status jalon_model_create_mesh(const void* vertices, int32_t type, uint64_t count_vertices, uint64_t stride_bytes,
-                                     const uint32_t* triangles, uint64_t count_triangles, const uint32_t* face_ids,
+jalon_status jalon_model_create_mesh(const void* vertices, int32_t type, uint64_t count_vertices,
+                                     uint64_t stride_bytes, const uint32_t* triangles,
+                                     uint64_t count_triangles, const uint32_t* face_ids,
                                      jalon_model** out) {
   return guard([&] {
     require(out, "out");
-    const size_t stride = require_array(vertices, type, count_vertices, 3, stride_bytes, "vertices");
+    const size_t stride =
+        require_array(vertices, type, count_vertices, 3, stride_bytes, "vertices");
     require_array(triangles, JALON_UINT32, count_triangles, 3, 0, "triangles");
     if (count_vertices > kMaxElements || count_triangles > kMaxElements)
       fail(Status::kLimit, "a model holds at most 2^32 - 1 vertices and triangles");
@@ -118,8 +120,8 @@ jalon_status jalon_model_part_count(const jalon_model* model, uint64_t* out) {
   });
 }
 
-jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char** name, const char** part_class,
-                              uint64_t* parent) {
+jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char** name,
+                              const char** part_class, uint64_t* parent) {
   return guard([&] {
     const Model& m = model_of(model);
     if (i >= m.parts.size()) fail(Status::kInvalidArgument, "there are %zu parts", m.parts.size());
@@ -130,14 +132,15 @@ jalon_status jalon_model_part(const jalon_model* model, uint64_t i, const char**
   });
 }
 
-jalon_status jalon_model_rename_part(const jalon_model* model, uint64_t i, const char* name, const char* part_class,
-                                     jalon_model** out) {
+jalon_status jalon_model_rename_part(const jalon_model* model, uint64_t i, const char* name,
+                                     const char* part_class, jalon_model** out) {
   return guard([&] {
     const Model& m = model_of(model);
     require(out, "out");
     if (i >= m.parts.size()) fail(Status::kInvalidArgument, "there are %zu parts", m.parts.size());
     std::string new_name = name != nullptr ? require_text(name, "name") : m.parts[i].name;
-    std::string new_class = part_class != nullptr ? require_text(part_class, "part_class") : m.parts[i].part_class;
+    std::string new_class =
+        part_class != nullptr ? require_text(part_class, "part_class") : m.parts[i].part_class;
     *out = new_model(with_renamed_part(m, i, std::move(new_name), std::move(new_class)));
   });
 }

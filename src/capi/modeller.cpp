@@ -26,7 +26,8 @@ jalon_status jalon_modeller_params(jalon_modeller* modeller, jalon_params** out)
 }
 
 jalon_status jalon_modeller_run(const jalon_modeller* modeller, const jalon_cloud* cloud,
-                                const jalon_segmentation* segmentation, jalon_task* task, jalon_model** out) {
+                                const jalon_segmentation* segmentation, jalon_task* task,
+                                jalon_model** out) {
   return guard([&] {
     require(modeller, "modeller");
     require(cloud, "cloud");

@@ -42,23 +42,47 @@ namespace jalon::capi {
 
 std::span<const Operation> operations() {
   static constexpr Operation kOperations[] = {
-      {"normals", normals_rows},     {"features", features_rows},   {"components", components_rows},
-      {"regions", regions_rows},     {"diagnosis", diagnosis_rows}, {"volume", volume_rows},
-      {"model_sample", model_sample_rows}, {"change_outlines", change_outlines_rows},
+      {"normals", normals_rows},
+      {"features", features_rows},
+      {"components", components_rows},
+      {"regions", regions_rows},
+      {"diagnosis", diagnosis_rows},
+      {"volume", volume_rows},
+      {"model_sample", model_sample_rows},
+      {"change_outlines", change_outlines_rows},
       {"deviation_picture", deviation_picture_rows},
       {"comparison_report", comparison_report_rows},
       {"registration_report", registration_report_rows},
-      {"outliers", outliers_rows},   {"subsample", subsample_rows}, {"interest", interest_rows},
-      {"read", read_rows},           {"write", write_rows},         {"scene", scene_rows},
-      {"elevation", elevation_rows}, {"report", report_rows},       {"picture", picture_rows},
-      {"labels", labels_rows},       {"evaluation", evaluation_rows}, {"confusion", confusion_rows},
-      {"primitive", primitive_rows}, {"pick", pick_rows},           {"model_evaluation", model_evaluation_rows},
-      {"indices", indices_rows},     {"precision", precision_rows}, {"visibility", visibility_rows},
-      {"noise_law", noise_law_rows}, {"histogram", histogram_rows}, {"chi_square", chi_square_rows},
-      {"classes", classes_rows},     {"gradient", gradient_rows},   {"field_filter", field_filter_rows},
-      {"field_arithmetic", field_arithmetic_rows}, {"geodesic", geodesic_rows}, {"propagation", propagation_rows},
+      {"outliers", outliers_rows},
+      {"subsample", subsample_rows},
+      {"interest", interest_rows},
+      {"read", read_rows},
+      {"write", write_rows},
+      {"scene", scene_rows},
+      {"elevation", elevation_rows},
+      {"report", report_rows},
+      {"picture", picture_rows},
+      {"labels", labels_rows},
+      {"evaluation", evaluation_rows},
+      {"confusion", confusion_rows},
+      {"primitive", primitive_rows},
+      {"pick", pick_rows},
+      {"model_evaluation", model_evaluation_rows},
+      {"indices", indices_rows},
+      {"precision", precision_rows},
+      {"visibility", visibility_rows},
+      {"noise_law", noise_law_rows},
+      {"histogram", histogram_rows},
+      {"chi_square", chi_square_rows},
+      {"classes", classes_rows},
+      {"gradient", gradient_rows},
+      {"field_filter", field_filter_rows},
+      {"field_arithmetic", field_arithmetic_rows},
+      {"geodesic", geodesic_rows},
+      {"propagation", propagation_rows},
       {"distance_map", distance_map_rows},
-      {"clearance", clearance_rows}, {"target", target_rows},
+      {"clearance", clearance_rows},
+      {"target", target_rows},
   };
   return kOperations;
 }
@@ -79,7 +103,8 @@ const Operation& find_operation(const std::string& name) {
 ParamSet options_or_default(const jalon_params* options, const char* operation) {
   if (options == nullptr) return {find_operation(operation).name, find_operation(operation).rows()};
   if (options->operation != operation)
-    fail(Status::kInvalidArgument, "the options are of \"%s\", not of \"%s\"", options->operation.c_str(), operation);
+    fail(Status::kInvalidArgument, "the options are of \"%s\", not of \"%s\"",
+         options->operation.c_str(), operation);
   return *options->values;
 }
 
@@ -109,7 +134,8 @@ jalon_status jalon_params_operation_count(uint64_t* out) {
 jalon_status jalon_params_operation_name(uint64_t i, const char** out) {
   return guard([&] {
     require(out, "out");
-    if (i >= operations().size()) fail(Status::kInvalidArgument, "there are %zu operations", operations().size());
+    if (i >= operations().size())
+      fail(Status::kInvalidArgument, "there are %zu operations", operations().size());
     *out = operations()[i].name;
   });
 }
@@ -141,8 +167,10 @@ jalon_status jalon_params_info(const jalon_params* params, uint64_t i, jalon_par
       texts.swap(made);
     }
     const ParamRow& row = rows[i];
-    const jalon_param_info info{out->struct_size, static_cast<int32_t>(row.type), row.name,    row.unit,
-                                row.methods,      row.help,                       row.choices, texts[i].c_str(),
+    const jalon_param_info info{out->struct_size, static_cast<int32_t>(row.type),
+                                row.name,         row.unit,
+                                row.methods,      row.help,
+                                row.choices,      texts[i].c_str(),
                                 row.minimum,      row.maximum};
     std::memcpy(out, &info, std::min<size_t>(out->struct_size, sizeof info));
   });
@@ -176,7 +204,8 @@ jalon_status jalon_params_set_string(jalon_params* params, const char* name, con
   });
 }
 
-jalon_status jalon_params_set_doubles(jalon_params* params, const char* name, const double* values, uint64_t count) {
+jalon_status jalon_params_set_doubles(jalon_params* params, const char* name, const double* values,
+                                      uint64_t count) {
   return guard([&] {
     require(params, "params");
     require_array(values, JALON_FLOAT64, count, 1, 0, "values");
@@ -208,7 +237,8 @@ jalon_status jalon_params_get_bool(const jalon_params* params, const char* name,
   });
 }
 
-jalon_status jalon_params_get_string(const jalon_params* params, const char* name, const char** out) {
+jalon_status jalon_params_get_string(const jalon_params* params, const char* name,
+                                     const char** out) {
   return guard([&] {
     require(params, "params");
     require(out, "out");
@@ -216,8 +246,8 @@ jalon_status jalon_params_get_string(const jalon_params* params, const char* nam
   });
 }
 
-jalon_status jalon_params_get_doubles(const jalon_params* params, const char* name, const double** values,
-                                      uint64_t* count) {
+jalon_status jalon_params_get_doubles(const jalon_params* params, const char* name,
+                                      const double** values, uint64_t* count) {
   return guard([&] {
     require(params, "params");
     require(values, "values");

@@ -17,7 +17,8 @@ using namespace jalon::capi;
 
 namespace {
 
-std::span<const double> numbers_of_precision(const double* values, uint64_t count, const char* name) {
+std::span<const double> numbers_of_precision(const double* values, uint64_t count,
+                                             const char* name) {
   require_array(values, JALON_FLOAT64, count, 1, 0, name);
   return {values, static_cast<size_t>(count)};
 }
@@ -47,15 +48,17 @@ FieldTable budget_table(const std::vector<PointBudget>& rows) {
   add("vertical", "m", "of the vertical angle", [](const B& b) { return b.vertical_m; });
   add("instrument", "m", "of these three", [](const B& b) { return b.instrument_m(); });
   add("pulse", "m", "pulse noise", [](const B& b) { return b.pulse_m; });
-  add("beam", "m", "beam width, in each direction across the ray", [](const B& b) { return b.beam_m; });
+  add("beam", "m", "beam width, in each direction across the ray",
+      [](const B& b) { return b.beam_m; });
   add("azimuth", "m", "of the back-sight", [](const B& b) { return b.azimuth_m; });
   add("levelling", "m", "of the vertical axis", [](const B& b) { return b.levelling_m; });
   add("station", "m", "of the scanner's position", [](const B& b) { return b.station_m; });
   add("point", "m", "all together", [](const B& b) { return b.point_m(); });
-  add_columns<double, 9>(t, rows, "covariance", "m2", "of the point at h = 0, row-major", [](const B& b, double* o) {
-    constexpr size_t kUpper[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
-    for (size_t i = 0; i < 9; ++i) o[i] = b.covariance[kUpper[i]];
-  });
+  add_columns<double, 9>(t, rows, "covariance", "m2", "of the point at h = 0, row-major",
+                         [](const B& b, double* o) {
+                           constexpr size_t kUpper[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+                           for (size_t i = 0; i < 9; ++i) o[i] = b.covariance[kUpper[i]];
+                         });
   add("range_bias", "m", "time walk and temperature", [](const B& b) { return b.range_bias_m; });
   add("intensity", "1/m2", "returned, relative", [](const B& b) { return b.intensity; });
   return t;
@@ -77,8 +80,9 @@ FieldTable sample_table(const RangeSample& sample) {
 
 }  // namespace
 
-jalon_status jalon_precision_budget(const double* ranges_m, const double* vertical_rad, const double* incidence_rad,
-                                    uint64_t count, const jalon_params* options, jalon_fields** out) {
+jalon_status jalon_precision_budget(const double* ranges_m, const double* vertical_rad,
+                                    const double* incidence_rad, uint64_t count,
+                                    const jalon_params* options, jalon_fields** out) {
   return guard([&] {
     require(out, "out");
     const auto ranges = numbers_of_precision(ranges_m, count, "ranges_m");
@@ -96,7 +100,8 @@ jalon_status jalon_precision_budget(const double* ranges_m, const double* vertic
   });
 }
 
-jalon_status jalon_cloud_compute_covariances(jalon_cloud* cloud, const jalon_params* options, jalon_task* task) {
+jalon_status jalon_cloud_compute_covariances(jalon_cloud* cloud, const jalon_params* options,
+                                             jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
     const auto chosen = settings_from<ScannerPrecision>(options_or_default(options, "precision"));
@@ -107,8 +112,9 @@ jalon_status jalon_cloud_compute_covariances(jalon_cloud* cloud, const jalon_par
   });
 }
 
-jalon_status jalon_segmentation_plane_covariances(const jalon_segmentation* segmentation, const jalon_params* options,
-                                                  jalon_task* task, jalon_fields** out) {
+jalon_status jalon_segmentation_plane_covariances(const jalon_segmentation* segmentation,
+                                                  const jalon_params* options, jalon_task* task,
+                                                  jalon_fields** out) {
   return guard([&] {
     require(segmentation, "segmentation");
     require(out, "out");
@@ -120,8 +126,8 @@ jalon_status jalon_segmentation_plane_covariances(const jalon_segmentation* segm
   });
 }
 
-jalon_status jalon_cloud_range_precision(const jalon_cloud* cloud, const uint64_t* indices, uint64_t count,
-                                         jalon_task* task, jalon_fields** out) {
+jalon_status jalon_cloud_range_precision(const jalon_cloud* cloud, const uint64_t* indices,
+                                         uint64_t count, jalon_task* task, jalon_fields** out) {
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
@@ -136,15 +142,17 @@ jalon_status jalon_cloud_range_precision(const jalon_cloud* cloud, const uint64_
   });
 }
 
-jalon_status jalon_baseline_constant(const double* measured_m, const double* known_m, uint64_t count,
-                                     jalon_fields** out) {
+jalon_status jalon_baseline_constant(const double* measured_m, const double* known_m,
+                                     uint64_t count, jalon_fields** out) {
   return guard([&] {
     require(out, "out");
     const BaselineConstant found =
-        baseline_constant(numbers_of_precision(measured_m, count, "measured_m"), numbers_of_precision(known_m, count, "known_m"));
+        baseline_constant(numbers_of_precision(measured_m, count, "measured_m"),
+                          numbers_of_precision(known_m, count, "known_m"));
     FieldTable t;
     add_value<uint64_t>(t, "distances", "", "of the baseline", found.count);
-    add_value<double>(t, "constant", "m", "k: measured ranges are too long by it", found.constant_m);
+    add_value<double>(t, "constant", "m", "k: measured ranges are too long by it",
+                      found.constant_m);
     add_value<double>(t, "sigma", "m", "precision of one range, divided by n - 1", found.sigma_m);
     add_value<double>(t, "sigma_constant", "m", "sigma / sqrt(n)", found.sigma_constant_m);
     add_value<double>(t, "rms", "m", "accuracy of one range before the correction", found.rms_m);
@@ -152,11 +160,12 @@ jalon_status jalon_baseline_constant(const double* measured_m, const double* kno
   });
 }
 
-jalon_status jalon_angular_precision(const double* measured_m, const double* known_m, const double* ranges_m,
-                                     uint64_t count, jalon_fields** out) {
+jalon_status jalon_angular_precision(const double* measured_m, const double* known_m,
+                                     const double* ranges_m, uint64_t count, jalon_fields** out) {
   return guard([&] {
     require(out, "out");
-    const auto measured = numbers_of_precision(measured_m, count, "measured_m"), known = numbers_of_precision(known_m, count, "known_m"),
+    const auto measured = numbers_of_precision(measured_m, count, "measured_m"),
+               known = numbers_of_precision(known_m, count, "known_m"),
                ranges = numbers_of_precision(ranges_m, count, "ranges_m");
     require_positive(ranges);
     // An angular error is a baseline's error over the range.
@@ -175,9 +184,11 @@ jalon_status jalon_angular_precision(const double* measured_m, const double* kno
   });
 }
 
-jalon_status jalon_phase_range(const double* wavelengths_m, const double* remainders_m, uint64_t count, double* out) {
+jalon_status jalon_phase_range(const double* wavelengths_m, const double* remainders_m,
+                               uint64_t count, double* out) {
   return guard([&] {
     require(out, "out");
-    *out = phase_range_m(numbers_of_precision(wavelengths_m, count, "wavelengths_m"), numbers_of_precision(remainders_m, count, "remainders_m"));
+    *out = phase_range_m(numbers_of_precision(wavelengths_m, count, "wavelengths_m"),
+                         numbers_of_precision(remainders_m, count, "remainders_m"));
   });
 }

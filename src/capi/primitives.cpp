@@ -30,8 +30,8 @@ FieldTable one_row(Segment segment) {
 
 std::vector<Vec3> pick_list(const double* picks, uint64_t count) {
   if (count > kMaxPicks)
-    fail(Status::kInvalidArgument, "%llu picks; at most %llu", static_cast<unsigned long long>(count),
-         static_cast<unsigned long long>(kMaxPicks));
+    fail(Status::kInvalidArgument, "%llu picks; at most %llu",
+         static_cast<unsigned long long>(count), static_cast<unsigned long long>(kMaxPicks));
   require(picks, "picks");
   std::vector<Vec3> out;
   for (uint64_t i = 0; i < count; ++i) {
@@ -50,8 +50,9 @@ jalon_segmentation* new_segmentation(Segmentation segmentation) {
 
 }  // namespace
 
-jalon_status jalon_cloud_fit_sphere(const jalon_cloud* cloud, const uint64_t* indices, uint64_t count,
-                                    const jalon_params* options, jalon_task* task, jalon_fields** out) {
+jalon_status jalon_cloud_fit_sphere(const jalon_cloud* cloud, const uint64_t* indices,
+                                    uint64_t count, const jalon_params* options, jalon_task* task,
+                                    jalon_fields** out) {
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
@@ -64,8 +65,9 @@ jalon_status jalon_cloud_fit_sphere(const jalon_cloud* cloud, const uint64_t* in
   });
 }
 
-jalon_status jalon_cloud_fit_cylinder(const jalon_cloud* cloud, const uint64_t* indices, uint64_t count,
-                                      const jalon_vec3* direction, const jalon_params* options, jalon_task* task,
+jalon_status jalon_cloud_fit_cylinder(const jalon_cloud* cloud, const uint64_t* indices,
+                                      uint64_t count, const jalon_vec3* direction,
+                                      const jalon_params* options, jalon_task* task,
                                       jalon_fields** out) {
   return guard([&] {
     require(cloud, "cloud");
@@ -76,14 +78,15 @@ jalon_status jalon_cloud_fit_cylinder(const jalon_cloud* cloud, const uint64_t* 
     const Vec3 axis = direction != nullptr ? from_c(*direction) : Vec3{};
     if (!is_finite(axis)) fail(Status::kInvalidArgument, "the direction of the axis is not finite");
     *out = with_task(task, [&](Task& t) {
-             return own(new_fields(
-                 one_row(cylinder_segment(*cloud->cloud, list, direction != nullptr ? &axis : nullptr, chosen, t))));
+             return own(new_fields(one_row(cylinder_segment(
+                 *cloud->cloud, list, direction != nullptr ? &axis : nullptr, chosen, t))));
            }).release();
   });
 }
 
-jalon_status jalon_cloud_fit_circle(const jalon_cloud* cloud, const uint64_t* indices, uint64_t count,
-                                    const jalon_params* options, jalon_task* task, jalon_fields** out) {
+jalon_status jalon_cloud_fit_circle(const jalon_cloud* cloud, const uint64_t* indices,
+                                    uint64_t count, const jalon_params* options, jalon_task* task,
+                                    jalon_fields** out) {
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
@@ -96,33 +99,39 @@ jalon_status jalon_cloud_fit_circle(const jalon_cloud* cloud, const uint64_t* in
   });
 }
 
-jalon_status jalon_segmentation_start(const jalon_cloud* cloud, jalon_task* task, jalon_segmentation** out) {
+jalon_status jalon_segmentation_start(const jalon_cloud* cloud, jalon_task* task,
+                                      jalon_segmentation** out) {
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");
-    *out = with_task(task,
-                     [&](Task& t) { return own(new_segmentation(empty_segmentation(cloud->cloud, t))); }).release();
+    *out = with_task(task, [&](Task& t) {
+             return own(new_segmentation(empty_segmentation(cloud->cloud, t)));
+           }).release();
   });
 }
 
-jalon_status jalon_segmentation_pick(const jalon_segmentation* segmentation, int32_t primitive, const double* picks,
-                                     uint64_t count, const jalon_params* options, jalon_task* task,
+jalon_status jalon_segmentation_pick(const jalon_segmentation* segmentation, int32_t primitive,
+                                     const double* picks, uint64_t count,
+                                     const jalon_params* options, jalon_task* task,
                                      jalon_segmentation** out) {
   return guard([&] {
     require(segmentation, "segmentation");
     require(out, "out");
     if (primitive < JALON_PRIMITIVE_PLANE || primitive > JALON_PRIMITIVE_CYLINDER)
-      fail(Status::kInvalidArgument, "%d is no primitive: 1 plane, 2 sphere, 3 cylinder", primitive);
+      fail(Status::kInvalidArgument, "%d is no primitive: 1 plane, 2 sphere, 3 cylinder",
+           primitive);
     const auto chosen = settings_from<PickSettings>(options_or_default(options, "pick"));
     const std::vector<Vec3> list = pick_list(picks, count);
     *out = with_task(task, [&](Task& t) {
-             return own(new_segmentation(with_pick(*segmentation->segmentation, static_cast<PrimitiveType>(primitive),
-                                                   list, chosen, t)));
+             return own(new_segmentation(with_pick(*segmentation->segmentation,
+                                                   static_cast<PrimitiveType>(primitive), list,
+                                                   chosen, t)));
            }).release();
   });
 }
 
-jalon_status jalon_segmentation_remaining(const jalon_segmentation* segmentation, jalon_task* task, jalon_cloud** out) {
+jalon_status jalon_segmentation_remaining(const jalon_segmentation* segmentation, jalon_task* task,
+                                          jalon_cloud** out) {
   return guard([&] {
     require(segmentation, "segmentation");
     require(out, "out");
@@ -132,7 +141,8 @@ jalon_status jalon_segmentation_remaining(const jalon_segmentation* segmentation
   });
 }
 
-jalon_status jalon_segmentation_write_primitives(const jalon_segmentation* segmentation, const char* path) {
+jalon_status jalon_segmentation_write_primitives(const jalon_segmentation* segmentation,
+                                                 const char* path) {
   return guard([&] {
     require(segmentation, "segmentation");
     AtomicFile file(require_text(path, "path"));

@@ -17,7 +17,8 @@ using namespace jalon::capi;
 namespace {
 
 // A handle of what a method made, with the parameters it was made with.
-std::unique_ptr<jalon_registration> handle_of(Registration made, const ParamSet& values, const SharedText& crs) {
+std::unique_ptr<jalon_registration> handle_of(Registration made, const ParamSet& values,
+                                              const SharedText& crs) {
   auto handle = std::make_unique<jalon_registration>();
   made.parameters_json = values.to_json();
   handle->registration = std::make_shared<const Registration>(std::move(made));
@@ -35,14 +36,16 @@ void require_rigid_start(const Transform& pose) {
       if (!(std::abs(product - (i == j)) <= kTolerance))
         fail(Status::kInvalidArgument, "the start is not a rigid motion");
     }
-  if (pose.determinant() < 0) fail(Status::kInvalidArgument, "the start is a mirror, not a rigid motion");
+  if (pose.determinant() < 0)
+    fail(Status::kInvalidArgument, "the start is a mirror, not a rigid motion");
 }
 
 std::vector<Target> targets_from(const jalon_target* targets, uint64_t count, const char* what) {
   constexpr uint64_t kMost = 1'000'000;
   if (count > 0) require(targets, what);
   if (count > kMost)
-    fail(Status::kLimit, "%llu %s targets; at most a million", static_cast<unsigned long long>(count), what);
+    fail(Status::kLimit, "%llu %s targets; at most a million",
+         static_cast<unsigned long long>(count), what);
   std::vector<Target> out(static_cast<size_t>(count));
   for (size_t i = 0; i < out.size(); ++i) {
     if (targets[i].name != nullptr) out[i].name = require_text(targets[i].name, "name");
@@ -51,7 +54,8 @@ std::vector<Target> targets_from(const jalon_target* targets, uint64_t count, co
       fail(Status::kInvalidArgument, "%s target %zu has a coordinate that is not finite", what, i);
     for (size_t k = 0; k < 9; ++k) {
       if (!std::isfinite(targets[i].covariance[k]))
-        fail(Status::kInvalidArgument, "%s target %zu has a covariance that is not finite", what, i);
+        fail(Status::kInvalidArgument, "%s target %zu has a covariance that is not finite", what,
+             i);
       out[i].covariance[k] = targets[i].covariance[k];
     }
   }
@@ -76,8 +80,8 @@ jalon_status jalon_registrar_params(jalon_registrar* registrar, jalon_params** o
 }
 
 jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_cloud* reference,
-                                 const jalon_cloud* moving, const jalon_transform* start, jalon_task* task,
-                                 jalon_registration** out) {
+                                 const jalon_cloud* moving, const jalon_transform* start,
+                                 jalon_task* task, jalon_registration** out) {
   return guard([&] {
     require(registrar, "registrar");
     require(reference, "reference");
@@ -97,9 +101,10 @@ jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_c
   });
 }
 
-jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar, const jalon_target* reference,
-                                         uint64_t reference_count, const jalon_target* moving,
-                                         uint64_t moving_count, jalon_task* task, jalon_registration** out) {
+jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar,
+                                         const jalon_target* reference, uint64_t reference_count,
+                                         const jalon_target* moving, uint64_t moving_count,
+                                         jalon_task* task, jalon_registration** out) {
   return guard([&] {
     require(registrar, "registrar");
     require(out, "out");
@@ -113,10 +118,13 @@ jalon_status jalon_registrar_run_targets(const jalon_registrar* registrar, const
   });
 }
 
-jalon_registration* jalon_registration_retain(jalon_registration* registration) { return retain(registration); }
+jalon_registration* jalon_registration_retain(jalon_registration* registration) {
+  return retain(registration);
+}
 void jalon_registration_release(jalon_registration* registration) { release(registration); }
 
-jalon_status jalon_registration_pose(const jalon_registration* registration, jalon_transform* T_reference_moving) {
+jalon_status jalon_registration_pose(const jalon_registration* registration,
+                                     jalon_transform* T_reference_moving) {
   return guard([&] {
     require(registration, "registration");
     require(T_reference_moving, "T_reference_moving");
@@ -124,19 +132,26 @@ jalon_status jalon_registration_pose(const jalon_registration* registration, jal
   });
 }
 
-jalon_status jalon_registration_summary(const jalon_registration* registration, jalon_fields** out) {
-  return give_fields(registration, "registration", out, [&] { return registration->registration->summary; });
+jalon_status jalon_registration_summary(const jalon_registration* registration,
+                                        jalon_fields** out) {
+  return give_fields(registration, "registration", out,
+                     [&] { return registration->registration->summary; });
 }
 
-jalon_status jalon_registration_iterations(const jalon_registration* registration, jalon_fields** out) {
-  return give_fields(registration, "registration", out, [&] { return registration->registration->iteration_log; });
+jalon_status jalon_registration_iterations(const jalon_registration* registration,
+                                           jalon_fields** out) {
+  return give_fields(registration, "registration", out,
+                     [&] { return registration->registration->iteration_log; });
 }
 
-jalon_status jalon_registration_residuals(const jalon_registration* registration, jalon_fields** out) {
-  return give_fields(registration, "registration", out, [&] { return registration->registration->residuals; });
+jalon_status jalon_registration_residuals(const jalon_registration* registration,
+                                          jalon_fields** out) {
+  return give_fields(registration, "registration", out,
+                     [&] { return registration->registration->residuals; });
 }
 
-jalon_status jalon_registration_pair_name(const jalon_registration* registration, uint64_t i, const char** out) {
+jalon_status jalon_registration_pair_name(const jalon_registration* registration, uint64_t i,
+                                          const char** out) {
   return guard([&] {
     require(registration, "registration");
     require(out, "out");
@@ -149,11 +164,14 @@ jalon_status jalon_registration_pair_name(const jalon_registration* registration
   });
 }
 
-jalon_status jalon_registration_directions(const jalon_registration* registration, jalon_fields** out) {
-  return give_fields(registration, "registration", out, [&] { return registration->registration->directions; });
+jalon_status jalon_registration_directions(const jalon_registration* registration,
+                                           jalon_fields** out) {
+  return give_fields(registration, "registration", out,
+                     [&] { return registration->registration->directions; });
 }
 
-jalon_status jalon_registration_parameters(const jalon_registration* registration, const char** out) {
+jalon_status jalon_registration_parameters(const jalon_registration* registration,
+                                           const char** out) {
   return guard([&] {
     require(registration, "registration");
     require(out, "out");

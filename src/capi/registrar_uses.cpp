@@ -11,21 +11,23 @@
 using namespace jalon;
 using namespace jalon::capi;
 
-jalon_status jalon_registration_apply(const jalon_registration* registration, const jalon_cloud* cloud,
-                                      jalon_task* task, jalon_cloud** out) {
+jalon_status jalon_registration_apply(const jalon_registration* registration,
+                                      const jalon_cloud* cloud, jalon_task* task,
+                                      jalon_cloud** out) {
   return guard([&] {
     require(registration, "registration");
     require(cloud, "cloud");
     require(out, "out");
     *out = with_task(task, [&](Task& t) {
-      Cloud moved = transformed(*cloud->cloud, registration->registration->pose, t);
-      if (moved.crs.empty()) moved.crs = registration->crs;
-      return own(new_cloud(std::move(moved)));
-    }).release();
+             Cloud moved = transformed(*cloud->cloud, registration->registration->pose, t);
+             if (moved.crs.empty()) moved.crs = registration->crs;
+             return own(new_cloud(std::move(moved)));
+           }).release();
   });
 }
 
-jalon_status jalon_comparer_use_registration(jalon_comparer* comparer, const jalon_registration* registration) {
+jalon_status jalon_comparer_use_registration(jalon_comparer* comparer,
+                                             const jalon_registration* registration) {
   return guard([&] {
     require(comparer, "comparer");
     require(registration, "registration");
@@ -34,7 +36,8 @@ jalon_status jalon_comparer_use_registration(jalon_comparer* comparer, const jal
     const Registration& r = *registration->registration;
     for (const double value : r.covariance)
       if (!std::isfinite(value))
-        fail(Status::kDegenerate, "the registration leaves %llu directions open; it has no covariance there",
+        fail(Status::kDegenerate,
+             "the registration leaves %llu directions open; it has no covariance there",
              static_cast<unsigned long long>(r.unobservable));
     use(r.covariance, r.centre, *comparer->values);
   });

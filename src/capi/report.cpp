@@ -22,8 +22,9 @@ ModelPtr model_or_none(const jalon_segmentation* segmentation, const jalon_model
 
 }  // namespace
 
-jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation, const jalon_model* model,
-                                          const char* path, const jalon_params* options, jalon_task* task) {
+jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation,
+                                          const jalon_model* model, const char* path,
+                                          const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(segmentation, "segmentation");
     require(model, "model");
@@ -37,8 +38,7 @@ jalon_status jalon_report_write_elevation(const jalon_segmentation* segmentation
 }
 
 jalon_status jalon_report_write_picture(const jalon_segmentation* segmentation, const char* path,
-                                        const jalon_params* options,
-                                        jalon_task* task) {
+                                        const jalon_params* options, jalon_task* task) {
   return guard([&] {
     require(segmentation, "segmentation");
     const std::string target = require_text(path, "path");
@@ -51,8 +51,9 @@ jalon_status jalon_report_write_picture(const jalon_segmentation* segmentation, 
   });
 }
 
-jalon_status jalon_report_write_html(const jalon_segmentation* segmentation, const jalon_model* model,
-                                     const char* notes_json, const char* path, const jalon_params* options,
+jalon_status jalon_report_write_html(const jalon_segmentation* segmentation,
+                                     const jalon_model* model, const char* notes_json,
+                                     const char* path, const jalon_params* options,
                                      jalon_task* task) {
   return guard([&] {
     const ModelPtr outlines = model_or_none(segmentation, model);
@@ -64,8 +65,9 @@ jalon_status jalon_report_write_html(const jalon_segmentation* segmentation, con
   });
 }
 
-jalon_status jalon_report_write_json(const jalon_segmentation* segmentation, const jalon_model* model,
-                                     const char* notes_json, const char* path, const jalon_params* options,
+jalon_status jalon_report_write_json(const jalon_segmentation* segmentation,
+                                     const jalon_model* model, const char* notes_json,
+                                     const char* path, const jalon_params* options,
                                      jalon_task* task) {
   return guard([&] {
     const ModelPtr outlines = model_or_none(segmentation, model);

@@ -39,9 +39,11 @@ jalon_status jalon_report_write_histogram(const jalon_comparison* comparison, co
   });
 }
 
-jalon_status jalon_report_write_comparison(const jalon_comparison* forward, const jalon_comparison* reverse,
-                                           const jalon_fields* changes, const char* notes_json, const char* path,
-                                           const jalon_params* options, jalon_task* task) {
+jalon_status jalon_report_write_comparison(const jalon_comparison* forward,
+                                           const jalon_comparison* reverse,
+                                           const jalon_fields* changes, const char* notes_json,
+                                           const char* path, const jalon_params* options,
+                                           jalon_task* task) {
   return guard([&] {
     require(forward, "forward");
     const std::string target = require_text(path, "path"), notes = notes_text(notes_json);

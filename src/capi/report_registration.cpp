@@ -9,9 +9,11 @@
 using namespace jalon;
 using namespace jalon::capi;
 
-jalon_status jalon_report_write_registration(const jalon_registration* registration, const jalon_cloud* reference,
-                                             const jalon_cloud* moving, const char* notes_json, const char* path,
-                                             const jalon_params* options, jalon_task* task) {
+jalon_status jalon_report_write_registration(const jalon_registration* registration,
+                                             const jalon_cloud* reference,
+                                             const jalon_cloud* moving, const char* notes_json,
+                                             const char* path, const jalon_params* options,
+                                             jalon_task* task) {
   return guard([&] {
     require(registration, "registration");
     const std::string target = require_text(path, "path"), notes = notes_text(notes_json);

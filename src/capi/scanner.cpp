@@ -27,7 +27,8 @@ jalon_status jalon_scanner_params(jalon_scanner* scanner, jalon_params** out) {
   return give_worker_params(scanner, "scanner", out);
 }
 
-jalon_status jalon_scanner_add_station(jalon_scanner* scanner, const char* name, const jalon_transform* pose) {
+jalon_status jalon_scanner_add_station(jalon_scanner* scanner, const char* name,
+                                       const jalon_transform* pose) {
   return guard([&] {
     require(scanner, "scanner");
     require(pose, "pose");
@@ -39,13 +40,14 @@ jalon_status jalon_scanner_add_station(jalon_scanner* scanner, const char* name,
   });
 }
 
-jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* model, jalon_task* task,
-                               jalon_cloud** out) {
+jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* model,
+                               jalon_task* task, jalon_cloud** out) {
   return guard([&] {
     require(scanner, "scanner");
     require(model, "model");
     require(out, "out");
-    const ParamSet values = *scanner->values;  // a progress callback may set the next run's, and add stations
+    const ParamSet values =
+        *scanner->values;  // a progress callback may set the next run's, and add stations
     const std::vector<ScanStation> stations = scanner->stations;
     *out = with_task(task, [&](Task& t) {
              return own(new_cloud(scanner->method->scan(*model->model, stations, values, t)));
@@ -53,8 +55,8 @@ jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* 
   });
 }
 
-jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model* model, const jalon_cloud* cloud,
-                                 jalon_task* task, jalon_fields** out) {
+jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model* model,
+                                 const jalon_cloud* cloud, jalon_task* task, jalon_fields** out) {
   return guard([&] {
     require(scanner, "scanner");
     require(model, "model");

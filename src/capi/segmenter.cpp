@@ -26,8 +26,8 @@ jalon_status jalon_segmenter_params(jalon_segmenter* segmenter, jalon_params** o
   return give_worker_params(segmenter, "segmenter", out);
 }
 
-jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_cloud* cloud, jalon_task* task,
-                                 jalon_segmentation** out) {
+jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_cloud* cloud,
+                                 jalon_task* task, jalon_segmentation** out) {
   return guard([&] {
     require(segmenter, "segmenter");
     require(cloud, "cloud");
@@ -42,15 +42,20 @@ jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter, const jalon_c
   });
 }
 
-jalon_segmentation* jalon_segmentation_retain(jalon_segmentation* segmentation) { return retain(segmentation); }
+jalon_segmentation* jalon_segmentation_retain(jalon_segmentation* segmentation) {
+  return retain(segmentation);
+}
 void jalon_segmentation_release(jalon_segmentation* segmentation) { release(segmentation); }
 
 jalon_status jalon_segmentation_points(const jalon_segmentation* segmentation, jalon_fields** out) {
-  return give_fields(segmentation, "segmentation", out, [&] { return point_table(*segmentation->segmentation); });
+  return give_fields(segmentation, "segmentation", out,
+                     [&] { return point_table(*segmentation->segmentation); });
 }
 
-jalon_status jalon_segmentation_segments(const jalon_segmentation* segmentation, jalon_fields** out) {
-  return give_fields(segmentation, "segmentation", out, [&] { return segment_table(*segmentation->segmentation); });
+jalon_status jalon_segmentation_segments(const jalon_segmentation* segmentation,
+                                         jalon_fields** out) {
+  return give_fields(segmentation, "segmentation", out,
+                     [&] { return segment_table(*segmentation->segmentation); });
 }
 
 jalon_status jalon_segmentation_cloud(const jalon_segmentation* segmentation, jalon_cloud** out) {
@@ -58,12 +63,14 @@ jalon_status jalon_segmentation_cloud(const jalon_segmentation* segmentation, ja
     require(segmentation, "segmentation");
     require(out, "out");
     Cloud cloud = *segmentation->segmentation->cloud;
-    for (const ColumnPtr& column : point_table(*segmentation->segmentation)) cloud.fields.set(column);
+    for (const ColumnPtr& column : point_table(*segmentation->segmentation))
+      cloud.fields.set(column);
     *out = new_cloud(std::move(cloud));
   });
 }
 
-jalon_status jalon_segmentation_facade_frame(const jalon_segmentation* segmentation, jalon_transform* T_facade_world) {
+jalon_status jalon_segmentation_facade_frame(const jalon_segmentation* segmentation,
+                                             jalon_transform* T_facade_world) {
   return guard([&] {
     require(segmentation, "segmentation");
     require(T_facade_world, "T_facade_world");
@@ -71,7 +78,8 @@ jalon_status jalon_segmentation_facade_frame(const jalon_segmentation* segmentat
   });
 }
 
-jalon_status jalon_segmentation_parameters(const jalon_segmentation* segmentation, const char** out) {
+jalon_status jalon_segmentation_parameters(const jalon_segmentation* segmentation,
+                                           const char** out) {
   return guard([&] {
     require(segmentation, "segmentation");
     require(out, "out");
@@ -79,8 +87,9 @@ jalon_status jalon_segmentation_parameters(const jalon_segmentation* segmentatio
   });
 }
 
-jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation, uint32_t label, uint32_t bins,
-                                          jalon_task* task, jalon_fields** out_bins, jalon_fields** out_normal) {
+jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation, uint32_t label,
+                                          uint32_t bins, jalon_task* task, jalon_fields** out_bins,
+                                          jalon_fields** out_normal) {
   return guard([&] {
     require(segmentation, "segmentation");
     require(out_bins, "out_bins");
@@ -90,7 +99,8 @@ jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation
       fail(Status::kInvalidArgument, "bins is %u; 1 ... %u are possible", bins, kMostBins);
     const Segmentation& s = *segmentation->segmentation;
     if (label > s.segments.size())
-      fail(Status::kNotFound, "no segment with label %u; there are %zu segments", label, s.segments.size());
+      fail(Status::kNotFound, "no segment with label %u; there are %zu segments", label,
+           s.segments.size());
     auto [made_bins, made_normal] = with_task(task, [&](Task& t) {
       const Residuals residuals = bin_residuals(s, label, bins, t);
       return std::pair(own(new_fields(residual_bins_table(residuals))),

@@ -25,15 +25,17 @@ std::vector<Vec3> places_from(const double* places, uint64_t count) {
   for (uint64_t i = 0; i < count; ++i) {
     out.push_back({places[3 * i], places[3 * i + 1], places[3 * i + 2]});
     if (!is_finite(out.back()))
-      fail(Status::kInvalidArgument, "place %llu is not finite", static_cast<unsigned long long>(i));
+      fail(Status::kInvalidArgument, "place %llu is not finite",
+           static_cast<unsigned long long>(i));
   }
   return out;
 }
 
 }  // namespace
 
-jalon_status jalon_cloud_measure_targets(const jalon_cloud* cloud, const double* places, uint64_t count,
-                                         const jalon_params* options, jalon_task* task, jalon_fields** out) {
+jalon_status jalon_cloud_measure_targets(const jalon_cloud* cloud, const double* places,
+                                         uint64_t count, const jalon_params* options,
+                                         jalon_task* task, jalon_fields** out) {
   return guard([&] {
     require(cloud, "cloud");
     require(out, "out");

@@ -53,12 +53,14 @@ void jalon_task_release(jalon_task* task) { release(task); }
 jalon_status jalon_task_set_threads(jalon_task* task, uint32_t threads) {
   return guard([&] {
     require_idle(task);
-    if (threads > kMaxThreads) fail(Status::kInvalidArgument, "%u threads; at most %u", threads, kMaxThreads);
+    if (threads > kMaxThreads)
+      fail(Status::kInvalidArgument, "%u threads; at most %u", threads, kMaxThreads);
     task->hooks.threads = threads;
   });
 }
 
-jalon_status jalon_task_set_progress(jalon_task* task, jalon_progress_callback callback, void* user) {
+jalon_status jalon_task_set_progress(jalon_task* task, jalon_progress_callback callback,
+                                     void* user) {
   return guard([&] {
     require_idle(task);
     task->hooks.progress = callback;

@@ -35,8 +35,9 @@ jalon_status jalon_cloud_compute_visibility(jalon_cloud* cloud, const jalon_clou
   });
 }
 
-jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t station, const jalon_params* options,
-                                   jalon_task* task, jalon_fields** out, uint64_t* rows, uint64_t* columns) {
+jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t station,
+                                   const jalon_params* options, jalon_task* task,
+                                   jalon_fields** out, uint64_t* rows, uint64_t* columns) {
   return guard([&] {
     require(reference, "reference");
     require(out, "out");
@@ -52,8 +53,9 @@ jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t statio
   });
 }
 
-jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t station, const char* path,
-                                         const jalon_params* options, jalon_task* task) {
+jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t station,
+                                         const char* path, const jalon_params* options,
+                                         jalon_task* task) {
   return guard([&] {
     require(reference, "reference");
     const std::string target = require_text(path, "path");
@@ -66,8 +68,9 @@ jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t 
   });
 }
 
-jalon_status jalon_comparison_third_epoch(const jalon_comparison* hidden, const jalon_comparison* across,
-                                          double tolerance_m, jalon_task* task, jalon_comparison** out) {
+jalon_status jalon_comparison_third_epoch(const jalon_comparison* hidden,
+                                          const jalon_comparison* across, double tolerance_m,
+                                          jalon_task* task, jalon_comparison** out) {
   return guard([&] {
     require(hidden, "hidden");
     require(across, "across");

@@ -21,8 +21,9 @@ void hand_out(const Volume& volume, jalon_fields** out_summary, jalon_fields** o
 
 }  // namespace
 
-jalon_status jalon_cloud_volume(const jalon_cloud* reference, const jalon_cloud* compared, const jalon_params* options,
-                                jalon_task* task, jalon_fields** out_summary, jalon_fields** out_cells) {
+jalon_status jalon_cloud_volume(const jalon_cloud* reference, const jalon_cloud* compared,
+                                const jalon_params* options, jalon_task* task,
+                                jalon_fields** out_summary, jalon_fields** out_cells) {
   return guard([&] {
     require(reference, "reference");
     require(compared, "compared");
@@ -34,8 +35,9 @@ jalon_status jalon_cloud_volume(const jalon_cloud* reference, const jalon_cloud*
   });
 }
 
-jalon_status jalon_model_volume(const jalon_model* reference, const jalon_model* compared, const jalon_params* options,
-                                jalon_task* task, jalon_fields** out_summary, jalon_fields** out_cells) {
+jalon_status jalon_model_volume(const jalon_model* reference, const jalon_model* compared,
+                                const jalon_params* options, jalon_task* task,
+                                jalon_fields** out_summary, jalon_fields** out_cells) {
   return guard([&] {
     require(reference, "reference");
     require(compared, "compared");
@@ -47,8 +49,8 @@ jalon_status jalon_model_volume(const jalon_model* reference, const jalon_model*
   });
 }
 
-jalon_status jalon_model_sample(const jalon_model* model, const jalon_params* options, jalon_task* task,
-                                jalon_cloud** out) {
+jalon_status jalon_model_sample(const jalon_model* model, const jalon_params* options,
+                                jalon_task* task, jalon_cloud** out) {
   return guard([&] {
     require(model, "model");
     require(out, "out");

@@ -16,10 +16,15 @@ struct Clean {
   double voxel_m = 0;
   bool facade_only = false;
 
-  void report(const Console& console, nlohmann::ordered_json& steps, const char* name, const jalon_reduction& r) const {
-    console.say(std::string(name) + ": " + grouped(r.count_in) + " -> " + grouped(r.count_out) + " points, " +
-                grouped(r.removed) + " removed (" + fixed(r.removed_percent, 2) + " %)");
-    steps.push_back({{"step", name}, {"count_in", r.count_in}, {"count_out", r.count_out}, {"removed", r.removed},
+  void report(const Console& console, nlohmann::ordered_json& steps, const char* name,
+              const jalon_reduction& r) const {
+    console.say(std::string(name) + ": " + grouped(r.count_in) + " -> " + grouped(r.count_out) +
+                " points, " + grouped(r.removed) + " removed (" + fixed(r.removed_percent, 2) +
+                " %)");
+    steps.push_back({{"step", name},
+                     {"count_in", r.count_in},
+                     {"count_out", r.count_out},
+                     {"removed", r.removed},
                      {"removed_percent", r.removed_percent}});
   }
 
@@ -30,7 +35,8 @@ struct Clean {
     jalon_reduction reduction;
     if (!keep_duplicates) {
       console.step("duplicates");
-      must(jalon_cloud_remove_duplicates(cloud.get(), duplicate_tolerance_m, console.task(), Out(cloud), &reduction));
+      must(jalon_cloud_remove_duplicates(cloud.get(), duplicate_tolerance_m, console.task(),
+                                         Out(cloud), &reduction));
       report(console, steps, "duplicates", reduction);
     }
     if (facade_only) {
@@ -40,13 +46,15 @@ struct Clean {
       const uint64_t after = count_of(cloud);
       report(console, steps, "unwanted points",
              {before, after, before - after,
-              before > 0 ? 100.0 * static_cast<double>(before - after) / static_cast<double>(before) : 0});
+              before > 0 ? 100.0 * static_cast<double>(before - after) / static_cast<double>(before)
+                         : 0});
     }
     if (remove_outliers) {
       console.step("outliers");
       const Params options = make_params("outliers");
       job.settings.apply(options.get());
-      must(jalon_cloud_remove_outliers(cloud.get(), options.get(), console.task(), Out(cloud), &reduction));
+      must(jalon_cloud_remove_outliers(cloud.get(), options.get(), console.task(), Out(cloud),
+                                       &reduction));
       report(console, steps, "outliers", reduction);
     }
     if (voxel_m > 0) {
@@ -54,7 +62,8 @@ struct Clean {
       const Params options = make_params("subsample");
       must(jalon_params_set_string(options.get(), "method", "voxel"));
       must(jalon_params_set_double(options.get(), "cell_m", voxel_m));
-      must(jalon_cloud_subsample(cloud.get(), options.get(), console.task(), Out(cloud), &reduction));
+      must(jalon_cloud_subsample(cloud.get(), options.get(), console.task(), Out(cloud),
+                                 &reduction));
       report(console, steps, "voxels", reduction);
     }
     job.write(console, cloud, nullptr);
@@ -68,16 +77,18 @@ struct Clean {
 }  // namespace
 
 void add_clean(Command& app) {
-  Command command = app.subcommand("clean", "Removes duplicates, outliers and unwanted points; thins");
+  Command command =
+      app.subcommand("clean", "Removes duplicates, outliers and unwanted points; thins");
   auto state = std::make_shared<Clean>();
   state->job.add_to(command, "-o,--output", "Parameters of --set (for --outliers)", "outliers",
                     "Example: jalon clean scan.las -o clean.las --outliers --voxel 0.02");
-  command.option("--duplicate-tolerance", state->duplicate_tolerance_m,
-                      "Points that agree after rounding to this length are one (m)")
+  command
+      .option("--duplicate-tolerance", state->duplicate_tolerance_m,
+              "Points that agree after rounding to this length are one (m)")
       .shows_default();
   command.flag("--keep-duplicates", state->keep_duplicates, "Do not look for duplicates");
   command.flag("--facade", state->facade_only,
-                    "Keep the largest vertical entity: drops obstacles in front and ghosts behind");
+               "Keep the largest vertical entity: drops obstacles in front and ghosts behind");
   command.flag("--outliers", state->remove_outliers, "Remove isolated points");
   command.option("--voxel", state->voxel_m, "Thin to one point a cell of this edge length (m)")
       .positive();

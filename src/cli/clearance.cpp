@@ -46,7 +46,8 @@ struct Clearance {
   // A file of points or of surfaces; PLY and text may be either, and without a surface they are a cloud.
   static void read(Console& console, const std::string& path, Scene& scene) {
     const std::string end = lower_end(path, 4);
-    const bool points_only = end == ".las" || end == ".laz" || end == ".xyz" || end == ".txt" || end == ".csv";
+    const bool points_only =
+        end == ".las" || end == ".laz" || end == ".xyz" || end == ".txt" || end == ".csv";
     if (!points_only) {
       Model model;
       must(jalon_model_read(path.c_str(), nullptr, console.task(), Out(model)));
@@ -55,7 +56,8 @@ struct Clearance {
         return;
       }
     }
-    if (scene.cloud) throw Failure{JALON_ERROR_INVALID_ARGUMENT, path + " is a second cloud; one at most"};
+    if (scene.cloud)
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, path + " is a second cloud; one at most"};
     Input input;
     input.path = path;
     scene.cloud = input.read(console);
@@ -74,37 +76,42 @@ struct Clearance {
     const char* parameters = nullptr;
     must(jalon_params_to_json(options.get(), &parameters));
     result["parameters"] = Json::parse(parameters);
-    if (gauge.empty())
-      measure(console, scene, options, result);
-    else
-      sweep(console, scene, options, result);
+    if (gauge.empty()) measure(console, scene, options, result);
+    else sweep(console, scene, options, result);
     console.result(result);
   }
 
   void measure(Console& console, const Scene& scene, const Params& options, Json& result) const {
-    const auto row = [](int64_t number) { return number < 0 ? JALON_WHOLE_MODEL : static_cast<uint64_t>(number); };
+    const auto row = [](int64_t number) {
+      return number < 0 ? JALON_WHOLE_MODEL : static_cast<uint64_t>(number);
+    };
     Fields summary_fields, near_fields;
     console.step("measuring");
     if (scene.models.size() == 1 && scene.cloud)
-      must(jalon_model_clearance(scene.models[0].get(), row(part), scene.cloud.get(), options.get(), console.task(),
-                                 Out(summary_fields), Out(near_fields)));
+      must(jalon_model_clearance(scene.models[0].get(), row(part), scene.cloud.get(), options.get(),
+                                 console.task(), Out(summary_fields), Out(near_fields)));
     else if (scene.models.size() == 2 && !scene.cloud)
-      must(jalon_model_clearance_to_model(scene.models[0].get(), row(part), scene.models[1].get(), row(other_part),
-                                          options.get(), console.task(), Out(summary_fields), Out(near_fields)));
+      must(jalon_model_clearance_to_model(scene.models[0].get(), row(part), scene.models[1].get(),
+                                          row(other_part), options.get(), console.task(),
+                                          Out(summary_fields), Out(near_fields)));
     else
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "without a gauge give a model and a cloud, or two models"};
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "without a gauge give a model and a cloud, or two models"};
     const Table summary(std::move(summary_fields)), near_rows(std::move(near_fields));
     result.update(summary.object(0));
     const double clearance = summary.number("clearance", 0);
-    console.say(summary.count("interferes", 0) != 0 ? "they interfere, depth " + fixed(-clearance, 4) + " m"
-                                                    : "least distance " + fixed(clearance, 4) + " m");
-    console.say(grouped(near_rows.rows()) + (scene.cloud ? " points" : " triangles") + " within the margin");
+    console.say(summary.count("interferes", 0) != 0
+                    ? "they interfere, depth " + fixed(-clearance, 4) + " m"
+                    : "least distance " + fixed(clearance, 4) + " m");
+    console.say(grouped(near_rows.rows()) + (scene.cloud ? " points" : " triangles") +
+                " within the margin");
     write(console, result, {{"near.csv", near_rows.csv()}});
   }
 
   void sweep(Console& console, const Scene& scene, const Params& options, Json& result) const {
     if (scene.models.size() > 1)
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "a gauge goes through one cloud, one model, or one of each"};
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "a gauge goes through one cloud, one model, or one of each"};
     const std::vector<jalon_transform> poses = read_trajectory(trajectory);
     jalon_model* model = scene.models.empty() ? nullptr : scene.models[0].get();
     Fields place_fields, interval_fields;
@@ -112,21 +119,23 @@ struct Clearance {
       const Gauge pieces = read_gauge(gauge);
       console.step("sweeping");
       must(jalon_gauge_sweep(pieces.pieces.data(), pieces.pieces.size(), pieces.hull_points.data(),
-                             pieces.hull_points.size() / 3, poses.data(), poses.size(), scene.cloud.get(), model,
-                             options.get(), console.task(), Out(place_fields), Out(interval_fields)));
+                             pieces.hull_points.size() / 3, poses.data(), poses.size(),
+                             scene.cloud.get(), model, options.get(), console.task(),
+                             Out(place_fields), Out(interval_fields)));
     } else {
       Model shape;
       must(jalon_model_read(gauge.c_str(), nullptr, console.task(), Out(shape)));
       console.step("sweeping");
-      must(jalon_gauge_sweep_model(shape.get(), poses.data(), poses.size(), scene.cloud.get(), model, options.get(),
-                                   console.task(), Out(place_fields), Out(interval_fields)));
+      must(jalon_gauge_sweep_model(shape.get(), poses.data(), poses.size(), scene.cloud.get(),
+                                   model, options.get(), console.task(), Out(place_fields),
+                                   Out(interval_fields)));
     }
     const Table places(std::move(place_fields)), intervals(std::move(interval_fields));
     report(console, options, poses.size(), places, intervals, result);
   }
 
-  void report(const Console& console, const Params& options, size_t poses, const Table& places, const Table& intervals,
-              Json& result) const {
+  void report(const Console& console, const Params& options, size_t poses, const Table& places,
+              const Table& intervals, Json& result) const {
     std::vector<double> clearances;
     uint64_t worst = 0, below = 0, touching = 0;
     double margin = 0, reach = 0;
@@ -149,15 +158,20 @@ struct Clearance {
     else
       console.say("least clearance " + fixed(clearances[worst], 4) + " m at pose " +
                   fixed(intervals.number("parameter", worst), 3));
-    console.say(grouped(below) + " of " + grouped(intervals.rows()) + " pose intervals within the margin, " +
-                grouped(touching) + " touch; " + grouped(places.rows()) + (places.rows() == 1 ? " place" : " places"));
-    write(console, result, {{"places.csv", places.csv()}, {"intervals.csv", intervals.csv()},
-                            {"clearance.svg", clearance_drawing(clearances, margin, reach)}});
+    console.say(grouped(below) + " of " + grouped(intervals.rows()) +
+                " pose intervals within the margin, " + grouped(touching) + " touch; " +
+                grouped(places.rows()) + (places.rows() == 1 ? " place" : " places"));
+    write(console, result,
+          {{"places.csv", places.csv()},
+           {"intervals.csv", intervals.csv()},
+           {"clearance.svg", clearance_drawing(clearances, margin, reach)}});
   }
 
-  void write(const Console& console, Json& result, std::vector<std::pair<std::string, std::string>> files) const {
+  void write(const Console& console, Json& result,
+             std::vector<std::pair<std::string, std::string>> files) const {
     if (output.empty()) return;
-    files.emplace_back("clearance.json", result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    files.emplace_back("clearance.json",
+                       result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     OutputFolder folder(output);
     std::string names;
     for (const auto& [name, text] : files) {
@@ -172,17 +186,23 @@ struct Clearance {
 }  // namespace
 
 void add_clearance(Command& app) {
-  Command command = app.subcommand("clearance", "Clearance of a model from a cloud or model; sweeps a gauge");
+  Command command =
+      app.subcommand("clearance", "Clearance of a model from a cloud or model; sweeps a gauge");
   auto state = std::make_shared<Clearance>();
-  command.option("inputs", state->inputs,
-                      "A model and a cloud or another model; with a gauge a cloud, a model or both")
-      .required().expected(1, 2).type_name("FILE");
+  command
+      .option("inputs", state->inputs,
+              "A model and a cloud or another model; with a gauge a cloud, a model or both")
+      .required()
+      .expected(1, 2)
+      .type_name("FILE");
   command.option("--gauge", state->gauge, "Gauge: a JSON file, or a model whose parts are convex")
       .type_name("FILE");
-  command.option("--trajectory", state->trajectory, "Poses of the gauge, a line each").type_name("FILE");
+  command.option("--trajectory", state->trajectory, "Poses of the gauge, a line each")
+      .type_name("FILE");
   command.option("--part", state->part, "Row of the model's part; else all of it").non_negative();
   command.option("--other-part", state->other_part, "The same of the other model").non_negative();
-  command.option("-o,--output", state->output, "Also write tables, drawing and JSON here").type_name("DIR");
+  command.option("-o,--output", state->output, "Also write tables, drawing and JSON here")
+      .type_name("DIR");
   state->settings.add_to(command);
   add_common(command, state->common);
   command.footer([] {

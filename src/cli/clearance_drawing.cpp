@@ -12,23 +12,25 @@ namespace {
 
 // Of the drawing, in pixels.
 constexpr double kWidth = 1000, kHeight = 420, kLeft = 70, kRight = 20, kTop = 46, kBottom = 50;
-constexpr size_t kMostBars = 900;  ///< a bar a pixel: more intervals share one, and the least of them is drawn
+constexpr size_t kMostBars =
+    900;  ///< a bar a pixel: more intervals share one, and the least of them is drawn
 
 struct Scale {
   double low, high;
   double y(double clearance_m) const {
-    return kTop + (high - std::clamp(clearance_m, low, high)) / (high - low) * (kHeight - kTop - kBottom);
+    return kTop +
+           (high - std::clamp(clearance_m, low, high)) / (high - low) * (kHeight - kTop - kBottom);
   }
 };
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& style) {
-  return "<line x1=\"" + fixed(x1, 1) + "\" y1=\"" + fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) + "\" y2=\"" +
-         fixed(y2, 1) + "\" " + style + "/>\n";
+  return "<line x1=\"" + fixed(x1, 1) + "\" y1=\"" + fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) +
+         "\" y2=\"" + fixed(y2, 1) + "\" " + style + "/>\n";
 }
 
 std::string label(double x, double y, const std::string& anchor, const std::string& text) {
-  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" text-anchor=\"" + anchor + "\">" + text +
-         "</text>\n";
+  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" text-anchor=\"" + anchor +
+         "\">" + text + "</text>\n";
 }
 
 // Steps of 1, 2 or 5 times a power of ten, about six of them.
@@ -57,9 +59,10 @@ std::string bars(const std::vector<double>& clearances, double margin_m, const S
     }
     if (!known) continue;
     const double top = scale.y(std::max(least, 0.0)), bottom = scale.y(std::min(least, 0.0));
-    out += "<rect x=\"" + fixed(kLeft + width * static_cast<double>(b), 2) + "\" y=\"" + fixed(top, 2) +
-           "\" width=\"" + fixed(std::max(width, 0.6), 2) + "\" height=\"" + fixed(std::max(bottom - top, 1.5), 2) +
-           "\" fill=\"" + colour_of(least, margin_m) + "\"/>\n";
+    out += "<rect x=\"" + fixed(kLeft + width * static_cast<double>(b), 2) + "\" y=\"" +
+           fixed(top, 2) + "\" width=\"" + fixed(std::max(width, 0.6), 2) + "\" height=\"" +
+           fixed(std::max(bottom - top, 1.5), 2) + "\" fill=\"" + colour_of(least, margin_m) +
+           "\"/>\n";
   }
   return out;
 }
@@ -68,7 +71,8 @@ std::string axes(size_t intervals, const Scale& scale) {
   std::string out;
   const double step = step_of(scale.high - scale.low);
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-  for (double v = std::ceil(scale.low / step - 1e-9) * step; v <= scale.high * (1 + 1e-9); v += step) {
+  for (double v = std::ceil(scale.low / step - 1e-9) * step; v <= scale.high * (1 + 1e-9);
+       v += step) {
     out += line(kLeft, scale.y(v), kWidth - kRight, scale.y(v), "stroke=\"#dddddd\"");
     out += label(kLeft - 6, scale.y(v) + 4, "end", fixed(std::abs(v) < step / 2 ? 0 : v, decimals));
   }
@@ -84,16 +88,19 @@ std::string axes(size_t intervals, const Scale& scale) {
 
 }  // namespace
 
-std::string clearance_drawing(const std::vector<double>& clearances, double margin_m, double reach_m) {
+std::string clearance_drawing(const std::vector<double>& clearances, double margin_m,
+                              double reach_m) {
   Scale scale{0, std::max({reach_m, margin_m, 1e-3})};
   for (const double c : clearances)
     if (std::isfinite(c)) scale.low = std::min(scale.low, c);
   if (scale.low < 0) scale.low -= 0.03 * (scale.high - scale.low);
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(kWidth, 0) + " " +
-                    fixed(kHeight, 0) + "\" font-family=\"sans-serif\" font-size=\"12\">\n"
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(kWidth, 0) +
+                    " " + fixed(kHeight, 0) +
+                    "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                     "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  svg += label(kLeft, 20, "start", "Least clearance of the gauge from each pose to the next; blank: above " +
-                                       fixed(scale.high, 2) + " m; dashed: the margin, " + fixed(margin_m, 3) + " m");
+  svg += label(kLeft, 20, "start",
+               "Least clearance of the gauge from each pose to the next; blank: above " +
+                   fixed(scale.high, 2) + " m; dashed: the margin, " + fixed(margin_m, 3) + " m");
   svg += axes(clearances.size(), scale) + bars(clearances, margin_m, scale);
   svg += line(kLeft, scale.y(0), kWidth - kRight, scale.y(0), "stroke=\"#333333\"");
   const double y = scale.y(margin_m);

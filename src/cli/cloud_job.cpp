@@ -6,16 +6,17 @@
 
 namespace jalon::cli {
 
-void CloudJob::add_to(Command& command, const char* output_option, const char* heading, const char* operation,
-                      const char* examples) {
+void CloudJob::add_to(Command& command, const char* output_option, const char* heading,
+                      const char* operation, const char* examples) {
   input.add_to(command);
   command.option(output_option, output, "File to write: .las, .ply, .xyz, .txt, .csv")
       .required()
       .type_name("OUTPUT");
   settings.add_to(command);
   add_common(command, common);
-  command.footer(
-      [=] { return std::string(heading) + ":\n" + describe(make_params(operation).get()) + "\n" + examples; });
+  command.footer([=] {
+    return std::string(heading) + ":\n" + describe(make_params(operation).get()) + "\n" + examples;
+  });
 }
 
 Cloud CloudJob::read(Console& console) const {

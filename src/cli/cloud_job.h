@@ -19,8 +19,8 @@ struct CloudJob {
 
   /// The options; output_option is "output" (a position) or "-o,--output". --help lists the parameters of the operation
   /// behind the heading, then the examples.
-  void add_to(Command& command, const char* output_option, const char* heading, const char* operation,
-              const char* examples);
+  void add_to(Command& command, const char* output_option, const char* heading,
+              const char* operation, const char* examples);
   Cloud read(Console& console) const;
   /// options: of operation "write", or NULL.
   void write(Console& console, const Cloud& cloud, const jalon_params* options) const;

@@ -47,7 +47,9 @@ Option& Option::among(const std::vector<std::string>& names) {
   return *this;
 }
 
-Command Command::subcommand(const char* name, const char* help) { return Command(app_->add_subcommand(name, help)); }
+Command Command::subcommand(const char* name, const char* help) {
+  return Command(app_->add_subcommand(name, help));
+}
 
 Option Command::option(const std::string& name, std::string& value, const std::string& help) {
   return Option(app_->add_option(name, value, help));
@@ -61,15 +63,20 @@ Option Command::option(const std::string& name, int64_t& value, const std::strin
 Option Command::option(const std::string& name, unsigned& value, const std::string& help) {
   return Option(app_->add_option(name, value, help));
 }
-Option Command::option(const std::string& name, std::vector<std::string>& values, const std::string& help) {
+Option Command::option(const std::string& name, std::vector<std::string>& values,
+                       const std::string& help) {
   return Option(app_->add_option(name, values, help));
 }
-Option Command::option(const std::string& name, std::vector<double>& values, const std::string& help) {
+Option Command::option(const std::string& name, std::vector<double>& values,
+                       const std::string& help) {
   return Option(app_->add_option(name, values, help));
 }
 
-void Command::flag(const std::string& name, bool& value, const std::string& help) { app_->add_flag(name, value, help); }
-void Command::flag(const std::string& name, std::function<void()> on_given, const std::string& help) {
+void Command::flag(const std::string& name, bool& value, const std::string& help) {
+  app_->add_flag(name, value, help);
+}
+void Command::flag(const std::string& name, std::function<void()> on_given,
+                   const std::string& help) {
   app_->add_flag_callback(name, std::move(on_given), help);
 }
 void Command::footer(std::function<std::string()> text) { app_->footer(std::move(text)); }

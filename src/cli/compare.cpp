@@ -51,7 +51,8 @@ struct Compare {
   }
 
   // Models have faces, and a scan compared with them has no way back: the scan's points are not all of the model.
-  Direction run_to(const Console& console, const Comparer& worker, const Epoch& from, const Epoch& to) const {
+  Direction run_to(const Console& console, const Comparer& worker, const Epoch& from,
+                   const Epoch& to) const {
     return from.model != nullptr ? run_model(console, worker, from.model, to.cloud)
                                  : run_one(console, worker, from.cloud, to.cloud);
   }
@@ -72,13 +73,15 @@ struct Compare {
     return options;
   }
 
-  static Direction run_model(const Console& console, const Comparer& worker, const Model& from, const Cloud& to) {
+  static Direction run_model(const Console& console, const Comparer& worker, const Model& from,
+                             const Cloud& to) {
     Comparison made;
     must(jalon_comparer_run_model(worker.get(), from.get(), to.get(), console.task(), Out(made)));
     return direction_of(std::move(made));
   }
 
-  static Direction run_one(const Console& console, const Comparer& worker, const Cloud& from, const Cloud& to) {
+  static Direction run_one(const Console& console, const Comparer& worker, const Cloud& from,
+                           const Cloud& to) {
     Comparison made;
     must(jalon_comparer_run(worker.get(), from.get(), to.get(), console.task(), Out(made)));
     return direction_of(std::move(made));
@@ -93,7 +96,8 @@ struct Compare {
     return out;
   }
 
-  static void write_cloud(const Console& console, OutputFolder& folder, const Direction& direction, const char* name) {
+  static void write_cloud(const Console& console, OutputFolder& folder, const Direction& direction,
+                          const char* name) {
     Cloud cloud;
     must(jalon_comparison_cloud(direction.comparison.get(), Out(cloud)));
     uint64_t columns = 0;
@@ -104,31 +108,35 @@ struct Compare {
       must(jalon_fields_info(direction.points.get(), i, &info));
       jalon_array_view view;
       must(jalon_fields_view(direction.points.get(), info.name, &view));
-      must(jalon_cloud_set_field(cloud.get(), info.name, view.data, view.type, view.components, view.count,
-                                 view.stride_bytes, info.unit, info.meaning));
+      must(jalon_cloud_set_field(cloud.get(), info.name, view.data, view.type, view.components,
+                                 view.count, view.stride_bytes, info.unit, info.meaning));
     }
     for (const char* extension : {".las", ".ply"})
-      must(jalon_cloud_write(cloud.get(), folder.path(std::string(name) + extension).c_str(), nullptr, console.task()));
+      must(jalon_cloud_write(cloud.get(), folder.path(std::string(name) + extension).c_str(),
+                             nullptr, console.task()));
   }
 
-  void write_report(const Console& console, OutputFolder& folder, const Direction& forward, const Direction& reverse,
-                    const Fields& changes, const Params& change_options, const Json& times,
-                    const std::string& shadows) const {
+  void write_report(const Console& console, OutputFolder& folder, const Direction& forward,
+                    const Direction& reverse, const Fields& changes, const Params& change_options,
+                    const Json& times, const std::string& shadows) const {
     double threshold = 0;
     must(jalon_params_get_double(change_options.get(), "threshold_m", &threshold));
     const Params options = make_params("comparison_report");
     must(jalon_params_set_double(options.get(), "threshold_m", threshold));
-    Json notes{{"title", "Comparison"},
-               {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},
-               {"times", times}};
+    Json notes{
+        {"title", "Comparison"},
+        {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},
+        {"times", times}};
     if (!shadows.empty()) notes["input"]["shadows"] = shadows;
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
-    must(jalon_report_write_comparison(forward.comparison.get(), reverse.comparison.get(), changes.get(), text.c_str(),
-                                       folder.path("report.html").c_str(), options.get(), console.task()));
-    must(jalon_report_write_histogram(forward.comparison.get(), folder.path("histogram.svg").c_str(), options.get(),
+    must(jalon_report_write_comparison(
+        forward.comparison.get(), reverse.comparison.get(), changes.get(), text.c_str(),
+        folder.path("report.html").c_str(), options.get(), console.task()));
+    must(jalon_report_write_histogram(forward.comparison.get(),
+                                      folder.path("histogram.svg").c_str(), options.get(),
                                       console.task()));
-    must(jalon_report_write_deviations(forward.comparison.get(), folder.path("distances.svg").c_str(), nullptr,
-                                       console.task()));
+    must(jalon_report_write_deviations(
+        forward.comparison.get(), folder.path("distances.svg").c_str(), nullptr, console.task()));
   }
 
   // How the two sides are compared.
@@ -149,31 +157,33 @@ struct Compare {
   }
 
   // Fields, outlines and tables of what was found.
-  void write_changes(const Console& console, OutputFolder& folder, const Direction& forward, const Direction& reverse,
-                     const Fields& found, const Plan& plan) const {
+  void write_changes(const Console& console, OutputFolder& folder, const Direction& forward,
+                     const Direction& reverse, const Fields& found, const Plan& plan) const {
     write_cloud(console, folder, forward, "compared");
     if (plan.both) write_cloud(console, folder, reverse, "reference");
     Model outlines;
-    must(jalon_comparison_outlines(forward.comparison.get(), forward.points.get(), reverse.comparison.get(),
-                                   reverse.points.get(), plan.diagnosed ? found.get() : nullptr, nullptr,
-                                   console.task(), Out(outlines)));
+    must(jalon_comparison_outlines(forward.comparison.get(), forward.points.get(),
+                                   reverse.comparison.get(), reverse.points.get(),
+                                   plan.diagnosed ? found.get() : nullptr, nullptr, console.task(),
+                                   Out(outlines)));
     for (const char* name : {"regions.geojson", "regions.dxf"})
       must(jalon_model_write(outlines.get(), folder.path(name).c_str(), nullptr, console.task()));
   }
 
-  Fields find_changes(const Console& console, const Plan& plan, const Params& options, Direction& forward,
-                      Direction& reverse) const {
+  Fields find_changes(const Console& console, const Plan& plan, const Params& options,
+                      Direction& forward, Direction& reverse) const {
     Fields found;
     if (plan.diagnosed) {
-      must(jalon_comparison_diagnose(forward.comparison.get(), reverse.comparison.get(), options.get(), console.task(),
-                                     Out(forward.points), Out(reverse.points), Out(found)));
+      must(jalon_comparison_diagnose(forward.comparison.get(), reverse.comparison.get(),
+                                     options.get(), console.task(), Out(forward.points),
+                                     Out(reverse.points), Out(found)));
       return found;
     }
-    must(jalon_comparison_regions(forward.comparison.get(), options.get(), console.task(), Out(forward.points),
-                                  Out(found)));
+    must(jalon_comparison_regions(forward.comparison.get(), options.get(), console.task(),
+                                  Out(forward.points), Out(found)));
     if (plan.both)
-      must(jalon_comparison_regions(reverse.comparison.get(), options.get(), console.task(), Out(reverse.points),
-                                    nullptr));
+      must(jalon_comparison_regions(reverse.comparison.get(), options.get(), console.task(),
+                                    Out(reverse.points), nullptr));
     return found;
   }
 
@@ -182,27 +192,35 @@ struct Compare {
     const char *parameters = nullptr, *change_parameters = nullptr;
     must(jalon_params_to_json(params.get(), &parameters));
     must(jalon_params_to_json(options.get(), &change_parameters));
-    Json result{{"reference", reference.path}, {"compared", compared.path}, {"output", output}, {"method", method},
-                {"parameters", Json::parse(parameters)}, {"change_parameters", Json::parse(change_parameters)},
-                {"times", times}, {"summary", forward.summary->object(0)}};
+    Json result{{"reference", reference.path},
+                {"compared", compared.path},
+                {"output", output},
+                {"method", method},
+                {"parameters", Json::parse(parameters)},
+                {"change_parameters", Json::parse(change_parameters)},
+                {"times", times},
+                {"summary", forward.summary->object(0)}};
     if (plan.both) result["reverse_summary"] = reverse.summary->object(0);
     if (plan.by_models && plan.both) {
       const double there = forward.summary->number("maximum_absolute", 0);
       const double back = reverse.summary->number("maximum_absolute", 0);
-      result["hausdorff"] = {{"forward", there}, {"reverse", back}, {"symmetric", std::max(there, back)}};
+      result["hausdorff"] = {
+          {"forward", there}, {"reverse", back}, {"symmetric", std::max(there, back)}};
     }
     return result;
   }
 
-  void say(const Console& console, const Plan& plan, const Direction& forward, const Direction& reverse,
-           const Table& changes, const Json& result) const {
+  void say(const Console& console, const Plan& plan, const Direction& forward,
+           const Direction& reverse, const Table& changes, const Json& result) const {
     say_summary(console, plan.both ? "compared with the reference" : "compared", *forward.summary);
     if (plan.both) say_summary(console, "reference with the compared", *reverse.summary);
     if (result.contains("hausdorff"))
-      console.say("Hausdorff distance: " + fixed(result["hausdorff"]["symmetric"].get<double>(), 4) + " m");
+      console.say(
+          "Hausdorff distance: " + fixed(result["hausdorff"]["symmetric"].get<double>(), 4) + " m");
     if (!plan.shadows.empty()) console.say("shadows: " + plan.shadows);
     plan.diagnosed ? list_changes(console, changes) : list_regions(console, changes);
-    console.say("wrote " + output + ": report.html, comparison.json, histogram.svg, distances.svg, " +
+    console.say("wrote " + output +
+                ": report.html, comparison.json, histogram.svg, distances.svg, " +
                 (plan.diagnosed ? "changes" : "regions") +
                 ".csv, regions.geojson, regions.dxf, compared.las, compared.ply" +
                 (plan.both ? ", reference.las, reference.ply" : ""));
@@ -236,15 +254,16 @@ struct Compare {
     write_text_file(folder.path(list + ".csv"), changes.csv());
     Json result = result_of(plan, params, options, times, forward, reverse);
     result[list] = changes.list();
-    write_text_file(folder.path("comparison.json"), result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_text_file(folder.path("comparison.json"),
+                    result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     folder.commit();
     say(console, plan, forward, reverse, changes, result);
   }
 };
 
 std::string tables_of_compare() {
-  return method_tables<Comparer>("Parameters of --set with --method ", jalon_comparer_methods, jalon_comparer_create,
-                                 jalon_comparer_params) +
+  return method_tables<Comparer>("Parameters of --set with --method ", jalon_comparer_methods,
+                                 jalon_comparer_create, jalon_comparer_params) +
          "Parameters of --change-set:\n" + describe(make_params("diagnosis").get()) +
          "\nParameters of --sample-set, for a model on the compared side or two models:\n" +
          describe(make_params("model_sample").get()) + "\n";
@@ -253,53 +272,69 @@ std::string tables_of_compare() {
 }  // namespace
 
 void add_compare(Command& app) {
-  Command command = app.subcommand("compare", "Two scans, a model and a scan, or two models: distances and changes");
+  Command command = app.subcommand(
+      "compare", "Two scans, a model and a scan, or two models: distances and changes");
   auto state = std::make_shared<Compare>();
-  command.option("reference", state->reference.path,
-                      "The scan (before) or the model (.obj, .stl, .json) that distances are taken from")
+  command
+      .option("reference", state->reference.path,
+              "The scan (before) or the model (.obj, .stl, .json) that distances are taken from")
       .required()
       .type_name("REFERENCE");
-  command.option("compared", state->compared.path,
-                      "The scan whose points get them (after), or a model, which gives points on its surfaces")
+  command
+      .option(
+          "compared", state->compared.path,
+          "The scan whose points get them (after), or a model, which gives points on its surfaces")
       .required()
       .type_name("COMPARED");
-  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
-  command.option("--method", state->method,
-                      "How distances are measured; the parameters below tell which there are")
+  command.option("-o,--output", state->output, "Folder for the results")
+      .required()
+      .type_name("DIR");
+  command
+      .option("--method", state->method,
+              "How distances are measured; the parameters below tell which there are")
       .shows_default()
       .type_name("NAME");
-  command.option("--registration", state->registration,
-                      "registration.json of \"jalon register\": its covariance joins m3c2's level of detection")
+  command
+      .option(
+          "--registration", state->registration,
+          "registration.json of \"jalon register\": its covariance joins m3c2's level of detection")
       .type_name("FILE");
   command.option("--threshold", state->threshold_m, "Distance (m) above which a point has changed")
       .positive();
   command.flag("--one-way", state->is_one_way,
-                    "Only the compared side with the reference: regions instead of classes of changes");
+               "Only the compared side with the reference: regions instead of classes of changes");
   for (const bool is_reference : {true, false}) {
     Input& input = is_reference ? state->reference : state->compared;
     const std::string prefix = is_reference ? "--reference-" : "--compared-";
-    command.option(prefix + "columns", input.columns,
-                        "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
+    command
+        .option(prefix + "columns", input.columns,
+                "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
         .type_name("NAMES");
     command.option(prefix + "station", input.station, "Where its scanner stood, for all points")
         .type_name("X,Y,Z");
   }
   command.flag(
-      "--drop-invalid", [state] { state->reference.drop_invalid = state->compared.drop_invalid = true; },
+      "--drop-invalid",
+      [state] { state->reference.drop_invalid = state->compared.drop_invalid = true; },
       "Drop points whose coordinates are not finite");
   state->settings.add_to(command);
   state->change_settings.add_to(command, "change-");
   state->sample_settings.add_to(command, "sample-");
   add_common(command, state->common);
   command.footer([] {
-    return "Where the scans tell where their scanners stood, or --reference-station and --compared-station do, method\n"
-           "distance leaves out what these could not see, takes distances from planes through the reference's points\n"
-           "and widens the threshold where these lie far apart: visibility=stations, local_model=plane and\n"
-           "reference_spacing=true, unless --set or --params say otherwise. Without stations shadows may show as\n"
+    return "Where the scans tell where their scanners stood, or --reference-station and "
+           "--compared-station do, method\n"
+           "distance leaves out what these could not see, takes distances from planes through the "
+           "reference's points\n"
+           "and widens the threshold where these lie far apart: visibility=stations, "
+           "local_model=plane and\n"
+           "reference_spacing=true, unless --set or --params say otherwise. Without stations "
+           "shadows may show as\n"
            "changes.\n\n" +
            tables_of_compare() +
            "Examples:\n  jalon compare march.las april.las -o changes\n"
-           "  jalon compare march.las april.las -o changes --one-way --threshold 0.02 --set max_distance_m=1\n"
+           "  jalon compare march.las april.las -o changes --one-way --threshold 0.02 --set "
+           "max_distance_m=1\n"
            "  jalon compare model.city.json scan.las -o as_built --set tolerance_m=0.01\n"
            "  jalon compare planned.obj built.obj -o models --sample-set spacing_m=0.02\n"
            "  jalon compare march.las april.las -o creep --method m3c2 --set core_spacing_m=0.5";

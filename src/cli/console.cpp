@@ -31,7 +31,8 @@ Console::Console(const Common& common) : common_(common), terminal_(isatty(STDER
   must(jalon_task_create(Out(task_)));
   must(jalon_task_set_threads(task_.get(), common.threads));
   if (!common.quiet) must(jalon_task_set_log(task_.get(), on_log, this));
-  if (!common.quiet && !common.json && terminal_) must(jalon_task_set_progress(task_.get(), on_progress, this));
+  if (!common.quiet && !common.json && terminal_)
+    must(jalon_task_set_progress(task_.get(), on_progress, this));
   interruptible = task_.get();
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGPIPE, SIG_IGN);
@@ -88,7 +89,9 @@ void Console::say(const std::string& line) const {
 
 void Console::result(const nlohmann::ordered_json& object) const {
   if (common_.json)
-    std::printf("%s\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+    std::printf(
+        "%s\n",
+        object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
 std::string grouped(uint64_t number) {
@@ -100,7 +103,8 @@ std::string grouped(uint64_t number) {
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
   char text[400];  // the longest double in fixed notation has 309 digits
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
   return {text, end.ptr};
 }
 

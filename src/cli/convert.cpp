@@ -21,7 +21,8 @@ void run_of_convert(const CloudJob& job) {
 }  // namespace
 
 void add_convert(Command& app) {
-  Command command = app.subcommand("convert", "Reads a scan and writes it in the format of the new extension");
+  Command command =
+      app.subcommand("convert", "Reads a scan and writes it in the format of the new extension");
   auto job = std::make_shared<CloudJob>();
   job->add_to(command, "output", "Parameters of --set", "write",
               "Examples:\n  jalon convert scan.las scan.ply\n"

@@ -20,9 +20,11 @@ struct Side {
 
   Segmentation segmentation(const Console& console, const Cloud& cloud) const {
     const Params options = make_params("labels");
-    if (!noise.empty()) must(jalon_params_set_doubles(options.get(), "noise_labels", noise.data(), noise.size()));
+    if (!noise.empty())
+      must(jalon_params_set_doubles(options.get(), "noise_labels", noise.data(), noise.size()));
     Segmentation made;
-    must(jalon_segmentation_from_labels(cloud.get(), labels.c_str(), options.get(), console.task(), Out(made)));
+    must(jalon_segmentation_from_labels(cloud.get(), labels.c_str(), options.get(), console.task(),
+                                        Out(made)));
     return made;
   }
 };
@@ -36,11 +38,14 @@ struct Evaluate {
   bool only_classes = false;
 
   bool one_file() const { return reference.input.path.empty(); }
-  bool has_classes() const { return !reference.class_field.empty() || !automatic.class_field.empty(); }
+  bool has_classes() const {
+    return !reference.class_field.empty() || !automatic.class_field.empty();
+  }
 
   void check() const {
     const auto refuse = [](const char* text) { throw Failure{JALON_ERROR_INVALID_ARGUMENT, text}; };
-    if (only_classes && !has_classes()) refuse("--classes-only needs --class-field and --reference-class-field");
+    if (only_classes && !has_classes())
+      refuse("--classes-only needs --class-field and --reference-class-field");
     if (automatic.class_field.empty() != reference.class_field.empty())
       refuse("--class-field and --reference-class-field are given together");
     if (one_file() && !only_classes && reference.labels.empty())
@@ -55,7 +60,8 @@ struct Evaluate {
     if (side.labels.empty()) side.labels = automatic.labels;
     const Segmentation r = side.segmentation(console, truth);
     Evaluation evaluation;
-    must(jalon_segmentation_evaluate(a.get(), r.get(), options.get(), console.task(), Out(evaluation)));
+    must(jalon_segmentation_evaluate(a.get(), r.get(), options.get(), console.task(),
+                                     Out(evaluation)));
     const EvaluationTables tables(evaluation.get());
     tables.print(console);
     if (!csv.empty()) write_text_file(csv, tables.pairs.csv());
@@ -69,14 +75,15 @@ struct Evaluate {
     must(jalon_cloud_fields(truth.get(), Out(fields)));
     jalon_array_view view;
     must(jalon_fields_view(fields.get(), reference.class_field.c_str(), &view));
-    must(jalon_cloud_set_field(found.get(), name, view.data, view.type, view.components, view.count, view.stride_bytes,
-                               nullptr, nullptr));
+    must(jalon_cloud_set_field(found.get(), name, view.data, view.type, view.components, view.count,
+                               view.stride_bytes, nullptr, nullptr));
     const Params options = make_params("confusion");
     if (!ignored_classes.empty())
-      must(jalon_params_set_doubles(options.get(), "ignored_classes", ignored_classes.data(), ignored_classes.size()));
+      must(jalon_params_set_doubles(options.get(), "ignored_classes", ignored_classes.data(),
+                                    ignored_classes.size()));
     Fields rows, totals;
-    must(jalon_cloud_confusion(found.get(), automatic.class_field.c_str(), name, options.get(), console.task(),
-                               Out(rows), Out(totals)));
+    must(jalon_cloud_confusion(found.get(), automatic.class_field.c_str(), name, options.get(),
+                               console.task(), Out(rows), Out(totals)));
     const ConfusionTables tables{Table(std::move(rows)), Table(std::move(totals))};
     tables.print(console);
     return tables.json();
@@ -105,8 +112,9 @@ struct Evaluate {
 
   void require_same_count(const Cloud& a, const Cloud& b) const {
     if (count_of(a) == count_of(b)) return;
-    throw Failure{JALON_ERROR_FORMAT, automatic.input.path + " has " + grouped(count_of(a)) + " points, " +
-                                          reference.input.path + " " + grouped(count_of(b)) +
+    throw Failure{JALON_ERROR_FORMAT, automatic.input.path + " has " + grouped(count_of(a)) +
+                                          " points, " + reference.input.path + " " +
+                                          grouped(count_of(b)) +
                                           ": both must hold the same points in the same order"};
   }
 };
@@ -114,29 +122,39 @@ struct Evaluate {
 void add_options(Command& command, Evaluate& state) {
   Side &a = state.automatic, &r = state.reference;
   command.option("automatic", a.input.path, "Labelled scan to judge").required().type_name("AUTO");
-  command.option("reference", r.input.path,
-                      "Labelled scan that is right, the same points; none: fields of AUTO")
+  command
+      .option("reference", r.input.path,
+              "Labelled scan that is right, the same points; none: fields of AUTO")
       .type_name("REFERENCE");
   command.option("--labels", a.labels, "Field of AUTO with a whole number a segment")
-      .default_text("label").type_name("FIELD");
-  command.option("--reference-labels", r.labels,
-                      "Field of the reference; with two files the same name by default")
+      .default_text("label")
       .type_name("FIELD");
-  command.option("--noise-label", a.noise,
-                      "Value of AUTO's field that means no segment; 0 by default (repeatable)")
+  command
+      .option("--reference-labels", r.labels,
+              "Field of the reference; with two files the same name by default")
+      .type_name("FIELD");
+  command
+      .option("--noise-label", a.noise,
+              "Value of AUTO's field that means no segment; 0 by default (repeatable)")
       .one_each_time();
   command.option("--reference-noise-label", r.noise, "The same of the reference (repeatable)")
       .one_each_time();
-  command.option("--class-field", a.class_field, "Field of AUTO with a class a point: also a confusion matrix")
+  command
+      .option("--class-field", a.class_field,
+              "Field of AUTO with a class a point: also a confusion matrix")
       .type_name("FIELD");
-  command.option("--reference-class-field", r.class_field, "Field of the reference with the true class")
+  command
+      .option("--reference-class-field", r.class_field,
+              "Field of the reference with the true class")
       .type_name("FIELD");
-  command.option("--ignore-class", state.ignored_classes,
-                      "Leave points of this reference class out (repeatable)")
+  command
+      .option("--ignore-class", state.ignored_classes,
+              "Leave points of this reference class out (repeatable)")
       .one_each_time();
   command.flag("--classes-only", state.only_classes, "No segments, only classes");
-  command.option("--columns", a.input.columns,
-                      "Columns of a text file, e.g. \"x y z intensity class instance\"")
+  command
+      .option("--columns", a.input.columns,
+              "Columns of a text file, e.g. \"x y z intensity class instance\"")
       .type_name("NAMES");
   command.option("--reference-columns", r.input.columns, "The same of REFERENCE; AUTO's by default")
       .type_name("NAMES");
@@ -146,8 +164,9 @@ void add_options(Command& command, Evaluate& state) {
 }  // namespace
 
 void add_evaluate(Command& app) {
-  Command command = app.subcommand("evaluate-segmentation",
-                                     "Compares segments, and classes, with a reference of the same points");
+  Command command =
+      app.subcommand("evaluate-segmentation",
+                     "Compares segments, and classes, with a reference of the same points");
   auto state = std::make_shared<Evaluate>();
   add_options(command, *state);
   state->settings.add_to(command);

@@ -18,8 +18,8 @@ std::string right_of_evaluate_model(const std::string& text, size_t width) {
   return text.size() >= width ? text : std::string(width - text.size(), ' ') + text;
 }
 
-std::string cell(const Table& table, const std::string& name, uint64_t row, size_t width, int decimals,
-                 double scale = 1) {
+std::string cell(const Table& table, const std::string& name, uint64_t row, size_t width,
+                 int decimals, double scale = 1) {
   return right_of_evaluate_model(fixed(scale * table.number(name.c_str(), row), decimals), width);
 }
 
@@ -30,7 +30,8 @@ Table table_of(const jalon_model_evaluation* evaluation,
   return Table(std::move(fields));
 }
 
-constexpr const char* kIndices[] = {"completeness", "correctness", "quality", "branching", "miss", "failure"};
+constexpr const char* kIndices[] = {"completeness", "correctness", "quality",
+                                    "branching",    "miss",        "failure"};
 
 /// A model's evaluation for people and scripts.
 struct ModelTables {
@@ -47,43 +48,56 @@ struct ModelTables {
   }
 
   Json json() const {
-    return {{"totals", totals.object(0)}, {"pairs", pairs.list()}, {"automatic", automatic.list()},
-            {"reference", reference.list()}, {"vertices", vertices.list()}};
+    return {{"totals", totals.object(0)},
+            {"pairs", pairs.list()},
+            {"automatic", automatic.list()},
+            {"reference", reference.list()},
+            {"vertices", vertices.list()}};
   }
 
   Table pairs, automatic, reference, vertices, totals;
 
  private:
   void print_faces(const Console& console) const {
-    console.say(" reference  automatic       A m2       R m2   A n R m2  compl  corr   qual   branch   miss  FP/R"
-                "  angle deg  dist mm  H95 mm");
-    const auto face = [](const Table& side, uint64_t row) { return right_of_evaluate_model(grouped(side.count("face", row)), 10); };
+    console.say(
+        " reference  automatic       A m2       R m2   A n R m2  compl  corr   qual   branch   "
+        "miss  FP/R"
+        "  angle deg  dist mm  H95 mm");
+    const auto face = [](const Table& side, uint64_t row) {
+      return right_of_evaluate_model(grouped(side.count("face", row)), 10);
+    };
     for (uint64_t i = 0; i < pairs.rows(); ++i) {
       std::string line = face(reference, pairs.count("reference", i)) + " ";
       line += face(automatic, pairs.count("automatic", i));
-      for (const char* name : {"area_automatic", "area_reference", "intersection"}) line += cell(pairs, name, i, 11, 3);
+      for (const char* name : {"area_automatic", "area_reference", "intersection"})
+        line += cell(pairs, name, i, 11, 3);
       for (const char* name : kIndices) line += cell(pairs, name, i, 7, 3);
-      console.say(line + cell(pairs, "angle", i, 10, 3, kEvaluateModelDegrees) + cell(pairs, "distance", i, 9, 1, 1000) +
+      console.say(line + cell(pairs, "angle", i, 10, 3, kEvaluateModelDegrees) +
+                  cell(pairs, "distance", i, 9, 1, 1000) +
                   cell(pairs, "hausdorff95", i, 8, 1, 1000));
     }
     std::string sums = right_of_evaluate_model("total", 21);
-    for (const char* name : {"area_automatic", "area_reference", "intersection"}) sums += cell(totals, name, 0, 11, 3);
+    for (const char* name : {"area_automatic", "area_reference", "intersection"})
+      sums += cell(totals, name, 0, 11, 3);
     for (const char* name : kIndices) sums += cell(totals, std::string("total_") + name, 0, 7, 3);
     console.say(sums);
     for (const char* kind : {"mean", "std"}) {
       std::string line = right_of_evaluate_model(kind, 54);
-      for (const char* name : kIndices) line += cell(totals, std::string(kind) + "_" + name, 0, 7, 3);
+      for (const char* name : kIndices)
+        line += cell(totals, std::string(kind) + "_" + name, 0, 7, 3);
       line += cell(totals, std::string(kind) + "_angle", 0, 10, 3, kEvaluateModelDegrees);
       console.say(line + cell(totals, std::string(kind) + "_plane_distance", 0, 9, 1, 1000));
     }
     const auto count = [&](const char* name) { return grouped(totals.count(name, 0)); };
-    console.say("pairs " + count("pairs") + ", of one class " + count("same_class") + "; unmatched: " +
-                count("unmatched_reference") + " reference, " + count("unmatched_automatic") +
-                " automatic (they count in the totals); left out as too small: " + count("left_out_reference") +
-                " reference, " + count("left_out_automatic") + " automatic");
+    console.say("pairs " + count("pairs") + ", of one class " + count("same_class") +
+                "; unmatched: " + count("unmatched_reference") + " reference, " +
+                count("unmatched_automatic") +
+                " automatic (they count in the totals); left out as too small: " +
+                count("left_out_reference") + " reference, " + count("left_out_automatic") +
+                " automatic");
     const auto rate = [&](const char* name) { return fixed(totals.number(name, 0), 4); };
-    console.say("contours: precision " + rate("mean_contour_precision") + ", recall " + rate("mean_contour_recall") +
-                ", F1 " + rate("mean_contour_f1"));
+    console.say("contours: precision " + rate("mean_contour_precision") + ", recall " +
+                rate("mean_contour_recall") + ", F1 " + rate("mean_contour_f1"));
   }
 
   void print_vertices(const Console& console) const {
@@ -134,7 +148,8 @@ struct EvaluateModel {
       folder.commit();
     }
     tables.print(console);
-    if (!output.empty()) console.say("wrote " + output + ": faces.csv, vertices.csv, evaluation.json");
+    if (!output.empty())
+      console.say("wrote " + output + ": faces.csv, vertices.csv, evaluation.json");
     console.result(result);
   }
 };
@@ -142,12 +157,16 @@ struct EvaluateModel {
 }  // namespace
 
 void add_evaluate_model(Command& app) {
-  Command command = app.subcommand("evaluate-model",
-                                     "Compares a vector model with a reference: areas, contours, vertices");
+  Command command = app.subcommand(
+      "evaluate-model", "Compares a vector model with a reference: areas, contours, vertices");
   auto state = std::make_shared<EvaluateModel>();
   command.option("model", state->automatic, "Model to judge").required().type_name("MODEL");
-  command.option("reference", state->reference, "Model that is right").required().type_name("REFERENCE");
-  command.option("-o,--output", state->output, "Also write faces.csv, vertices.csv and evaluation.json here")
+  command.option("reference", state->reference, "Model that is right")
+      .required()
+      .type_name("REFERENCE");
+  command
+      .option("-o,--output", state->output,
+              "Also write faces.csv, vertices.csv and evaluation.json here")
       .type_name("DIR");
   state->settings.add_to(command);
   add_common(command, state->common);

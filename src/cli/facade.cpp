@@ -13,7 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* orientation_name(uint8_t orientation) {
-  static constexpr const char* kNames[] = {"none", "parallel", "vertical", "horizontal", "inclined"};
+  static constexpr const char* kNames[] = {"none", "parallel", "vertical", "horizontal",
+                                           "inclined"};
   return orientation < 5 ? kNames[orientation] : "?";
 }
 
@@ -28,36 +29,41 @@ struct Facade {
   Segmentation segment(const Console& console, const Cloud& cloud) const {
     Params params;
     const Segmenter segmenter = make_segmenter("ransac", params);
-    if (tolerance_m > 0) must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
+    if (tolerance_m > 0)
+      must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
     settings.apply(params.get());
     Segmentation segmentation;
     must(jalon_segmenter_run(segmenter.get(), cloud.get(), console.task(), Out(segmentation)));
     return segmentation;
   }
 
-  Model model_of(const Console& console, const Cloud& cloud, const Segmentation& segmentation) const {
+  Model model_of(const Console& console, const Cloud& cloud,
+                 const Segmentation& segmentation) const {
     Params params;
     const Modeller modeller = make_modeller(model_method, params);
     model_settings.apply(params.get());
     Model model;
-    must(jalon_modeller_run(modeller.get(), cloud.get(), segmentation.get(), console.task(), Out(model)));
+    must(jalon_modeller_run(modeller.get(), cloud.get(), segmentation.get(), console.task(),
+                            Out(model)));
     return model;
   }
 
-  std::vector<std::string> write(const Console& console, const Segmentation& segmentation, const Model& model,
-                                 Json notes) const {
+  std::vector<std::string> write(const Console& console, const Segmentation& segmentation,
+                                 const Model& model, Json notes) const {
     OutputFolder folder(output);
     Cloud labelled;
     must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
-    must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr, console.task()));
-    must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr, console.task()));
+    must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr,
+                           console.task()));
+    must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr,
+                           console.task()));
     auto names = files.write(console, segmentation.get(), model.get(), input.path, folder);
     notes["times"]["write"] = console.seconds();
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
-    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(), folder.path("report.html").c_str(),
-                                 nullptr, console.task()));
-    must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(), folder.path("report.json").c_str(),
-                                 nullptr, console.task()));
+    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(),
+                                 folder.path("report.html").c_str(), nullptr, console.task()));
+    must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(),
+                                 folder.path("report.json").c_str(), nullptr, console.task()));
     folder.commit();
     names.insert(names.begin(), {"report.html", "report.json"});
     names.insert(names.end(), {"segments.las", "segments.ply"});
@@ -78,13 +84,17 @@ struct Facade {
     Json list = Json::array();
     console.say("plane  orientation     points    area m2   sigma mm   normal");
     for (uint64_t i = 0; i < count; ++i) {
-      list.push_back({{"label", label[i]}, {"orientation", orientation_name(orientation[i])}, {"inliers", inliers[i]},
-                      {"area_m2", area[i]}, {"sigma_m", sigma[i]}, {"offset_m", offset[i]},
+      list.push_back({{"label", label[i]},
+                      {"orientation", orientation_name(orientation[i])},
+                      {"inliers", inliers[i]},
+                      {"area_m2", area[i]},
+                      {"sigma_m", sigma[i]},
+                      {"offset_m", offset[i]},
                       {"normal", {normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]}}});
       char line[200];
       std::snprintf(line, sizeof line, "%5u  %-11s %10s %10s %10s   %s %s %s", label[i],
-                    orientation_name(orientation[i]),
-                    grouped(inliers[i]).c_str(), fixed(area[i], 2).c_str(), fixed(1000 * sigma[i], 1).c_str(),
+                    orientation_name(orientation[i]), grouped(inliers[i]).c_str(),
+                    fixed(area[i], 2).c_str(), fixed(1000 * sigma[i], 1).c_str(),
                     fixed(normal[3 * i], 4).c_str(), fixed(normal[3 * i + 1], 4).c_str(),
                     fixed(normal[3 * i + 2], 4).c_str());
       console.say(line);
@@ -111,32 +121,44 @@ struct Facade {
     const Json list = planes(console, segmentation), summary = summary_of(model.get());
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
-    console.result({{"input", input.path}, {"points", count_of(cloud)}, {"output", output}, {"times", notes["times"]},
-                    {"planes", list}, {"model", summary}, {"files", names}});
+    console.result({{"input", input.path},
+                    {"points", count_of(cloud)},
+                    {"output", output},
+                    {"times", notes["times"]},
+                    {"planes", list},
+                    {"model", summary},
+                    {"files", names}});
   }
 };
 
 std::string tables_of_facade() {
   Params planes;
   make_segmenter("ransac", planes);
-  return "Parameters of --set (planes):\n" + describe(planes.get()) + "\n" + modeller_tables("--model-set") +
-         "Parameters of --drawing-set:\n" + describe(make_params("elevation").get()) +
-         "\nParameters of --scanner-set (precision of the scanner):\n" + describe(make_params("precision").get());
+  return "Parameters of --set (planes):\n" + describe(planes.get()) + "\n" +
+         modeller_tables("--model-set") + "Parameters of --drawing-set:\n" +
+         describe(make_params("elevation").get()) +
+         "\nParameters of --scanner-set (precision of the scanner):\n" +
+         describe(make_params("precision").get());
 }
 
 }  // namespace
 
 void add_facade(Command& app) {
-  Command command =
-      app.subcommand("facade", "From a scan to planes, a model with windows and doors, a drawing and a report");
+  Command command = app.subcommand(
+      "facade", "From a scan to planes, a model with windows and doors, a drawing and a report");
   auto state = std::make_shared<Facade>();
   state->input.add_to(command);
-  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
-  command.option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
+  command.option("-o,--output", state->output, "Folder for the results")
+      .required()
+      .type_name("DIR");
+  command
+      .option("--tolerance", state->tolerance_m,
+              "Half-thickness of a plane (m); default: the segmenter's")
       .positive();
   state->settings.add_to(command);
-  command.option("--model-method", state->model_method,
-                      "How the model is made; the parameters below tell which methods there are")
+  command
+      .option("--model-method", state->model_method,
+              "How the model is made; the parameters below tell which methods there are")
       .shows_default()
       .type_name("NAME");
   state->model_settings.add_to(command, "model-");

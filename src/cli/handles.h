@@ -34,7 +34,8 @@ using Comparison = std::unique_ptr<jalon_comparison, Release<jalon_comparison_re
 using Evaluation = std::unique_ptr<jalon_evaluation, Release<jalon_evaluation_release>>;
 using Fields = std::unique_ptr<jalon_fields, Release<jalon_fields_release>>;
 using Model = std::unique_ptr<jalon_model, Release<jalon_model_release>>;
-using ModelEvaluation = std::unique_ptr<jalon_model_evaluation, Release<jalon_model_evaluation_release>>;
+using ModelEvaluation =
+    std::unique_ptr<jalon_model_evaluation, Release<jalon_model_evaluation_release>>;
 using Modeller = std::unique_ptr<jalon_modeller, Release<jalon_modeller_release>>;
 using Params = std::unique_ptr<jalon_params, Release<jalon_params_release>>;
 using Registrar = std::unique_ptr<jalon_registrar, Release<jalon_registrar_release>>;
@@ -49,8 +50,10 @@ template <class Owner>
 class Out {
  public:
   explicit Out(Owner& owner) : owner_(owner) {}
-  ~Out() { if (raw_ != nullptr) owner_.reset(raw_); }
-  operator typename Owner::pointer*() { return &raw_; }
+  ~Out() {
+    if (raw_ != nullptr) owner_.reset(raw_);
+  }
+  operator typename Owner::pointer *() { return &raw_; }
 
  private:
   Owner& owner_;

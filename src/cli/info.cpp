@@ -12,8 +12,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* type_name(int32_t type) {
-  static constexpr const char* kNames[] = {"?",     "int8",  "uint8",  "int16",   "uint16", "int32",
-                                           "uint32", "int64", "uint64", "float32", "float64"};
+  static constexpr const char* kNames[] = {"?",      "int8",    "uint8",  "int16",
+                                           "uint16", "int32",   "uint32", "int64",
+                                           "uint64", "float32", "float64"};
   return kNames[type];
 }
 
@@ -28,16 +29,35 @@ Range range_of(const jalon_array_view& view) {
       const char* p = static_cast<const char*>(view.data) + i * view.stride_bytes;
       double v = 0;
       switch (view.type) {
-        case JALON_INT8: v = reinterpret_cast<const int8_t*>(p)[c]; break;
-        case JALON_UINT8: v = reinterpret_cast<const uint8_t*>(p)[c]; break;
-        case JALON_INT16: v = reinterpret_cast<const int16_t*>(p)[c]; break;
-        case JALON_UINT16: v = reinterpret_cast<const uint16_t*>(p)[c]; break;
-        case JALON_INT32: v = reinterpret_cast<const int32_t*>(p)[c]; break;
-        case JALON_UINT32: v = reinterpret_cast<const uint32_t*>(p)[c]; break;
-        case JALON_INT64: v = static_cast<double>(reinterpret_cast<const int64_t*>(p)[c]); break;
-        case JALON_UINT64: v = static_cast<double>(reinterpret_cast<const uint64_t*>(p)[c]); break;
-        case JALON_FLOAT32: v = static_cast<double>(reinterpret_cast<const float*>(p)[c]); break;
-        default: v = reinterpret_cast<const double*>(p)[c];
+        case JALON_INT8:
+          v = reinterpret_cast<const int8_t*>(p)[c];
+          break;
+        case JALON_UINT8:
+          v = reinterpret_cast<const uint8_t*>(p)[c];
+          break;
+        case JALON_INT16:
+          v = reinterpret_cast<const int16_t*>(p)[c];
+          break;
+        case JALON_UINT16:
+          v = reinterpret_cast<const uint16_t*>(p)[c];
+          break;
+        case JALON_INT32:
+          v = reinterpret_cast<const int32_t*>(p)[c];
+          break;
+        case JALON_UINT32:
+          v = reinterpret_cast<const uint32_t*>(p)[c];
+          break;
+        case JALON_INT64:
+          v = static_cast<double>(reinterpret_cast<const int64_t*>(p)[c]);
+          break;
+        case JALON_UINT64:
+          v = static_cast<double>(reinterpret_cast<const uint64_t*>(p)[c]);
+          break;
+        case JALON_FLOAT32:
+          v = static_cast<double>(reinterpret_cast<const float*>(p)[c]);
+          break;
+        default:
+          v = reinterpret_cast<const double*>(p)[c];
       }
       if (v < range.low) range.low = v;
       if (v > range.high) range.high = v;
@@ -60,11 +80,16 @@ void show_fields(const Console& console, const Cloud& cloud, Json& json) {
     jalon_array_view view;
     must(jalon_fields_view(fields.get(), info.name, &view));
     const Range range = range_of(view);
-    json["fields"].push_back({{"name", info.name}, {"type", type_name(info.type)}, {"components", info.components},
-                              {"unit", info.unit}, {"min", number(range.low)}, {"max", number(range.high)}});
+    json["fields"].push_back({{"name", info.name},
+                              {"type", type_name(info.type)},
+                              {"components", info.components},
+                              {"unit", info.unit},
+                              {"min", number(range.low)},
+                              {"max", number(range.high)}});
     char line[256];
-    std::snprintf(line, sizeof line, "  %-20s %-8s x%u  %s ... %s %s", info.name, type_name(info.type), info.components,
-                  fixed(range.low, 3).c_str(), fixed(range.high, 3).c_str(), info.unit);
+    std::snprintf(line, sizeof line, "  %-20s %-8s x%u  %s ... %s %s", info.name,
+                  type_name(info.type), info.components, fixed(range.low, 3).c_str(),
+                  fixed(range.high, 3).c_str(), info.unit);
     console.say(line);
   }
 }
@@ -101,16 +126,20 @@ void run_info(const Common& common, const Input& input) {
     must(jalon_cloud_bounds(cloud.get(), &box));
     json["min"] = {box.min.x, box.min.y, box.min.z};
     json["max"] = {box.max.x, box.max.y, box.max.z};
-    console.say("min        " + fixed(box.min.x, 3) + " " + fixed(box.min.y, 3) + " " + fixed(box.min.z, 3) + " m");
-    console.say("max        " + fixed(box.max.x, 3) + " " + fixed(box.max.y, 3) + " " + fixed(box.max.z, 3) + " m");
-    console.say("size       " + fixed(box.max.x - box.min.x, 3) + " x " + fixed(box.max.y - box.min.y, 3) + " x " +
-                fixed(box.max.z - box.min.z, 3) + " m");
+    console.say("min        " + fixed(box.min.x, 3) + " " + fixed(box.min.y, 3) + " " +
+                fixed(box.min.z, 3) + " m");
+    console.say("max        " + fixed(box.max.x, 3) + " " + fixed(box.max.y, 3) + " " +
+                fixed(box.max.z, 3) + " m");
+    console.say("size       " + fixed(box.max.x - box.min.x, 3) + " x " +
+                fixed(box.max.y - box.min.y, 3) + " x " + fixed(box.max.z - box.min.z, 3) + " m");
   }
   const char* crs = "";
   must(jalon_cloud_crs(cloud.get(), &crs));
   json["crs"] = crs;
   const std::string text = crs;
-  console.say("crs        " + (text.empty() ? "unknown" : text.size() > 90 ? text.substr(0, 87) + "..." : text));
+  console.say("crs        " + (text.empty()       ? "unknown"
+                               : text.size() > 90 ? text.substr(0, 87) + "..."
+                                                  : text));
   show_stations(console, cloud, json);
   show_fields(console, cloud, json);
   console.result(json);

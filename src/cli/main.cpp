@@ -28,17 +28,25 @@ Help on a command: jalon facade --help)";
 
 int exit_code(jalon_status status) {
   switch (status) {
-    case JALON_ERROR_INVALID_ARGUMENT: return 2;
+    case JALON_ERROR_INVALID_ARGUMENT:
+      return 2;
     case JALON_ERROR_NOT_FOUND:
-    case JALON_ERROR_FORMAT: return 3;
-    case JALON_ERROR_IO: return 4;
+    case JALON_ERROR_FORMAT:
+      return 3;
+    case JALON_ERROR_IO:
+      return 4;
     case JALON_ERROR_INSUFFICIENT_DATA:
-    case JALON_ERROR_DEGENERATE: return 5;
+    case JALON_ERROR_DEGENERATE:
+      return 5;
     case JALON_ERROR_UNSUPPORTED:
-    case JALON_ERROR_LIMIT: return 6;
-    case JALON_ERROR_OUT_OF_MEMORY: return 7;
-    case JALON_ERROR_CANCELLED: return 130;
-    default: return 1;
+    case JALON_ERROR_LIMIT:
+      return 6;
+    case JALON_ERROR_OUT_OF_MEMORY:
+      return 7;
+    case JALON_ERROR_CANCELLED:
+      return 130;
+    default:
+      return 1;
   }
 }
 
@@ -59,7 +67,8 @@ int run(int argc, char** argv) {
     add_scan(app);
   };
   try {
-    return run_commands(argc, argv, "Jalon: laser scans in, planes, facade models and drawings out.", kFooter,
+    return run_commands(argc, argv,
+                        "Jalon: laser scans in, planes, facade models and drawings out.", kFooter,
                         (std::string("jalon ") + jalon_version()).c_str(), declare);
   } catch (const Failure& failure) {
     std::fprintf(stderr, "jalon: %s\n", failure.text.c_str());

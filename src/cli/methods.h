@@ -13,7 +13,8 @@ namespace jalon::cli {
 /// method_tables<Segmenter>("Parameters of --set with --method ", jalon_segmenter_methods,
 ///                          jalon_segmenter_create, jalon_segmenter_params).
 template <class Owner, class Worker = typename Owner::element_type>
-std::string method_tables(const std::string& lead, jalon_status (*methods)(const char* const** names, uint64_t* count),
+std::string method_tables(const std::string& lead,
+                          jalon_status (*methods)(const char* const** names, uint64_t* count),
                           jalon_status (*create)(const char* method, Worker** out),
                           jalon_status (*params_of)(Worker* worker, jalon_params** out)) {
   const char* const* names = nullptr;

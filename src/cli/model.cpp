@@ -38,7 +38,8 @@ struct ModelJob {
                     "--labels takes the segments as they are: no --tolerance, no --segment-set"};
     out.segmenter = make_segmenter(segmenter, out.segmenter_params);
     if (tolerance_m > 0)
-      must(jalon_params_set_double(out.segmenter_params.get(), "distance_tolerance_m", tolerance_m));
+      must(
+          jalon_params_set_double(out.segmenter_params.get(), "distance_tolerance_m", tolerance_m));
     segment_settings.apply(out.segmenter_params.get());
     return out;
   }
@@ -50,22 +51,24 @@ struct ModelJob {
       return made;
     }
     const Params options = make_params("labels");
-    if (!noise.empty()) must(jalon_params_set_doubles(options.get(), "noise_labels", noise.data(), noise.size()));
-    must(jalon_segmentation_from_labels(cloud.get(), labels.c_str(), options.get(), console.task(), Out(made)));
+    if (!noise.empty())
+      must(jalon_params_set_doubles(options.get(), "noise_labels", noise.data(), noise.size()));
+    must(jalon_segmentation_from_labels(cloud.get(), labels.c_str(), options.get(), console.task(),
+                                        Out(made)));
     return made;
   }
 
-  std::vector<std::string> write(const Console& console, const Segmentation& segmentation, const Model& model,
-                                 Json notes) const {
+  std::vector<std::string> write(const Console& console, const Segmentation& segmentation,
+                                 const Model& model, Json notes) const {
     OutputFolder folder(output);
     auto names = files.write(console, segmentation.get(), model.get(), input.path, folder);
     notes["times"]["write"] = console.seconds();
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     names.insert(names.begin(), {"report.html", "report.json"});
-    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(), folder.path(names[0]).c_str(), nullptr,
-                                 console.task()));
-    must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(), folder.path(names[1]).c_str(), nullptr,
-                                 console.task()));
+    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(),
+                                 folder.path(names[0]).c_str(), nullptr, console.task()));
+    must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(),
+                                 folder.path(names[1]).c_str(), nullptr, console.task()));
     folder.commit();
     return names;
   }
@@ -74,7 +77,8 @@ struct ModelJob {
     Console console(common);
     const Workers tools = workers();
     const std::string source = labels.empty() ? segmenter : "labels of field " + labels;
-    Json notes{{"title", "Model"}, {"input", {{"file", input.path}, {"segments", source}, {"method", method}}},
+    Json notes{{"title", "Model"},
+               {"input", {{"file", input.path}, {"segments", source}, {"method", method}}},
                {"times", Json::object()}};
     console.step("reading");
     const Cloud cloud = input.read(console);
@@ -85,7 +89,8 @@ struct ModelJob {
     notes["times"]["segment"] = console.seconds();
     console.step("model");
     Model model;
-    must(jalon_modeller_run(tools.modeller.get(), cloud.get(), segmentation.get(), console.task(), Out(model)));
+    must(jalon_modeller_run(tools.modeller.get(), cloud.get(), segmentation.get(), console.task(),
+                            Out(model)));
     notes["times"]["model"] = console.seconds();
     console.step("writing");
     const auto names = write(console, segmentation, model, notes);
@@ -94,47 +99,65 @@ struct ModelJob {
     const Json summary = summary_of(model.get());
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
-    console.result({{"input", input.path}, {"points", count_of(cloud)}, {"output", output}, {"segments", source},
-                    {"method", method}, {"parameters", Json::parse(parameters)}, {"times", notes["times"]},
-                    {"model", summary}, {"files", names}});
+    console.result({{"input", input.path},
+                    {"points", count_of(cloud)},
+                    {"output", output},
+                    {"segments", source},
+                    {"method", method},
+                    {"parameters", Json::parse(parameters)},
+                    {"times", notes["times"]},
+                    {"model", summary},
+                    {"files", names}});
   }
 };
 
 }  // namespace
 
 void add_model(Command& app) {
-  Command command = app.subcommand("model", "From segments to a vector model: files for CAD, a drawing and a report");
+  Command command = app.subcommand(
+      "model", "From segments to a vector model: files for CAD, a drawing and a report");
   auto state = std::make_shared<ModelJob>();
   state->input.add_to(command);
-  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
-  command.option("--labels", state->labels,
-                      "Field with the segment of each point (what \"jalon segment\" wrote, hand labels ...); "
-                      "without it the points are segmented first")
+  command.option("-o,--output", state->output, "Folder for the results")
+      .required()
+      .type_name("DIR");
+  command
+      .option(
+          "--labels", state->labels,
+          "Field with the segment of each point (what \"jalon segment\" wrote, hand labels ...); "
+          "without it the points are segmented first")
       .type_name("FIELD");
-  command.option("--noise-label", state->noise, "A label that is no segment; default 0 (repeatable)")
+  command
+      .option("--noise-label", state->noise, "A label that is no segment; default 0 (repeatable)")
       .type_name("LABEL")
       .one_each_time();
-  command.option("--method", state->method,
-                      "How the model is made; the parameters below tell which methods there are")
+  command
+      .option("--method", state->method,
+              "How the model is made; the parameters below tell which methods there are")
       .shows_default()
       .type_name("NAME");
   command.option("--segmenter", state->segmenter, "How segments are found without --labels")
       .shows_default()
       .type_name("NAME");
-  command.option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the segmenter's")
+  command
+      .option("--tolerance", state->tolerance_m,
+              "Half-thickness of a plane (m); default: the segmenter's")
       .positive();
   state->settings.add_to(command);
   state->segment_settings.add_to(command, "segment-");
   state->files.add_to(command);
   add_common(command, state->common);
   command.footer([] {
-    return modeller_tables("--set") + segmenter_tables("--segment-set") + "Parameters of --drawing-set:\n" +
-           describe(make_params("elevation").get()) + "\nParameters of --scanner-set (precision of the scanner):\n" +
+    return modeller_tables("--set") + segmenter_tables("--segment-set") +
+           "Parameters of --drawing-set:\n" + describe(make_params("elevation").get()) +
+           "\nParameters of --scanner-set (precision of the scanner):\n" +
            describe(make_params("precision").get()) +
            "\nExamples:\n  jalon model scan.las -o result\n"
            "  jalon model segments.las -o result --labels label\n"
-           "  jalon model scan.las -o result --segmenter region_growing --tolerance 0.01 --drawing-set scale=50\n"
-           "  jalon model scan.las -o result --station 12.5,-8,1.7 --scanner-set sigma_range_m=0.002";
+           "  jalon model scan.las -o result --segmenter region_growing --tolerance 0.01 "
+           "--drawing-set scale=50\n"
+           "  jalon model scan.las -o result --station 12.5,-8,1.7 --scanner-set "
+           "sigma_range_m=0.002";
   });
   command.on_run([state] { state->run(); });
 }

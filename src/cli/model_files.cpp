@@ -27,7 +27,8 @@ bool is_written(const std::string& extension) {
     must(jalon_format_info(i, nullptr, &extensions, &abilities));
     const char* model = std::strstr(abilities, "model");
     if (model == nullptr || std::strstr(model, "write") == nullptr) continue;
-    if ((" " + std::string(extensions) + " ").find(" " + extension + " ") != std::string::npos) return true;
+    if ((" " + std::string(extensions) + " ").find(" " + extension + " ") != std::string::npos)
+      return true;
   }
   return false;
 }
@@ -44,10 +45,12 @@ Json count_classes(jalon_model* model) {
   return classes;
 }
 
-uint64_t facades_of(jalon_model* model) { return count_classes(model).value("facade", uint64_t{0}); }
+uint64_t facades_of(jalon_model* model) {
+  return count_classes(model).value("facade", uint64_t{0});
+}
 
-void draw(const Console& console, jalon_segmentation* segmentation, jalon_model* model, jalon_params* options,
-          uint64_t facade, const std::string& path) {
+void draw(const Console& console, jalon_segmentation* segmentation, jalon_model* model,
+          jalon_params* options, uint64_t facade, const std::string& path) {
   must(jalon_params_set_int64(options, "facade", static_cast<int64_t>(facade)));
   must(jalon_report_write_elevation(segmentation, model, path.c_str(), options, console.task()));
 }
@@ -63,8 +66,8 @@ Json told(jalon_params* params) {
   const Json all = json_of(params), defaults = json_of(make_params("precision").get());
   Json out = Json::object();
   for (const auto& [name, value] : all.items())
-    if (name.starts_with("sigma_range") || name.starts_with("sigma_horizontal") || name.starts_with("sigma_vertical") ||
-        value != defaults[name])
+    if (name.starts_with("sigma_range") || name.starts_with("sigma_horizontal") ||
+        name.starts_with("sigma_vertical") || value != defaults[name])
       out[name] = value;
   return out;
 }
@@ -86,13 +89,15 @@ Modeller make_modeller(const std::string& method, Params& params) {
 }
 
 std::string segmenter_tables(const std::string& option) {
-  return method_tables<Segmenter>("Parameters of " + option + " with planes by ", jalon_segmenter_methods,
-                                  jalon_segmenter_create, jalon_segmenter_params);
+  return method_tables<Segmenter>("Parameters of " + option + " with planes by ",
+                                  jalon_segmenter_methods, jalon_segmenter_create,
+                                  jalon_segmenter_params);
 }
 
 std::string modeller_tables(const std::string& option) {
-  return method_tables<Modeller>("Parameters of " + option + " with the model by ", jalon_modeller_methods,
-                                 jalon_modeller_create, jalon_modeller_params);
+  return method_tables<Modeller>("Parameters of " + option + " with the model by ",
+                                 jalon_modeller_methods, jalon_modeller_create,
+                                 jalon_modeller_params);
 }
 
 void ModelFiles::add_to(Command& command) {
@@ -108,12 +113,14 @@ void ModelFiles::note_scanner(jalon_cloud* cloud, Json& notes) const {
   must(jalon_cloud_station_count(cloud, &stations));
   if (stations == 0)
     throw Failure{JALON_ERROR_INVALID_ARGUMENT,
-                  "the precision of the scanner needs its place, which the file does not tell: add --station X,Y,Z"};
+                  "the precision of the scanner needs its place, which the file does not tell: add "
+                  "--station X,Y,Z"};
   notes["scanner"] = told(params.get());
 }
 
-std::vector<std::string> ModelFiles::write(const Console& console, jalon_segmentation* segmentation, jalon_model* model,
-                                           const std::string& source, OutputFolder& folder) const {
+std::vector<std::string> ModelFiles::write(const Console& console, jalon_segmentation* segmentation,
+                                           jalon_model* model, const std::string& source,
+                                           OutputFolder& folder) const {
   std::vector<std::string> names;
   for (const char* extension : kExtensions) {
     if (!is_written(extension)) continue;
@@ -121,12 +128,14 @@ std::vector<std::string> ModelFiles::write(const Console& console, jalon_segment
     must(jalon_model_write(model, folder.path(names.back()).c_str(), nullptr, console.task()));
   }
   const Params options = make_params("elevation");
-  must(jalon_params_set_string(options.get(), "source", std::filesystem::path(source).filename().string().c_str()));
+  must(jalon_params_set_string(options.get(), "source",
+                               std::filesystem::path(source).filename().string().c_str()));
   drawing.apply(options.get());
   int64_t only = 0;
   must(jalon_params_get_int64(options.get(), "facade", &only));
   names.push_back("elevation.svg");
-  draw(console, segmentation, model, options.get(), static_cast<uint64_t>(only), folder.path(names.back()));
+  draw(console, segmentation, model, options.get(), static_cast<uint64_t>(only),
+       folder.path(names.back()));
   const uint64_t facades = only == 0 ? facades_of(model) : 0;
   for (uint64_t k = 1; facades > 1 && k <= facades; ++k) {
     names.push_back("elevation_" + std::to_string(k) + ".svg");

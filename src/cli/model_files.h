@@ -29,8 +29,9 @@ struct ModelFiles {
   void note_scanner(jalon_cloud* cloud, nlohmann::ordered_json& notes) const;
   /// model.obj, model.dxf ...: each vector format that the library writes; elevation.svg of the whole, elevation_1.svg
   /// ... of each facade where there are several. Returns their names.
-  std::vector<std::string> write(const Console& console, jalon_segmentation* segmentation, jalon_model* model,
-                                 const std::string& source, OutputFolder& folder) const;
+  std::vector<std::string> write(const Console& console, jalon_segmentation* segmentation,
+                                 jalon_model* model, const std::string& source,
+                                 OutputFolder& folder) const;
 };
 
 /// "faces", "openings" and the number of parts of each class.

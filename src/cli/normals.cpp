@@ -17,7 +17,8 @@ void run_of_normals(const CloudJob& job) {
   must(jalon_cloud_compute_normals(cloud.get(), options.get(), console.task()));
   const double seconds = console.seconds();
   job.write(console, cloud, nullptr);
-  console.say(grouped(count_of(cloud)) + " normals in " + fixed(seconds, 2) + " s -> " + job.output);
+  console.say(grouped(count_of(cloud)) + " normals in " + fixed(seconds, 2) + " s -> " +
+              job.output);
   nlohmann::ordered_json result = job.result(cloud);
   result["seconds"] = seconds;
   console.result(result);
@@ -28,8 +29,9 @@ void run_of_normals(const CloudJob& job) {
 void add_normals(Command& app) {
   Command command = app.subcommand("normals", "Computes a normal for every point");
   auto job = std::make_shared<CloudJob>();
-  job->add_to(command, "-o,--output", "Parameters of --set", "normals",
-              "Example: jalon normals scan.las -o normals.ply --set k=24 --set orientation=centroid");
+  job->add_to(
+      command, "-o,--output", "Parameters of --set", "normals",
+      "Example: jalon normals scan.las -o normals.ply --set k=24 --set orientation=centroid");
   command.on_run([job] { run_of_normals(*job); });
 }
 

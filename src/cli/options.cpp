@@ -12,16 +12,20 @@ namespace jalon::cli {
 void add_common(Command& command, Common& common) {
   command.flag("-q,--quiet", common.quiet, "Print nothing but errors");
   command.flag("--json", common.json, "Print the result as one JSON object");
-  command.option("--threads", common.threads, "Threads; 0 = all processors. The result does not depend on it")
+  command
+      .option("--threads", common.threads,
+              "Threads; 0 = all processors. The result does not depend on it")
       .between(0, 256);
 }
 
 void Settings::add_to(Command& command, const std::string& prefix) {
-  command.option("--" + prefix + "set", assignments,
-                     "Set a parameter, e.g. --" + prefix + "set min_area_m2=0.2 (repeatable)")
+  command
+      .option("--" + prefix + "set", assignments,
+              "Set a parameter, e.g. --" + prefix + "set min_area_m2=0.2 (repeatable)")
       .type_name("NAME=VALUE")
       .one_each_time();
-  command.option("--" + prefix + "params", json_file, "Read parameters from a JSON file").type_name("FILE");
+  command.option("--" + prefix + "params", json_file, "Read parameters from a JSON file")
+      .type_name("FILE");
 }
 
 namespace {
@@ -59,7 +63,8 @@ void Settings::apply(jalon_params* params) const {
   if (!json_file.empty()) must(jalon_params_from_json(params, read_text_file(json_file).c_str()));
   for (const std::string& assignment : assignments) {
     const size_t equal = assignment.find('=');
-    if (equal == std::string::npos || equal == 0) throw usage("--set needs NAME=VALUE, not \"" + assignment + "\"");
+    if (equal == std::string::npos || equal == 0)
+      throw usage("--set needs NAME=VALUE, not \"" + assignment + "\"");
     assign(params, assignment.substr(0, equal), assignment.substr(equal + 1));
   }
 }
@@ -87,11 +92,16 @@ std::string describe(jalon_params* params) {
 }
 
 void Input::add_to(Command& command, bool required) {
-  command.option("scan", path, "Scan file: LAS, PLY, XYZ, TXT, CSV").required(required).type_name("SCAN");
-  command.option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
+  command.option("scan", path, "Scan file: LAS, PLY, XYZ, TXT, CSV")
+      .required(required)
+      .type_name("SCAN");
+  command
+      .option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
       .type_name("NAMES");
-  command.option("--station", station,
-                     "Where the scanner stood, for all points: tells the front of surfaces and what was seen")
+  command
+      .option(
+          "--station", station,
+          "Where the scanner stood, for all points: tells the front of surfaces and what was seen")
       .type_name("X,Y,Z");
   command.flag("--drop-invalid", drop_invalid, "Drop points whose coordinates are not finite");
 }

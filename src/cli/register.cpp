@@ -18,7 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kStopped[] = {"", "converged", "iteration limit", "too few pairs", "ambiguous", "nothing found"};
+constexpr const char* kStopped[] = {"",          "converged",    "iteration limit", "too few pairs",
+                                    "ambiguous", "nothing found"};
 
 struct Register {
   Common common;
@@ -33,10 +34,16 @@ struct Register {
     const char* parameters = nullptr;
     must(jalon_params_to_json(params, &parameters));
     Json matrix = Json::array();
-    for (const double* row = pose.m; row != pose.m + 12; row += 4) matrix.push_back({row[0], row[1], row[2], row[3]});
+    for (const double* row = pose.m; row != pose.m + 12; row += 4)
+      matrix.push_back({row[0], row[1], row[2], row[3]});
     matrix.push_back({0, 0, 0, 1});
-    Json out{{"reference", reference.path}, {"moving", moving.path}, {"output", output}, {"method", method},
-             {"parameters", Json::parse(parameters)}, {"times", times}, {"T_reference_moving", matrix}};
+    Json out{{"reference", reference.path},
+             {"moving", moving.path},
+             {"output", output},
+             {"method", method},
+             {"parameters", Json::parse(parameters)},
+             {"times", times},
+             {"T_reference_moving", matrix}};
     out["summary"] = table(registration, jalon_registration_summary).object(0);
     out["directions"] = table(registration, jalon_registration_directions).list();
     out["iterations"] = table(registration, jalon_registration_iterations).list();
@@ -57,8 +64,8 @@ struct Register {
   Registration register_targets(const Console& console, const jalon_registrar* registrar) const {
     const Targets to = read_targets(targets[0]), from = read_targets(targets[1]);
     Registration made;
-    must(jalon_registrar_run_targets(registrar, to.rows.data(), to.rows.size(), from.rows.data(), from.rows.size(),
-                                     console.task(), Out(made)));
+    must(jalon_registrar_run_targets(registrar, to.rows.data(), to.rows.size(), from.rows.data(),
+                                     from.rows.size(), console.task(), Out(made)));
     return made;
   }
 
@@ -67,7 +74,8 @@ struct Register {
     uint64_t outliers = 0;
     for (uint64_t i = 0; i < rows.rows(); ++i) outliers += rows.count("outlier", i);
     if (outliers > 0)
-      console.say(grouped(outliers) + " of " + grouped(rows.rows()) + " targets are outliers: see report.html");
+      console.say(grouped(outliers) + " of " + grouped(rows.rows()) +
+                  " targets are outliers: see report.html");
   }
 
   template <class F>
@@ -81,29 +89,35 @@ struct Register {
     const Table summary = table(registration, jalon_registration_summary);
     const uint64_t stopped = summary.count("stopped", 0);
     if (stopped == JALON_STOPPED_NOTHING_FOUND) {
-      console.say("nothing found: no pose on which the two scans agree; they are written as they were. If they do "
-                  "overlap, begin near the pose with --start");
+      console.say(
+          "nothing found: no pose on which the two scans agree; they are written as they were. If "
+          "they do "
+          "overlap, begin near the pose with --start");
       return;
     }
-    console.say(std::string(kStopped[stopped < 6 ? stopped : 0]) + " after " + grouped(summary.count("iterations", 0)) +
-                " iterations on " + grouped(summary.count("pairs", 0)) + " pairs, rms " +
+    console.say(std::string(kStopped[stopped < 6 ? stopped : 0]) + " after " +
+                grouped(summary.count("iterations", 0)) + " iterations on " +
+                grouped(summary.count("pairs", 0)) + " pairs, rms " +
                 fixed(1000 * summary.number("rms", 0), 3) + " mm");
     if (stopped == JALON_STOPPED_AMBIGUOUS)
       console.say("a clearly different pose fits about as well; " +
-                  std::string(targets.empty() ? "--start with max_turn_rad and max_shift_m chooses" : "names choose"));
+                  std::string(targets.empty() ? "--start with max_turn_rad and max_shift_m chooses"
+                                              : "names choose"));
     say_precision(console, summary);
   }
 
   static void say_precision(const Console& console, const Table& summary) {
     if (std::isfinite(summary.number("covariance", 0, 0))) {
-      const auto sigma = [&](uint32_t k) { return std::sqrt(summary.number("covariance", 0, 7 * k)); };
+      const auto sigma = [&](uint32_t k) {
+        return std::sqrt(summary.number("covariance", 0, 7 * k));
+      };
       const auto three = [&](double unit, uint32_t first) {
         std::string text;
         for (uint32_t k = 0; k < 3; ++k) text += fixed(unit * sigma(first + k), 5) + " ";
         return text;
       };
-      console.say("sigma of the centre in x y z: " + three(1000, 3) + "mm; of the turn: " +
-                  three(180 / std::numbers::pi, 0) + "deg");
+      console.say("sigma of the centre in x y z: " + three(1000, 3) +
+                  "mm; of the turn: " + three(180 / std::numbers::pi, 0) + "deg");
     }
     if (const uint64_t open = summary.count("unobservable", 0); open > 0)
       console.say(grouped(open) + " of six directions are not fixed by the data: see report.html");
@@ -111,7 +125,8 @@ struct Register {
 
   void run() const {
     Console console(common);
-    if (!targets.empty() && !start.empty()) throw Failure{JALON_ERROR_INVALID_ARGUMENT, "targets need no --start"};
+    if (!targets.empty() && !start.empty())
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "targets need no --start"};
     Registrar registrar;
     must(jalon_registrar_create(method.c_str(), Out(registrar)));
     Params params;
@@ -124,11 +139,10 @@ struct Register {
     Json times{{"read", console.seconds()}};
     console.step("registering");
     Registration made;
-    if (!targets.empty())
-      made = register_targets(console, registrar.get());
+    if (!targets.empty()) made = register_targets(console, registrar.get());
     else
-      must(jalon_registrar_run(registrar.get(), to.get(), cloud.get(), has_start ? &from : nullptr, console.task(),
-                               Out(made)));
+      must(jalon_registrar_run(registrar.get(), to.get(), cloud.get(), has_start ? &from : nullptr,
+                               console.task(), Out(made)));
     times["register"] = console.seconds();
     console.step("writing");
     OutputFolder folder(output);
@@ -139,12 +153,13 @@ struct Register {
     folder.commit();
     say(console, made);
     if (!targets.empty()) say_outliers(console, made);
-    console.say("wrote " + output + ": report.html, registration.json, pose.txt, registered.las, registered.ply");
+    console.say("wrote " + output +
+                ": report.html, registration.json, pose.txt, registered.las, registered.ply");
     console.result(result);
   }
 
-  void write(const Console& console, OutputFolder& folder, const Registration& made, const Cloud& to,
-             const Cloud& cloud, const Json& times) const {
+  void write(const Console& console, OutputFolder& folder, const Registration& made,
+             const Cloud& to, const Cloud& cloud, const Json& times) const {
     jalon_transform pose;
     must(jalon_registration_pose(made.get(), &pose));
     write_text_file(folder.path("pose.txt"), pose_text(pose));
@@ -152,54 +167,72 @@ struct Register {
     must(jalon_registration_apply(made.get(), cloud.get(), console.task(), Out(moved)));
     for (const char* name : {"registered.las", "registered.ply"})
       must(jalon_cloud_write(moved.get(), folder.path(name).c_str(), nullptr, console.task()));
-    const Json notes{{"title", "Registration"},
-                     {"input", {{"reference", reference.path}, {"moving", moving.path}, {"method", method}}},
-                     {"times", times}};
+    const Json notes{
+        {"title", "Registration"},
+        {"input", {{"reference", reference.path}, {"moving", moving.path}, {"method", method}}},
+        {"times", times}};
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     must(jalon_report_write_registration(made.get(), to.get(), cloud.get(), text.c_str(),
-                                         folder.path("report.html").c_str(), nullptr, console.task()));
+                                         folder.path("report.html").c_str(), nullptr,
+                                         console.task()));
   }
 };
 
 std::string tables_of_register() {
-  return method_tables<Registrar>("Parameters of --set with --method ", jalon_registrar_methods, jalon_registrar_create,
-                                  jalon_registrar_params);
+  return method_tables<Registrar>("Parameters of --set with --method ", jalon_registrar_methods,
+                                  jalon_registrar_create, jalon_registrar_params);
 }
 
 }  // namespace
 
 void add_register(Command& app) {
-  Command command = app.subcommand("register", "Lays one scan onto another: the pose, and what it is worth");
+  Command command =
+      app.subcommand("register", "Lays one scan onto another: the pose, and what it is worth");
   auto state = std::make_shared<Register>();
-  command.option("reference", state->reference.path, "The scan that stays").required().type_name("REFERENCE");
-  command.option("moving", state->moving.path, "The scan that is laid onto it").required().type_name("MOVING");
-  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
-  command.option("--method", state->method,
-                      "automatic: from anywhere, coarse, then icp (the default); icp: from a start that is about right "
-                      "(the default with --start); coarse: from anywhere, roughly; targets: see --targets")
+  command.option("reference", state->reference.path, "The scan that stays")
+      .required()
+      .type_name("REFERENCE");
+  command.option("moving", state->moving.path, "The scan that is laid onto it")
+      .required()
+      .type_name("MOVING");
+  command.option("-o,--output", state->output, "Folder for the results")
+      .required()
+      .type_name("DIR");
+  command
+      .option("--method", state->method,
+              "automatic: from anywhere, coarse, then icp (the default); icp: from a start that is "
+              "about right "
+              "(the default with --start); coarse: from anywhere, roughly; targets: see --targets")
       .type_name("NAME");
-  command.option("--start", state->start, "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")
+  command
+      .option("--start", state->start,
+              "Pose to begin with: a file with a 4 x 4 matrix, as pose.txt")
       .type_name("FILE");
-  command.option("--targets", state->targets,
-                      "Two files with the targets of REFERENCE and of MOVING, which are then registered by them; a "
-                      "line each: name x y z [sigma | sx sy sz] in metres, - for no name")
+  command
+      .option("--targets", state->targets,
+              "Two files with the targets of REFERENCE and of MOVING, which are then registered by "
+              "them; a "
+              "line each: name x y z [sigma | sx sy sz] in metres, - for no name")
       .expected(2, 2)
       .type_name("FILE FILE");
   for (const bool is_reference : {true, false}) {
     Input& input = is_reference ? state->reference : state->moving;
-    command.option(std::string(is_reference ? "--reference-" : "--moving-") + "columns", input.columns,
-                        "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
+    command
+        .option(std::string(is_reference ? "--reference-" : "--moving-") + "columns", input.columns,
+                "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
         .type_name("NAMES");
   }
   command.flag(
-      "--drop-invalid", [state] { state->reference.drop_invalid = state->moving.drop_invalid = true; },
+      "--drop-invalid",
+      [state] { state->reference.drop_invalid = state->moving.drop_invalid = true; },
       "Drop points whose coordinates are not finite");
   state->settings.add_to(command);
   add_common(command, state->common);
   command.footer([] {
-    return tables_of_register() + "Examples:\n  jalon register hall_1.las hall_2.las -o joined\n"
-                      "  jalon register hall_1.las hall_2.las -o joined --start pose.txt\n"
-                      "  jalon register hall_1.las hall_2.las -o joined --targets control.txt spheres_2.txt";
+    return tables_of_register() +
+           "Examples:\n  jalon register hall_1.las hall_2.las -o joined\n"
+           "  jalon register hall_1.las hall_2.las -o joined --start pose.txt\n"
+           "  jalon register hall_1.las hall_2.las -o joined --targets control.txt spheres_2.txt";
   });
   command.on_run([state] {
     if (!state->targets.empty()) state->method = "targets";

@@ -47,9 +47,10 @@ struct Scan {
     const double seconds = console.seconds();
     console.step("writing");
     must(jalon_cloud_write(cloud.get(), output.c_str(), nullptr, console.task()));
-    if (!model_output.empty()) must(jalon_model_write(model.get(), model_output.c_str(), nullptr, console.task()));
-    console.say(grouped(count_of(cloud)) + " points of scene \"" + scene + "\" in " + fixed(seconds, 2) + " s -> " +
-                output);
+    if (!model_output.empty())
+      must(jalon_model_write(model.get(), model_output.c_str(), nullptr, console.task()));
+    console.say(grouped(count_of(cloud)) + " points of scene \"" + scene + "\" in " +
+                fixed(seconds, 2) + " s -> " + output);
     console.result({{"scene", scene},
                     {"output", output},
                     {"points", count_of(cloud)},
@@ -59,8 +60,8 @@ struct Scan {
 };
 
 std::string scanner_tables() {
-  return method_tables<Scanner>("Parameters of --set with --method ", jalon_scanner_methods, jalon_scanner_create,
-                                jalon_scanner_params);
+  return method_tables<Scanner>("Parameters of --set with --method ", jalon_scanner_methods,
+                                jalon_scanner_create, jalon_scanner_params);
 }
 
 }  // namespace
@@ -69,23 +70,31 @@ void add_scan(Command& app) {
   Command command = app.subcommand(
       "scan", "Scans a ready-made scene with a virtual scanner; the truth comes along as fields");
   auto state = std::make_shared<Scan>();
-  command.option("--scene", state->scene, "Scene to scan; names below").shows_default().type_name("NAME");
-  command.option("--method", state->method, "static: a tripod scanner; sample: random points on all faces")
+  command.option("--scene", state->scene, "Scene to scan; names below")
+      .shows_default()
+      .type_name("NAME");
+  command
+      .option("--method", state->method,
+              "static: a tripod scanner; sample: random points on all faces")
       .shows_default()
       .type_name("NAME");
   command.option("-o,--output", state->output, "Scan to write").required().type_name("FILE");
-  command.option("--model", state->model_output, "Also write the scene as a model (.obj)").type_name("FILE");
+  command.option("--model", state->model_output, "Also write the scene as a model (.obj)")
+      .type_name("FILE");
   command
-      .option("--station", state->stations, "Scanner position; without one, two are placed in front (repeatable)")
+      .option("--station", state->stations,
+              "Scanner position; without one, two are placed in front (repeatable)")
       .type_name("X,Y,Z")
       .one_each_time();
   state->settings.add_to(command);
   state->scene_settings.add_to(command, "scene-");
   add_common(command, state->common);
   command.footer([] {
-    return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) + "\n" + scanner_tables() +
+    return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) + "\n" +
+           scanner_tables() +
            "Examples: jalon scan --scene facade -o sample.las\n"
-           "          jalon scan --scene insa --set instrument=gx --set max_points=200000 --set glass_return_min=0.05 "
+           "          jalon scan --scene insa --set instrument=gx --set max_points=200000 --set "
+           "glass_return_min=0.05 "
            "--set glass_return_max=0.3 -o insa.las\n"
            "          jalon scan --scene patches --method sample --set points=60000 -o patches.las";
   });

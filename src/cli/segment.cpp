@@ -26,35 +26,42 @@ struct Segment {
     Segmenter made;
     must(jalon_segmenter_create(method.c_str(), Out(made)));
     must(jalon_segmenter_params(made.get(), Out(params)));
-    if (tolerance_m > 0) must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
+    if (tolerance_m > 0)
+      must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
     settings.apply(params.get());
     return made;
   }
 
-  void draw(const Console& console, const Segmentation& segmentation, const std::string& path) const {
+  void draw(const Console& console, const Segmentation& segmentation,
+            const std::string& path) const {
     const Params options = make_params("picture");
     must(jalon_params_set_string(options.get(), "title",
                                  std::filesystem::path(input.path).filename().string().c_str()));
     must(jalon_params_set_string(options.get(), "view", view.c_str()));
-    must(jalon_report_write_picture(segmentation.get(), path.c_str(), options.get(), console.task()));
+    must(jalon_report_write_picture(segmentation.get(), path.c_str(), options.get(),
+                                    console.task()));
   }
 
-  void write(const Console& console, const Segmentation& segmentation, const Table& table, Json notes,
-             Json result) const {
+  void write(const Console& console, const Segmentation& segmentation, const Table& table,
+             Json notes, Json result) const {
     OutputFolder folder(output);
     Cloud labelled;
     must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
-    must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr, console.task()));
-    must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr, console.task()));
+    must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr,
+                           console.task()));
+    must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr,
+                           console.task()));
     write_text_file(folder.path("segments.csv"), table.csv());
-    must(jalon_segmentation_write_primitives(segmentation.get(), folder.path("primitives.txt").c_str()));
+    must(jalon_segmentation_write_primitives(segmentation.get(),
+                                             folder.path("primitives.txt").c_str()));
     draw(console, segmentation, folder.path("segments.svg"));
     notes["times"]["write"] = console.seconds();
     result["times"] = notes["times"];
-    write_text_file(folder.path("segments.json"), result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_text_file(folder.path("segments.json"),
+                    result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
-    must(jalon_report_write_html(segmentation.get(), nullptr, text.c_str(), folder.path("report.html").c_str(), nullptr,
-                                 console.task()));
+    must(jalon_report_write_html(segmentation.get(), nullptr, text.c_str(),
+                                 folder.path("report.html").c_str(), nullptr, console.task()));
     folder.commit();
   }
 
@@ -71,8 +78,10 @@ struct Segment {
     console.say("segment     points    area m2   sigma mm   normal, or radius in m and axis");
     for (uint64_t i = 0; i < table.rows(); ++i) {
       char line[200];
-      std::snprintf(line, sizeof line, "%7u %10s %10s %10s   %s", static_cast<unsigned>(table.count("label", i)),
-                    grouped(table.count("inliers", i)).c_str(), fixed(table.number("area", i), 2).c_str(),
+      std::snprintf(line, sizeof line, "%7u %10s %10s %10s   %s",
+                    static_cast<unsigned>(table.count("label", i)),
+                    grouped(table.count("inliers", i)).c_str(),
+                    fixed(table.number("area", i), 2).c_str(),
                     fixed(1000 * table.number("sigma", i), 1).c_str(), shape(table, i).c_str());
       console.say(line);
     }
@@ -82,7 +91,9 @@ struct Segment {
     Console console(common);
     Params params;
     const Segmenter worker = segmenter(params);  // wrong parameters are told before a long read
-    Json notes{{"title", "Segments"}, {"input", {{"file", input.path}, {"method", method}}}, {"times", Json::object()}};
+    Json notes{{"title", "Segments"},
+               {"input", {{"file", input.path}, {"method", method}}},
+               {"times", Json::object()}};
     console.step("reading");
     const Cloud cloud = input.read(console);
     notes["times"]["read"] = console.seconds();
@@ -95,44 +106,57 @@ struct Segment {
     const Table table(std::move(fields));
     const char* parameters = nullptr;
     must(jalon_params_to_json(params.get(), &parameters));
-    Json result{{"input", input.path}, {"points", count_of(cloud)}, {"output", output}, {"method", method},
-                {"parameters", Json::parse(parameters)}, {"times", notes["times"]}, {"segments", table.list()}};
+    Json result{{"input", input.path},
+                {"points", count_of(cloud)},
+                {"output", output},
+                {"method", method},
+                {"parameters", Json::parse(parameters)},
+                {"times", notes["times"]},
+                {"segments", table.list()}};
     console.step("writing");
     write(console, segmentation, table, notes, result);
     list(console, table);
     console.say("wrote " + output +
-                ": report.html, segments.svg, segments.csv, segments.json, segments.las, segments.ply, primitives.txt");
+                ": report.html, segments.svg, segments.csv, segments.json, segments.las, "
+                "segments.ply, primitives.txt");
     console.result(result);
   }
 };
 
 std::string tables_of_segment() {
-  return method_tables<Segmenter>("Parameters of --set with --method ", jalon_segmenter_methods, jalon_segmenter_create,
-                                  jalon_segmenter_params);
+  return method_tables<Segmenter>("Parameters of --set with --method ", jalon_segmenter_methods,
+                                  jalon_segmenter_create, jalon_segmenter_params);
 }
 
 }  // namespace
 
 void add_segment(Command& app) {
-  Command command =
-      app.subcommand("segment", "From a scan to labelled points, a table of the segments and a picture of them");
+  Command command = app.subcommand(
+      "segment", "From a scan to labelled points, a table of the segments and a picture of them");
   auto state = std::make_shared<Segment>();
   state->input.add_to(command);
-  command.option("-o,--output", state->output, "Folder for the results").required().type_name("DIR");
-  command.option("--method", state->method, "How segments are found; the parameters below tell which there are")
+  command.option("-o,--output", state->output, "Folder for the results")
+      .required()
+      .type_name("DIR");
+  command
+      .option("--method", state->method,
+              "How segments are found; the parameters below tell which there are")
       .shows_default()
       .type_name("NAME");
-  command.option("--tolerance", state->tolerance_m, "Half-thickness of a plane (m); default: the method's")
+  command
+      .option("--tolerance", state->tolerance_m,
+              "Half-thickness of a plane (m); default: the method's")
       .positive();
-  command.option("--view", state->view,
-                      "What the picture shows")
-      .among({"front", "plan"}).shows_default();
+  command.option("--view", state->view, "What the picture shows")
+      .among({"front", "plan"})
+      .shows_default();
   state->settings.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return tables_of_segment() +
            "Examples:\n  jalon segment scan.las -o result\n"
-           "  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set min_area_m2=0.2\n"
+           "  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set "
+           "min_area_m2=0.2\n"
            "  jalon segment plant.las -o result --set primitives=all --set max_radius_m=1\n"
            "  jalon evaluate-segmentation result/segments.las reference.las";
   });

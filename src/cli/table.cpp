@@ -14,7 +14,8 @@ namespace {
 std::string text_of(double value) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
   char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value);  // the shortest that reads back the same
+  const auto end =
+      std::to_chars(text, text + sizeof text, value);  // the shortest that reads back the same
   return {text, end.ptr};
 }
 
@@ -38,7 +39,8 @@ Table::Table(Fields fields) : fields_(std::move(fields)) {
       must(jalon_fields_copy(fields_.get(), info.name, type, column.integers.data(), elements));
     } else {
       column.numbers.resize(elements);
-      must(jalon_fields_copy(fields_.get(), info.name, JALON_FLOAT64, column.numbers.data(), elements));
+      must(jalon_fields_copy(fields_.get(), info.name, JALON_FLOAT64, column.numbers.data(),
+                             elements));
     }
     columns_.push_back(std::move(column));
   }
@@ -91,7 +93,8 @@ std::string Table::csv() const {
       for (uint32_t k = 0; k < c.components; ++k, separator = ",") {
         const uint64_t at = row * c.components + k;
         out += separator;
-        if (!c.is_none(at)) out += c.is_integer ? std::to_string(c.integers[at]) : text_of(c.numbers[at]);
+        if (!c.is_none(at))
+          out += c.is_integer ? std::to_string(c.integers[at]) : text_of(c.numbers[at]);
       }
     out += '\n';
   }

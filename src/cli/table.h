@@ -20,7 +20,9 @@ class Table {
   uint64_t rows() const { return rows_; }
   /// Element as a double; the column must be there.
   double number(const char* name, uint64_t row, uint32_t component = 0) const;
-  uint64_t count(const char* name, uint64_t row) const { return static_cast<uint64_t>(number(name, row)); }
+  uint64_t count(const char* name, uint64_t row) const {
+    return static_cast<uint64_t>(number(name, row));
+  }
   /// A row as {"name": value or [values]}; what is not finite becomes null.
   nlohmann::ordered_json object(uint64_t row) const;
   nlohmann::ordered_json list() const;
@@ -32,9 +34,9 @@ class Table {
     std::string name;
     uint32_t components;
     bool is_integer;
-    bool may_be_none;                ///< UINT64_MAX stands for none: null, and nothing in CSV
-    std::vector<double> numbers;     ///< of floating columns
-    std::vector<int64_t> integers;   ///< of the others
+    bool may_be_none;               ///< UINT64_MAX stands for none: null, and nothing in CSV
+    std::vector<double> numbers;    ///< of floating columns
+    std::vector<int64_t> integers;  ///< of the others
     bool is_none(uint64_t at) const { return may_be_none && integers[at] == -1; }
   };
   const Column& column(const char* name) const;

@@ -31,7 +31,8 @@ std::vector<double> numbers_of(std::string line) {
   std::vector<double> out;
   const char *at = line.data(), *end = at + line.size();
   while (true) {
-    while (at != end && (*at == ' ' || *at == '\t' || *at == ',' || *at == ';' || *at == '\r')) ++at;
+    while (at != end && (*at == ' ' || *at == '\t' || *at == ',' || *at == ';' || *at == '\r'))
+      ++at;
     if (at == end) return out;
     double value = 0;
     const auto [next, error] = std::from_chars(at, end, value);

@@ -14,13 +14,14 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kCloudGrain = 1 << 16;                           // points a chunk: 1.5 MB, about 0.2 ms
+constexpr size_t kCloudGrain = 1 << 16;                    // points a chunk: 1.5 MB, about 0.2 ms
 constexpr uint64_t kExponentBits = 0x7ff0000000000000ull;  // all set in infinities and NaNs only
 
 /// Integer compares, which the compiler turns into vector code.
 bool any_not_finite(std::span<const double> values) {
   uint64_t found = 0;
-  for (const double value : values) found |= (std::bit_cast<uint64_t>(value) & kExponentBits) == kExponentBits;
+  for (const double value : values)
+    found |= (std::bit_cast<uint64_t>(value) & kExponentBits) == kExponentBits;
   return found != 0;
 }
 
@@ -54,8 +55,9 @@ Box3 bounds(const Cloud& cloud, Task& task) {
 
 const Station* station_of(const Cloud& cloud, uint64_t i) {
   // Stations follow each other in the order of their points; the last one that begins at or before i is the candidate.
-  auto after = std::upper_bound(cloud.stations.begin(), cloud.stations.end(), i,
-                                [](uint64_t point, const Station& station) { return point < station.first; });
+  auto after = std::upper_bound(
+      cloud.stations.begin(), cloud.stations.end(), i,
+      [](uint64_t point, const Station& station) { return point < station.first; });
   while (after != cloud.stations.begin()) {
     const Station& station = *--after;
     if (station.count == 0) continue;

@@ -53,7 +53,8 @@ class IndexSlot {
 /// Points + fields + stations + CRS. A value: copies share the storage; the points are never changed. Functions that
 /// "change" a cloud copy it, change the copy's table, and give it back.
 struct Cloud {
-  std::shared_ptr<const Buffer<double>> xyz_buffer = std::make_shared<Buffer<double>>();  ///< 3n, caller's doubles
+  std::shared_ptr<const Buffer<double>> xyz_buffer =
+      std::make_shared<Buffer<double>>();  ///< 3n, caller's doubles
   FieldTable fields;
   std::vector<Station> stations;  ///< in the order of their points, which do not overlap
   SharedText crs;

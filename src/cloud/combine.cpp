@@ -29,7 +29,8 @@ ElementType common_type(ElementType a, ElementType b) {
 void fill_missing(Column& column, size_t first, size_t count) {
   visit(column.info().type, [&](auto zero) {
     using T = decltype(zero);
-    auto values = column.values<T>().subspan(first * column.info().components, count * column.info().components);
+    auto values = column.values<T>().subspan(first * column.info().components,
+                                             count * column.info().components);
     // quiet_NaN() of an integer type is 0.
     std::fill(values.begin(), values.end(), std::numeric_limits<T>::quiet_NaN());
   });
@@ -45,11 +46,13 @@ ColumnPtr appended_column(const Column* a, size_t count_a, const Column* b, size
   FieldInfo info = a != nullptr ? a->info() : b->info();
   if (a != nullptr && b != nullptr) {
     if (a->info().components != b->info().components)
-      fail(Status::kInvalidArgument, "field \"%s\" has %u components in one cloud and %u in the other",
-           info.name.c_str(), a->info().components, b->info().components);
+      fail(Status::kInvalidArgument,
+           "field \"%s\" has %u components in one cloud and %u in the other", info.name.c_str(),
+           a->info().components, b->info().components);
     if (a->info().unit != b->info().unit && !a->info().unit.empty() && !b->info().unit.empty())
-      fail(Status::kInvalidArgument, "field \"%s\" is in \"%s\" in one cloud and in \"%s\" in the other",
-           info.name.c_str(), a->info().unit.c_str(), b->info().unit.c_str());
+      fail(Status::kInvalidArgument,
+           "field \"%s\" is in \"%s\" in one cloud and in \"%s\" in the other", info.name.c_str(),
+           a->info().unit.c_str(), b->info().unit.c_str());
     info.type = common_type(a->info().type, b->info().type);
     if (info.unit.empty()) info.unit = b->info().unit;
     if (info.meaning.empty()) info.meaning = b->info().meaning;
@@ -80,9 +83,11 @@ ColumnPtr transformed_normals(const Column& column, const Transform& transform, 
         for (size_t i = begin; i < end; ++i) {
           const Vec3 n{double{from[3 * i]}, double{from[3 * i + 1]}, double{from[3 * i + 2]}};
           const auto& m = back.m;
-          const Vec3 turned = normalized({m[0] * n.x + m[4] * n.y + m[8] * n.z, m[1] * n.x + m[5] * n.y + m[9] * n.z,
+          const Vec3 turned = normalized({m[0] * n.x + m[4] * n.y + m[8] * n.z,
+                                          m[1] * n.x + m[5] * n.y + m[9] * n.z,
                                           m[2] * n.x + m[6] * n.y + m[10] * n.z});
-          for (int c = 0; c < 3; ++c) to[3 * i + static_cast<size_t>(c)] = static_cast<T>(turned[c]);
+          for (int c = 0; c < 3; ++c)
+            to[3 * i + static_cast<size_t>(c)] = static_cast<T>(turned[c]);
         }
       });
     }
@@ -98,7 +103,8 @@ Cloud append(const Cloud& a, const Cloud& b, Task& task) {
   Buffer<double> xyz(3 * (a.size() + b.size()));
   const auto copy = [&](const Cloud& from, size_t first) {
     parallel_for(task, from.size(), kCombineGrain, [&](size_t begin, size_t end) {
-      std::memcpy(xyz.data() + 3 * (first + begin), from.xyz().data() + 3 * begin, (end - begin) * 3 * sizeof(double));
+      std::memcpy(xyz.data() + 3 * (first + begin), from.xyz().data() + 3 * begin,
+                  (end - begin) * 3 * sizeof(double));
     });
   };
   {
@@ -115,7 +121,8 @@ Cloud append(const Cloud& a, const Cloud& b, Task& task) {
   double done = 0;
   for (const ColumnPtr& column : a.fields) {
     task.checkpoint(done++ / columns);
-    out.fields.set(appended_column(column.get(), a.size(), b.fields.find(column->info().name), b.size()));
+    out.fields.set(
+        appended_column(column.get(), a.size(), b.fields.find(column->info().name), b.size()));
   }
   for (const ColumnPtr& column : b.fields) {
     task.checkpoint(done++ / columns);
@@ -141,7 +148,8 @@ Cloud transformed(const Cloud& cloud, const Transform& transform, Task& task) {
       for (size_t i = begin; i < end; ++i) {
         const Vec3 p = transform.point(cloud.point(i));
         for (int c = 0; c < 3; ++c) xyz[3 * i + static_cast<size_t>(c)] = p[c];
-        if (!is_finite(p)) fail(Status::kInvalidArgument, "the transform moves point %llu to infinity", number(i));
+        if (!is_finite(p))
+          fail(Status::kInvalidArgument, "the transform moves point %llu to infinity", number(i));
       }
     });
   }

@@ -27,8 +27,9 @@ Chosen points_with_value(const Cloud& cloud, const std::string& field, double va
     for (size_t i = 0; i < values.size(); ++i)
       if (static_cast<double>(values[i]) == value) out.points.push_back(i);
   });
-  for (const uint64_t i : out.points) out.xyz.insert(out.xyz.end(), cloud.xyz().begin() + static_cast<ptrdiff_t>(3 * i),
-                                                     cloud.xyz().begin() + static_cast<ptrdiff_t>(3 * i + 3));
+  for (const uint64_t i : out.points)
+    out.xyz.insert(out.xyz.end(), cloud.xyz().begin() + static_cast<ptrdiff_t>(3 * i),
+                   cloud.xyz().begin() + static_cast<ptrdiff_t>(3 * i + 3));
   return out;
 }
 
@@ -78,7 +79,8 @@ Cloud with_components(const Cloud& cloud, const ComponentsSettings& settings, Ta
     const Chosen chosen = points_with_value(cloud, settings.field, settings.value);
     components = connected(chosen.xyz);
     std::vector<uint32_t> labels(cloud.size(), 0);
-    for (size_t i = 0; i < chosen.points.size(); ++i) labels[chosen.points[i]] = components.labels[i];
+    for (size_t i = 0; i < chosen.points.size(); ++i)
+      labels[chosen.points[i]] = components.labels[i];
     components.labels = std::move(labels);
   }
   Cloud out = cloud;

@@ -26,13 +26,16 @@ std::vector<uint8_t> mask_where(const Cloud& cloud, Task& task, size_t grain, F&
 
 }  // namespace
 
-std::vector<uint8_t> inside_box(const Cloud& cloud, const Box3& box, const Transform& T_box_world, Task& task) {
-  return mask_where(cloud, task, kCropGrain, [&](const Vec3& p) { return box.contains(T_box_world.point(p)); });
+std::vector<uint8_t> inside_box(const Cloud& cloud, const Box3& box, const Transform& T_box_world,
+                                Task& task) {
+  return mask_where(cloud, task, kCropGrain,
+                    [&](const Vec3& p) { return box.contains(T_box_world.point(p)); });
 }
 
-std::vector<uint8_t> inside_prism(const Cloud& cloud, std::span<const Vec2> polygon, double w_min, double w_max,
-                                  const Transform& T_prism_world, Task& task) {
-  if (polygon.size() < 3) fail(Status::kInvalidArgument, "a polygon of %zu corners; it needs 3", polygon.size());
+std::vector<uint8_t> inside_prism(const Cloud& cloud, std::span<const Vec2> polygon, double w_min,
+                                  double w_max, const Transform& T_prism_world, Task& task) {
+  if (polygon.size() < 3)
+    fail(Status::kInvalidArgument, "a polygon of %zu corners; it needs 3", polygon.size());
   Vec2 low = polygon[0], high = polygon[0];
   for (const Vec2& corner : polygon) {
     low = {std::min(low.u, corner.u), std::min(low.v, corner.v)};
@@ -42,19 +45,20 @@ std::vector<uint8_t> inside_prism(const Cloud& cloud, std::span<const Vec2> poly
   const size_t grain = std::max<size_t>(64, kCropGrain * 8 / (8 + polygon.size()));
   return mask_where(cloud, task, grain, [&](const Vec3& p) {
     const Vec3 q = T_prism_world.point(p);
-    return q.z >= w_min && q.z <= w_max && q.x >= low.u && q.x <= high.u && q.y >= low.v && q.y <= high.v &&
-           contains(polygon, {q.x, q.y});
+    return q.z >= w_min && q.z <= w_max && q.x >= low.u && q.x <= high.u && q.y >= low.v &&
+           q.y <= high.v && contains(polygon, {q.x, q.y});
   });
 }
 
-std::vector<uint8_t> inside_cylinder(const Cloud& cloud, const Vec3& foot, const Vec3& top, double radius_m,
-                                     Task& task) {
+std::vector<uint8_t> inside_cylinder(const Cloud& cloud, const Vec3& foot, const Vec3& top,
+                                     double radius_m, Task& task) {
   const Vec3 axis = top - foot;
   const double length2 = squared_norm(axis);
   if (!(length2 > 0) || !std::isfinite(length2))
     fail(Status::kInvalidArgument, "foot and top of the cylinder are one point, or not finite");
   if (!(radius_m > 0) || !std::isfinite(radius_m))
-    fail(Status::kInvalidArgument, "a radius of %s m: it must be above 0", text_of(radius_m).c_str());
+    fail(Status::kInvalidArgument, "a radius of %s m: it must be above 0",
+         text_of(radius_m).c_str());
   return mask_where(cloud, task, kCropGrain, [&](const Vec3& p) {
     const Vec3 d = p - foot;
     const double along = dot(d, axis);

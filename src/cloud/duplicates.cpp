@@ -95,7 +95,8 @@ Buckets deal(const Cloud& cloud, const Rounding& rounding, Task& task) {
   parallel_for(task, n, kDuplicatesGrain, [&](size_t begin, size_t end) {
     uint32_t* next = counts.data() + begin / kDuplicatesGrain * kBuckets;
     for (size_t i = begin; i < end; ++i)
-      buckets.entries[next[bucket_of(hashes[i])]++] = {static_cast<uint32_t>(hashes[i]), static_cast<uint32_t>(i)};
+      buckets.entries[next[bucket_of(hashes[i])]++] = {static_cast<uint32_t>(hashes[i]),
+                                                       static_cast<uint32_t>(i)};
   });
   return buckets;
 }
@@ -124,13 +125,15 @@ void mark_first_ones(const Cloud& cloud, const Rounding& rounding, std::span<con
 
 void require_tolerance(const Cloud& cloud, double tolerance_m, Task& task) {
   if (!(tolerance_m > 0) || !std::isfinite(tolerance_m))
-    fail(Status::kInvalidArgument, "a tolerance of %s m: it must be above 0", text_of(tolerance_m).c_str());
+    fail(Status::kInvalidArgument, "a tolerance of %s m: it must be above 0",
+         text_of(tolerance_m).c_str());
   if (cloud.size() > kMaxPoints) fail(Status::kLimit, "more than 2^32 - 2 points");
   if (cloud.size() == 0) return;
   const Box3 box = bounds(cloud, task);
   for (int i = 0; i < 3; ++i)
     if (!((box.max[i] - box.min[i] + 1) / tolerance_m < kMaxSteps))
-      fail(Status::kLimit, "a tolerance of %s m is too fine for a cloud of this size", text_of(tolerance_m).c_str());
+      fail(Status::kLimit, "a tolerance of %s m is too fine for a cloud of this size",
+           text_of(tolerance_m).c_str());
 }
 
 }  // namespace
@@ -150,9 +153,10 @@ Cloud without_duplicates(const Cloud& cloud, double tolerance_m, Task& task) {
     parallel_for(task, kBuckets, kBucketsPerChunk, [&](size_t begin, size_t end) {
       std::vector<Entry> table;
       for (size_t b = begin; b < end; ++b)
-        mark_first_ones(cloud, rounding,
-                        {buckets.entries.data() + buckets.first[b], buckets.first[b + 1] - buckets.first[b]}, table,
-                        keep);
+        mark_first_ones(
+            cloud, rounding,
+            {buckets.entries.data() + buckets.first[b], buckets.first[b + 1] - buckets.first[b]},
+            table, keep);
     });
   }
   ProgressSpan span(task, 0.7, 1, "copying");

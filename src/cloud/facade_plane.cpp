@@ -52,15 +52,18 @@ size_t count_inliers(const std::vector<Vec3>& sample, const Plane& plane, double
 /// The best of many draws; make(stream, plane) makes the hypothesis of one, or fails. Ties go to
 /// the earlier draw.
 template <class F>
-Hypothesis best_of_draws(const std::vector<Vec3>& sample, double tolerance_m, Task& task, F&& make) {
+Hypothesis best_of_draws(const std::vector<Vec3>& sample, double tolerance_m, Task& task,
+                         F&& make) {
   std::vector<Hypothesis> tried(kDraws);
   constexpr size_t kDrawsPerChunk = 16;
   parallel_for(task, kDraws, kDrawsPerChunk, [&](size_t begin, size_t end) {
     for (size_t d = begin; d < end; ++d)
-      if (make(d, tried[d].plane)) tried[d].inliers = count_inliers(sample, tried[d].plane, tolerance_m);
+      if (make(d, tried[d].plane))
+        tried[d].inliers = count_inliers(sample, tried[d].plane, tolerance_m);
   });
-  return *std::max_element(tried.begin(), tried.end(),
-                           [](const Hypothesis& a, const Hypothesis& b) { return a.inliers < b.inliers; });
+  return *std::max_element(
+      tried.begin(), tried.end(),
+      [](const Hypothesis& a, const Hypothesis& b) { return a.inliers < b.inliers; });
 }
 
 /// Least squares on the inliers, again and again, while the plane keeps to the rule.
@@ -81,8 +84,8 @@ Plane refined(const std::vector<Vec3>& sample, Plane plane, double tolerance_m, 
 /// Turns the plane's positive side to the scanner: to the viewpoint, or to where more points lie
 /// outside the layer (the ground and the obstacles before a facade outnumber what is seen through
 /// its windows).
-void face_the_scanner(const std::vector<Vec3>& sample, const Viewpoint& viewpoint, const Vec3& origin,
-                      double tolerance_m, Plane& plane) {
+void face_the_scanner(const std::vector<Vec3>& sample, const Viewpoint& viewpoint,
+                      const Vec3& origin, double tolerance_m, Plane& plane) {
   double side = 0;
   if (viewpoint.known) {
     side = plane.distance(viewpoint.position - origin);
@@ -113,7 +116,8 @@ FacadePlane find_facade_plane(const Cloud& cloud, double tolerance_m, double ver
     plane.offset = dot(plane.normal, a);
     return true;
   });
-  if (best.inliers < 3) fail(Status::kDegenerate, "no vertical plane: the points have too little extent in plan");
+  if (best.inliers < 3)
+    fail(Status::kDegenerate, "no vertical plane: the points have too little extent in plan");
   const double max_lean = std::sin(vertical_tolerance_rad);
   out.plane = refined(sample, best.plane, tolerance_m,
                       [&](const Plane& plane) { return std::fabs(plane.normal.z) <= max_lean; });
@@ -123,18 +127,21 @@ FacadePlane find_facade_plane(const Cloud& cloud, double tolerance_m, double ver
   return out;
 }
 
-bool find_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance_m, uint64_t seed, Task& task,
-                 GroundPlane& out) {
+bool find_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance_m, uint64_t seed,
+                 Task& task, GroundPlane& out) {
   std::vector<Vec3> low;
   for (const Vec3& p : draw_sample(cloud, facade.origin, seed))
     if (std::fabs(facade.plane.distance(p)) > tolerance_m) low.push_back(p);
   if (low.size() < 3) return false;
-  const auto middle = low.begin() + static_cast<ptrdiff_t>(kLowestShare * static_cast<double>(low.size() - 1));
-  std::nth_element(low.begin(), middle, low.end(), [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+  const auto middle =
+      low.begin() + static_cast<ptrdiff_t>(kLowestShare * static_cast<double>(low.size() - 1));
+  std::nth_element(low.begin(), middle, low.end(),
+                   [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
   const double limit = middle->z;
   std::erase_if(low, [&](const Vec3& p) { return p.z > limit; });
   const auto is_level = [](const Plane& plane) {
-    return plane.normal.x * plane.normal.x + plane.normal.y * plane.normal.y <= kMaxGroundSlope * kMaxGroundSlope;
+    return plane.normal.x * plane.normal.x + plane.normal.y * plane.normal.y <=
+           kMaxGroundSlope * kMaxGroundSlope;
   };
   const Hypothesis best = best_of_draws(low, tolerance_m, task, [&](size_t d, Plane& plane) {
     RandomStream random(seed, kGroundStream + d);

@@ -33,7 +33,7 @@ struct GroundPlane {
 };
 /// The most populous plane leaning less than 10 degrees from the horizontal among the lowest
 /// points; false when there is none.
-bool find_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance_m, uint64_t seed, Task& task,
-                 GroundPlane& out);
+bool find_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance_m, uint64_t seed,
+                 Task& task, GroundPlane& out);
 
 }  // namespace jalon

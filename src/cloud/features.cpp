@@ -110,7 +110,8 @@ void shape(const PrincipalFrame& frame, Values& values) {
   values[kVerticality] = 1 - std::fabs(frame.n.z);
 }
 
-Values features_at(const Octree& tree, const Neighbourhood& around, double radius_m, const Choice& chosen, FeaturesScratch& s) {
+Values features_at(const Octree& tree, const Neighbourhood& around, double radius_m,
+                   const Choice& chosen, FeaturesScratch& s) {
   Values values;
   values.fill(kNaN);
   if (chosen[kDensity]) values[kDensity] = density(around, radius_m);
@@ -127,7 +128,8 @@ Values features_at(const Octree& tree, const Neighbourhood& around, double radiu
   if (!principal_frame(moments, frame)) return values;
   shape(frame, values);
   LocalQuadric fit;
-  if ((chosen[kMeanCurvature] || chosen[kGaussianCurvature]) && local_quadric(frame, s.points, p, s.work, fit)) {
+  if ((chosen[kMeanCurvature] || chosen[kGaussianCurvature]) &&
+      local_quadric(frame, s.points, p, s.work, fit)) {
     // The side of the normal is not known, so the sign of the mean curvature says nothing.
     values[kMeanCurvature] = std::fabs(fit.quadric.mean_curvature(fit.x, fit.y));
     values[kGaussianCurvature] = fit.quadric.gaussian_curvature(fit.x, fit.y);
@@ -157,7 +159,8 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
   for (size_t f = 0; f < kFeatures; ++f) {
     if (!chosen[f]) continue;
     columns[f] = std::make_shared<Column>(
-        FieldInfo{kInfos[f].name, ElementType::kFloat32, 1, kInfos[f].unit, kInfos[f].meaning}, cloud.size());
+        FieldInfo{kInfos[f].name, ElementType::kFloat32, 1, kInfos[f].unit, kInfos[f].meaning},
+        cloud.size());
     out[f] = columns[f]->values<float>().data();
   }
   std::shared_ptr<const Octree> tree;
@@ -168,7 +171,8 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
   ProgressSpan span(task, 0.2, 1, "features");
   const auto order = tree->order();
   for_each_neighbourhood<FeaturesScratch>(
-      *tree, settings.k, radius_m, task, [&](const Neighbourhood& around, FeaturesScratch& scratch) {
+      *tree, settings.k, radius_m, task,
+      [&](const Neighbourhood& around, FeaturesScratch& scratch) {
         const Values values = features_at(*tree, around, radius_m, chosen, scratch);
         const size_t i = order[around.point];
         for (size_t f = 0; f < kFeatures; ++f)

@@ -9,18 +9,22 @@ namespace jalon {
 
 namespace {
 
-constexpr auto kCancelPoll = std::chrono::milliseconds(50);  // the API promises an answer to cancel within 100 ms
+constexpr auto kCancelPoll =
+    std::chrono::milliseconds(50);  // the API promises an answer to cancel within 100 ms
 constexpr size_t kIndexSlotGrain = 1 << 16;
 
 Box3 bounds_of(std::span<const double> xyz, Task& task) {
-  return parallel_reduce(task, xyz.size() / 3, kIndexSlotGrain, Box3{}, [&](size_t begin, size_t end) {
-    Box3 box;
-    for (size_t i = begin; i < end; ++i) box.add({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
-    return box;
-  });
+  return parallel_reduce(task, xyz.size() / 3, kIndexSlotGrain, Box3{},
+                         [&](size_t begin, size_t end) {
+                           Box3 box;
+                           for (size_t i = begin; i < end; ++i)
+                             box.add({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
+                           return box;
+                         });
 }
 
-std::shared_ptr<const Octree> build_tree(std::span<const double> xyz, const Cube* cube, Task& task) {
+std::shared_ptr<const Octree> build_tree(std::span<const double> xyz, const Cube* cube,
+                                         Task& task) {
   if (cube != nullptr) return Octree::build(xyz, *cube, task);
   if (xyz.empty()) return Octree::build(xyz, Cube{}, task);
   Cube own;
@@ -38,11 +42,13 @@ std::shared_ptr<const Octree> IndexSlot::get(std::span<const double> xyz, Task& 
   return build(xyz, nullptr, task);
 }
 
-std::shared_ptr<const Octree> IndexSlot::get_on(std::span<const double> xyz, const Cube& cube, Task& task) {
+std::shared_ptr<const Octree> IndexSlot::get_on(std::span<const double> xyz, const Cube& cube,
+                                                Task& task) {
   return build(xyz, &cube, task);
 }
 
-std::shared_ptr<const Octree> IndexSlot::build(std::span<const double> xyz, const Cube* cube, Task& task) {
+std::shared_ptr<const Octree> IndexSlot::build(std::span<const double> xyz, const Cube* cube,
+                                               Task& task) {
   // 1. Use what is there, or become the one builder, or wait for it.
   {
     std::unique_lock lock(mutex_);

@@ -23,8 +23,8 @@ struct SlabPoint {
 };
 
 /// Step 2: the points in the slab about the plane, with their places in it, in order.
-std::vector<SlabPoint> points_in_slab(const Cloud& cloud, const FacadePlane& facade, double front_m, double back_m,
-                                      Task& task) {
+std::vector<SlabPoint> points_in_slab(const Cloud& cloud, const FacadePlane& facade, double front_m,
+                                      double back_m, Task& task) {
   const size_t chunks = (cloud.size() + kInterestGrain - 1) / kInterestGrain;
   std::vector<std::vector<SlabPoint>> parts(chunks);
   parallel_for(task, cloud.size(), kInterestGrain, [&](size_t begin, size_t end) {
@@ -42,8 +42,8 @@ std::vector<SlabPoint> points_in_slab(const Cloud& cloud, const FacadePlane& fac
 }
 
 /// Step 3: the largest connected region of the slab's image, and the regions within the gap.
-std::vector<uint8_t> largest_entity(const Cloud& cloud, const std::vector<SlabPoint>& slab, double pixel_m,
-                                    double gap_m) {
+std::vector<uint8_t> largest_entity(const Cloud& cloud, const std::vector<SlabPoint>& slab,
+                                    double pixel_m, double gap_m) {
   std::vector<uint8_t> mask(cloud.size(), 0);
   if (slab.empty()) return mask;
   std::vector<Vec2> flat(slab.size());
@@ -64,21 +64,24 @@ std::vector<uint8_t> largest_entity(const Cloud& cloud, const std::vector<SlabPo
 
 /// Step 4 (optional): drops what lies on or under the horizontal plane at the facade's foot, but
 /// for the facade's own layer.
-void remove_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance_m, uint64_t seed, Task& task,
-                   std::vector<uint8_t>& mask) {
+void remove_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance_m, uint64_t seed,
+                   Task& task, std::vector<uint8_t>& mask) {
   GroundPlane ground;
   if (!find_ground(cloud, facade, tolerance_m, seed, task, ground)) return;
   parallel_for(task, cloud.size(), kInterestGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = cloud.point(i) - facade.origin;
-      if (std::fabs(facade.plane.distance(p)) > tolerance_m && ground.plane.distance(p) <= tolerance_m) mask[i] = 0;
+      if (std::fabs(facade.plane.distance(p)) > tolerance_m &&
+          ground.plane.distance(p) <= tolerance_m)
+        mask[i] = 0;
     }
   });
 }
 
 Viewpoint viewpoint_of(const std::vector<double>& p, const Cloud& cloud) {
   if (p.size() == 3) return {true, {p[0], p[1], p[2]}};
-  if (!p.empty()) fail(Status::kInvalidArgument, "viewpoint has %zu numbers; it needs x, y, z", p.size());
+  if (!p.empty())
+    fail(Status::kInvalidArgument, "viewpoint has %zu numbers; it needs x, y, z", p.size());
   for (const Station& station : cloud.stations)
     if (station.has_pose && station.count > 0) return {true, station.pose.translation()};
   return {};

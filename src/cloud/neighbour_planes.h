@@ -15,13 +15,13 @@ namespace jalon {
 
 /// The least-squares plane through the neighbours of a point.
 struct NeighbourPlane {
-  size_t position;           ///< of the point, in the tree's order
-  const double* normal;      ///< null when the neighbours do not span a plane
-  double variation;          ///< lambda_0 / (lambda_0 + lambda_1 + lambda_2)
-  double squared_offset;     ///< of the neighbours' centroid from the point, grid steps^2
-  Vec3 offset;               ///< the centroid itself, grid steps from the point
-  const Symmetric3* scatter; ///< sums of products about the centroid, grid steps^2
-  size_t count;              ///< of the neighbours
+  size_t position;            ///< of the point, in the tree's order
+  const double* normal;       ///< null when the neighbours do not span a plane
+  double variation;           ///< lambda_0 / (lambda_0 + lambda_1 + lambda_2)
+  double squared_offset;      ///< of the neighbours' centroid from the point, grid steps^2
+  Vec3 offset;                ///< the centroid itself, grid steps from the point
+  const Symmetric3* scatter;  ///< sums of products about the centroid, grid steps^2
+  size_t count;               ///< of the neighbours
 };
 
 /// Takes neighbourhoods one after the other and hands their planes on, four at a time.
@@ -61,12 +61,9 @@ class NeighbourPlanes {
     for (int i = filled_; i < 4; ++i) four_.set(i, 1, 0, 0, 2, 0, 3);
     four_.solve();
     for (int i = 0; i < filled_; ++i) {
-      if (count_[i] < 3)
-        write(i, nullptr, 0);
-      else if (four_.ok[i])
-        write(i, four_.normal[i], four_.variation[i]);
-      else
-        solve_with_care(i);
+      if (count_[i] < 3) write(i, nullptr, 0);
+      else if (four_.ok[i]) write(i, four_.normal[i], four_.variation[i]);
+      else solve_with_care(i);
     }
     filled_ = 0;
   }
@@ -81,7 +78,8 @@ class NeighbourPlanes {
     write(i, normal, std::max(0.0, e.values[0]) / (e.values[0] + e.values[1] + e.values[2]));
   }
   void write(int i, const double* normal, double variation) {
-    write_(NeighbourPlane{position_[i], normal, variation, squared_offset_[i], offset_[i], &covariance_[i], count_[i]});
+    write_(NeighbourPlane{position_[i], normal, variation, squared_offset_[i], offset_[i],
+                          &covariance_[i], count_[i]});
   }
 
   const int32_t *x_, *y_, *z_;

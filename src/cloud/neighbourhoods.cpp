@@ -26,8 +26,8 @@ bool principal_frame(const Moments& moments, PrincipalFrame& out) {
   return true;
 }
 
-bool local_quadric(const PrincipalFrame& frame, std::span<const Vec3> points, const Vec3& at, std::vector<Vec3>& work,
-                   LocalQuadric& out) {
+bool local_quadric(const PrincipalFrame& frame, std::span<const Vec3> points, const Vec3& at,
+                   std::vector<Vec3>& work, LocalQuadric& out) {
   const auto to_frame = [&](const Vec3& p) {
     const Vec3 d = p - frame.centre;
     return Vec3{dot(d, frame.u), dot(d, frame.v), dot(d, frame.n)};

@@ -23,13 +23,17 @@ struct Neighbourhood {
 /// every point, in parallel; one Scratch a batch. By radius_m when it is above 0, else the k
 /// nearest.
 template <class Scratch, class F>
-void for_each_neighbourhood(const Octree& tree, uint32_t k, double radius_m, Task& task, F&& visit) {
+void for_each_neighbourhood(const Octree& tree, uint32_t k, double radius_m, Task& task,
+                            F&& visit) {
   if (radius_m > 0) {
     tree.for_each_ball(radius_m, task, [&](const Octree::BallBatch& batch) {
       Scratch scratch;
       for (size_t i = 0; i < batch.count; ++i) {
         const size_t begin = batch.offsets[i], n = batch.offsets[i + 1] - begin;
-        visit(Neighbourhood{batch.first + i, {batch.neighbours + begin, n}, {batch.squared + begin, n}}, scratch);
+        visit(
+            Neighbourhood{
+                batch.first + i, {batch.neighbours + begin, n}, {batch.squared + begin, n}},
+            scratch);
       }
     });
     return;
@@ -40,7 +44,8 @@ void for_each_neighbourhood(const Octree& tree, uint32_t k, double radius_m, Tas
       const uint32_t* neighbours = batch.neighbours + i * batch.k;
       size_t n = batch.k;
       while (n > 0 && neighbours[n - 1] == kNoPoint) --n;  // a small cloud fills up the end
-      visit(Neighbourhood{batch.first + i, {neighbours, n}, {batch.squared + i * batch.k, n}}, scratch);
+      visit(Neighbourhood{batch.first + i, {neighbours, n}, {batch.squared + i * batch.k, n}},
+            scratch);
     }
   });
 }
@@ -60,7 +65,7 @@ struct LocalQuadric {
   double x = 0, y = 0;  ///< of the point asked for
 };
 /// work is memory that the caller keeps between calls.
-bool local_quadric(const PrincipalFrame& frame, std::span<const Vec3> points, const Vec3& at, std::vector<Vec3>& work,
-                   LocalQuadric& out);
+bool local_quadric(const PrincipalFrame& frame, std::span<const Vec3> points, const Vec3& at,
+                   std::vector<Vec3>& work, LocalQuadric& out);
 
 }  // namespace jalon

@@ -19,7 +19,8 @@ constexpr size_t kNormalsGrain = 1 << 15;
 const Column& require_normals(const Cloud& cloud) {
   const Column& normal = cloud.fields.require("normal");
   if (normal.info().components != 3 || !is_floating(normal.info().type))
-    fail(Status::kInvalidArgument, "field \"normal\" does not hold three floating-point numbers a point");
+    fail(Status::kInvalidArgument,
+         "field \"normal\" does not hold three floating-point numbers a point");
   return normal;
 }
 
@@ -38,7 +39,8 @@ void require_station_poses(const Cloud& cloud) {
   }
   if (covered < cloud.size())
     fail(Status::kInvalidArgument,
-         "orientation = station: point %llu has no station with a known pose; set one, or orient to a point",
+         "orientation = station: point %llu has no station with a known pose; set one, or orient "
+         "to a point",
          static_cast<unsigned long long>(covered));
 }
 
@@ -94,7 +96,8 @@ void orient(const Cloud& cloud, const NormalsSettings& settings, Column& normal,
   parallel_for(task, cloud.size(), kNormalsGrain, [&](size_t begin, size_t end) {
     const Station* station = nullptr;
     for (size_t i = begin; i < end; ++i) {
-      if (by_station && (station == nullptr || i - station->first >= station->count)) station = station_of(cloud, i);
+      if (by_station && (station == nullptr || i - station->first >= station->count))
+        station = station_of(cloud, i);
       const Vec3 seen_from = by_station ? station->pose.translation() : target;
       face(seen_from - (cloud.point(i) - origin), side, normals.data() + 3 * i);
     }

@@ -17,7 +17,8 @@ std::shared_ptr<Column> new_normal_column(size_t count);
 /// Method 3 (Girardeau-Montaut 2006, A.2): the normal, at the point, of the quadric through the
 /// neighbours; the least-squares plane's where they do not fix a quadric, NaN where they do not
 /// span a plane. Caller's order.
-std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double radius_m, Task& task);
+std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double radius_m,
+                                        Task& task);
 
 /// Method 2: a 2D Delaunay triangulation of each octree cell's points; a vertex takes the sum of
 /// its triangles' normals, which weighs them by area. A quick preview; less robust to noise than

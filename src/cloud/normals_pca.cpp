@@ -13,9 +13,8 @@ namespace {
 
 PcaNormals new_result(size_t count, bool with_curvature) {
   PcaNormals out;
-  out.normal =
-      std::make_shared<Column>(FieldInfo{"normal", ElementType::kFloat32, 3, "", "unit normal of the local plane"},
-                               count);
+  out.normal = std::make_shared<Column>(
+      FieldInfo{"normal", ElementType::kFloat32, 3, "", "unit normal of the local plane"}, count);
   if (with_curvature)
     out.curvature = std::make_shared<Column>(
         FieldInfo{"curvature", ElementType::kFloat32, 1, "",
@@ -35,9 +34,11 @@ class ColumnWriter {
   void operator()(const NeighbourPlane& plane) const {
     const size_t target = order_[plane.position];
     float* to = normal_ + 3 * target;
-    for (int c = 0; c < 3; ++c) to[c] = plane.normal == nullptr ? kFloatNaN : static_cast<float>(plane.normal[c]);
+    for (int c = 0; c < 3; ++c)
+      to[c] = plane.normal == nullptr ? kFloatNaN : static_cast<float>(plane.normal[c]);
     if (curvature_ != nullptr)
-      curvature_[target] = plane.normal == nullptr ? kFloatNaN : static_cast<float>(plane.variation);
+      curvature_[target] =
+          plane.normal == nullptr ? kFloatNaN : static_cast<float>(plane.variation);
   }
 
  private:
@@ -58,7 +59,8 @@ PcaNormals pca_normals(const Octree& tree, uint32_t k, bool with_curvature, Task
   return out;
 }
 
-PcaNormals pca_normals_radius(const Octree& tree, double radius_m, bool with_curvature, Task& task) {
+PcaNormals pca_normals_radius(const Octree& tree, double radius_m, bool with_curvature,
+                              Task& task) {
   const PcaNormals out = new_result(tree.size(), with_curvature);
   tree.for_each_ball(radius_m, task, [&](const Octree::BallBatch& b) {
     NeighbourPlanes planes(tree, ColumnWriter(tree, out));

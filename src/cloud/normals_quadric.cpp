@@ -13,7 +13,8 @@ struct NormalsQuadricScratch {
   std::vector<Vec3> points, work;
 };
 
-Vec3 quadric_normal(const Octree& tree, const Neighbourhood& around, NormalsQuadricScratch& scratch) {
+Vec3 quadric_normal(const Octree& tree, const Neighbourhood& around,
+                    NormalsQuadricScratch& scratch) {
   Moments moments;
   moments.reference = tree.local(around.point);
   scratch.points.clear();
@@ -36,17 +37,19 @@ std::shared_ptr<Column> new_normal_column(size_t count) {
   return std::make_shared<Column>(std::move(info), count);
 }
 
-std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double radius_m, Task& task) {
+std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double radius_m,
+                                        Task& task) {
   auto column = new_normal_column(tree.size());
   const auto out = column->values<float>();
   const auto order = tree.order();
-  for_each_neighbourhood<NormalsQuadricScratch>(tree, k, radius_m, task, [&](const Neighbourhood& around, NormalsQuadricScratch& scratch) {
-    const Vec3 n = quadric_normal(tree, around, scratch);
-    float* to = out.data() + 3 * size_t{order[around.point]};
-    to[0] = static_cast<float>(n.x);
-    to[1] = static_cast<float>(n.y);
-    to[2] = static_cast<float>(n.z);
-  });
+  for_each_neighbourhood<NormalsQuadricScratch>(
+      tree, k, radius_m, task, [&](const Neighbourhood& around, NormalsQuadricScratch& scratch) {
+        const Vec3 n = quadric_normal(tree, around, scratch);
+        float* to = out.data() + 3 * size_t{order[around.point]};
+        to[0] = static_cast<float>(n.x);
+        to[1] = static_cast<float>(n.y);
+        to[2] = static_cast<float>(n.z);
+      });
   return column;
 }
 

@@ -39,7 +39,8 @@ int automatic_level(const Octree& tree, Task& task) {
   const auto counts = tree.cell_counts(task);
   const double most_cells = static_cast<double>(tree.size()) / kPointsPerCell;
   int level = 0;
-  while (level < kMaxLevel && static_cast<double>(counts[static_cast<size_t>(level) + 1]) <= most_cells)
+  while (level < kMaxLevel &&
+         static_cast<double>(counts[static_cast<size_t>(level) + 1]) <= most_cells)
     ++level;
   return level;
 }
@@ -55,12 +56,13 @@ bool frame_of(const std::vector<Vec3>& points, PrincipalFrame& frame) {
 /// wherever the cloud lies.
 Vec3 rounded(const Vec3& p) {
   constexpr double kStep = 0x1p-20;
-  return {std::round(p.x / kStep) * kStep, std::round(p.y / kStep) * kStep, std::round(p.z / kStep) * kStep};
+  return {std::round(p.x / kStep) * kStep, std::round(p.y / kStep) * kStep,
+          std::round(p.z / kStep) * kStep};
 }
 
 /// (a)-(c): the cell's points and, when they are too few or on a line, those about its centre.
-bool gather(const Octree& tree, const std::vector<uint32_t>& position_of, const Octree::Cell& cell, NormalsTriangulationScratch& s,
-            PrincipalFrame& frame) {
+bool gather(const Octree& tree, const std::vector<uint32_t>& position_of, const Octree::Cell& cell,
+            NormalsTriangulationScratch& s, PrincipalFrame& frame) {
   s.members.resize(cell.count);
   s.points.resize(cell.count);
   Vec3 sum;

@@ -86,11 +86,12 @@ std::span<const ParamRow> subsample_rows();
 Cloud subsampled(const Cloud& cloud, const SubsampleSettings& settings, Task& task);
 
 /// One byte a point: 1 = inside.
-std::vector<uint8_t> inside_box(const Cloud& cloud, const Box3& box, const Transform& T_box_world, Task& task);
-std::vector<uint8_t> inside_prism(const Cloud& cloud, std::span<const Vec2> polygon, double w_min, double w_max,
-                                  const Transform& T_prism_world, Task& task);
-std::vector<uint8_t> inside_cylinder(const Cloud& cloud, const Vec3& foot, const Vec3& top, double radius_m,
-                                     Task& task);
+std::vector<uint8_t> inside_box(const Cloud& cloud, const Box3& box, const Transform& T_box_world,
+                                Task& task);
+std::vector<uint8_t> inside_prism(const Cloud& cloud, std::span<const Vec2> polygon, double w_min,
+                                  double w_max, const Transform& T_prism_world, Task& task);
+std::vector<uint8_t> inside_cylinder(const Cloud& cloud, const Vec3& foot, const Vec3& top,
+                                     double radius_m, Task& task);
 
 struct InterestSettings {
   double distance_tolerance_m = 0.1;

@@ -32,7 +32,8 @@ std::vector<float> mean_distances(const Octree& tree, uint32_t k, Task& task) {
       double sum = 0;
       uint32_t n = 0;
       for (uint32_t j = 0; j < batch.k && batch.neighbours[i * batch.k + j] != kNoPoint; ++j, ++n)
-        sum += std::sqrt(double{batch.squared[i * batch.k + j]});  // its own distance 0 adds nothing
+        sum +=
+            std::sqrt(double{batch.squared[i * batch.k + j]});  // its own distance 0 adds nothing
       out[batch.first + i] = n > 1 ? static_cast<float>(sum / (n - 1)) : 0.0f;
     }
   });
@@ -47,11 +48,13 @@ std::vector<uint8_t> statistical_mask(const Octree& tree, uint32_t k, double sig
   }
   ProgressSpan span(task, 0.9, 1);
   const auto sum_over = [&](auto&& term) {
-    return parallel_reduce(task, distance.size(), kOutliersGrain, Sums{}, [&](size_t begin, size_t end) {
-      Sums part;
-      for (size_t i = begin; i < end; ++i) part += Sums{term(double{distance[i]}), 1};
-      return part;
-    });
+    return parallel_reduce(task, distance.size(), kOutliersGrain, Sums{},
+                           [&](size_t begin, size_t end) {
+                             Sums part;
+                             for (size_t i = begin; i < end; ++i)
+                               part += Sums{term(double{distance[i]}), 1};
+                             return part;
+                           });
   };
   const double mean = sum_over([](double d) { return d; }).mean();
   const double variance = sum_over([&](double d) { return (d - mean) * (d - mean); }).mean();
@@ -65,7 +68,8 @@ std::vector<uint8_t> statistical_mask(const Octree& tree, uint32_t k, double sig
 }
 
 /// The n-th nearest other point decides, so that a large ball costs no more than a small one.
-std::vector<uint8_t> radius_mask(const Octree& tree, double radius_m, uint32_t neighbours, Task& task) {
+std::vector<uint8_t> radius_mask(const Octree& tree, double radius_m, uint32_t neighbours,
+                                 Task& task) {
   std::vector<uint8_t> keep(tree.size());
   const auto order = tree.order();
   tree.for_each_knn(neighbours + 1, task, [&](const Octree::Batch& batch) {

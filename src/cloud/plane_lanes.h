@@ -25,12 +25,13 @@ class FourPlanes {
   void solve() {
     const Four trace = m_[0] + m_[3] + m_[5];
     const Four scale = 1 / trace;
-    const Four a = m_[0] * scale, b = m_[1] * scale, c = m_[2] * scale, d = m_[3] * scale, e = m_[4] * scale,
-               f = m_[5] * scale;
+    const Four a = m_[0] * scale, b = m_[1] * scale, c = m_[2] * scale, d = m_[3] * scale,
+               e = m_[4] * scale, f = m_[5] * scale;
     const Four c1 = (a * d - b * b) + (a * f - c * c) + (d * f - e * e);
     const Four c0 = a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d);
     Four root{}, step{};
-    constexpr int kSteps = 7;  // doubles the digits each time once it is near; ok says where these were too few
+    constexpr int kSteps =
+        7;  // doubles the digits each time once it is near; ok says where these were too few
     for (int n = 0; n < kSteps; ++n) {
       const Four value = ((root - 1) * root + c1) * root - c0, slope = (3 * root - 2) * root + c1;
       step = value / slope;
@@ -41,11 +42,14 @@ class FourPlanes {
     const Four x0 = b * e - c * q, y0 = c * b - p * e, z0 = p * q - b * b;  // row 0 x row 1
     const Four x1 = b * r - c * e, y1 = c * c - p * r, z1 = p * e - b * c;  // row 0 x row 2
     const Four x2 = q * r - e * e, y2 = e * c - b * r, z2 = b * e - q * c;  // row 1 x row 2
-    const Four n0 = x0 * x0 + y0 * y0 + z0 * z0, n1 = x1 * x1 + y1 * y1 + z1 * z1, n2 = x2 * x2 + y2 * y2 + z2 * z2;
+    const Four n0 = x0 * x0 + y0 * y0 + z0 * z0, n1 = x1 * x1 + y1 * y1 + z1 * z1,
+               n2 = x2 * x2 + y2 * y2 + z2 * z2;
     const Mask second = n1 > n0;
-    Four nx = second ? x1 : x0, ny = second ? y1 : y0, nz = second ? z1 : z0, squared = second ? n1 : n0;
+    Four nx = second ? x1 : x0, ny = second ? y1 : y0, nz = second ? z1 : z0,
+         squared = second ? n1 : n0;
     const Mask third = n2 > squared;
-    nx = third ? x2 : nx, ny = third ? y2 : ny, nz = third ? z2 : nz, squared = third ? n2 : squared;
+    nx = third ? x2 : nx, ny = third ? y2 : ny, nz = third ? z2 : nz,
+    squared = third ? n2 : squared;
     for (int i = 0; i < 4; ++i) {
       const double inverse = 1 / __builtin_sqrt(squared[i]);
       normal[i][0] = nx[i] * inverse;

@@ -18,7 +18,8 @@ void require_poses(const Cloud& cloud) {
     const Station* station = station_of(cloud, i);
     if (station == nullptr || !station->has_pose)
       fail(Status::kInvalidArgument,
-           "point %llu has no station with a known pose: where it was scanned from decides its covariance",
+           "point %llu has no station with a known pose: where it was scanned from decides its "
+           "covariance",
            static_cast<unsigned long long>(i));
     i = station->first + station->count;
   }
@@ -28,7 +29,8 @@ void require_poses(const Cloud& cloud) {
 class Incidence {
  public:
   explicit Incidence(const Cloud& cloud) : normal_(cloud.fields.find("normal")) {
-    if (normal_ != nullptr && (normal_->info().components != 3 || normal_->info().type != ElementType::kFloat32))
+    if (normal_ != nullptr &&
+        (normal_->info().components != 3 || normal_->info().type != ElementType::kFloat32))
       normal_ = nullptr;
   }
   double of(uint64_t i, const Vec3& ray) const {
@@ -47,21 +49,25 @@ class Incidence {
 
 Cloud with_point_covariances(const Cloud& cloud, const ScannerPrecision& precision, Task& task) {
   require_poses(cloud);
-  auto covariance = std::make_shared<Column>(
-      FieldInfo{"covariance", ElementType::kFloat32, 6, "m2", "of the point: xx, xy, xz, yy, yz, zz"}, cloud.size());
+  auto covariance = std::make_shared<Column>(FieldInfo{"covariance", ElementType::kFloat32, 6, "m2",
+                                                       "of the point: xx, xy, xz, yy, yz, zz"},
+                                             cloud.size());
   auto sigma = std::make_shared<Column>(
-      FieldInfo{"point_sigma", ElementType::kFloat32, 1, "m", "root of the sum of its variances"}, cloud.size());
+      FieldInfo{"point_sigma", ElementType::kFloat32, 1, "m", "root of the sum of its variances"},
+      cloud.size());
   const Incidence incidence(cloud);
   const auto out = covariance->values<float>();
   const auto sigmas = sigma->values<float>();
   parallel_for(task, cloud.size(), kPointCovariancesGrain, [&](size_t begin, size_t end) {
     const Station* station = nullptr;
     for (size_t i = begin; i < end; ++i) {
-      if (station == nullptr || i - station->first >= station->count) station = station_of(cloud, i);
+      if (station == nullptr || i - station->first >= station->count)
+        station = station_of(cloud, i);
       const Vec3 ray = cloud.point(i) - station->pose.translation();
       const Vec3 up = normalized(station->pose.direction({0, 0, 1}));
       if (ray == Vec3{})
-        fail(Status::kInvalidArgument, "point %llu lies on its station", static_cast<unsigned long long>(i));
+        fail(Status::kInvalidArgument, "point %llu lies on its station",
+             static_cast<unsigned long long>(i));
       const PointBudget budget = point_budget(precision, ray, up, incidence.of(i, ray));
       for (size_t k = 0; k < 6; ++k) out[6 * i + k] = static_cast<float>(budget.covariance[k]);
       sigmas[i] = static_cast<float>(budget.point_m());

@@ -28,7 +28,8 @@ constexpr double kLeastSnr = 1;  // a pulse that noise hides is none
 // The SNR falls with the returned intensity, against a white target met squarely at snr_range_m.
 double snr_at(const ScannerPrecision& p, double intensity) {
   if (!(p.snr_range_m > 0)) return p.snr;
-  const double full = returned_intensity(1, 0, p.incidence_exponent, p.snr_range_m, p.attenuation_per_m);
+  const double full =
+      returned_intensity(1, 0, p.incidence_exponent, p.snr_range_m, p.attenuation_per_m);
   return std::max(kLeastSnr, p.snr * intensity / full);
 }
 
@@ -95,20 +96,25 @@ double PointBudget::instrument_m() const {
   return std::sqrt(range_m * range_m + horizontal_m * horizontal_m + vertical_m * vertical_m);
 }
 
-PointBudget point_budget(const ScannerPrecision& p, const Vec3& ray, const Vec3& up, double incidence_rad) {
+PointBudget point_budget(const ScannerPrecision& p, const Vec3& ray, const Vec3& up,
+                         double incidence_rad) {
   const double d = norm(ray), height = dot(ray, up), reach = norm(cross(ray, up));
   PointBudget out;
-  out.intensity = returned_intensity(p.reflectance, incidence_rad, p.incidence_exponent, d, p.attenuation_per_m);
+  out.intensity = returned_intensity(p.reflectance, incidence_rad, p.incidence_exponent, d,
+                                     p.attenuation_per_m);
   out.range_m = p.sigma_range_m + 1e-6 * p.range_ppm * d;
-  if (p.pulse_bandwidth_hz > 0) out.pulse_m = pulse_noise_m(p.pulse_bandwidth_hz, snr_at(p, out.intensity), p.shots);
-  const double azimuth_rad =
-      p.backsight_distance_m > 0 ? azimuth_sigma_rad(p.sigma_backsight_m, p.backsight_distance_m) : 0;
+  if (p.pulse_bandwidth_hz > 0)
+    out.pulse_m = pulse_noise_m(p.pulse_bandwidth_hz, snr_at(p, out.intensity), p.shots);
+  const double azimuth_rad = p.backsight_distance_m > 0
+                                 ? azimuth_sigma_rad(p.sigma_backsight_m, p.backsight_distance_m)
+                                 : 0;
   const double level_rad = levelling_sigma_rad(p.level_sensitivity_rad);
   PolarSigmas sigmas;
   sigmas.range_m = std::hypot(out.range_m, out.pulse_m);
   sigmas.horizontal_rad = std::hypot(p.sigma_horizontal_rad, azimuth_rad);
-  sigmas.vertical_rad = std::hypot(p.sigma_vertical_rad, level_rad);  // the vertical axis' tilt along the ray
-  sigmas.levelling_rad = level_rad;                                   // and across it
+  sigmas.vertical_rad =
+      std::hypot(p.sigma_vertical_rad, level_rad);  // the vertical axis' tilt along the ray
+  sigmas.levelling_rad = level_rad;                 // and across it
   sigmas.lateral_m = out.beam_m = beam_sigma_m(p.beam_divergence_rad, d);
   out.covariance = polar_covariance(ray, up, sigmas);
   const Symmetric3 station = station_covariance(p, up);
@@ -118,8 +124,9 @@ PointBudget point_budget(const ScannerPrecision& p, const Vec3& ray, const Vec3&
   out.vertical_m = d * p.sigma_vertical_rad;
   out.azimuth_m = reach * azimuth_rad;
   out.levelling_m = level_rad * std::hypot(d, height);
-  out.range_bias_m = temperature_drift_m(p.temperature_drift_m_per_k, p.temperature_difference_k) +
-                     (p.rise_time_s > 0 ? time_walk_m(p.rise_time_s, p.time_walk_factor, p.amplitude) : 0);
+  out.range_bias_m =
+      temperature_drift_m(p.temperature_drift_m_per_k, p.temperature_difference_k) +
+      (p.rise_time_s > 0 ? time_walk_m(p.rise_time_s, p.time_walk_factor, p.amplitude) : 0);
   return out;
 }
 

@@ -13,7 +13,7 @@ namespace jalon {
 
 /// Range precision on a flat sample (Boulaassal 2010, 5.7).
 struct RangeSample {
-  PlaneFit fit;               ///< sigma divided by n - 3
+  PlaneFit fit;                  ///< sigma divided by n - 3
   double range_precision_m = 0;  ///< s_d, divided by n - 1
   double mean_intensity = kNaN;
   double std_intensity = kNaN;  ///< divided by n - 1

@@ -9,7 +9,8 @@ Reduction reduction_of(uint64_t count_in, uint64_t count_out) {
   r.count_in = count_in;
   r.count_out = count_out;
   r.removed = count_in - count_out;
-  if (count_in != 0) r.removed_percent = 100.0 * static_cast<double>(r.removed) / static_cast<double>(count_in);
+  if (count_in != 0)
+    r.removed_percent = 100.0 * static_cast<double>(r.removed) / static_cast<double>(count_in);
   return r;
 }
 

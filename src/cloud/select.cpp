@@ -17,23 +17,32 @@ constexpr size_t kSelectGrain = 1 << 16;
 
 /// Rows of these indices; constant sizes become plain moves.
 template <class Size>
-void gather_rows(const std::byte* from, std::byte* to, Size size, std::span<const uint64_t> indices, Task& task) {
+void gather_rows(const std::byte* from, std::byte* to, Size size, std::span<const uint64_t> indices,
+                 Task& task) {
   parallel_for(task, indices.size(), kSelectGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) std::memcpy(to + i * size, from + indices[i] * size, size);
   });
 }
 
-void gather_bytes(const void* source, void* target, size_t size, std::span<const uint64_t> indices, Task& task) {
+void gather_bytes(const void* source, void* target, size_t size, std::span<const uint64_t> indices,
+                  Task& task) {
   const auto* from = static_cast<const std::byte*>(source);
   auto* to = static_cast<std::byte*>(target);
   switch (size) {
-    case 1: return gather_rows(from, to, std::integral_constant<size_t, 1>{}, indices, task);
-    case 2: return gather_rows(from, to, std::integral_constant<size_t, 2>{}, indices, task);
-    case 4: return gather_rows(from, to, std::integral_constant<size_t, 4>{}, indices, task);
-    case 8: return gather_rows(from, to, std::integral_constant<size_t, 8>{}, indices, task);
-    case 12: return gather_rows(from, to, std::integral_constant<size_t, 12>{}, indices, task);
-    case 24: return gather_rows(from, to, std::integral_constant<size_t, 24>{}, indices, task);
-    default: return gather_rows(from, to, size, indices, task);
+    case 1:
+      return gather_rows(from, to, std::integral_constant<size_t, 1>{}, indices, task);
+    case 2:
+      return gather_rows(from, to, std::integral_constant<size_t, 2>{}, indices, task);
+    case 4:
+      return gather_rows(from, to, std::integral_constant<size_t, 4>{}, indices, task);
+    case 8:
+      return gather_rows(from, to, std::integral_constant<size_t, 8>{}, indices, task);
+    case 12:
+      return gather_rows(from, to, std::integral_constant<size_t, 12>{}, indices, task);
+    case 24:
+      return gather_rows(from, to, std::integral_constant<size_t, 24>{}, indices, task);
+    default:
+      return gather_rows(from, to, size, indices, task);
   }
 }
 
@@ -47,14 +56,16 @@ void require_in_range(const Cloud& cloud, std::span<const uint64_t> indices) {
 
 /// Each station whose points stay together, in the order of the new points. A station torn apart
 /// by the order is left out.
-std::vector<Station> surviving_stations(const Cloud& cloud, std::span<const uint64_t> indices, Task& task) {
+std::vector<Station> surviving_stations(const Cloud& cloud, std::span<const uint64_t> indices,
+                                        Task& task) {
   if (cloud.stations.empty()) return {};
   std::vector<Station> runs;
   std::vector<size_t> sources;  // station of each run
   std::vector<uint32_t> run_counts(cloud.stations.size(), 0);
   const Station* current = nullptr;
   for (size_t i = 0; i < indices.size(); ++i) {
-    if (i % kSelectGrain == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(indices.size()));
+    if (i % kSelectGrain == 0)
+      task.checkpoint(static_cast<double>(i) / static_cast<double>(indices.size()));
     const bool same = current != nullptr && indices[i] - current->first < current->count;
     if (!same) {
       current = station_of(cloud, indices[i]);
@@ -69,7 +80,8 @@ std::vector<Station> surviving_stations(const Cloud& cloud, std::span<const uint
         }
       }
     }
-    if (current != nullptr && sources[runs.size() - 1] == static_cast<size_t>(current - cloud.stations.data()))
+    if (current != nullptr &&
+        sources[runs.size() - 1] == static_cast<size_t>(current - cloud.stations.data()))
       ++runs.back().count;
   }
   std::vector<Station> kept;
@@ -118,7 +130,8 @@ Cloud select(const Cloud& cloud, std::span<const uint64_t> indices, Task& task) 
 }
 
 Cloud select_kept(const Cloud& cloud, std::span<const uint64_t> ascending, Task& task) {
-  if (ascending.size() == cloud.size()) return cloud;  // nothing goes: share the points and their index
+  if (ascending.size() == cloud.size())
+    return cloud;  // nothing goes: share the points and their index
   return select_unchecked(cloud, ascending, task);
 }
 

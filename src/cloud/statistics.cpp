@@ -16,11 +16,12 @@ constexpr size_t kStatisticsGrain = 1 << 15;
 
 /// The centroid relative to an origin.
 Vec3 local_centroid(const Cloud& cloud, const Vec3& origin, Task& task) {
-  const Vec3 sum = parallel_reduce(task, cloud.size(), kStatisticsGrain, Vec3{}, [&](size_t begin, size_t end) {
-    Vec3 part;
-    for (size_t i = begin; i < end; ++i) part += cloud.point(i) - origin;
-    return part;
-  });
+  const Vec3 sum =
+      parallel_reduce(task, cloud.size(), kStatisticsGrain, Vec3{}, [&](size_t begin, size_t end) {
+        Vec3 part;
+        for (size_t i = begin; i < end; ++i) part += cloud.point(i) - origin;
+        return part;
+      });
   return sum / static_cast<double>(cloud.size());
 }
 
@@ -46,11 +47,13 @@ CloudCovariance covariance_of(const Cloud& cloud, Task& task) {
   require_points(cloud);
   const Vec3 origin = local_origin(cloud, task);
   const Vec3 centre = local_centroid(cloud, origin, task);
-  const Moments moments = parallel_reduce(task, cloud.size(), kStatisticsGrain, Moments{}, [&](size_t begin, size_t end) {
-    Moments part;  // about the centroid: the sums of the first pass are all but zero here, so no digits cancel
-    for (size_t i = begin; i < end; ++i) part.add(cloud.point(i) - origin - centre);
-    return part;
-  });
+  const Moments moments = parallel_reduce(
+      task, cloud.size(), kStatisticsGrain, Moments{}, [&](size_t begin, size_t end) {
+        Moments
+            part;  // about the centroid: the sums of the first pass are all but zero here, so no digits cancel
+        for (size_t i = begin; i < end; ++i) part.add(cloud.point(i) - origin - centre);
+        return part;
+      });
   return {origin, centre, origin + centre, moments.covariance()};
 }
 
@@ -61,14 +64,15 @@ double moment_of(const Cloud& cloud, uint32_t a, uint32_t b, uint32_t c, bool ce
     origin = local_origin(cloud, task);
     centre = local_centroid(cloud, origin, task);
   }
-  const double sum = parallel_reduce(task, cloud.size(), kStatisticsGrain, 0.0, [&](size_t begin, size_t end) {
-    double part = 0;
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 p = cloud.point(i) - origin - centre;
-      part += power(p.x, a) * power(p.y, b) * power(p.z, c);
-    }
-    return part;
-  });
+  const double sum =
+      parallel_reduce(task, cloud.size(), kStatisticsGrain, 0.0, [&](size_t begin, size_t end) {
+        double part = 0;
+        for (size_t i = begin; i < end; ++i) {
+          const Vec3 p = cloud.point(i) - origin - centre;
+          part += power(p.x, a) * power(p.y, b) * power(p.z, c);
+        }
+        return part;
+      });
   return sum / static_cast<double>(cloud.size());
 }
 

@@ -27,11 +27,13 @@ Cloud at_minimum_distance(const Cloud& cloud, double distance_m, Task& task) {
   {
     ProgressSpan span(task, 0.2, 0.9, "sampling");
     std::vector<Neighbour> close;
-    constexpr size_t kCheckEvery = 256;  // kept points: a few milliseconds unless the balls are huge
+    constexpr size_t kCheckEvery =
+        256;  // kept points: a few milliseconds unless the balls are huge
     size_t kept = 0;
     for (size_t i = 0; i < cloud.size(); ++i) {
       if (removed[i]) continue;
-      if (kept++ % kCheckEvery == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(cloud.size()));
+      if (kept++ % kCheckEvery == 0)
+        task.checkpoint(static_cast<double>(i) / static_cast<double>(cloud.size()));
       tree->radius(cloud.point(i), distance_m, close);
       for (const Neighbour& neighbour : close)
         if (neighbour.index > i) removed[neighbour.index] = 1;

@@ -45,7 +45,8 @@ Cloud assemble(const Cloud& cloud, const Representatives& cells, Task& task) {
   Cloud out = select_kept(cloud, indices, task);
   if (cells.centroids.empty() || indices.size() == cloud.size()) return out;
   Buffer<uint32_t> cell_of(cloud.size());  // only read where written
-  for (size_t c = 0; c < cells.points.size(); ++c) cell_of[cells.points[c]] = static_cast<uint32_t>(c);
+  for (size_t c = 0; c < cells.points.size(); ++c)
+    cell_of[cells.points[c]] = static_cast<uint32_t>(c);
   Buffer<double> xyz(3 * indices.size());
   parallel_for(task, indices.size(), kCellGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
@@ -95,13 +96,15 @@ Cloud one_per_voxel(const Cloud& cloud, double cell_m, Keep keep, Task& task) {
     ProgressSpan span(task, 0.6, 0.8, "voxel grid");
     parallel_for(task, grid.size(), kCellGrain, [&](size_t begin, size_t end) {
       for (size_t v = begin; v < end; ++v) {
-        const std::span members(grid.order.data() + grid.first[v], grid.first[v + 1] - grid.first[v]);
+        const std::span members(grid.order.data() + grid.first[v],
+                                grid.first[v + 1] - grid.first[v]);
         const double* g = grid.centroids.data() + 3 * v;
         Vec3 place{g[0], g[1], g[2]};
         if (keep == Keep::kNearest) {
           const Vec3 p = cloud.point(members.front()) - origin;
           place = origin + Vec3{std::floor(p.x / cell_m) + 0.5, std::floor(p.y / cell_m) + 0.5,
-                                std::floor(p.z / cell_m) + 0.5} * cell_m;
+                                std::floor(p.z / cell_m) + 0.5} *
+                               cell_m;
         }
         cells.points[v] = nearest_to(cloud, members, place);
       }
@@ -112,7 +115,8 @@ Cloud one_per_voxel(const Cloud& cloud, double cell_m, Keep keep, Task& task) {
   return assemble(cloud, cells, task);
 }
 
-Cloud one_per_octree_cell(const Cloud& cloud, int level, uint64_t max_cells, Keep keep, Task& task) {
+Cloud one_per_octree_cell(const Cloud& cloud, int level, uint64_t max_cells, Keep keep,
+                          Task& task) {
   std::shared_ptr<const Octree> tree;
   {
     ProgressSpan span(task, 0, 0.5, "index");

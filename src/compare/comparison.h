@@ -26,10 +26,11 @@ constexpr size_t kCompareStatuses = 6;
 
 /// Result of a comparer: immutable, keeps the points that its rows belong to.
 struct Comparison {
-  CloudPtr cloud;            ///< the compared points, or the core points of method m3c2
-  FieldTable points;         ///< one row a point: "distance" float64 (NaN unless compared), "status" uint8 ...
-  FieldTable summary;        ///< one row
-  FieldTable parts;          ///< one row a part of a reference model with parts; else without columns
+  CloudPtr cloud;  ///< the compared points, or the core points of method m3c2
+  FieldTable
+      points;  ///< one row a point: "distance" float64 (NaN unless compared), "status" uint8 ...
+  FieldTable summary;  ///< one row
+  FieldTable parts;    ///< one row a part of a reference model with parts; else without columns
   std::string parameters_json;
 };
 using ComparisonPtr = std::shared_ptr<const Comparison>;

@@ -21,7 +21,8 @@ constexpr size_t kGrain = 1 << 15;
 struct Sums {
   std::array<uint64_t, kCompareStatuses> of_status{};
   double sum = 0, squares = 0;
-  double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(),
+         most = -std::numeric_limits<double>::infinity();
 
   void add(double distance, uint8_t status) {
     ++of_status[status];
@@ -42,8 +43,8 @@ struct Sums {
 };
 
 void add_counts(FieldTable& table, const Sums& sums, size_t points) {
-  constexpr const char* kNames[kCompareStatuses] = {"compared",     "hidden",       "out_of_range",
-                                                    "out_of_field", "nothing_near", "too_few_points"};
+  constexpr const char* kNames[kCompareStatuses] = {
+      "compared", "hidden", "out_of_range", "out_of_field", "nothing_near", "too_few_points"};
   add_value<uint64_t>(table, "points", "", "points that were to be compared", points);
   for (size_t i = 0; i < kCompareStatuses; ++i)
     add_value<uint64_t>(table, kNames[i], "", "points with this status", sums.of_status[i]);
@@ -51,30 +52,35 @@ void add_counts(FieldTable& table, const Sums& sums, size_t points) {
 
 }  // namespace
 
-FieldTable summarise(std::span<const double> distances, std::span<const uint8_t> statuses, Task& task) {
-  const Sums sums = parallel_reduce(task, distances.size(), kGrain, Sums{}, [&](size_t begin, size_t end) {
-    Sums part;
-    for (size_t i = begin; i < end; ++i) part.add(distances[i], statuses[i]);
-    return part;
-  });
+FieldTable summarise(std::span<const double> distances, std::span<const uint8_t> statuses,
+                     Task& task) {
+  const Sums sums =
+      parallel_reduce(task, distances.size(), kGrain, Sums{}, [&](size_t begin, size_t end) {
+        Sums part;
+        for (size_t i = begin; i < end; ++i) part.add(distances[i], statuses[i]);
+        return part;
+      });
   const auto n = static_cast<double>(sums.of_status[0]);
   const double nan = kNaN;
   const double mean = n > 0 ? sums.sum / n : nan;
   // Second pass about the mean: the squares of large distances would take the digits of a small spread.
-  const double squares = parallel_reduce(task, distances.size(), kGrain, 0.0, [&](size_t begin, size_t end) {
-    double part = 0;
-    for (size_t i = begin; i < end; ++i)
-      if (statuses[i] == 0) part += (distances[i] - mean) * (distances[i] - mean);
-    return part;
-  });
+  const double squares =
+      parallel_reduce(task, distances.size(), kGrain, 0.0, [&](size_t begin, size_t end) {
+        double part = 0;
+        for (size_t i = begin; i < end; ++i)
+          if (statuses[i] == 0) part += (distances[i] - mean) * (distances[i] - mean);
+        return part;
+      });
   FieldTable table;
   add_counts(table, sums, distances.size());
   add_value<double>(table, "mean", "m", "mean distance of the compared points", mean);
-  add_value<double>(table, "rms", "m", "root mean square distance", n > 0 ? std::sqrt(sums.squares / n) : nan);
+  add_value<double>(table, "rms", "m", "root mean square distance",
+                    n > 0 ? std::sqrt(sums.squares / n) : nan);
   add_value<double>(table, "sigma", "m", "standard deviation about the mean",
                     n > 1 ? std::sqrt(squares / (n - 1)) : nan);
   add_value<double>(table, "minimum", "m", "least distance", n > 0 ? sums.least : nan);
-  add_value<double>(table, "maximum", "m", "largest distance: the directed Hausdorff distance of unsigned distances",
+  add_value<double>(table, "maximum", "m",
+                    "largest distance: the directed Hausdorff distance of unsigned distances",
                     n > 0 ? sums.most : nan);
   return table;
 }

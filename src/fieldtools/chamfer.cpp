@@ -25,13 +25,15 @@ std::vector<Mask> half_mask() {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         if (dz == 0 && (dy > 0 || (dy == 0 && dx >= 0))) continue;
-        out.push_back({dx, dy, dz, static_cast<uint16_t>(2 + std::abs(dx) + std::abs(dy) + std::abs(dz))});
+        out.push_back(
+            {dx, dy, dz, static_cast<uint16_t>(2 + std::abs(dx) + std::abs(dy) + std::abs(dz))});
       }
   return out;
 }
 
 /// One raster pass; direction +1 forward, -1 backward.
-void raster_pass(const DistanceGrid& grid, int direction, std::vector<uint16_t>& thirds, Task& task) {
+void raster_pass(const DistanceGrid& grid, int direction, std::vector<uint16_t>& thirds,
+                 Task& task) {
   const std::vector<Mask> mask = half_mask();
   const auto nx = static_cast<int>(grid.size[0]), ny = static_cast<int>(grid.size[1]),
              nz = static_cast<int>(grid.size[2]);
@@ -42,14 +44,15 @@ void raster_pass(const DistanceGrid& grid, int direction, std::vector<uint16_t>&
       const int y = direction > 0 ? j : ny - 1 - j;
       for (int i = 0; i < nx; ++i) {
         const int x = direction > 0 ? i : nx - 1 - i;
-        uint16_t& own =
-            thirds[grid.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y), static_cast<uint32_t>(z))];
+        uint16_t& own = thirds[grid.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y),
+                                          static_cast<uint32_t>(z))];
         for (const Mask& m : mask) {
           const int a = x + direction * m.dx, b = y + direction * m.dy, c = z + direction * m.dz;
           if (a < 0 || b < 0 || c < 0 || a >= nx || b >= ny || c >= nz) continue;
-          const uint16_t other =
-              thirds[grid.index(static_cast<uint32_t>(a), static_cast<uint32_t>(b), static_cast<uint32_t>(c))];
-          if (other < kFar - m.weight) own = std::min<uint16_t>(own, static_cast<uint16_t>(other + m.weight));
+          const uint16_t other = thirds[grid.index(
+              static_cast<uint32_t>(a), static_cast<uint32_t>(b), static_cast<uint32_t>(c))];
+          if (other < kFar - m.weight)
+            own = std::min<uint16_t>(own, static_cast<uint16_t>(other + m.weight));
         }
       }
     }
@@ -60,7 +63,9 @@ void raster_pass(const DistanceGrid& grid, int direction, std::vector<uint16_t>&
 class GridFront {
  public:
   GridFront(const DistanceGrid& grid, std::vector<float>& time)
-      : grid_(grid), time_(time), accepted_(time.size()),
+      : grid_(grid),
+        time_(time),
+        accepted_(time.size()),
         steps_{1, grid.size[0], uint64_t{grid.size[0]} * grid.size[1]} {}
 
   void start(uint64_t cell, float time) {
@@ -80,7 +85,8 @@ class GridFront {
         if (at > 0) update(next.node - steps_[axis]);
         if (at + 1 < grid_.size[axis]) update(next.node + steps_[axis]);
       }
-      if (++done % kBetweenLooks == 0) task.checkpoint(static_cast<double>(done) / static_cast<double>(time_.size()));
+      if (++done % kBetweenLooks == 0)
+        task.checkpoint(static_cast<double>(done) / static_cast<double>(time_.size()));
     }
   }
 
@@ -116,7 +122,8 @@ class GridFront {
 
 }  // namespace
 
-std::vector<float> chamfer_distances(const DistanceGrid& grid, std::span<const uint64_t> occupied, Task& task) {
+std::vector<float> chamfer_distances(const DistanceGrid& grid, std::span<const uint64_t> occupied,
+                                     Task& task) {
   std::vector<uint16_t> thirds(grid.cells(), kFar);
   for (const uint64_t cell : occupied) thirds[cell] = 0;
   {

@@ -22,7 +22,9 @@ struct DistanceGrid {
   std::array<uint32_t, 3> size{};  ///< cells along x, y, z
 
   uint64_t cells() const { return uint64_t{size[0]} * size[1] * size[2]; }
-  uint64_t index(uint32_t x, uint32_t y, uint32_t z) const { return (uint64_t{z} * size[1] + y) * size[0] + x; }
+  uint64_t index(uint32_t x, uint32_t y, uint32_t z) const {
+    return (uint64_t{z} * size[1] + y) * size[0] + x;
+  }
   /// In cells from the lower corner of the grid.
   Vec3 place(const Vec3& p) const {
     const Vec3 d = (p - lowest) / cell_m;
@@ -39,7 +41,8 @@ struct DistanceMap {
 /// The Chamfer <3, 4, 5> transform: two raster passes with 3 for faces, 4 for edges, 5 for corners, divided by 3
 /// (Girardeau-Montaut 2006, annex C.2; Borgefors 1984). 0 in occupied cells; up to 11 % off the Euclidean distance
 /// between cells.
-std::vector<float> chamfer_distances(const DistanceGrid& grid, std::span<const uint64_t> occupied, Task& task);
+std::vector<float> chamfer_distances(const DistanceGrid& grid, std::span<const uint64_t> occupied,
+                                     Task& task);
 /// The same by fast marching (|grad T| = 1) from the occupied cells, which start with the distance of their centre from
 /// the nearest of their own points.
 std::vector<float> marched_distances(const DistanceGrid& grid, std::span<const uint64_t> occupied,

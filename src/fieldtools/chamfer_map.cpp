@@ -15,9 +15,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kChamferMapGrain = 1 << 14;
-constexpr double kAutomaticCells = 2e6;       // of the automatic cell size
-constexpr double kChamferMapMostCells = 0x1p27;         // 0.8 GiB at the peak of either method
-constexpr double kMostAlong = 20000;          // cells on an axis: thirds of a cell fit 16 bits along it
+constexpr double kAutomaticCells = 2e6;          // of the automatic cell size
+constexpr double kChamferMapMostCells = 0x1p27;  // 0.8 GiB at the peak of either method
+constexpr double kMostAlong = 20000;  // cells on an axis: thirds of a cell fit 16 bits along it
 
 DistanceGrid grid_around(const Box3& box, double cell_m) {
   const Vec3 extent = box.max - box.min;
@@ -55,7 +55,9 @@ uint64_t cell_of(const DistanceGrid& grid, const Vec3& p) {
 Vec3 centre_offset(const DistanceGrid& grid, uint64_t cell) {
   const uint64_t x = cell % grid.size[0], y = cell / grid.size[0] % grid.size[1],
                  z = cell / (uint64_t{grid.size[0]} * grid.size[1]);
-  const auto offset = [&](uint64_t n) { return (static_cast<double>(n) - grid.margin + 0.5) * grid.cell_m; };
+  const auto offset = [&](uint64_t n) {
+    return (static_cast<double>(n) - grid.margin + 0.5) * grid.cell_m;
+  };
   return {offset(x), offset(y), offset(z)};
 }
 
@@ -167,7 +169,8 @@ Cloud with_map_distance(const Cloud& compared, const Cloud& reference,
   parallel_for(task, distances.size(), kChamferMapGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = compared.point(i);
-      const double d = chamfer ? double{map.distance_m[cell_of(map.grid, p)]} : interpolated(map, p);
+      const double d =
+          chamfer ? double{map.distance_m[cell_of(map.grid, p)]} : interpolated(map, p);
       distances[i] = d <= limit_m ? d : kNaN;
     }
   });
@@ -191,7 +194,8 @@ Cloud distance_map_cloud(const Cloud& reference, const DistanceMapSettings& sett
   }
   Cloud out = make_cloud(std::move(xyz));
   out.crs = reference.crs;
-  return with_field<float>(out, name, "m", "distance of the cell's centre from the cloud", distances);
+  return with_field<float>(out, name, "m", "distance of the cell's centre from the cloud",
+                           distances);
 }
 
 }  // namespace jalon

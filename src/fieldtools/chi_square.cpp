@@ -30,12 +30,13 @@ uint32_t classes_for(size_t n, uint32_t most) {
   return std::clamp(k, 2u, most);
 }
 
-ChiSquareDistance chi_square_distance(std::span<const double> values, const NoiseLaw& law, uint32_t classes,
-                                      Task& task) {
+ChiSquareDistance chi_square_distance(std::span<const double> values, const NoiseLaw& law,
+                                      uint32_t classes, Task& task) {
   ChiSquareDistance out;
   out.classes = classes >= 2 ? classes : classes_for(values.size(), kChiSquareMostClasses);
   const Counts counts = parallel_reduce(
-      task, values.size(), kChiSquareGrain, Counts{std::vector<uint64_t>(out.classes)}, [&](size_t begin, size_t end) {
+      task, values.size(), kChiSquareGrain, Counts{std::vector<uint64_t>(out.classes)},
+      [&](size_t begin, size_t end) {
         Counts part{std::vector<uint64_t>(out.classes)};
         for (size_t i = begin; i < end; ++i) {
           const double u = law.cumulative(values[i]);

@@ -22,8 +22,8 @@ struct ChiSquareDistance {
   double p_value = 0;  ///< P(chi-square with classes - 1 degrees of freedom >= distance)
 };
 /// classes 0 = sqrt(n), at most 1 000. Values must be finite and not none.
-ChiSquareDistance chi_square_distance(std::span<const double> values, const NoiseLaw& law, uint32_t classes,
-                                      Task& task);
+ChiSquareDistance chi_square_distance(std::span<const double> values, const NoiseLaw& law,
+                                      uint32_t classes, Task& task);
 
 /// (3.2) as it is meant: s with upper tail Q(s) = error_margin at classes - 1 degrees of freedom.
 double chi_square_threshold(uint32_t classes, double error_margin);
@@ -63,8 +63,8 @@ std::span<const ParamRow> chi_square_rows();
 struct ChangeFilter {
   std::vector<double> distance;  ///< one a point of the cloud; NaN = not tested
   std::vector<uint8_t> changed;
-  double threshold = 0;          ///< changed above it
-  double ceiling = 0;            ///< what neighbourhoods far above the noise saturate at; infinite without
+  double threshold = 0;  ///< changed above it
+  double ceiling = 0;    ///< what neighbourhoods far above the noise saturate at; infinite without
   uint64_t tested = 0, second_pass = 0, changed_count = 0;
 };
 /// Local filter (3.2.3); see jalon/field_tools.h. values: one a point.

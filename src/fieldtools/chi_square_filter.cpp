@@ -18,8 +18,10 @@ namespace {
 
 constexpr size_t kChiSquareFilterGrain = 1 << 14;
 constexpr uint32_t kChiSquareFilterMostClasses = 32;  // reached at 1 024 values
-constexpr double kLeastExpected = 1e-3;  // floor of n P_i in relaxed classes: no overflow, a wide range for the cut
-constexpr double kShareForSingles = 0.03;  // of the points: a search by itself costs some 30 of a batch
+constexpr double kLeastExpected =
+    1e-3;  // floor of n P_i in relaxed classes: no overflow, a wide range for the cut
+constexpr double kShareForSingles =
+    0.03;  // of the points: a search by itself costs some 30 of a batch
 
 /// Outcome of one test, in units of the cut of the first pass: distances of tests with other numbers of classes are
 /// brought to it by the ratio of the tabulated cuts.
@@ -39,7 +41,8 @@ class LocalTest {
   LocalTest(const NoiseLaw& law, const ChiSquareSettings& settings, const ValuedPoints& valued,
             Task& task)
       : law_(law), settings_(settings), valued_(valued), deviation_(expected_deviation(law)) {
-    for (uint32_t k = 2; k <= kChiSquareFilterMostClasses; ++k) thresholds_[k] = chi_square_threshold(k, settings.error_margin);
+    for (uint32_t k = 2; k <= kChiSquareFilterMostClasses; ++k)
+      thresholds_[k] = chi_square_threshold(k, settings.error_margin);
     cumulative_.resize(valued.size());
     parallel_for(task, valued.size(), kChiSquareFilterGrain, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) cumulative_[i] = law.cumulative(valued.values[i]);
@@ -47,13 +50,15 @@ class LocalTest {
   }
 
   double tabulated() const {
-    return settings_.kolmogorov() ? kolmogorov_cut(settings_.neighbours)
-                                  : thresholds_[classes_for(settings_.neighbours, kChiSquareFilterMostClasses)];
+    return settings_.kolmogorov()
+               ? kolmogorov_cut(settings_.neighbours)
+               : thresholds_[classes_for(settings_.neighbours, kChiSquareFilterMostClasses)];
   }
   double ceiling() const {
     if (settings_.kolmogorov()) return 1;
     if (settings_.relaxed()) return std::numeric_limits<double>::infinity();
-    return settings_.neighbours * (classes_for(settings_.neighbours, kChiSquareFilterMostClasses) - 1.0);
+    return settings_.neighbours *
+           (classes_for(settings_.neighbours, kChiSquareFilterMostClasses) - 1.0);
   }
 
   Outcome run(std::span<const uint32_t> members, ChiSquareFilterScratch& scratch) const {
@@ -62,7 +67,8 @@ class LocalTest {
     if (settings_.kolmogorov()) {
       scratch.work.clear();
       for (const uint32_t j : members) scratch.work.push_back(cumulative_[j]);
-      out.distance = kolmogorov_distance(scratch.work) * tabulated() / kolmogorov_cut(members.size());
+      out.distance =
+          kolmogorov_distance(scratch.work) * tabulated() / kolmogorov_cut(members.size());
       out.saturating = out.distance;
     } else {
       const uint32_t k = classes_for(members.size(), kChiSquareFilterMostClasses);
@@ -79,12 +85,14 @@ class LocalTest {
  private:
   /// Sample sizes of an empirical law count, as in a test of two samples.
   double kolmogorov_cut(size_t n) const {
-    return kolmogorov_threshold(n, law_.kind == LawKind::kEmpirical ? law_.samples : 0, settings_.error_margin);
+    return kolmogorov_threshold(n, law_.kind == LawKind::kEmpirical ? law_.samples : 0,
+                                settings_.error_margin);
   }
 
   double equiprobable(std::span<const uint32_t> members, uint32_t k) const {
     std::array<uint32_t, kChiSquareFilterMostClasses> counts{};
-    for (const uint32_t j : members) ++counts[std::min(k - 1, static_cast<uint32_t>(cumulative_[j] * k))];
+    for (const uint32_t j : members)
+      ++counts[std::min(k - 1, static_cast<uint32_t>(cumulative_[j] * k))];
     uint64_t squares = 0;  // sum (N - n/k)^2 / (n/k) = k / n sum N^2 - n
     for (uint32_t c = 0; c < k; ++c) squares += uint64_t{counts[c]} * counts[c];
     const auto n = static_cast<double>(members.size());
@@ -93,7 +101,8 @@ class LocalTest {
 
   /// Classes of one width from 0 (the least value of a signed law) to the largest value; the outer ones are open.
   double relaxed(std::span<const uint32_t> members, uint32_t k) const {
-    double low = deviation_.two_sided ? std::numeric_limits<double>::infinity() : 0, high = low == 0 ? 0 : -low;
+    double low = deviation_.two_sided ? std::numeric_limits<double>::infinity() : 0,
+           high = low == 0 ? 0 : -low;
     for (const uint32_t j : members) {
       low = std::min(low, valued_.values[j]);
       high = std::max(high, valued_.values[j]);
@@ -101,7 +110,8 @@ class LocalTest {
     const double width = (high - low) / k;
     std::array<uint32_t, kChiSquareFilterMostClasses> counts{};
     for (const uint32_t j : members)
-      ++counts[width > 0 ? std::min(k - 1, static_cast<uint32_t>((valued_.values[j] - low) / width)) : 0];
+      ++counts[width > 0 ? std::min(k - 1, static_cast<uint32_t>((valued_.values[j] - low) / width))
+                         : 0];
     const auto n = static_cast<double>(members.size());
     double distance = 0, from = 0;
     for (uint32_t c = 0; c < k; ++c) {
@@ -131,7 +141,8 @@ double cut_of(const ChiSquareSettings& settings, const NoiseLaw& law, const Loca
   if (settings.kolmogorov())
     fail(Status::kInvalidArgument, "the empirical threshold is one of method chi_square");
   if (!(law.sample_chi_square > 0))
-    fail(Status::kInvalidArgument, "the noise law does not tell its distance to a sample: no empirical threshold");
+    fail(Status::kInvalidArgument,
+         "the noise law does not tell its distance to a sample: no empirical threshold");
   return law.sample_chi_square;
 }
 
@@ -143,7 +154,8 @@ class SecondPass {
       : cloud_(cloud), valued_(valued), settings_(settings), test_(test) {}
 
   uint64_t run(std::vector<Outcome>& outcomes, Task& task) const {
-    const double low = settings_.band_low * test_.tabulated(), high = settings_.band_high * test_.tabulated();
+    const double low = settings_.band_low * test_.tabulated(),
+                 high = settings_.band_high * test_.tabulated();
     std::vector<uint32_t> band;
     std::vector<uint8_t> in_band(outcomes.size());
     for (size_t i = 0; i < outcomes.size(); ++i) {
@@ -152,7 +164,8 @@ class SecondPass {
       in_band[i] = 1;
       band.push_back(static_cast<uint32_t>(i));
     }
-    const bool few = static_cast<double>(band.size()) < kShareForSingles * static_cast<double>(outcomes.size());
+    const bool few =
+        static_cast<double>(band.size()) < kShareForSingles * static_cast<double>(outcomes.size());
     if (settings_.radius_m > 0 || !few) {
       all_neighbourhoods(in_band, outcomes, task);
     } else {
@@ -162,17 +175,20 @@ class SecondPass {
   }
 
  private:
-  void all_neighbourhoods(const std::vector<uint8_t>& in_band, std::vector<Outcome>& outcomes, Task& task) const {
-    const double grown = std::sqrt(static_cast<double>(settings_.second_neighbours) / settings_.neighbours);
-    for_each_neighbourhood<ChiSquareFilterScratch>(*valued_.tree, settings_.second_neighbours, settings_.radius_m * grown, task,
-                                    [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
-                                      if (in_band[around.point])
-                                        outcomes[around.point] = test_.run(around.neighbours, scratch);
-                                    });
+  void all_neighbourhoods(const std::vector<uint8_t>& in_band, std::vector<Outcome>& outcomes,
+                          Task& task) const {
+    const double grown =
+        std::sqrt(static_cast<double>(settings_.second_neighbours) / settings_.neighbours);
+    for_each_neighbourhood<ChiSquareFilterScratch>(
+        *valued_.tree, settings_.second_neighbours, settings_.radius_m * grown, task,
+        [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
+          if (in_band[around.point]) outcomes[around.point] = test_.run(around.neighbours, scratch);
+        });
   }
 
   /// The same neighbours: both searches are exact with the same order of ties.
-  void single_neighbourhoods(const std::vector<uint32_t>& band, std::vector<Outcome>& outcomes, Task& task) const {
+  void single_neighbourhoods(const std::vector<uint32_t>& band, std::vector<Outcome>& outcomes,
+                             Task& task) const {
     const auto order = valued_.tree->order();
     std::vector<uint32_t> position(order.size());
     for (size_t i = 0; i < order.size(); ++i) position[order[i]] = static_cast<uint32_t>(i);
@@ -196,7 +212,8 @@ class SecondPass {
   const LocalTest& test_;
 };
 
-void hand_out(const ValuedPoints& valued, const std::vector<Outcome>& outcomes, bool one_sided, ChangeFilter& out) {
+void hand_out(const ValuedPoints& valued, const std::vector<Outcome>& outcomes, bool one_sided,
+              ChangeFilter& out) {
   for (size_t i = 0; i < outcomes.size(); ++i) {
     const Outcome& o = outcomes[i];
     const uint32_t point = valued.points[i];
@@ -231,10 +248,11 @@ ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, 
   std::vector<Outcome> outcomes(valued.size());
   {
     ProgressSpan first(task, 0, settings.passes == 2 ? 0.5 : 0.95);
-    for_each_neighbourhood<ChiSquareFilterScratch>(*valued.tree, settings.neighbours, settings.radius_m, task,
-                                    [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
-                                      outcomes[around.point] = test.run(around.neighbours, scratch);
-                                    });
+    for_each_neighbourhood<ChiSquareFilterScratch>(
+        *valued.tree, settings.neighbours, settings.radius_m, task,
+        [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
+          outcomes[around.point] = test.run(around.neighbours, scratch);
+        });
   }
   // 2. Those near the limit again.
   if (settings.passes == 2) {

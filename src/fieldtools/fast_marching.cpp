@@ -26,7 +26,8 @@ FrontQueue::Entry FrontQueue::pop() {
 }
 
 double arrival_time(std::span<AxisStep> axes) {
-  std::sort(axes.begin(), axes.end(), [](const AxisStep& a, const AxisStep& b) { return a.time < b.time; });
+  std::sort(axes.begin(), axes.end(),
+            [](const AxisStep& a, const AxisStep& b) { return a.time < b.time; });
   // Times relative to the earliest, which they may be far above in digits.
   const double origin = axes[0].time;
   double best = axes[0].cost, a = 0, b = 0, c = -1;
@@ -54,7 +55,11 @@ constexpr int kStraightSteps = 3;
 class SurfaceFront {
  public:
   SurfaceFront(std::span<const double> xyz, const SurfaceCells& cells)
-      : xyz_(xyz), cells_(cells), time_(cells.size(), kFastMarchingInfinity), slope_(cells.size()), accepted_(cells.size()),
+      : xyz_(xyz),
+        cells_(cells),
+        time_(cells.size(), kFastMarchingInfinity),
+        slope_(cells.size()),
+        accepted_(cells.size()),
         source_(cells.size(), kNone) {}
 
   /// The cells within a few steps of the seed's own start with their straight distance: there the front is so curved
@@ -87,7 +92,8 @@ class SurfaceFront {
       accepted_[next.node] = 1;
       for (const uint32_t p : cells_.neighbours(next.node))
         if (!accepted_[p] && source_[p] == kNone) update(p, next.node);
-      if (++done % kBetweenLooks == 0) task.checkpoint(static_cast<double>(done) / static_cast<double>(cells_.size()));
+      if (++done % kBetweenLooks == 0)
+        task.checkpoint(static_cast<double>(done) / static_cast<double>(cells_.size()));
     }
   }
 
@@ -99,7 +105,9 @@ class SurfaceFront {
   }
 
  private:
-  Vec3 point(uint32_t i) const { return {xyz_[3 * size_t{i}], xyz_[3 * size_t{i} + 1], xyz_[3 * size_t{i} + 2]}; }
+  Vec3 point(uint32_t i) const {
+    return {xyz_[3 * size_t{i}], xyz_[3 * size_t{i} + 1], xyz_[3 * size_t{i} + 2]};
+  }
 
   void set(uint32_t node, double time, const Vec3& slope) {
     time_[node] = time;
@@ -119,13 +127,15 @@ class SurfaceFront {
       slope = length > 0 ? u / -length : slope_[q];
     }
     for (const uint32_t r : cells_.neighbours(p))
-      if (r != q && accepted_[r] && cells_.touch(q, r)) through_triangle(u, cells_.centroid(r) - at, q, r, best, slope);
+      if (r != q && accepted_[r] && cells_.touch(q, r))
+        through_triangle(u, cells_.centroid(r) - at, q, r, best, slope);
     if (best < time_[p]) set(p, best, slope);
   }
 
   /// The plane wave over the triangle of p, q and r: |grad T| = 1 in the span of u = q - p and v = r - p, coming from
   /// between the two.
-  void through_triangle(const Vec3& u, const Vec3& v, uint32_t q, uint32_t r, double& best, Vec3& slope) const {
+  void through_triangle(const Vec3& u, const Vec3& v, uint32_t q, uint32_t r, double& best,
+                        Vec3& slope) const {
     constexpr double kFlat = 1e-6;  // of the area of a right angle
     const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), det = uu * vv - uv * uv;
     if (!(det > kFlat * uu * vv)) return;
@@ -157,7 +167,8 @@ std::vector<double> surface_distances(std::span<const double> xyz, const Surface
   std::vector<uint32_t> cell_of(xyz.size() / 3);
   parallel_for(task, cells.size(), kFastMarchingGrain, [&](size_t begin, size_t end) {
     for (size_t c = begin; c < end; ++c)
-      for (const uint32_t i : cells.points(static_cast<uint32_t>(c))) cell_of[i] = static_cast<uint32_t>(c);
+      for (const uint32_t i : cells.points(static_cast<uint32_t>(c)))
+        cell_of[i] = static_cast<uint32_t>(c);
   });
   SurfaceFront front(xyz, cells);
   for (const uint32_t seed : seeds) front.start(seed, cell_of[seed]);

@@ -21,7 +21,8 @@ bool before(const Number& a, const Number& b) {
   return a[2] != b[2] ? a[2] < b[2] : a[1] != b[1] ? a[1] < b[1] : a[0] < b[0];
 }
 
-std::vector<Number> numbers_of(const VoxelGrid& grid, std::span<const double> xyz, double cell_m, Task& task) {
+std::vector<Number> numbers_of(const VoxelGrid& grid, std::span<const double> xyz, double cell_m,
+                               Task& task) {
   std::vector<Number> out(grid.size());
   parallel_for(task, out.size(), kFastMarchingCellsGrain, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v)
@@ -48,8 +49,9 @@ Part neighbours_of(const std::vector<Number>& cells, size_t begin, size_t end) {
     return Number{cells[i][0] - 1, cells[i][1] + row % 3 - 1, cells[i][2] + row / 3 - 1};
   };
   for (int row = 0; row < 9; ++row)
-    fingers[row] = static_cast<size_t>(std::lower_bound(cells.begin(), cells.end(), row_start(begin, row), before) -
-                                       cells.begin());
+    fingers[row] = static_cast<size_t>(
+        std::lower_bound(cells.begin(), cells.end(), row_start(begin, row), before) -
+        cells.begin());
   for (size_t i = begin; i < end; ++i) {
     const size_t already = part.around.size();
     for (int row = 0; row < 9; ++row) {
@@ -57,7 +59,8 @@ Part neighbours_of(const std::vector<Number>& cells, size_t begin, size_t end) {
       size_t& f = fingers[row];
       while (f < cells.size() && before(cells[f], wanted)) ++f;
       for (size_t j = f; j < cells.size() && cells[j][2] == wanted[2] && cells[j][1] == wanted[1] &&
-                         cells[j][0] <= wanted[0] + 2; ++j)
+                         cells[j][0] <= wanted[0] + 2;
+           ++j)
         if (j != i) part.around.push_back(static_cast<uint32_t>(j));
     }
     part.counts.push_back(static_cast<uint32_t>(part.around.size() - already));

@@ -19,8 +19,9 @@ namespace jalon {
 struct SurfaceCells {
   VoxelGrid grid;                               ///< cells in ascending order of (z, y, x)
   std::vector<std::array<int32_t, 3>> numbers;  ///< x, y, z
-  std::vector<uint64_t> first;                  ///< cell c has the neighbours around[first[c]] ... [first[c + 1] - 1]
-  std::vector<uint32_t> around;                 ///< ascending
+  std::vector<uint64_t>
+      first;  ///< cell c has the neighbours around[first[c]] ... [first[c + 1] - 1]
+  std::vector<uint32_t> around;  ///< ascending
   double cell_m = 0;
 
   size_t size() const { return numbers.size(); }

@@ -14,7 +14,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kFastMarchingCloudCellSpacings = 3;  // cells of a surface then hold some nine points and touch their neighbours
+constexpr double kFastMarchingCloudCellSpacings =
+    3;  // cells of a surface then hold some nine points and touch their neighbours
 
 std::vector<uint32_t> checked_seeds(std::span<const uint64_t> seeds, size_t points) {
   if (seeds.empty()) fail(Status::kInsufficientData, "no seeds: the front has nowhere to start");
@@ -56,17 +57,20 @@ Cloud with_geodesic_distance(const Cloud& cloud, std::span<const uint64_t> seeds
     ProgressSpan span(task, 0, 0.5, "cells");
     if (cell_m == 0) {
       const std::vector<double> all(cloud.size(), 0);
-      cell_m = radius_or_spacings(0, kFastMarchingCloudCellSpacings, cloud, valued_points(cloud, all, task));
+      cell_m = radius_or_spacings(0, kFastMarchingCloudCellSpacings, cloud,
+                                  valued_points(cloud, all, task));
     }
     xyz = relative_coordinates(cloud, task);
     cells = surface_cells({xyz.data(), xyz.size()}, cell_m, task);
   }
   // 2. The front.
   ProgressSpan span(task, 0.5, 1, "front");
-  std::vector<double> distances = surface_distances({xyz.data(), xyz.size()}, cells, starts, most_m, task);
+  std::vector<double> distances =
+      surface_distances({xyz.data(), xyz.size()}, cells, starts, most_m, task);
   for (double& d : distances)
     if (!std::isfinite(d)) d = kNaN;
-  return with_field<double>(cloud, name, "m", "distance along the surface from the nearest seed", distances);
+  return with_field<double>(cloud, name, "m", "distance along the surface from the nearest seed",
+                            distances);
 }
 
 }  // namespace jalon

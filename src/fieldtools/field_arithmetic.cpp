@@ -36,10 +36,12 @@ constexpr Operator kOperators[] = {
     {Operation::kSubtract, [](double a, double b) { return a - b; }},
     {Operation::kMultiply, [](double a, double b) { return a * b; }},
     {Operation::kDivide, [](double a, double b) { return b != 0 ? a / b : kNaN; }},
-    {Operation::kMinimum,
-     [](double a, double b) { return a < b ? a : b < a ? b : a + 0 * b; }},
-    {Operation::kMaximum,
-     [](double a, double b) { return a > b ? a : b > a ? b : a + 0 * b; }},
+    {Operation::kMinimum, [](double a, double b) { return a < b   ? a
+                                                          : b < a ? b
+                                                                  : a + 0 * b; }},
+    {Operation::kMaximum, [](double a, double b) { return a > b   ? a
+                                                          : b > a ? b
+                                                                  : a + 0 * b; }},
     {Operation::kPower, [](double a, double b) { return std::pow(a, b); }},
     {Operation::kAbsolute, [](double a, double) { return std::fabs(a); }},
     {Operation::kNegate, [](double a, double) { return -a; }},
@@ -79,8 +81,10 @@ Cloud with_computed_field(const Cloud& cloud, std::string_view a, std::string_vi
   const Column& first = cloud.fields.require(a);
   const Column* second = b.empty() ? nullptr : &cloud.fields.require(b);
   const uint32_t components = first.info().components;
-  if (second != nullptr && second->info().components != components && second->info().components != 1)
-    fail(Status::kInvalidArgument, "the fields have %u and %u components", components, second->info().components);
+  if (second != nullptr && second->info().components != components &&
+      second->info().components != 1)
+    fail(Status::kInvalidArgument, "the fields have %u and %u components", components,
+         second->info().components);
   const Operator* op = kOperators;
   while (operation != op->operation) ++op;
   const std::vector<double> left = elements(first);
@@ -94,7 +98,8 @@ Cloud with_computed_field(const Cloud& cloud, std::string_view a, std::string_vi
       double sum = 0;
       for (uint32_t c = 0; c < components; ++c) {
         const size_t at = i * components + c;
-        const double r = right.empty() ? constant : right[i * right_components + (right_components > 1 ? c : 0)];
+        const double r =
+            right.empty() ? constant : right[i * right_components + (right_components > 1 ? c : 0)];
         const double value = op->f(left[at], r);
         sum += value;
         if (!summed) out[at] = value;

@@ -24,14 +24,15 @@ std::vector<uint32_t> finite_indices(std::span<const double> values) {
 }
 
 double mean_of(std::span<const double> values, double from, bool squared, Task& task) {
-  const double sum = parallel_reduce(task, values.size(), kFieldValuesGrain, 0.0, [&](size_t begin, size_t end) {
-    double part = 0;
-    for (size_t i = begin; i < end; ++i) {
-      const double d = values[i] - from;
-      part += squared ? d * d : d;
-    }
-    return part;
-  });
+  const double sum =
+      parallel_reduce(task, values.size(), kFieldValuesGrain, 0.0, [&](size_t begin, size_t end) {
+        double part = 0;
+        for (size_t i = begin; i < end; ++i) {
+          const double d = values[i] - from;
+          part += squared ? d * d : d;
+        }
+        return part;
+      });
   return sum / static_cast<double>(values.size());
 }
 
@@ -40,8 +41,8 @@ double mean_of(std::span<const double> values, double from, bool squared, Task& 
 std::vector<double> scalar_values(const Cloud& cloud, std::string_view name, Task& task) {
   const Column& column = cloud.fields.require(name);
   if (column.info().components != 1)
-    fail(Status::kInvalidArgument, "field \"%s\" has %u components; one is needed", column.info().name.c_str(),
-         column.info().components);
+    fail(Status::kInvalidArgument, "field \"%s\" has %u components; one is needed",
+         column.info().name.c_str(), column.info().components);
   std::vector<double> out(column.count());
   visit(column.info().type, [&](auto zero) {
     using T = decltype(zero);
@@ -125,16 +126,19 @@ double mean_spacing(const Cloud& cloud, const ValuedPoints& valued) {
   return *middle > 0 ? std::sqrt(std::numbers::pi * *middle / (kNearest - 1)) : kNaN;
 }
 
-double radius_or_spacings(double radius_m, double factor, const Cloud& cloud, const ValuedPoints& valued) {
+double radius_or_spacings(double radius_m, double factor, const Cloud& cloud,
+                          const ValuedPoints& valued) {
   if (radius_m > 0) return radius_m;
   const double spacing_m = mean_spacing(cloud, valued);
   if (!(spacing_m > 0))
-    fail(Status::kInsufficientData, "%zu points with a value give no spacing to take lengths from; state them",
-         valued.size());
+    fail(Status::kInsufficientData,
+         "%zu points with a value give no spacing to take lengths from; state them", valued.size());
   return factor * spacing_m;
 }
 
-std::string unit_of(const Cloud& cloud, std::string_view field) { return cloud.fields.require(field).info().unit; }
+std::string unit_of(const Cloud& cloud, std::string_view field) {
+  return cloud.fields.require(field).info().unit;
+}
 
 std::string require_field_name(const std::string& name) {
   if (name.empty()) fail(Status::kInvalidArgument, "the name of the new field is empty");

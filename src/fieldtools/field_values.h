@@ -41,7 +41,8 @@ std::vector<T> sorted_in_chunks(std::vector<T> values, Less less, Task& task) {
     parallel_for(task, n, 2 * run, [&](size_t begin, size_t end) {
       const T* from = values.data();
       const size_t middle = std::min(end, begin + run);
-      std::merge(from + begin, from + middle, from + middle, from + end, merged.data() + begin, less);
+      std::merge(from + begin, from + middle, from + middle, from + end, merged.data() + begin,
+                 less);
     });
     values.swap(merged);
   }
@@ -62,10 +63,10 @@ MeanAndVariance mean_and_variance(std::span<const double> values, Task& task);
 /// The points that have a value, under a tree of their own where some have none: a neighbourhood of n points then holds
 /// n values.
 struct ValuedPoints {
-  Buffer<double> own_xyz;              ///< empty when all points have a value
+  Buffer<double> own_xyz;  ///< empty when all points have a value
   std::shared_ptr<const Octree> tree;
-  std::vector<uint32_t> points;        ///< by sorted position: index in the cloud
-  std::vector<double> values;          ///< by sorted position
+  std::vector<uint32_t> points;  ///< by sorted position: index in the cloud
+  std::vector<double> values;    ///< by sorted position
   size_t size() const { return points.size(); }
 };
 ValuedPoints valued_points(const Cloud& cloud, std::span<const double> values, Task& task);
@@ -77,7 +78,8 @@ Buffer<double> relative_coordinates(const Cloud& cloud, Task& task);
 /// spread over the tree's order. NaN for fewer than 8 points or when most of them coincide.
 double mean_spacing(const Cloud& cloud, const ValuedPoints& valued);
 /// radius_m, or factor times the mean spacing where it is 0: kInsufficientData when that has no answer.
-double radius_or_spacings(double radius_m, double factor, const Cloud& cloud, const ValuedPoints& valued);
+double radius_or_spacings(double radius_m, double factor, const Cloud& cloud,
+                          const ValuedPoints& valued);
 
 /// A copy of the cloud with one more field of one component.
 template <class T>

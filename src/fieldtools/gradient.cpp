@@ -15,9 +15,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGradientGrain = 1 << 15;
-constexpr double kSpacings = 4;         // automatic radius, of the 3 to 5 spacings that keep a ball full
+constexpr double kSpacings = 4;  // automatic radius, of the 3 to 5 spacings that keep a ball full
 constexpr double kLipschitzSlack = 1e-3;  // distances that went through single precision
-constexpr size_t kFewestForSlopes = 4;  // a plane of the values has three unknowns
+constexpr size_t kFewestForSlopes = 4;    // a plane of the values has three unknowns
 constexpr Vec3 kNoGradient{kNaN, kNaN, kNaN};
 
 struct NoScratch {};
@@ -89,14 +89,16 @@ std::span<const ParamRow> gradient_rows() {
   return kRows;
 }
 
-std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m, GradientMethod method, bool lipschitz,
-                                  Task& task) {
+std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m,
+                                  GradientMethod method, bool lipschitz, Task& task) {
   std::vector<Vec3> out(valued.size());
   const double factor = method == GradientMethod::kCorrected ? 2 : 1;
-  for_each_neighbourhood<NoScratch>(*valued.tree, 0, radius_m, task, [&](const Neighbourhood& around, NoScratch&) {
-    out[around.point] = method == GradientMethod::kLeastSquares ? fitted_slope(valued, around, lipschitz)
-                                                                : mean_slope(valued, around, lipschitz) * factor;
-  });
+  for_each_neighbourhood<NoScratch>(
+      *valued.tree, 0, radius_m, task, [&](const Neighbourhood& around, NoScratch&) {
+        out[around.point] = method == GradientMethod::kLeastSquares
+                                ? fitted_slope(valued, around, lipschitz)
+                                : mean_slope(valued, around, lipschitz) * factor;
+      });
   return out;
 }
 
@@ -121,14 +123,16 @@ Cloud with_gradient(const Cloud& cloud, std::string_view field, const GradientSe
       const size_t point = valued.points[i];
       norms[point] = static_cast<float>(norm(g));
       if (vector_name.empty()) continue;
-      for (int c = 0; c < 3; ++c) vectors[3 * point + static_cast<size_t>(c)] = static_cast<float>(g[c]);
+      for (int c = 0; c < 3; ++c)
+        vectors[3 * point + static_cast<size_t>(c)] = static_cast<float>(g[c]);
     }
   });
   const std::string unit = unit_of(cloud, field) == "m" ? "1" : "";
-  Cloud out = with_field<float>(cloud, name, unit.c_str(), "norm of the gradient along the surface", norms);
+  Cloud out =
+      with_field<float>(cloud, name, unit.c_str(), "norm of the gradient along the surface", norms);
   if (!vector_name.empty())
-    out.fields.set(make_column<float>({vector_name, ElementType::kFloat32, 3, unit, "gradient along the surface"},
-                                      vectors));
+    out.fields.set(make_column<float>(
+        {vector_name, ElementType::kFloat32, 3, unit, "gradient along the surface"}, vectors));
   return out;
 }
 

@@ -28,8 +28,8 @@ std::span<const ParamRow> gradient_rows();
 /// kThesis: (3.9), the mean of PP_i / |PP_i|^2 (f_i - f) over the ball of radius_m, which is half the gradient of a
 /// plane's field; kCorrected: twice that; kLeastSquares: slopes of f over the tangent plane of the ball's points, right
 /// at borders too. lipschitz: pairs that differ by more than their distance are left out (distance fields cannot).
-std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m, GradientMethod method, bool lipschitz,
-                                  Task& task);
+std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m,
+                                  GradientMethod method, bool lipschitz, Task& task);
 
 /// The cloud with the field of the gradient's norm and, when asked, of the gradient itself; see jalon/field_tools.h.
 Cloud with_gradient(const Cloud& cloud, std::string_view field, const GradientSettings& settings,

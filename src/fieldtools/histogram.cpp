@@ -109,10 +109,13 @@ FieldTable histogram_bins(const Histogram& h, const char* unit) {
   for (size_t b = 0; b < from.size(); ++b) from[b] = h.from + h.width() * static_cast<double>(b);
   FieldTable t;
   add_column<double>(t, from, "from", unit, "lower end of the bin", [](double v) { return v; });
-  add_column<double>(t, from, "to", unit, "upper end of the bin", [&](double v) { return v + h.width(); });
-  add_column<uint64_t>(t, h.counts, "count", "points", "values in the bin", [](uint64_t v) { return v; });
+  add_column<double>(t, from, "to", unit, "upper end of the bin",
+                     [&](double v) { return v + h.width(); });
+  add_column<uint64_t>(t, h.counts, "count", "points", "values in the bin",
+                       [](uint64_t v) { return v; });
   if (!h.expected.empty())
-    add_column<double>(t, h.expected, "expected", "points", "by the noise law", [](double v) { return v; });
+    add_column<double>(t, h.expected, "expected", "points", "by the noise law",
+                       [](double v) { return v; });
   return t;
 }
 
@@ -137,7 +140,8 @@ FieldTable histogram_summary(const Histogram& h, const char* unit) {
   if (h.expected.empty()) return t;
   add_value<double>(t, "chi_square", "1", "distance to the noise law", h.chi_square);
   add_value<uint32_t>(t, "degrees_of_freedom", "", "of that distance", h.degrees_of_freedom);
-  add_value<double>(t, "p_value", "1", "probability of such a distance, or a larger one, under the law", h.p_value);
+  add_value<double>(t, "p_value", "1",
+                    "probability of such a distance, or a larger one, under the law", h.p_value);
   add_value<double>(t, "kolmogorov", "1", "largest difference of the cumulatives", h.kolmogorov);
   return t;
 }

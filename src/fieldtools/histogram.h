@@ -16,7 +16,8 @@ struct Histogram {
   std::vector<uint64_t> counts;
   std::vector<double> expected;  ///< by the law; empty without one
   uint64_t values = 0, missing = 0, below = 0, above = 0;
-  double minimum = 0, maximum = 0, mean = 0, standard_deviation = 0, rms = 0, median = 0, p90 = 0, p95 = 0, p99 = 0;
+  double minimum = 0, maximum = 0, mean = 0, standard_deviation = 0, rms = 0, median = 0, p90 = 0,
+         p95 = 0, p99 = 0;
   // Against the law, if there is one.
   double chi_square = 0, p_value = 0, kolmogorov = 0;
   uint32_t degrees_of_freedom = 0;

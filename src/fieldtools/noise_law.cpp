@@ -62,7 +62,8 @@ double number_of(const JsonValue& object, const char* name) {
 
 double optional_count(const JsonValue& object, const char* name) {
   const double value = find_member(object, name) == nullptr ? 0 : number_of(object, name);
-  if (value < 0 || value > 0x1p53) fail(Status::kInvalidArgument, "\"%s\" of the noise law is out of range", name);
+  if (value < 0 || value > 0x1p53)
+    fail(Status::kInvalidArgument, "\"%s\" of the noise law is out of range", name);
   return value;
 }
 
@@ -78,7 +79,8 @@ std::vector<double> quantiles_of(const JsonValue& object) {
     fail(Status::kInvalidArgument, "the noise law has no array \"quantiles\"");
   std::vector<double> out;
   for (const JsonValue& element : JsonChildren(*member)) {
-    if (!element.is_number() || !std::isfinite(element.number) || (!out.empty() && element.number < out.back()))
+    if (!element.is_number() || !std::isfinite(element.number) ||
+        (!out.empty() && element.number < out.back()))
       fail(Status::kInvalidArgument, "the quantiles of the noise law are no ascending numbers");
     out.push_back(element.number);
   }
@@ -109,7 +111,9 @@ double NoiseLaw::cumulative(double x) const {
 double NoiseLaw::quantile(double p) const {
   if (kind == LawKind::kEmpirical) return empirical_quantile(quantiles, p);
   if (kind == LawKind::kGauss)
-    return p <= 0 ? -kNoiseLawInfinity : p >= 1 ? kNoiseLawInfinity : gauss_mean + gauss_sigma * normal_quantile(p);
+    return p <= 0   ? -kNoiseLawInfinity
+           : p >= 1 ? kNoiseLawInfinity
+                    : gauss_mean + gauss_sigma * normal_quantile(p);
   return p >= 1 ? kNoiseLawInfinity : shift + scale * std::pow(-std::log1p(-p), 1 / shape);
 }
 
@@ -139,7 +143,8 @@ ExpectedDeviation expected_deviation(const NoiseLaw& law) {
   if (law.kind == LawKind::kGauss) {
     out.mean = law.gauss_sigma * std::sqrt(2 / std::numbers::pi);  // of the folded Gaussian
   } else {
-    out.mean = out.two_sided ? mean_of_quantiles(law.quantiles, [&](double x) { return out.of(x); }) : law.mean();
+    out.mean = out.two_sided ? mean_of_quantiles(law.quantiles, [&](double x) { return out.of(x); })
+                             : law.mean();
   }
   return out;
 }
@@ -151,9 +156,11 @@ const char* name_of(LawKind kind) {
 std::string to_json(const NoiseLaw& law) {
   JsonWriter json;
   json.begin_object().name("law").value(name_of(law.kind));
-  if (law.kind == LawKind::kGauss) json.name("mean").value(law.gauss_mean).name("sigma").value(law.gauss_sigma);
+  if (law.kind == LawKind::kGauss)
+    json.name("mean").value(law.gauss_mean).name("sigma").value(law.gauss_sigma);
   if (law.kind == LawKind::kWeibull)
-    json.name("shape").value(law.shape).name("scale").value(law.scale).name("shift").value(law.shift);
+    json.name("shape").value(law.shape).name("scale").value(law.scale).name("shift").value(
+        law.shift);
   if (law.kind == LawKind::kEmpirical) {
     json.name("quantiles").begin_array();
     for (const double q : law.quantiles) json.value(q);
@@ -167,7 +174,8 @@ std::string to_json(const NoiseLaw& law) {
 NoiseLaw noise_law_from_json(std::string_view text) {
   const std::vector<JsonValue> json = read_json(text);
   const JsonValue& object = json.front();
-  const JsonValue* kind = object.kind == JsonValue::Kind::kObject ? find_member(object, "law") : nullptr;
+  const JsonValue* kind =
+      object.kind == JsonValue::Kind::kObject ? find_member(object, "law") : nullptr;
   if (kind == nullptr || kind->kind != JsonValue::Kind::kText)
     fail(Status::kInvalidArgument, "the text is no noise law: an object with \"law\" is needed");
   NoiseLaw law;
@@ -183,7 +191,8 @@ NoiseLaw noise_law_from_json(std::string_view text) {
     law.kind = LawKind::kEmpirical;
     law.quantiles = quantiles_of(object);
   } else {
-    fail(Status::kInvalidArgument, "no noise law \"%.100s\"; there are: gauss, weibull, empirical", kind->text.c_str());
+    fail(Status::kInvalidArgument, "no noise law \"%.100s\"; there are: gauss, weibull, empirical",
+         kind->text.c_str());
   }
   law.samples = static_cast<uint64_t>(optional_count(object, "samples"));
   law.sample_chi_square = optional_count(object, "chi_square");
@@ -199,18 +208,22 @@ FieldTable noise_law_table(const NoiseLaw& law) {
   constexpr double kOneLessEuler = 1 - std::numbers::egamma;
   constexpr double kScaleVariance = 1 + kShapeVariance * kOneLessEuler * kOneLessEuler;
   FieldTable t;
-  add_value<uint8_t>(t, "kind", "", "0 Gauss, 1 Weibull, 2 empirical", static_cast<uint8_t>(law.kind));
+  add_value<uint8_t>(t, "kind", "", "0 Gauss, 1 Weibull, 2 empirical",
+                     static_cast<uint8_t>(law.kind));
   add_value<double>(t, "mean", "", "of the law", law.mean());
   add_value<double>(t, "standard_deviation", "", "of the law", law.standard_deviation());
   add_value<double>(t, "shape", "1", "a of the Weibull law", weibull ? law.shape : kNaN);
   add_value<double>(t, "scale", "", "b of the Weibull law, sigma of the Gaussian",
-                    weibull ? law.scale : gauss ? law.gauss_sigma : kNaN);
+                    weibull ? law.scale
+                    : gauss ? law.gauss_sigma
+                            : kNaN);
   add_value<double>(t, "shift", "", "x0 of the Weibull law", weibull ? law.shift : kNaN);
   add_value<double>(t, "shape_sigma", "1", "standard deviation of the shape",
                     weibull ? law.shape * std::sqrt(kShapeVariance / n) : kNaN);
   add_value<double>(t, "scale_sigma", "", "standard deviation of the scale",
                     weibull ? law.scale / law.shape * std::sqrt(kScaleVariance / n)
-                            : gauss ? law.gauss_sigma / std::sqrt(2 * n) : kNaN);
+                    : gauss ? law.gauss_sigma / std::sqrt(2 * n)
+                            : kNaN);
   add_value<uint64_t>(t, "samples", "", "values that it was fitted to", law.samples);
   add_value<double>(t, "chi_square", "1", "distance to its own sample", law.sample_chi_square);
   add_value<uint32_t>(t, "classes", "", "of that distance", law.sample_classes);

@@ -21,14 +21,15 @@ struct NoiseLaw {
   LawKind kind = LawKind::kGauss;
   double gauss_mean = 0, gauss_sigma = 1;
   double shape = 1, scale = 1, shift = 0;  ///< a, b, x0 of (3.4)
-  std::vector<double> quantiles;           ///< of an empirical law: ascending, at equal steps of probability
-  uint64_t samples = 0;                    ///< values that it was fitted to; 0 = not known
-  double sample_chi_square = 0;            ///< distance to its own sample (3.1), the empirical cut; 0 = not known
-  uint32_t sample_classes = 0;             ///< of that distance
+  std::vector<double> quantiles;  ///< of an empirical law: ascending, at equal steps of probability
+  uint64_t samples = 0;           ///< values that it was fitted to; 0 = not known
+  double sample_chi_square =
+      0;  ///< distance to its own sample (3.1), the empirical cut; 0 = not known
+  uint32_t sample_classes = 0;  ///< of that distance
 
   double density(double x) const;
-  double cumulative(double x) const;       ///< P(X <= x)
-  double quantile(double p) const;         ///< 0 <= p <= 1; infinite at the open ends
+  double cumulative(double x) const;  ///< P(X <= x)
+  double quantile(double p) const;    ///< 0 <= p <= 1; infinite at the open ends
   double mean() const;
   double standard_deviation() const;
   /// Whether values may lie on both sides of zero: deviations then count from the mean to either side.

@@ -16,9 +16,10 @@ namespace jalon {
 namespace {
 
 constexpr size_t kNoiseLawFitGrain = 1 << 14;
-constexpr size_t kFewestValues = 9;       // three classes of three (Saporta 1990)
-constexpr size_t kMostQuantiles = 4096;   // of an empirical law: steps far below what a neighbourhood can tell
-constexpr size_t kMostForShift = 1 << 14; // order statistics that the shift is sought with
+constexpr size_t kFewestValues = 9;  // three classes of three (Saporta 1990)
+constexpr size_t kMostQuantiles =
+    4096;  // of an empirical law: steps far below what a neighbourhood can tell
+constexpr size_t kMostForShift = 1 << 14;  // order statistics that the shift is sought with
 constexpr double kLeastShape = 0.05, kMostShape = 50;
 
 struct WeibullSums {
@@ -62,14 +63,15 @@ class ShapeEquation {
     double f, slope;
   };
   WeibullSums sums(double a) {
-    return parallel_reduce(task_, logs_.size(), kNoiseLawFitGrain, WeibullSums{}, [&](size_t begin, size_t end) {
-      WeibullSums part;
-      for (size_t i = begin; i < end; ++i) {
-        const double l = logs_[i], w = std::exp(a * l);
-        part += {w, w * l, w * l * l};
-      }
-      return part;
-    });
+    return parallel_reduce(task_, logs_.size(), kNoiseLawFitGrain, WeibullSums{},
+                           [&](size_t begin, size_t end) {
+                             WeibullSums part;
+                             for (size_t i = begin; i < end; ++i) {
+                               const double l = logs_[i], w = std::exp(a * l);
+                               part += {w, w * l, w * l * l};
+                             }
+                             return part;
+                           });
   }
   Step value(double a) {
     const WeibullSums s = sums(a);
@@ -95,7 +97,8 @@ ShiftedSample shifted_sample(std::span<const double> values, double shift, Task&
   for (const double v : values)
     if (v > shift) positive.push_back(v - shift);
   if (2 * positive.size() < values.size())
-    fail(Status::kDegenerate, "half of the values are not above 0: no Weibull law (\"gauss\" is for signed values)");
+    fail(Status::kDegenerate,
+         "half of the values are not above 0: no Weibull law (\"gauss\" is for signed values)");
   out.logs.resize(positive.size());
   parallel_for(task, positive.size(), kNoiseLawFitGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) out.logs[i] = std::log(positive[i] / out.largest);
@@ -110,7 +113,8 @@ double profile_likelihood(std::span<const double> sorted, double shift, Task& ta
   double a = 0;
   if (!equation.solve(a)) return -std::numeric_limits<double>::infinity();
   const double log_scale = std::log(equation.mean_of_powers(a)) / a;
-  return std::log(a) - a * log_scale + (a - 1) * equation.mean_of_logs() - 1 - std::log(sample.largest);
+  return std::log(a) - a * log_scale + (a - 1) * equation.mean_of_logs() - 1 -
+         std::log(sample.largest);
 }
 
 /// At most this many order statistics, evenly spread.
@@ -154,7 +158,8 @@ NoiseLaw fit_weibull(std::span<const double> values, double shift, Task& task) {
   NoiseLaw law;
   law.kind = LawKind::kWeibull;
   if (!equation.solve(law.shape))
-    fail(Status::kDegenerate, "the values scatter too little or too much for a Weibull law (shapes 0.05 to 50)");
+    fail(Status::kDegenerate,
+         "the values scatter too little or too much for a Weibull law (shapes 0.05 to 50)");
   law.scale = sample.largest * std::pow(equation.mean_of_powers(law.shape), 1 / law.shape);
   law.shift = shift;
   return law;
@@ -174,7 +179,9 @@ double most_likely_shift(std::span<const double> sorted, Task& task) {
   for (int i = 0; i <= kSteps; ++i) found[static_cast<size_t>(i)] = likelihood(kLowest + i * step);
   size_t best = 0;
   for (size_t i = 1; i < kSteps; ++i)
-    if (found[i] > found[i - 1] && found[i] >= found[i + 1] && (best == 0 || found[i] > found[best])) best = i;
+    if (found[i] > found[i - 1] && found[i] >= found[i + 1] &&
+        (best == 0 || found[i] > found[best]))
+      best = i;
   if (best == 0) return 0;
   // 2. Golden section between its neighbours.
   constexpr double kGolden = 0.6180339887498949;
@@ -198,7 +205,8 @@ double most_likely_shift(std::span<const double> sorted, Task& task) {
 }
 
 NoiseLaw empirical_law(std::span<const double> sorted) {
-  if (!(sorted.front() < sorted.back())) fail(Status::kDegenerate, "all values are equal: they have no noise law");
+  if (!(sorted.front() < sorted.back()))
+    fail(Status::kDegenerate, "all values are equal: they have no noise law");
   NoiseLaw law;
   law.kind = LawKind::kEmpirical;
   const size_t n = std::min(sorted.size(), kMostQuantiles);
@@ -211,7 +219,8 @@ NoiseLaw fit_noise_law(std::span<const double> values, const NoiseLawSettings& s
                        Task& task) {
   const std::vector<double> known = finite_values(values);
   if (known.size() < kFewestValues)
-    fail(Status::kInsufficientData, "%zu values; a noise law needs at least %zu", known.size(), kFewestValues);
+    fail(Status::kInsufficientData, "%zu values; a noise law needs at least %zu", known.size(),
+         kFewestValues);
   using Law = NoiseLawSettings::Law;
   NoiseLaw law;
   {

@@ -12,13 +12,18 @@ namespace jalon {
 namespace {
 
 constexpr double kPropagationInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMostExponent = 100;  // e^100: twice what alpha = 50 reaches, far from the ends of a double
+constexpr double kMostExponent =
+    100;  // e^100: twice what alpha = 50 reaches, far from the ends of a double
 
 }  // namespace
 
 Propagation::Propagation(const SurfaceCells& cells, std::span<const double> gradient,
                          const PropagationSettings& settings)
-    : cells_(cells), gradient_(gradient), settings_(settings), time_(cells.size(), kPropagationInfinity), taken_(cells.size()),
+    : cells_(cells),
+      gradient_(gradient),
+      settings_(settings),
+      time_(cells.size(), kPropagationInfinity),
+      taken_(cells.size()),
       accepted_(cells.size()) {}
 
 /// 1 / F (3.11).
@@ -87,7 +92,8 @@ FrontRegion Propagation::spread(uint32_t seed_cell, Task& task) {
       queue.push(time, p);
     }
     if (region.arrivals.size() % kBetweenLooks == 0)
-      task.checkpoint(static_cast<double>(region.arrivals.size()) / static_cast<double>(cells_.size()));
+      task.checkpoint(static_cast<double>(region.arrivals.size()) /
+                      static_cast<double>(cells_.size()));
   }
   for (const uint32_t cell : touched) time_[cell] = kPropagationInfinity;
   for (const Arrival& a : region.arrivals) {

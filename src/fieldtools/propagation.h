@@ -36,14 +36,15 @@ struct Arrival {
 struct FrontRegion {
   uint32_t seed_cell = 0;
   std::vector<Arrival> arrivals;  ///< in order; the seed first
-  double next_time_m = 0;         ///< of the cell that the front stopped at; infinite when none was left
+  double next_time_m = 0;  ///< of the cell that the front stopped at; infinite when none was left
 };
 
 /// Fronts over the cells, one after the other, each taking cells that are left.
 class Propagation {
  public:
   /// gradient: one a cell. Both must outlive this.
-  Propagation(const SurfaceCells& cells, std::span<const double> gradient, const PropagationSettings& settings);
+  Propagation(const SurfaceCells& cells, std::span<const double> gradient,
+              const PropagationSettings& settings);
   bool is_taken(uint32_t cell) const { return taken_[cell] != 0; }
   FrontRegion spread(uint32_t seed_cell, Task& task);
 

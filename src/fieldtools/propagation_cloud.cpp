@@ -18,21 +18,22 @@ namespace jalon {
 
 namespace {
 
-constexpr double kPropagationCloudCellSpacings = 3;  // some nine points a cell: means of gradients, and cells that touch
+constexpr double kPropagationCloudCellSpacings =
+    3;  // some nine points a cell: means of gradients, and cells that touch
 constexpr size_t kPropagationCloudGrain = 1 << 12;
 
 /// The points that have both values.
 struct Nodes {
-  std::vector<uint32_t> points;      ///< index in the cloud
-  std::vector<double> deviations;    ///< one a point of these
-  Buffer<double> xyz;                ///< relative to a corner that moves with the cloud
+  std::vector<uint32_t> points;    ///< index in the cloud
+  std::vector<double> deviations;  ///< one a point of these
+  Buffer<double> xyz;              ///< relative to a corner that moves with the cloud
   SurfaceCells cells;
-  std::vector<double> gradient;      ///< one a cell: mean of its points
-  std::vector<uint32_t> cell_of;     ///< one a point of these
+  std::vector<double> gradient;   ///< one a cell: mean of its points
+  std::vector<uint32_t> cell_of;  ///< one a point of these
 };
 
-Nodes nodes_of(const Cloud& cloud, std::span<const double> deviations, std::span<const double> gradients,
-               double cell_m, Task& task) {
+Nodes nodes_of(const Cloud& cloud, std::span<const double> deviations,
+               std::span<const double> gradients, double cell_m, Task& task) {
   Nodes out;
   std::vector<double> both(deviations.begin(), deviations.end());
   for (size_t i = 0; i < both.size(); ++i)
@@ -42,8 +43,11 @@ Nodes nodes_of(const Cloud& cloud, std::span<const double> deviations, std::span
       out.points.push_back(static_cast<uint32_t>(i));
       out.deviations.push_back(both[i]);
     }
-  if (out.points.empty()) fail(Status::kInsufficientData, "no point has both a deviation and a gradient");
-  if (cell_m == 0) cell_m = radius_or_spacings(0, kPropagationCloudCellSpacings, cloud, valued_points(cloud, both, task));
+  if (out.points.empty())
+    fail(Status::kInsufficientData, "no point has both a deviation and a gradient");
+  if (cell_m == 0)
+    cell_m = radius_or_spacings(0, kPropagationCloudCellSpacings, cloud,
+                                valued_points(cloud, both, task));
   const Buffer<double> all = relative_coordinates(cloud, task);
   out.xyz = Buffer<double>(3 * out.points.size());
   for (size_t i = 0; i < out.points.size(); ++i)
@@ -71,13 +75,14 @@ struct Found {
   uint32_t seed;  ///< among the nodes' points
   uint64_t points = 0;
 };
-std::vector<Found> all_fronts(const Nodes& nodes, const PropagationSettings& settings, double minimum_seed,
-                              Task& task) {
+std::vector<Found> all_fronts(const Nodes& nodes, const PropagationSettings& settings,
+                              double minimum_seed, Task& task) {
   std::vector<uint32_t> order;
   for (uint32_t i = 0; i < nodes.points.size(); ++i)
     if (nodes.deviations[i] >= minimum_seed) order.push_back(i);
   const auto higher = [&](uint32_t a, uint32_t b) {
-    return nodes.deviations[a] != nodes.deviations[b] ? nodes.deviations[a] > nodes.deviations[b] : a < b;
+    return nodes.deviations[a] != nodes.deviations[b] ? nodes.deviations[a] > nodes.deviations[b]
+                                                      : a < b;
   };
   {
     ProgressSpan span(task, 0, 0.2);
@@ -89,7 +94,8 @@ std::vector<Found> all_fronts(const Nodes& nodes, const PropagationSettings& set
   size_t taken = 0;  // cells
   for (const uint32_t seed : order) {
     if (propagation.is_taken(nodes.cell_of[seed])) continue;
-    ProgressSpan front(task, static_cast<double>(taken) / static_cast<double>(nodes.cells.size()), 1);
+    ProgressSpan front(task, static_cast<double>(taken) / static_cast<double>(nodes.cells.size()),
+                       1);
     task.checkpoint(0);
     Found found{propagation.spread(nodes.cell_of[seed], task), seed};
     for (const Arrival& a : found.front.arrivals) found.points += nodes.cells.points(a.cell).size();
@@ -104,15 +110,18 @@ FieldTable region_table(const std::vector<const Found*>& rows, const Nodes& node
   using Row = const Found*;
   uint32_t label = 0;
   add_column<uint32_t>(t, rows, "label", "", "number of the region", [&](Row) { return ++label; });
-  add_column<uint64_t>(t, rows, "points", "points", "of the region", [](Row r) { return r->points; });
-  add_column<uint64_t>(t, rows, "cells", "", "of the region", [](Row r) { return r->front.arrivals.size(); });
+  add_column<uint64_t>(t, rows, "points", "points", "of the region",
+                       [](Row r) { return r->points; });
+  add_column<uint64_t>(t, rows, "cells", "", "of the region",
+                       [](Row r) { return r->front.arrivals.size(); });
   add_column<uint64_t>(t, rows, "seed", "", "index of the point that it grew from",
                        [&](Row r) { return nodes.points[r->seed]; });
   add_column<double>(t, rows, "seed_deviation", "", "deviation there",
                      [&](Row r) { return nodes.deviations[r->seed]; });
   add_column<double>(t, rows, "last_arrival", "m", "arrival time of its last cell",
                      [](Row r) { return r->front.arrivals.back().time_m; });
-  add_column<double>(t, rows, "next_arrival", "m", "of the cell that the front ended at; infinite = none was left",
+  add_column<double>(t, rows, "next_arrival", "m",
+                     "of the cell that the front ended at; infinite = none was left",
                      [](Row r) { return r->front.next_time_m; });
   return t;
 }
@@ -154,7 +163,8 @@ PropagationResult segment_by_propagation(const Cloud& cloud, std::span<const dou
     ProgressSpan span(task, 0, 0.4, "cells");
     nodes = nodes_of(cloud, deviations, gradients, settings.cell_m, task);
     out.minimum_seed = settings.minimum_seed;
-    if (out.minimum_seed == 0) out.minimum_seed = two_means(sorted_values(nodes.deviations, task)).cut;
+    if (out.minimum_seed == 0)
+      out.minimum_seed = two_means(sorted_values(nodes.deviations, task)).cut;
   }
   ProgressSpan span(task, 0.4, 1, "propagation");
   const std::vector<Found> found = all_fronts(nodes, settings, out.minimum_seed, task);

@@ -20,7 +20,7 @@ constexpr ParamRow kSmoothingMethodRow =
     choice_row<&FieldFilterSettings::method>("method", "gaussian|mean|median|minimum|maximum", "",
                                              "What the neighbourhood makes of the values");
 
-constexpr double kSigmaSpacings = 2;   // R / 2 of the gradient's automatic radius
+constexpr double kSigmaSpacings = 2;  // R / 2 of the gradient's automatic radius
 constexpr double kRadiusSpacings = 4;
 
 struct SmoothingScratch {
@@ -50,11 +50,12 @@ std::vector<double> reduced_neighbourhoods(const Cloud& cloud, const ValuedPoint
   const double radius_m =
       k > 0 ? 0 : radius_or_spacings(settings.radius_m, kRadiusSpacings, cloud, valued);
   std::vector<double> out(valued.size());
-  for_each_neighbourhood<SmoothingScratch>(*valued.tree, k, radius_m, task, [&](const Neighbourhood& around, SmoothingScratch& scratch) {
-    scratch.work.clear();
-    for (const uint32_t j : around.neighbours) scratch.work.push_back(valued.values[j]);
-    out[around.point] = reduced(settings.method, scratch.work);
-  });
+  for_each_neighbourhood<SmoothingScratch>(
+      *valued.tree, k, radius_m, task, [&](const Neighbourhood& around, SmoothingScratch& scratch) {
+        scratch.work.clear();
+        for (const uint32_t j : around.neighbours) scratch.work.push_back(valued.values[j]);
+        out[around.point] = reduced(settings.method, scratch.work);
+      });
   return out;
 }
 
@@ -79,19 +80,21 @@ std::span<const ParamRow> field_filter_rows() {
   return kRows;
 }
 
-std::vector<double> gaussian_means(const ValuedPoints& valued, double sigma_m, double cut_sigmas, Task& task) {
+std::vector<double> gaussian_means(const ValuedPoints& valued, double sigma_m, double cut_sigmas,
+                                   Task& task) {
   std::vector<double> out(valued.size());
   const double factor = -0.5 / (sigma_m * sigma_m);
-  for_each_neighbourhood<SmoothingScratch>(*valued.tree, 0, cut_sigmas * sigma_m, task,
-                                  [&](const Neighbourhood& around, SmoothingScratch&) {
-                                    double weights = 0, sum = 0;
-                                    for (size_t j = 0; j < around.neighbours.size(); ++j) {
-                                      const double w = std::exp(factor * double{around.squared[j]});
-                                      weights += w;
-                                      sum += w * valued.values[around.neighbours[j]];
-                                    }
-                                    out[around.point] = sum / weights;  // the point itself weighs 1
-                                  });
+  for_each_neighbourhood<SmoothingScratch>(
+      *valued.tree, 0, cut_sigmas * sigma_m, task,
+      [&](const Neighbourhood& around, SmoothingScratch&) {
+        double weights = 0, sum = 0;
+        for (size_t j = 0; j < around.neighbours.size(); ++j) {
+          const double w = std::exp(factor * double{around.squared[j]});
+          weights += w;
+          sum += w * valued.values[around.neighbours[j]];
+        }
+        out[around.point] = sum / weights;  // the point itself weighs 1
+      });
   return out;
 }
 
@@ -112,8 +115,8 @@ Cloud with_filtered_field(const Cloud& cloud, std::string_view field,
           : reduced_neighbourhoods(cloud, valued, settings, task);
   std::vector<double> values(cloud.size(), kNaN);
   for (size_t i = 0; i < found.size(); ++i) values[valued.points[i]] = found[i];
-  const std::string meaning = choice_at(kSmoothingMethodRow, static_cast<size_t>(settings.method)) + " of " +
-                              std::string(field) + " around the point";
+  const std::string meaning = choice_at(kSmoothingMethodRow, static_cast<size_t>(settings.method)) +
+                              " of " + std::string(field) + " around the point";
   return with_field<double>(cloud, name, unit_of(cloud, field).c_str(), meaning.c_str(), values);
 }
 

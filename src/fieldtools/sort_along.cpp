@@ -41,7 +41,8 @@ void to_begins(Counters& counters) {
   }
 }
 
-void sort_by_bytes(std::vector<double>& values, std::vector<double>& work, double least, double largest) {
+void sort_by_bytes(std::vector<double>& values, std::vector<double>& work, double least,
+                   double largest) {
   const double scale = kLastStep / (largest - least);
   const auto step = [&](double value) { return static_cast<uint32_t>((value - least) * scale); };
   Counters low{}, high{};

@@ -45,7 +45,8 @@ TwoMeans two_means(std::span<const double> sorted) {
     if (!(sorted[i - 1] < sorted[i])) continue;
     const auto n0 = static_cast<double>(i), n1 = static_cast<double>(n - i);
     const double m0 = below / n0, m1 = (total - below) / n1;
-    const double between = n0 * n1 * (m1 - m0) * (m1 - m0);  // the sum of squares within falls as this rises
+    const double between =
+        n0 * n1 * (m1 - m0) * (m1 - m0);  // the sum of squares within falls as this rises
     if (between <= best) continue;
     best = between;
     out = {origin + m0, origin + m1, origin + 0.5 * (m0 + m1)};

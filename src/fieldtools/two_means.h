@@ -13,7 +13,8 @@ namespace jalon {
 
 /// The best split of values into two groups about their means (3.2.2, algorithm 4).
 struct TwoMeans {
-  double low_centre = 0, high_centre = 0, cut = 0;  ///< cut: half way between the centres; above it = high
+  double low_centre = 0, high_centre = 0,
+         cut = 0;  ///< cut: half way between the centres; above it = high
 };
 /// The exact minimum of the sum of squares over all splits of the ascending values, by running sums: what the loop of
 /// the source ends in when it starts well (= Otsu 1979 without bins). kDegenerate when all values are equal,
@@ -30,7 +31,7 @@ std::span<const ParamRow> classes_rows();
 /// Groups 0, 1, 2 by up to two cuts; 255 = no value.
 struct FieldClasses {
   std::vector<uint8_t> group;
-  double low_cut = 0, high_cut = 0;                  ///< high: infinite where there are two groups
+  double low_cut = 0, high_cut = 0;  ///< high: infinite where there are two groups
   double low_centre = 0, middle_centre = 0, high_centre = 0;  ///< means; NaN for empty groups
   uint64_t counts[3] = {0, 0, 0};
   uint64_t missing = 0;

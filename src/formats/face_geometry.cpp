@@ -9,7 +9,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSliver = 1e-12;  // area over the square of the extent: below it a face has no plane
+constexpr double kSliver =
+    1e-12;  // area over the square of the extent: below it a face has no plane
 
 std::span<uint32_t> corners_of(Model& model, const Ring& ring) {
   return std::span(model.corners).subspan(ring.first, ring.count);
@@ -20,7 +21,8 @@ std::span<uint32_t> corners_of(Model& model, const Ring& ring) {
 Vec3 twice_area(const Model& model, std::span<const uint32_t> ring, const Vec3& origin) {
   Vec3 sum;
   for (size_t i = 0; i < ring.size(); ++i)
-    sum += cross(model.vertices[ring[i]] - origin, model.vertices[ring[(i + 1) % ring.size()]] - origin);
+    sum += cross(model.vertices[ring[i]] - origin,
+                 model.vertices[ring[(i + 1) % ring.size()]] - origin);
   return sum;
 }
 

@@ -15,7 +15,8 @@ namespace jalon {
 
 /// Adjustment of a curved surface to points by least squares or by Tukey's biweight.
 ///
-/// A Model has `Point`, `kUnknowns`, `double residual(const Point&, Coefficients<kUnknowns>& derivatives) const`, the signed
+/// A Model has `Point`, `kUnknowns`, `double residual(const Point&, Coefficients<kUnknowns>&
+/// derivatives) const`, the signed
 /// distance, and `void move(const Coefficients<kUnknowns>& step)`, a small change of the unknowns.
 struct AdjustSetting {
   double reach_m = INFINITY;  ///< points further away have no say
@@ -31,14 +32,14 @@ struct Adjusted {
 
 namespace adjustment {
 
-constexpr int kMaxSteps = 50;             // Boulaassal 2010, E.1.1, which sets none
-constexpr double kSmallStep = 1e-10;      // same source
-constexpr double kBiweightCut = 4.685;    // 95 % efficiency for normal noise (Huber & Ronchetti 2009)
-constexpr double kMadToSigma = 1.4826;    // median of |x| of the standard normal, inverted
-constexpr double kScaleCut = 3;           // sigma comes from the distances within 3 sigma ...
+constexpr int kMaxSteps = 50;           // Boulaassal 2010, E.1.1, which sets none
+constexpr double kSmallStep = 1e-10;    // same source
+constexpr double kBiweightCut = 4.685;  // 95 % efficiency for normal noise (Huber & Ronchetti 2009)
+constexpr double kMadToSigma = 1.4826;  // median of |x| of the standard normal, inverted
+constexpr double kScaleCut = 3;         // sigma comes from the distances within 3 sigma ...
 constexpr double kScaleVariance = 0.973337;  // ... whose variance is 1 - 6 phi(3) / (2 Phi(3) - 1)
-constexpr double kLeastSigma_m = 1e-9;    // keeps noise-free points from having no weight
-constexpr size_t kFewPoints = 30;         // below, weights from the points' own scatter mean nothing
+constexpr double kLeastSigma_m = 1e-9;       // keeps noise-free points from having no weight
+constexpr size_t kFewPoints = 30;  // below, weights from the points' own scatter mean nothing
 constexpr size_t kMaxScaleSample = 1 << 16;
 constexpr size_t kPointsPerChunk = 1 << 13;
 constexpr double kFirstDamping = 1e-3, kDampingFactor = 10, kMaxDamping = 1e12;
@@ -52,7 +53,8 @@ struct Weighting {
   double reach_m, cut_m;  ///< cut_m: infinity for least squares
   bool least_squares() const { return !(cut_m < INFINITY); }
   Influence operator()(double d) const {
-    if (!(std::fabs(d) <= reach_m)) return {0, 0, 0, least_squares() ? reach_m * reach_m / 2 : cut_m * cut_m / 6};
+    if (!(std::fabs(d) <= reach_m))
+      return {0, 0, 0, least_squares() ? reach_m * reach_m / 2 : cut_m * cut_m / 6};
     if (least_squares()) return {d, 1, 1, d * d / 2};
     const double u = d / cut_m, v = 1 - u * u;
     if (v <= 0) return {0, 0, 0, cut_m * cut_m / 6};
@@ -123,7 +125,8 @@ double distance_of(const Model& model, const typename Model::Point& p) {
 
 /// Scale of the distances within reach by their median, from an even sample.
 template <class Model>
-double median_scale(std::span<const typename Model::Point> points, const Model& model, double reach_m) {
+double median_scale(std::span<const typename Model::Point> points, const Model& model,
+                    double reach_m) {
   const size_t step = points.size() / kMaxScaleSample + 1;
   std::vector<double> far;
   for (size_t i = 0; i < points.size(); i += step) {
@@ -148,17 +151,18 @@ struct Scatter {
 
 /// Standard deviation of the distances within 3 of the present one, corrected for what lies beyond.
 template <class Model>
-double trimmed_scale(std::span<const typename Model::Point> points, const Model& model, double sigma_m, double reach_m,
-                     Task& task) {
+double trimmed_scale(std::span<const typename Model::Point> points, const Model& model,
+                     double sigma_m, double reach_m, Task& task) {
   const double cut = std::min(reach_m, kScaleCut * std::max(sigma_m, kLeastSigma_m));
-  const Scatter s = parallel_reduce(task, points.size(), kPointsPerChunk, Scatter{}, [&](size_t begin, size_t end) {
-    Scatter part;
-    for (size_t i = begin; i < end; ++i) {
-      const double d = distance_of(model, points[i]);
-      if (std::fabs(d) <= cut) part += {d * d, 1};
-    }
-    return part;
-  });
+  const Scatter s = parallel_reduce(task, points.size(), kPointsPerChunk, Scatter{},
+                                    [&](size_t begin, size_t end) {
+                                      Scatter part;
+                                      for (size_t i = begin; i < end; ++i) {
+                                        const double d = distance_of(model, points[i]);
+                                        if (std::fabs(d) <= cut) part += {d * d, 1};
+                                      }
+                                      return part;
+                                    });
   if (s.n <= Model::kUnknowns) return sigma_m;
   return std::sqrt(s.squares / static_cast<double>(s.n - Model::kUnknowns) / kScaleVariance);
 }
@@ -166,8 +170,8 @@ double trimmed_scale(std::span<const typename Model::Point> points, const Model&
 /// Gauss-Newton with the damping of Levenberg and Marquardt until a step is below `small`; false when an unknown is not
 /// fixed or the steps are used up.
 template <class Model>
-bool descend(std::span<const typename Model::Point> points, const Weighting& weighting, int steps, double small,
-             Task& task, Model& model) {
+bool descend(std::span<const typename Model::Point> points, const Weighting& weighting, int steps,
+             double small, Task& task, Model& model) {
   constexpr size_t kK = Model::kUnknowns;
   double damping = kFirstDamping;
   Sums<kK> here = sums_of(points, model, weighting, false, task);
@@ -224,8 +228,8 @@ bool covariance_of(const Sums<K>& sums, bool least_squares, Square<K>& out) {
 /// From a start to the adjusted surface: 1. sigma of the points and a step, in turns; 2. steps until they are below
 /// 1e-10 with sigma kept; 3. covariance. False when the points do not fix the surface; the model is then undefined.
 template <class Model>
-bool adjust(std::span<const typename Model::Point> points, const AdjustSetting& setting, Task& task, Model& model,
-            Adjusted<Model::kUnknowns>& out) {
+bool adjust(std::span<const typename Model::Point> points, const AdjustSetting& setting, Task& task,
+            Model& model, Adjusted<Model::kUnknowns>& out) {
   using namespace adjustment;
   constexpr int kTurns = 30;
   constexpr double kSettled = 1e-3;  // change of sigma, relative, that ends the turns
@@ -249,7 +253,9 @@ bool adjust(std::span<const typename Model::Point> points, const AdjustSetting& 
   if (sums.n < Model::kUnknowns || !covariance_of(sums, !robust, out.covariance)) return false;
   out.n = sums.n;
   const uint64_t freedom = sums.n - Model::kUnknowns;
-  out.sigma = robust ? sigma : freedom > 0 ? std::sqrt(sums.psi2 / static_cast<double>(freedom)) : 0;
+  out.sigma = robust        ? sigma
+              : freedom > 0 ? std::sqrt(sums.psi2 / static_cast<double>(freedom))
+                            : 0;
   return true;
 }
 

@@ -14,7 +14,8 @@ using Coefficients = std::array<double, K>;
 template <size_t K>
 using Square = std::array<double, K * K>;
 
-/// Cholesky factor of a symmetric positive definite matrix (Golub & Van Loan, 4.2), for normal equations of few unknowns.
+/// Cholesky factor of a symmetric positive definite matrix (Golub & Van Loan, 4.2), for normal
+/// equations of few unknowns.
 template <size_t K>
 class Cholesky {
  public:

@@ -6,8 +6,9 @@ namespace jalon {
 
 namespace {
 
-constexpr double kCircleOpenRadius = 0.5;  // standard deviation of the radius, relative, of a circle that nothing fixes
-constexpr double kStraight = 1e-3;   // sine of the angle of three points in a draw
+constexpr double kCircleOpenRadius =
+    0.5;  // standard deviation of the radius, relative, of a circle that nothing fixes
+constexpr double kStraight = 1e-3;  // sine of the angle of three points in a draw
 
 struct CircleModel {
   using Point = Vec2;
@@ -55,7 +56,8 @@ bool circle_linear(std::span<const Vec2> points, Circle& out) {
   return true;
 }
 
-bool fit_circle(std::span<const Vec2> points, const PrimitiveSetting& setting, Task& task, CircleFit& out) {
+bool fit_circle(std::span<const Vec2> points, const PrimitiveSetting& setting, Task& task,
+                CircleFit& out) {
   if (points.size() < 3) return false;
   CircleModel model;
   if (setting.robust && points.size() > 3) {
@@ -74,7 +76,8 @@ bool fit_circle(std::span<const Vec2> points, const PrimitiveSetting& setting, T
   if (!adjust(points, setting.adjustment(), task, model, adjusted)) return false;
   const CircleFit fit{model.circle, adjusted.n, adjusted.sigma, adjusted.covariance};
   const double r = fit.circle.radius;
-  if (!setting.allows(r) || fit.covariance[8] > kCircleOpenRadius * kCircleOpenRadius * r * r) return false;
+  if (!setting.allows(r) || fit.covariance[8] > kCircleOpenRadius * kCircleOpenRadius * r * r)
+    return false;
   out = fit;
   return true;
 }

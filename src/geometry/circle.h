@@ -20,8 +20,8 @@ struct Circle {
 struct CircleFit {
   Circle circle;
   uint64_t n = 0;
-  double sigma = 0;                   ///< m
-  std::array<double, 9> covariance{}; ///< of (centre u, v, radius), row-major; NaN for 3 points
+  double sigma = 0;                    ///< m
+  std::array<double, 9> covariance{};  ///< of (centre u, v, radius), row-major; NaN for 3 points
 };
 
 /// Linear least squares of u^2 + v^2 = A + 2 u u0 + 2 v v0 for 3 points or more, about their centroid (Boulaassal 2010,
@@ -29,6 +29,7 @@ struct CircleFit {
 bool circle_linear(std::span<const Vec2> points, Circle& out);
 /// 1. start by random draws of 3 points, or linear when not robust; 2. Gauss-Newton with damping (E.1.2). False as for
 /// fit_sphere.
-bool fit_circle(std::span<const Vec2> points, const PrimitiveSetting& setting, Task& task, CircleFit& out);
+bool fit_circle(std::span<const Vec2> points, const PrimitiveSetting& setting, Task& task,
+                CircleFit& out);
 
 }  // namespace jalon

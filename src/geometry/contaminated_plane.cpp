@@ -15,18 +15,20 @@ namespace jalon {
 namespace {
 
 constexpr size_t kContaminatedPlanePointsPerChunk = 1 << 14;
-constexpr size_t kLeastPoints = 20;      // twice the unknowns and more
-constexpr size_t kLeastZonePoints = 8;   // fewer are counted with the other zone
-constexpr size_t kMostForTwoStarts = 20000;  // among more, contamination cannot lead least squares astray
+constexpr size_t kLeastPoints = 20;     // twice the unknowns and more
+constexpr size_t kLeastZonePoints = 8;  // fewer are counted with the other zone
+constexpr size_t kMostForTwoStarts =
+    20000;  // among more, contamination cannot lead least squares astray
 constexpr int kIterations = 40;
-constexpr double kLeastSigma = 0.04;     // of the tolerance: below it nothing needs telling apart
+constexpr double kLeastSigma = 0.04;  // of the tolerance: below it nothing needs telling apart
 constexpr double kStartShare = 0.03;
-constexpr double kLeastShare = 0.002;    // less, or less than two points, is none
-constexpr double kHaste = 1.8;           // exponent of the shares' steps: plain ones creep toward 0
-constexpr double kStableSteps2 = 1e-4;   // squared standard errors
+constexpr double kLeastShare = 0.002;   // less, or less than two points, is none
+constexpr double kHaste = 1.8;          // exponent of the shares' steps: plain ones creep toward 0
+constexpr double kStableSteps2 = 1e-4;  // squared standard errors
 constexpr double kStableShare = 1e-3;
-constexpr double kLeastCore = 0.3;       // share of the plane's own points
-constexpr double kLeastKept = 0.3;       // of the variance of a normal distribution that the tolerance cuts
+constexpr double kLeastCore = 0.3;  // share of the plane's own points
+constexpr double kLeastKept =
+    0.3;  // of the variance of a normal distribution that the tolerance cuts
 
 struct StepSums {
   std::array<double, 6> normal{};  ///< of height, slope_u, slope_v with the core's weights
@@ -80,7 +82,9 @@ class Settling {
     bool stable = false;
     for (int i = 0; i < kIterations && !stable; ++i) {
       const StepSums sums = sum();
-      if (!(sums.core() >= kLeastCore * static_cast<double>(samples_.size())) || !step(sums, stable)) return false;
+      if (!(sums.core() >= kLeastCore * static_cast<double>(samples_.size())) ||
+          !step(sums, stable))
+        return false;
     }
     drop_small_shares();
     if (is_clean()) state_.height = state_.slope_u = state_.slope_v = 0;
@@ -91,7 +95,9 @@ class Settling {
   double log_likelihood() const { return sum().log_likelihood; }
 
  private:
-  double bounded_sigma(double sigma_m) const { return std::clamp(sigma_m, kLeastSigma * tolerance_m_, tolerance_m_); }
+  double bounded_sigma(double sigma_m) const {
+    return std::clamp(sigma_m, kLeastSigma * tolerance_m_, tolerance_m_);
+  }
 
   bool move(const Eigen::Vector3d& change) {
     if (!change.allFinite()) return false;
@@ -101,29 +107,31 @@ class Settling {
 
   StepSums sum() const {
     const std::vector<ContaminationTable> tables = state_.tables(tolerance_m_);
-    return parallel_reduce(task_, samples_.size(), kContaminatedPlanePointsPerChunk, StepSums{}, [&](size_t begin, size_t end) {
-      StepSums part;
-      for (size_t i = begin; i < end; ++i) {
-        const PlaneSample& s = samples_[i];
-        const auto u = static_cast<double>(s.u), v = static_cast<double>(s.v), r = state_.residual(s);
-        const auto w = tables[s.zone].weights(r);
-        part.normal[0] += w.core;
-        part.normal[1] += w.core * u;
-        part.normal[2] += w.core * v;
-        part.normal[3] += w.core * u * u;
-        part.normal[4] += w.core * u * v;
-        part.normal[5] += w.core * v * v;
-        part.right[0] -= w.slope;
-        part.right[1] -= w.slope * u;
-        part.right[2] -= w.slope * v;
-        part.squares += w.core * r * r;
-        part.log_likelihood += w.log_density;
-        part.front[s.zone] += w.front;
-        part.behind[s.zone] += w.behind;
-        part.count[s.zone] += 1;
-      }
-      return part;
-    });
+    return parallel_reduce(task_, samples_.size(), kContaminatedPlanePointsPerChunk, StepSums{},
+                           [&](size_t begin, size_t end) {
+                             StepSums part;
+                             for (size_t i = begin; i < end; ++i) {
+                               const PlaneSample& s = samples_[i];
+                               const auto u = static_cast<double>(s.u),
+                                          v = static_cast<double>(s.v), r = state_.residual(s);
+                               const auto w = tables[s.zone].weights(r);
+                               part.normal[0] += w.core;
+                               part.normal[1] += w.core * u;
+                               part.normal[2] += w.core * v;
+                               part.normal[3] += w.core * u * u;
+                               part.normal[4] += w.core * u * v;
+                               part.normal[5] += w.core * v * v;
+                               part.right[0] -= w.slope;
+                               part.right[1] -= w.slope * u;
+                               part.right[2] -= w.slope * v;
+                               part.squares += w.core * r * r;
+                               part.log_likelihood += w.log_density;
+                               part.front[s.zone] += w.front;
+                               part.behind[s.zone] += w.behind;
+                               part.count[s.zone] += 1;
+                             }
+                             return part;
+                           });
   }
 
   // The plane by one step of scoring with the core's information, sigma and shares by their expectations.
@@ -142,7 +150,8 @@ class Settling {
       if (sums.count[z] == 0) continue;
       stable = advance(state_.front[z], sums.front[z] / sums.count[z]) && stable;
       stable = advance(state_.behind[z], sums.behind[z] / sums.count[z]) && stable;
-      const double most = 1 - kLeastCore / 2, scale = most / std::max(most, state_.front[z] + state_.behind[z]);
+      const double most = 1 - kLeastCore / 2,
+                   scale = most / std::max(most, state_.front[z] + state_.behind[z]);
       state_.front[z] *= scale;
       state_.behind[z] *= scale;
     }
@@ -157,7 +166,8 @@ class Settling {
 
   /// All points are the plane's own: then the start, least squares, is the maximum.
   bool is_clean() const {
-    return state_.front == std::array<double, kContaminationZones>{} && state_.behind == state_.front;
+    return state_.front == std::array<double, kContaminationZones>{} &&
+           state_.behind == state_.front;
   }
 
   void drop_small_shares() {
@@ -183,7 +193,8 @@ void join_small_zones(std::vector<PlaneSample>& samples) {
 }
 
 void apply(const ContaminationState& s, const Symmetric3& covariance, PlaneFit& fit) {
-  const Vec3 normal = normalized(fit.plane.normal - s.slope_u * fit.axis_u - s.slope_v * fit.axis_v);
+  const Vec3 normal =
+      normalized(fit.plane.normal - s.slope_u * fit.axis_u - s.slope_v * fit.axis_v);
   fit.centroid += s.height * fit.plane.normal;
   fit.plane = {normal, dot(normal, fit.centroid)};
   fit.axis_u = normalized(fit.axis_u - dot(fit.axis_u, normal) * normal);
@@ -194,7 +205,8 @@ void apply(const ContaminationState& s, const Symmetric3& covariance, PlaneFit& 
 
 }  // namespace
 
-bool settle_contaminated_plane(std::vector<PlaneSample>& samples, double tolerance_m, Task& task, PlaneFit& fit) {
+bool settle_contaminated_plane(std::vector<PlaneSample>& samples, double tolerance_m, Task& task,
+                               PlaneFit& fit) {
   if (samples.size() < kLeastPoints || !(fit.sigma > kLeastSigma * tolerance_m)) return false;
   join_small_zones(samples);
   // 1. From least squares; and, where that may have been led astray, from the points away from the border.
@@ -207,7 +219,9 @@ bool settle_contaminated_plane(std::vector<PlaneSample>& samples, double toleran
     best = &from_inside;
   // 3. Its covariance.
   Symmetric3 covariance;
-  if (best == nullptr || !contamination_covariance(samples, best->state(), tolerance_m, task, covariance)) return false;
+  if (best == nullptr ||
+      !contamination_covariance(samples, best->state(), tolerance_m, task, covariance))
+    return false;
   apply(best->state(), covariance, fit);
   return true;
 }

@@ -24,7 +24,8 @@ struct Kind {
 
 Kind core_kind(double r, const Contamination& c) {
   const double sigma = c.sigma_m, k = c.tolerance_m / sigma, q = r * r / (sigma * sigma);
-  const double lost = lost_by_truncation(c.tolerance_m, sigma), more_lost = lost * (k * k - 1) + lost * lost;
+  const double lost = lost_by_truncation(c.tolerance_m, sigma),
+               more_lost = lost * (k * k - 1) + lost * lost;
   const double f = normal_density(r / sigma) / (sigma * (2 * normal_distribution(k) - 1));
   const double inverse = 1 / (sigma * sigma), by_s = q - 1 + lost;
   // The cut moves with the plane: that takes its part from the curvature along r.
@@ -58,16 +59,19 @@ struct Mixture {
   double density;
 
   Mixture(double r, const Contamination& c)
-      : core(core_kind(r, c)), front(front_kind(r, c)), behind(mirrored(front, c)),
-        shares{c.core(), c.front, c.behind}, density(std::max(mixed(&Kind::f), kLeastDensity)) {}
+      : core(core_kind(r, c)),
+        front(front_kind(r, c)),
+        behind(mirrored(front, c)),
+        shares{c.core(), c.front, c.behind},
+        density(std::max(mixed(&Kind::f), kLeastDensity)) {}
   double mixed(double Kind::*part) const {
     return shares[0] * core.*part + shares[1] * front.*part + shares[2] * behind.*part;
   }
 };
 
 ContaminationTable::Weights weights_at(const Mixture& m) {
-  return {m.shares[0] * m.core.f / m.density, m.shares[1] * m.front.f / m.density, m.shares[2] * m.behind.f / m.density,
-          std::log(m.density), m.mixed(&Kind::r) / m.density};
+  return {m.shares[0] * m.core.f / m.density, m.shares[1] * m.front.f / m.density,
+          m.shares[2] * m.behind.f / m.density, std::log(m.density), m.mixed(&Kind::r) / m.density};
 }
 
 ContaminationTable::Derivatives derivatives_at(const Mixture& m) {
@@ -96,7 +100,8 @@ double lost_by_truncation(double tolerance_m, double sigma_m) {
   return 2 * k * normal_density(k) / (2 * normal_distribution(k) - 1);
 }
 
-ContaminationTable::ContaminationTable(const Contamination& c, bool with_derivatives) : tolerance_m_(c.tolerance_m) {
+ContaminationTable::ContaminationTable(const Contamination& c, bool with_derivatives)
+    : tolerance_m_(c.tolerance_m) {
   const double intervals = 2 * std::ceil(kNodesPerSigma * c.tolerance_m / c.sigma_m);
   per_m_ = intervals / (2 * c.tolerance_m);
   const size_t nodes = static_cast<size_t>(intervals) + 1;
@@ -119,8 +124,9 @@ ContaminationTable::Place ContaminationTable::place(double r) const {
 ContaminationTable::Weights ContaminationTable::weights(double r) const {
   const auto [node, t] = place(r);
   const Weights &a = weights_[node], &b = weights_[node + 1];
-  return {a.core + t * (b.core - a.core), a.front + t * (b.front - a.front), a.behind + t * (b.behind - a.behind),
-          a.log_density + t * (b.log_density - a.log_density), a.slope + t * (b.slope - a.slope)};
+  return {a.core + t * (b.core - a.core), a.front + t * (b.front - a.front),
+          a.behind + t * (b.behind - a.behind), a.log_density + t * (b.log_density - a.log_density),
+          a.slope + t * (b.slope - a.slope)};
 }
 
 ContaminationTable::Derivatives ContaminationTable::derivatives(double r) const {

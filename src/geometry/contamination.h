@@ -30,7 +30,23 @@ class ContaminationTable {
     double log_density = 0, slope = 0;       ///< ln f and its derivative by r
   };
   /// Derivatives of ln f by r, by ln sigma, by the shares front and behind.
-  enum Derivative { kR, kS, kF, kB, kRR, kRS, kRF, kRB, kSS, kSF, kSB, kFF, kFB, kBB, kDerivatives };
+  enum Derivative {
+    kR,
+    kS,
+    kF,
+    kB,
+    kRR,
+    kRS,
+    kRF,
+    kRB,
+    kSS,
+    kSF,
+    kSB,
+    kFF,
+    kFB,
+    kBB,
+    kDerivatives
+  };
   using Derivatives = std::array<double, kDerivatives>;
 
   /// The derivatives take as much time again: only on demand.

@@ -11,7 +11,8 @@ namespace jalon {
 namespace {
 
 constexpr size_t kContaminationStatePointsPerChunk = 1 << 13;
-constexpr size_t kMostForJackknife = 1000;  // an 8 x 8 solution a point; leverages are below 1 % beyond
+constexpr size_t kMostForJackknife =
+    1000;  // an 8 x 8 solution a point; leverages are below 1 % beyond
 constexpr double kLeastCondition = 1e-14;
 
 // In this order: height, slope_u, slope_v, ln sigma, front and behind of zone 0, of zone 1.
@@ -25,7 +26,8 @@ struct PointInformation {
   Mat8 hessian = Mat8::Zero();
 };
 
-PointInformation information_of(const PlaneSample& s, double residual, const ContaminationTable& table) {
+PointInformation information_of(const PlaneSample& s, double residual,
+                                const ContaminationTable& table) {
   using T = ContaminationTable;
   const auto v = table.derivatives(residual);
   const Eigen::Vector3d g(1, static_cast<double>(s.u), static_cast<double>(s.v));
@@ -76,12 +78,14 @@ class Free {
 // Column by column: Eigen's solution of all at once keeps the sizes of the processor's caches in a static variable.
 Mat8 solve(const Eigen::LDLT<Mat8>& factors, const Mat8& right) {
   Mat8 out;
-  for (Eigen::Index k = 0; k < kContaminationStateUnknowns; ++k) out.col(k) = factors.solve(Vec8(right.col(k)));
+  for (Eigen::Index k = 0; k < kContaminationStateUnknowns; ++k)
+    out.col(k) = factors.solve(Vec8(right.col(k)));
   return out;
 }
 
 Mat8 jackknife(const std::vector<PlaneSample>& samples, const ContaminationState& state,
-               const std::vector<ContaminationTable>& tables, const Free& free, const Mat8& hessian) {
+               const std::vector<ContaminationTable>& tables, const Free& free,
+               const Mat8& hessian) {
   Mat8 sum = Mat8::Zero();
   for (const PlaneSample& s : samples) {
     const PointInformation point = information_of(s, state.residual(s), tables[s.zone]);
@@ -94,29 +98,35 @@ Mat8 jackknife(const std::vector<PlaneSample>& samples, const ContaminationState
 
 }  // namespace
 
-std::vector<ContaminationTable> ContaminationState::tables(double tolerance_m, bool with_derivatives) const {
+std::vector<ContaminationTable> ContaminationState::tables(double tolerance_m,
+                                                           bool with_derivatives) const {
   std::vector<ContaminationTable> out;
   for (size_t z = 0; z < kContaminationZones; ++z)
     out.emplace_back(Contamination{sigma_m, tolerance_m, front[z], behind[z]}, with_derivatives);
   return out;
 }
 
-bool contamination_covariance(const std::vector<PlaneSample>& samples, const ContaminationState& state,
-                              double tolerance_m, Task& task, Symmetric3& out) {
+bool contamination_covariance(const std::vector<PlaneSample>& samples,
+                              const ContaminationState& state, double tolerance_m, Task& task,
+                              Symmetric3& out) {
   const std::vector<ContaminationTable> tables = state.tables(tolerance_m, true);
-  const Sums sums = parallel_reduce(task, samples.size(), kContaminationStatePointsPerChunk, Sums{}, [&](size_t begin, size_t end) {
-    Sums part;
-    for (size_t i = begin; i < end; ++i) {
-      const PlaneSample& s = samples[i];
-      const PointInformation point = information_of(s, state.residual(s), tables[s.zone]);
-      part.hessian += point.hessian;
-      part.scores += point.score * point.score.transpose();
-    }
-    return part;
-  });
+  const Sums sums = parallel_reduce(task, samples.size(), kContaminationStatePointsPerChunk, Sums{},
+                                    [&](size_t begin, size_t end) {
+                                      Sums part;
+                                      for (size_t i = begin; i < end; ++i) {
+                                        const PlaneSample& s = samples[i];
+                                        const PointInformation point =
+                                            information_of(s, state.residual(s), tables[s.zone]);
+                                        part.hessian += point.hessian;
+                                        part.scores += point.score * point.score.transpose();
+                                      }
+                                      return part;
+                                    });
   const Free free(state);
   const Eigen::LDLT<Mat8> hessian(free.of(sums.hessian));
-  if (hessian.info() != Eigen::Success || !hessian.isPositive() || !(hessian.rcond() > kLeastCondition)) return false;
+  if (hessian.info() != Eigen::Success || !hessian.isPositive() ||
+      !(hessian.rcond() > kLeastCondition))
+    return false;
   Mat8 c;
   if (samples.size() <= kMostForJackknife) {
     c = jackknife(samples, state, tables, free, sums.hessian);

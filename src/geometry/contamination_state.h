@@ -30,7 +30,8 @@ struct ContaminationState {
 /// Covariance of (slope_u, slope_v, height) at the maximum of the likelihood, shares of 0 taken as known. Few points:
 /// by the one-step jackknife (Hinkley 1977), which allows for their leverage; many: inverse Hessian x scores x inverse
 /// Hessian (White 1982, theorem 3.2). False when the points do not determine the unknowns.
-bool contamination_covariance(const std::vector<PlaneSample>& samples, const ContaminationState& state,
-                              double tolerance_m, Task& task, Symmetric3& out);
+bool contamination_covariance(const std::vector<PlaneSample>& samples,
+                              const ContaminationState& state, double tolerance_m, Task& task,
+                              Symmetric3& out);
 
 }  // namespace jalon

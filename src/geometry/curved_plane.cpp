@@ -51,7 +51,8 @@ bool largest_bend(const BendSums& sums, double length_u, double length_v, Bend& 
   const double residual = std::max(0.0, sums.squares - c.dot(right));
   const double variance = residual / static_cast<double>(sums.n - 6);
   // Principal directions of the second derivatives [[2 c3, c4], [c4, 2 c5]], taken back to metres.
-  const double uu = c(3) / (length_u * length_u), uv = c(4) / (length_u * length_v), vv = c(5) / (length_v * length_v);
+  const double uu = c(3) / (length_u * length_u), uv = c(4) / (length_u * length_v),
+               vv = c(5) / (length_v * length_v);
   const double angle = 0.5 * std::atan2(uv, uu - vv);
   const auto along = [&](double x, double y) {
     Vector6 gradient = Vector6::Zero();
@@ -60,7 +61,8 @@ bool largest_bend(const BendSums& sums, double length_u, double length_v, Bend& 
     gradient(5) = 2 * y * y / (length_v * length_v);
     return Bend{gradient.dot(c), std::sqrt(variance * gradient.dot(solver.solve(gradient)))};
   };
-  const Bend first = along(std::cos(angle), std::sin(angle)), second = along(-std::sin(angle), std::cos(angle));
+  const Bend first = along(std::cos(angle), std::sin(angle)),
+             second = along(-std::sin(angle), std::cos(angle));
   out = std::fabs(first.curvature) >= std::fabs(second.curvature) ? first : second;
   return true;
 }

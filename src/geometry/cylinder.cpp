@@ -9,18 +9,22 @@ namespace jalon {
 
 namespace {
 
-constexpr double kCylinderParallelSine = 0.05;  // 3 degrees between two normals: below, their noise sets the axis
-constexpr double kLeastCosine = 0.906;  // 25 degrees between the normals of point and surface (Schnabel et al. 2007)
-constexpr int kAttempts = 3;                 // one in ten thousand starts leads nowhere
+constexpr double kCylinderParallelSine =
+    0.05;  // 3 degrees between two normals: below, their noise sets the axis
+constexpr double kLeastCosine =
+    0.906;  // 25 degrees between the normals of point and surface (Schnabel et al. 2007)
+constexpr int kAttempts = 3;                // one in ten thousand starts leads nowhere
 constexpr uint64_t kSeedStep = 0x9E3779B9;  // keeps the draws of the attempts apart
-constexpr double kCylinderOpenRadius = 0.5;     // standard deviation of the radius, relative, of a cylinder that nothing fixes
+constexpr double kCylinderOpenRadius =
+    0.5;  // standard deviation of the radius, relative, of a cylinder that nothing fixes
 constexpr double kOpenDirection = 0.5;  // the same of the direction, rad
 // Variance h^2 / 12 along the axis of a closed cylinder against r^2 / 2 across it: h = 2 r * 1.5 gives 1.5 to 1.
 constexpr double kLeastElongation = 1.5;
 
 struct CylinderModel {
   using Point = Vec3;
-  static constexpr size_t kUnknowns = 5;  ///< shift of the point and of the direction along the two vectors across; radius
+  static constexpr size_t kUnknowns =
+      5;  ///< shift of the point and of the direction along the two vectors across; radius
   Cylinder cylinder;
   std::array<Vec3, 2> e;
 
@@ -73,7 +77,8 @@ void turn_up(Vec3& direction) {
 }
 
 // Of point (after it moved by `moved_m` along the axis), direction and radius, from that of the five unknowns.
-std::array<double, 49> full_covariance(const CylinderModel& model, double moved_m, const Square<5>& covariance) {
+std::array<double, 49> full_covariance(const CylinderModel& model, double moved_m,
+                                       const Square<5>& covariance) {
   std::array<double, 35> j{};
   for (size_t k = 0; k < 2; ++k)
     for (size_t i = 0; i < 3; ++i) {
@@ -87,11 +92,13 @@ std::array<double, 49> full_covariance(const CylinderModel& model, double moved_
 }
 
 // False for a draw of two points with normals that make no cylinder, or one that its own two points contradict.
-bool draw_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals, const PrimitiveSetting& setting,
-                   RandomStream& random, CylinderModel& model) {
+bool draw_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals,
+                   const PrimitiveSetting& setting, RandomStream& random, CylinderModel& model) {
   const size_t i = random.below(points.size()), k = random.below(points.size());
   Cylinder c;
-  if (!cylinder_from_normals(points[i], normals[i], points[k], normals[k], c) || !setting.allows(c.radius)) return false;
+  if (!cylinder_from_normals(points[i], normals[i], points[k], normals[k], c) ||
+      !setting.allows(c.radius))
+    return false;
   if (std::fabs(c.distance(points[k])) > setting.tolerance_m) return false;
   model = CylinderModel(centred(points, c));
   return true;
@@ -112,7 +119,8 @@ std::array<Vec3, 2> across(const Vec3& direction) {
   return {u, cross(direction, u)};
 }
 
-bool cylinder_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2, Cylinder& out) {
+bool cylinder_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2,
+                           Cylinder& out) {
   const Vec3 axis = cross(n1, n2);
   const double sine = norm(axis);
   if (!(sine > kCylinderParallelSine)) return false;
@@ -147,8 +155,8 @@ bool axis_from_covariance(std::span<const Vec3> points, Vec3& direction) {
   return true;
 }
 
-bool adjust_cylinder(std::span<const Vec3> points, const Cylinder& start, const PrimitiveSetting& setting, Task& task,
-                     CylinderFit& out) {
+bool adjust_cylinder(std::span<const Vec3> points, const Cylinder& start,
+                     const PrimitiveSetting& setting, Task& task, CylinderFit& out) {
   CylinderModel model(centred(points, start));
   turn_up(model.cylinder.direction);
   model.e = across(model.cylinder.direction);
@@ -160,15 +168,18 @@ bool adjust_cylinder(std::span<const Vec3> points, const Cylinder& start, const 
   fit.sigma = adjusted.sigma;
   const double moved = to_mid_height(points, setting.adjustment().reach_m, fit);
   fit.covariance = full_covariance(model, moved, adjusted.covariance);
-  const double r = fit.cylinder.radius, turn = std::max(adjusted.covariance[12], adjusted.covariance[18]);
+  const double r = fit.cylinder.radius,
+               turn = std::max(adjusted.covariance[12], adjusted.covariance[18]);
   if (!is_finite(fit.cylinder.point) || !setting.allows(r)) return false;
-  if (fit.covariance[48] > kCylinderOpenRadius * kCylinderOpenRadius * r * r || turn > kOpenDirection * kOpenDirection) return false;
+  if (fit.covariance[48] > kCylinderOpenRadius * kCylinderOpenRadius * r * r ||
+      turn > kOpenDirection * kOpenDirection)
+    return false;
   out = fit;
   return true;
 }
 
-bool fit_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals, const PrimitiveSetting& setting,
-                  Task& task, CylinderFit& out) {
+bool fit_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals,
+                  const PrimitiveSetting& setting, Task& task, CylinderFit& out) {
   if (points.size() < 5) return false;
   for (int attempt = 0; attempt < kAttempts && !normals.empty(); ++attempt) {
     PrimitiveSetting anew = setting;
@@ -180,7 +191,8 @@ bool fit_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals, c
     const auto agrees = [&](const CylinderModel& model, size_t i) {
       return normal_agrees(model.cylinder, points[i], normals[i]);
     };
-    if (best_draw(points, anew, 2, task, draw, agrees, start) && adjust_cylinder(points, start.cylinder, anew, task, out))
+    if (best_draw(points, anew, 2, task, draw, agrees, start) &&
+        adjust_cylinder(points, start.cylinder, anew, task, out))
       return true;
   }
   if (!normals.empty()) return false;
@@ -191,8 +203,8 @@ bool fit_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals, c
   return adjust_cylinder(points, start.cylinder, setting, task, out);
 }
 
-bool fit_cylinder_along(const Vec3& direction, std::span<const Vec3> points, const PrimitiveSetting& setting, Task& task,
-                        CylinderFit& out) {
+bool fit_cylinder_along(const Vec3& direction, std::span<const Vec3> points,
+                        const PrimitiveSetting& setting, Task& task, CylinderFit& out) {
   if (points.size() < 3) return false;
   CylinderModel model(Cylinder{points[0], direction, 0});
   turn_up(model.cylinder.direction);
@@ -210,7 +222,8 @@ bool fit_cylinder_along(const Vec3& direction, std::span<const Vec3> points, con
     for (size_t c = 0; c < 3; ++c) covariance[5 * kAt[r] + kAt[c]] = circle.covariance[3 * r + c];
   CylinderFit fit;
   fit.cylinder = model.cylinder;
-  fit.cylinder.point = points[0] + circle.circle.centre.u * model.e[0] + circle.circle.centre.v * model.e[1];
+  fit.cylinder.point =
+      points[0] + circle.circle.centre.u * model.e[0] + circle.circle.centre.v * model.e[1];
   fit.cylinder.radius = circle.circle.radius;
   fit.n = circle.n;
   fit.sigma = circle.sigma;

@@ -21,7 +21,8 @@ struct Cylinder {
   double distance(const Vec3& p) const { return axis_distance(p) - radius; }
 };
 
-/// A cylinder adjusted to points, with the covariance of its parameters. The point of the axis is the one at mid height;
+/// A cylinder adjusted to points, with the covariance of its parameters. The point of the axis is
+/// the one at mid height;
 /// the direction points upward.
 struct CylinderFit {
   Cylinder cylinder;
@@ -37,24 +38,27 @@ std::array<Vec3, 2> across(const Vec3& direction);
 
 /// From two points with normals (Boulaassal 2010, E.26-E.31; Schnabel et al. 2007): the axis along n1 x n2, through the
 /// crossing of the two normals seen along it. False when the normals are nearly parallel.
-bool cylinder_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2, Cylinder& out);
+bool cylinder_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2,
+                           Cylinder& out);
 /// Of a given direction through three points or more, at any height (E.1.2). False when they are on one line as seen
 /// along it.
 bool cylinder_along(const Vec3& direction, std::span<const Vec3> points, Cylinder& out);
-/// Direction of the largest extent (E.33-E.34). False when it cannot be the axis: a closed cylinder is longest along its
+/// Direction of the largest extent (E.33-E.34). False when it cannot be the axis: a closed cylinder
+/// is longest along its
 /// axis from a height of 1.22 diameters on, one seen from one side earlier.
 bool axis_from_covariance(std::span<const Vec3> points, Vec3& direction);
 
 /// Adjusts all five unknowns from a start by Gauss-Newton with damping.
-bool adjust_cylinder(std::span<const Vec3> points, const Cylinder& start, const PrimitiveSetting& setting, Task& task,
-                     CylinderFit& out);
+bool adjust_cylinder(std::span<const Vec3> points, const Cylinder& start,
+                     const PrimitiveSetting& setting, Task& task, CylinderFit& out);
 /// 1. start by random draws of two points with normals, or, without normals (empty), by the axis of the covariance and
-/// draws of a circle across it; 2. adjustment. False when the points are fewer than 5, leave the cylinder open or put its
+/// draws of a circle across it; 2. adjustment. False when the points are fewer than 5, leave the
+/// cylinder open or put its
 /// radius outside the limits. Normals need no common side.
-bool fit_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals, const PrimitiveSetting& setting,
-                  Task& task, CylinderFit& out);
+bool fit_cylinder(std::span<const Vec3> points, std::span<const Vec3> normals,
+                  const PrimitiveSetting& setting, Task& task, CylinderFit& out);
 /// The same with a given direction, e.g. the vertical: a circle in the projection along it; 3 points or more.
-bool fit_cylinder_along(const Vec3& direction, std::span<const Vec3> points, const PrimitiveSetting& setting, Task& task,
-                        CylinderFit& out);
+bool fit_cylinder_along(const Vec3& direction, std::span<const Vec3> points,
+                        const PrimitiveSetting& setting, Task& task, CylinderFit& out);
 
 }  // namespace jalon

@@ -28,7 +28,8 @@ int64_t turn(const Node& a, const Node& b, const Node& c) {
 
 /// Is d strictly inside the circle through the anticlockwise a, b, c?
 bool in_circle(const Node& a, const Node& b, const Node& c, const Node& d) {
-  const int64_t ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
+  const int64_t ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x,
+                cy = c.y - d.y;
   const __int128 sum = static_cast<__int128>(ax * ax + ay * ay) * (bx * cy - cx * by) +
                        static_cast<__int128>(bx * bx + by * by) * (cx * ay - ax * cy) +
                        static_cast<__int128>(cx * cx + cy * cy) * (ax * by - bx * ay);
@@ -43,8 +44,8 @@ struct Edge {
 }  // namespace
 
 struct Delaunay::Impl {
-  std::vector<Node> nodes;                        // distinct, sorted by x then y
-  std::vector<uint32_t> sources;                  // node -> first point on it
+  std::vector<Node> nodes;                          // distinct, sorted by x then y
+  std::vector<uint32_t> sources;                    // node -> first point on it
   std::vector<std::pair<uint64_t, uint32_t>> keys;  // (x, y) packed, point
   std::vector<Edge> edges;
   std::vector<uint32_t> free_edges;
@@ -52,7 +53,8 @@ struct Delaunay::Impl {
   Task* task = nullptr;
 
   struct Hull {
-    uint32_t left, right;  ///< anticlockwise hull edge out of the leftmost node, clockwise one out of the rightmost
+    uint32_t left,
+        right;  ///< anticlockwise hull edge out of the leftmost node, clockwise one out of the rightmost
   };
 
   static uint32_t reverse(uint32_t e) { return e ^ 1; }
@@ -60,10 +62,16 @@ struct Delaunay::Impl {
   uint32_t target(uint32_t e) const { return edges[e ^ 1].origin; }
   uint32_t onext(uint32_t e) const { return edges[e].next; }
   uint32_t oprev(uint32_t e) const { return edges[e].previous; }
-  uint32_t lnext(uint32_t e) const { return oprev(e ^ 1); }  // next anticlockwise about the left face
+  uint32_t lnext(uint32_t e) const {
+    return oprev(e ^ 1);
+  }  // next anticlockwise about the left face
   uint32_t rprev(uint32_t e) const { return onext(e ^ 1); }
-  bool is_left(uint32_t node, uint32_t e) const { return turn(nodes[node], nodes[origin(e)], nodes[target(e)]) > 0; }
-  bool is_right(uint32_t node, uint32_t e) const { return turn(nodes[node], nodes[target(e)], nodes[origin(e)]) > 0; }
+  bool is_left(uint32_t node, uint32_t e) const {
+    return turn(nodes[node], nodes[origin(e)], nodes[target(e)]) > 0;
+  }
+  bool is_right(uint32_t node, uint32_t e) const {
+    return turn(nodes[node], nodes[target(e)], nodes[origin(e)]) > 0;
+  }
   bool circle(uint32_t a, uint32_t b, uint32_t c, uint32_t d) const {
     return in_circle(nodes[a], nodes[b], nodes[c], nodes[d]);
   }
@@ -117,22 +125,26 @@ void Delaunay::Impl::snap(std::span<const Vec2> points, double grid_m) {
   sources.clear();
   keys.clear();
   if (points.empty()) return;
-  if (points.size() >= kDead / 6) fail(Status::kLimit, "too many points (%zu) for one triangulation", points.size());
+  if (points.size() >= kDead / 6)
+    fail(Status::kLimit, "too many points (%zu) for one triangulation", points.size());
   Vec2 low = points[0];
   for (const Vec2& p : points) low = {std::min(low.u, p.u), std::min(low.v, p.v)};
   const auto steps = [&](double offset) {
     const double number = offset / grid_m + 0.5;
     if (!(number < kDelaunay2MaxSteps))  // also NaN
-      fail(Status::kLimit, "the points of a triangulation lie too far apart for its grid, or are not finite");
+      fail(Status::kLimit,
+           "the points of a triangulation lie too far apart for its grid, or are not finite");
     return static_cast<uint64_t>(number);
   };
   keys.resize(points.size());
   for (size_t i = 0; i < points.size(); ++i)
-    keys[i] = {steps(points[i].u - low.u) << 32 | steps(points[i].v - low.v), static_cast<uint32_t>(i)};
+    keys[i] = {steps(points[i].u - low.u) << 32 | steps(points[i].v - low.v),
+               static_cast<uint32_t>(i)};
   std::sort(keys.begin(), keys.end());
   for (size_t i = 0; i < keys.size(); ++i) {
     if (i > 0 && keys[i].first == keys[i - 1].first) continue;
-    nodes.push_back({static_cast<int64_t>(keys[i].first >> 32), static_cast<int64_t>(keys[i].first & 0xffffffffu)});
+    nodes.push_back({static_cast<int64_t>(keys[i].first >> 32),
+                     static_cast<int64_t>(keys[i].first & 0xffffffffu)});
     sources.push_back(keys[i].second);
   }
 }
@@ -149,14 +161,12 @@ Delaunay::Impl::Hull Delaunay::Impl::of_three(size_t first) {
 }
 
 /// Lowest common tangent of the two halves; inner_left and inner_right are moved to it.
-uint32_t Delaunay::Impl::lower_tangent(Hull& left, Hull& right, uint32_t& inner_left, uint32_t& inner_right) {
+uint32_t Delaunay::Impl::lower_tangent(Hull& left, Hull& right, uint32_t& inner_left,
+                                       uint32_t& inner_right) {
   for (;;) {
-    if (is_left(origin(inner_right), inner_left))
-      inner_left = lnext(inner_left);
-    else if (is_right(origin(inner_left), inner_right))
-      inner_right = rprev(inner_right);
-    else
-      break;
+    if (is_left(origin(inner_right), inner_left)) inner_left = lnext(inner_left);
+    else if (is_right(origin(inner_left), inner_right)) inner_right = rprev(inner_right);
+    else break;
   }
   const uint32_t base = connect(reverse(inner_right), inner_left);
   if (origin(inner_left) == origin(left.left)) left.left = reverse(base);
@@ -186,8 +196,7 @@ void Delaunay::Impl::sew(uint32_t base) {
     if (!left_ok && !right_ok) return;
     if (!left_ok || (right_ok && circle(target(left), origin(left), origin(right), target(right))))
       base = connect(right, reverse(base));
-    else
-      base = connect(reverse(base), reverse(left));
+    else base = connect(reverse(base), reverse(left));
   }
 }
 
@@ -212,14 +221,16 @@ void Delaunay::Impl::collect() {
     const uint32_t f = lnext(e), g = lnext(f);
     if (f < e || g < e || lnext(g) != e) continue;
     const uint32_t a = origin(e), b = origin(f), c = origin(g);
-    if (turn(nodes[a], nodes[b], nodes[c]) > 0) triangles.push_back({sources[a], sources[b], sources[c]});
+    if (turn(nodes[a], nodes[b], nodes[c]) > 0)
+      triangles.push_back({sources[a], sources[b], sources[c]});
   }
 }
 
 Delaunay::Delaunay() : impl_(std::make_unique<Impl>()) {}
 Delaunay::~Delaunay() = default;
 
-std::span<const std::array<uint32_t, 3>> Delaunay::run(std::span<const Vec2> points, double grid_m, Task* task) {
+std::span<const std::array<uint32_t, 3>> Delaunay::run(std::span<const Vec2> points, double grid_m,
+                                                       Task* task) {
   Impl& d = *impl_;
   d.task = task;
   d.edges.clear();
@@ -233,7 +244,8 @@ std::span<const std::array<uint32_t, 3>> Delaunay::run(std::span<const Vec2> poi
   return d.triangles;
 }
 
-std::vector<std::array<uint32_t, 3>> delaunay(std::span<const Vec2> points, double grid_m, Task* task) {
+std::vector<std::array<uint32_t, 3>> delaunay(std::span<const Vec2> points, double grid_m,
+                                              Task* task) {
   Delaunay delaunay;
   const auto triangles = delaunay.run(points, grid_m, task);
   return {triangles.begin(), triangles.end()};

@@ -28,7 +28,8 @@ constexpr double kDelaunayGrid_m = 1e-4;
 /// - task (optional) is asked now and then whether to stop.
 /// O(n log n); about 1.5 us a point at a million.
 /// Source: Guibas & Stolfi 1985, divide and conquer.
-std::vector<std::array<uint32_t, 3>> delaunay(std::span<const Vec2> points, double grid_m = kDelaunayGrid_m,
+std::vector<std::array<uint32_t, 3>> delaunay(std::span<const Vec2> points,
+                                              double grid_m = kDelaunayGrid_m,
                                               Task* task = nullptr);
 
 /// The same with memory kept between calls, for very many small sets.
@@ -39,7 +40,8 @@ class Delaunay {
   Delaunay(const Delaunay&) = delete;
   Delaunay& operator=(const Delaunay&) = delete;
   /// Valid until the next call.
-  std::span<const std::array<uint32_t, 3>> run(std::span<const Vec2> points, double grid_m, Task* task = nullptr);
+  std::span<const std::array<uint32_t, 3>> run(std::span<const Vec2> points, double grid_m,
+                                               Task* task = nullptr);
 
  private:
   struct Impl;

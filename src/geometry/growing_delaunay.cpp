@@ -47,11 +47,14 @@ void GrowingDelaunay::snap(std::span<const Vec2> points, double grid_m) {
     x_[i] = steps(points[i].u - low.u);
     y_[i] = steps(points[i].v - low.v);
   }
-  if (!fits) fail(Status::kLimit, "the points of a triangulation lie too far apart for its grid, or are not finite");
+  if (!fits)
+    fail(Status::kLimit,
+         "the points of a triangulation lie too far apart for its grid, or are not finite");
 }
 
 int64_t GrowingDelaunay::turn(uint32_t a, uint32_t b, uint32_t c) const {
-  return static_cast<int64_t>((x_[b] - x_[a]) * (y_[c] - y_[a]) - (y_[b] - y_[a]) * (x_[c] - x_[a]));
+  return static_cast<int64_t>((x_[b] - x_[a]) * (y_[c] - y_[a]) -
+                              (y_[b] - y_[a]) * (x_[c] - x_[a]));
 }
 
 uint32_t GrowingDelaunay::first_on_node(uint32_t i) const {
@@ -75,7 +78,8 @@ uint32_t GrowingDelaunay::nearest_node(uint32_t centre) const {
 // least.
 uint32_t GrowingDelaunay::apex(uint32_t a, uint32_t b) const {
   const Doubles infinity = Doubles{} + std::numeric_limits<double>::infinity();
-  const Doubles ax = Doubles{} + x_[a], ay = Doubles{} + y_[a], bx = Doubles{} + x_[b], by = Doubles{} + y_[b];
+  const Doubles ax = Doubles{} + x_[a], ay = Doubles{} + y_[a], bx = Doubles{} + x_[b],
+                by = Doubles{} + y_[b];
   Doubles least = infinity;
   Mask where = {}, equal = {}, here = {0, 1};
   for (size_t i = 0; i < x_.size(); i += kLanes, here += kLanes) {
@@ -97,7 +101,8 @@ uint32_t GrowingDelaunay::apex(uint32_t a, uint32_t b) const {
     if (least[i] < least[lane]) lane = i, unique = true;
   }
   if (least[lane] == infinity[0]) return kNone;
-  return unique && equal[lane] == 0 ? static_cast<uint32_t>(where[lane]) : apex_among_equal(a, b, least[lane]);
+  return unique && equal[lane] == 0 ? static_cast<uint32_t>(where[lane])
+                                    : apex_among_equal(a, b, least[lane]);
 }
 
 // Of the points that see ab under the largest angle, which then lie on one circle, the one that the fan about the first
@@ -116,7 +121,8 @@ uint32_t GrowingDelaunay::apex_among_equal(uint32_t a, uint32_t b, double least)
   }
   if (equal[0] < std::min(a, b)) return equal[0];
   const auto nearer_b = [&](uint32_t c, uint32_t d) { return turn(a, c, d) > 0; };
-  return a < b ? *std::ranges::min_element(equal, nearer_b) : *std::ranges::max_element(equal, nearer_b);
+  return a < b ? *std::ranges::min_element(equal, nearer_b)
+               : *std::ranges::max_element(equal, nearer_b);
 }
 
 void GrowingDelaunay::start(std::span<const Vec2> points, double grid_m, uint32_t centre) {

@@ -61,7 +61,8 @@ void shift_origin(PlaneFit& fit, const Vec3& shift) {
 
 void turn_over(PlaneFit& fit) {
   fit.plane = {-fit.plane.normal, -fit.plane.offset};
-  fit.axis_v = -fit.axis_v;  // keeps axis_u x axis_v = normal: alpha and gamma change sign, beta does not
+  fit.axis_v =
+      -fit.axis_v;  // keeps axis_u x axis_v = normal: alpha and gamma change sign, beta does not
   fit.local_covariance[1] = -fit.local_covariance[1];
   fit.local_covariance[4] = -fit.local_covariance[4];
 }
@@ -82,7 +83,8 @@ void update_covariance(PlaneFit& fit) {
   for (size_t i = 0; i < 4; ++i)
     for (size_t j = 0; j < 4; ++j)
       for (size_t k = 0; k < 3; ++k)
-        for (size_t l = 0; l < 3; ++l) fit.covariance[4 * i + j] += jacobian[i][k] * local[k][l] * jacobian[j][l];
+        for (size_t l = 0; l < 3; ++l)
+          fit.covariance[4 * i + j] += jacobian[i][k] * local[k][l] * jacobian[j][l];
 }
 
 double rms_about(const Moments& moments, const Plane& plane) {

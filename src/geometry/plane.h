@@ -18,7 +18,8 @@ struct Plane {
   double distance(const Vec3& p) const { return dot(normal, p) - offset; }
 };
 
-/// Running sums about a reference point near the data, so that map coordinates lose nothing. Sums of parts, added in a fixed
+/// Running sums about a reference point near the data, so that map coordinates lose nothing. Sums
+/// of parts, added in a fixed
 /// order, give the same bits for any number of threads.
 struct Moments {
   Vec3 reference;
@@ -55,7 +56,7 @@ struct PlaneFit {
   Vec3 centroid, axis_u, axis_v;      ///< axis_u: largest extent; axis_u x axis_v = normal
   std::array<double, 3> eigenvalues;  ///< of the covariance (divided by n), ascending
   uint64_t n = 0;
-  double sigma = 0;                   ///< sqrt(sum of squared distances / (n - 3)); 0 for n = 3
+  double sigma = 0;  ///< sqrt(sum of squared distances / (n - 3)); 0 for n = 3
   /// In the plane's own frame, of w = alpha u + beta v + gamma from the centroid: of (alpha, beta, gamma).
   Symmetric3 local_covariance{};
   std::array<double, 16> covariance{};  ///< of (nx, ny, nz, offset), row-major, rank 3
@@ -66,7 +67,8 @@ bool fit_plane(const Moments& moments, PlaneFit& out);
 bool fit_plane(std::span<const Vec3> points, PlaneFit& out);
 /// Root of the mean squared distance of the points to any plane; their number must not be 0.
 double rms_about(const Moments& moments, const Plane& plane);
-/// The same fit in coordinates q = p + shift: moves centroid and offset and propagates the covariance of the offset, which grows with
+/// The same fit in coordinates q = p + shift: moves centroid and offset and propagates the
+/// covariance of the offset, which grows with
 /// the distance of the origin from the centroid.
 void shift_origin(PlaneFit& fit, const Vec3& shift);
 /// The same plane seen from its other side; axis_u stays.

@@ -35,13 +35,16 @@ Symmetric3 polar_covariance(const Vec3& ray, const Vec3& up, const PolarSigmas& 
   }
   // Straight up or down the vertical angle moves the point in an unknown direction: half of its variance in each.
   const double half = d * d * sigmas.vertical_rad * sigmas.vertical_rad / 2;
-  const Vec3 other = normalized(std::fabs(along.x) < 0.5 ? cross(along, Vec3{1, 0, 0}) : cross(along, Vec3{0, 1, 0}));
+  const Vec3 other = normalized(std::fabs(along.x) < 0.5 ? cross(along, Vec3{1, 0, 0})
+                                                         : cross(along, Vec3{0, 1, 0}));
   add_square(c, other, half);
   add_square(c, cross(along, other), half);
   return c;
 }
 
-double point_sigma(const Symmetric3& covariance) { return std::sqrt(covariance[0] + covariance[3] + covariance[5]); }
+double point_sigma(const Symmetric3& covariance) {
+  return std::sqrt(covariance[0] + covariance[3] + covariance[5]);
+}
 
 double variance_along(const Symmetric3& c, const Vec3& n) {
   return c[0] * n.x * n.x + c[3] * n.y * n.y + c[5] * n.z * n.z +

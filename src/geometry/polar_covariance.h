@@ -10,10 +10,11 @@ namespace jalon {
 /// What moves a scanned point across and along its ray, uncorrelated (Boulaassal 2010, 5.3.3).
 struct PolarSigmas {
   double range_m = 0;
-  double horizontal_rad = 0;    ///< of the horizontal angle: moves a point by d cos v times it
-  double vertical_rad = 0;      ///< of the vertical angle
-  double levelling_rad = 0;     ///< a tilt of the vertical axis across the ray: moves it sideways by d sin v times it
-  double lateral_m = 0;         ///< across the ray in any direction, e.g. of the beam's width
+  double horizontal_rad = 0;  ///< of the horizontal angle: moves a point by d cos v times it
+  double vertical_rad = 0;    ///< of the vertical angle
+  double levelling_rad =
+      0;  ///< a tilt of the vertical axis across the ray: moves it sideways by d sin v times it
+  double lateral_m = 0;  ///< across the ray in any direction, e.g. of the beam's width
 };
 
 /// Covariance (m2) of a point at `ray` from the scanner, in the frame of `ray` and up (unit, the scanner's vertical

@@ -19,7 +19,8 @@ bool on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 /// Marks the corners strictly between first and last (indices modulo n) that the recursion keeps;
 /// an explicit stack, so that long lines cannot overflow the machine's.
-void keep_between(std::span<const Vec2> line, size_t first, size_t last, double tolerance, std::vector<uint8_t>& keep) {
+void keep_between(std::span<const Vec2> line, size_t first, size_t last, double tolerance,
+                  std::vector<uint8_t>& keep) {
   std::vector<std::pair<size_t, size_t>> stack{{first, last}};
   while (!stack.empty()) {
     const auto [from, to] = stack.back();
@@ -27,7 +28,8 @@ void keep_between(std::span<const Vec2> line, size_t first, size_t last, double 
     double worst = tolerance;
     size_t split = from;
     for (size_t i = from + 1; i < to; ++i) {
-      const double d = segment_distance(line[i % line.size()], line[from % line.size()], line[to % line.size()]);
+      const double d =
+          segment_distance(line[i % line.size()], line[from % line.size()], line[to % line.size()]);
       if (d > worst) {
         worst = d;
         split = i;
@@ -50,7 +52,8 @@ double signed_area(std::span<const Vec2> polygon) {
 
 double perimeter(std::span<const Vec2> polygon) {
   double sum = 0;
-  for (size_t i = 0; i < polygon.size(); ++i) sum += norm(polygon[(i + 1) % polygon.size()] - polygon[i]);
+  for (size_t i = 0; i < polygon.size(); ++i)
+    sum += norm(polygon[(i + 1) % polygon.size()] - polygon[i]);
   return sum;
 }
 
@@ -111,12 +114,14 @@ std::vector<uint32_t> convex_hull(std::span<const Vec2> points) {
     const Vec2 &p = points[a], &q = points[b];
     return p.u != q.u ? p.u < q.u : p.v != q.v ? p.v < q.v : a < b;
   });
-  order.erase(std::unique(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return points[a] == points[b]; }),
+  order.erase(std::unique(order.begin(), order.end(),
+                          [&](uint32_t a, uint32_t b) { return points[a] == points[b]; }),
               order.end());
   if (order.size() < 3) return order;
   std::vector<uint32_t> hull;
   const auto extend = [&](uint32_t i, size_t floor) {
-    while (hull.size() >= floor + 2 && turn(points[hull[hull.size() - 2]], points[hull.back()], points[i]) <= 0)
+    while (hull.size() >= floor + 2 &&
+           turn(points[hull[hull.size() - 2]], points[hull.back()], points[i]) <= 0)
       hull.pop_back();
     hull.push_back(i);
   };

@@ -78,7 +78,8 @@ std::vector<BorderEdge> border_of(const Region& region) {
 }
 
 int64_t cross(const Point& a, const Point& b, const Point& c) {
-  return static_cast<int64_t>(b.x() - a.x()) * (c.y() - a.y()) - static_cast<int64_t>(b.y() - a.y()) * (c.x() - a.x());
+  return static_cast<int64_t>(b.x() - a.x()) * (c.y() - a.y()) -
+         static_cast<int64_t>(b.y() - a.y()) * (c.x() - a.x());
 }
 
 double area_of(const Region& region, double grid_m) {
@@ -102,7 +103,8 @@ bool comes_first_clockwise(const Point& at, const Point& a, const Point& b, cons
 
 class RingTracer {
  public:
-  explicit RingTracer(std::vector<BorderEdge> border) : border_(std::move(border)), used_(border_.size()) {
+  explicit RingTracer(std::vector<BorderEdge> border)
+      : border_(std::move(border)), used_(border_.size()) {
     std::sort(border_.begin(), border_.end(), [](const BorderEdge& a, const BorderEdge& b) {
       return !(a.from == b.from) ? a.from < b.from : a.to < b.to;
     });
@@ -129,12 +131,14 @@ class RingTracer {
 
   // Of the free edges from its end the one that keeps closest to the region.
   size_t next(const BorderEdge& e) const {
-    const auto from = std::lower_bound(border_.begin(), border_.end(), e.to,
-                                       [](const BorderEdge& b, const Point& p) { return b.from < p; });
+    const auto from =
+        std::lower_bound(border_.begin(), border_.end(), e.to,
+                         [](const BorderEdge& b, const Point& p) { return b.from < p; });
     size_t best = border_.size();
     for (auto b = from; b != border_.end() && b->from == e.to; ++b) {
       const auto i = static_cast<size_t>(b - border_.begin());
-      if (used_[i] == 0 && (best == border_.size() || comes_first_clockwise(e.to, e.from, b->to, border_[best].to)))
+      if (used_[i] == 0 &&
+          (best == border_.size() || comes_first_clockwise(e.to, e.from, b->to, border_[best].to)))
         best = i;
     }
     return best;
@@ -160,7 +164,8 @@ class RingTracer {
   static void add(const Ring& ring, std::vector<Ring>& out) {
     Ring kept;
     for (size_t i = 0; i < ring.size(); ++i)
-      if (cross(ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]) != 0)
+      if (cross(ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]) !=
+          0)
         kept.push_back(ring[i]);
     if (kept.size() >= 3) out.push_back(std::move(kept));
   }
@@ -188,7 +193,8 @@ std::vector<PolygonWithHoles> nested(const std::vector<Ring>& rings, double grid
     const Vec2 middle = (hole[0] + hole[1]) * 0.5;
     size_t best = out.size();
     for (size_t k = 0; k < out.size(); ++k)
-      if ((best == out.size() || areas[k] < areas[best]) && contains(out[k].outline, middle)) best = k;
+      if ((best == out.size() || areas[k] < areas[best]) && contains(out[k].outline, middle))
+        best = k;
     if (best < out.size()) out[best].holes.push_back(std::move(hole));
   }
   return out;
@@ -202,21 +208,31 @@ std::vector<PolygonWithHoles> combined(SetOperation operation, std::span<const P
   Region region = region_of(a, grid_m);
   const Region other = region_of(b, grid_m);
   switch (operation) {
-    case SetOperation::kIntersection: region &= other; break;
-    case SetOperation::kUnion: region |= other; break;
-    case SetOperation::kDifference: region -= other; break;
-    case SetOperation::kXor: region ^= other; break;
+    case SetOperation::kIntersection:
+      region &= other;
+      break;
+    case SetOperation::kUnion:
+      region |= other;
+      break;
+    case SetOperation::kDifference:
+      region -= other;
+      break;
+    case SetOperation::kXor:
+      region ^= other;
+      break;
   }
   return nested(RingTracer(border_of(region)).trace(), grid_m);
 }
 
-SharedArea shared_area(std::span<const PolygonWithHoles> a, std::span<const PolygonWithHoles> b, double grid_m) {
+SharedArea shared_area(std::span<const PolygonWithHoles> a, std::span<const PolygonWithHoles> b,
+                       double grid_m) {
   using namespace bp::operators;
   Region both = region_of(a, grid_m);
   const Region other = region_of(b, grid_m);
   SharedArea out{area_of(both, grid_m), area_of(other, grid_m), 0};
   both &= other;
-  out.both = std::min({area_of(both, grid_m), out.a, out.b});  // rounded crossings must not add to it
+  out.both =
+      std::min({area_of(both, grid_m), out.a, out.b});  // rounded crossings must not add to it
   return out;
 }
 

@@ -17,20 +17,24 @@ namespace jalon {
 struct PrimitiveSetting {
   double tolerance_m = 0.025;  ///< half-thickness: points further from the surface are outliers
   double min_radius_m = 0.001, max_radius_m = 1000;
-  bool robust = true;          ///< random draws and biweight; else least squares on every point
+  bool robust = true;  ///< random draws and biweight; else least squares on every point
   uint64_t seed = 1;
 
-  bool allows(double radius_m) const { return radius_m >= min_radius_m && radius_m <= max_radius_m; }
+  bool allows(double radius_m) const {
+    return radius_m >= min_radius_m && radius_m <= max_radius_m;
+  }
   AdjustSetting adjustment() const { return {robust ? tolerance_m : INFINITY, robust}; }
 };
 
 namespace draws {
 
-constexpr size_t kSample = 512;          // points that score a draw
-constexpr double kProbability = 0.999;   // that a draw without outliers is among them
+constexpr size_t kSample = 512;         // points that score a draw
+constexpr double kProbability = 0.999;  // that a draw without outliers is among them
 constexpr int kLeastDraws = 64, kMostDraws = 4000;
-constexpr double kSafety = 4;            // a draw without outliers may still be poor: points close together, noisy normals
-constexpr int kLocalSteps = 20;          // least-squares steps on each new best draw (Chum, Matas & Kittler 2003)
+constexpr double kSafety =
+    4;  // a draw without outliers may still be poor: points close together, noisy normals
+constexpr int kLocalSteps =
+    20;  // least-squares steps on each new best draw (Chum, Matas & Kittler 2003)
 
 inline size_t sample_step(size_t points) { return points / kSample + 1; }
 
@@ -44,8 +48,8 @@ std::vector<Point> even_sample(std::span<const Point> points) {
 /// Sum of min(d^2, reach^2), and the points within reach (Torr & Zisserman 2000: MSAC); agrees(model, i) tells whether
 /// the normal of point i lets it lie on the model (Schnabel et al. 2007).
 template <class Model, class Agrees>
-double score(std::span<const typename Model::Point> sample, size_t step, const Model& model, double reach_m,
-             Agrees&& agrees, size_t& inliers) {
+double score(std::span<const typename Model::Point> sample, size_t step, const Model& model,
+             double reach_m, Agrees&& agrees, size_t& inliers) {
   double sum = 0;
   inliers = 0;
   for (size_t i = 0; i < sample.size(); ++i) {
@@ -59,7 +63,8 @@ double score(std::span<const typename Model::Point> sample, size_t step, const M
 
 /// Draws that a minimal set of `size` points without outliers needs (Boulaassal 2010, C.2).
 inline double needed(size_t inliers, size_t all, size_t size) {
-  const double share = std::pow(static_cast<double>(inliers) / static_cast<double>(all), static_cast<double>(size));
+  const double share =
+      std::pow(static_cast<double>(inliers) / static_cast<double>(all), static_cast<double>(size));
   if (share >= 1) return 0;
   return share > 0 ? std::log(1 - kProbability) / std::log(1 - share) : INFINITY;
 }
@@ -68,8 +73,8 @@ inline double needed(size_t inliers, size_t all, size_t size) {
 
 /// The best of adaptively many models that draw(random, model) makes of minimal sets; false when none is usable.
 template <class Model, class Draw, class Agrees>
-bool best_draw(std::span<const typename Model::Point> points, const PrimitiveSetting& setting, size_t minimal, Task& task,
-               Draw&& draw, Agrees&& agrees, Model& best) {
+bool best_draw(std::span<const typename Model::Point> points, const PrimitiveSetting& setting,
+               size_t minimal, Task& task, Draw&& draw, Agrees&& agrees, Model& best) {
   using namespace draws;
   const auto sample = even_sample(points);
   const size_t step = sample_step(points.size());
@@ -84,12 +89,14 @@ bool best_draw(std::span<const typename Model::Point> points, const PrimitiveSet
     const double now = score<Model>(sample, step, model, reach, agrees, inliers);
     if (!(now < best_score)) continue;
     Model refined = model;
-    adjustment::descend<Model>(sample, {reach, INFINITY}, kLocalSteps, adjustment::kSmallStep, task, refined);
+    adjustment::descend<Model>(sample, {reach, INFINITY}, kLocalSteps, adjustment::kSmallStep, task,
+                               refined);
     const double after = score<Model>(sample, step, refined, reach, agrees, more);
     const bool better = after < now && setting.allows(refined.radius());
     best = better ? refined : model;
     best_score = better ? after : now;
-    enough = std::min<double>(kMostDraws, kSafety * needed(better ? more : inliers, sample.size(), minimal));
+    enough = std::min<double>(kMostDraws,
+                              kSafety * needed(better ? more : inliers, sample.size(), minimal));
   }
   return best_score < INFINITY;
 }

@@ -13,7 +13,9 @@ namespace jalon {
 struct Quadric {
   double a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;
 
-  double height(double x, double y) const { return a * x * x + b * x + c * x * y + d * y + e * y * y + f; }
+  double height(double x, double y) const {
+    return a * x * x + b * x + c * x * y + d * y + e * y * y + f;
+  }
   /// Unit normal of the graph over (x, y), on the side of +z.
   Vec3 normal(double x, double y) const;
   /// Mean curvature (1 / m), positive where the surface bends toward +z like a bowl.

@@ -33,9 +33,11 @@ double nearest(const Wave& wave, double about) {
 
 // Double range by ever shorter beats with the longest wavelength.
 double double_range_by_beats(const std::vector<Wave>& waves) {
-  double place = on_beat(waves[0], waves[1]);  // waves fall in length: the second is the closest, its beat the longest
+  double place = on_beat(
+      waves[0], waves[1]);  // waves fall in length: the second is the closest, its beat the longest
   for (size_t i = 2; i < waves.size(); ++i) {
-    const double beat = waves[0].length_m * waves[i].length_m / (waves[0].length_m - waves[i].length_m);
+    const double beat =
+        waves[0].length_m * waves[i].length_m / (waves[0].length_m - waves[i].length_m);
     place = nearest({beat, on_beat(waves[0], waves[i])}, place);
   }
   return place;
@@ -46,11 +48,12 @@ double double_range_by_beats(const std::vector<Wave>& waves) {
 double returned_intensity(double reflectance, double incidence_rad, double exponent, double range_m,
                           double attenuation) {
   const double cosine = std::max(0.0, std::cos(incidence_rad));
-  return reflectance * std::pow(cosine, exponent) / (range_m * range_m) * std::exp(-attenuation * range_m);
+  return reflectance * std::pow(cosine, exponent) / (range_m * range_m) *
+         std::exp(-attenuation * range_m);
 }
 
-double attenuation_per_m(double molecular_absorption, double molecular_scattering, double aerosol_absorption,
-                         double aerosol_scattering) {
+double attenuation_per_m(double molecular_absorption, double molecular_scattering,
+                         double aerosol_absorption, double aerosol_scattering) {
   return molecular_absorption + molecular_scattering + aerosol_absorption + aerosol_scattering;
 }
 
@@ -64,7 +67,9 @@ double time_walk_m(double rise_time_s, double factor, double amplitude) {
   return kSpeedOfLight_m_s * rise_time_s * factor * (1 - 1 / amplitude);
 }
 
-double temperature_drift_m(double drift_m_per_k, double difference_k) { return drift_m_per_k * difference_k; }
+double temperature_drift_m(double drift_m_per_k, double difference_k) {
+  return drift_m_per_k * difference_k;
+}
 
 double azimuth_sigma_rad(double sigma_coordinates_m, double backsight_distance_m) {
   return std::numbers::sqrt2 * sigma_coordinates_m / backsight_distance_m;
@@ -72,7 +77,8 @@ double azimuth_sigma_rad(double sigma_coordinates_m, double backsight_distance_m
 
 double levelling_sigma_rad(double sensitivity_rad) { return 0.2 * sensitivity_rad; }
 
-double common_wavelengths(double lambda1_m, double remainder1_m, double lambda2_m, double remainder2_m) {
+double common_wavelengths(double lambda1_m, double remainder1_m, double lambda2_m,
+                          double remainder2_m) {
   return std::round((remainder2_m - remainder1_m) / (lambda1_m - lambda2_m));
 }
 
@@ -80,14 +86,16 @@ double phase_range_m(std::span<const double> wavelengths_m, std::span<const doub
   std::vector<Wave> waves;
   for (size_t i = 0; i < wavelengths_m.size(); ++i) {
     waves.push_back({wavelengths_m[i], remainders_m[i]});
-    if (!(waves[i].length_m > 0) || !std::isfinite(waves[i].length_m) || !(waves[i].remainder_m >= 0) ||
-        !(waves[i].remainder_m <= waves[i].length_m))
+    if (!(waves[i].length_m > 0) || !std::isfinite(waves[i].length_m) ||
+        !(waves[i].remainder_m >= 0) || !(waves[i].remainder_m <= waves[i].length_m))
       fail(Status::kInvalidArgument, "wavelength %zu or its remainder is no length within it", i);
   }
   if (waves.empty()) fail(Status::kInsufficientData, "no wavelengths");
-  std::stable_sort(waves.begin(), waves.end(), [](const Wave& a, const Wave& b) { return a.length_m > b.length_m; });
+  std::stable_sort(waves.begin(), waves.end(),
+                   [](const Wave& a, const Wave& b) { return a.length_m > b.length_m; });
   for (size_t i = 1; i < waves.size(); ++i)
-    if (waves[i].length_m == waves[i - 1].length_m) fail(Status::kInvalidArgument, "two wavelengths are equal");
+    if (waves[i].length_m == waves[i - 1].length_m)
+      fail(Status::kInvalidArgument, "two wavelengths are equal");
   constexpr double kNested = 2;  // the longest against the shortest
   const bool close = waves.size() > 1 && waves.front().length_m < kNested * waves.back().length_m;
   double place = close ? double_range_by_beats(waves) : waves.front().remainder_m;
@@ -96,7 +104,8 @@ double phase_range_m(std::span<const double> wavelengths_m, std::span<const doub
   return sum / static_cast<double>(waves.size()) / 2;
 }
 
-BaselineConstant baseline_constant(std::span<const double> measured_m, std::span<const double> known_m) {
+BaselineConstant baseline_constant(std::span<const double> measured_m,
+                                   std::span<const double> known_m) {
   if (measured_m.empty()) fail(Status::kInsufficientData, "a baseline needs at least one distance");
   BaselineConstant out;
   out.count = measured_m.size();

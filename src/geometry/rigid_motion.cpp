@@ -16,9 +16,12 @@ Transform rotation_by(const Vec3& rotation) {
   const double c = small > 1e-12 ? 2 * half * half / small : 0.5 - small / 24;
   const Vec3& r = rotation;
   Transform out;
-  out.m = {1 - c * (r.y * r.y + r.z * r.z), c * r.x * r.y - s * r.z, c * r.x * r.z + s * r.y, 0,
-           c * r.x * r.y + s * r.z, 1 - c * (r.x * r.x + r.z * r.z), c * r.y * r.z - s * r.x, 0,
-           c * r.x * r.z - s * r.y, c * r.y * r.z + s * r.x, 1 - c * (r.x * r.x + r.y * r.y), 0};
+  out.m = {1 - c * (r.y * r.y + r.z * r.z), c * r.x * r.y - s * r.z,
+           c * r.x * r.z + s * r.y,         0,
+           c * r.x * r.y + s * r.z,         1 - c * (r.x * r.x + r.z * r.z),
+           c * r.y * r.z - s * r.x,         0,
+           c * r.x * r.z - s * r.y,         c * r.y * r.z + s * r.x,
+           1 - c * (r.x * r.x + r.y * r.y), 0};
   return out;
 }
 
@@ -54,7 +57,9 @@ double MotionModel::residual(const PlanePair& pair, Coefficients<6>& derivatives
 }
 
 void MotionModel::move(const Coefficients<6>& step) {
-  motion_ = motion_about(motion_.point(centre_), {step[0], step[1], step[2]}, {step[3], step[4], step[5]}) * motion_;
+  motion_ = motion_about(motion_.point(centre_), {step[0], step[1], step[2]},
+                         {step[3], step[4], step[5]}) *
+            motion_;
 }
 
 }  // namespace jalon

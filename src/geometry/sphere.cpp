@@ -8,9 +8,12 @@ namespace jalon {
 
 namespace {
 
-constexpr double kFlat = 1e-6;          // smallest against largest extent of four points, of a thousandth each side
-constexpr double kSphereParallelSine = 0.05;  // 3 degrees between two normals: below, noise of the normals sets the centre
-constexpr double kSphereOpenRadius = 0.5;     // standard deviation of the radius, relative, of a sphere that nothing fixes
+constexpr double kFlat =
+    1e-6;  // smallest against largest extent of four points, of a thousandth each side
+constexpr double kSphereParallelSine =
+    0.05;  // 3 degrees between two normals: below, noise of the normals sets the centre
+constexpr double kSphereOpenRadius =
+    0.5;  // standard deviation of the radius, relative, of a sphere that nothing fixes
 
 struct SphereModel {
   using Point = Vec3;
@@ -35,7 +38,8 @@ struct SphereModel {
 bool usable(const SphereFit& fit, const PrimitiveSetting& setting) {
   if (!is_finite(fit.sphere.centre) || !setting.allows(fit.sphere.radius)) return false;
   const double variance = fit.covariance[15];
-  return !(variance > kSphereOpenRadius * kSphereOpenRadius * fit.sphere.radius * fit.sphere.radius);  // NaN: four points
+  return !(variance > kSphereOpenRadius * kSphereOpenRadius * fit.sphere.radius *
+                          fit.sphere.radius);  // NaN: four points
 }
 
 }  // namespace
@@ -89,7 +93,8 @@ bool sphere_linear(std::span<const Vec3> points, Sphere& out) {
   return true;
 }
 
-bool sphere_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2, Sphere& out) {
+bool sphere_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2,
+                         Sphere& out) {
   const double b = dot(n1, n2), sine2 = 1 - b * b;
   if (!(sine2 > kSphereParallelSine * kSphereParallelSine)) return false;
   const Vec3 w = p1 - p2;
@@ -100,8 +105,8 @@ bool sphere_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const V
   return out.radius > 0;
 }
 
-bool adjust_sphere(std::span<const Vec3> points, const Sphere& start, const PrimitiveSetting& setting, Task& task,
-                   SphereFit& out) {
+bool adjust_sphere(std::span<const Vec3> points, const Sphere& start,
+                   const PrimitiveSetting& setting, Task& task, SphereFit& out) {
   SphereModel model{start};
   Adjusted<4> adjusted;
   if (!adjust(points, setting.adjustment(), task, model, adjusted)) return false;
@@ -111,7 +116,8 @@ bool adjust_sphere(std::span<const Vec3> points, const Sphere& start, const Prim
   return true;
 }
 
-bool fit_sphere(std::span<const Vec3> points, const PrimitiveSetting& setting, Task& task, SphereFit& out) {
+bool fit_sphere(std::span<const Vec3> points, const PrimitiveSetting& setting, Task& task,
+                SphereFit& out) {
   if (points.size() < 4) return false;
   SphereModel start;
   if (setting.robust && points.size() > 4) {

@@ -24,7 +24,8 @@ struct SphereFit {
   Sphere sphere;
   uint64_t n = 0;    ///< points that carry it
   double sigma = 0;  ///< standard deviation of the distances, m
-  std::array<double, 16> covariance{};  ///< of (centre x, y, z, radius), row-major; NaN for 4 points
+  std::array<double, 16>
+      covariance{};  ///< of (centre x, y, z, radius), row-major; NaN for 4 points
 };
 
 /// Sphere through four points: its centre lies on the planes that halve their distances (Boulaassal 2010, E.1.1.1).
@@ -35,14 +36,16 @@ bool sphere_through(const std::array<Vec3, 4>& points, Sphere& out);
 bool sphere_linear(std::span<const Vec3> points, Sphere& out);
 /// Centre halfway between the lines of two points along their normals, where they are closest (Schnabel et al. 2007).
 /// False when the normals are nearly parallel.
-bool sphere_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2, Sphere& out);
+bool sphere_from_normals(const Vec3& p1, const Vec3& n1, const Vec3& p2, const Vec3& n2,
+                         Sphere& out);
 
 /// Adjusts a sphere from a start, by Gauss-Newton with damping (E.1.1; segment members within the tolerance of it).
-bool adjust_sphere(std::span<const Vec3> points, const Sphere& start, const PrimitiveSetting& setting, Task& task,
-                   SphereFit& out);
+bool adjust_sphere(std::span<const Vec3> points, const Sphere& start,
+                   const PrimitiveSetting& setting, Task& task, SphereFit& out);
 /// From points alone: 1. start by random draws of 4 points, or linear when not robust; 2. adjustment. False when the
 /// points are fewer than 4, in one plane, leave the radius open (its standard deviation above half of it), or put it
 /// outside the limits.
-bool fit_sphere(std::span<const Vec3> points, const PrimitiveSetting& setting, Task& task, SphereFit& out);
+bool fit_sphere(std::span<const Vec3> points, const PrimitiveSetting& setting, Task& task,
+                SphereFit& out);
 
 }  // namespace jalon

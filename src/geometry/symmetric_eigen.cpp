@@ -17,12 +17,14 @@ Eigen3 symmetric_eigen(const Symmetric3& m) {
     for (int p = 0; p < 2; ++p)
       for (int q = p + 1; q < 3; ++q) {
         const double scale = std::fabs(a[p][p]) + std::fabs(a[q][q]);
-        if (scale + 1e-3 * std::fabs(a[p][q]) == scale) {  // below a thousandth of an ulp of the diagonal
+        if (scale + 1e-3 * std::fabs(a[p][q]) ==
+            scale) {  // below a thousandth of an ulp of the diagonal
           a[p][q] = a[q][p] = 0;
           continue;
         }
         const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        const double t = std::copysign(1.0, theta) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
+        const double t =
+            std::copysign(1.0, theta) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
         const double c = 1 / std::sqrt(t * t + 1), s = t * c;
         const int r = 3 - p - q;
         const double apq = a[p][q], arp = a[r][p], arq = a[r][q];
@@ -47,7 +49,8 @@ Eigen3 symmetric_eigen(const Symmetric3& m) {
     out.values[i] = a[order[i]][order[i]];
     out.vectors[i] = {v[0][order[i]], v[1][order[i]], v[2][order[i]]};
   }
-  if (dot(cross(out.vectors[0], out.vectors[1]), out.vectors[2]) < 0) out.vectors[2] = -out.vectors[2];
+  if (dot(cross(out.vectors[0], out.vectors[1]), out.vectors[2]) < 0)
+    out.vectors[2] = -out.vectors[2];
   return out;
 }
 

@@ -16,7 +16,8 @@ struct Eigen3 {
   std::array<Vec3, 3> vectors;   ///< orthonormal, right-handed, in the order of the values
 };
 
-/// Eigenvalues and eigenvectors by cyclic Jacobi rotations (Golub & Van Loan, 8.5): accurate to rounding relative to the largest
+/// Eigenvalues and eigenvectors by cyclic Jacobi rotations (Golub & Van Loan, 8.5): accurate to
+/// rounding relative to the largest
 /// value, for every input; the same operations in the same order on every machine. About 0.3 us.
 Eigen3 symmetric_eigen(const Symmetric3& m);
 

@@ -14,9 +14,24 @@ struct Vec3 {
 
   double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
   double& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
-  Vec3& operator+=(const Vec3& b) { x += b.x; y += b.y; z += b.z; return *this; }
-  Vec3& operator-=(const Vec3& b) { x -= b.x; y -= b.y; z -= b.z; return *this; }
-  Vec3& operator*=(double s) { x *= s; y *= s; z *= s; return *this; }
+  Vec3& operator+=(const Vec3& b) {
+    x += b.x;
+    y += b.y;
+    z += b.z;
+    return *this;
+  }
+  Vec3& operator-=(const Vec3& b) {
+    x -= b.x;
+    y -= b.y;
+    z -= b.z;
+    return *this;
+  }
+  Vec3& operator*=(double s) {
+    x *= s;
+    y *= s;
+    z *= s;
+    return *this;
+  }
   bool operator==(const Vec3&) const = default;
 };
 
@@ -37,7 +52,9 @@ inline Vec3 normalized(const Vec3& a) {
   const double n = norm(a);
   return n > 0 ? a / n : a;
 }
-inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+inline bool is_finite(const Vec3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 struct Vec2 {
   double u = 0, v = 0;
@@ -72,7 +89,8 @@ struct Box3 {
     return *this;
   }
   bool contains(const Vec3& p) const {
-    return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y && p.z >= min.z && p.z <= max.z;
+    return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y && p.z >= min.z &&
+           p.z <= max.z;
   }
 };
 
@@ -81,7 +99,8 @@ struct Transform {
   std::array<double, 12> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
   Vec3 point(const Vec3& p) const {
-    return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
+    return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3],
+            m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
             m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
   }
   Vec3 direction(const Vec3& d) const {
@@ -112,9 +131,12 @@ inline Transform inverse(const Transform& t) {
   const auto& m = t.m;
   const double d = 1 / t.determinant();
   Transform r;
-  r.m = {(m[5] * m[10] - m[6] * m[9]) * d, (m[2] * m[9] - m[1] * m[10]) * d, (m[1] * m[6] - m[2] * m[5]) * d, 0,
-         (m[6] * m[8] - m[4] * m[10]) * d, (m[0] * m[10] - m[2] * m[8]) * d, (m[2] * m[4] - m[0] * m[6]) * d, 0,
-         (m[4] * m[9] - m[5] * m[8]) * d,  (m[1] * m[8] - m[0] * m[9]) * d,  (m[0] * m[5] - m[1] * m[4]) * d, 0};
+  r.m = {(m[5] * m[10] - m[6] * m[9]) * d, (m[2] * m[9] - m[1] * m[10]) * d,
+         (m[1] * m[6] - m[2] * m[5]) * d,  0,
+         (m[6] * m[8] - m[4] * m[10]) * d, (m[0] * m[10] - m[2] * m[8]) * d,
+         (m[2] * m[4] - m[0] * m[6]) * d,  0,
+         (m[4] * m[9] - m[5] * m[8]) * d,  (m[1] * m[8] - m[0] * m[9]) * d,
+         (m[0] * m[5] - m[1] * m[4]) * d,  0};
   const Vec3 p = r.direction(t.translation());
   r.m[3] = -p.x;
   r.m[7] = -p.y;

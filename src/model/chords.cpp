@@ -15,7 +15,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSameArc_m = 1e-6;  // between the apexes of an arc as two rings tell it: rounding of map coordinates
+constexpr double kSameArc_m =
+    1e-6;  // between the apexes of an arc as two rings tell it: rounding of map coordinates
 
 bool is_arc(double sagitta_m) { return sagitta_m != 0 && std::isfinite(sagitta_m); }
 
@@ -29,10 +30,12 @@ class Chords {
   Chords(Model& model, double chord_error_m) : model_(model), chord_error_m_(chord_error_m) {}
 
   /// Appends the vertices between from and to, in the order of the walk.
-  void append(std::vector<uint32_t>& corners, uint32_t from, uint32_t to, double sagitta_m, const Vec3& normal) {
+  void append(std::vector<uint32_t>& corners, uint32_t from, uint32_t to, double sagitta_m,
+              const Vec3& normal) {
     // Walked the other way an arc bulges to the other side: every arc is made from its lower vertex.
     const bool forward = from < to;
-    const Chain& chain = forward ? chain_of(from, to, sagitta_m, normal) : chain_of(to, from, -sagitta_m, normal);
+    const Chain& chain =
+        forward ? chain_of(from, to, sagitta_m, normal) : chain_of(to, from, -sagitta_m, normal);
     for (uint32_t k = 0; k < chain.count; ++k)
       corners.push_back(chain.first + (forward ? k : chain.count - 1 - k));
   }
@@ -52,7 +55,8 @@ class Chords {
     const std::vector<Vec3> points = arc_points(a, b, sagitta_m, normal, chord_error_m_);
     if (model_.vertices.size() + points.size() > std::numeric_limits<uint32_t>::max())
       fail(Status::kLimit, "a model holds at most 2^32 vertices");
-    known.push_back({apex, static_cast<uint32_t>(model_.vertices.size()), static_cast<uint32_t>(points.size())});
+    known.push_back({apex, static_cast<uint32_t>(model_.vertices.size()),
+                     static_cast<uint32_t>(points.size())});
     model_.vertices.insert(model_.vertices.end(), points.begin(), points.end());
     return known.back();
   }
@@ -65,7 +69,8 @@ class Chords {
 Vec3 newell(const Model& model, const Ring& ring) {
   Vec3 sum;
   const auto corner = [&](uint64_t i) { return model.vertices[model.corners[ring.first + i]]; };
-  for (uint64_t i = 2; i < ring.count; ++i) sum += cross(corner(i - 1) - corner(0), corner(i) - corner(0));
+  for (uint64_t i = 2; i < ring.count; ++i)
+    sum += cross(corner(i - 1) - corner(0), corner(i) - corner(0));
   return sum;
 }
 
@@ -80,7 +85,8 @@ Vec3 normal_of(const Model& model, const Face& face) {
   return face.ring_count == 0 ? Vec3{} : normalized(newell(model, model.rings[face.first_ring]));
 }
 
-std::vector<Vec3> arc_points(const Vec3& a, const Vec3& b, double sagitta_m, const Vec3& normal, double chord_error_m) {
+std::vector<Vec3> arc_points(const Vec3& a, const Vec3& b, double sagitta_m, const Vec3& normal,
+                             double chord_error_m) {
   const Vec3 along = normalized(b - a);
   const Vec3 left = normalized(cross(normal, along));
   if (!is_arc(sagitta_m) || squared_norm(left) == 0) return {};
@@ -102,7 +108,8 @@ Model with_chords(const Model& model, double chord_error_m) {
     done[r] = 1;
     out.rings[r].first = out.corners.size();
     for (uint64_t i = 0; i < ring.count; ++i) {
-      const uint32_t here = model.corners[ring.first + i], next = model.corners[ring.first + (i + 1) % ring.count];
+      const uint32_t here = model.corners[ring.first + i],
+                     next = model.corners[ring.first + (i + 1) % ring.count];
       out.corners.push_back(here);
       if (is_arc(model.sagitta(ring.first + i)))
         chords.append(out.corners, here, next, model.sagitta(ring.first + i), normal);
@@ -111,7 +118,8 @@ Model with_chords(const Model& model, double chord_error_m) {
   };
   for (const Face& face : model.faces) {
     const Vec3 normal = normal_of(model, face);
-    for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r) add_ring(r, normal);
+    for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
+      add_ring(r, normal);
   }
   for (size_t r = 0; r < model.rings.size(); ++r)
     if (done[r] == 0) add_ring(r, {});

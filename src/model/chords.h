@@ -16,7 +16,8 @@ bool has_arcs(const Model& model);
 Model with_chords(const Model& model, double chord_error_m);
 
 /// Points on the arc from a to b in the plane of this normal, without both ends; none when it is straight.
-std::vector<Vec3> arc_points(const Vec3& a, const Vec3& b, double sagitta_m, const Vec3& normal, double chord_error_m);
+std::vector<Vec3> arc_points(const Vec3& a, const Vec3& b, double sagitta_m, const Vec3& normal,
+                             double chord_error_m);
 
 /// The face's stated normal, or that of its outline by Newell's sums where none is stated; a unit vector, or zero for
 /// a face without extent.

@@ -58,7 +58,8 @@ void copy_parts(const Model& model, const std::vector<uint64_t>& part_of, Model&
 }
 
 // A face with those of its rings that stay; the area of the holes that close comes back.
-void copy_face(const Model& model, const Face& face, const std::vector<uint64_t>& part_of, Model& out) {
+void copy_face(const Model& model, const Face& face, const std::vector<uint64_t>& part_of,
+               Model& out) {
   Face copy = face;
   copy.part = static_cast<uint32_t>(part_of[face.part]);
   copy.first_ring = out.rings.size();
@@ -70,7 +71,8 @@ void copy_face(const Model& model, const Face& face, const std::vector<uint64_t>
       copy.area_m2 -= ring_area(model, ring, face.plane.normal);
       continue;
     }
-    Ring kept{out.corners.size(), ring.count, names_part ? static_cast<uint32_t>(part_of[ring.part]) : ring.part};
+    Ring kept{out.corners.size(), ring.count,
+              names_part ? static_cast<uint32_t>(part_of[ring.part]) : ring.part};
     for (uint64_t c = ring.first; c < ring.first + ring.count; ++c) {
       out.corners.push_back(model.corners[c]);
       if (!model.sagittas.empty()) out.sagittas.push_back(model.sagittas[c]);
@@ -81,8 +83,8 @@ void copy_face(const Model& model, const Face& face, const std::vector<uint64_t>
   out.faces.push_back(copy);
 }
 
-void copy_solids(const Model& model, const std::vector<uint64_t>& part_of, const std::vector<uint64_t>& face_of,
-                 Model& out) {
+void copy_solids(const Model& model, const std::vector<uint64_t>& part_of,
+                 const std::vector<uint64_t>& face_of, Model& out) {
   for (const Solid& solid : model.solids) {
     if (solid.part < part_of.size() && part_of[solid.part] == kGone) continue;
     Solid copy{static_cast<uint32_t>(part_of[solid.part]), kGone, 0};
@@ -105,7 +107,8 @@ void copy_vertices(const Model& model, Model& out) {
   for (size_t v = 0; v < vertex_of.size(); ++v) {
     if (vertex_of[v] == kGone) continue;
     out.vertices.push_back(model.vertices[v]);
-    if (!model.vertex_covariances.empty()) out.vertex_covariances.push_back(model.vertex_covariances[v]);
+    if (!model.vertex_covariances.empty())
+      out.vertex_covariances.push_back(model.vertex_covariances[v]);
   }
   for (uint32_t& v : out.corners) v = static_cast<uint32_t>(vertex_of[v]);
   for (auto& triangle : out.triangles)
@@ -120,7 +123,8 @@ double ring_area(const Model& model, const Ring& ring, const Vec3& normal) {
   const Vec3 origin = ring.count > 0 ? model.vertices[model.corners[ring.first]] : Vec3{};
   for (uint64_t i = 0; i < ring.count; ++i) {
     const uint64_t here = ring.first + i, next = ring.first + (i + 1) % ring.count;
-    const Vec3 a = model.vertices[model.corners[here]] - origin, b = model.vertices[model.corners[next]] - origin;
+    const Vec3 a = model.vertices[model.corners[here]] - origin,
+               b = model.vertices[model.corners[next]] - origin;
     twice += dot(cross(a, b), normal);
     const double s = model.sagitta(here), chord = norm(b - a);
     if (s == 0 || !(chord > 0)) continue;
@@ -141,8 +145,8 @@ Model with_renamed_part(Model model, uint64_t part, std::string name, std::strin
 Model without_copy(const Model& model, uint64_t part) {
   require_part(model, part);
   if (model.parts[part].evidence != Evidence::kCopied)
-    fail(Status::kInvalidArgument, "part %llu (\"%.100s\") is no copy", static_cast<unsigned long long>(part),
-         model.parts[part].name.c_str());
+    fail(Status::kInvalidArgument, "part %llu (\"%.100s\") is no copy",
+         static_cast<unsigned long long>(part), model.parts[part].name.c_str());
   const std::vector<uint64_t> part_of = numbered(parts_below(model, part));
   Model out;
   out.crs = model.crs;

@@ -15,7 +15,8 @@ namespace {
 constexpr std::array<double, 9> kUnknownCovariance{kNaN, kNaN, kNaN, kNaN, kNaN,
                                                    kNaN, kNaN, kNaN, kNaN};
 
-constexpr const char* kEvidenceNames[] = {"none", "measured", "seen_behind", "revealed", "shape", "copied", "derived"};
+constexpr const char* kEvidenceNames[] = {"none",  "measured", "seen_behind", "revealed",
+                                          "shape", "copied",   "derived"};
 
 }  // namespace
 
@@ -51,11 +52,12 @@ size_t Model::add_face(Face face, const std::vector<std::vector<Vec3>>& face_rin
 void validate(const Model& model) {
   const auto number = [](size_t i) { return static_cast<unsigned long long>(i); };
   for (size_t i = 0; i < model.vertices.size(); ++i)
-    if (!is_finite(model.vertices[i])) fail(Status::kInvalidArgument, "vertex %llu is not finite", number(i));
+    if (!is_finite(model.vertices[i]))
+      fail(Status::kInvalidArgument, "vertex %llu is not finite", number(i));
   for (size_t i = 0; i < model.corners.size(); ++i)
     if (model.corners[i] >= model.vertices.size())
-      fail(Status::kInvalidArgument, "corner %llu names vertex %u of %llu", number(i), model.corners[i],
-           number(model.vertices.size()));
+      fail(Status::kInvalidArgument, "corner %llu names vertex %u of %llu", number(i),
+           model.corners[i], number(model.vertices.size()));
   for (size_t i = 0; i < model.triangles.size(); ++i)
     for (const uint32_t v : model.triangles[i])
       if (v >= model.vertices.size())
@@ -70,8 +72,8 @@ void validate(const Model& model) {
         model.faces[i].ring_count > model.rings.size() - model.faces[i].first_ring)
       fail(Status::kInvalidArgument, "face %llu reaches beyond the rings", number(i));
   if (!model.vertex_covariances.empty() && model.vertex_covariances.size() != model.vertices.size())
-    fail(Status::kInvalidArgument, "%llu covariances for %llu vertices", number(model.vertex_covariances.size()),
-         number(model.vertices.size()));
+    fail(Status::kInvalidArgument, "%llu covariances for %llu vertices",
+         number(model.vertex_covariances.size()), number(model.vertices.size()));
   if (!model.sagittas.empty() && model.sagittas.size() != model.corners.size())
     fail(Status::kInvalidArgument, "%llu sagittas for %llu corners", number(model.sagittas.size()),
          number(model.corners.size()));
@@ -80,8 +82,8 @@ void validate(const Model& model) {
         model.solids[i].face_count > model.faces.size() - model.solids[i].first_face)
       fail(Status::kInvalidArgument, "solid %llu reaches beyond the faces", number(i));
   if (model.triangle_faces.size() != model.triangles.size())
-    fail(Status::kInvalidArgument, "%llu face ids for %llu triangles", number(model.triangle_faces.size()),
-         number(model.triangles.size()));
+    fail(Status::kInvalidArgument, "%llu face ids for %llu triangles",
+         number(model.triangle_faces.size()), number(model.triangles.size()));
 }
 
 }  // namespace jalon

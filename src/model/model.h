@@ -18,7 +18,8 @@ namespace jalon {
 
 constexpr uint64_t kNoParent = ~uint64_t{0};
 constexpr uint32_t kNoPart = ~uint32_t{0};
-constexpr uint32_t kNoFace = ~uint32_t{0};  ///< of points that no face gave, of an edge at the border
+constexpr uint32_t kNoFace =
+    ~uint32_t{0};  ///< of points that no face gave, of an edge at the border
 
 /// A closed chain of vertices: corners[first ... first + count).
 struct Ring {
@@ -30,10 +31,10 @@ struct Ring {
 struct Face {
   uint32_t part = 0;
   uint64_t first_ring = 0, ring_count = 0;
-  uint32_t id = 0;           ///< e.g. the label of the segment it was made from
-  uint8_t face_class = 0;    ///< orientation class of segment/, or 0
+  uint32_t id = 0;         ///< e.g. the label of the segment it was made from
+  uint8_t face_class = 0;  ///< orientation class of segment/, or 0
   Plane plane;
-  double area_m2 = 0;        ///< openings taken off
+  double area_m2 = 0;  ///< openings taken off
   double sigma_m = 0;
   std::array<double, 16> covariance{};  ///< of normal and offset
 };
@@ -58,9 +59,9 @@ struct Part {
   std::string name;
   std::string part_class;  ///< one of part_classes.h, or any other word
   uint64_t parent = kNoParent;
-  double width_m = kNaN;   ///< of its upright box in the plane of its wall
+  double width_m = kNaN;  ///< of its upright box in the plane of its wall
   double height_m = kNaN;
-  double depth_m = kNaN;   ///< behind the plane of its wall, negative in front
+  double depth_m = kNaN;             ///< behind the plane of its wall, negative in front
   uint64_t copied_from = kNoParent;  ///< the part it repeats
   uint8_t level_of_detail = 0;  ///< CityGML 3: 2 walls and roofs, 3 with openings; 0 = not told
   Evidence evidence = Evidence::kNone;
@@ -75,7 +76,8 @@ struct Solid {
 /// Vector model: a value; shared as shared_ptr<const Model>. Faces and triangles use the same vertices.
 struct Model {
   std::vector<Vec3> vertices;
-  std::vector<std::array<double, 9>> vertex_covariances;  ///< m2, row-major; empty, or one a vertex (NaN: not known)
+  std::vector<std::array<double, 9>>
+      vertex_covariances;         ///< m2, row-major; empty, or one a vertex (NaN: not known)
   std::vector<uint32_t> corners;  ///< vertex of each ring corner
   /// Sagitta (m) of the edge from each corner to the next of its ring: 0 = straight; positive = an arc that runs
   /// anticlockwise seen against the face's normal (it bulges to the right of the walk). Empty, or one a corner.
@@ -86,7 +88,8 @@ struct Model {
   std::vector<uint32_t> triangle_faces;  ///< id handed on to scanned points, one a triangle
   std::vector<Part> parts;
   std::vector<Solid> solids;
-  SharedText crs;  ///< coordinate reference system of the vertices, as Cloud::crs (WKT, a URN ...); empty: not known
+  SharedText
+      crs;  ///< coordinate reference system of the vertices, as Cloud::crs (WKT, a URN ...); empty: not known
 
   double sagitta(size_t corner) const { return sagittas.empty() ? 0 : sagittas[corner]; }
   /// Appends a face from rings of points; equal vertices are not merged. Returns its index.

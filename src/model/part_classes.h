@@ -22,7 +22,8 @@ inline constexpr char kPost[] = "post";
 inline constexpr char kGround[] = "ground";
 inline constexpr char kRoof[] = "roof";
 inline constexpr char kElement[] = "element";  ///< any other plane
-inline constexpr char kNoData[] = "no_data";   ///< a shadow: part of the wall that no station saw; no hole of its face
+inline constexpr char kNoData[] =
+    "no_data";  ///< a shadow: part of the wall that no station saw; no hole of its face
 
 // Of the outlines of change regions; "_before" or "_after" behind those of what is there in both epochs.
 inline constexpr char kChanges[] = "changes";  ///< all of them

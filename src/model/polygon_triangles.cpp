@@ -10,8 +10,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kAreaShare = 1e-9;       // by which triangles may miss their polygon's area
-constexpr double kApart = 1e-9;           // of the polygon's size, between rings that touch
+constexpr double kAreaShare = 1e-9;         // by which triangles may miss their polygon's area
+constexpr double kApart = 1e-9;             // of the polygon's size, between rings that touch
 constexpr size_t kMaxClippedCorners = 512;  // of a polygon in a mesh file; larger ones become fans
 
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
@@ -30,11 +30,13 @@ double area2_of(const std::vector<std::vector<Vec2>>& rings) {
 }
 
 /// Twice the area of triangles whose corners count through all rings; what lies the wrong way round counts too.
-double covered2(const std::vector<std::vector<Vec2>>& rings, const std::vector<std::array<uint32_t, 3>>& triangles) {
+double covered2(const std::vector<std::vector<Vec2>>& rings,
+                const std::vector<std::array<uint32_t, 3>>& triangles) {
   std::vector<Vec2> corners;
   for (const auto& ring : rings) corners.insert(corners.end(), ring.begin(), ring.end());
   double sum = 0;
-  for (const auto& [a, b, c] : triangles) sum += std::fabs(turn(corners[a], corners[b], corners[c]));
+  for (const auto& [a, b, c] : triangles)
+    sum += std::fabs(turn(corners[a], corners[b], corners[c]));
   return sum;
 }
 
@@ -274,7 +276,8 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<std::vector<V
   // tried.
   if (rings.empty() || rings[0].size() < 3) return {};
   const auto first = Chain(rings).cut();
-  const double wanted = area2_of(rings), step = 2.399963229728653;  // the golden angle: no direction comes twice
+  const double wanted = area2_of(rings),
+               step = 2.399963229728653;  // the golden angle: no direction comes twice
   const auto fits = [&](const auto& triangles) {
     return std::fabs(covered2(rings, triangles) - wanted) <= kAreaShare * wanted;
   };
@@ -363,7 +366,8 @@ std::vector<uint32_t> loose_triangles(const Model& model) {
 
 bool is_mesh_by_part(const Model& model) {
   return model.faces.empty() && !model.parts.empty() &&
-         std::ranges::all_of(model.triangle_faces, [&](uint32_t id) { return id < model.parts.size(); });
+         std::ranges::all_of(model.triangle_faces,
+                             [&](uint32_t id) { return id < model.parts.size(); });
 }
 
 }  // namespace jalon

@@ -26,7 +26,8 @@ std::vector<Use> ring_edges(const Model& model) {
         const uint32_t a = model.corners[here], b = model.corners[next];
         const double s = model.sagitta(here);
         // Walked the other way an arc bulges to the other side.
-        uses.push_back(a < b ? Use{a, b, s, static_cast<uint32_t>(f)} : Use{b, a, -s, static_cast<uint32_t>(f)});
+        uses.push_back(a < b ? Use{a, b, s, static_cast<uint32_t>(f)}
+                             : Use{b, a, -s, static_cast<uint32_t>(f)});
       }
     }
   return uses;
@@ -36,14 +37,14 @@ std::vector<Use> ring_edges(const Model& model) {
 
 std::vector<Edge> find_edges(const Model& model) {
   std::vector<Use> uses = ring_edges(model);
-  std::stable_sort(uses.begin(), uses.end(),
-                   [](const Use& a, const Use& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
+  std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  });
   std::vector<Edge> edges;
   for (const Use& use : uses) {
     if (edges.empty() || edges.back().from != use.from || edges.back().to != use.to)
       edges.push_back({use.from, use.to, use.sagitta_m, use.face, kNoFace, 0});
-    else if (edges.back().second_face == kNoFace)
-      edges.back().second_face = use.face;
+    else if (edges.back().second_face == kNoFace) edges.back().second_face = use.face;
     ++edges.back().uses;
   }
   return edges;
@@ -62,7 +63,8 @@ Arc2 arc_of(const Vec2& a, const Vec2& b, double sagitta_m) {
   return arc;
 }
 
-void append_arc(std::vector<Vec2>& out, const Vec2& a, const Vec2& b, double sagitta_m, double chord_error_m) {
+void append_arc(std::vector<Vec2>& out, const Vec2& a, const Vec2& b, double sagitta_m,
+                double chord_error_m) {
   out.push_back(a);
   if (sagitta_m == 0 || !(norm(b - a) > 0)) return;
   const Arc2 arc = arc_of(a, b, sagitta_m);

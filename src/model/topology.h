@@ -13,8 +13,9 @@ namespace jalon {
 struct Edge {
   uint32_t from = 0, to = 0;  ///< vertices; from < to
   double sagitta_m = 0;       ///< seen as first_face sees it, walked from `from` to `to`
-  uint32_t first_face = kNoFace, second_face = kNoFace;  ///< the faces that share it; kNoFace: a border
-  uint32_t uses = 0;          ///< how many ring edges it is; above 2 where more faces meet
+  uint32_t first_face = kNoFace,
+           second_face = kNoFace;  ///< the faces that share it; kNoFace: a border
+  uint32_t uses = 0;               ///< how many ring edges it is; above 2 where more faces meet
 };
 
 /// Each pair of vertices that rings join, once, ascending by (from, to). Faces by index. O(n log n) for n corners.
@@ -30,6 +31,7 @@ struct Arc2 {
 Arc2 arc_of(const Vec2& a, const Vec2& b, double sagitta_m);
 
 /// Points of the arc from a to b without b, chords at most chord_error_m from the arc; only a when sagitta is 0.
-void append_arc(std::vector<Vec2>& out, const Vec2& a, const Vec2& b, double sagitta_m, double chord_error_m);
+void append_arc(std::vector<Vec2>& out, const Vec2& a, const Vec2& b, double sagitta_m,
+                double chord_error_m);
 
 }  // namespace jalon

@@ -14,25 +14,32 @@ namespace {
 
 const char* part_class_of(Orientation orientation) {
   switch (orientation) {
-    case Orientation::kParallel: return "wall";
-    case Orientation::kVertical: return "vertical";
-    case Orientation::kHorizontal: return "horizontal";
-    case Orientation::kInclined: return "inclined";
-    case Orientation::kNone: break;
+    case Orientation::kParallel:
+      return "wall";
+    case Orientation::kVertical:
+      return "vertical";
+    case Orientation::kHorizontal:
+      return "horizontal";
+    case Orientation::kInclined:
+      return "inclined";
+    case Orientation::kNone:
+      break;
   }
   return "plane";
 }
 
-void add_ring(const VectorPlane& plane, const VectorRing& ring, std::vector<std::vector<Vec3>>& rings,
-              std::vector<double>& sagittas) {
+void add_ring(const VectorPlane& plane, const VectorRing& ring,
+              std::vector<std::vector<Vec3>>& rings, std::vector<double>& sagittas) {
   auto& corners = rings.emplace_back();
   for (const Vec2& p : ring.corners) corners.push_back(plane.frame.lift(p));
   for (const VectorEdge& edge : ring.edges) sagittas.push_back(edge.sagitta_m);
 }
 
-void add_faces(Model& model, const Segment& segment, const VectorPlane& plane, std::vector<double>& sagittas) {
+void add_faces(Model& model, const Segment& segment, const VectorPlane& plane,
+               std::vector<double>& sagittas) {
   const auto part = static_cast<uint32_t>(model.parts.size());
-  model.parts.push_back({"plane " + std::to_string(segment.label), part_class_of(segment.orientation), 0});
+  model.parts.push_back(
+      {"plane " + std::to_string(segment.label), part_class_of(segment.orientation), 0});
   for (const VectorFace& drawn : plane.faces) {
     Face face;
     face.part = part;
@@ -62,7 +69,8 @@ Model model_outlines(const Segmentation& segmentation, const VectoriseSetting& s
   model.parts.push_back({"facade", "facade", kNoParent});
   std::vector<double> sagittas;
   for (size_t s = 0; s < planes.size(); ++s)
-    if (segmentation.segments[s].has_plane()) add_faces(model, segmentation.segments[s], planes[s], sagittas);
+    if (segmentation.segments[s].has_plane())
+      add_faces(model, segmentation.segments[s], planes[s], sagittas);
   const auto is_arc = [](double sagitta_m) { return sagitta_m != 0; };
   if (std::any_of(sagittas.begin(), sagittas.end(), is_arc)) model.sagittas = std::move(sagittas);
   return model;

@@ -29,7 +29,8 @@ Registration register_automatic(const CloudPtr& reference, const CloudPtr& movin
   if (!coarse.converged) return coarse;
   const ProgressSpan span(task, 0.5, 1, nullptr);
   Registration out = register_icp(reference, moving, coarse.pose, settings.icp, task);
-  for (const char* name : {"score", "overlap_moving", "overlap_reference", "likeness", "ambiguous", "second_score"})
+  for (const char* name :
+       {"score", "overlap_moving", "overlap_reference", "likeness", "ambiguous", "second_score"})
     out.summary.set(coarse.summary.find_shared(name));
   return out;
 }

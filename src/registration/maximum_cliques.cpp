@@ -34,9 +34,11 @@ class Search {
 
  private:
   // Nodes in the order of their colours: colour c bounds the clique that a node and those before it can hold.
-  void colour(const Bits& candidates, std::vector<size_t>& order, std::vector<size_t>& colours) const {
+  void colour(const Bits& candidates, std::vector<size_t>& order,
+              std::vector<size_t>& colours) const {
     Bits left = candidates;
-    for (size_t c = 1; std::any_of(left.begin(), left.end(), [](uint64_t w) { return w != 0; }); ++c) {
+    for (size_t c = 1; std::any_of(left.begin(), left.end(), [](uint64_t w) { return w != 0; });
+         ++c) {
       Bits free = left;
       for (size_t w = 0; w < free.size(); ++w)
         while (free[w] != 0) {
@@ -94,8 +96,8 @@ class Search {
 
 }  // namespace
 
-Cliques maximum_cliques(const PairGraph& graph, const std::vector<uint64_t>& candidates, size_t least, size_t most,
-                        Task& task) {
+Cliques maximum_cliques(const PairGraph& graph, const std::vector<uint64_t>& candidates,
+                        size_t least, size_t most, Task& task) {
   return Search(graph, least, most, task).run(candidates);
 }
 

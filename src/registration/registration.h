@@ -28,7 +28,7 @@ enum class StopReason : uint8_t {
 /// Result of a registrar: immutable. The methods fill in the numbers and their own columns; the common columns of
 /// summary and directions come from fill_tables().
 struct Registration {
-  Transform pose;    ///< T_reference_moving; of a similarity with the scale in its matrix
+  Transform pose;  ///< T_reference_moving; of a similarity with the scale in its matrix
   double scale = 1;
   bool converged = false;
   StopReason stopped = StopReason::kNothingFound;
@@ -37,14 +37,15 @@ struct Registration {
   /// Of the rotation vector (rad) about the centre, then the shift (m) of the centre: the pose is
   /// motion_about(centre, rotation, shift) * true pose. NaN where unknown.
   Square<6> covariance{};
-  uint64_t pairs = 0;       ///< that the last step stood on
+  uint64_t pairs = 0;  ///< that the last step stood on
   uint64_t iterations = 0;
-  double rms_m = 0;         ///< of the residuals of those pairs
+  double rms_m = 0;  ///< of the residuals of those pairs
   /// A length that makes turns and shifts comparable: radius of gyration of what carries the pose.
   double extent_m = 1;
   uint64_t unobservable = 0;  ///< directions of the six that nothing fixes
   FieldTable summary, iteration_log, residuals, directions;
-  std::vector<std::string> pair_names;  ///< of the rows of residuals; empty where pairs have no names
+  std::vector<std::string>
+      pair_names;  ///< of the rows of residuals; empty where pairs have no names
   std::string parameters_json;
 };
 using RegistrationPtr = std::shared_ptr<const Registration>;

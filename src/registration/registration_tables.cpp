@@ -26,17 +26,25 @@ FieldTable directions_table(const std::array<PoseDirection, 6>& directions, doub
     observable.push_back(d.observable);
   }
   FieldTable table;
-  table.set(make_column<double>({.name = "direction", .components = 6, .unit = "",
-                                 .meaning = "turn about the centre (rad for each metre), then shift"}, units));
-  table.set(make_column<double>({.name = "sigma", .unit = "m", .meaning = "standard deviation along it"}, sigmas));
-  table.set(make_column<uint8_t>({.name = "observable", .unit = "", .meaning = "1: the data fix it; 0: nothing does"},
-                                 observable));
+  table.set(
+      make_column<double>({.name = "direction",
+                           .components = 6,
+                           .unit = "",
+                           .meaning = "turn about the centre (rad for each metre), then shift"},
+                          units));
+  table.set(make_column<double>(
+      {.name = "sigma", .unit = "m", .meaning = "standard deviation along it"}, sigmas));
+  table.set(make_column<uint8_t>(
+      {.name = "observable", .unit = "", .meaning = "1: the data fix it; 0: nothing does"},
+      observable));
   return table;
 }
 
 template <size_t N>
-ColumnPtr row_of(const char* name, const char* unit, const char* meaning, const std::array<double, N>& values) {
-  return make_column<double>({.name = name, .components = N, .unit = unit, .meaning = meaning}, values);
+ColumnPtr row_of(const char* name, const char* unit, const char* meaning,
+                 const std::array<double, N>& values) {
+  return make_column<double>({.name = name, .components = N, .unit = unit, .meaning = meaning},
+                             values);
 }
 
 }  // namespace
@@ -62,16 +70,20 @@ void fill_tables(Registration& r, const std::array<PoseDirection, 6>& directions
   r.directions = directions_table(directions, r.extent_m);
   FieldTable table;
   add_value<uint8_t>(table, "converged", "", "1: the pose stands; 0: see stopped", r.converged);
-  add_value<uint8_t>(table, "stopped", "", "why: JALON_STOPPED_...", static_cast<uint8_t>(r.stopped));
+  add_value<uint8_t>(table, "stopped", "", "why: JALON_STOPPED_...",
+                     static_cast<uint8_t>(r.stopped));
   add_value<uint64_t>(table, "iterations", "", "steps made", r.iterations);
   add_value<uint64_t>(table, "pairs", "", "pairs that the last step stood on", r.pairs);
   add_value<double>(table, "rms", "m", "root mean square residual of those pairs", r.rms_m);
   add_value<double>(table, "scale", "1", "of the pose", r.scale);
-  add_value<uint64_t>(table, "unobservable", "", "directions of the six that nothing fixes", r.unobservable);
+  add_value<uint64_t>(table, "unobservable", "", "directions of the six that nothing fixes",
+                      r.unobservable);
   table.set(row_of<3>("centre", "m", "point that the rotations of the covariance turn about",
                       {r.centre.x, r.centre.y, r.centre.z}));
-  table.set(row_of<36>("covariance", "", "of rotation (rad) about the centre and shift (m)", r.covariance));
-  add_value<double>(table, "extent", "m", "length that makes turns and shifts comparable", r.extent_m);
+  table.set(row_of<36>("covariance", "", "of rotation (rad) about the centre and shift (m)",
+                       r.covariance));
+  add_value<double>(table, "extent", "m", "length that makes turns and shifts comparable",
+                    r.extent_m);
   for (const ColumnPtr& column : r.summary) table.set(column);
   r.summary = std::move(table);
 }

@@ -12,7 +12,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kCollinear = 1e-12;  // second eigenvalue against the largest: a line to rounding (fit_plane's)
+constexpr double kCollinear =
+    1e-12;  // second eigenvalue against the largest: a line to rounding (fit_plane's)
 
 struct Centroids {
   Vec3 reference, moving;
@@ -78,7 +79,8 @@ std::optional<SimilarityFit> fit_similarity(std::span<const PointPair> pairs, bo
   const Eigen::Vector3d signs(1, 1, sign), values = svd.singularValues();
   const Eigen::Matrix3d rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
   // 3. Scale and shift.
-  const double r2 = reference[0] + reference[3] + reference[5], m2 = moving[0] + moving[3] + moving[5];
+  const double r2 = reference[0] + reference[3] + reference[5],
+               m2 = moving[0] + moving[3] + moving[5];
   const double trace = values.dot(signs);
   if (with_scale && !(trace > 0)) return std::nullopt;
   SimilarityFit out;
@@ -87,7 +89,8 @@ std::optional<SimilarityFit> fit_similarity(std::span<const PointPair> pairs, bo
   out.squares_m2 = squares_left(r2, m2, trace, out.scale);
   out.mirrored_squares_m2 = squares_left(r2, m2, values.sum(), with_scale ? values.sum() / m2 : 1);
   const double n = static_cast<double>(pairs.size());
-  for (size_t i = 0; i < 3; ++i) out.spread_m[i] = std::sqrt(std::max(0.0, of_moving.values[2 - i]) / n);
+  for (size_t i = 0; i < 3; ++i)
+    out.spread_m[i] = std::sqrt(std::max(0.0, of_moving.values[2 - i]) / n);
   return out;
 }
 

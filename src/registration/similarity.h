@@ -19,8 +19,9 @@ struct PointPair {
 struct SimilarityFit {
   Transform T_reference_moving;  ///< with the scale in its matrix
   double scale = 1;
-  double squares_m2 = 0;             ///< sum of the squared distances left
-  double mirrored_squares_m2 = 0;    ///< the same if a reflection were allowed, as low as squares_m2 or lower
+  double squares_m2 = 0;  ///< sum of the squared distances left
+  double mirrored_squares_m2 =
+      0;  ///< the same if a reflection were allowed, as low as squares_m2 or lower
   std::array<double, 3> spread_m{};  ///< root mean square extents of the moving points, descending
 };
 

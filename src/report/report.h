@@ -22,6 +22,7 @@ std::string elevation_svg(const Segmentation& segmentation, const Model& model,
                           const ElevationSettings& settings, Task& task);
 std::string report_html(const Segmentation& segmentation, const Model& model,
                         std::string_view notes_json, const ReportSettings& settings, Task& task);
-std::string report_json(const Segmentation& segmentation, const Model& model, std::string_view notes_json, Task& task);
+std::string report_json(const Segmentation& segmentation, const Model& model,
+                        std::string_view notes_json, Task& task);
 
 }  // namespace jalon

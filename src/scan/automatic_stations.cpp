@@ -27,7 +27,8 @@ struct Upright {
   Vec3 facing;                    ///< sum of area x normal
   Vec3 centre;                    ///< sum of area x centre, then their mean
   double xx = 0, xy = 0, yy = 0;  ///< second moments in plan about the mean
-  double inward = 0;  ///< sum of area x (normal . way to the middle): > 0 inside a room, < 0 around a building
+  double inward =
+      0;  ///< sum of area x (normal . way to the middle): > 0 inside a room, < 0 around a building
 };
 
 template <class F>
@@ -61,7 +62,8 @@ Upright measure(const Model& model, const Vec3& reference) {
 }
 
 struct Extent {
-  double min = std::numeric_limits<double>::infinity(), max = -std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity(),
+         max = -std::numeric_limits<double>::infinity();
   double middle() const { return (min + max) / 2; }
   double length() const { return max - min; }
 };
@@ -79,10 +81,13 @@ Extent extent_along(const Model& model, const Vec3& reference, const Vec3& axis)
 
 /// Two places either side of the middle, or so many in the middles of equal parts.
 std::vector<double> spread(const Extent& length, uint64_t count) {
-  if (count == 0) return {length.middle() - kBeside * length.length(), length.middle() + kBeside * length.length()};
+  if (count == 0)
+    return {length.middle() - kBeside * length.length(),
+            length.middle() + kBeside * length.length()};
   std::vector<double> out;
   for (uint64_t i = 0; i < count; ++i)
-    out.push_back(length.min + length.length() * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+    out.push_back(length.min +
+                  length.length() * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
   return out;
 }
 
@@ -94,7 +99,8 @@ void require_rigid(const Transform& pose) {
   for (size_t i = 0; i < 12; ++i) rigid = rigid && std::isfinite(m[i]);
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j < 3; ++j) {
-      const double product = m[4 * i] * m[4 * j] + m[4 * i + 1] * m[4 * j + 1] + m[4 * i + 2] * m[4 * j + 2];
+      const double product =
+          m[4 * i] * m[4 * j] + m[4 * i + 1] * m[4 * j + 1] + m[4 * i + 2] * m[4 * j + 2];
       rigid = rigid && std::abs(product - (i == j ? 1 : 0)) <= kRigid;
     }
   if (!rigid)
@@ -121,7 +127,8 @@ std::vector<ScanStation> automatic_stations(const Model& model, uint64_t count, 
   }
   across = normalized(across);
   const Vec3 along{-across.y, across.x, 0};
-  const Extent length = extent_along(model, reference, along), depth = extent_along(model, reference, across);
+  const Extent length = extent_along(model, reference, along),
+               depth = extent_along(model, reference, across);
 
   // 2. Places (along, across) by the way the walls look.
   std::vector<Vec2> places;
@@ -129,15 +136,18 @@ std::vector<ScanStation> automatic_stations(const Model& model, uint64_t count, 
     return distance_m > 0 ? distance_m : std::max(kLeastDistance_m, kFrontDistance * width);
   };
   if (has_front) {
-    for (const double u : spread(length, count)) places.push_back({u, depth.max + away(length.length())});
+    for (const double u : spread(length, count))
+      places.push_back({u, depth.max + away(length.length())});
   } else if (upright.inward > 0) {
     for (const double u : spread(length, count)) places.push_back({u, depth.middle()});
   } else if (count > 0) {
     const double radius = std::hypot(length.length(), depth.length()) / 2 +
                           away(std::max(length.length(), depth.length()));
     for (uint64_t i = 0; i < count; ++i) {
-      const double angle = 2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-      places.push_back({length.middle() + radius * std::cos(angle), depth.middle() + radius * std::sin(angle)});
+      const double angle =
+          2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+      places.push_back(
+          {length.middle() + radius * std::cos(angle), depth.middle() + radius * std::sin(angle)});
     }
   } else {
     const double beside = away(std::max(length.length(), depth.length()));

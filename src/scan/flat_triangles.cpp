@@ -18,7 +18,8 @@ constexpr double kOfFace_m = 1e-5;  // of a triangle's corners from the plane of
 
 }  // namespace
 
-FlatTriangles::FlatTriangles(const Model& model, Task& task) : model_(model), planes_(model.triangles.size()) {
+FlatTriangles::FlatTriangles(const Model& model, Task& task)
+    : model_(model), planes_(model.triangles.size()) {
   if (!model.triangles.empty()) {
     const Vec3& first = model.vertices[model.triangles[0][0]];
     origin_ = {std::floor(first.x), std::floor(first.y), std::floor(first.z)};
@@ -45,7 +46,8 @@ Plane FlatTriangles::plane_of(uint32_t t) const {
   if (face != nullptr) {
     const Plane plane{face->plane.normal, face->plane.offset - dot(face->plane.normal, origin_)};
     bool lies = true;
-    for (size_t k = 0; k < 3; ++k) lies = lies && std::abs(plane.distance(corner(t, k))) <= kOfFace_m;
+    for (size_t k = 0; k < 3; ++k)
+      lies = lies && std::abs(plane.distance(corner(t, k))) <= kOfFace_m;
     if (lies) return plane;
   }
   return {twice / length, dot(twice / length, corner(t, 0))};

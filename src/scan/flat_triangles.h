@@ -24,8 +24,12 @@ class FlatTriangles {
   /// False without area and, in a model with faces, for a triangle whose id is no face's: a curved surface.
   bool is_flat(uint32_t t) const { return !(planes_[t].normal == Vec3{}); }
   const Plane& plane(uint32_t t) const { return planes_[t]; }
-  Vec3 corner(uint32_t t, size_t k) const { return model_.vertices[model_.triangles[t][k % 3]] - origin_; }
-  double area(uint32_t t) const { return norm(cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0))) / 2; }
+  Vec3 corner(uint32_t t, size_t k) const {
+    return model_.vertices[model_.triangles[t][k % 3]] - origin_;
+  }
+  double area(uint32_t t) const {
+    return norm(cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0))) / 2;
+  }
   Box3 box(uint32_t t) const;
   /// The first face of the triangle's id, or nullptr.
   const Face* face(uint32_t t) const;
@@ -43,6 +47,6 @@ class FlatTriangles {
 };
 
 constexpr double kSamePlane_rad = 1.7453292519943296e-5;  ///< 0.001 degrees
-constexpr double kTouching_m = 1e-4;                      ///< 0.1 mm: as far apart as triangles of a plane may be
+constexpr double kTouching_m = 1e-4;  ///< 0.1 mm: as far apart as triangles of a plane may be
 
 }  // namespace jalon

@@ -22,7 +22,8 @@ Transform rotation_by(const Vec3& vector_rad) {
   const double w[3][3] = {{0, -k.z, k.y}, {k.z, 0, -k.x}, {-k.y, k.x, 0}};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      out.m[static_cast<size_t>(4 * i + j)] = (i == j ? c : 0) + s * w[i][j] + (1 - c) * k[i] * k[j];
+      out.m[static_cast<size_t>(4 * i + j)] =
+          (i == j ? c : 0) + s * w[i][j] + (1 - c) * k[i] * k[j];
   return out;
 }
 

@@ -34,7 +34,8 @@ Patches::Patches(const FlatTriangles& flats, UnionFind& groups, Task& task) {
     }
     const uint32_t p = patch_of[t] = patch_of[root];
     ++counts[p];
-    if (const double area = flats.area(t); area > largest_area[p]) largest_area[p] = area, patches_[p].largest = t;
+    if (const double area = flats.area(t); area > largest_area[p])
+      largest_area[p] = area, patches_[p].largest = t;
     patches_[p].box += flats.box(t);
   }
   // 2. Their triangles, patch by patch.
@@ -80,7 +81,8 @@ PatchBins::PatchBins(const Patches& patches, Task& task) {
   for (size_t b = 1; b < place.size(); ++b) place[b] += place[b - 1];
   first_ = place;
   members_.resize(first_.back());
-  for_each_bin(patches, task, [&](size_t p, size_t bin) { members_[place[bin]++] = static_cast<uint32_t>(p); });
+  for_each_bin(patches, task,
+               [&](size_t p, size_t bin) { members_[place[bin]++] = static_cast<uint32_t>(p); });
 }
 
 template <class F>

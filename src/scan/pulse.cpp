@@ -16,7 +16,7 @@ using Recorded = StaticSettings::Echo;
 constexpr double kBehindGlass_m = 1e-6;  // where the search goes on behind a pane
 constexpr double kLeastCosine = 1e-6;    // of a sub-ray along a surface: it still counts
 constexpr size_t kMostSubRays = 1 + 3 * size_t{kMostBeamRings} * (kMostBeamRings + 1);
-constexpr size_t kRim = 6;               // sub-rays that tell whether the whole beam meets one plane
+constexpr size_t kRim = 6;  // sub-rays that tell whether the whole beam meets one plane
 
 /// One sub-ray in the middle and 6, 12 ... on rings, each for the same area, at the root mean square radius of its
 /// ring: the second moment of the disc is exact.
@@ -38,7 +38,8 @@ std::vector<Vec2> disc(int rings) {
 
 }  // namespace
 
-PulseCaster::PulseCaster(const StaticSettings& settings, const TriangleTree& tree, const Surfaces& surfaces)
+PulseCaster::PulseCaster(const StaticSettings& settings, const TriangleTree& tree,
+                         const Surfaces& surfaces)
     : settings_(settings), tree_(tree), surfaces_(surfaces) {
   if (settings.has_beam()) offsets_ = disc(settings.beam_rings);
 }
@@ -52,8 +53,8 @@ bool PulseCaster::hit(Ray ray, RandomStream random, RayHit& out) const {
   return false;
 }
 
-bool PulseCaster::sub_hit(const Vec3& eye, const Vec3& direction, size_t k, const RandomStream& random,
-                          RayHit& out) const {
+bool PulseCaster::sub_hit(const Vec3& eye, const Vec3& direction, size_t k,
+                          const RandomStream& random, RayHit& out) const {
   const Vec3 across = normalized(std::abs(direction.z) < 0.9 ? cross(direction, Vec3{0, 0, 1})
                                                              : cross(direction, Vec3{1, 0, 0}));
   const Vec3 aside = across * offsets_[k].u + cross(direction, across) * offsets_[k].v;
@@ -62,7 +63,8 @@ bool PulseCaster::sub_hit(const Vec3& eye, const Vec3& direction, size_t k, cons
              random, out);
 }
 
-bool PulseCaster::send(const Vec3& eye, const Vec3& direction, const RandomStream& random, Echo& echo) const {
+bool PulseCaster::send(const Vec3& eye, const Vec3& direction, const RandomStream& random,
+                       Echo& echo) const {
   // 1. The axis.
   RayHit axis;
   const bool is_hit = hit({eye, direction}, random, axis);
@@ -77,13 +79,15 @@ bool PulseCaster::send(const Vec3& eye, const Vec3& direction, const RandomStrea
   bool is_whole = !is_hit || plane != kNoSegment;
   for (size_t k = 1; k <= kRim; ++k) {
     const bool found = sub_hit(eye, direction, k, random, hits[n]);
-    is_whole = is_whole && found == is_hit && (!found || surfaces_.segment(hits[n].triangle) == plane);
+    is_whole =
+        is_whole && found == is_hit && (!found || surfaces_.segment(hits[n].triangle) == plane);
     n += found;
   }
   if (is_whole) return is_hit;
 
   // 3. The rest of the beam, and what the instrument makes of it.
-  for (size_t k = kRim + 1; k < offsets_.size(); ++k) n += sub_hit(eye, direction, k, random, hits[n]);
+  for (size_t k = kRim + 1; k < offsets_.size(); ++k)
+    n += sub_hit(eye, direction, k, random, hits[n]);
   if (n > 0) echo = merged({hits.data(), n}, direction);
   return n > 0;
 }
@@ -113,7 +117,8 @@ Echo PulseCaster::merged(std::span<RayHit> hits, const Vec3& direction) const {
     sum += weights[i] * (hits[i].t - hits[from].t);
     double of_face = 0;
     for (size_t j = from; j < to; ++j)
-      if (surfaces_.face(hits[j].triangle) == surfaces_.face(hits[i].triangle)) of_face += weights[j];
+      if (surfaces_.face(hits[j].triangle) == surfaces_.face(hits[i].triangle))
+        of_face += weights[j];
     if (of_face > most) most = of_face, echo.triangle = hits[i].triangle;
     echo.is_mixed |= surfaces_.segment(hits[i].triangle) != surfaces_.segment(hits[from].triangle);
   }

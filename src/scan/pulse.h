@@ -34,13 +34,15 @@ class PulseCaster {
  private:
   /// First surface on the line that is not passed through.
   bool hit(Ray ray, RandomStream random, RayHit& out) const;
-  bool sub_hit(const Vec3& eye, const Vec3& direction, size_t k, const RandomStream& random, RayHit& out) const;
+  bool sub_hit(const Vec3& eye, const Vec3& direction, size_t k, const RandomStream& random,
+               RayHit& out) const;
   Echo merged(std::span<RayHit> hits, const Vec3& direction) const;
 
   const StaticSettings& settings_;
   const TriangleTree& tree_;
   const Surfaces& surfaces_;
-  std::vector<Vec2> offsets_;  ///< of the sub-rays in the unit disc; the axis, then from the rim inward
+  std::vector<Vec2>
+      offsets_;  ///< of the sub-rays in the unit disc; the axis, then from the rim inward
 };
 
 }  // namespace jalon

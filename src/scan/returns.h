@@ -11,8 +11,9 @@
 
 namespace jalon {
 
-constexpr size_t kRayGrain = 16384;               ///< rays a chunk: about 5 ms
-constexpr size_t kMaxStations = size_t{1} << 26;  ///< (station, ray) is a random stream number of 64 bits
+constexpr size_t kRayGrain = 16384;  ///< rays a chunk: about 5 ms
+constexpr size_t kMaxStations = size_t{1}
+                                << 26;  ///< (station, ray) is a random stream number of 64 bits
 
 /// One return, before noise: small, because all of a scan's are kept until their number is known.
 struct Return {
@@ -46,6 +47,7 @@ class RayStreams {
 };
 
 /// Drops returns at random until this many are left, of all stations together; none when there are fewer.
-void thin(std::vector<Returns>& stations, uint64_t max_points, const RayStreams& streams, Task& task);
+void thin(std::vector<Returns>& stations, uint64_t max_points, const RayStreams& streams,
+          Task& task);
 
 }  // namespace jalon

@@ -36,7 +36,8 @@ Triangles measure(const Model& model) {
   out.box = {out.box.min - out.origin, out.box.max - out.origin};
   for (const auto& [a, b, c] : model.triangles)
     out.areas.push_back(
-        norm(cross(model.vertices[b] - model.vertices[a], model.vertices[c] - model.vertices[a])) / 2);
+        norm(cross(model.vertices[b] - model.vertices[a], model.vertices[c] - model.vertices[a])) /
+        2);
   return out;
 }
 
@@ -46,7 +47,8 @@ void weigh(Triangles& triangles, const Surfaces& surfaces, bool equal_counts) {
   const auto n = static_cast<uint32_t>(triangles.areas.size());
   for (uint32_t t = 0; t < n; ++t) area_of_face[surfaces.face(t)] += triangles.areas[t];
   for (uint32_t t = 0; t < n; ++t) {
-    const double returned = triangles.areas[t] * surfaces.returned(t), face = area_of_face[surfaces.face(t)];
+    const double returned = triangles.areas[t] * surfaces.returned(t),
+                 face = area_of_face[surfaces.face(t)];
     triangles.area += returned;
     triangles.weight += equal_counts ? (face > 0 ? returned / face : 0) : returned;
     triangles.cumulated.push_back(triangles.weight);
@@ -66,7 +68,8 @@ Vec3 point_in(const Model& model, uint32_t triangle, const Vec3& origin, RandomS
   double s = random.uniform(), t = random.uniform();
   if (s + t > 1) s = 1 - s, t = 1 - t;
   const Vec3 corner = model.vertices[a] - origin;
-  return corner + (model.vertices[b] - model.vertices[a]) * s + (model.vertices[c] - model.vertices[a]) * t;
+  return corner + (model.vertices[b] - model.vertices[a]) * s +
+         (model.vertices[c] - model.vertices[a]) * t;
 }
 
 /// Point i is a pure function of the seed and its number. The weights are cut into as many equal parts as there are
@@ -74,15 +77,18 @@ Vec3 point_in(const Model& model, uint32_t triangle, const Vec3& origin, RandomS
 void sample_one(const Model& model, const Triangles& triangles, const Surfaces& surfaces,
                 const SampleSettings& s, const Vec3& offset, size_t i, size_t n, ScanOutput& out) {
   RandomStream random(s.seed, i);
-  const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(n) * triangles.weight;
-  const auto found = std::upper_bound(triangles.cumulated.begin(), triangles.cumulated.end() - 1, at);
+  const double at =
+      (static_cast<double>(i) + random.uniform()) / static_cast<double>(n) * triangles.weight;
+  const auto found =
+      std::upper_bound(triangles.cumulated.begin(), triangles.cumulated.end() - 1, at);
   const auto triangle = static_cast<uint32_t>(found - triangles.cumulated.begin());
   Vec3 exact = point_in(model, triangle, triangles.origin, random);
   const bool is_outlier = random.uniform() < s.outliers;
   Vec3 measured = exact;
   if (is_outlier) {
     for (int a = 0; a < 3; ++a)
-      exact[a] = triangles.box.min[a] + (triangles.box.max[a] - triangles.box.min[a]) * random.uniform();
+      exact[a] =
+          triangles.box.min[a] + (triangles.box.max[a] - triangles.box.min[a]) * random.uniform();
     measured = exact;
   } else {
     if (s.noise_m > 0) measured += surfaces.normal(triangle) * (s.noise_m * random.normal());
@@ -127,7 +133,8 @@ std::span<const ParamRow> sample_scanner_rows() {
 
 Cloud scan_sample(const Model& model, std::span<const ScanStation> stations,
                   const SampleSettings& settings, Task& task) {
-  if (!stations.empty()) fail(Status::kInvalidArgument, "scanner sample takes points from everywhere: no stations");
+  if (!stations.empty())
+    fail(Status::kInvalidArgument, "scanner sample takes points from everywhere: no stations");
   const Vec3 offset = offset_of(settings.offset_m);
   validate(model);
   Triangles triangles = measure(model);

@@ -23,9 +23,10 @@ ScanOutput::ScanOutput(size_t n)
       face(std::make_shared<Column>(FieldInfo{"face", ElementType::kUint32, 1, "",
                                               "id of the face hit; 4294967295 for an outlier"},
                                     n)),
-      segment(std::make_shared<Column>(FieldInfo{"segment", ElementType::kUint32, 1, "",
-                                                 "number of the true plane; 0: none, an outlier or a mixed pixel"},
-                                       n)),
+      segment(std::make_shared<Column>(
+          FieldInfo{"segment", ElementType::kUint32, 1, "",
+                    "number of the true plane; 0: none, an outlier or a mixed pixel"},
+          n)),
       true_xyz(std::make_shared<Column>(
           FieldInfo{"true_xyz", ElementType::kFloat64, 3, "m", "the point without noise"}, n)) {}
 

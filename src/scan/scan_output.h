@@ -14,7 +14,8 @@ namespace jalon {
 /// Columns of a cloud to be, of every scanner: the points and their truth.
 struct ScanOutput {
   explicit ScanOutput(size_t n);
-  void set_point(size_t i, const Vec3& measured, const Vec3& exact, uint32_t face_id, uint32_t true_segment);
+  void set_point(size_t i, const Vec3& measured, const Vec3& exact, uint32_t face_id,
+                 uint32_t true_segment);
   /// Moves everything out.
   Cloud take();
 

@@ -26,7 +26,8 @@ void require_rigid(const Transform& pose);
 /// a facade at 0.6 x its width; inside a street or a room, on its long axis; at the corners around a building. None
 /// without upright triangles. A count puts so many evenly along the facade or the axis, or on a circle around the
 /// building; a distance (0: the rule above) goes from the foremost upright triangle to the tripods.
-std::vector<ScanStation> automatic_stations(const Model& model, uint64_t count = 0, double distance_m = 0);
+std::vector<ScanStation> automatic_stations(const Model& model, uint64_t count = 0,
+                                            double distance_m = 0);
 
 /// Method "static": a tripod. Fields "face" and "segment" (uint32; see scan/truth.h), "true_xyz" (float64 x 3),
 /// "range" (float32), on demand "incidence_angle" (float32); one cloud station a scan station. Without stations the

@@ -30,7 +30,8 @@ uint64_t mixed(uint64_t z) {  // splitmix64's finaliser (Steele, Lea & Flood 201
 
 uint64_t hash(const Vec3& p) {
   uint64_t h = 0;
-  for (int a = 0; a < 3; ++a) h = mixed(h * 0x9E3779B97F4A7C15ull + std::bit_cast<uint64_t>(p[a] + 0.0));
+  for (int a = 0; a < 3; ++a)
+    h = mixed(h * 0x9E3779B97F4A7C15ull + std::bit_cast<uint64_t>(p[a] + 0.0));
   return h;
 }
 
@@ -48,9 +49,11 @@ bool are_one(const FlatTriangles& flats, uint32_t a, uint32_t b) {
 
 /// Two-sided faces have both triangles on the same side: their edge is still a border.
 bool are_either_side(const FlatTriangles& flats, uint32_t a, uint32_t b) {
-  const Vec3 from = flats.corner(a / 3, a % 3), across = cross(flats.corner(a / 3, a % 3 + 1) - from,
-                                                               flats.plane(a / 3).normal);
-  return dot(flats.corner(a / 3, a % 3 + 2) - from, across) * dot(flats.corner(b / 3, b % 3 + 2) - from, across) < 0;
+  const Vec3 from = flats.corner(a / 3, a % 3),
+             across = cross(flats.corner(a / 3, a % 3 + 1) - from, flats.plane(a / 3).normal);
+  return dot(flats.corner(a / 3, a % 3 + 2) - from, across) *
+             dot(flats.corner(b / 3, b % 3 + 2) - from, across) <
+         0;
 }
 
 /// Every edge of a run of equal keys is joined to the first before it that is the same edge of a coplanar triangle.
@@ -63,8 +66,7 @@ void join_run(const FlatTriangles& flats, const Edge* begin, const Edge* end, co
     });
     if (same != distinct.end())
       joins.push_back({*same, e->number, are_either_side(flats, *same, e->number)});
-    else
-      distinct.push_back(e->number);
+    else distinct.push_back(e->number);
   }
 }
 
@@ -74,7 +76,8 @@ std::vector<uint8_t> join_by_edges(const FlatTriangles& flats, UnionFind& groups
   const size_t n = 3 * size_t{flats.size()};
   std::vector<uint8_t> inner(flats.size(), 0);
   if (n == 0) return inner;
-  if (n > 0xffffffffu) fail(Status::kLimit, "the true planes of at most 1 431 655 765 triangles can be found");
+  if (n > 0xffffffffu)
+    fail(Status::kLimit, "the true planes of at most 1 431 655 765 triangles can be found");
 
   // 1. Equal edges into the same bin.
   const size_t bins = std::bit_floor(std::clamp<size_t>(n / kEdgesPerBin, 1, kSharedEdgesMostBins));
@@ -82,10 +85,13 @@ std::vector<uint8_t> join_by_edges(const FlatTriangles& flats, UnionFind& groups
   std::vector<size_t> begins;
   {
     const ProgressSpan span(task, 0, 0.5);
-    begins = partition(n, bins, [&](const Edge& e) { return e.key & (bins - 1); }, task, edges.data(), [&](size_t i) {
-      const auto t = static_cast<uint32_t>(i / 3);
-      return Edge{hash(flats.corner(t, i % 3)) + hash(flats.corner(t, i % 3 + 1)), static_cast<uint32_t>(i)};
-    });
+    begins = partition(
+        n, bins, [&](const Edge& e) { return e.key & (bins - 1); }, task, edges.data(),
+        [&](size_t i) {
+          const auto t = static_cast<uint32_t>(i / 3);
+          return Edge{hash(flats.corner(t, i % 3)) + hash(flats.corner(t, i % 3 + 1)),
+                      static_cast<uint32_t>(i)};
+        });
   }
   // 2. Sorted, they lie side by side.
   std::vector<std::vector<Join>> joins(bins);
@@ -93,10 +99,12 @@ std::vector<uint8_t> join_by_edges(const FlatTriangles& flats, UnionFind& groups
     const ProgressSpan span(task, 0.5, 0.9);
     parallel_chunks(task, bins, [&](size_t bin) {
       Edge* const first = edges.data() + begins[bin];
-      Edge* const last = std::remove_if(first, edges.data() + begins[bin + 1],
-                                        [&](const Edge& e) { return !flats.is_flat(e.number / 3); });
-      std::sort(first, last,
-                [](const Edge& a, const Edge& b) { return a.key != b.key ? a.key < b.key : a.number < b.number; });
+      Edge* const last = std::remove_if(first, edges.data() + begins[bin + 1], [&](const Edge& e) {
+        return !flats.is_flat(e.number / 3);
+      });
+      std::sort(first, last, [](const Edge& a, const Edge& b) {
+        return a.key != b.key ? a.key < b.key : a.number < b.number;
+      });
       for (Edge *run = first, *next; run != last; run = next) {
         next = std::find_if(run, last, [&](const Edge& e) { return e.key != run->key; });
         join_run(flats, run, next, task, joins[bin]);

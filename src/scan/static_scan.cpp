@@ -25,7 +25,8 @@ struct Output : ScanOutput {
       return std::make_shared<Column>(FieldInfo{name, ElementType::kFloat32, 1, unit, meaning}, n);
     };
     range = column("range", "m", "distance from the scanner, without noise");
-    if (with_incidence) incidence = column("incidence_angle", "rad", "between the ray and the face's normal");
+    if (with_incidence)
+      incidence = column("incidence_angle", "rad", "between the ray and the face's normal");
   }
   std::shared_ptr<Column> range, incidence;
 };
@@ -55,8 +56,8 @@ class Scan {
     return returns;
   }
 
-  void record(const Transform& pose, size_t station, const Returns& returns, size_t first, Output& out,
-              Task& task) const {
+  void record(const Transform& pose, size_t station, const Returns& returns, size_t first,
+              Output& out, Task& task) const {
     const Misfit misfit(settings_, station);
     std::vector<size_t> start(returns.size());
     for (size_t c = 0; c < returns.size(); ++c) {
@@ -100,8 +101,8 @@ class Scan {
            (settings_.spacing_m * settings_.spacing_m * surfaces_.cosine(echo.triangle, direction));
   }
 
-  void record_one(const Transform& pose, const Misfit& misfit, size_t station, uint64_t first_ray, const Return& r,
-                  size_t i, Output& out) const {
+  void record_one(const Transform& pose, const Misfit& misfit, size_t station, uint64_t first_ray,
+                  const Return& r, size_t i, Output& out) const {
     const uint64_t ray = first_ray + (r.ray & kRayMask);
     const bool is_outlier = (r.ray & kOutlierBit) != 0, is_mixed = (r.ray & kMixedBit) != 0;
     const Vec3 origin = tree_.origin(), from = pose.translation() - origin;
@@ -196,8 +197,8 @@ Cloud record_all(const Scan& scan, const StaticSettings& settings, const Vec3& o
   cloud.fields.set(out.range);
   if (out.incidence) cloud.fields.set(out.incidence);
   for (size_t s = 0; s < stations.size(); ++s) {
-    Station station{stations[s].name, true, Misfit(settings, s).recorded(stations[s].pose), first[s],
-                    first[s + 1] - first[s]};
+    Station station{stations[s].name, true, Misfit(settings, s).recorded(stations[s].pose),
+                    first[s], first[s + 1] - first[s]};
     if (station.name.empty()) station.name = "station " + std::to_string(s + 1);
     for (int a = 0; a < 3; ++a) station.pose.m[static_cast<size_t>(4 * a + 3)] += offset[a];
     cloud.stations.push_back(station);

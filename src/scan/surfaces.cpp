@@ -21,7 +21,8 @@ std::unordered_set<uint32_t> glass_ids(const Model& model) {
   for (const Face& face : model.faces) {
     if (face.part >= model.parts.size()) continue;
     const Part& part = model.parts[face.part];
-    const bool in_window = part.parent < model.parts.size() && model.parts[part.parent].part_class == "window";
+    const bool in_window =
+        part.parent < model.parts.size() && model.parts[part.parent].part_class == "window";
     if (part.part_class == "glass" || (part.part_class == "pane" && in_window)) ids.insert(face.id);
   }
   return ids;
@@ -29,10 +30,12 @@ std::unordered_set<uint32_t> glass_ids(const Model& model) {
 
 }  // namespace
 
-Surfaces::Surfaces(const Model& model, const ScannedSurfaceSettings& settings, uint64_t seed, Task& task)
+Surfaces::Surfaces(const Model& model, const ScannedSurfaceSettings& settings, uint64_t seed,
+                   Task& task)
     : model_(model), truth_(find_truth(model, settings.truth_min_area_m2, task)) {
   const double least = settings.glass_return_min, most = settings.glass_return_max;
-  if (!(least <= most)) fail(Status::kInvalidArgument, "glass_return_min is above glass_return_max");
+  if (!(least <= most))
+    fail(Status::kInvalidArgument, "glass_return_min is above glass_return_max");
   if (least == 1) return;
   const std::unordered_set<uint32_t> ids = glass_ids(model);
   if (ids.empty()) return;
@@ -44,7 +47,8 @@ Surfaces::Surfaces(const Model& model, const ScannedSurfaceSettings& settings, u
 
 Vec3 Surfaces::normal(uint32_t triangle) const {
   const auto& [a, b, c] = model_.triangles[triangle];
-  return normalized(cross(model_.vertices[b] - model_.vertices[a], model_.vertices[c] - model_.vertices[a]));
+  return normalized(
+      cross(model_.vertices[b] - model_.vertices[a], model_.vertices[c] - model_.vertices[a]));
 }
 
 double Surfaces::cosine(uint32_t triangle, const Vec3& direction) const {

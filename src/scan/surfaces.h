@@ -43,10 +43,11 @@ inline constexpr auto kGlassRows = setting_rows(
         "least share of the pulses that a pane of glass returns; each has its own, the others pass "
         "through"),
     number_row<&ScannedSurfaceSettings::glass_return_max>("glass_return_max", 0, 1, "1", "",
-                                                   "largest share, at least the least"));
-inline constexpr auto kTruthRows = setting_rows(number_row<&ScannedSurfaceSettings::truth_min_area_m2>(
-    "truth_min_area_m2", 0, 1e9, "m2", "",
-    "connected coplanar faces from this area on are a true plane: the numbers of the field "
-    "segment"));
+                                                          "largest share, at least the least"));
+inline constexpr auto kTruthRows =
+    setting_rows(number_row<&ScannedSurfaceSettings::truth_min_area_m2>(
+        "truth_min_area_m2", 0, 1e9, "m2", "",
+        "connected coplanar faces from this area on are a true plane: the numbers of the field "
+        "segment"));
 
 }  // namespace jalon

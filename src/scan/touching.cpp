@@ -25,24 +25,30 @@ struct Piece {
 /// Directions in a plane.
 struct Axes {
   explicit Axes(const Vec3& n)
-      : u(normalized(std::abs(n.z) < 0.9 ? cross(Vec3{0, 0, 1}, n) : cross(Vec3{0, 1, 0}, n))), v(cross(n, u)) {}
+      : u(normalized(std::abs(n.z) < 0.9 ? cross(Vec3{0, 0, 1}, n) : cross(Vec3{0, 1, 0}, n))),
+        v(cross(n, u)) {}
   Vec2 flat(const Vec3& p) const { return {dot(p, u), dot(p, v)}; }
   Vec3 u, v;
 };
 
 bool near(const Piece& a, const Piece& b) {
   const auto apart = [](double a0, double a1, double b0, double b1) {
-    return std::max(a0, a1) + kTouching_m < std::min(b0, b1) || std::max(b0, b1) + kTouching_m < std::min(a0, a1);
+    return std::max(a0, a1) + kTouching_m < std::min(b0, b1) ||
+           std::max(b0, b1) + kTouching_m < std::min(a0, a1);
   };
-  if (apart(a.from.u, a.to.u, b.from.u, b.to.u) || apart(a.from.v, a.to.v, b.from.v, b.to.v)) return false;
-  return segment_distance(a.from, b.from, b.to) <= kTouching_m || segment_distance(a.to, b.from, b.to) <= kTouching_m ||
-         segment_distance(b.from, a.from, a.to) <= kTouching_m || segment_distance(b.to, a.from, a.to) <= kTouching_m ||
+  if (apart(a.from.u, a.to.u, b.from.u, b.to.u) || apart(a.from.v, a.to.v, b.from.v, b.to.v))
+    return false;
+  return segment_distance(a.from, b.from, b.to) <= kTouching_m ||
+         segment_distance(a.to, b.from, b.to) <= kTouching_m ||
+         segment_distance(b.from, a.from, a.to) <= kTouching_m ||
+         segment_distance(b.to, a.from, a.to) <= kTouching_m ||
          segments_meet(a.from, a.to, b.from, b.to);
 }
 
 class Comparison {
  public:
-  Comparison(const FlatTriangles& flats, std::span<const uint8_t> inner_edges, const Patches& patches, const Task& task)
+  Comparison(const FlatTriangles& flats, std::span<const uint8_t> inner_edges,
+             const Patches& patches, const Task& task)
       : flats_(flats), inner_edges_(inner_edges), patches_(patches), task_(task) {}
 
   bool are_one(uint32_t a, uint32_t b) const {
@@ -53,7 +59,8 @@ class Comparison {
  private:
   bool lies_in(uint32_t patch, const Plane& plane) const {
     const auto triangles = patches_.triangles(patch);
-    return std::all_of(triangles.begin(), triangles.end(), [&](uint32_t t) { return flats_.lies_in(t, plane); });
+    return std::all_of(triangles.begin(), triangles.end(),
+                       [&](uint32_t t) { return flats_.lies_in(t, plane); });
   }
   bool are_coplanar(uint32_t a, uint32_t b) const {
     const uint32_t s = patches_[a].largest, t = patches_[b].largest;
@@ -69,14 +76,16 @@ class Comparison {
         Box3 of_edge;
         of_edge.add(flats_.corner(t, k));
         of_edge.add(flats_.corner(t, k + 1));
-        if (meet(of_edge, box)) out.push_back({axes.flat(flats_.corner(t, k)), axes.flat(flats_.corner(t, k + 1))});
+        if (meet(of_edge, box))
+          out.push_back({axes.flat(flats_.corner(t, k)), axes.flat(flats_.corner(t, k + 1))});
       }
     return out;
   }
 
   bool covers(uint32_t patch, const Vec2& p, const Axes& axes) const {
     for (const uint32_t t : patches_.triangles(patch)) {
-      const std::array<Vec2, 3> corners{axes.flat(flats_.corner(t, 0)), axes.flat(flats_.corner(t, 1)),
+      const std::array<Vec2, 3> corners{axes.flat(flats_.corner(t, 0)),
+                                        axes.flat(flats_.corner(t, 1)),
                                         axes.flat(flats_.corner(t, 2))};
       if (contains(corners, p)) return true;
     }
@@ -86,7 +95,8 @@ class Comparison {
   /// Borders that come near each other, or one patch inside the other.
   bool touch(uint32_t a, uint32_t b) const {
     const Axes axes(flats_.plane(patches_[a].largest).normal);
-    const std::vector<Piece> of_a = border(a, patches_[b].box, axes), of_b = border(b, patches_[a].box, axes);
+    const std::vector<Piece> of_a = border(a, patches_[b].box, axes),
+                             of_b = border(b, patches_[a].box, axes);
     size_t compared = 0;
     for (const Piece& s : of_a)
       for (const Piece& t : of_b) {
@@ -105,14 +115,16 @@ class Comparison {
 
 }  // namespace
 
-void join_touching(const FlatTriangles& flats, std::span<const uint8_t> inner_edges, UnionFind& groups, Task& task) {
+void join_touching(const FlatTriangles& flats, std::span<const uint8_t> inner_edges,
+                   UnionFind& groups, Task& task) {
   // 1. Patches, and which of them may meet.
   const Patches patches(flats, groups, task);
   if (patches.size() < 2) return;
   const PatchBins bins(patches, task);
   // 2. Pairs that are one plane, each compared in one bin.
   const Comparison comparison(flats, inner_edges, patches, task);
-  std::vector<std::vector<std::array<uint32_t, 2>>> pairs((bins.size() + kBinGrain - 1) / kBinGrain);
+  std::vector<std::vector<std::array<uint32_t, 2>>> pairs((bins.size() + kBinGrain - 1) /
+                                                          kBinGrain);
   parallel_for(task, bins.size(), kBinGrain, [&](size_t begin, size_t end) {
     for (size_t bin = begin; bin < end; ++bin) {
       const auto members = bins.members(bin);

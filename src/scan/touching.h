@@ -12,6 +12,7 @@ namespace jalon {
 
 /// Joins coplanar groups of triangles that come within 0.1 mm of each other. Groups must be connected and coplanar;
 /// inner_edges as join_by_edges gives them: only borders are compared.
-void join_touching(const FlatTriangles& flats, std::span<const uint8_t> inner_edges, UnionFind& groups, Task& task);
+void join_touching(const FlatTriangles& flats, std::span<const uint8_t> inner_edges,
+                   UnionFind& groups, Task& task);
 
 }  // namespace jalon

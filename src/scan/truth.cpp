@@ -17,7 +17,8 @@ namespace {
 constexpr size_t kTruthPerCheck = 1 << 16;
 
 /// Numbers the groups that are large enough by their first triangle, which is their root.
-Truth numbered(const Model& model, const FlatTriangles& flats, UnionFind& groups, double min_area_m2, Task& task) {
+Truth numbered(const Model& model, const FlatTriangles& flats, UnionFind& groups,
+               double min_area_m2, Task& task) {
   // 1. Area, and the largest triangle, of each group.
   std::vector<double> area(flats.size(), 0), largest_area(flats.size(), 0);
   std::vector<uint32_t> largest(flats.size());
@@ -67,7 +68,8 @@ Truth find_truth(const Model& model, double min_area_m2, Task& task) {
   return numbered(model, flats, groups, min_area_m2, task);
 }
 
-FieldTable truth_table(const Truth& truth, const Vec3& shift, std::span<const uint32_t> labels, Task& task) {
+FieldTable truth_table(const Truth& truth, const Vec3& shift, std::span<const uint32_t> labels,
+                       Task& task) {
   constexpr size_t kGrain = 1 << 16;
   const size_t n = truth.planes.size();
   std::vector<uint32_t> segment, face, part;
@@ -87,8 +89,8 @@ FieldTable truth_table(const Truth& truth, const Vec3& shift, std::span<const ui
     area.push_back(p.area_m2);
   }
   FieldTable table;
-  const auto set = [&]<class T>(const char* name, uint32_t components, const char* unit, const char* meaning,
-                                const std::vector<T>& values) {
+  const auto set = [&]<class T>(const char* name, uint32_t components, const char* unit,
+                                const char* meaning, const std::vector<T>& values) {
     table.set(make_column<T>({name, element_type_of<T>(), components, unit, meaning}, values));
   };
   set("segment", 1, "", "number in the field segment of the points", segment);

@@ -25,7 +25,8 @@ struct TruePlane {
 
 /// What a perfect segmentation of a scan of the model would find.
 struct Truth {
-  std::vector<TruePlane> planes;            ///< of the segments 1, 2 ..., in the order of the model's triangles
+  std::vector<TruePlane>
+      planes;  ///< of the segments 1, 2 ..., in the order of the model's triangles
   std::vector<uint32_t> triangle_segments;  ///< segment of each triangle; kNoSegment without one
 };
 
@@ -37,6 +38,7 @@ Truth find_truth(const Model& model, double min_area_m2, Task& task);
 
 /// One row a true plane, shifted: "segment", "face", "part" (uint32), "normal" (float64 x 3), "offset", "area"
 /// (float64) and "count" (uint64): how often its number is among the labels.
-FieldTable truth_table(const Truth& truth, const Vec3& shift, std::span<const uint32_t> labels, Task& task);
+FieldTable truth_table(const Truth& truth, const Vec3& shift, std::span<const uint32_t> labels,
+                       Task& task);
 
 }  // namespace jalon

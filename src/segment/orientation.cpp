@@ -24,7 +24,8 @@ constexpr std::string_view kSeparators = " ,;";
 Orientation named(std::string_view word) {
   for (const Name& name : kNames)
     if (name.text == word) return name.orientation;
-  fail(Status::kInvalidArgument, "orientation_order: \"%.*s\" is none of parallel, vertical, horizontal, inclined",
+  fail(Status::kInvalidArgument,
+       "orientation_order: \"%.*s\" is none of parallel, vertical, horizontal, inclined",
        static_cast<int>(std::min<size_t>(word.size(), 40)), word.data());
 }
 
@@ -41,7 +42,8 @@ OrientationOrder orientation_order(std::string_view text) {
     const Orientation orientation = named(word);
     const auto end = order.classes.begin() + order.count;
     if (std::find(order.classes.begin(), end, orientation) != end)
-      fail(Status::kInvalidArgument, "orientation_order names \"%.*s\" twice", static_cast<int>(word.size()), word.data());
+      fail(Status::kInvalidArgument, "orientation_order names \"%.*s\" twice",
+           static_cast<int>(word.size()), word.data());
     order.classes[order.count++] = orientation;
   }
 }

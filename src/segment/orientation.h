@@ -11,7 +11,13 @@
 namespace jalon {
 
 /// Orientation classes relative to the main facade (Boulaassal 2010, 3.4.5.2); the numbers of jalon/segmenter.h.
-enum class Orientation : uint8_t { kNone = 0, kParallel = 1, kVertical = 2, kHorizontal = 3, kInclined = 4 };
+enum class Orientation : uint8_t {
+  kNone = 0,
+  kParallel = 1,
+  kVertical = 2,
+  kHorizontal = 3,
+  kInclined = 4
+};
 
 /// Classes in the order in which their planes are extracted.
 struct OrientationOrder {

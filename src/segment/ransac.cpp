@@ -19,7 +19,8 @@ void drop_other_classes(RansacScene& scene, std::vector<Surface>& surfaces) {
   const OrientationOrder& order = scene.order;
   const auto asked_for = [&](const Surface& surface) {
     if (!surface.is_plane()) return true;
-    const Orientation own = scene.axes->classify(surface.plane.normal, scene.settings.orientation_tolerance_rad);
+    const Orientation own =
+        scene.axes->classify(surface.plane.normal, scene.settings.orientation_tolerance_rad);
     const auto end = order.classes.begin() + order.count;
     return std::find(order.classes.begin(), end, own) != end;
   };
@@ -56,7 +57,8 @@ Segmentation segment_ransac(const CloudPtr& cloud, const RansacSettings& setting
     ProgressSpan span(task, 0.85, 0.95, "sharing out points");
     if (scene.settings.connectivity) merge_coplanar(scene, surfaces, task);
     share_out_points(scene, surfaces, task);
-    if (scene.settings.connectivity && merge_layers(scene, surfaces, task)) share_out_points(scene, surfaces, task);
+    if (scene.settings.connectivity && merge_layers(scene, surfaces, task))
+      share_out_points(scene, surfaces, task);
     drop_other_classes(scene, surfaces);
   }
   ProgressSpan span(task, 0.95, 1, "last fit");

@@ -49,7 +49,8 @@ Segmentation segment_region_growing(const CloudPtr& cloud, const GrowingSettings
     }();
     const double points_per_member = points.points_per_member;
     points = {};
-    surfaces.insert(surfaces.end(), std::make_move_iterator(grown.begin()), std::make_move_iterator(grown.end()));
+    surfaces.insert(surfaces.end(), std::make_move_iterator(grown.begin()),
+                    std::make_move_iterator(grown.end()));
     ProgressSpan span(task, from + 0.35, from + 0.43, "sharing out points");
     if (settings.surface.merge_gap_m > 0) merge_coplanar(scene, surfaces, task);
     drop_small(settings.surface.min_points, points_per_member, surfaces);

@@ -27,7 +27,7 @@ enum class PrimitiveType : uint8_t { kPlane = 1, kSphere = 2, kCylinder = 3 };
 
 /// One architectural surface. Of the three fits the one of its type counts.
 struct Segment {
-  uint32_t label = 0;  ///< 1-based; points carry it
+  uint32_t label = 0;        ///< 1-based; points carry it
   int64_t source_label = 0;  ///< value in the field it was made from; 0: found by a method
   PrimitiveType type = PrimitiveType::kPlane;
   Orientation orientation = Orientation::kNone;  ///< kNone for spheres and cylinders
@@ -63,9 +63,9 @@ size_t plane_count(const std::vector<Segment>& segments);
 /// Result of a segmenter: immutable, keeps its cloud.
 struct Segmentation {
   CloudPtr cloud;
-  ColumnPtr labels;        ///< "label" uint32: 0 = noise set, s = segments[s - 1]
-  ColumnPtr residuals;     ///< "residual" float32, m, signed distance to the own plane; NaN for noise
-  ColumnPtr orientations;  ///< "orientation" uint8
+  ColumnPtr labels;     ///< "label" uint32: 0 = noise set, s = segments[s - 1]
+  ColumnPtr residuals;  ///< "residual" float32, m, signed distance to the own plane; NaN for noise
+  ColumnPtr orientations;         ///< "orientation" uint8
   std::vector<Segment> segments;  ///< largest first
   Transform T_facade_world;
   std::string parameters_json;  ///< what it was made with

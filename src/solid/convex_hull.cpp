@@ -24,7 +24,8 @@ std::vector<Corner> on_grid(std::span<const Vec3> points) {
   Box3 box;
   for (const Vec3& p : points) box.add(p);
   const Vec3 size = box.max - box.min;
-  const double extent = std::max({size.x, size.y, size.z}), scale = extent > 0 ? kGridSteps / extent : 0;
+  const double extent = std::max({size.x, size.y, size.z}),
+               scale = extent > 0 ? kGridSteps / extent : 0;
   std::vector<Corner> out;
   for (const Vec3& p : points) {
     const Vec3 q = (p - box.min) * scale;
@@ -36,8 +37,10 @@ std::vector<Corner> on_grid(std::span<const Vec3> points) {
 // Six times the volume of (a, b, c, d): positive when d lies where the anticlockwise triangle (a, b, c) faces.
 Wide volume(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
   std::array<std::array<Wide, 3>, 3> m;
-  for (size_t i = 0; i < 3; ++i) m[0][i] = b[i] - a[i], m[1][i] = c[i] - a[i], m[2][i] = d[i] - a[i];
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+  for (size_t i = 0; i < 3; ++i)
+    m[0][i] = b[i] - a[i], m[1][i] = c[i] - a[i], m[2][i] = d[i] - a[i];
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
@@ -107,7 +110,8 @@ ConvexHull with_planes(const std::vector<Triple>& facets, std::span<const Vec3> 
   }
   for (ConvexHull::Facet& facet : hull.facets) {
     facet.offset = dot(facet.normal, hull.corners[facet.corners[0]]);
-    for (const Vec3& corner : hull.corners) facet.offset = std::max(facet.offset, dot(facet.normal, corner));
+    for (const Vec3& corner : hull.corners)
+      facet.offset = std::max(facet.offset, dot(facet.normal, corner));
   }
   return hull;
 }
@@ -115,7 +119,8 @@ ConvexHull with_planes(const std::vector<Triple>& facets, std::span<const Vec3> 
 }  // namespace
 
 ConvexHull convex_hull(std::span<const Vec3> points) {
-  if (points.size() < 4) fail(Status::kInsufficientData, "%zu points; a hull needs at least 4", points.size());
+  if (points.size() < 4)
+    fail(Status::kInsufficientData, "%zu points; a hull needs at least 4", points.size());
   if (points.size() > kMaxHullPoints)
     fail(Status::kLimit, "%zu points of a hull; at most %zu", points.size(), kMaxHullPoints);
   const std::vector<Corner> grid = on_grid(points);

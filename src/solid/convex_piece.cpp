@@ -58,7 +58,8 @@ SignedDistance cylinder_distance(const Vec3& p, double radius, double half_heigh
 }
 
 SignedDistance hull_distance(const Vec3& p, const ConvexHull& hull) {
-  double deepest = -std::numeric_limits<double>::infinity(), squared = std::numeric_limits<double>::infinity();
+  double deepest = -std::numeric_limits<double>::infinity(),
+         squared = std::numeric_limits<double>::infinity();
   Vec3 nearest, normal;
   for (const ConvexHull::Facet& facet : hull.facets) {
     const double height = dot(facet.normal, p) - facet.offset;
@@ -67,8 +68,9 @@ SignedDistance hull_distance(const Vec3& p, const ConvexHull& hull) {
       normal = facet.normal;
     }
     if (height <= 0 || height * height > squared) continue;
-    const Vec3 candidate = nearest_on_triangle(p, hull.corners[facet.corners[0]], hull.corners[facet.corners[1]],
-                                               hull.corners[facet.corners[2]]);
+    const Vec3 candidate =
+        nearest_on_triangle(p, hull.corners[facet.corners[0]], hull.corners[facet.corners[1]],
+                            hull.corners[facet.corners[2]]);
     const double d = squared_norm(p - candidate);
     if (d < squared) {
       squared = d;
@@ -79,8 +81,6 @@ SignedDistance hull_distance(const Vec3& p, const ConvexHull& hull) {
   const double value = std::sqrt(squared);
   return {value, (p - nearest) / value};
 }
-
-
 
 }  // namespace
 
@@ -120,7 +120,8 @@ ConvexPiece ConvexPiece::hull(std::span<const Vec3> points) {
   Box3 box;
   for (const Vec3& p : piece.hull_.corners) box.add(p);
   piece.centre_ = (box.min + box.max) * 0.5;
-  for (const Vec3& p : piece.hull_.corners) piece.radius_ = std::max(piece.radius_, norm(p - piece.centre_));
+  for (const Vec3& p : piece.hull_.corners)
+    piece.radius_ = std::max(piece.radius_, norm(p - piece.centre_));
   return piece;
 }
 

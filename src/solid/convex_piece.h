@@ -42,8 +42,8 @@ class ConvexPiece {
   SignedDistance local_distance(const Vec3& p) const;
 
   Kind kind_ = Kind::kSphere;
-  Transform frame_;     ///< T_gauge_piece
-  Vec3 half_;           ///< box: half edges; cylinder: radius, -, half height; sphere: radius
+  Transform frame_;  ///< T_gauge_piece
+  Vec3 half_;        ///< box: half edges; cylinder: radius, -, half height; sphere: radius
   ConvexHull hull_;
   Vec3 centre_;
   double radius_ = 0;

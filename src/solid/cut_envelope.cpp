@@ -28,8 +28,9 @@ Vec3 vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
 void CutEnvelope::add(const Cut& cut, const Weights& at) {
   if (count_ == kMost) {
-    const auto lowest = std::min_element(cuts_.begin(), cuts_.end(),
-                                         [&](const Cut& a, const Cut& b) { return a.at(at) < b.at(at); });
+    const auto lowest =
+        std::min_element(cuts_.begin(), cuts_.end(),
+                         [&](const Cut& a, const Cut& b) { return a.at(at) < b.at(at); });
     *lowest = cuts_[--count_];
   }
   cuts_[count_++] = cut;
@@ -39,7 +40,8 @@ double CutEnvelope::minimise(Weights& where) const {
   double best = kInfinity;
   const auto consider = [&](const Weights& w) {
     double highest = -kInfinity;
-    for (size_t k = 0; k < count_ && highest < best; ++k) highest = std::max(highest, cuts_[k].at(w));
+    for (size_t k = 0; k < count_ && highest < best; ++k)
+      highest = std::max(highest, cuts_[k].at(w));
     if (highest >= best) return;
     best = highest;
     where = w;
@@ -62,7 +64,8 @@ double CutEnvelope::minimise(Weights& where) const {
       }
       for (size_t m = l + 1; m < count_; ++m) {
         Weights w;
-        if (normalise(cross(first, vector_of(cuts_[k].corners) - vector_of(cuts_[m].corners)), w)) consider(w);
+        if (normalise(cross(first, vector_of(cuts_[k].corners) - vector_of(cuts_[m].corners)), w))
+          consider(w);
       }
     }
   return best;
@@ -73,7 +76,8 @@ double CutEnvelope::best_mixture(const Vec3& point, double& height, Vec3& slope)
   const auto consider = [&](const Cut& a, const Cut& b, const Cut& c, const Weights& share) {
     double lowest = kInfinity;
     for (size_t i = 0; i < 3; ++i)
-      lowest = std::min(lowest, a.corners[i] * share[0] + b.corners[i] * share[1] + c.corners[i] * share[2]);
+      lowest = std::min(
+          lowest, a.corners[i] * share[0] + b.corners[i] * share[1] + c.corners[i] * share[2]);
     if (lowest <= best) return;
     best = lowest;
     height = a.at(point) * share[0] + b.at(point) * share[1] + c.at(point) * share[2];
@@ -94,7 +98,8 @@ double CutEnvelope::best_mixture(const Vec3& point, double& height, Vec3& slope)
         // All three corners at one height.
         const Cut& c = cuts_[m];
         const auto rise = [&](size_t i) {
-          return Vec3{a.corners[i] - a.corners[0], b.corners[i] - b.corners[0], c.corners[i] - c.corners[0]};
+          return Vec3{a.corners[i] - a.corners[0], b.corners[i] - b.corners[0],
+                      c.corners[i] - c.corners[0]};
         };
         Weights share;
         if (normalise(cross(rise(1), rise(2)), share)) consider(a, b, c, share);

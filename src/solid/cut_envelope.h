@@ -19,7 +19,9 @@ struct Cut {
   std::array<double, 3> corners{};  ///< its heights at the corners of the triangle
 
   double at(const Vec3& x) const { return value + dot(gradient, x - point); }
-  double at(const Weights& w) const { return corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2]; }
+  double at(const Weights& w) const {
+    return corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2];
+  }
 };
 
 /// The maximum of a few cuts over a triangle: a linear program with three weights, small enough to look at all of its

@@ -33,7 +33,8 @@ std::shared_ptr<Mesh> mesh_of(const TriangleBoxes& boxes, const Vec3& origin) {
   std::vector<fcl::Triangle> triangles;
   for (const auto& t : boxes.triangles()) triangles.emplace_back(t[0], t[1], t[2]);
   auto mesh = std::make_shared<Mesh>();
-  if (mesh->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size())) != fcl::BVH_OK ||
+  if (mesh->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size())) !=
+          fcl::BVH_OK ||
       mesh->addSubModel(vertices, triangles) != fcl::BVH_OK || mesh->endModel() != fcl::BVH_OK)
     fail(Status::kInternal, "FCL took no mesh of %zu triangles", triangles.size());
   return mesh;
@@ -43,25 +44,29 @@ std::shared_ptr<Mesh> mesh_of(const TriangleBoxes& boxes, const Vec3& origin) {
 
 void require_fcl() {
   if (!calculates_in_doubles(&ccdVec3PointTriDist2))
-    fail(Status::kInternal, "the libccd that was loaded calculates in single precision; Jalon needs doubles");
+    fail(Status::kInternal,
+         "the libccd that was loaded calculates in single precision; Jalon needs doubles");
 }
 
 TrianglePair nearest_pair(const TriangleBoxes& first, const TriangleBoxes& second) {
-  const Vec3 corner = first.corners(0)[0], origin{std::floor(corner.x), std::floor(corner.y), std::floor(corner.z)};
+  const Vec3 corner = first.corners(0)[0],
+             origin{std::floor(corner.x), std::floor(corner.y), std::floor(corner.z)};
   const auto a = mesh_of(first, origin), b = mesh_of(second, origin);
   fcl::DistanceRequestd request(true);
   fcl::DistanceResultd result;
   const fcl::Transform3d identity = fcl::Transform3d::Identity();
   fcl::distance(a.get(), identity, b.get(), identity, request, result);
-  return {static_cast<uint32_t>(result.b1), static_cast<uint32_t>(result.b2), std::max(0.0, result.min_distance),
-          from_fcl(result.nearest_points[0]) + origin, from_fcl(result.nearest_points[1]) + origin};
+  return {static_cast<uint32_t>(result.b1), static_cast<uint32_t>(result.b2),
+          std::max(0.0, result.min_distance), from_fcl(result.nearest_points[0]) + origin,
+          from_fcl(result.nearest_points[1]) + origin};
 }
 
-double triangle_distance(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>& second, Vec3& first_point,
-                         Vec3& second_point) {
+double triangle_distance(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>& second,
+                         Vec3& first_point, Vec3& second_point) {
   const Vec3 origin = first[0];
   fcl::Vector3d a[3], b[3], p, q;
-  for (size_t i = 0; i < 3; ++i) a[i] = to_fcl(first[i] - origin), b[i] = to_fcl(second[i] - origin);
+  for (size_t i = 0; i < 3; ++i)
+    a[i] = to_fcl(first[i] - origin), b[i] = to_fcl(second[i] - origin);
   const double distance = fcl::detail::TriangleDistanced::triDistance(a, b, p, q);
   first_point = from_fcl(p) + origin;
   second_point = from_fcl(q) + origin;

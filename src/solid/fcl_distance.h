@@ -23,7 +23,7 @@ void require_fcl();
 /// The nearest pair of two sets of triangles (FCL's trees of oriented boxes and swept spheres).
 TrianglePair nearest_pair(const TriangleBoxes& first, const TriangleBoxes& second);
 /// Two triangles; exact to rounding (the test of PQP, Larsen et al. 1999).
-double triangle_distance(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>& second, Vec3& first_point,
-                         Vec3& second_point);
+double triangle_distance(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>& second,
+                         Vec3& first_point, Vec3& second_point);
 
 }  // namespace jalon

@@ -28,17 +28,14 @@ Vec3 turned(const Vec3& axis, double angle, const Vec3& v) {
 
 // Axis and angle (0 ... pi) of the rotation whose columns are given, by the largest component of its quaternion.
 double axis_and_angle(const Vec3& x, const Vec3& y, const Vec3& z, Vec3& axis) {
-  const double w = 1 + x.x + y.y + z.z, a = 1 + x.x - y.y - z.z, b = 1 - x.x + y.y - z.z, c = 1 - x.x - y.y + z.z;
+  const double w = 1 + x.x + y.y + z.z, a = 1 + x.x - y.y - z.z, b = 1 - x.x + y.y - z.z,
+               c = 1 - x.x - y.y + z.z;
   const double most = std::max({w, a, b, c});
   double scalar;
-  if (most == w)
-    axis = {y.z - z.y, z.x - x.z, x.y - y.x}, scalar = w;
-  else if (most == a)
-    axis = {a, y.x + x.y, z.x + x.z}, scalar = y.z - z.y;
-  else if (most == b)
-    axis = {y.x + x.y, b, z.y + y.z}, scalar = z.x - x.z;
-  else
-    axis = {z.x + x.z, z.y + y.z, c}, scalar = x.y - y.x;
+  if (most == w) axis = {y.z - z.y, z.x - x.z, x.y - y.x}, scalar = w;
+  else if (most == a) axis = {a, y.x + x.y, z.x + x.z}, scalar = y.z - z.y;
+  else if (most == b) axis = {y.x + x.y, b, z.y + y.z}, scalar = z.x - x.z;
+  else axis = {z.x + x.z, z.y + y.z, c}, scalar = x.y - y.x;
   if (scalar < 0) axis = -axis, scalar = -scalar;
   const double sine = norm(axis);
   axis = sine > 0 ? axis / sine : Vec3{0, 0, 1};
@@ -53,11 +50,13 @@ void require_rigid(const Transform& transform, const char* name) {
                                std::abs(squared_norm(x) - 1), std::abs(squared_norm(y) - 1),
                                std::abs(squared_norm(z) - 1)});
   if (!(off <= kRigid) || !is_finite(transform.translation()) || !(transform.determinant() > 0))
-    fail(Status::kInvalidArgument, "%s is no rigid motion: its rotation is not orthonormal within 1e-6", name);
+    fail(Status::kInvalidArgument,
+         "%s is no rigid motion: its rotation is not orthonormal within 1e-6", name);
 }
 
 Transform orthonormal(const Transform& transform) {
-  const Vec3 x = normalized(column(transform, 0)), z = normalized(cross(x, column(transform, 1))), y = cross(z, x);
+  const Vec3 x = normalized(column(transform, 0)), z = normalized(cross(x, column(transform, 1))),
+             y = cross(z, x);
   Transform out = transform;
   for (int i = 0; i < 3; ++i) {
     double* row = out.m.data() + 4 * i;
@@ -76,9 +75,13 @@ Motion::Motion(const Transform& from, const Transform& to) : from_(orthonormal(f
                           into_frame(from_, column(end, 2)), axis_);
 }
 
-Vec3 Motion::start(const Vec3& world) const { return into_frame(from_, world - from_.translation()); }
+Vec3 Motion::start(const Vec3& world) const {
+  return into_frame(from_, world - from_.translation());
+}
 
-Vec3 Motion::seen_at(const Vec3& start, double t) const { return turned(axis_, -t * angle_, start - travel_ * t); }
+Vec3 Motion::seen_at(const Vec3& start, double t) const {
+  return turned(axis_, -t * angle_, start - travel_ * t);
+}
 
 double Motion::acceleration_m(const Vec3& start) const {
   // q'' = Rot (angle^2 axis x (axis x (start - t travel)) + 2 angle axis x travel), and the first term is convex in t.
@@ -87,7 +90,8 @@ double Motion::acceleration_m(const Vec3& start) const {
 }
 
 Vec3 Motion::to_world(const Vec3& gauge, double t) const {
-  return from_.direction(turned(axis_, t * angle_, gauge)) + world_travel_ * t + from_.translation();
+  return from_.direction(turned(axis_, t * angle_, gauge)) + world_travel_ * t +
+         from_.translation();
 }
 
 }  // namespace jalon

@@ -28,7 +28,7 @@ class Motion {
   double across_axis(const Vec3& v) const { return norm(cross(axis_, v)); }
 
  private:
-  Transform from_;  ///< T_world_gauge at t = 0, orthonormal
+  Transform from_;                     ///< T_world_gauge at t = 0, orthonormal
   Vec3 world_travel_, travel_, axis_;  ///< the last two in the gauge's frame
   double angle_ = 0;
 };

@@ -22,10 +22,11 @@ constexpr double kFlat = 1e-9;
 std::vector<uint32_t> merged(const std::vector<Vec3>& vertices) {
   std::vector<uint32_t> order(vertices.size()), first(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](uint32_t i) { return std::tie(vertices[i].x, vertices[i].y, vertices[i].z); };
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-    return key(a) < key(b) || (key(a) == key(b) && a < b);
-  });
+  const auto key = [&](uint32_t i) {
+    return std::tie(vertices[i].x, vertices[i].y, vertices[i].z);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](uint32_t a, uint32_t b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
   for (size_t i = 0; i < order.size(); ++i)
     first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
   return first;
@@ -50,12 +51,14 @@ double volume(const std::vector<Vec3>& vertices, const Triangles& triangles) {
   double sum = 0;
   const Vec3 origin = vertices[triangles[0][0]];
   for (const auto& t : triangles)
-    sum += dot(vertices[t[0]] - origin, cross(vertices[t[1]] - origin, vertices[t[2]] - origin)) / 6;
+    sum +=
+        dot(vertices[t[0]] - origin, cross(vertices[t[1]] - origin, vertices[t[2]] - origin)) / 6;
   return sum;
 }
 
 // The hull of a closed surface whose corners all lie behind all of its triangles.
-std::optional<ConvexPiece> convex_of(const std::vector<Vec3>& vertices, const Triangles& triangles) {
+std::optional<ConvexPiece> convex_of(const std::vector<Vec3>& vertices,
+                                     const Triangles& triangles) {
   std::vector<Vec3> corners;
   std::vector<uint32_t> used;
   for (const auto& t : triangles) used.insert(used.end(), t.begin(), t.end());
@@ -69,7 +72,8 @@ std::optional<ConvexPiece> convex_of(const std::vector<Vec3>& vertices, const Tr
   }
   const double flat = kFlat * norm(box.max - box.min);
   for (const auto& t : triangles) {
-    const Vec3 a = vertices[t[0]], normal = normalized(cross(vertices[t[1]] - a, vertices[t[2]] - a));
+    const Vec3 a = vertices[t[0]],
+               normal = normalized(cross(vertices[t[1]] - a, vertices[t[2]] - a));
     for (const Vec3& p : corners)
       if (dot(normal, p - a) > flat) return std::nullopt;
   }

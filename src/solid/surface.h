@@ -19,7 +19,8 @@ namespace jalon {
 class PartSurface {
  public:
   /// Triangles that enclose a volume but face inward are turned.
-  PartSurface(std::vector<Vec3> vertices, std::vector<std::array<uint32_t, 3>> triangles, Task& task);
+  PartSurface(std::vector<Vec3> vertices, std::vector<std::array<uint32_t, 3>> triangles,
+              Task& task);
 
   const TriangleBoxes& boxes() const { return *boxes_; }
   const NearestTriangles& nearest() const { return *nearest_; }

@@ -31,8 +31,8 @@ std::array<SurfaceDepthCorners, 4> quarters(const SurfaceDepthCorners& c) {
 }
 
 // Cuts one triangle until no piece can hold a point deeper than the deepest so far by more than the tolerance.
-void search(const SurfaceDepthCorners& triangle, const NearestTriangles& closed, double tolerance_m, const Task& task,
-            Depth& deepest) {
+void search(const SurfaceDepthCorners& triangle, const NearestTriangles& closed, double tolerance_m,
+            const Task& task, Depth& deepest) {
   std::vector<SurfaceDepthCorners> open{triangle};
   while (!open.empty()) {
     if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
@@ -50,13 +50,15 @@ void search(const SurfaceDepthCorners& triangle, const NearestTriangles& closed,
 
 }  // namespace
 
-Depth depth_in(const PartSurface& surface, const PartSurface& closed, double tolerance_m, Task& task) {
+Depth depth_in(const PartSurface& surface, const PartSurface& closed, double tolerance_m,
+               Task& task) {
   if (closed.convex()) return depth_in_convex(surface, *closed.convex());
   // 1. The corners: where most surfaces are deepest.
   Depth deepest;
   for (const Vec3& corner : surface.boxes().vertices()) {
     const TriangleAnswer answer = closed.nearest().nearest(corner);
-    if (answer.is_behind && answer.distance > deepest.depth_m) deepest = {answer.distance, corner, answer.foot};
+    if (answer.is_behind && answer.distance > deepest.depth_m)
+      deepest = {answer.distance, corner, answer.foot};
   }
   // 2. What lies between them.
   for (uint32_t t = 0; t < surface.boxes().size(); ++t)

@@ -15,6 +15,7 @@ struct Depth {
 /// How deep the deepest point of a surface lies in a closed one: exact to 1e-9 m in a convex one, at most tolerance_m
 /// too small in another. There triangles are cut in four until none can hold a deeper point: depth changes by at most 1
 /// m a metre, which bounds it over a triangle by its middle and radius.
-Depth depth_in(const PartSurface& surface, const PartSurface& closed, double tolerance_m, Task& task);
+Depth depth_in(const PartSurface& surface, const PartSurface& closed, double tolerance_m,
+               Task& task);
 
 }  // namespace jalon

@@ -21,7 +21,8 @@ using SurfacePairCorners = std::array<Vec3, 3>;
 constexpr double kSurfacePairRounding_m = 1e-9;
 
 // Where the sides of one triangle pierce the other, added up (Moeller & Trumbore 1997).
-void add_piercings(const SurfacePairCorners& sides, const SurfacePairCorners& t, Vec3& sum, int& count) {
+void add_piercings(const SurfacePairCorners& sides, const SurfacePairCorners& t, Vec3& sum,
+                   int& count) {
   const Vec3 e1 = t[1] - t[0], e2 = t[2] - t[0];
   for (size_t k = 0; k < 3; ++k) {
     const Vec3 from = sides[k], along = sides[(k + 1) % 3] - from, h = cross(along, e2);
@@ -36,7 +37,8 @@ void add_piercings(const SurfacePairCorners& sides, const SurfacePairCorners& t,
 }
 
 // The middle of the line in which two triangles meet; of two in one plane any point of both.
-Vec3 meeting_point(const SurfacePairCorners& a, const SurfacePairCorners& b, const Vec3& otherwise) {
+Vec3 meeting_point(const SurfacePairCorners& a, const SurfacePairCorners& b,
+                   const Vec3& otherwise) {
   const Vec3 origin = a[0];
   SurfacePairCorners p = a, q = b;
   for (size_t k = 0; k < 3; ++k) p[k] -= origin, q[k] -= origin;
@@ -47,33 +49,38 @@ Vec3 meeting_point(const SurfacePairCorners& a, const SurfacePairCorners& b, con
   return count > 0 ? origin + sum / count : otherwise;
 }
 
-NearTriangle measured(uint32_t i, const SurfacePairCorners& a, uint32_t j, const SurfacePairCorners& b) {
+NearTriangle measured(uint32_t i, const SurfacePairCorners& a, uint32_t j,
+                      const SurfacePairCorners& b) {
   NearTriangle pair{i, j, 0, {}, {}};
   pair.distance_m = triangle_distance(a, b, pair.first_point, pair.second_point);
   return pair;
 }
 
 // The triangle of the other surface nearest to one, if it is within the limit; ties by index.
-std::optional<NearTriangle> nearest_to(uint32_t i, const SurfacePairCorners& a, const TriangleBoxes& other, double limit) {
+std::optional<NearTriangle> nearest_to(uint32_t i, const SurfacePairCorners& a,
+                                       const TriangleBoxes& other, double limit) {
   std::optional<NearTriangle> best;
   other.walk(
       [&](const BoundingBall& ball, double& key) {
-        key = norm(ball.centre - nearest_on_triangle(ball.centre, a[0], a[1], a[2])) - ball.radius_m;
+        key =
+            norm(ball.centre - nearest_on_triangle(ball.centre, a[0], a[1], a[2])) - ball.radius_m;
         return key <= limit;
       },
       [&](uint32_t j) {
         const NearTriangle pair = measured(i, a, j, other.corners(j));
-        if (pair.distance_m > limit || (best && pair.distance_m == limit && j > best->second)) return;
+        if (pair.distance_m > limit || (best && pair.distance_m == limit && j > best->second))
+          return;
         best = pair;
         limit = pair.distance_m;
       });
   if (best && best->distance_m == 0)
-    best->first_point = best->second_point = meeting_point(a, other.corners(best->second), best->first_point);
+    best->first_point = best->second_point =
+        meeting_point(a, other.corners(best->second), best->first_point);
   return best;
 }
 
-void take_depth(const PartSurface& surface, const PartSurface& closed, double tolerance_m, Task& task,
-                PairClearance& result) {
+void take_depth(const PartSurface& surface, const PartSurface& closed, double tolerance_m,
+                Task& task, PairClearance& result) {
   if (!closed.is_closed()) return;
   const Depth depth = depth_in(surface, closed, tolerance_m, task);
   if (result.depth_m >= depth.depth_m) return;
@@ -88,8 +95,8 @@ bool lies_in(const PartSurface& surface, const PartSurface& closed) {
 
 }  // namespace
 
-PairClearance clearance_of_surfaces(const PartSurface& first, const PartSurface& second, const PairSettings& settings,
-                                    Task& task) {
+PairClearance clearance_of_surfaces(const PartSurface& first, const PartSurface& second,
+                                    const PairSettings& settings, Task& task) {
   require_fcl();
   // 1. The nearest pair; the others need not be looked for beyond it and the margin.
   const TrianglePair start = nearest_pair(first.boxes(), second.boxes());
@@ -105,7 +112,8 @@ PairClearance clearance_of_surfaces(const PartSurface& first, const PartSurface&
     }
   });
   PairClearance result;
-  result.least = {start.first, start.second, start.distance_m, start.first_point, start.second_point};
+  result.least = {start.first, start.second, start.distance_m, start.first_point,
+                  start.second_point};
   bool fresh = true;
   for (const auto& pair : found) {
     if (!pair) continue;

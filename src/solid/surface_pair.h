@@ -13,16 +13,17 @@ namespace jalon {
 /// A triangle of the first surface and the nearest one of the second.
 struct NearTriangle {
   uint32_t first = 0, second = 0;
-  double distance_m = 0;        ///< 0 where they meet
+  double distance_m = 0;  ///< 0 where they meet
   Vec3 first_point, second_point;
 };
 
 struct PairClearance {
   NearTriangle least;
-  std::vector<NearTriangle> near;  ///< triangles of the first within the margin of the second, by index
-  bool meet = false;               ///< the surfaces meet, or one lies in the other
-  double depth_m = 0;              ///< how deep a point of either lies in the other; NaN: neither is closed
-  Vec3 deepest, deepest_foot;      ///< that point, and the nearest point of the other's surface
+  std::vector<NearTriangle>
+      near;            ///< triangles of the first within the margin of the second, by index
+  bool meet = false;   ///< the surfaces meet, or one lies in the other
+  double depth_m = 0;  ///< how deep a point of either lies in the other; NaN: neither is closed
+  Vec3 deepest, deepest_foot;  ///< that point, and the nearest point of the other's surface
 };
 
 struct PairSettings {
@@ -31,7 +32,7 @@ struct PairSettings {
 };
 
 /// Two surfaces, each of at least one triangle. Throws kUnsupported in a library built without FCL. Parallel.
-PairClearance clearance_of_surfaces(const PartSurface& first, const PartSurface& second, const PairSettings& settings,
-                                    Task& task);
+PairClearance clearance_of_surfaces(const PartSurface& first, const PartSurface& second,
+                                    const PairSettings& settings, Task& task);
 
 }  // namespace jalon

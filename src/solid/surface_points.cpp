@@ -32,7 +32,8 @@ double first_bound(const PartSurface& surface, const Octree& octree) {
 }
 
 // Step 2: the points of all leaves that may hold one within the limit, or one inside.
-std::vector<uint32_t> candidates(const PartSurface& surface, const Octree& octree, double limit, const Task& task) {
+std::vector<uint32_t> candidates(const PartSurface& surface, const Octree& octree, double limit,
+                                 const Task& task) {
   std::vector<uint32_t> out;
   const std::span<const uint32_t> order = octree.order();
   walk_octree(
@@ -41,9 +42,12 @@ std::vector<uint32_t> candidates(const PartSurface& surface, const Octree& octre
         if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
         const TriangleAnswer answer = surface.nearest().nearest(ball.centre);
         key = answer.distance;
-        return answer.distance <= limit + ball.radius_m || (surface.is_closed() && answer.is_behind);
+        return answer.distance <= limit + ball.radius_m ||
+               (surface.is_closed() && answer.is_behind);
       },
-      [&](size_t first, size_t last) { out.insert(out.end(), order.begin() + first, order.begin() + last); });
+      [&](size_t first, size_t last) {
+        out.insert(out.end(), order.begin() + first, order.begin() + last);
+      });
   return out;
 }
 
@@ -53,8 +57,8 @@ bool precedes(const NearPoint& a, const NearPoint& b) {
 
 }  // namespace
 
-PointClearance clearance_of_points(const PartSurface& surface, const Octree& octree, std::span<const double> xyz,
-                                   double margin_m, Task& task) {
+PointClearance clearance_of_points(const PartSurface& surface, const Octree& octree,
+                                   std::span<const double> xyz, double margin_m, Task& task) {
   const double limit = std::max(margin_m, first_bound(surface, octree)) + kSurfacePointsRounding_m;
   const std::vector<uint32_t> order = candidates(surface, octree, limit, task);
 
@@ -65,12 +69,14 @@ PointClearance clearance_of_points(const PartSurface& surface, const Octree& oct
   Buffer<double> picked(3 * order.size());
   for (uint32_t i = 0; i < order.size(); ++i) {
     place[i] = i;
-    std::copy_n(xyz.data() + 3 * static_cast<size_t>(order[i]), 3, picked.data() + 3 * static_cast<size_t>(i));
+    std::copy_n(xyz.data() + 3 * static_cast<size_t>(order[i]), 3,
+                picked.data() + 3 * static_cast<size_t>(i));
   }
-  surface.nearest().for_each(picked, place, std::numeric_limits<double>::infinity(), {closed, true}, task,
-                             [&](uint32_t item, const TriangleAnswer& answer) {
+  surface.nearest().for_each(picked, place, std::numeric_limits<double>::infinity(), {closed, true},
+                             task, [&](uint32_t item, const TriangleAnswer& answer) {
                                const bool inside = closed && answer.is_behind;
-                               found[item] = {order[item], answer.triangle, inside ? -answer.distance : answer.distance,
+                               found[item] = {order[item], answer.triangle,
+                                              inside ? -answer.distance : answer.distance,
                                               answer.foot};
                              });
 

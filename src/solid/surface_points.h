@@ -27,7 +27,7 @@ struct PointClearance {
 
 /// All points of the octree (at least one) against a surface (at least one triangle). Boxes of the octree that are
 /// farther than the margin and than the nearest of a few corners are not opened; every answer is exact. Parallel.
-PointClearance clearance_of_points(const PartSurface& surface, const Octree& octree, std::span<const double> xyz,
-                                   double margin_m, Task& task);
+PointClearance clearance_of_points(const PartSurface& surface, const Octree& octree,
+                                   std::span<const double> xyz, double margin_m, Task& task);
 
 }  // namespace jalon

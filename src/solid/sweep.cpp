@@ -25,7 +25,6 @@ struct Hit {
   }
 };
 
-
 bool same_obstacle(const Hit& a, const Hit& b) { return a.kind == b.kind && a.index == b.index; }
 
 /// Keeps the least contact of each obstacle.
@@ -37,8 +36,8 @@ void keep_least(std::vector<Hit>& hits) {
 /// One interval: all obstacles against all pieces.
 class IntervalSweep {
  public:
-  IntervalSweep(std::span<const ConvexPiece> pieces, const Motion& motion, const SweepSettings& settings,
-                uint32_t interval, const Task& task)
+  IntervalSweep(std::span<const ConvexPiece> pieces, const Motion& motion,
+                const SweepSettings& settings, uint32_t interval, const Task& task)
       : pieces_(pieces), motion_(motion), settings_(settings), interval_(interval), task_(task) {
     nearest_ = std::max(settings.reach_m, settings.margin_m);
   }
@@ -46,14 +45,15 @@ class IntervalSweep {
   void points(const Octree& octree, std::span<const double> xyz) {
     const std::span<const uint32_t> order = octree.order();
     for (piece_ = 0; piece_ < pieces_.size(); ++piece_)
-      walk_octree(octree, [&](const BoundingBall& ball, double& key) { return is_near(ball, key); },
-                  [&](size_t first, size_t last) {
-                    for (size_t i = first; i < last; ++i) {
-                      const double* p = xyz.data() + 3 * static_cast<size_t>(order[i]);
-                      const Vec3 start = motion_.start({p[0], p[1], p[2]});
-                      measure({&start, 1}, ObstacleKind::kPoint, order[i]);
-                    }
-                  });
+      walk_octree(
+          octree, [&](const BoundingBall& ball, double& key) { return is_near(ball, key); },
+          [&](size_t first, size_t last) {
+            for (size_t i = first; i < last; ++i) {
+              const double* p = xyz.data() + 3 * static_cast<size_t>(order[i]);
+              const Vec3 start = motion_.start({p[0], p[1], p[2]});
+              measure({&start, 1}, ObstacleKind::kPoint, order[i]);
+            }
+          });
   }
 
   void triangles(const TriangleBoxes& boxes) {
@@ -75,16 +75,19 @@ class IntervalSweep {
 
   bool is_near(const BoundingBall& ball, double& key) {
     if (task_.cancelled()) throw Error(Status::kCancelled, "cancelled");
-    return may_come_within(pieces_[piece_], motion_, motion_.start(ball.centre), ball.radius_m, limit(), key);
+    return may_come_within(pieces_[piece_], motion_, motion_.start(ball.centre), ball.radius_m,
+                           limit(), key);
   }
 
   void measure(std::span<const Vec3> starts, ObstacleKind kind, uint32_t index) {
     SweptContact found;
-    if (!least_during(pieces_[piece_], motion_, starts, limit() + 2 * kSweepTolerance_m, found)) return;
+    if (!least_during(pieces_[piece_], motion_, starts, limit() + 2 * kSweepTolerance_m, found))
+      return;
     const Hit hit{kind, index, piece_, interval_, found.time, found.contact.value};
     if (hit.clearance_m <= settings_.margin_m) hits.push_back(hit);
     if (hit.clearance_m > nearest_) return;
-    if (least.kind != ObstacleKind::kNone && hit.clearance_m == least.clearance_m && !(hit < least)) return;
+    if (least.kind != ObstacleKind::kNone && hit.clearance_m == least.clearance_m && !(hit < least))
+      return;
     least = hit;
     nearest_ = hit.clearance_m;
   }
@@ -112,7 +115,8 @@ SweepPlace place_of(const Hit& hit, std::span<const ConvexPiece> pieces, const M
     corners = obstacles.triangles->corners(hit.index);
     count = 3;
   }
-  for (size_t i = 0; i < count; ++i) corners[i] = motion.seen_at(motion.start(corners[i]), hit.time);
+  for (size_t i = 0; i < count; ++i)
+    corners[i] = motion.seen_at(motion.start(corners[i]), hit.time);
   const Contact contact = least_distance(pieces[hit.piece], {corners.data(), count});
   if (hit.kind == ObstacleKind::kFace) place.obstacle = motion.to_world(contact.point, hit.time);
   place.gauge = motion.to_world(contact.point - contact.gradient * contact.value, hit.time);
@@ -156,7 +160,8 @@ SweepResult sweep_gauge(std::span<const ConvexPiece> pieces, std::span<const Tra
     constexpr size_t kGrain = 1024;
     to.resize(from.size());
     parallel_for(task, from.size(), kGrain, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) to[i] = place_of(from[i], pieces, motions[from[i].interval], obstacles);
+      for (size_t i = begin; i < end; ++i)
+        to[i] = place_of(from[i], pieces, motions[from[i].interval], obstacles);
     });
   };
   places(least, result.intervals);

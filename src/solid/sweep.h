@@ -15,7 +15,7 @@ namespace jalon {
 
 /// What a gauge may meet: points, triangles, or both.
 struct Obstacles {
-  const Octree* octree = nullptr;        ///< of xyz
+  const Octree* octree = nullptr;  ///< of xyz
   std::span<const double> xyz;
   const TriangleBoxes* triangles = nullptr;
 };
@@ -26,12 +26,13 @@ enum class ObstacleKind : uint8_t { kNone = 0, kPoint = 1, kFace = 2 };
 /// Where an obstacle is nearest to the gauge, or deepest in it.
 struct SweepPlace {
   ObstacleKind kind = ObstacleKind::kNone;
-  uint32_t index = 0;     ///< of the point or the triangle
-  uint32_t piece = 0;     ///< of the gauge
-  uint32_t interval = 0;  ///< from pose interval to the next
-  double time = 0;        ///< 0 ... 1 in the interval
-  double clearance_m = 0; ///< negative: this deep in the piece
-  Vec3 obstacle, gauge;   ///< world: the point of the obstacle, and the nearest one of the piece's surface
+  uint32_t index = 0;      ///< of the point or the triangle
+  uint32_t piece = 0;      ///< of the gauge
+  uint32_t interval = 0;   ///< from pose interval to the next
+  double time = 0;         ///< 0 ... 1 in the interval
+  double clearance_m = 0;  ///< negative: this deep in the piece
+  Vec3 obstacle,
+      gauge;  ///< world: the point of the obstacle, and the nearest one of the piece's surface
 };
 
 struct SweepSettings {
@@ -42,7 +43,8 @@ struct SweepSettings {
 struct SweepResult {
   std::vector<SweepPlace> intervals;  ///< the least clearance of each; kNone: nothing within reach
   std::vector<uint64_t> near_counts;  ///< obstacles closer than the margin, of each interval
-  std::vector<SweepPlace> places;     ///< each obstacle closer than the margin once, points first, by index
+  std::vector<SweepPlace>
+      places;  ///< each obstacle closer than the margin once, points first, by index
 };
 
 /// A gauge along its poses (T_world_gauge, rigid): one interval a pair of neighbours, or one for a single pose. Values

@@ -33,7 +33,8 @@ struct Line {
   double from, to;
 };
 
-Look look_at(const ConvexPiece& piece, const Motion& motion, std::span<const Vec3> starts, double time) {
+Look look_at(const ConvexPiece& piece, const Motion& motion, std::span<const Vec3> starts,
+             double time) {
   Look look;
   look.time = time;
   for (size_t i = 0; i < starts.size(); ++i) look.corners[i] = motion.seen_at(starts[i], time);
@@ -53,7 +54,8 @@ struct Sag {
 };
 
 // Heights of the corners' paths, at least, above the plane below the signed distance that a contact has.
-std::array<Line, kCorners> lines_of(const Contact& c, const SpanOfTime& span, size_t count, const Sag& sag) {
+std::array<Line, kCorners> lines_of(const Contact& c, const SpanOfTime& span, size_t count,
+                                    const Sag& sag) {
   std::array<Line, kCorners> lines;
   const double floor = c.floor - sag.along(c.slope, span);
   for (size_t i = 0; i < count; ++i)
@@ -64,7 +66,8 @@ std::array<Line, kCorners> lines_of(const Contact& c, const SpanOfTime& span, si
 
 double lowest_at(const std::array<Line, kCorners>& lines, size_t count, double share) {
   double lowest = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < count; ++i) lowest = std::min(lowest, lines[i].from + share * (lines[i].to - lines[i].from));
+  for (size_t i = 0; i < count; ++i)
+    lowest = std::min(lowest, lines[i].from + share * (lines[i].to - lines[i].from));
   return lowest;
 }
 
@@ -72,7 +75,8 @@ double lowest_at(const std::array<Line, kCorners>& lines, size_t count, double s
 /// the lowest of its lines, a concave function; the greater of two concave functions is least at an end or where they
 /// cross.
 double least_bound(const SpanOfTime& span, size_t count, const Sag& sag, double& share) {
-  const auto a = lines_of(span.from.contact, span, count, sag), b = lines_of(span.to.contact, span, count, sag);
+  const auto a = lines_of(span.from.contact, span, count, sag),
+             b = lines_of(span.to.contact, span, count, sag);
   double bound = std::numeric_limits<double>::infinity();
   const auto consider = [&](double s) {
     const double height = std::max(lowest_at(a, count, s), lowest_at(b, count, s));
@@ -94,7 +98,8 @@ double least_bound(const SpanOfTime& span, size_t count, const Sag& sag, double&
 /// Bound of a span, and the time where to cut it.
 double bound_of(const SpanOfTime& span, size_t count, const Sag& sag, double& cut) {
   const double bound = least_bound(span, count, sag, cut);
-  cut = span.from.time + (span.to.time - span.from.time) * std::clamp(cut, kLeastShare, 1 - kLeastShare);
+  cut = span.from.time +
+        (span.to.time - span.from.time) * std::clamp(cut, kLeastShare, 1 - kLeastShare);
   return bound;
 }
 
@@ -106,8 +111,8 @@ double acceleration_of(const Motion& motion, std::span<const Vec3> corners) {
 
 }  // namespace
 
-bool least_during(const ConvexPiece& piece, const Motion& motion, std::span<const Vec3> corners, double limit,
-                  SweptContact& out) {
+bool least_during(const ConvexPiece& piece, const Motion& motion, std::span<const Vec3> corners,
+                  double limit, SweptContact& out) {
   const Sag sag{motion, acceleration_of(motion, corners)};
   double best = limit;
   bool found = false;
@@ -117,7 +122,8 @@ bool least_during(const ConvexPiece& piece, const Motion& motion, std::span<cons
     out = {look.contact, look.time};
     found = true;
   };
-  std::vector<SpanOfTime> open{{look_at(piece, motion, corners, 0), look_at(piece, motion, corners, 1)}};
+  std::vector<SpanOfTime> open{
+      {look_at(piece, motion, corners, 0), look_at(piece, motion, corners, 1)}};
   take(open.back().from);
   take(open.back().to);
   while (!open.empty()) {
@@ -134,8 +140,8 @@ bool least_during(const ConvexPiece& piece, const Motion& motion, std::span<cons
   return found;
 }
 
-bool may_come_within(const ConvexPiece& piece, const Motion& motion, const Vec3& centre, double radius_m, double limit,
-                     double& lowest) {
+bool may_come_within(const ConvexPiece& piece, const Motion& motion, const Vec3& centre,
+                     double radius_m, double limit, double& lowest) {
   const std::span<const Vec3> one(&centre, 1);
   const Sag sag{motion, motion.acceleration_m(centre)};
   const double near = limit + radius_m;

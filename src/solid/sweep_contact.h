@@ -25,12 +25,12 @@ constexpr double kSweepTolerance_m = 5e-7;
 /// at most h^2 / 8 of their acceleration, and only across the axis; along the chords the planes that touch the (convex)
 /// signed distance at both ends of the span bound it from below; spans whose bound is above the best value so far are
 /// done, others are cut where the bound is least.
-bool least_during(const ConvexPiece& piece, const Motion& motion, std::span<const Vec3> corners, double limit,
-                  SweptContact& out);
+bool least_during(const ConvexPiece& piece, const Motion& motion, std::span<const Vec3> corners,
+                  double limit, SweptContact& out);
 
 /// False only if no point of a ball comes within limit of the piece during the motion: the same bounds, given up after
 /// a few cuts. lowest: the least distance of the ball that was met.
-bool may_come_within(const ConvexPiece& piece, const Motion& motion, const Vec3& centre, double radius_m, double limit,
-                     double& lowest);
+bool may_come_within(const ConvexPiece& piece, const Motion& motion, const Vec3& centre,
+                     double radius_m, double limit, double& lowest);
 
 }  // namespace jalon

@@ -24,7 +24,8 @@ double squared_distance(const Vec3& p, const Box3& box) {
 
 }  // namespace
 
-TriangleBoxes::TriangleBoxes(std::vector<Vec3> vertices, std::vector<std::array<uint32_t, 3>> triangles)
+TriangleBoxes::TriangleBoxes(std::vector<Vec3> vertices,
+                             std::vector<std::array<uint32_t, 3>> triangles)
     : vertices_(std::move(vertices)), triangles_(std::move(triangles)), order_(triangles_.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   std::vector<Box3> boxes(triangles_.size());
@@ -35,7 +36,8 @@ TriangleBoxes::TriangleBoxes(std::vector<Vec3> vertices, std::vector<std::array<
   split(0, 0, static_cast<uint32_t>(order_.size()), boxes);
 }
 
-void TriangleBoxes::split(uint32_t node, uint32_t begin, uint32_t end, const std::vector<Box3>& boxes) {
+void TriangleBoxes::split(uint32_t node, uint32_t begin, uint32_t end,
+                          const std::vector<Box3>& boxes) {
   Box3 box, centres;
   for (uint32_t i = begin; i < end; ++i) {
     box += boxes[order_[i]];
@@ -50,10 +52,12 @@ void TriangleBoxes::split(uint32_t node, uint32_t begin, uint32_t end, const std
   const Vec3 size = centres.max - centres.min;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](uint32_t a, uint32_t b) {
-    const double ca = boxes[a].min[axis] + boxes[a].max[axis], cb = boxes[b].min[axis] + boxes[b].max[axis];
-    return ca != cb ? ca < cb : a < b;
-  });
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                   [&](uint32_t a, uint32_t b) {
+                     const double ca = boxes[a].min[axis] + boxes[a].max[axis],
+                                  cb = boxes[b].min[axis] + boxes[b].max[axis];
+                     return ca != cb ? ca < cb : a < b;
+                   });
   const auto first = static_cast<uint32_t>(nodes_.size());
   nodes_[node].first = first;
   nodes_.resize(nodes_.size() + 2);

@@ -60,7 +60,8 @@ class TriangleBoxes {
  private:
   struct Node {
     Box3 box;
-    uint32_t first = 0, count = 0;  ///< count 0: children first, first + 1; else triangles of order_
+    uint32_t first = 0,
+             count = 0;  ///< count 0: children first, first + 1; else triangles of order_
   };
   static BoundingBall ball_of(const Node& node) {
     return {(node.box.min + node.box.max) * 0.5,

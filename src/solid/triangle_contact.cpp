@@ -33,7 +33,8 @@ Contact least_distance(const ConvexPiece& piece, std::span<const Vec3> corners) 
     const SignedDistance d = piece.distance(corners[0]);
     return {d.value, corners[0], d.gradient, d.value, d.gradient, 0};
   }
-  Cut last = cut_at(piece, nearest_on_triangle(piece.centre(), corners[0], corners[1], corners[2]), corners);
+  Cut last = cut_at(piece, nearest_on_triangle(piece.centre(), corners[0], corners[1], corners[2]),
+                    corners);
   Cut best = last;
   CutEnvelope envelope;
   Weights where{1.0 / 3, 1.0 / 3, 1.0 / 3};
@@ -44,7 +45,8 @@ Contact least_distance(const ConvexPiece& piece, std::span<const Vec3> corners) 
     if (last.value < best.value) best = last;
   }
   Contact contact{best.value, best.point, best.gradient, 0, {}, 0};
-  contact.gap = std::max(0.0, best.value - envelope.best_mixture(best.point, contact.floor, contact.slope));
+  contact.gap =
+      std::max(0.0, best.value - envelope.best_mixture(best.point, contact.floor, contact.slope));
   return contact;
 }
 

@@ -42,7 +42,9 @@ template <class To, class From>
   std::memcpy(&out, &v, sizeof out);
   return out;
 }
-[[gnu::always_inline]] inline Floats to_floats(Ints v) { return __builtin_convertvector(v, Floats); }
+[[gnu::always_inline]] inline Floats to_floats(Ints v) {
+  return __builtin_convertvector(v, Floats);
+}
 [[gnu::always_inline]] inline Words smaller(Words a, Words b) { return a < b ? a : b; }
 [[gnu::always_inline]] inline Words larger(Words a, Words b) { return a < b ? b : a; }
 

@@ -47,7 +47,8 @@ inline std::vector<size_t> place_chunks(uint32_t* places, size_t chunks, size_t 
 /// its bin. Returns where each bin begins, and n. Two passes: count, then move. A few thousand bins keep the open write
 /// streams in the cache.
 template <class Record, class Digit, class Read>
-std::vector<size_t> partition(size_t n, size_t bins, Digit digit, Task& task, Record* out, Read read) {
+std::vector<size_t> partition(size_t n, size_t bins, Digit digit, Task& task, Record* out,
+                              Read read) {
   const size_t grain = partition_grain(n), chunks = (n + grain - 1) / grain;
   Buffer<uint32_t> places(chunks * bins);
   {

@@ -9,7 +9,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kInsertionBelow = 24;  // below, clearing and summing 64 counters would cost more than the moves
+constexpr size_t kInsertionBelow =
+    24;  // below, clearing and summing 64 counters would cost more than the moves
 
 void insertion_sort(KeyedRange d, size_t n) {
   for (size_t i = 1; i < n; ++i) {
@@ -30,8 +31,7 @@ void sort_step(KeyedRange d, KeyedRange scratch, size_t n, bool to_scratch) {
   uint64_t differing = 0;
   if (n > kInsertionBelow)
     for (size_t i = 1; i < n; ++i) differing |= d.keys[i] ^ d.keys[0];
-  else
-    insertion_sort(d, n);
+  else insertion_sort(d, n);
   if (differing == 0) {
     if (to_scratch) {
       std::memcpy(scratch.keys, d.keys, n * sizeof(uint64_t));
@@ -56,7 +56,8 @@ void sort_step(KeyedRange d, KeyedRange scratch, size_t n, bool to_scratch) {
   for (size_t b = 0; b <= mask; ++b) {  // now ends[b] is where bin b ends
     const size_t size = ends[b] - begin;
     if (size != 0)
-      sort_step({scratch.keys + begin, scratch.values + begin}, {d.keys + begin, d.values + begin}, size, !to_scratch);
+      sort_step({scratch.keys + begin, scratch.values + begin}, {d.keys + begin, d.values + begin},
+                size, !to_scratch);
     begin = ends[b];
   }
 }

@@ -37,10 +37,11 @@ Raster swept(const Raster& raster, uint32_t radius, bool grow) {
   if (radius == 0 || raster.pixels.empty()) return out;
   std::vector<uint8_t> half(raster.pixels.size());
   for (size_t row = 0; row < raster.rows; ++row)
-    sweep(raster.pixels.data() + row * raster.columns, half.data() + row * raster.columns, raster.columns, 1, radius,
-          grow);
+    sweep(raster.pixels.data() + row * raster.columns, half.data() + row * raster.columns,
+          raster.columns, 1, radius, grow);
   for (size_t column = 0; column < raster.columns; ++column)
-    sweep(half.data() + column, out.pixels.data() + column, raster.rows, raster.columns, radius, grow);
+    sweep(half.data() + column, out.pixels.data() + column, raster.rows, raster.columns, radius,
+          grow);
   return out;
 }
 
@@ -67,11 +68,13 @@ void join_neighbours(const Raster& raster, bool diagonal, UnionFind& sets) {
 }  // namespace
 
 size_t Raster::pixel_of(const Vec2& p) const {
-  return size_t{clamped_cell(p.v - origin.v, pixel_m, rows)} * columns + clamped_cell(p.u - origin.u, pixel_m, columns);
+  return size_t{clamped_cell(p.v - origin.v, pixel_m, rows)} * columns +
+         clamped_cell(p.u - origin.u, pixel_m, columns);
 }
 
 bool Raster::holds(const Vec2& p) const {
-  const double column = std::floor((p.u - origin.u) / pixel_m), row = std::floor((p.v - origin.v) / pixel_m);
+  const double column = std::floor((p.u - origin.u) / pixel_m),
+               row = std::floor((p.v - origin.v) / pixel_m);
   return column >= 0 && row >= 0 && column < columns && row < rows &&
          pixels[static_cast<size_t>(row) * columns + static_cast<size_t>(column)] != 0;
 }
@@ -90,16 +93,18 @@ Raster rasterise(std::span<const Vec2> points, double pixel_m, uint32_t margin) 
   const double columns = std::floor((high.u - low.u) / pixel_m) + 1 + 2.0 * margin;
   const double rows = std::floor((high.v - low.v) / pixel_m) + 1 + 2.0 * margin;
   if (!(columns * rows <= static_cast<double>(kMaxRasterPixels)))
-    fail(Status::kLimit, "pixels of %s m make an image of %s x %s; take larger ones", text_of(pixel_m).c_str(),
-         text_of(columns).c_str(), text_of(rows).c_str());
+    fail(Status::kLimit, "pixels of %s m make an image of %s x %s; take larger ones",
+         text_of(pixel_m).c_str(), text_of(columns).c_str(), text_of(rows).c_str());
   raster.columns = static_cast<uint32_t>(columns);
   raster.rows = static_cast<uint32_t>(rows);
   raster.origin = {low.u - margin * pixel_m, low.v - margin * pixel_m};
   raster.pixels.assign(size_t{raster.columns} * raster.rows, 0);
   for (const Vec2& p : points) {
     // Relative to the lowest corner, so that the margin cannot change which pixel a point falls into.
-    const size_t column = clamped_cell(p.u - low.u, pixel_m, raster.columns - 2 * margin) + size_t{margin};
-    const size_t row = clamped_cell(p.v - low.v, pixel_m, raster.rows - 2 * margin) + size_t{margin};
+    const size_t column =
+        clamped_cell(p.u - low.u, pixel_m, raster.columns - 2 * margin) + size_t{margin};
+    const size_t row =
+        clamped_cell(p.v - low.v, pixel_m, raster.rows - 2 * margin) + size_t{margin};
     raster.pixels[row * raster.columns + column] = 1;
   }
   return raster;

@@ -44,7 +44,7 @@ enum class Connectivity2 { k4, k8 };
 /// Connected regions of the occupied pixels, numbered 1, 2 ... by falling size, ties by first
 /// pixel; label 0 = empty.
 struct Regions {
-  std::vector<uint32_t> labels;      ///< one a pixel
+  std::vector<uint32_t> labels;        ///< one a pixel
   std::vector<uint64_t> pixel_counts;  ///< [0] = empty pixels, [label] = pixels of that region
   size_t count() const { return pixel_counts.empty() ? 0 : pixel_counts.size() - 1; }
 };
@@ -55,7 +55,11 @@ Regions label_regions(const Raster& raster, Connectivity2 connectivity = Connect
 /// dilated() and closed() give the raster a margin of radius.
 Raster dilated(const Raster& raster, uint32_t radius);
 Raster eroded(const Raster& raster, uint32_t radius);
-inline Raster closed(const Raster& raster, uint32_t radius) { return eroded(dilated(raster, radius), radius); }
-inline Raster opened(const Raster& raster, uint32_t radius) { return dilated(eroded(raster, radius), radius); }
+inline Raster closed(const Raster& raster, uint32_t radius) {
+  return eroded(dilated(raster, radius), radius);
+}
+inline Raster opened(const Raster& raster, uint32_t radius) {
+  return dilated(eroded(raster, radius), radius);
+}
 
 }  // namespace jalon

@@ -34,7 +34,8 @@ class UnionFind {
 inline std::vector<uint32_t> ranks_by_size(const std::vector<uint64_t>& sizes) {
   std::vector<uint32_t> order(sizes.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return sizes[a] > sizes[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](uint32_t a, uint32_t b) { return sizes[a] > sizes[b]; });
   std::vector<uint32_t> rank(sizes.size());
   for (size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<uint32_t>(i + 1);
   return rank;

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear, *fx_far, *fx_nan_field,
-    *fx_ball;
+jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear, *fx_far,
+    *fx_nan_field, *fx_ball;
 jalon_cloud* fx_clouds[3];
 jalon_cloud_builder *fx_builder, *fx_builder_ready;
 jalon_fields* fx_fields;
@@ -38,33 +38,57 @@ double fx_xyz[3 * kArrayItems];
 uint64_t fx_indices[kArrayItems];
 uint32_t fx_triangles[kArrayItems] = {0, 1, 2, 2, 3, 0};
 const double fx_square[8] = {-50, -50, 50, -50, 50, 50, -50, 50};
-const double fx_picks[24] = {0, 0, 0, 2.5, 0, 0, 4.9, 0, 0, 4.9, 0, 1.5, 4.9, 0, 2.9, 2, 0, 2.9, 0, 0, 2.9, 0, 0, 1};
+const double fx_picks[24] = {0,   0, 0,   2.5, 0, 0,   4.9, 0, 0,   4.9, 0, 1.5,
+                             4.9, 0, 2.9, 2,   0, 2.9, 0,   0, 2.9, 0,   0, 1};
 const double fx_areas[8] = {0, 1, 2, 3, 4, 5, 6, 7}, fx_ranges[8] = {1, 2, 4, 8, 16, 32, 64, 128};
 const jalon_transform fx_identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
 const jalon_transform fx_zero = {{0}};
 const jalon_transform fx_nan_transform = {{1, 0, 0, NAN, 0, 1, 0, 0, 0, 0, 1, 0}};
 const jalon_transform fx_inf_transform = {{INFINITY, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
 const jalon_transform fx_big_transform = {{1e300, 0, 0, 0, 0, 1e300, 0, 0, 0, 0, 1e300, 0}};
-#define IDENTITY {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}
-const jalon_transform fx_poses[8] = {{IDENTITY}, {IDENTITY}, {IDENTITY}, {IDENTITY}, {IDENTITY},
+#define IDENTITY \
+  { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 }
+const jalon_transform fx_poses[8] = {{IDENTITY},
+                                     {IDENTITY},
+                                     {IDENTITY},
+                                     {IDENTITY},
+                                     {IDENTITY},
                                      {{0.96, -0.28, 0, 0.5, 0.28, 0.96, 0, 0, 0, 0, 1, 0}},
-                                     {{1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0}}, {{1, 0, 0, 1e6, 0, 1, 0, 0, 0, 0, 1, 0}}};
-const jalon_transform fx_wild_poses[8] = {{IDENTITY}, {IDENTITY}, {{2, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0}}, {{0}}};
-#define BOX {JALON_GAUGE_BOX, 0, {IDENTITY}, {1, 2, 3}, 0, 0}
-const jalon_gauge_piece fx_pieces[8] = {BOX, BOX, BOX, BOX, BOX, BOX,
+                                     {{1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0}},
+                                     {{1, 0, 0, 1e6, 0, 1, 0, 0, 0, 0, 1, 0}}};
+const jalon_transform fx_wild_poses[8] = {
+    {IDENTITY}, {IDENTITY}, {{2, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0}}, {{0}}};
+#define BOX \
+  { JALON_GAUGE_BOX, 0, {IDENTITY}, {1, 2, 3}, 0, 0 }
+const jalon_gauge_piece fx_pieces[8] = {BOX,
+                                        BOX,
+                                        BOX,
+                                        BOX,
+                                        BOX,
+                                        BOX,
                                         {JALON_GAUGE_SPHERE, 0, {IDENTITY}, {1, 0, 0}, 0, 0},
                                         {JALON_GAUGE_CYLINDER, 0, {IDENTITY}, {1, 0, 2}, 0, 0}};
-const jalon_gauge_piece fx_wild_pieces[8] = {BOX, BOX, {JALON_GAUGE_HULL, 0, {IDENTITY}, {0, 0, 0}, UINT64_MAX, 5},
-                                             {99, 0, {IDENTITY}, {1, 2, 3}, 0, 0}};
-#define TARGET(name, x, y, z) {name, {x, y, z}, {0}}
-const jalon_target fx_targets[8] = {TARGET("a", 0, 0, 0), TARGET("b", 5, 0, 0), TARGET("c", 0, 5, 0),
-                                    TARGET("d", 0, 0, 5), TARGET("e", 5, 5, 0), TARGET("f", 5, 0, 4),
-                                    TARGET("g", 9, 5, 1), TARGET("h", 1, 2, 7)};
-const jalon_target fx_wild_targets[8] = {TARGET("a", 0, 0, 0), TARGET("a", NAN, 0, 0), TARGET(NULL, 0, INFINITY, 0),
+const jalon_gauge_piece fx_wild_pieces[8] = {
+    BOX,
+    BOX,
+    {JALON_GAUGE_HULL, 0, {IDENTITY}, {0, 0, 0}, UINT64_MAX, 5},
+    {99, 0, {IDENTITY}, {1, 2, 3}, 0, 0}};
+#define TARGET(name, x, y, z) \
+  {                           \
+    name, {x, y, z}, { 0 }    \
+  }
+const jalon_target fx_targets[8] = {
+    TARGET("a", 0, 0, 0), TARGET("b", 5, 0, 0), TARGET("c", 0, 5, 0), TARGET("d", 0, 0, 5),
+    TARGET("e", 5, 5, 0), TARGET("f", 5, 0, 4), TARGET("g", 9, 5, 1), TARGET("h", 1, 2, 7)};
+const jalon_target fx_wild_targets[8] = {TARGET("a", 0, 0, 0),
+                                         TARGET("a", NAN, 0, 0),
+                                         TARGET(NULL, 0, INFINITY, 0),
                                          {"\xff\xfe", {1, 2, 3}, {-1, NAN, 0}}};
-const jalon_box fx_box = {{-50, -50, -50}, {50, 50, 50}}, fx_reversed_box = {{1, 1, 1}, {-1, -1, -1}};
+const jalon_box fx_box = {{-50, -50, -50}, {50, 50, 50}},
+                fx_reversed_box = {{1, 1, 1}, {-1, -1, -1}};
 const jalon_box fx_nan_box = {{NAN, -1, -1}, {1, 1, 1}};
-const jalon_vec3 fx_foot = {0, 0, -5}, fx_top = {0, 0, 5}, fx_nan_vec = {0, NAN, 0}, fx_inf_vec = {0, 0, INFINITY};
+const jalon_vec3 fx_foot = {0, 0, -5}, fx_top = {0, 0, 5}, fx_nan_vec = {0, NAN, 0},
+                 fx_inf_vec = {0, 0, INFINITY};
 char *fx_long_text, *fx_deep_json;
 
 static char folder[256];
@@ -76,7 +100,8 @@ static struct {
 
 static void must(jalon_status status, const char* what) {
   if (status == JALON_OK) return;
-  printf("not ok - wild: fixture %s: %s\n0 passed, 1 failed, 0 skipped\n", what, jalon_last_error_message());
+  printf("not ok - wild: fixture %s: %s\n0 passed, 1 failed, 0 skipped\n", what,
+         jalon_last_error_message());
   exit(1);
 }
 #define MUST(call) must((call), #call)
@@ -118,10 +143,13 @@ static void make_params(void) {
       fx_typed_name[info.type] = info.name;
     }
   }
-  MUST(jalon_params_get_double(fx_typed[JALON_PARAM_DOUBLE], fx_typed_name[JALON_PARAM_DOUBLE], &fx_double_value));
-  MUST(jalon_params_get_int64(fx_typed[JALON_PARAM_INT64], fx_typed_name[JALON_PARAM_INT64], &fx_int64_value));
+  MUST(jalon_params_get_double(fx_typed[JALON_PARAM_DOUBLE], fx_typed_name[JALON_PARAM_DOUBLE],
+                               &fx_double_value));
+  MUST(jalon_params_get_int64(fx_typed[JALON_PARAM_INT64], fx_typed_name[JALON_PARAM_INT64],
+                              &fx_int64_value));
   if (fx_typed[JALON_PARAM_STRING] == NULL) must(-1, "no operation has a string parameter");
-  MUST(jalon_params_get_string(fx_typed[JALON_PARAM_STRING], fx_typed_name[JALON_PARAM_STRING], &fx_text_value));
+  MUST(jalon_params_get_string(fx_typed[JALON_PARAM_STRING], fx_typed_name[JALON_PARAM_STRING],
+                               &fx_text_value));
   if (fx_typed[JALON_PARAM_DOUBLES] == NULL) must(-1, "no operation has a parameter of doubles");
 }
 
@@ -163,7 +191,8 @@ static void make_clouds(void) {
   fx_empty = cloud_of(NULL, 0);
   fx_one = cloud_of(fx_xyz, 1);
   fx_two = cloud_of(fx_xyz, 2);
-  static double line[300], same[300], far_away[12] = {-1e150, 0, 0, 1e150, 1e150, 3, 0, 0, -1e150, 5, 5, 5};
+  static double line[300], same[300],
+      far_away[12] = {-1e150, 0, 0, 1e150, 1e150, 3, 0, 0, -1e150, 5, 5, 5};
   for (int i = 0; i < 100; ++i) {
     line[3 * i] = 0.01 * i, line[3 * i + 1] = 0.02 * i, line[3 * i + 2] = 0.03 * i;
     same[3 * i] = 7, same[3 * i + 1] = 8, same[3 * i + 2] = 9;
@@ -178,7 +207,8 @@ static void make_clouds(void) {
   MUST(jalon_cloud_set_field(fx_nan_field, "normal", nans, JALON_FLOAT32, 3, 200, 0, "", ""));
   double rings[36]; /* on a sphere and on an upright cylinder */
   for (int i = 0; i < 12; ++i)
-    rings[3 * i] = cos(0.5 * i), rings[3 * i + 1] = sin(0.5 * i), rings[3 * i + 2] = i % 2 ? 0.2 : -0.2;
+    rings[3 * i] = cos(0.5 * i), rings[3 * i + 1] = sin(0.5 * i),
+              rings[3 * i + 2] = i % 2 ? 0.2 : -0.2;
   fx_ball = cloud_of(rings, 12);
   fx_clouds[0] = fx_cloud, fx_clouds[1] = fx_small, fx_clouds[2] = fx_two;
 }
@@ -189,7 +219,8 @@ static void make_builders(void) {
     MUST(jalon_cloud_builder_create(0, both[i]));
     MUST(jalon_cloud_builder_declare_field(*both[i], "extra", JALON_FLOAT64, 1, "m", ""));
     MUST(jalon_cloud_builder_append_points(*both[i], fx_xyz, JALON_FLOAT64, 8, 0));
-    if (i == 1) MUST(jalon_cloud_builder_append_field(*both[i], "extra", fx_xyz, JALON_FLOAT64, 8, 0));
+    if (i == 1)
+      MUST(jalon_cloud_builder_append_field(*both[i], "extra", fx_xyz, JALON_FLOAT64, 8, 0));
   }
 }
 
@@ -207,7 +238,8 @@ static void make_workers(void) {
   MUST(jalon_comparer_create("m3c2", &fx_m3c2));
   MUST(jalon_comparer_run(fx_comparer, fx_cloud, fx_cloud, NULL, &fx_comparison));
   MUST(jalon_registrar_create("targets", &fx_registrar));
-  MUST(jalon_registrar_run_targets(fx_registrar, fx_targets, 8, fx_targets, 8, NULL, &fx_registration));
+  MUST(jalon_registrar_run_targets(fx_registrar, fx_targets, 8, fx_targets, 8, NULL,
+                                   &fx_registration));
   MUST(jalon_comparison_regions(fx_comparison, NULL, NULL, &fx_changed, NULL));
   MUST(jalon_noise_law_from_json("{\"law\":\"weibull\",\"shape\":2,\"scale\":3}", &fx_law));
   MUST(jalon_modeller_create(NULL, &fx_modeller));
@@ -228,7 +260,8 @@ static void make_files(void) {
   snprintf(made, sizeof made, "%s/jalon_wild_XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
   char* whole = mkdtemp(made) != NULL ? realpath(made, NULL) : NULL;
   // Wild file names are relative ones: what they make shall go with the folder.
-  if (whole == NULL || strlen(whole) >= sizeof folder || chdir(whole) != 0) must(-1, "no temporary folder");
+  if (whole == NULL || strlen(whole) >= sizeof folder || chdir(whole) != 0)
+    must(-1, "no temporary folder");
   strcpy(folder, whole);
   free(whole);
   MUST(jalon_cloud_write(fx_cloud, fx_path("scan.las"), NULL, NULL));
@@ -261,8 +294,8 @@ void fx_end(void) {
     if (chdir("/") != 0 || rmdir(folder) != 0) fprintf(stderr, "%s is left behind\n", folder);
   }
   for (int i = 0; i < made_options; ++i) jalon_params_release(options[i].params);
-  jalon_cloud* clouds[] = {fx_cloud, fx_small, fx_empty, fx_one, fx_two, fx_equal, fx_collinear, fx_far, fx_nan_field,
-                          fx_ball};
+  jalon_cloud* clouds[] = {fx_cloud, fx_small,     fx_empty, fx_one,       fx_two,
+                           fx_equal, fx_collinear, fx_far,   fx_nan_field, fx_ball};
   for (size_t i = 0; i < sizeof clouds / sizeof *clouds; ++i) jalon_cloud_release(clouds[i]);
   jalon_cloud_builder_release(fx_builder);
   jalon_cloud_builder_release(fx_builder_ready);

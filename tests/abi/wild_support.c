@@ -84,7 +84,8 @@ void see_view(int i, int needed) {
 
 void function_begin(const char* name) {
   if (verdict == NULL) {
-    verdict = mmap(NULL, sizeof *verdict, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    verdict =
+        mmap(NULL, sizeof *verdict, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     memset(slots, kPoison, sizeof slots);
   }
   function_name = name;
@@ -114,7 +115,8 @@ int case_begin(const char* label) {
     tell("no child process");
   } else if (WIFSIGNALED(status)) {
     char why[80];
-    snprintf(why, sizeof why, WTERMSIG(status) == SIGALRM ? "took longer than %d s" : "ended by signal %d",
+    snprintf(why, sizeof why,
+             WTERMSIG(status) == SIGALRM ? "took longer than %d s" : "ended by signal %d",
              WTERMSIG(status) == SIGALRM ? kSeconds : WTERMSIG(status));
     tell(why);
   } else if (!verdict->done) {
@@ -126,7 +128,8 @@ int case_begin(const char* label) {
 }
 
 static int known(jalon_status status) {
-  return status == JALON_OK || (status <= JALON_ERROR_INVALID_ARGUMENT && status >= JALON_ERROR_LIMIT) ||
+  return status == JALON_OK ||
+         (status <= JALON_ERROR_INVALID_ARGUMENT && status >= JALON_ERROR_LIMIT) ||
          status == JALON_ERROR_INTERNAL;
 }
 
@@ -144,7 +147,8 @@ static void judge_failure(jalon_status status) {
   for (int i = 0; i < kSlots; ++i)
     for (int b = preset[i]; b < kSlotBytes; ++b)
       if (slots[i][b] != kPoison) {
-        snprintf(why, sizeof why, "output %d was written at byte %d although the call failed (%s)", i, b, message);
+        snprintf(why, sizeof why, "output %d was written at byte %d although the call failed (%s)",
+                 i, b, message);
         case_fail(why);
         break;
       }
@@ -161,11 +165,12 @@ void case_end(jalon_status status, int expectation, after_success after) {
     if (after != NULL) after(strcmp(case_label, "valid arguments") == 0);
   } else {
     if (expectation == kMustPass) {
-      snprintf(why, sizeof why, "failed: %s: %s", jalon_status_name(status), jalon_last_error_message());
+      snprintf(why, sizeof why, "failed: %s: %s", jalon_status_name(status),
+               jalon_last_error_message());
       case_fail(why);
     } else if (expectation == kMustBeInvalid && status != JALON_ERROR_INVALID_ARGUMENT) {
-      snprintf(why, sizeof why, "gave \"%s\" for an invalid argument: %s", jalon_status_name(status),
-               jalon_last_error_message());
+      snprintf(why, sizeof why, "gave \"%s\" for an invalid argument: %s",
+               jalon_status_name(status), jalon_last_error_message());
       case_fail(why);
     }
     judge_failure(status);

@@ -15,12 +15,12 @@ enum { kSlots = 10, kSlotBytes = 65536, kPoison = 0xA5, kArrayItems = 4096 };
 enum { kAny, kMustPass, kMustFail, kMustBeInvalid };
 
 /* Handles and data that are valid. */
-extern jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear, *fx_far, *fx_nan_field,
-    *fx_ball;
+extern jalon_cloud *fx_cloud, *fx_small, *fx_empty, *fx_one, *fx_two, *fx_equal, *fx_collinear,
+    *fx_far, *fx_nan_field, *fx_ball;
 extern jalon_cloud* fx_clouds[3];
 extern jalon_cloud_builder *fx_builder, *fx_builder_ready;
 extern jalon_fields* fx_fields;
-extern jalon_fields* fx_changed;  /* points of change regions */
+extern jalon_fields* fx_changed; /* points of change regions */
 extern jalon_model *fx_model, *fx_mesh, *fx_bare, *fx_block;
 extern jalon_segmenter* fx_segmenter;
 extern jalon_segmentation *fx_segmentation, *fx_no_segments, *fx_start;
@@ -35,8 +35,8 @@ extern jalon_registration* fx_registration;
 extern jalon_noise_law* fx_law;
 extern jalon_scanner* fx_scanner;
 extern jalon_task *fx_task, *fx_task_own;
-extern jalon_params* fx_typed[7];     /* a set with a row of each type ... */
-extern const char* fx_typed_name[7];  /* ... and that row's name */
+extern jalon_params* fx_typed[7];    /* a set with a row of each type ... */
+extern const char* fx_typed_name[7]; /* ... and that row's name */
 extern double fx_double_value;
 extern int64_t fx_int64_value;
 extern const char* fx_text_value;
@@ -44,14 +44,15 @@ extern double fx_xyz[3 * kArrayItems];
 extern uint64_t fx_indices[kArrayItems];
 extern uint32_t fx_triangles[kArrayItems];
 extern const double fx_square[8], fx_picks[24], fx_areas[8], fx_ranges[8];
-extern const jalon_transform fx_identity, fx_zero, fx_nan_transform, fx_inf_transform, fx_big_transform;
+extern const jalon_transform fx_identity, fx_zero, fx_nan_transform, fx_inf_transform,
+    fx_big_transform;
 extern const jalon_transform fx_poses[8], fx_wild_poses[8];
 extern const jalon_gauge_piece fx_pieces[8], fx_wild_pieces[8];
 extern const jalon_target fx_targets[8], fx_wild_targets[8];
 extern const jalon_box fx_box, fx_reversed_box, fx_nan_box;
 extern const jalon_vec3 fx_foot, fx_top, fx_nan_vec, fx_inf_vec;
-extern char* fx_long_text;  /* 70 000 letters */
-extern char* fx_deep_json;  /* 20 000 brackets */
+extern char* fx_long_text; /* 70 000 letters */
+extern char* fx_deep_json; /* 20 000 brackets */
 
 /* The options of an operation; NULL name gives those of another one. */
 jalon_params* fx_options(const char* operation);
@@ -83,22 +84,22 @@ void see_text(int i, int needed);
 /* Texts in slot i, their number in slot n. */
 void see_texts(int i, int n, int needed);
 void see_view(int i, int needed);
-#define SEE_HANDLE(i, needed, type, release)              \
-  do {                                                    \
-    type* handle_;                                        \
-    memcpy(&handle_, slot(i), sizeof handle_);            \
-    if (slot_written(i, sizeof handle_)) release(handle_); \
+#define SEE_HANDLE(i, needed, type, release)                \
+  do {                                                      \
+    type* handle_;                                          \
+    memcpy(&handle_, slot(i), sizeof handle_);              \
+    if (slot_written(i, sizeof handle_)) release(handle_);  \
     else if (needed) case_fail("a handle was not written"); \
   } while (0)
 int slot_written(int i, size_t bytes);
 void case_fail(const char* why);
 
-#define CASE(label, expectation, after, call) \
-  do {                                        \
+#define CASE(label, expectation, after, call)                        \
+  do {                                                               \
     if (case_begin(label)) case_end((call), (expectation), (after)); \
   } while (0)
-#define TRUTH(label, expression) \
-  do {                           \
+#define TRUTH(label, expression)                       \
+  do {                                                 \
     if (case_begin(label)) case_end_truth(expression); \
   } while (0)
 

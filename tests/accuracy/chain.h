@@ -41,7 +41,9 @@ struct SceneChain {
 struct SegmentTruth {
   uint32_t face = kNoFace;  ///< the one most of its points are from
   uint64_t points = 0, own = 0;
-  double purity() const { return points == 0 ? 0 : static_cast<double>(own) / static_cast<double>(points); }
+  double purity() const {
+    return points == 0 ? 0 : static_cast<double>(own) / static_cast<double>(points);
+  }
 };
 
 inline std::vector<SegmentTruth> truth_of_segments(const SceneChain& chain) {

@@ -37,8 +37,10 @@ class TriangleScene {
   void box(const Vec3& size, const Transform& place, uint32_t object) {
     Vec3 p[8];
     for (int k = 0; k < 8; ++k)
-      p[k] = place.point({size.x * ((k & 1) - 0.5), size.y * ((k >> 1 & 1) - 0.5), size.z * (k >> 2)});
-    constexpr int kSides[6][4] = {{0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}, {4, 5, 7, 6}, {0, 2, 3, 1}};
+      p[k] =
+          place.point({size.x * ((k & 1) - 0.5), size.y * ((k >> 1 & 1) - 0.5), size.z * (k >> 2)});
+    constexpr int kSides[6][4] = {{0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2},
+                                  {1, 3, 7, 5}, {4, 5, 7, 6}, {0, 2, 3, 1}};
     for (const auto& s : kSides) quad(p[s[0]], p[s[1]], p[s[2]], p[s[3]], object);
   }
   /// A grid of nu x nv quads over point(s, t), 0 <= s, t <= 1.
@@ -46,7 +48,9 @@ class TriangleScene {
   void surface(int nu, int nv, uint32_t object, F&& point) {
     for (int i = 0; i < nu; ++i)
       for (int j = 0; j < nv; ++j) {
-        const auto at = [&](int a, int b) { return point(static_cast<double>(a) / nu, static_cast<double>(b) / nv); };
+        const auto at = [&](int a, int b) {
+          return point(static_cast<double>(a) / nu, static_cast<double>(b) / nv);
+        };
         quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1), object);
       }
   }
@@ -65,7 +69,8 @@ inline Transform placed(double x, double y, double turn_deg, double z = 0) {
 }
 
 /// Tripods around the origin.
-inline std::vector<ScanStation> stations_around(int count, double distance, double height, double first_deg = 20) {
+inline std::vector<ScanStation> stations_around(int count, double distance, double height,
+                                                double first_deg = 20) {
   std::vector<ScanStation> out;
   for (int k = 0; k < count; ++k) {
     const double a = (first_deg + 360.0 * k / count) * std::numbers::pi / 180;
@@ -80,8 +85,8 @@ struct ScanSetting {
   double step_rad = 0.004, noise_m = 0.003;
 };
 
-inline CloudPtr scanned(const TriangleScene& scene, const std::vector<ScanStation>& stations, uint64_t seed,
-                        const ScanSetting& setting = {}) {
+inline CloudPtr scanned(const TriangleScene& scene, const std::vector<ScanStation>& stations,
+                        uint64_t seed, const ScanSetting& setting = {}) {
   Task task;
   const StaticSettings scanner{.horizontal_step_rad = setting.step_rad,
                                .vertical_step_rad = setting.step_rad,

@@ -27,7 +27,8 @@ struct Setting {
   double threshold_m = 0.02, margin_m = 0.02;
 };
 
-Comparison compared_with(const CloudPtr& reference, const CloudPtr& compared, const Setting& setting) {
+Comparison compared_with(const CloudPtr& reference, const CloudPtr& compared,
+                         const Setting& setting) {
   Task task;
   DistanceSettings settings;
   settings.local_model = LocalModelKind::kPlane;
@@ -38,15 +39,18 @@ Comparison compared_with(const CloudPtr& reference, const CloudPtr& compared, co
 
 Diagnosis diagnosed(const CloudPtr& before, const CloudPtr& after, const Setting& setting) {
   Task task;
-  const Comparison forward = compared_with(before, after, setting), reverse = compared_with(after, before, setting);
+  const Comparison forward = compared_with(before, after, setting),
+                   reverse = compared_with(after, before, setting);
   return diagnose(forward, reverse, {.threshold_m = setting.threshold_m}, task);
 }
 
 /// Object whose points a change has most of, in either epoch.
 uint32_t object_of(const Change& change, const CloudPtr& before, const CloudPtr& after) {
   std::map<uint32_t, size_t> count;
-  for (const uint32_t i : change.object.before) ++count[before->fields.require("face").values<uint32_t>()[i]];
-  for (const uint32_t i : change.object.after) ++count[after->fields.require("face").values<uint32_t>()[i]];
+  for (const uint32_t i : change.object.before)
+    ++count[before->fields.require("face").values<uint32_t>()[i]];
+  for (const uint32_t i : change.object.after)
+    ++count[after->fields.require("face").values<uint32_t>()[i]];
   uint32_t best = 0;
   size_t most = 0;
   for (const auto& [object, n] : count)
@@ -62,8 +66,8 @@ struct Tally {
 };
 
 /// truth: class of each changed object; its first, largest change counts.
-void score(const Diagnosis& found, const std::map<uint32_t, ChangeClass>& truth, const CloudPtr& before,
-           const CloudPtr& after, Tally& tally) {
+void score(const Diagnosis& found, const std::map<uint32_t, ChangeClass>& truth,
+           const CloudPtr& before, const CloudPtr& after, Tally& tally) {
   std::map<uint32_t, ChangeClass> seen;
   for (const Change& change : found.changes) {
     const uint32_t object = object_of(change, before, after);
@@ -88,7 +92,8 @@ struct Moved {
 };
 
 // The motion that the scene has, about the centroid that the match used.
-void score_motion(const Diagnosis& found, const Transform& truth, const CloudPtr& before, Moved& moved) {
+void score_motion(const Diagnosis& found, const Transform& truth, const CloudPtr& before,
+                  Moved& moved) {
   for (const Change& change : found.changes) {
     if (!change.match.found) continue;
     Vec3 centroid;
@@ -107,7 +112,8 @@ void score_motion(const Diagnosis& found, const Transform& truth, const CloudPtr
 
 void move_box(uint64_t seed, double turn_deg, double along_m, Moved& moved) {
   RandomStream random(seed, 7);
-  const Transform place = placed(random.uniform() - 0.5, random.uniform() - 0.5, 360 * random.uniform());
+  const Transform place =
+      placed(random.uniform() - 0.5, random.uniform() - 0.5, 360 * random.uniform());
   const Transform step = placed(along_m, 0, turn_deg);
   Before_After scene;
   for (TriangleScene* s : {&scene.before, &scene.after}) s->ground(4);
@@ -123,14 +129,16 @@ void move_box(uint64_t seed, double turn_deg, double along_m, Moved& moved) {
 
 void report(const char* name, const Moved& moved) {
   const Tally& tally = moved.tally;
-  MESSAGE("FIGURE " << std::string(name) << ": classes right " << tally.right << " of " << tally.planted
-                    << ", invented " << tally.invented << ", within 2 sigma " << moved.within_two_sigma << " of "
-                    << moved.components << ", worst " << 1000 * moved.worst_m << " mm");
+  MESSAGE("FIGURE " << std::string(name) << ": classes right " << tally.right << " of "
+                    << tally.planted << ", invented " << tally.invented << ", within 2 sigma "
+                    << moved.within_two_sigma << " of " << moved.components << ", worst "
+                    << 1000 * moved.worst_m << " mm");
   CHECK(tally.share() >= 0.9);
   CHECK(tally.invented == 0);
   // 95.4 % are expected; fewer than three standard deviations of that share below it do not happen by chance.
   const double n = static_cast<double>(moved.components), expected = 0.954;
-  CHECK(static_cast<double>(moved.within_two_sigma) >= expected * n - 3 * std::sqrt(n * expected * (1 - expected)));
+  CHECK(static_cast<double>(moved.within_two_sigma) >=
+        expected * n - 3 * std::sqrt(n * expected * (1 - expected)));
   CHECK(moved.worst_m <= 0.01 * kBox.x);
 }
 
@@ -161,7 +169,8 @@ TEST_CASE("S8__boxes_of_a_toy_city_appear_and_disappear") {
     for (int k = 0; k < 23; ++k) {  // 20 stand before; one of them goes, three more come
       const int plot = plots[static_cast<size_t>(k)];
       const double x = 0.09 * (plot % 5 - 2), y = 0.09 * (plot / 5 - 2);
-      const Vec3 size{0.03 + 0.03 * random.uniform(), 0.03 + 0.03 * random.uniform(), 0.03 + 0.06 * random.uniform()};
+      const Vec3 size{0.03 + 0.03 * random.uniform(), 0.03 + 0.03 * random.uniform(),
+                      0.03 + 0.06 * random.uniform()};
       const Transform place = placed(x, y, 30 * random.uniform());
       const auto object = static_cast<uint32_t>(k + 2);
       if (k < 20) scene.before.box(size, place, object);
@@ -175,8 +184,9 @@ TEST_CASE("S8__boxes_of_a_toy_city_appear_and_disappear") {
     const CloudPtr after = scanned(scene.after, stations, 2 * seed + 1, fine);
     score(diagnosed(before, after, {0.004, 0.004}), truth, before, after, tally);
   }
-  MESSAGE("FIGURE S8: classes right " << tally.right << " of " << tally.planted << ", invented " << tally.invented
-                                      << " among " << 19 * runs() << " boxes that stayed");
+  MESSAGE("FIGURE S8: classes right " << tally.right << " of " << tally.planted << ", invented "
+                                      << tally.invented << " among " << 19 * runs()
+                                      << " boxes that stayed");
   CHECK(tally.share() >= 0.9);
   CHECK(tally.invented <= 19 * runs() / 20 + 1);  // 5 % of the boxes that stayed
 }
@@ -203,13 +213,16 @@ void beam(TriangleScene& scene, double bend_m) {
     });
   }
   const double z = sag(3);
-  scene.quad({1.5, -0.1, z - 0.1}, {1.5, 0.1, z - 0.1}, {1.5, 0.1, z + 0.1}, {1.5, -0.1, z + 0.1}, 3);
+  scene.quad({1.5, -0.1, z - 0.1}, {1.5, 0.1, z - 0.1}, {1.5, 0.1, z + 0.1}, {1.5, -0.1, z + 0.1},
+             3);
 }
 
 void rubble(TriangleScene& scene, RandomStream& random) {
   for (int k = 0; k < 12; ++k) {
-    const Vec3 size{0.4 + 0.5 * random.uniform(), 0.4 + 0.4 * random.uniform(), 0.15 + 0.15 * random.uniform()};
-    const Vec3 tilt{0.5 * (random.uniform() - 0.5), 0.5 * (random.uniform() - 0.5), 6 * random.uniform()};
+    const Vec3 size{0.4 + 0.5 * random.uniform(), 0.4 + 0.4 * random.uniform(),
+                    0.15 + 0.15 * random.uniform()};
+    const Vec3 tilt{0.5 * (random.uniform() - 0.5), 0.5 * (random.uniform() - 0.5),
+                    6 * random.uniform()};
     Transform place = rotation_by(tilt);
     place.m[3] = 3 * (random.uniform() - 0.5);
     place.m[7] = 1.2 * (random.uniform() - 0.5);
@@ -222,12 +235,14 @@ void score_deformation(const Before_After& scene, uint32_t object, uint64_t seed
   const auto stations = stations_around(4, 6, 2.2);
   const CloudPtr before = scanned(scene.before, stations, 2 * seed);
   const CloudPtr after = scanned(scene.after, stations, 2 * seed + 1);
-  score(diagnosed(before, after, {}), {{object, ChangeClass::kDeformationOverlap}}, before, after, tally);
+  score(diagnosed(before, after, {}), {{object, ChangeClass::kDeformationOverlap}}, before, after,
+        tally);
 }
 
 void report(const char* name, const Tally& tally) {
-  MESSAGE("FIGURE " << std::string(name) << ": classes right " << tally.right << " of " << tally.planted
-                    << ", invented " << tally.invented << ", further pieces " << tally.pieces);
+  MESSAGE("FIGURE " << std::string(name) << ": classes right " << tally.right << " of "
+                    << tally.planted << ", invented " << tally.invented << ", further pieces "
+                    << tally.pieces);
   CHECK(tally.share() >= 0.9);
   CHECK(tally.invented == 0);
 }

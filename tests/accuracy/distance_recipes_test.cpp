@@ -31,7 +31,8 @@ CloudPtr earthworks(size_t points, uint64_t day, bool with_heap) {
   RandomStream random(day, 0);
   std::vector<double> xyz;
   for (size_t i = 0; i < points; ++i) {
-    const double range = 3 * std::pow(20.0, random.uniform()), turn = std::numbers::pi * random.uniform();
+    const double range = 3 * std::pow(20.0, random.uniform()),
+                 turn = std::numbers::pi * random.uniform();
     const double x = range * std::cos(turn), y = range * std::sin(turn);
     const double apart2 = (x - 8) * (x - 8) + (y - 12) * (y - 12);
     const double heap = with_heap ? std::max(0.0, 1 - apart2 / 2.25) : 0;
@@ -71,13 +72,15 @@ double total_seconds(std::span<const Row> rows, const char* table,
                      const DistanceSettings& settings) {
   double sum = 0, printed = 0;
   for (const Row& row : rows) {
-    const auto reference = earthworks(row.reference, 1, false), compared = earthworks(row.compared, 2, true);
+    const auto reference = earthworks(row.reference, 1, false),
+               compared = earthworks(row.compared, 2, true);
     const double s =
         seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
           compare_distance(a, b, settings, task);
         });
-    MESSAGE("FIGURE " << std::string(table) << ": " << row.reference << " / " << row.compared << " points " << s
-                      << " s, printed " << row.printed_s << " s, " << row.printed_s / s << " x faster");
+    MESSAGE("FIGURE " << std::string(table) << ": " << row.reference << " / " << row.compared
+                      << " points " << s << " s, printed " << row.printed_s << " s, "
+                      << row.printed_s / s << " x faster");
     sum += s;
     printed += row.printed_s;
   }
@@ -97,9 +100,11 @@ std::vector<double> tower(size_t points, uint64_t seed, double noise_m, double o
   for (size_t i = 0; i < points; ++i) {
     const double z = 50 + height * random.uniform(), theta = sector * random.uniform();
     const double r = radius(z), slope = 35 * 35 * (z - 135) / 8100 / r;  // dr / dz
-    const double out = noise_m * random.normal() + offset_m * std::numbers::sqrt2 * std::sin(0.9 * z);
+    const double out =
+        noise_m * random.normal() + offset_m * std::numbers::sqrt2 * std::sin(0.9 * z);
     const double across = out / std::sqrt(1 + slope * slope);
-    xyz.insert(xyz.end(), {(r + across) * std::cos(theta), (r + across) * std::sin(theta), z - across * slope});
+    xyz.insert(xyz.end(), {(r + across) * std::cos(theta), (r + across) * std::sin(theta),
+                           z - across * slope});
   }
   return xyz;
 }
@@ -108,8 +113,11 @@ std::vector<double> tower(size_t points, uint64_t seed, double noise_m, double o
 
 TEST_CASE("T4_T5__distances_between_clouds_at_least_30_times_faster_than_printed") {
   if (std::getenv("JALON_SANITIZED") != nullptr) return;
-  const Row plain[] = {{177171, 171380, 1.83}, {220931, 171380, 5.58}, {764665, 177171, 4.32},
-                       {220931, 177171, 5.14}, {177171, 764665, 16.91}};
+  const Row plain[] = {{177171, 171380, 1.83},
+                       {220931, 171380, 5.58},
+                       {764665, 177171, 4.32},
+                       {220931, 177171, 5.14},
+                       {177171, 764665, 16.91}};
   CHECK(total_seconds(plain, "T4", {}) < (1.83 + 5.58 + 4.32 + 5.14 + 16.91) / 30);
   // Row 1 of T5 contradicts T4.
   const Row modelled[] = {{609804, 837125, 29.47}, {146352, 292389, 10.46}};
@@ -127,17 +135,19 @@ TEST_CASE("T9__previews_and_nearest_points_at_least_30_times_faster_than_printed
                     {850000, 612000, 1.76, 14.97, 0.19, 1.33, 21.38, 6}};
   double sum = 0, printed = 0;
   for (const Set& set : sets) {
-    const auto reference = earthworks(set.reference, 1, false), compared = earthworks(set.compared, 2, true);
+    const auto reference = earthworks(set.reference, 1, false),
+               compared = earthworks(set.compared, 2, true);
     using Measure = PreviewSettings::Measure;
     const auto preview = [&](const PreviewSettings& settings) {
       return seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
         compare_preview(a, b, settings, task);
       });
     };
-    const double octrees = seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
-      a->octree(task);
-      b->octree(task);
-    });
+    const double octrees =
+        seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
+          a->octree(task);
+          b->octree(task);
+        });
     const double mean = preview({Measure::kMean, set.level}),
                  angle = preview({Measure::kPlaneAngle, set.level}),
                  recursive = preview({Measure::kPlaneAngle, set.level, 10});
@@ -145,12 +155,14 @@ TEST_CASE("T9__previews_and_nearest_points_at_least_30_times_faster_than_printed
         seconds_of(reference, compared, [&](const CloudPtr& a, const CloudPtr& b, Task& task) {
           compare_distance(a, b, {}, task);
         });
-    MESSAGE("FIGURE T9 " << set.reference << " / " << set.compared << ", s (printed): octrees " << octrees << " ("
-                         << set.octrees << "), beyond them mean " << mean - octrees << " (" << set.mean
-                         << "), angle of planes " << angle - octrees << " (" << set.angle << "), recursive "
-                         << recursive - octrees << " (" << set.recursive << "), nearest " << nearest - octrees << " ("
-                         << set.nearest << ")");
-    sum += octrees + mean + angle + recursive + nearest - 4 * octrees;  // each preview and search built both again
+    MESSAGE("FIGURE T9 " << set.reference << " / " << set.compared << ", s (printed): octrees "
+                         << octrees << " (" << set.octrees << "), beyond them mean "
+                         << mean - octrees << " (" << set.mean << "), angle of planes "
+                         << angle - octrees << " (" << set.angle << "), recursive "
+                         << recursive - octrees << " (" << set.recursive << "), nearest "
+                         << nearest - octrees << " (" << set.nearest << ")");
+    sum += octrees + mean + angle + recursive + nearest -
+           4 * octrees;  // each preview and search built both again
     printed += set.octrees + set.mean + set.angle + set.recursive + set.nearest;
   }
   MESSAGE("FIGURE T9 in all: " << printed / sum << " x faster than printed, one thread");
@@ -160,7 +172,8 @@ TEST_CASE("T9__previews_and_nearest_points_at_least_30_times_faster_than_printed
 // Octree spec 9 (7): noise of 1 and 2.5 cm and offsets of 1.41 cm make a normal difference of 3.04 cm.
 TEST_CASE("tower__plain_distances_are_biased_by_sampling_and_local_models_are_not") {
   const size_t points = is_full() ? 2000000 : 150000;
-  const auto reference = cloud_of(tower(points, 1, 0.01, 0)), compared = cloud_of(tower(points, 2, 0.025, 0.0141));
+  const auto reference = cloud_of(tower(points, 1, 0.01, 0)),
+             compared = cloud_of(tower(points, 2, 0.025, 0.0141));
   Task task;
   const auto shares = [&](const char* name, LocalModelKind model) {
     const Comparison made = compare_distance(reference, compared, {.local_model = model}, task);
@@ -198,7 +211,8 @@ TEST_CASE("nearest_points__equal_brute_force_to_1e9_on_uneven_clouds") {
   for (size_t i = 0; i < points; ++i) {
     const Vec3 p = compared->point(i);
     double least = 1e300;
-    for (size_t j = 0; j < points; ++j) least = std::min(least, squared_norm(reference->point(j) - p));
+    for (size_t j = 0; j < points; ++j)
+      least = std::min(least, squared_norm(reference->point(j) - p));
     worst = std::max(worst, std::fabs(distance[i] / std::sqrt(least) - 1));
   }
   MESSAGE("FIGURE nearest points of " << points << ": within " << worst << " of brute force");

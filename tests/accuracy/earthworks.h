@@ -25,15 +25,15 @@ constexpr uint32_t kGround = 1, kHeap = 2, kPit = 3, kBackWall = 4, kFreeWall = 
 struct SiteDay {
   std::shared_ptr<const TriangleTree> tree;
   std::vector<uint32_t> faces;  ///< of the triangles
-  Transform pose;  ///< T_world_scanner
+  Transform pose;               ///< T_world_scanner
   CloudPtr cloud;
 
   uint32_t face(uint32_t triangle) const { return faces[triangle]; }
   bool is_in_field(const Vec3& p, double border_rad = 0) const {
     const Vec3 q = inverse(pose).point(p);
     const double h = std::atan2(q.x, q.y), v = std::atan2(q.z, std::hypot(q.x, q.y));
-    return h >= kSiteLeft_rad + border_rad && h <= kSiteRight_rad - border_rad && v >= kSiteLow_rad + border_rad &&
-           v <= kSiteHigh_rad - border_rad;
+    return h >= kSiteLeft_rad + border_rad && h <= kSiteRight_rad - border_rad &&
+           v >= kSiteLow_rad + border_rad && v <= kSiteHigh_rad - border_rad;
   }
   /// How far behind the first surface a point lies as the scanner sees it: 0 on it, negative before it.
   double depth_behind(const Vec3& p) const {

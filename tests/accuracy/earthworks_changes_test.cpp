@@ -34,7 +34,9 @@ Comparison compared(int reference, int day, const DistanceSettings& settings) {
                           site_days()[static_cast<size_t>(day - 1)].cloud, settings, task);
 }
 
-uint32_t face_of(const Comparison& comparison, size_t i) { return values<uint32_t>(*comparison.cloud, "face")[i]; }
+uint32_t face_of(const Comparison& comparison, size_t i) {
+  return values<uint32_t>(*comparison.cloud, "face")[i];
+}
 double number(const Comparison& comparison, const char* column, size_t i) {
   return comparison.points.require(column).number(i);
 }
@@ -47,7 +49,8 @@ struct Planted {
 };
 bool is_in_pit(const Vec3& p) { return p.x > 33.7 && p.x < 42.3 && p.y > 11.7 && p.y < 17.3; }
 constexpr Planted kPlanted[] = {
-    {"heap", [](int r, int c) { return r == 1 && c > 1; }, [](uint32_t f, const Vec3&) { return f == kHeap; }},
+    {"heap", [](int r, int c) { return r == 1 && c > 1; },
+     [](uint32_t f, const Vec3&) { return f == kHeap; }},
     // What was there before the pit hangs in the air above it.
     {"earth of the pit", [](int r, int c) { return r > 2 && c < 3; },
      [](uint32_t f, const Vec3& p) { return f == kGround && is_in_pit(p); }},
@@ -60,7 +63,8 @@ constexpr Planted kPlanted[] = {
 /// Points of a region that belong to it.
 size_t share_of(const Region& region, const Comparison& comparison, const Planted& planted) {
   size_t n = 0;
-  for (const uint32_t i : region.indices) n += planted.holds(face_of(comparison, i), true_point(*comparison.cloud, i));
+  for (const uint32_t i : region.indices)
+    n += planted.holds(face_of(comparison, i), true_point(*comparison.cloud, i));
   return n;
 }
 
@@ -77,8 +81,10 @@ bool is_at_edge(const SiteDay& reference, const Vec3& p) {
   const double here = range({});
   for (const Vec3& side : {across, up, across + up, across - up}) {
     const double one = range(side), other = range(-side);
-    const double bend = std::abs(1 / one + 1 / other - 2 / here), slope = std::abs(1 / one - 1 / other);
-    if (std::max(std::abs(one - here), std::abs(other - here)) > 0.5 && bend > 0.25 * slope) return true;
+    const double bend = std::abs(1 / one + 1 / other - 2 / here),
+                 slope = std::abs(1 / one - 1 / other);
+    if (std::max(std::abs(one - here), std::abs(other - here)) > 0.5 && bend > 0.25 * slope)
+      return true;
   }
   return false;
 }
@@ -86,10 +92,12 @@ bool is_at_edge(const SiteDay& reference, const Vec3& p) {
 /// A region that is nothing planted: it must lie along an edge in depth. Prints it.
 bool is_along_edge(const Region& region, const Comparison& comparison, const SiteDay& reference) {
   size_t at_edge = 0;
-  for (const uint32_t i : region.indices) at_edge += is_at_edge(reference, true_point(*comparison.cloud, i));
-  MESSAGE("FIGURE false region of " << region.indices.size() << " points at (" << region.centroid.x << ", "
-                                    << region.centroid.y << ", " << region.centroid.z << "), mean distance "
-                                    << region.mean_m << " m, " << at_edge << " points at an edge in depth");
+  for (const uint32_t i : region.indices)
+    at_edge += is_at_edge(reference, true_point(*comparison.cloud, i));
+  MESSAGE("FIGURE false region of " << region.indices.size() << " points at (" << region.centroid.x
+                                    << ", " << region.centroid.y << ", " << region.centroid.z
+                                    << "), mean distance " << region.mean_m << " m, " << at_edge
+                                    << " points at an edge in depth");
   return 2 * at_edge > region.indices.size();
 }
 
@@ -120,8 +128,8 @@ TEST_CASE("earthworks__the_pit_is_hidden_by_the_filter_and_recovered_along_the_v
     squares += error * error;
   }
   const double rms = std::sqrt(squares / static_cast<double>(recovered));
-  MESSAGE("FIGURE pit: of " << deep << " points deeper than 0.3 m " << hidden << " are hidden, " << recovered
-                            << " recovered with an error of " << 1000 * rms << " mm");
+  MESSAGE("FIGURE pit: of " << deep << " points deeper than 0.3 m " << hidden << " are hidden, "
+                            << recovered << " recovered with an error of " << 1000 * rms << " mm");
   REQUIRE(deep > 1000);
   CHECK(hidden >= deep * 95 / 100);
   CHECK(recovered >= hidden * 95 / 100);
@@ -144,8 +152,8 @@ TEST_CASE("earthworks__behind_the_wall_that_is_gone_nothing_has_changed") {
     false_all += number(all, "distance", i) > 0.5;
     false_seen += number(seen, "distance", i) > 0.5;
   }
-  MESSAGE("FIGURE behind the removed wall: " << shadow << " points, changed " << false_all << " without, " << false_seen
-                                             << " with visibility");
+  MESSAGE("FIGURE behind the removed wall: " << shadow << " points, changed " << false_all
+                                             << " without, " << false_seen << " with visibility");
   CHECK(shadow > 1000);
   CHECK(false_all > 1000);
   CHECK(false_seen == 0);
@@ -175,8 +183,9 @@ TEST_CASE("earthworks__every_planted_change_is_found_and_false_regions_lie_along
           ++regions;
           points += n;
         }
-        MESSAGE("FIGURE day " << day << " against day " << reference << ": " << std::string(planted.name) << " in "
-                              << regions << " regions of " << points << " points");
+        MESSAGE("FIGURE day " << day << " against day " << reference << ": "
+                              << std::string(planted.name) << " in " << regions << " regions of "
+                              << points << " points");
         CHECK(regions >= 1);
       }
       const SiteDay& before = site_days()[static_cast<size_t>(reference - 1)];
@@ -194,7 +203,8 @@ TEST_CASE("earthworks__local_models_bring_the_static_ground_down_to_a_third") {
     for (size_t i = 0; i < plain.cloud->size(); ++i) {
       if (face_of(plain, i) != kGround || number(plain, "status", i) != 0) continue;
       const SiteDay& before = site_days()[static_cast<size_t>(reference - 1)];
-      if (std::abs(before.depth_behind(true_point(*plain.cloud, i))) > 0.03) continue;  // the heap's place
+      if (std::abs(before.depth_behind(true_point(*plain.cloud, i))) > 0.03)
+        continue;  // the heap's place
       const double a = number(plain, "distance", i), b = number(modelled, "distance", i);
       squares += a * a;
       modelled_squares += b * b;
@@ -202,9 +212,9 @@ TEST_CASE("earthworks__local_models_bring_the_static_ground_down_to_a_third") {
     }
     const double rms = std::sqrt(squares / static_cast<double>(n));
     const double modelled_rms = std::sqrt(modelled_squares / static_cast<double>(n));
-    MESSAGE("FIGURE static ground, day " << day << " against day " << reference << ": " << 1000 * rms << " mm, "
-                                         << 1000 * modelled_rms << " mm with local planes, a factor of "
-                                         << rms / modelled_rms);
+    MESSAGE("FIGURE static ground, day "
+            << day << " against day " << reference << ": " << 1000 * rms << " mm, "
+            << 1000 * modelled_rms << " mm with local planes, a factor of " << rms / modelled_rms);
     CHECK(rms >= 3 * modelled_rms);
   }
 }

@@ -19,7 +19,8 @@ constexpr double kOnSurface_m = 0.03;
 
 struct Score {
   size_t shadow = 0, shadow_found = 0;  ///< behind the surface, by more than the margin
-  size_t near = 0, near_found = 0;      ///< behind it, within the margin: counts as seen by its definition
+  size_t near = 0,
+         near_found = 0;  ///< behind it, within the margin: counts as seen by its definition
   size_t common = 0, common_lost = 0;
   Score& operator+=(const Score& b) {
     shadow += b.shadow, shadow_found += b.shadow_found, near += b.near, near_found += b.near_found;
@@ -31,7 +32,8 @@ struct Score {
 Score score(const SiteDay& reference, const SiteDay& compared) {
   const DepthSettings settings;
   Task task;
-  const auto labels = visibility_labels(VisibilityTest(*reference.cloud, settings, task), *compared.cloud, task);
+  const auto labels =
+      visibility_labels(VisibilityTest(*reference.cloud, settings, task), *compared.cloud, task);
   Score out;
   for (size_t i = 0; i < labels.size(); ++i) {
     const Vec3 p = true_point(*compared.cloud, i);
@@ -65,15 +67,17 @@ TEST_CASE("earthworks__shadows_are_labelled_and_common_ground_is_kept_on_all_pai
       if (r == c) continue;
       const Score s = score(site_days()[r], site_days()[c]);
       all += s;
-      MESSAGE("FIGURE day " << c + 1 << " against day " << r + 1 << ": hidden " << percent(s.shadow_found, s.shadow)
-                            << " % of " << s.shadow << " shadow points, lost " << percent(s.common_lost, s.common)
+      MESSAGE("FIGURE day " << c + 1 << " against day " << r + 1 << ": hidden "
+                            << percent(s.shadow_found, s.shadow) << " % of " << s.shadow
+                            << " shadow points, lost " << percent(s.common_lost, s.common)
                             << " % of " << s.common << " seen by both");
       CHECK(percent(s.shadow_found, s.shadow) >= 95);
       CHECK(percent(s.common_lost, s.common) <= 2);
     }
-  MESSAGE("FIGURE all pairs: hidden " << percent(all.shadow_found, all.shadow) << " % of " << all.shadow << ", lost "
-                                      << percent(all.common_lost, all.common) << " %; with those within the margin "
-                                      << percent(all.shadow_found + all.near_found, all.shadow + all.near) << " % of "
-                                      << all.shadow + all.near);
+  MESSAGE("FIGURE all pairs: hidden "
+          << percent(all.shadow_found, all.shadow) << " % of " << all.shadow << ", lost "
+          << percent(all.common_lost, all.common) << " %; with those within the margin "
+          << percent(all.shadow_found + all.near_found, all.shadow + all.near) << " % of "
+          << all.shadow + all.near);
   CHECK(percent(all.shadow_found + all.near_found, all.shadow + all.near) >= 95);
 }

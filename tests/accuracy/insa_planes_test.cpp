@@ -19,14 +19,14 @@ using namespace jalon::test;
 namespace {
 
 constexpr double kTruthMinArea_m2 = 0.05;
-constexpr double kStep_rad = 0.0022;       // some 230 000 points, thinned to the recipe's
+constexpr double kStep_rad = 0.0022;  // some 230 000 points, thinned to the recipe's
 constexpr uint64_t kPoints = 200'000;
-constexpr double kMisfit_m = 0.004;        // recipe: 3-5 mm between stations
+constexpr double kMisfit_m = 0.004;  // recipe: 3-5 mm between stations
 constexpr double kLarge_m2 = 20;
 constexpr double kLargeAngle_deg = 0.05, kLargeShift_m = 0.002;
 constexpr double kOwnPointsFactor = 1.2;
-constexpr double kChiSquare99 = 11.345;    // 3 degrees of freedom
-constexpr double kLeastInside = 0.97;      // over 20 seeds
+constexpr double kChiSquare99 = 11.345;      // 3 degrees of freedom
+constexpr double kLeastInside = 0.97;        // over 20 seeds
 constexpr double kLeastInsideOfFew = 0.955;  // three standard errors less, for two seeds
 constexpr double kLeastTdr = 0.97, kLeastTda = 0.94;
 
@@ -88,11 +88,13 @@ std::vector<uint32_t> true_planes_of(const Segmentation& s) {
 double chi_square(const PlaneFit& fit, const Plane& truth) {
   const double sign = dot(truth.normal, fit.plane.normal) < 0 ? -1 : 1;
   const Vec3 turn = fit.plane.normal - sign * truth.normal;
-  const Vec3 y{-dot(turn, fit.axis_u), -dot(turn, fit.axis_v), -sign * truth.distance(fit.centroid)};
+  const Vec3 y{-dot(turn, fit.axis_u), -dot(turn, fit.axis_v),
+               -sign * truth.distance(fit.centroid)};
   const Symmetric3& c = fit.local_covariance;
   const Vec3 rows[3] = {{c[0], c[1], c[2]}, {c[1], c[3], c[4]}, {c[2], c[4], c[5]}};
   const double determinant = dot(rows[0], cross(rows[1], rows[2]));
-  const Vec3 x{dot(y, cross(rows[1], rows[2])), dot(y, cross(rows[2], rows[0])), dot(y, cross(rows[0], rows[1]))};
+  const Vec3 x{dot(y, cross(rows[1], rows[2])), dot(y, cross(rows[2], rows[0])),
+               dot(y, cross(rows[0], rows[1]))};
   return dot(x, y) / determinant;
 }
 
@@ -119,7 +121,8 @@ TEST_CASE("chain_insa__planes_lie_within_their_covariance_and_large_ones_within_
     const CloudPtr cloud = insa.scan(seed, 0);
     const Segmentation s = segment(cloud);
     const std::vector<uint32_t> ids = true_planes_of(s);
-    std::map<uint32_t, size_t> segments_of;  // segments come largest first: the first of a plane is its largest part
+    std::map<uint32_t, size_t>
+        segments_of;  // segments come largest first: the first of a plane is its largest part
     for (size_t row = 0; row < ids.size(); ++row) {
       if (ids[row] == kNoSegment) continue;
       const TruePlane& truth = insa.truth.planes[ids[row] - 1];
@@ -137,7 +140,9 @@ TEST_CASE("chain_insa__planes_lie_within_their_covariance_and_large_ones_within_
       const double shift = std::abs(truth.plane.distance(fit.centroid));
       // The cornice is 68 x 0.5 m: across it, least squares through exactly its own points is off by 0.035 degrees (one
       // standard error).
-      CHECK(angle <= std::max(kLargeAngle_deg, kOwnPointsFactor * own_points_angle_deg(*cloud, ids[row], truth.plane)));
+      CHECK(angle <=
+            std::max(kLargeAngle_deg,
+                     kOwnPointsFactor * own_points_angle_deg(*cloud, ids[row], truth.plane)));
       CHECK(shift <= kLargeShift_m);
       worst_deg = std::max(worst_deg, angle);
       worst_m = std::max(worst_m, shift);
@@ -147,13 +152,14 @@ TEST_CASE("chain_insa__planes_lie_within_their_covariance_and_large_ones_within_
   const double share = static_cast<double>(inside) / static_cast<double>(cases);
   CHECK(share >= (full() ? kLeastInside : kLeastInsideOfFew));
   CHECK(large == 4 * seeds);
-  MESSAGE("FIGURE insa, " << seeds << " seeds: " << inside << " of " << cases << " planes (" << share
-                          << ") within their 99 % covariance; " << large
+  MESSAGE("FIGURE insa, " << seeds << " seeds: " << inside << " of " << cases << " planes ("
+                          << share << ") within their 99 % covariance; " << large
                           << " of 20 m2 or more (" << scraps << " scraps), worst " << worst_deg
                           << " deg, " << 1000 * worst_m << " mm");
 }
 
-TEST_CASE("chain_insa__with_misfit_between_stations_detection_and_accuracy_are_those_of_the_thesis") {
+TEST_CASE(
+    "chain_insa__with_misfit_between_stations_detection_and_accuracy_are_those_of_the_thesis") {
   const Insa insa;
   const uint64_t seeds = full() ? 20 : 1;
   double tdr = 0, tda = 0;
@@ -170,13 +176,14 @@ TEST_CASE("chain_insa__with_misfit_between_stations_detection_and_accuracy_are_t
     tdr += totals.mean_tdr / static_cast<double>(seeds);
     tda += totals.mean_tda / static_cast<double>(seeds);
     CHECK(totals.pairs >= 400);  // of some 480 true planes with 50 points
-    MESSAGE("FIGURE insa with misfit, seed " << seed << ": " << totals.pairs << " pairs, mean TDR " << totals.mean_tdr
-                                             << ", mean TDA " << totals.mean_tda << "; unmatched as 0: "
-                                             << totals.detection << " of " << totals.pairs + totals.unmatched_reference
-                                             << ", " << totals.accuracy << " of "
-                                             << totals.pairs + totals.unmatched_automatic);
+    MESSAGE("FIGURE insa with misfit, seed "
+            << seed << ": " << totals.pairs << " pairs, mean TDR " << totals.mean_tdr
+            << ", mean TDA " << totals.mean_tda << "; unmatched as 0: " << totals.detection
+            << " of " << totals.pairs + totals.unmatched_reference << ", " << totals.accuracy
+            << " of " << totals.pairs + totals.unmatched_automatic);
   }
-  MESSAGE("FIGURE insa with misfit, " << seeds << " seeds: mean TDR " << tdr << ", mean TDA " << tda);
+  MESSAGE("FIGURE insa with misfit, " << seeds << " seeds: mean TDR " << tdr << ", mean TDA "
+                                      << tda);
   CHECK(tdr >= kLeastTdr);
   CHECK(tda >= kLeastTda);
 }

@@ -29,8 +29,8 @@ std::string scanner(int points) {
   const double step = 0.0025 * std::sqrt(200000.0 / points);
   return R"({"instrument": "gx", "glass_return_min": 0.05, "glass_return_max": 0.3, "outliers": 0.02, "stations": 4,)"
          R"("horizontal_step_rad": )" +
-         std::to_string(step) + R"(, "vertical_step_rad": )" + std::to_string(step) + R"(, "max_points": )" +
-         std::to_string(points) + "}";
+         std::to_string(step) + R"(, "vertical_step_rad": )" + std::to_string(step) +
+         R"(, "max_points": )" + std::to_string(points) + "}";
 }
 
 /// The scan, cleaned, and its planes with their truth.
@@ -53,12 +53,14 @@ struct Insa {
   }
 
   const std::string& part_class(const Segment& segment) const {
-    return recipe.scene.parts[truth.planes[static_cast<size_t>(segment.source_label) - 1].part].part_class;
+    return recipe.scene.parts[truth.planes[static_cast<size_t>(segment.source_label) - 1].part]
+        .part_class;
   }
   /// The class of a true plane's orientation in the recipe's own axes.
   Orientation true_orientation(const Segment& segment) const {
     const FacadeAxes axes = FacadeAxes::of({std::sin(kTurn_rad), -std::cos(kTurn_rad), 0});
-    return axes.classify(truth.planes[static_cast<size_t>(segment.source_label) - 1].plane.normal, kDegree);
+    return axes.classify(truth.planes[static_cast<size_t>(segment.source_label) - 1].plane.normal,
+                         kDegree);
   }
 
  private:
@@ -76,7 +78,8 @@ struct Insa {
     }
     facade_kept = kept[0] / all[0];
     obstacles_left = kept[1] / all[1];
-    return std::make_shared<const Cloud>(without_duplicates(select_mask(cloud, mask, 1, task), 1e-4, task));
+    return std::make_shared<const Cloud>(
+        without_duplicates(select_mask(cloud, mask, 1, task), 1e-4, task));
   }
 };
 
@@ -113,19 +116,22 @@ std::map<std::pair<std::string, Orientation>, Tally> tallies(const Insa& insa) {
   return out;
 }
 
-void print(const char* what, uint64_t seed, const Insa& insa, std::map<std::pair<std::string, Orientation>, Tally>& t) {
+void print(const char* what, uint64_t seed, const Insa& insa,
+           std::map<std::pair<std::string, Orientation>, Tally>& t) {
   constexpr const char* kNames[] = {"", "parallel", "vertical", "horizontal", "inclined"};
   for (const auto& [name, tally] : t)
     MESSAGE("FIGURE S1 " << std::string(what) << ", seed " << seed << ": " << name.first << " "
-                         << std::string(kNames[static_cast<int>(name.second)]) << " " << tally.found << " of "
-                         << tally.planes << ", TDR " << tally.tdr << " (worst " << tally.worst_tdr << "), TDA "
-                         << tally.tda << " (worst " << tally.worst_tda << "), large ones within " << tally.worst_deg
+                         << std::string(kNames[static_cast<int>(name.second)]) << " " << tally.found
+                         << " of " << tally.planes << ", TDR " << tally.tdr << " (worst "
+                         << tally.worst_tdr << "), TDA " << tally.tda << " (worst "
+                         << tally.worst_tda << "), large ones within " << tally.worst_deg
                          << " deg, " << 1000 * tally.worst_m << " mm");
   const EvaluationTotals& e = insa.evaluation.totals;
-  MESSAGE("FIGURE S1 " << std::string(what) << ", seed " << seed << ": " << insa.cleaned->size() << " points cleaned, "
-                       << insa.found.segments.size() << " segments, " << e.pairs << " pairs, TDR "
-                       << e.global_tdr << ", TDA " << e.global_tda << " of their points, means " << e.mean_tdr
-                       << " and " << e.mean_tda << ", over-segmented " << e.over_segmented << ", under "
+  MESSAGE("FIGURE S1 " << std::string(what) << ", seed " << seed << ": " << insa.cleaned->size()
+                       << " points cleaned, " << insa.found.segments.size() << " segments, "
+                       << e.pairs << " pairs, TDR " << e.global_tdr << ", TDA " << e.global_tda
+                       << " of their points, means " << e.mean_tdr << " and " << e.mean_tda
+                       << ", over-segmented " << e.over_segmented << ", under "
                        << e.under_segmented);
 }
 
@@ -139,7 +145,9 @@ void expect(const Tally& t, double share, double rate) {
 void check_rotation(const Insa& insa) {
   const Transform& T = insa.found.T_facade_world;
   const double turn_deg = std::atan2(T.m[1], T.m[0]) / kDegree;
-  const auto depth = [&](const Vec3& p) { return T.m[4] * p.x + T.m[5] * p.y + T.m[6] * p.z + T.m[7]; };
+  const auto depth = [&](const Vec3& p) {
+    return T.m[4] * p.x + T.m[5] * p.y + T.m[6] * p.z + T.m[7];
+  };
   // Depths in the facade's frame against those of the recipe: front 0.5 m before the wall, breast walls 0.1 behind it.
   const auto recipe_depth = [](const Vec3& p) {
     return -std::sin(kTurn_rad) * (p.x - 1000) + std::cos(kTurn_rad) * (p.y - 500);
@@ -151,8 +159,8 @@ void check_rotation(const Insa& insa) {
     if (std::isnan(shift)) shift = difference;
     worst_m = std::max(worst_m, std::fabs(difference - shift));
   }
-  MESSAGE("FIGURE S1 turned by " << turn_deg << " deg; depths in the facade's frame within " << 1000 * worst_m
-                                 << " mm");
+  MESSAGE("FIGURE S1 turned by " << turn_deg << " deg; depths in the facade's frame within "
+                                 << 1000 * worst_m << " mm");
   CHECK(std::fabs(turn_deg - 37) < 0.005);
   CHECK(worst_m < 0.002);
 }

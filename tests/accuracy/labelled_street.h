@@ -62,12 +62,16 @@ struct LabelledStreet {
       for (size_t a = 0; a < 2; ++a) {
         std::sort(place[a].begin(), place[a].end());
         const auto last = static_cast<double>(place[a].size() - 1);
-        range[a] = {place[a][static_cast<size_t>(0.01 * last + 0.5)], place[a][static_cast<size_t>(0.99 * last + 0.5)]};
+        range[a] = {place[a][static_cast<size_t>(0.01 * last + 0.5)],
+                    place[a][static_cast<size_t>(0.99 * last + 0.5)]};
       }
       if ((range[0].v - range[0].u) * (range[1].v - range[1].u) < least_m2) continue;
       Drawn& opening = out.emplace_back();
-      opening.part_class = (label[0] == kStreetDoor ? "door " : "window ") + std::to_string(label[1]);
-      opening.corners = {{range[0].u, range[1].u}, {range[0].v, range[1].u}, {range[0].v, range[1].v},
+      opening.part_class =
+          (label[0] == kStreetDoor ? "door " : "window ") + std::to_string(label[1]);
+      opening.corners = {{range[0].u, range[1].u},
+                         {range[0].v, range[1].u},
+                         {range[0].v, range[1].v},
                          {range[0].u, range[1].v}};
       opening.region = {{{opening.corners}}};
     }

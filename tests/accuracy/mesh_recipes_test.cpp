@@ -30,9 +30,14 @@ class PlantMesh {
     for (int i = 0; i < 85; ++i) {
       const Vec3 foot{1 + 10 * random.uniform(), 1 + 6 * random.uniform(), 4 * random.uniform()};
       const int axis = static_cast<int>(random.below(3));
-      const double radius = i < 60 ? 0.03 + 0.27 * random.uniform() * random.uniform() : i < 80 ? 0.15 : 0.8;
+      const double radius = i < 60   ? 0.03 + 0.27 * random.uniform() * random.uniform()
+                            : i < 80 ? 0.15
+                                     : 0.8;
       const double length = i < 80 ? 1 + 3 * random.uniform() : 1.5;
-      tubes.push_back({foot, axis, radius, length, i < 60 ? 8 + static_cast<uint32_t>(i % 5) : i < 80 ? 4u : 12u});
+      tubes.push_back({foot, axis, radius, length,
+                       i < 60   ? 8 + static_cast<uint32_t>(i % 5)
+                       : i < 80 ? 4u
+                                : 12u});
     }
     if (!with_all_pipes) tubes.erase(tubes.begin() + 50, tubes.begin() + 55);
     uint32_t facets = 0;
@@ -64,7 +69,8 @@ class PlantMesh {
       }
     for (uint32_t b = 0; b < bands; ++b)
       for (uint32_t f = 0; f < tube.facets; ++f) {
-        const uint32_t next = (f + 1) % tube.facets, here = first + b * tube.facets, there = here + tube.facets;
+        const uint32_t next = (f + 1) % tube.facets, here = first + b * tube.facets,
+                       there = here + tube.facets;
         model_.triangles.push_back({here + f, here + next, there + next});
         model_.triangles.push_back({here + f, there + next, there + f});
       }
@@ -85,8 +91,9 @@ struct Row {
   size_t points, triangles;
   double printed_s;  ///< at the best level
 };
-constexpr Row kTable21[] = {{293587, 38044, 7.6},   {2180182, 24155, 46.94}, {2725142, 141494, 49.19},
-                            {2725142, 53254, 38.03}, {2975731, 10089, 24.56}, {3412681, 16553, 74.77}};
+constexpr Row kTable21[] = {{293587, 38044, 7.6},     {2180182, 24155, 46.94},
+                            {2725142, 141494, 49.19}, {2725142, 53254, 38.03},
+                            {2975731, 10089, 24.56},  {3412681, 16553, 74.77}};
 
 }  // namespace
 
@@ -102,14 +109,15 @@ TEST_CASE("mesh_recipes__table_2_1_thirty_times_faster_than_printed") {
     const std::clock_t start = std::clock();
     const Comparison made = compare_with_model(mesh, cloud, {}, task);
     const double s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    MESSAGE("FIGURE table 2.1: " << row.points << " points, " << row.triangles << " triangles " << s << " s, printed "
-                                 << row.printed_s << " s, " << row.printed_s / s << " x faster");
+    MESSAGE("FIGURE table 2.1: " << row.points << " points, " << row.triangles << " triangles " << s
+                                 << " s, printed " << row.printed_s << " s, " << row.printed_s / s
+                                 << " x faster");
     CHECK(made.summary.require("compared").number(0) == static_cast<double>(cloud->size()));
     sum += s;
     printed += row.printed_s;
     if (!sanitized()) CHECK(row.printed_s / s > 10);
   }
-  MESSAGE("FIGURE table 2.1 in all: " << printed / sum
-                                      << " x faster than printed, one thread, indexes included, signed");
+  MESSAGE("FIGURE table 2.1 in all: "
+          << printed / sum << " x faster than printed, one thread, indexes included, signed");
   if (!sanitized()) CHECK(printed / sum > 30);
 }

@@ -26,7 +26,8 @@ struct Tripod {
 std::vector<ScanStation> stations_of(const std::vector<Tripod>& tripods) {
   std::vector<ScanStation> out;
   for (const Tripod& t : tripods) {
-    const double c = std::cos(t.yaw_deg * std::numbers::pi / 180), s = std::sin(t.yaw_deg * std::numbers::pi / 180);
+    const double c = std::cos(t.yaw_deg * std::numbers::pi / 180),
+                 s = std::sin(t.yaw_deg * std::numbers::pi / 180);
     ScanStation& station = out.emplace_back();
     station.name = "station " + std::to_string(out.size());
     station.pose.m = {c, s, 0, t.x, -s, c, 0, t.y, 0, 0, 1, t.z};
@@ -53,7 +54,9 @@ struct Job {
     model = model_facade(planes, FacadeSettings{}, task);
   }
 
-  const std::string& part_class(const Face& face) const { return scene.parts[face.part].part_class; }
+  const std::string& part_class(const Face& face) const {
+    return scene.parts[face.part].part_class;
+  }
 
   /// Spacing of the points on all walls together: the side of the square that each has for itself.
   double spacing_m(const std::vector<Wall>& walls) const {
@@ -68,7 +71,8 @@ struct Job {
   }
 };
 
-WallFigures figures(const Job& job, const std::vector<Wall>& walls, const Region& also_true, double spacing_m) {
+WallFigures figures(const Job& job, const std::vector<Wall>& walls, const Region& also_true,
+                    double spacing_m) {
   WallFigures sum;
   for (const Wall& wall : walls)
     sum += compare_wall(modelled(job.model, wall), wall, also_true, kReach_spacings * spacing_m);
@@ -109,7 +113,8 @@ TEST_CASE("DS3_arches__openings_areas_vertices_and_round_heads_are_true") {
         SceneName::kArches, {{2.5, -8, 1.7, 0}, {9, -8, 1.7, 0}},
         R"({"horizontal_step_rad": 0.002, "vertical_step_rad": 0.002, "range_noise_m": 0.003})",
         seed);
-    const auto walls = true_walls(job.scene, [&](const Face& face) { return job.part_class(face) == "wall"; });
+    const auto walls =
+        true_walls(job.scene, [&](const Face& face) { return job.part_class(face) == "wall"; });
     REQUIRE(walls.size() == 2);
     const double spacing_m = job.spacing_m(walls);
     const WallFigures f = figures(job, walls, {}, spacing_m);
@@ -132,11 +137,13 @@ TEST_CASE("DS2_lycee__openings_areas_vertices_and_round_heads_are_true") {
         R"({"horizontal_step_rad": 0.0015, "vertical_step_rad": 0.0015, "range_noise_m": 0.003,)"
         R"("horizontal_from_rad": -1.22, "horizontal_to_rad": 1.22})",
         seed);
-    const auto walls = true_walls(job.scene, [&](const Face& face) { return job.part_class(face) == "wall"; });
+    const auto walls =
+        true_walls(job.scene, [&](const Face& face) { return job.part_class(face) == "wall"; });
     REQUIRE(walls.size() == 6);
     const double spacing_m = job.spacing_m(walls);
     const WallFigures f = figures(job, walls, {}, spacing_m);
-    MESSAGE("FIGURE DS2, seed " << seed << ": " << job.cloud->size() << " points, " << text_of(f, spacing_m));
+    MESSAGE("FIGURE DS2, seed " << seed << ": " << job.cloud->size() << " points, "
+                                << text_of(f, spacing_m));
     CHECK(f.openings == 8);
     expect_openings(f);
     expect_areas(f);
@@ -180,10 +187,12 @@ TEST_CASE("DS1_insa__bays_areas_and_vertices_are_true") {
     }
     for (const Face& face : job.scene.faces)
       if (job.part_class(face) == "glass")
-        notches.push_back(drawn(job.scene, job.scene.rings[face.first_ring], true, walls.back().axes).region[0]);
+        notches.push_back(
+            drawn(job.scene, job.scene.rings[face.first_ring], true, walls.back().axes).region[0]);
     const double spacing_m = job.spacing_m(walls);
     const WallFigures f = figures(job, walls, notches, spacing_m);
-    MESSAGE("FIGURE DS1, seed " << seed << ": " << job.cloud->size() << " points, " << text_of(f, spacing_m));
+    MESSAGE("FIGURE DS1, seed " << seed << ": " << job.cloud->size() << " points, "
+                                << text_of(f, spacing_m));
     CHECK(f.openings == 40);
     expect_openings(f);
     expect_areas(f);

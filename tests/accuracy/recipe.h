@@ -26,7 +26,8 @@ struct Recipe {
   Model scene;
   CloudPtr cloud;
 
-  Recipe(const char* scene_json, const std::string& method, const char* scanner_json, uint64_t seed) {
+  Recipe(const char* scene_json, const std::string& method, const char* scanner_json,
+         uint64_t seed) {
     Task task;
     ParamSet options("scene", scene_rows());
     options.from_json(scene_json);
@@ -64,7 +65,8 @@ inline Evaluation evaluated(const Segmentation& found, const Segmentation& truth
 
 /// Share of the points of a true plane that carry the label; label 0: of those of any segment.
 inline double share_of(const Segmentation& s, uint32_t true_plane, uint32_t label) {
-  const auto labels = s.labels->values<uint32_t>(), truth = s.cloud->fields.require("segment").values<uint32_t>();
+  const auto labels = s.labels->values<uint32_t>(),
+             truth = s.cloud->fields.require("segment").values<uint32_t>();
   double all = 0, own = 0;
   for (size_t i = 0; i < labels.size(); ++i) {
     if (truth[i] != true_plane) continue;

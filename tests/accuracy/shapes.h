@@ -45,13 +45,15 @@ inline Extent2 extent_of(const Region& region) {
 using Crossings = std::vector<double>;
 
 /// Where the middles of rows v0 + (k + 1/2) height cross the shape.
-inline std::vector<Crossings> crossings_of(const Shape& shape, double v0, double height, size_t rows) {
+inline std::vector<Crossings> crossings_of(const Shape& shape, double v0, double height,
+                                           size_t rows) {
   std::vector<Crossings> out(rows);
   for (const auto& ring : shape.rings)
     for (size_t i = 0; i < ring.size(); ++i) {
       Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
       if (a.v > b.v) std::swap(a, b);
-      const double from = std::ceil((a.v - v0) / height - 0.5), to = std::ceil((b.v - v0) / height - 0.5);
+      const double from = std::ceil((a.v - v0) / height - 0.5),
+                   to = std::ceil((b.v - v0) / height - 0.5);
       for (double k = std::max(0.0, from); k < std::min(to, static_cast<double>(rows)); ++k) {
         const double v = v0 + (k + 0.5) * height;
         out[static_cast<size_t>(k)].push_back(a.u + (b.u - a.u) * (v - a.v) / (b.v - a.v));
@@ -62,7 +64,8 @@ inline std::vector<Crossings> crossings_of(const Shape& shape, double v0, double
 }
 
 /// The union of the shapes' intervals, row by row.
-inline std::vector<Crossings> crossings_of(const Region& region, double v0, double height, size_t rows) {
+inline std::vector<Crossings> crossings_of(const Region& region, double v0, double height,
+                                           size_t rows) {
   std::vector<Crossings> out(rows);
   for (const Shape& shape : region) {
     std::vector<Crossings> more = crossings_of(shape, v0, height, rows);
@@ -75,10 +78,8 @@ inline std::vector<Crossings> crossings_of(const Region& region, double v0, doub
     std::sort(pieces.begin(), pieces.end());
     row.clear();
     for (const auto& [from, to] : pieces)
-      if (!row.empty() && from <= row.back())
-        row.back() = std::max(row.back(), to);
-      else
-        row.insert(row.end(), {from, to});
+      if (!row.empty() && from <= row.back()) row.back() = std::max(row.back(), to);
+      else row.insert(row.end(), {from, to});
   }
   return out;
 }
@@ -115,7 +116,8 @@ inline Areas areas(const Region& a, const Region& b, double row_m) {
   if (!(all.high.v > all.low.v)) return {};
   const auto rows = static_cast<size_t>(std::ceil((all.high.v - all.low.v) / row_m));
   const double height = (all.high.v - all.low.v) / static_cast<double>(rows);
-  const auto in_a = crossings_of(a, all.low.v, height, rows), in_b = crossings_of(b, all.low.v, height, rows);
+  const auto in_a = crossings_of(a, all.low.v, height, rows),
+             in_b = crossings_of(b, all.low.v, height, rows);
   Areas out;
   for (size_t k = 0; k < rows; ++k) {
     out.a_m2 += height * length_of(in_a[k]);

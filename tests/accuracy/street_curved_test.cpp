@@ -21,7 +21,7 @@ namespace {
 constexpr size_t kPoints = 1'000'000;
 constexpr double kRadius_m = 0.002, kAxis_m = 0.003;
 constexpr double kSigmas = 3;
-constexpr double kMostTime = 2;         // against a run for planes alone
+constexpr double kMostTime = 2;  // against a run for planes alone
 constexpr double kLeastCoverage = 0.95;
 constexpr uint64_t kLeastPoints = 200;
 
@@ -66,7 +66,8 @@ struct Run {
     std::vector<size_t> out;
     for (size_t row = 0; row < counts.size(); ++row) {
       const auto own = counts[row].find(surface);
-      if (own != counts[row].end() && 2 * own->second > segmentation.segments[row].point_count()) out.push_back(row);
+      if (own != counts[row].end() && 2 * own->second > segmentation.segments[row].point_count())
+        out.push_back(row);
     }
     return out;
   }
@@ -98,15 +99,18 @@ void check_shape(const bench::Surface& truth, const Segment& found, Worst& worst
     off = norm(found.sphere.sphere.centre - in_the_scan(truth.origin));
   } else {
     REQUIRE(found.type == PrimitiveType::kCylinder);
-    check_radius(found.cylinder.cylinder.radius, found.cylinder.covariance[48], truth.radius, worst);
+    check_radius(found.cylinder.cylinder.radius, found.cylinder.covariance[48], truth.radius,
+                 worst);
     for (const double end : {0.0, truth.length_v})
-      off = std::max(off, found.cylinder.cylinder.axis_distance(in_the_scan(truth.origin + bench::Vec{0, 0, end})));
+      off = std::max(off, found.cylinder.cylinder.axis_distance(
+                              in_the_scan(truth.origin + bench::Vec{0, 0, end})));
   }
   worst.axis_mm = std::max(worst.axis_mm, 1000 * off);
   CHECK(off <= kAxis_m);
 }
 
-void check_curved(const Scan& scan, const Run& run, const std::vector<uint64_t>& points, Worst& worst) {
+void check_curved(const Scan& scan, const Run& run, const std::vector<uint64_t>& points,
+                  Worst& worst) {
   for (uint32_t surface = 0; surface < points.size(); ++surface) {
     if (!scan.is_curved(surface)) continue;
     CAPTURE(surface);
@@ -124,8 +128,9 @@ void check_curved(const Scan& scan, const Run& run, const std::vector<uint64_t>&
   }
   for (size_t row = 0; row < run.counts.size(); ++row) {  // nothing flat was taken for round
     if (run.segmentation.segments[row].is_plane()) continue;
-    const auto most = std::max_element(run.counts[row].begin(), run.counts[row].end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto most =
+        std::max_element(run.counts[row].begin(), run.counts[row].end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
     CHECK(scan.is_curved(most->first));
   }
 }
@@ -136,7 +141,8 @@ std::map<uint32_t, uint64_t> best_of_planes(const Scan& scan, const Run& run) {
   for (size_t row = 0; row < run.counts.size(); ++row) {
     std::map<uint32_t, uint64_t> planes;
     for (const auto& [surface, count] : run.counts[row])
-      if (surface != bench::kOutlier && !scan.is_curved(surface)) planes[scan.street.surfaces[surface].plane] += count;
+      if (surface != bench::kOutlier && !scan.is_curved(surface))
+        planes[scan.street.surfaces[surface].plane] += count;
     for (const auto& [plane, count] : planes) out[plane] = std::max(out[plane], count);
   }
   return out;
@@ -148,7 +154,8 @@ void check_planes(const Scan& scan, const Run& all, const Run& planes) {
   const auto with = best_of_planes(scan, all), without = best_of_planes(scan, planes);
   std::map<uint32_t, uint64_t> points;
   for (const uint32_t surface : scan.surfaces)
-    if (surface != bench::kOutlier && !scan.is_curved(surface)) ++points[scan.street.surfaces[surface].plane];
+    if (surface != bench::kOutlier && !scan.is_curved(surface))
+      ++points[scan.street.surfaces[surface].plane];
   for (const auto& [plane, count] : without) {
     const double covered = static_cast<double>(count) / static_cast<double>(points[plane]);
     if (points[plane] < kLeastPoints || covered < kLeastCoverage) continue;
@@ -160,7 +167,8 @@ void check_planes(const Scan& scan, const Run& all, const Run& planes) {
 
 }  // namespace
 
-TEST_CASE("chain_street__columns_gutters_and_ball_are_found_as_what_they_are_and_no_plane_is_lost") {
+TEST_CASE(
+    "chain_street__columns_gutters_and_ball_are_found_as_what_they_are_and_no_plane_is_lost") {
   const uint64_t seeds = std::getenv("JALON_FULL") != nullptr ? 10 : 1;
   Worst worst;
   double with_s = 0, without_s = 0;
@@ -177,10 +185,11 @@ TEST_CASE("chain_street__columns_gutters_and_ball_are_found_as_what_they_are_and
     without_s += planes.cpu_s;
   }
   MESSAGE("FIGURE street, " << seeds << " seeds: " << worst.once << " of " << worst.curved
-                            << " columns, gutters and balls once; radius " << worst.radius_mm << " mm, axis "
-                            << worst.axis_mm << " mm at worst, " << worst.beyond_sigmas
-                            << " radii beyond 3 sigma (worst " << worst.sigmas << "), coverage " << worst.coverage
-                            << "; " << with_s / without_s << " x the time of planes alone");
+                            << " columns, gutters and balls once; radius " << worst.radius_mm
+                            << " mm, axis " << worst.axis_mm << " mm at worst, "
+                            << worst.beyond_sigmas << " radii beyond 3 sigma (worst "
+                            << worst.sigmas << "), coverage " << worst.coverage << "; "
+                            << with_s / without_s << " x the time of planes alone");
   // 1 in 370 normal errors is beyond 3 sigma: at most three of 210, one of 21, in 98 of 100 cases.
   CHECK(worst.beyond_sigmas <= 1 + worst.curved / 105);
   CHECK(with_s <= kMostTime * without_s);

@@ -64,14 +64,16 @@ Count count_found(const std::string& file) {
     for (const Drawn& candidate : found) {
       if (!extent_of(candidate.region).meets(extent_of(opening.region))) continue;
       const double iou = areas(candidate.region, opening.region, kRow_m).iou();
-      if (iou > best) best = iou, what = candidate.part_class + " " + text_of_extent(candidate.region);
+      if (iou > best)
+        best = iou, what = candidate.part_class + " " + text_of_extent(candidate.region);
     }
     ++out.objects;
     out.found += best >= kLeastIou;
-    table << "\n  " << (best >= kLeastIou ? "      " : "MISSED") << " " << opening.part_class << ", "
-          << text_of_extent(opening.region) << ": IoU " << best << " by " << what;
+    table << "\n  " << (best >= kLeastIou ? "      " : "MISSED") << " " << opening.part_class
+          << ", " << text_of_extent(opening.region) << ": IoU " << best << " by " << what;
   }
-  MESSAGE("FIGURE " << file << ": " << out.found << " of " << out.objects << " doors and windows" << table.str());
+  MESSAGE("FIGURE " << file << ": " << out.found << " of " << out.objects << " doors and windows"
+                    << table.str());
   return out;
 }
 
@@ -79,8 +81,9 @@ Count count_found(const std::string& file) {
 
 TEST_CASE("street__labelled_doors_and_windows_have_an_opening_or_a_face") {
   const Count one = count_found("street_1.txt"), three = count_found("street_3.txt");
-  MESSAGE("FIGURE street_1 and street_3: " << one.found + three.found << " of " << one.objects + three.objects
-                                           << " with an IoU of " << kLeastIou);
+  MESSAGE("FIGURE street_1 and street_3: " << one.found + three.found << " of "
+                                           << one.objects + three.objects << " with an IoU of "
+                                           << kLeastIou);
   CHECK(one.objects + three.objects == kObjects);
   CHECK(one.found + three.found >= kWanted);
 }

@@ -14,16 +14,19 @@ using namespace jalon::test;
 namespace {
 
 constexpr size_t kPoints = 1'000'000;
-constexpr size_t kTruePlanes = 28;      // the street's with at least kLeastPoints: ground, walls, glass, boxes
+constexpr size_t kTruePlanes =
+    28;  // the street's with at least kLeastPoints: ground, walls, glass, boxes
 constexpr uint64_t kLeastPoints = 200;
 constexpr double kLeastCoverage = 0.95;
 constexpr double kBuildingAngle_deg = 0.005, kBuildingShift_m = 0.0002;
 constexpr double kBoxAngle_deg = 0.05, kBoxShift_m = 0.001;
 constexpr uint64_t kLargePoints = 1000;
-constexpr double kSlanted_deg = 0.05;   // of large segments; false planes of other programs: 0.6-1.7
-constexpr double kLeastPurity = 0.75;   // share of a segment on one true plane or planes in line with it
+constexpr double kSlanted_deg = 0.05;  // of large segments; false planes of other programs: 0.6-1.7
+constexpr double kLeastPurity =
+    0.75;  // share of a segment on one true plane or planes in line with it
 constexpr double kOwnPointsFactor = 1.2;
-constexpr double kMergeGap_m = 3;       // one plane of glass a facade: its windows stand up to 1.9 m apart
+constexpr double kMergeGap_m =
+    3;  // one plane of glass a facade: its windows stand up to 1.9 m apart
 
 enum class Kind { kBuilding, kBox, kReveal };
 
@@ -37,7 +40,8 @@ struct TruePlane {
 };
 
 bool coplanar(const TruePlane& a, const TruePlane& b) {
-  return angle_degrees(a.normal, b.normal) < 0.001 && std::abs(dot(a.normal, a.centroid - b.centroid)) < 0.0001;
+  return angle_degrees(a.normal, b.normal) < 0.001 &&
+         std::abs(dot(a.normal, a.centroid - b.centroid)) < 0.0001;
 }
 
 Kind kind_of(const bench::Surface& surface) {
@@ -45,7 +49,9 @@ Kind kind_of(const bench::Surface& surface) {
   const auto [narrow, wide] = std::minmax(surface.length_u, surface.length_v);
   if (narrow <= kDeepestReveal_m) return Kind::kReveal;
   const bool in_the_street = std::abs(surface.origin.y) < 6;
-  return in_the_street && wide <= kLongestBox_m && surface.origin.z <= kHighestBox_m ? Kind::kBox : Kind::kBuilding;
+  return in_the_street && wide <= kLongestBox_m && surface.origin.z <= kHighestBox_m
+             ? Kind::kBox
+             : Kind::kBuilding;
 }
 
 struct Street {
@@ -61,7 +67,8 @@ struct Street {
     std::copy(coordinates.begin(), coordinates.end(), xyz.begin());
     for (size_t i = 0; i < samples.size(); ++i) {
       const bench::Sample& sample = samples[i];
-      planes.push_back(sample.surface == bench::kOutlier ? 0 : street.surfaces[sample.surface].plane);
+      planes.push_back(sample.surface == bench::kOutlier ? 0
+                                                         : street.surfaces[sample.surface].plane);
       if (planes.back() == 0) continue;
       const bench::Surface& surface = street.surfaces[sample.surface];
       const bench::Vec n = bench::turned(bench::cross(surface.u, surface.v));
@@ -79,7 +86,8 @@ struct Street {
     for (auto& [id, plane] : truth) {
       plane.centroid = plane.centroid / static_cast<double>(plane.points);
       PlaneFit fit;
-      if (fit_plane(plane.moments, fit)) plane.own_points_deg = angle_degrees(fit.plane.normal, plane.normal);
+      if (fit_plane(plane.moments, fit))
+        plane.own_points_deg = angle_degrees(fit.plane.normal, plane.normal);
     }
     cloud = std::make_shared<const Cloud>(make_cloud(std::move(xyz)));
   }
@@ -105,7 +113,8 @@ std::vector<Match> matches(const Street& street, const Segmentation& s) {
       if (points > match.own) match = {plane, match.points, points, 0};
     }
     for (const auto& [plane, points] : count)
-      if (match.plane != 0 && plane != 0 && coplanar(street.truth.at(plane), street.truth.at(match.plane)))
+      if (match.plane != 0 && plane != 0 &&
+          coplanar(street.truth.at(plane), street.truth.at(match.plane)))
         match.in_line += points;
     out.push_back(match);
   }
@@ -113,11 +122,13 @@ std::vector<Match> matches(const Street& street, const Segmentation& s) {
 }
 
 struct Worst {
-  double building_deg = 0, building_m = 0, box_deg = 0, box_m = 0, coverage = 1, slant_deg = 0, purity = 1;
+  double building_deg = 0, building_m = 0, box_deg = 0, box_m = 0, coverage = 1, slant_deg = 0,
+         purity = 1;
   size_t once = 0, planes = 0, on_no_plane = 0;
 };
 
-void check_plane(const TruePlane& truth, const Segmentation& s, size_t row, uint64_t own, Worst& worst) {
+void check_plane(const TruePlane& truth, const Segmentation& s, size_t row, uint64_t own,
+                 Worst& worst) {
   const PlaneFit& fit = s.segments[row].fit;
   const bool box = truth.kind == Kind::kBox;
   const double angle = angle_degrees(fit.plane.normal, truth.normal);
@@ -130,12 +141,14 @@ void check_plane(const TruePlane& truth, const Segmentation& s, size_t row, uint
   worst.coverage = std::min(worst.coverage, coverage);
   // The farthest face of a box has some 430 points: least squares through exactly those is 0.06 degrees off in one draw
   // of ten. Nothing better can be asked of a plane found among others.
-  CHECK(angle <= std::max(box ? kBoxAngle_deg : kBuildingAngle_deg, box ? kOwnPointsFactor * truth.own_points_deg : 0));
+  CHECK(angle <= std::max(box ? kBoxAngle_deg : kBuildingAngle_deg,
+                          box ? kOwnPointsFactor * truth.own_points_deg : 0));
   CHECK(shift <= (box ? kBoxShift_m : kBuildingShift_m));
   CHECK(coverage >= kLeastCoverage);
 }
 
-void check_true_planes(const Street& street, const Segmentation& s, const std::vector<Match>& segments, Worst& worst) {
+void check_true_planes(const Street& street, const Segmentation& s,
+                       const std::vector<Match>& segments, Worst& worst) {
   worst.planes = worst.once = 0;
   for (const auto& [id, truth] : street.truth) {
     // In some draws one or two of the 288 reveals have 200 points as well: they are not of the 28.
@@ -155,7 +168,8 @@ void check_true_planes(const Street& street, const Segmentation& s, const std::v
 
 // No large segment is slanted, and none runs through surfaces that are not in one plane. Columns and the ball have
 // faces of no plane: how many segments they leave is told.
-void check_segments(const Street& street, const Segmentation& s, const std::vector<Match>& segments, Worst& worst) {
+void check_segments(const Street& street, const Segmentation& s, const std::vector<Match>& segments,
+                    Worst& worst) {
   for (size_t row = 0; row < segments.size(); ++row) {
     const Match& match = segments[row];
     if (match.points < kLeastPoints) continue;
@@ -169,7 +183,8 @@ void check_segments(const Street& street, const Segmentation& s, const std::vect
     worst.purity = std::min(worst.purity, purity);
     CHECK(purity >= kLeastPurity);
     if (match.points < kLargePoints) continue;
-    const double slant = angle_degrees(s.segments[row].fit.plane.normal, street.truth.at(match.plane).normal);
+    const double slant =
+        angle_degrees(s.segments[row].fit.plane.normal, street.truth.at(match.plane).normal);
     worst.slant_deg = std::max(worst.slant_deg, slant);
     CHECK(slant <= kSlanted_deg);
   }
@@ -192,10 +207,12 @@ TEST_CASE("chain_street__finds_the_28_true_planes_of_the_measured_street_once_an
     check_true_planes(street, s, segments, worst);
     check_segments(street, s, segments, worst);
     CHECK(worst.planes == kTruePlanes);
-    MESSAGE("FIGURE street, seed " << seed << ": " << worst.once << " of " << worst.planes << " once, "
-            << s.segments.size() << " segments; worst so far: buildings " << worst.building_deg << " deg, "
-            << 1000 * worst.building_m << " mm, boxes " << worst.box_deg << " deg, " << 1000 * worst.box_m
-            << " mm, coverage " << worst.coverage << ", slant " << worst.slant_deg << " deg, purity " << worst.purity
-            << "; " << worst.on_no_plane << " segments on curved things");
+    MESSAGE("FIGURE street, seed "
+            << seed << ": " << worst.once << " of " << worst.planes << " once, "
+            << s.segments.size() << " segments; worst so far: buildings " << worst.building_deg
+            << " deg, " << 1000 * worst.building_m << " mm, boxes " << worst.box_deg << " deg, "
+            << 1000 * worst.box_m << " mm, coverage " << worst.coverage << ", slant "
+            << worst.slant_deg << " deg, purity " << worst.purity << "; " << worst.on_no_plane
+            << " segments on curved things");
   }
 }

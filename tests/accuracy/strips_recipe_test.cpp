@@ -24,7 +24,8 @@ double tilt_deg(const Segment& segment) {
 }
 
 double percent(const Segmentation& s, size_t row) {
-  return 100 * static_cast<double>(s.segments[row].point_count()) / static_cast<double>(s.cloud->size());
+  return 100 * static_cast<double>(s.segments[row].point_count()) /
+         static_cast<double>(s.cloud->size());
 }
 
 }  // namespace
@@ -32,7 +33,8 @@ double percent(const Segmentation& s, size_t row) {
 TEST_CASE("S7_strips__slanted_by_points_alone_and_one_strip_a_plane_with_the_orientation") {
   struct Row {
     const char* tolerance_m;
-    double least, most, least_deg, most_deg;  // of the first plane by points alone, as in the recipe's table
+    double least, most, least_deg,
+        most_deg;  // of the first plane by points alone, as in the recipe's table
     double sum_percent = 0;
   };
   Row rows[] = {{"0.025", 53, 55, 3.5, 3.7}, {"0.05", 93, 96, 3.7, 3.7}};
@@ -53,10 +55,10 @@ TEST_CASE("S7_strips__slanted_by_points_alone_and_one_strip_a_plane_with_the_ori
         worst_deg = std::max(worst_deg, tilt_deg(s.segments[k]));
         most = std::max(most, percent(s, k));
       }
-      MESSAGE("FIGURE S7, tolerance " << std::string(row.tolerance_m) << " m, seed " << seed << ": points alone "
-                                      << percent(trapped, 0) << " % tilted " << tilt_deg(trapped.segments[0])
-                                      << " deg; with the orientation at most " << most << " %, " << worst_deg
-                                      << " deg");
+      MESSAGE("FIGURE S7, tolerance "
+              << std::string(row.tolerance_m) << " m, seed " << seed << ": points alone "
+              << percent(trapped, 0) << " % tilted " << tilt_deg(trapped.segments[0])
+              << " deg; with the orientation at most " << most << " %, " << worst_deg << " deg");
       row.sum_percent += percent(trapped, 0);
       CHECK(tilt_deg(trapped.segments[0]) >= row.least_deg - kRound_deg);
       CHECK(tilt_deg(trapped.segments[0]) <= row.most_deg + kRound_deg);
@@ -69,7 +71,8 @@ TEST_CASE("S7_strips__slanted_by_points_alone_and_one_strip_a_plane_with_the_ori
   // The table's range is that of five draws: of twenty some leave it, their mean does not.
   for (const Row& row : rows) {
     const double mean = row.sum_percent / static_cast<double>(seeds);
-    MESSAGE("FIGURE S7, tolerance " << std::string(row.tolerance_m) << " m: points alone " << mean << " % on average");
+    MESSAGE("FIGURE S7, tolerance " << std::string(row.tolerance_m) << " m: points alone " << mean
+                                    << " % on average");
     CHECK(mean >= row.least);
     CHECK(mean <= row.most);
   }

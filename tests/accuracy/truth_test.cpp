@@ -17,7 +17,8 @@ constexpr double kLargestAngle_deg = 0.05, kLargestShift_m = 0.002, kLargestEdge
 // A perpendicular plane of depth D may take the strip of its neighbour within the tolerance: 25 mm / 0.15 m for the
 // shallowest reveal (scene robbery).
 constexpr double kLeastPurity = 1 - 0.025 / 0.15;
-constexpr uint64_t kSeenPoints = 500;  // faces turned away from all stations (the top of the cornice) have none
+constexpr uint64_t kSeenPoints =
+    500;  // faces turned away from all stations (the top of the cornice) have none
 
 /// One chain for all cases: they look at it from several sides.
 const SceneChain& facade() {
@@ -42,7 +43,8 @@ TEST_CASE("chain_facade__finds_every_true_plane_of_2_m2_once_and_in_its_place") 
   std::ostringstream table;
   for (const Face& face : chain.scene.faces) {
     const auto points = seen.find(face.id);
-    if (face.area_m2 < kLeastArea_m2 || points == seen.end() || points->second < kSeenPoints) continue;
+    if (face.area_m2 < kLeastArea_m2 || points == seen.end() || points->second < kSeenPoints)
+      continue;
     ++planes;
     CAPTURE(name_of(chain.scene, face));
     size_t found = 0;
@@ -52,10 +54,11 @@ TEST_CASE("chain_facade__finds_every_true_plane_of_2_m2_once_and_in_its_place") 
       const PlaneFit& fit = chain.segmentation.segments[s].fit;
       const double angle = angle_degrees(fit.plane.normal, face.plane.normal);
       const double shift = std::abs(face.plane.distance(fit.centroid));
-      const double coverage = static_cast<double>(truths[s].own) / static_cast<double>(points->second);
-      table << "\n  " << name_of(chain.scene, face) << ": " << truths[s].points << " points, angle " << angle
-            << " deg, shift " << 1000 * shift << " mm, sigma " << 1000 * fit.sigma << " mm, purity "
-            << truths[s].purity() << ", coverage " << coverage;
+      const double coverage =
+          static_cast<double>(truths[s].own) / static_cast<double>(points->second);
+      table << "\n  " << name_of(chain.scene, face) << ": " << truths[s].points << " points, angle "
+            << angle << " deg, shift " << 1000 * shift << " mm, sigma " << 1000 * fit.sigma
+            << " mm, purity " << truths[s].purity() << ", coverage " << coverage;
       CHECK(angle <= kLargestAngle_deg);
       CHECK(shift <= kLargestShift_m);
       CHECK(coverage >= 0.95);
@@ -79,20 +82,23 @@ TEST_CASE("chain_facade__has_no_slanted_or_mixed_segment") {
   for (size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] == 0) continue;
     const Plane &a = faces.at(ids[i])->plane, &b = faces.at(truths[labels[i] - 1].face)->plane;
-    if (dot(a.normal, b.normal) > 1 - 1e-12 && std::abs(a.offset - b.offset) < 1e-9) ++coplanar[labels[i] - 1];
+    if (dot(a.normal, b.normal) > 1 - 1e-12 && std::abs(a.offset - b.offset) < 1e-9)
+      ++coplanar[labels[i] - 1];
   }
   double worst_angle = 0, worst_purity = 1;
   for (size_t s = 0; s < truths.size(); ++s) {
     CAPTURE(s);
     REQUIRE(faces.count(truths[s].face) == 1);
-    const double angle =
-        angle_degrees(chain.segmentation.segments[s].fit.plane.normal, faces[truths[s].face]->plane.normal);
+    const double angle = angle_degrees(chain.segmentation.segments[s].fit.plane.normal,
+                                       faces[truths[s].face]->plane.normal);
     worst_angle = std::max(worst_angle, angle);
     const double purity = static_cast<double>(coplanar[s]) / static_cast<double>(truths[s].points);
     worst_purity = std::min(worst_purity, purity);
     CAPTURE(name_of(chain.scene, *faces[truths[s].face]));
     CAPTURE(truths[s].points);
-    CHECK(angle < 1);  // small reveals are noisier than walls; a plane through two surfaces is off by degrees
+    CHECK(
+        angle <
+        1);  // small reveals are noisier than walls; a plane through two surfaces is off by degrees
     CHECK(purity > kLeastPurity);
   }
   MESSAGE("worst angle of a segment " << worst_angle << " deg, worst purity " << worst_purity);
@@ -122,19 +128,21 @@ TEST_CASE("chain_facade__outlines_have_all_openings_in_their_places") {
     const Frontal truth = frontal(scene, scene.rings[true_wall->first_ring + r]);
     double best = 1e9;
     for (const Frontal& m : modelled)
-      best = std::min(best, std::max({std::abs(m.left - truth.left), std::abs(m.right - truth.right),
-                                      std::abs(m.bottom - truth.bottom), std::abs(m.top - truth.top)}));
+      best = std::min(best,
+                      std::max({std::abs(m.left - truth.left), std::abs(m.right - truth.right),
+                                std::abs(m.bottom - truth.bottom), std::abs(m.top - truth.top)}));
     CHECK(best <= kLargestEdge_m);
     worst = std::max(worst, best);
     sum += best;
   }
-  MESSAGE(modelled.size() << " openings of " << true_wall->ring_count - 1 << "; largest edge error: mean "
-                          << 1000 * sum / static_cast<double>(true_wall->ring_count - 1) << " mm, worst "
-                          << 1000 * worst << " mm");
+  MESSAGE(modelled.size() << " openings of " << true_wall->ring_count - 1
+                          << "; largest edge error: mean "
+                          << 1000 * sum / static_cast<double>(true_wall->ring_count - 1)
+                          << " mm, worst " << 1000 * worst << " mm");
   const Frontal outline = frontal(chain.outlines, chain.outlines.rings[wall->first_ring]);
   const Frontal true_outline = frontal(scene, scene.rings[true_wall->first_ring]);
-  MESSAGE("outline " << outline.left << " ... " << outline.right << " x " << outline.bottom << " ... "
-                     << outline.top);
+  MESSAGE("outline " << outline.left << " ... " << outline.right << " x " << outline.bottom
+                     << " ... " << outline.top);
   CHECK(std::abs(outline.left - true_outline.left) <= kLargestEdge_m);
   CHECK(std::abs(outline.right - true_outline.right) <= kLargestEdge_m);
   CHECK(std::abs(outline.bottom - true_outline.bottom) <= kLargestEdge_m);

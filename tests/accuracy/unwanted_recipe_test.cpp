@@ -22,7 +22,8 @@ std::vector<uint8_t> wanted(const Recipe& recipe) {
   std::map<uint32_t, bool> is_wanted;  // faces; leaves and pedestrians are triangles without one
   for (const Face& face : recipe.scene.faces) {
     const std::string& name = recipe.scene.parts[face.part].part_class;
-    is_wanted[face.id] = name == "wall" || name == "surround" || name == "joinery" || name == "glass";
+    is_wanted[face.id] =
+        name == "wall" || name == "surround" || name == "joinery" || name == "glass";
   }
   std::vector<uint8_t> out;
   for (const uint32_t id : recipe.cloud->fields.require("face").values<uint32_t>()) {
@@ -48,18 +49,21 @@ TEST_CASE("S3_unwanted__99_percent_of_the_facade_stay_and_95_of_what_stands_befo
     for (size_t i = 0; i < mask.size(); ++i) counts[truth[i]][mask[i]] += 1;
     const double recall = counts[1][1] / (counts[1][0] + counts[1][1]);
     const double removed = counts[0][0] / (counts[0][0] + counts[0][1]);
-    MESSAGE("FIGURE S3, seed " << seed << ": recall of the facade " << recall << ", unwanted removed " << removed
-                               << ", precision " << counts[1][1] / (counts[0][1] + counts[1][1]) << " (before "
-                               << (counts[1][0] + counts[1][1]) / static_cast<double>(mask.size()) << ")");
+    MESSAGE("FIGURE S3, seed " << seed << ": recall of the facade " << recall
+                               << ", unwanted removed " << removed << ", precision "
+                               << counts[1][1] / (counts[0][1] + counts[1][1]) << " (before "
+                               << (counts[1][0] + counts[1][1]) / static_cast<double>(mask.size())
+                               << ")");
     CHECK(recall >= 0.99);
     CHECK(removed >= 0.95);
     // What is left is the facade with surrounds, whose wall comes out whole in spite of the shadows.
     const auto cleaned = std::make_shared<const Cloud>(select_mask(*recipe.cloud, mask, 1, task));
-    const Segmentation s = ransac(cleaned, R"({"distance_tolerance_m": 0.025, "merge_gap_m": 3})", seed);
+    const Segmentation s =
+        ransac(cleaned, R"({"distance_tolerance_m": 0.025, "merge_gap_m": 3})", seed);
     const Evaluation e = evaluated(s, true_segmentation(cleaned), 50);
     REQUIRE(!e.pairs.empty());
-    MESSAGE("FIGURE S3, seed " << seed << ": wall TDR " << e.pairs[0].tdr() << ", TDA " << e.pairs[0].tda() << ", "
-                               << s.segments.size() << " segments");
+    MESSAGE("FIGURE S3, seed " << seed << ": wall TDR " << e.pairs[0].tdr() << ", TDA "
+                               << e.pairs[0].tda() << ", " << s.segments.size() << " segments");
     CHECK(e.pairs[0].tdr() >= 0.97);
     CHECK(e.pairs[0].tda() >= 0.97);
   }

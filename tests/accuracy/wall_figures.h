@@ -12,7 +12,7 @@
 
 namespace jalon::test {
 
-constexpr double kFoundIou = 0.5;   // of a true opening and the best of the model's
+constexpr double kFoundIou = 0.5;  // of a true opening and the best of the model's
 constexpr double kOpeningRow_m = 0.001, kWallRow_m = 0.002;
 
 /// Sum, sum of squares and worst of signed deviations.
@@ -55,12 +55,16 @@ struct WallFigures {
   std::string notes;  ///< openings missed and invented
 
   /// Walls with their openings, weighted by area.
-  double completeness() const { return (walls.both_m2 + fillings.both_m2) / (walls.b_m2 + fillings.b_m2); }
+  double completeness() const {
+    return (walls.both_m2 + fillings.both_m2) / (walls.b_m2 + fillings.b_m2);
+  }
   double correctness() const {
     const double all = walls.a_m2 + fillings.a_m2;
     return all > 0 ? (walls.both_m2 + fillings.both_m2) / all : 0;
   }
-  double found_share() const { return openings > 0 ? static_cast<double>(found) / static_cast<double>(openings) : 1; }
+  double found_share() const {
+    return openings > 0 ? static_cast<double>(found) / static_cast<double>(openings) : 1;
+  }
 
   WallFigures& operator+=(const WallFigures& o) {
     openings += o.openings, found += o.found, invented += o.invented, copied += o.copied;
@@ -84,8 +88,8 @@ inline std::string text_of_extent(const Region& region) {
 }
 
 /// Corners one to one, the nearest pairs first, at most this far apart.
-inline void compare_corners(const std::vector<const Drawn*>& found, const Drawn& truth, double reach_m,
-                            AxisDeviations& deviations_m, WallFigures& out) {
+inline void compare_corners(const std::vector<const Drawn*>& found, const Drawn& truth,
+                            double reach_m, AxisDeviations& deviations_m, WallFigures& out) {
   struct Candidate {
     double distance_m;
     size_t mine, ring, corner;
@@ -97,7 +101,8 @@ inline void compare_corners(const std::vector<const Drawn*>& found, const Drawn&
         const Vec2 d = found[r]->corners[k] - truth.corners[i];
         if (std::hypot(d.u, d.v) <= reach_m) pairs.push_back({std::hypot(d.u, d.v), i, r, k});
       }
-  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distance_m < b.distance_m; });
+  std::sort(pairs.begin(), pairs.end(),
+            [](const auto& a, const auto& b) { return a.distance_m < b.distance_m; });
   std::vector<bool> taken(truth.corners.size(), false);
   std::vector<std::vector<bool>> used;
   for (const Drawn* ring : found) used.emplace_back(ring->corners.size(), false);
@@ -131,7 +136,8 @@ inline void compare_head(const Drawn& found, const Drawn& truth, WallFigures& ou
 }
 
 /// `also_true`: openings that need not be found but may be.
-inline WallFigures compare_wall(const Wall& found, const Wall& truth, const Region& also_true, double reach_m) {
+inline WallFigures compare_wall(const Wall& found, const Wall& truth, const Region& also_true,
+                                double reach_m) {
   WallFigures out;
   out.walls = areas(found.region, truth.region, kWallRow_m);
   std::vector<bool> is_true(found.openings.size(), false);
@@ -150,7 +156,8 @@ inline WallFigures compare_wall(const Wall& found, const Wall& truth, const Regi
     ++out.openings;
     out.fillings.b_m2 += areas(opening.region, opening.region, kOpeningRow_m).a_m2;
     if (best.iou() < kFoundIou) {
-      out.notes += "\n  missed " + text_of_extent(opening.region) + ", IoU " + std::to_string(best.iou());
+      out.notes +=
+          "\n  missed " + text_of_extent(opening.region) + ", IoU " + std::to_string(best.iou());
       compare_corners({}, opening, reach_m, out.openings_m, out);
       out.heads += opening.arcs.size();
       continue;
@@ -167,7 +174,8 @@ inline WallFigures compare_wall(const Wall& found, const Wall& truth, const Regi
     for (const Shape& shape : also_true)
       best = std::max(best, areas(found.openings[i].region, {shape}, kOpeningRow_m).iou());
     if (!is_true[i] && best >= kFoundIou) continue;
-    out.fillings.a_m2 += areas(found.openings[i].region, found.openings[i].region, kOpeningRow_m).a_m2;
+    out.fillings.a_m2 +=
+        areas(found.openings[i].region, found.openings[i].region, kOpeningRow_m).a_m2;
     if (is_true[i]) continue;
     ++out.invented;
     out.notes += "\n  invented " + text_of_extent(found.openings[i].region);
@@ -179,18 +187,20 @@ inline std::string text_of(const WallFigures& f, double spacing_m) {
   std::ostringstream out;
   out.precision(4);
   out << f.found << " of " << f.openings << " openings (" << f.copied << " copied), " << f.invented
-      << " invented; completeness " << f.completeness() << ", correctness " << f.correctness() << "; " << f.paired
-      << " of " << f.corners << " vertices, in spacings of " << 1000 * spacing_m << " mm:";
+      << " invented; completeness " << f.completeness() << ", correctness " << f.correctness()
+      << "; " << f.paired << " of " << f.corners << " vertices, in spacings of " << 1000 * spacing_m
+      << " mm:";
   const auto tell = [&](const char* what, const AxisDeviations& d) {
     out << what;
     for (size_t a = 0; a < kAxes; ++a)
-      out << " " << kAxisNames[a] << " RMS " << d[a].rms() / spacing_m << " bias " << d[a].bias() / spacing_m
-          << (a + 1 < kAxes ? "," : ";");
+      out << " " << kAxisNames[a] << " RMS " << d[a].rms() / spacing_m << " bias "
+          << d[a].bias() / spacing_m << (a + 1 < kAxes ? "," : ";");
   };
   tell(" all", f.vertices_m());
   tell(" openings alone", f.openings_m);
-  out << " " << f.arcs << " of " << f.heads << " heads as arcs, centre RMS " << f.centre_m.rms() / spacing_m
-      << " worst " << f.centre_m.worst / spacing_m << ", radius RMS " << f.radius_m.rms() / spacing_m << " worst "
+  out << " " << f.arcs << " of " << f.heads << " heads as arcs, centre RMS "
+      << f.centre_m.rms() / spacing_m << " worst " << f.centre_m.worst / spacing_m
+      << ", radius RMS " << f.radius_m.rms() / spacing_m << " worst "
       << f.radius_m.worst / spacing_m << f.notes;
   return out.str();
 }

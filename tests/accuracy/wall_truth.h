@@ -44,19 +44,21 @@ struct Wall {
   std::string name;
   uint32_t face_id = 0;  ///< of the true face: that of its points
   WallAxes axes;
-  Region region;               ///< all faces in its plane
-  std::vector<Drawn> outlines; ///< of those faces
+  Region region;                ///< all faces in its plane
+  std::vector<Drawn> outlines;  ///< of those faces
   std::vector<Drawn> openings;
 };
 
 /// The arc from a to b, without a: chords of 2 degrees, within 0.1 mm of an arc of half a metre.
-inline void append_chords(std::vector<Vec2>& out, const Vec2& a, const Vec2& b, double sagitta_m, Curve& curve) {
+inline void append_chords(std::vector<Vec2>& out, const Vec2& a, const Vec2& b, double sagitta_m,
+                          Curve& curve) {
   const Vec2 chord = b - a, right = {chord.v, -chord.u};
   const double length = std::hypot(chord.u, chord.v), s = std::fabs(sagitta_m);
   const double radius = (length * length / 4 + s * s) / (2 * s), side = sagitta_m > 0 ? 1 : -1;
   const Vec2 centre = (a + b) * 0.5 + right * (side * (s - radius) / length);
   curve = {centre, radius, s};
-  const double turn = side * 4 * std::atan2(2 * s, length);  // anticlockwise where the arc bulges to the right
+  const double turn =
+      side * 4 * std::atan2(2 * s, length);  // anticlockwise where the arc bulges to the right
   const double from = std::atan2(a.v - centre.v, a.u - centre.u);
   const int pieces = std::max(2, static_cast<int>(std::fabs(turn) * 57.3 / 2));
   for (int k = 1; k < pieces; ++k) {
@@ -78,10 +80,8 @@ inline Drawn drawn(const Model& model, const Ring& ring, bool same_side, const W
   for (uint64_t k = 0; k < ring.count; ++k) {
     const Vec2 &a = out.corners[k], &b = out.corners[(k + 1) % ring.count];
     const double sagitta_m = model.sagitta(ring.first + k) * (same_side ? 1 : -1);
-    if (sagitta_m == 0)
-      chords.push_back(b);
-    else
-      append_chords(chords, a, b, sagitta_m, out.arcs.emplace_back());
+    if (sagitta_m == 0) chords.push_back(b);
+    else append_chords(chords, a, b, sagitta_m, out.arcs.emplace_back());
   }
   out.region = {{{chords}}};
   return out;
@@ -106,21 +106,26 @@ inline void find_head(Drawn& ring) {
   ring.heights_m.assign(4, 0);
 }
 
-inline bool in_plane(const WallAxes& axes, const Face& face, const Drawn& outline, double tolerance_m) {
+inline bool in_plane(const WallAxes& axes, const Face& face, const Drawn& outline,
+                     double tolerance_m) {
   double mean = 0;
-  for (const double h : outline.heights_m) mean += h / static_cast<double>(outline.heights_m.size());
-  return std::fabs(dot(axes.n, face.plane.normal)) > std::cos(0.035) && std::fabs(mean) < tolerance_m;
+  for (const double h : outline.heights_m)
+    mean += h / static_cast<double>(outline.heights_m.size());
+  return std::fabs(dot(axes.n, face.plane.normal)) > std::cos(0.035) &&
+         std::fabs(mean) < tolerance_m;
 }
 
 /// The faces for which `is_wall` holds, with all that the scene has in their planes.
-inline std::vector<Wall> true_walls(const Model& scene, const std::function<bool(const Face&)>& is_wall) {
+inline std::vector<Wall> true_walls(const Model& scene,
+                                    const std::function<bool(const Face&)>& is_wall) {
   std::vector<Wall> out;
   for (const Face& face : scene.faces) {
     if (!is_wall(face)) continue;
     Wall wall;
     wall.name = scene.parts[face.part].name;
     wall.face_id = face.id;
-    wall.axes = WallAxes(face.plane, scene.vertices[scene.corners[scene.rings[face.first_ring].first]]);
+    wall.axes =
+        WallAxes(face.plane, scene.vertices[scene.corners[scene.rings[face.first_ring].first]]);
     for (const Face& other : scene.faces) {
       const bool same_side = dot(face.plane.normal, other.plane.normal) > 0;
       Drawn outline = drawn(scene, scene.rings[other.first_ring], same_side, wall.axes);
@@ -157,10 +162,12 @@ inline Wall modelled(const Model& model, const Wall& truth) {
     const bool same_side = dot(out.axes.n, face.plane.normal) > 0;
     Drawn outline = drawn(model, model.rings[face.first_ring], same_side, out.axes);
     const Part& part = model.parts[face.part];
-    const bool is_pane = is_opening_class(part.part_class) ||
-                         (part.parent != kNoParent && is_opening_class(model.parts[part.parent].part_class));
+    const bool is_pane =
+        is_opening_class(part.part_class) ||
+        (part.parent != kNoParent && is_opening_class(model.parts[part.parent].part_class));
     if (is_pane) {
-      const auto owner = is_opening_class(part.part_class) ? face.part : static_cast<uint32_t>(part.parent);
+      const auto owner =
+          is_opening_class(part.part_class) ? face.part : static_cast<uint32_t>(part.parent);
       if (has_ring[owner] || !in_plane(out.axes, face, outline, kDeepest_m)) continue;
       has_ring[owner] = true;
       outline.part_class = model.parts[owner].part_class;
@@ -168,7 +175,8 @@ inline Wall modelled(const Model& model, const Wall& truth) {
       out.openings.push_back(std::move(outline));
       continue;
     }
-    if (!in_plane(out.axes, face, outline, kSamePlane_m) || part.part_class == part_class::kNoData) continue;
+    if (!in_plane(out.axes, face, outline, kSamePlane_m) || part.part_class == part_class::kNoData)
+      continue;
     Shape shape = outline.region[0];
     for (uint64_t k = 1; k < face.ring_count; ++k) {
       const Ring& ring = model.rings[face.first_ring + k];
@@ -176,7 +184,8 @@ inline Wall modelled(const Model& model, const Wall& truth) {
       shape.rings.push_back(hole.region[0].rings[0]);
       hole.part_class = ring.part == kNoPart ? "" : model.parts[ring.part].part_class;
       if (ring.part != kNoPart) hole.evidence = model.parts[ring.part].evidence;
-      if (ring.part == kNoPart || is_opening_class(hole.part_class)) out.openings.push_back(std::move(hole));
+      if (ring.part == kNoPart || is_opening_class(hole.part_class))
+        out.openings.push_back(std::move(hole));
     }
     out.region.push_back(std::move(shape));
     out.outlines.push_back(std::move(outline));

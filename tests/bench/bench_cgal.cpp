@@ -34,17 +34,16 @@ using Traits = CGAL::Search_traits_adapter<Numbered, CGAL::First_of_pair_propert
 using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
 using PointMap = CGAL::First_of_pair_property_map<Oriented>;
 using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
-using RansacTraits =
-    CGAL::Shape_detection::Efficient_RANSAC_traits<Kernel, std::vector<Oriented>, PointMap, NormalMap>;
+using RansacTraits = CGAL::Shape_detection::Efficient_RANSAC_traits<Kernel, std::vector<Oriented>,
+                                                                    PointMap, NormalMap>;
 using Ransac = CGAL::Shape_detection::Efficient_RANSAC<RansacTraits>;
 using Plane = CGAL::Shape_detection::Plane<RansacTraits>;
 
 template <class Tag>
 void estimate(std::vector<Oriented>& points) {
   // CGAL counts the neighbours besides the point itself; the others count the point as well.
-  CGAL::pca_estimate_normals<Tag>(
-      points, bench::kNeighbours - 1,
-      CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));
+  CGAL::pca_estimate_normals<Tag>(points, bench::kNeighbours - 1,
+                                  CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));
 }
 
 void estimate(std::vector<Oriented>& points, int threads) {
@@ -154,10 +153,12 @@ int main(int argc, char** argv) {
                                     static_cast<size_t>(threads));
     if (second.empty()) {
       const std::vector<double> xyz = bench::load_second_scan(argv[1]);
-      for (size_t i = 0; i < xyz.size(); i += 3) second.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+      for (size_t i = 0; i < xyz.size(); i += 3)
+        second.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
       nearest.assign(second.size(), 0.0);
     }
-    using Plain = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;  // distances need no numbers
+    using Plain = CGAL::Orthogonal_k_neighbor_search<
+        CGAL::Search_traits_3<Kernel>>;  // distances need no numbers
     const bench::Stopwatch watch;
     Plain::Tree fresh(points.begin(), points.end());
     if (threads > 1) {

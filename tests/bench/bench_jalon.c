@@ -11,8 +11,8 @@ static const double kVoxel_m = 0.05;
 typedef struct Bench {
   const char* prefix;
   Points points;
-  Points second;        /* the scan that is compared with the scene; loaded when first needed */
-  jalon_cloud* indexed; /* the cloud of the last "index": knn16 asks it */
+  Points second;          /* the scan that is compared with the scene; loaded when first needed */
+  jalon_cloud* indexed;   /* the cloud of the last "index": knn16 asks it */
   jalon_cloud* segmented; /* the cloud of the first modelling operation, with its planes */
   jalon_segmentation* planes;
   uint32_t* neighbours;
@@ -283,15 +283,19 @@ typedef struct Operation {
   Result (*run)(Bench* bench, jalon_task* task, FILE* sample);
 } Operation;
 
-static const Operation kOperations[] = {{"index", run_index},         {"knn16", run_knn16},
-                                        {"normals16", run_normals16}, {"voxel5cm", run_voxel5cm},
-                                        {"las0", run_las0},           {"las3", run_las3},
+static const Operation kOperations[] = {{"index", run_index},
+                                        {"knn16", run_knn16},
+                                        {"normals16", run_normals16},
+                                        {"voxel5cm", run_voxel5cm},
+                                        {"las0", run_las0},
+                                        {"las3", run_las3},
                                         {"c2c", run_c2c},
                                         {"c2c_plane", run_c2c_plane},
                                         {"c2c_quadric", run_c2c_quadric},
                                         {"planes", run_planes},
                                         {"region_growing", run_region_growing},
-                                        {"outlines", run_outlines},   {"facade_dxf", run_facade_dxf}};
+                                        {"outlines", run_outlines},
+                                        {"facade_dxf", run_facade_dxf}};
 enum { OPERATIONS = sizeof kOperations / sizeof kOperations[0] };
 
 static Result run(const char* name, void* bench, jalon_task* task, FILE* sample) {
@@ -309,9 +313,11 @@ int main(int argc, char** argv) {
   memset(&bench, 0, sizeof bench);
   bench.prefix = argv[1];
   bench.points = load(bench.prefix, ".f64");
-  code = serve("index,knn16,normals16,voxel5cm,las0,las3,c2c,c2c_plane,c2c_quadric,planes,region_growing,outlines,"
-               "facade_dxf",
-               bench.points.count, &bench, run);
+  code = serve(
+      "index,knn16,normals16,voxel5cm,las0,las3,c2c,c2c_plane,c2c_quadric,planes,region_growing,"
+      "outlines,"
+      "facade_dxf",
+      bench.points.count, &bench, run);
   jalon_cloud_release(bench.indexed);
   jalon_segmentation_release(bench.planes);
   jalon_cloud_release(bench.segmented);

@@ -8,7 +8,8 @@
 
 static jalon_cloud* cloud_of(const Points* points, uint64_t step) {
   jalon_cloud* cloud = NULL;
-  check(jalon_cloud_create(points->xyz, JALON_FLOAT64, (points->count + step - 1) / step, 24 * step, 0, &cloud));
+  check(jalon_cloud_create(points->xyz, JALON_FLOAT64, (points->count + step - 1) / step, 24 * step,
+                           0, &cloud));
   return cloud;
 }
 
@@ -18,7 +19,7 @@ static void write_sample(FILE* sample, const jalon_comparison* comparison) {
   uint64_t i;
   check(jalon_comparison_points(comparison, &fields));
   check(jalon_fields_view(fields, "distance", &distance));
-  for (i = 0; i < distance.count; i += distance.count > SAMPLES ? distance.count / SAMPLES : 1) {
+  for (i = 0; i<distance.count; i += distance.count> SAMPLES ? distance.count / SAMPLES : 1) {
     fwrite((const double*)distance.data + i, sizeof(double), 1, sample);
   }
   jalon_fields_release(fields);

@@ -15,8 +15,8 @@ static jalon_model* load_mesh(const char* prefix, const char* suffix) {
   jalon_model* model = NULL;
   if (triangles == NULL) exit(1);
   for (i = 0; i < corners.count; ++i) triangles[i] = (uint32_t)i;
-  check(jalon_model_create_mesh(corners.xyz, JALON_FLOAT64, corners.count, 0, triangles, corners.count / 3, NULL,
-                                &model));
+  check(jalon_model_create_mesh(corners.xyz, JALON_FLOAT64, corners.count, 0, triangles,
+                                corners.count / 3, NULL, &model));
   free(triangles);
   free(corners.xyz);
   return model;
@@ -29,7 +29,7 @@ static void write_sample(FILE* sample, const jalon_comparison* comparison) {
   uint64_t i;
   check(jalon_comparison_points(comparison, &fields));
   check(jalon_fields_view(fields, "distance", &distance));
-  for (i = 0; i < distance.count; i += distance.count > SAMPLES ? distance.count / SAMPLES : 1) {
+  for (i = 0; i<distance.count; i += distance.count> SAMPLES ? distance.count / SAMPLES : 1) {
     const double value = fabs(((const double*)distance.data)[i]);
     fwrite(&value, sizeof value, 1, sample);
   }

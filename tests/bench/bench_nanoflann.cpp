@@ -74,7 +74,8 @@ int run(const char* peer, const char* prefix) {
       nearest.assign(second.size() / 3, 0.0);
     }
     const bench::Stopwatch watch;
-    const auto fresh = std::make_unique<Tree>(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize));
+    const auto fresh =
+        std::make_unique<Tree>(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize));
     fresh->buildIndex();
 #pragma omp parallel for schedule(dynamic, 4096) num_threads(threads)
     for (size_t i = 0; i < nearest.size(); ++i) {

@@ -30,7 +30,8 @@ std::vector<double> rows_of_planes(const pcl::PointCloud<pcl::PointXYZ>& cloud,
     Eigen::Matrix3d covariance;
     Eigen::Vector4d centroid;
     pcl::computeMeanAndCovarianceMatrix(cloud, region.indices, covariance, centroid);
-    const Eigen::Vector3d normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
+    const Eigen::Vector3d normal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
     for (int axis = 0; axis < 3; ++axis) rows.push_back(normal[axis]);
     for (int axis = 0; axis < 3; ++axis) rows.push_back(centroid[axis]);
     rows.push_back(static_cast<double>(region.indices.size()));
@@ -117,7 +118,8 @@ int main(int argc, char** argv) {
     return bench::distances(watch, nearest, with_sample);
   };
   using SearchTree = pcl::search::KdTree<pcl::PointXYZ>;
-  const auto estimate = [&](int threads, const SearchTree::Ptr& search, pcl::PointCloud<pcl::Normal>& field) {
+  const auto estimate = [&](int threads, const SearchTree::Ptr& search,
+                            pcl::PointCloud<pcl::Normal>& field) {
     pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(static_cast<unsigned>(threads));
     estimation.setInputCloud(cloud);
     estimation.setSearchMethod(search);

@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
   const auto icp = [&](int threads, bool with_sample) {
     const bench::Stopwatch watch;
     const auto tree = std::make_shared<pcl::search::KdTree<pcl::PointNormal>>();
-    pcl::NormalEstimationOMP<pcl::PointNormal, pcl::PointNormal> estimation(static_cast<unsigned>(threads));
+    pcl::NormalEstimationOMP<pcl::PointNormal, pcl::PointNormal> estimation(
+        static_cast<unsigned>(threads));
     estimation.setInputCloud(reference);
     estimation.setSearchMethod(tree);
     estimation.setKSearch(bench::kNeighbours);
@@ -55,7 +56,8 @@ int main(int argc, char** argv) {
     bench::Result result{watch.seconds(), static_cast<uint64_t>(registration.nr_iterations_), {}};
     if (with_sample)
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 4; ++j) result.sample.push_back(registration.getFinalTransformation()(i, j));
+        for (int j = 0; j < 4; ++j)
+          result.sample.push_back(registration.getFinalTransformation()(i, j));
     return result;
   };
   return bench::serve("PCL", reference->size(), {{"icp", icp}});

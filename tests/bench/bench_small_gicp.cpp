@@ -88,7 +88,8 @@ int main(int argc, char** argv) {
   const auto c2c = [&](int threads, bool with_sample) {
     if (second.empty()) {
       const std::vector<double> xyz = bench::load_second_scan(argv[1]);
-      for (size_t i = 0; i < xyz.size(); i += 3) second.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2], 1.0);
+      for (size_t i = 0; i < xyz.size(); i += 3)
+        second.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2], 1.0);
       nearest.assign(second.size(), 0.0);
     }
     const bench::Stopwatch watch;
@@ -102,7 +103,10 @@ int main(int argc, char** argv) {
     }
     return bench::distances(watch, nearest, with_sample);
   };
-  return bench::serve(
-      "small_gicp", n,
-      {{"index", build}, {"knn16", knn}, {"normals16", normals}, {"voxel5cm", voxel}, {"c2c", c2c}});
+  return bench::serve("small_gicp", n,
+                      {{"index", build},
+                       {"knn16", knn},
+                       {"normals16", normals},
+                       {"voxel5cm", voxel},
+                       {"c2c", c2c}});
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// bench_small_gicp_icp PREFIX [gicp|cauchy]: small_gicp's registration of PREFIX_moved.f64 on PREFIX.f64, point-to-plane
+// bench_small_gicp_icp PREFIX [gicp|cauchy]: small_gicp's registration of PREFIX_moved.f64 on
+// PREFIX.f64, point-to-plane
 // or GICP with its own limits of convergence, or point-to-plane with a Cauchy kernel until the steps are small. Trees,
 // normals and covariances are part of the time.
 
@@ -30,7 +31,8 @@ using CauchyFactor = small_gicp::RobustFactor<small_gicp::Cauchy, PlaneFactor>;
 Cloud cloud_of(const std::vector<double>& xyz) {
   Cloud cloud;
   cloud.resize(xyz.size() / 3);
-  for (size_t i = 0; i < cloud.size(); ++i) cloud.point(i) << xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2], 1.0;
+  for (size_t i = 0; i < cloud.size(); ++i)
+    cloud.point(i) << xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2], 1.0;
   return cloud;
 }
 
@@ -40,12 +42,13 @@ std::unique_ptr<Tree> built(const Cloud& cloud, int threads) {
 }
 
 template <class Factor>
-small_gicp::RegistrationResult aligned(const Cloud& reference, const Cloud& moving, const Tree& tree, int threads,
-                                       bool exact) {
+small_gicp::RegistrationResult aligned(const Cloud& reference, const Cloud& moving,
+                                       const Tree& tree, int threads, bool exact) {
   small_gicp::Registration<Factor, small_gicp::ParallelReductionOMP> registration;
   registration.reduction.num_threads = threads;
   registration.rejector.max_dist_sq = bench::kPairs_m * bench::kPairs_m;
-  if constexpr (std::is_same_v<Factor, CauchyFactor>) registration.point_factor.robust_kernel.c = bench::kKernel_m;
+  if constexpr (std::is_same_v<Factor, CauchyFactor>)
+    registration.point_factor.robust_kernel.c = bench::kKernel_m;
   if (exact) {
     registration.optimizer.max_iterations = bench::kIterations;
     registration.criteria.translation_eps = 1e-5;

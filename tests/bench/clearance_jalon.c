@@ -1,9 +1,9 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
 
-/* clearance_jalon [POINTS [POSES [THREADS]]]: a tunnel of 500 m on a curve of 400 m, scanned with 5 mm of roughness, and
- * a gauge of three boxes and a cylinder along its axis; wall and processor seconds of the index and of the sweep, and
- * the peak of the resident set. */
+/* clearance_jalon [POINTS [POSES [THREADS]]]: a tunnel of 500 m on a curve of 400 m, scanned with
+ * 5 mm of roughness, and a gauge of three boxes and a cylinder along its axis; wall and processor
+ * seconds of the index and of the sweep, and the peak of the resident set. */
 
 #include <jalon/jalon.h>
 #include <math.h>
@@ -38,8 +38,8 @@ static double uniform(uint64_t i, uint64_t k) {
 /* The frame of the axis at a chainage: x ahead, z up. */
 static jalon_transform on_axis(double s_m) {
   const double a = s_m / kCurve_m;
-  const jalon_transform t = {{cos(a), -sin(a), 0, kCurve_m * sin(a), sin(a), cos(a), 0, kCurve_m * (1 - cos(a)),
-                              0, 0, 1, 0}};
+  const jalon_transform t = {{cos(a), -sin(a), 0, kCurve_m * sin(a), sin(a), cos(a), 0,
+                              kCurve_m * (1 - cos(a)), 0, 0, 1, 0}};
   return t;
 }
 
@@ -49,9 +49,11 @@ static jalon_cloud* tunnel(uint64_t points) {
   if (xyz == NULL) exit(1);
   for (uint64_t i = 0; i < points; ++i) {
     const jalon_transform t = on_axis(kLength_m * uniform(i, 0));
-    const double angle = 6.283185307179586 * uniform(i, 1), r = kRadius_m + 0.005 * (uniform(i, 2) - 0.5);
+    const double angle = 6.283185307179586 * uniform(i, 1),
+                 r = kRadius_m + 0.005 * (uniform(i, 2) - 0.5);
     const double y = r * cos(angle), z = r * sin(angle);
-    for (int k = 0; k < 3; ++k) xyz[3 * i + (uint64_t)k] = t.m[4 * k + 1] * y + t.m[4 * k + 2] * z + t.m[4 * k + 3];
+    for (int k = 0; k < 3; ++k)
+      xyz[3 * i + (uint64_t)k] = t.m[4 * k + 1] * y + t.m[4 * k + 2] * z + t.m[4 * k + 3];
   }
   check(jalon_cloud_create(xyz, JALON_FLOAT64, points, 0, 0, &cloud));
   free(xyz);
@@ -75,7 +77,8 @@ int main(int argc, char** argv) {
   jalon_array_view view;
   struct rusage before, after;
   double start, index, sweep;
-  for (uint64_t i = 0; i < count; ++i) poses[i] = on_axis(10 + (kLength_m - 20) * (double)i / (double)(count - 1));
+  for (uint64_t i = 0; i < count; ++i)
+    poses[i] = on_axis(10 + (kLength_m - 20) * (double)i / (double)(count - 1));
   check(jalon_task_create(&task));
   check(jalon_task_set_threads(task, threads));
   check(jalon_params_create("clearance", &options));
@@ -85,16 +88,19 @@ int main(int argc, char** argv) {
   index = wall() - start;
   getrusage(RUSAGE_SELF, &before);
   start = wall();
-  check(jalon_gauge_sweep(gauge, 4, NULL, 0, poses, count, cloud, NULL, options, task, &places, &intervals));
+  check(jalon_gauge_sweep(gauge, 4, NULL, 0, poses, count, cloud, NULL, options, task, &places,
+                          &intervals));
   sweep = wall() - start;
   getrusage(RUSAGE_SELF, &after);
   check(jalon_fields_view(places, "clearance", &view));
-  printf("%llu points, %llu poses, %u threads: index %.2f s, sweep %.2f s (%.2f s of processors), %llu places, "
-         "peak %.1f B a point\n",
-         (unsigned long long)points, (unsigned long long)count, threads, index, sweep,
-         (double)(after.ru_utime.tv_sec - before.ru_utime.tv_sec) +
-             1e-6 * (double)(after.ru_utime.tv_usec - before.ru_utime.tv_usec),
-         (unsigned long long)view.count, 1024.0 * (double)after.ru_maxrss / (double)points);
+  printf(
+      "%llu points, %llu poses, %u threads: index %.2f s, sweep %.2f s (%.2f s of processors), "
+      "%llu places, "
+      "peak %.1f B a point\n",
+      (unsigned long long)points, (unsigned long long)count, threads, index, sweep,
+      (double)(after.ru_utime.tv_sec - before.ru_utime.tv_sec) +
+          1e-6 * (double)(after.ru_utime.tv_usec - before.ru_utime.tv_usec),
+      (unsigned long long)view.count, 1024.0 * (double)after.ru_maxrss / (double)points);
   jalon_fields_release(places);
   jalon_fields_release(intervals);
   jalon_params_release(options);

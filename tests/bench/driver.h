@@ -65,7 +65,9 @@ inline std::vector<double> load_points(const std::string& prefix) {
 }
 
 /// The scan of the same street that is compared with the scene: as many points, another draw.
-inline std::vector<double> load_second_scan(const std::string& prefix) { return load_points(prefix + "_second"); }
+inline std::vector<double> load_second_scan(const std::string& prefix) {
+  return load_points(prefix + "_second");
+}
 
 /// Calls use(i) for the sampled points.
 template <class Use>
@@ -75,9 +77,11 @@ void for_samples(size_t count, Use use) {
 }
 
 /// The result of an operation that gives a distance for each point of the second scan.
-inline Result distances(const Stopwatch& watch, const std::vector<double>& nearest, bool with_sample) {
+inline Result distances(const Stopwatch& watch, const std::vector<double>& nearest,
+                        bool with_sample) {
   Result result{watch.seconds(), nearest.size(), {}};
-  if (with_sample) for_samples(nearest.size(), [&](size_t i) { result.sample.push_back(nearest[i]); });
+  if (with_sample)
+    for_samples(nearest.size(), [&](size_t i) { result.sample.push_back(nearest[i]); });
   return result;
 }
 

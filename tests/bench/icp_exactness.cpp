@@ -38,8 +38,8 @@ jalon_cloud* cloud_of(const std::vector<double>& xyz) {
   return cloud;
 }
 
-bench::Rows registered(const std::vector<double>& reference_xyz, const std::vector<double>& moving_xyz,
-                       unsigned threads, bool& converged) {
+bench::Rows registered(const std::vector<double>& reference_xyz,
+                       const std::vector<double>& moving_xyz, unsigned threads, bool& converged) {
   jalon_cloud *reference = cloud_of(reference_xyz), *moving = cloud_of(moving_xyz);
   jalon_registrar* registrar = nullptr;
   jalon_registration* registration = nullptr;
@@ -67,24 +67,25 @@ bench::Rows registered(const std::vector<double>& reference_xyz, const std::vect
 }
 
 // One registration; its line, and what it adds to the worst.
-void measure(uint64_t seed, const char* where, bench::Vec origin, const std::vector<double>& street, size_t points,
-             unsigned threads, Worst& worst) {
+void measure(uint64_t seed, const char* where, bench::Vec origin, const std::vector<double>& street,
+             size_t points, unsigned threads, Worst& worst) {
   const bench::Street scene;
   const bench::Rows motion = bench::planted_motion(seed);
   std::vector<double> reference = street,
-                      moving = bench::moved(motion, bench::coordinates(bench::scan_street(scene, points,
-                                                                                          seed + kSecondDraw)));
+                      moving = bench::moved(motion, bench::coordinates(bench::scan_street(
+                                                        scene, points, seed + kSecondDraw)));
   bench::snap(reference, origin);
   bench::snap(moving, origin);
   bool converged = false;
   const auto start = std::chrono::steady_clock::now();
   const bench::Rows pose = registered(reference, moving, threads, converged);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const bench::PoseError error = bench::pose_error(pose, motion, origin);
   std::printf("seed %2llu %-13s %.4f mm (along %7.4f, across %7.4f, up %7.4f) %.6f deg %s %.2f s\n",
-              static_cast<unsigned long long>(seed), where, 1000 * error.shift_m, 1000 * error.parts_m.x,
-              1000 * error.parts_m.y, 1000 * error.parts_m.z, error.turn_deg, converged ? "converged" : "NOT CONVERGED",
-              seconds);
+              static_cast<unsigned long long>(seed), where, 1000 * error.shift_m,
+              1000 * error.parts_m.x, 1000 * error.parts_m.y, 1000 * error.parts_m.z,
+              error.turn_deg, converged ? "converged" : "NOT CONVERGED", seconds);
   std::fflush(stdout);
   worst.mm = std::max(worst.mm, 1000 * error.shift_m);
   worst.deg = std::max(worst.deg, error.turn_deg);
@@ -93,20 +94,23 @@ void measure(uint64_t seed, const char* where, bench::Vec origin, const std::vec
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto argument = [&](int i, double otherwise) { return argc > i ? std::atof(argv[i]) : otherwise; };
+  const auto argument = [&](int i, double otherwise) {
+    return argc > i ? std::atof(argv[i]) : otherwise;
+  };
   const auto points = static_cast<size_t>(argument(1, 1e6));
   const auto seeds = static_cast<uint64_t>(argument(2, 10));
   const auto first = static_cast<uint64_t>(argument(4, 1));
   const auto threads = static_cast<unsigned>(argument(3, 2));
   Worst worst;
   for (uint64_t seed = first; seed < first + seeds; ++seed) {
-    const std::vector<double> street = bench::coordinates(bench::scan_street(bench::Street(), points, seed));
+    const std::vector<double> street =
+        bench::coordinates(bench::scan_street(bench::Street(), points, seed));
     measure(seed, "local", {}, street, points, threads, worst);
     measure(seed, "national grid", kNationalGrid, street, points, threads, worst);
   }
   const bool good = worst.mm <= kLimit_mm && worst.deg <= kLimit_deg;
   std::printf("worst of %llu seeds, %zu points: %.4f mm (limit %.2f), %.6f deg (limit %.4f): %s\n",
-              static_cast<unsigned long long>(seeds), points, worst.mm, kLimit_mm, worst.deg, kLimit_deg,
-              good ? "PASS" : "FAIL");
+              static_cast<unsigned long long>(seeds), points, worst.mm, kLimit_mm, worst.deg,
+              kLimit_deg, good ? "PASS" : "FAIL");
   return good ? 0 : 1;
 }

@@ -60,7 +60,8 @@ static inline Points load(const char* prefix, const char* suffix) {
 /* Says which operations there are (their names, separated by commas), then does what standard input asks for. run does
  * one of them on the scene and writes its sample where there is a file for it. Status of the program. */
 static inline int serve(const char* names, uint64_t points, void* scene,
-                        Result (*run)(const char* name, void* scene, jalon_task* task, FILE* sample)) {
+                        Result (*run)(const char* name, void* scene, jalon_task* task,
+                                      FILE* sample)) {
   char line[LINE_BYTES];
   printf("ready|Jalon|%s\n", names);
   fflush(stdout);
@@ -77,8 +78,8 @@ static inline int serve(const char* names, uint64_t points, void* scene,
     result = run(name, scene, task, sample);
     jalon_task_release(task);
     if (sample != NULL && fclose(sample) != 0) return 1;
-    printf("Jalon|%s|%llu|%u|%.6f|%llu\n", name, (unsigned long long)points, threads, result.seconds,
-           (unsigned long long)result.count);
+    printf("Jalon|%s|%llu|%u|%.6f|%llu\n", name, (unsigned long long)points, threads,
+           result.seconds, (unsigned long long)result.count);
     fflush(stdout);
   }
   return 0;

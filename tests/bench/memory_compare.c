@@ -1,10 +1,10 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
 
-/* memory_compare PREFIX [THREADS]: the peak of comparisons in bytes a point of both clouds (and a triangle, where a cloud
- * is compared with a mesh) beyond clouds and mesh themselves: indices, normals, results and what is held in between.
- * Each in a process of its own, on clouds without an index. Core points are every so many-th reference point, all of
- * them where there are no more. */
+/* memory_compare PREFIX [THREADS]: the peak of comparisons in bytes a point of both clouds (and a
+ * triangle, where a cloud is compared with a mesh) beyond clouds and mesh themselves: indices,
+ * normals, results and what is held in between. Each in a process of its own, on clouds without an
+ * index. Core points are every so many-th reference point, all of them where there are no more. */
 
 #include "memory_driver.h"
 
@@ -34,7 +34,8 @@ static jalon_model* load_mesh(const char* prefix, const char* suffix, double* co
   jalon_model* model = NULL;
   if (triangles == NULL) exit(1);
   for (i = 0; i < corners; ++i) triangles[i] = (uint32_t)i;
-  check(jalon_model_create_mesh(xyz, JALON_FLOAT64, corners, 0, triangles, corners / 3, NULL, &model));
+  check(jalon_model_create_mesh(xyz, JALON_FLOAT64, corners, 0, triangles, corners / 3, NULL,
+                                &model));
   *count = (double)(corners / 3);
   free(triangles);
   free(xyz);
@@ -53,17 +54,16 @@ static Scene load_scene(const char* what, const char* prefix) {
   scene.compared = load_cloud(prefix, "_second.f64", 0);
   scene.points = points_of(scene.compared);
   if (strncmp(what, "c2m", 3) == 0) {
-    scene.model = load_mesh(prefix, strcmp(what, "c2m_1m") == 0 ? "_mesh1m.f64" : "_mesh13k.f64", &scene.triangles);
+    scene.model = load_mesh(prefix, strcmp(what, "c2m_1m") == 0 ? "_mesh1m.f64" : "_mesh13k.f64",
+                            &scene.triangles);
     return scene;
   }
   scene.reference = load_cloud(prefix, ".f64", 0);
   scene.points += points_of(scene.reference);
   if (strcmp(what, "c2c") == 0) return scene;
   most = strcmp(what, "m3c2_1m") == 0 ? CORE_LARGE : CORE_SMALL;
-  if (most < points_of(scene.reference))
-    scene.core = load_cloud(prefix, ".f64", (uint64_t)most);
-  else
-    scene.core = jalon_cloud_retain(scene.reference);
+  if (most < points_of(scene.reference)) scene.core = load_cloud(prefix, ".f64", (uint64_t)most);
+  else scene.core = jalon_cloud_retain(scene.reference);
   return scene;
 }
 
@@ -79,11 +79,11 @@ static jalon_comparison* compare(const Scene* scene, jalon_task* task) {
   jalon_comparison* comparison = NULL;
   check(jalon_comparer_create(scene->core != NULL ? "m3c2" : "distance", &comparer));
   if (scene->core != NULL)
-    check(jalon_comparer_run_core(comparer, scene->reference, scene->compared, scene->core, task, &comparison));
+    check(jalon_comparer_run_core(comparer, scene->reference, scene->compared, scene->core, task,
+                                  &comparison));
   else if (scene->model != NULL)
     check(jalon_comparer_run_model(comparer, scene->model, scene->compared, task, &comparison));
-  else
-    check(jalon_comparer_run(comparer, scene->reference, scene->compared, task, &comparison));
+  else check(jalon_comparer_run(comparer, scene->reference, scene->compared, task, &comparison));
   jalon_comparer_release(comparer);
   return comparison;
 }
@@ -136,6 +136,7 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   printf("memory|operation|points|triangles|bytes each with the result|peak bytes each\n");
   fflush(stdout); /* or the children would print it again */
-  for (i = 0; i < sizeof operations / sizeof *operations; ++i) measure_apart(measure, operations[i], argv[1], threads);
+  for (i = 0; i < sizeof operations / sizeof *operations; ++i)
+    measure_apart(measure, operations[i], argv[1], threads);
   return 0;
 }

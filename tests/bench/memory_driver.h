@@ -30,7 +30,8 @@ static double process_bytes(const char* key) {
   FILE* file = fopen("/proc/self/status", "r");
   if (file == NULL) exit(1);
   while (fgets(line, sizeof line, file) != NULL) {
-    if (strncmp(line, key, strlen(key)) == 0) kilobytes = (double)strtoul(line + strlen(key), NULL, 10);
+    if (strncmp(line, key, strlen(key)) == 0)
+      kilobytes = (double)strtoul(line + strlen(key), NULL, 10);
   }
   fclose(file);
   return 1024 * kilobytes;
@@ -71,8 +72,8 @@ static jalon_task* new_task(const char* threads) {
 }
 
 /* In a process of its own, so that what one left with the allocator is not the next one's. */
-static void measure_apart(void (*measure)(const char*, const char*, const char*), const char* what, const char* prefix,
-                          const char* threads) {
+static void measure_apart(void (*measure)(const char*, const char*, const char*), const char* what,
+                          const char* prefix, const char* threads) {
   int status = 0;
   const pid_t child = fork();
   if (child == 0) {

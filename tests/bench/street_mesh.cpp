@@ -20,14 +20,17 @@ class Mesh {
  public:
   /// A grid of u x v pairs of triangles.
   void add(const bench::Surface& surface, double cell_m) {
-    const bool is_flat = surface.shape == bench::Shape::rectangle, is_sphere = surface.shape == bench::Shape::sphere;
+    const bool is_flat = surface.shape == bench::Shape::rectangle,
+               is_sphere = surface.shape == bench::Shape::sphere;
     const double around = bench::kTwoPi * surface.radius / cell_m;
-    const double u = is_flat ? std::ceil(surface.length_u / cell_m - 1e-9) : std::max(kLeastAround, std::ceil(around));
+    const double u = is_flat ? std::ceil(surface.length_u / cell_m - 1e-9)
+                             : std::max(kLeastAround, std::ceil(around));
     const double v = is_sphere ? u / 2 : std::ceil(surface.length_v / cell_m - 1e-9);
     for (double j = 0; j < v; ++j)
       for (double i = 0; i < u; ++i) {
         const bench::Vec a = surface.at(i / u, j / v), b = surface.at((i + 1) / u, j / v),
-                         c = surface.at(i / u, (j + 1) / v), d = surface.at((i + 1) / u, (j + 1) / v);
+                         c = surface.at(i / u, (j + 1) / v),
+                         d = surface.at((i + 1) / u, (j + 1) / v);
         for (const bench::Vec& corner : {a, b, c, b, d, c}) add(bench::turned(corner));
       }
   }

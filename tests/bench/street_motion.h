@@ -36,7 +36,8 @@ inline Vec unit_direction(Random& random) {
 /// The rotation by Rodrigues' formula about the middle of the turned street, then the shift.
 inline Rows planted_motion(uint64_t seed) {
   Random random(seed);
-  const Vec k = unit_direction(random), shift = unit_direction(random) * kShift_m, middle = turned(kStreetMiddle);
+  const Vec k = unit_direction(random), shift = unit_direction(random) * kShift_m,
+            middle = turned(kStreetMiddle);
   const double c = std::cos(kTurn_rad), s = std::sin(kTurn_rad);
   const auto rotated = [&](Vec p) { return p * c + cross(k, p) * s + k * (dot(k, p) * (1 - c)); };
   const Vec x = rotated({1, 0, 0}), y = rotated({0, 1, 0}), z = rotated({0, 0, 1});
@@ -72,9 +73,11 @@ inline PoseError pose_error(const Rows& pose, const Rows& motion, Vec origin) {
   const Vec middle = turned(kStreetMiddle);
   const Vec off = moved(pose, moved(motion, middle) + origin) - origin - middle;
   const auto entry = [&](size_t i, size_t j) {  // of the rotation left over
-    return pose[4 * i] * motion[j] + pose[4 * i + 1] * motion[4 + j] + pose[4 * i + 2] * motion[8 + j];
+    return pose[4 * i] * motion[j] + pose[4 * i + 1] * motion[4 + j] +
+           pose[4 * i + 2] * motion[8 + j];
   };
-  const Vec axis = Vec{entry(2, 1) - entry(1, 2), entry(0, 2) - entry(2, 0), entry(1, 0) - entry(0, 1)} * 0.5;
+  const Vec axis =
+      Vec{entry(2, 1) - entry(1, 2), entry(0, 2) - entry(2, 0), entry(1, 0) - entry(0, 1)} * 0.5;
   const double trace = entry(0, 0) + entry(1, 1) + entry(2, 2);
   const double angle = std::atan2(std::sqrt(dot(axis, axis)), (trace - 1) / 2);
   const double tc = std::cos(kStreetTurn), ts = std::sin(kStreetTurn);

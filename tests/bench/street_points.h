@@ -17,7 +17,6 @@
 
 namespace bench {
 
-
 struct Vec {
   double x = 0, y = 0, z = 0;
 };
@@ -196,7 +195,8 @@ inline std::vector<Sample> sample(const Street& street, size_t count, Random& ra
     const Vec p = s.at(a, b);
     if (random.uniform() > density_at(p)) continue;
     const double nx = random.normal(), ny = random.normal(), nz = random.normal();
-    points.push_back({p + Vec{nx, ny, nz} * kNoise_m, static_cast<uint32_t>(&s - street.surfaces.data())});
+    points.push_back(
+        {p + Vec{nx, ny, nz} * kNoise_m, static_cast<uint32_t>(&s - street.surfaces.data())});
   }
   while (points.size() < count) {
     const double a = random.uniform(), b = random.uniform(), c = random.uniform();

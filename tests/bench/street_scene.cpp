@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// street_scene PREFIX COUNT [SEED [points|moved]]: the street of street_points.h as files, with "points" the first only,
+// street_scene PREFIX COUNT [SEED [points|moved]]: the street of street_points.h as files, with
+// "points" the first only,
 // with "moved" the same by the motion of the seed (street_motion.h), and that motion.
 //   PREFIX.f64      x y z as doubles
 //   PREFIX.motion   twelve doubles, T_moved_street, and the middle of the street
@@ -53,7 +54,8 @@ int main(int argc, char** argv) {
   }
   good = good && write_doubles(prefix + ".f64", xyz);
   if (argc <= 4) {
-    good = good && bench::write_las(prefix + "_pf0.las", 0, xyz) && bench::write_las(prefix + "_pf3.las", 3, xyz) &&
+    good = good && bench::write_las(prefix + "_pf0.las", 0, xyz) &&
+           bench::write_las(prefix + "_pf3.las", 3, xyz) &&
            write_doubles(prefix + ".planes", bench::true_planes(street, samples));
   }
   if (!good) {

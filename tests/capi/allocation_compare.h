@@ -41,9 +41,11 @@ static jalon_status scenario_changes(void) {
   TRY(jalon_comparison_cloud(forward, &rows));
   jalon_cloud_release(rows), rows = NULL;
   TRY(jalon_comparison_closest_points(forward, before, small_task, &rows));
-  TRY(options_of("regions", "{\"criterion\": \"threshold\", \"threshold_m\": 0.5, \"cell_m\": 1}", &regions));
+  TRY(options_of("regions", "{\"criterion\": \"threshold\", \"threshold_m\": 0.5, \"cell_m\": 1}",
+                 &regions));
   TRY(jalon_comparison_regions(forward, regions, small_task, &f[2], &f[3]));
-  TRY(options_of("diagnosis", "{\"criterion\": \"threshold\", \"threshold_m\": 0.5, \"cell_m\": 1}", &options));
+  TRY(options_of("diagnosis", "{\"criterion\": \"threshold\", \"threshold_m\": 0.5, \"cell_m\": 1}",
+                 &options));
   TRY(jalon_comparison_diagnose(forward, reverse, options, small_task, &f[4], &f[5], &f[6]));
   TRY(jalon_comparison_outlines(forward, f[4], reverse, f[5], f[6], NULL, small_task, &outlines));
   TRY(jalon_cloud_volume(before, after, NULL, small_task, &f[7], NULL));
@@ -68,7 +70,9 @@ static jalon_status scenario_m3c2(void) {
   const jalon_transform pose = {{1, 0, 0, 10, 0, 1, 0, -25, 0, 0, 1, 1.7}};
   jalon_status status = small_cloud(&before);
   TRY(changed_cloud(&after));
-  TRY(comparer_of("m3c2", "{\"core_spacing_m\": 2, \"normal_radius_m\": 4, \"cylinder_radius_m\": 2}", &comparer));
+  TRY(comparer_of("m3c2",
+                  "{\"core_spacing_m\": 2, \"normal_radius_m\": 4, \"cylinder_radius_m\": 2}",
+                  &comparer));
   TRY(jalon_comparer_run(comparer, before, after, small_task, &comparison));
   TRY(jalon_comparison_points(comparison, &points));
   TRY(jalon_model_create_mesh(corners, JALON_FLOAT64, 4, 0, triangles, 2, NULL, &wall));
@@ -85,12 +89,13 @@ static jalon_status scenario_m3c2(void) {
   jalon_comparison_release(comparison), jalon_comparison_release(of_model);
   jalon_comparer_release(comparer), jalon_comparer_release(from_model);
   jalon_model_release(wall);
-  jalon_cloud_release(before), jalon_cloud_release(after), jalon_cloud_release(seen), jalon_cloud_release(sampled);
+  jalon_cloud_release(before), jalon_cloud_release(after), jalon_cloud_release(seen),
+      jalon_cloud_release(sampled);
   return status;
 }
 
-static jalon_status registered(const char* method, const char* json, const jalon_cloud* to, const jalon_cloud* from,
-                               jalon_registration** out) {
+static jalon_status registered(const char* method, const char* json, const jalon_cloud* to,
+                               const jalon_cloud* from, jalon_registration** out) {
   jalon_registrar* registrar = NULL;
   jalon_params* params = NULL;
   jalon_status status = jalon_registrar_create(method, &registrar);

@@ -21,7 +21,8 @@ static jalon_status scenario_primitives(void) {
   jalon_params *wide = NULL, *params = NULL;
   memcpy(xyz, small_xyz, sizeof small_xyz);
   for (uint64_t i = 0; i < kBall; ++i) {
-    const double a = 6.283185307179586 * uniform(5, 2 * i), z = 2 * uniform(5, 2 * i + 1) - 1, s = sqrt(1 - z * z);
+    const double a = 6.283185307179586 * uniform(5, 2 * i), z = 2 * uniform(5, 2 * i + 1) - 1,
+                 s = sqrt(1 - z * z);
     double* p = xyz + 3 * (kSmall + i);
     p[0] = 5 + 0.5 * s * cos(a), p[1] = -4 + 0.5 * s * sin(a), p[2] = 1 + 0.5 * z;
     ball[i] = kSmall + i;

@@ -7,9 +7,9 @@
 
 #include "support.h"
 
-#define TRY(call)                             \
-  do {                                        \
-    if (status == JALON_OK) status = (call);  \
+#define TRY(call)                            \
+  do {                                       \
+    if (status == JALON_OK) status = (call); \
   } while (0)
 
 enum { kSmall = 700 };
@@ -37,8 +37,8 @@ static inline jalon_status options_of(const char* operation, const char* json, j
 }
 
 static jalon_status scenario_cloud(void) {
-  jalon_cloud *cloud = NULL, *picked = NULL, *even = NULL, *odd = NULL, *both = NULL, *moved = NULL, *in = NULL,
-              *out = NULL;
+  jalon_cloud *cloud = NULL, *picked = NULL, *even = NULL, *odd = NULL, *both = NULL, *moved = NULL,
+              *in = NULL, *out = NULL;
   jalon_fields* fields = NULL;
   const jalon_transform pose = {{0, -1, 0, 2, 1, 0, 0, 3, 0, 0, 1, 4}};
   const jalon_box box = {{1, -5, 1}, {9, 5, 8}};
@@ -72,13 +72,15 @@ static jalon_status scenario_builder(void) {
   jalon_cloud* cloud = NULL;
   const jalon_transform pose = {{1, 0, 0, 2, 0, 1, 0, 3, 0, 0, 1, 4}};
   jalon_status status = jalon_cloud_builder_create(JALON_CLOUD_DROP_INVALID, &builder);
-  TRY(jalon_cloud_builder_set_crs(builder, "a coordinate reference system of more than sixteen letters"));
-  TRY(jalon_cloud_builder_declare_field(builder, "a field with a rather long name", JALON_FLOAT32, 3, "m",
-                                        "something"));
+  TRY(jalon_cloud_builder_set_crs(builder,
+                                  "a coordinate reference system of more than sixteen letters"));
+  TRY(jalon_cloud_builder_declare_field(builder, "a field with a rather long name", JALON_FLOAT32,
+                                        3, "m", "something"));
   for (int block = 0; block < 3; ++block) {
     TRY(jalon_cloud_builder_begin_station(builder, "a station with a rather long name", &pose));
     TRY(jalon_cloud_builder_append_points(builder, small_xyz, JALON_FLOAT64, 200, 0));
-    TRY(jalon_cloud_builder_append_field(builder, "a field with a rather long name", small_xyz, JALON_FLOAT64, 200, 0));
+    TRY(jalon_cloud_builder_append_field(builder, "a field with a rather long name", small_xyz,
+                                         JALON_FLOAT64, 200, 0));
   }
   TRY(jalon_cloud_builder_seal(builder, &cloud));
   jalon_cloud_builder_release(builder);
@@ -95,10 +97,12 @@ static jalon_status scenario_search(void) {
   jalon_status status = small_cloud(&cloud);
   TRY(jalon_cloud_create(small_xyz, JALON_FLOAT64, 300, 0, 0, &other));
   TRY(jalon_cloud_prepare(cloud, small_task));
-  TRY(jalon_cloud_knn(cloud, small_xyz, JALON_FLOAT64, 100, 0, 4, JALON_LEVEL_AUTOMATIC, small_task, indices, NULL));
+  TRY(jalon_cloud_knn(cloud, small_xyz, JALON_FLOAT64, 100, 0, 4, JALON_LEVEL_AUTOMATIC, small_task,
+                      indices, NULL));
   TRY(jalon_cloud_knn(cloud, small_xyz, JALON_FLOAT64, 50, 0, 4, 3, small_task, indices, NULL));
   TRY(jalon_cloud_knn_all(cloud, 4, small_task, all, NULL));
-  TRY(jalon_cloud_radius_search(cloud, small_xyz, JALON_FLOAT64, 100, 0, 0.5, small_task, &ranges, &near));
+  TRY(jalon_cloud_radius_search(cloud, small_xyz, JALON_FLOAT64, 100, 0, 0.5, small_task, &ranges,
+                                &near));
   TRY(jalon_cloud_cells(cloud, 4, small_task, &cells));
   TRY(jalon_cloud_order(cloud, small_task, &order));
   TRY(jalon_cloud_cell_neighbours(cloud, 3, 0, 2, small_task, &around));
@@ -125,9 +129,15 @@ static jalon_status with_normals(const char* json) {
   jalon_cloud_release(cloud);
   return status;
 }
-static jalon_status scenario_normals(void) { return with_normals("{\"k\": 8, \"orientation\": \"centroid\"}"); }
-static jalon_status scenario_normals_quadric(void) { return with_normals("{\"method\": \"quadric\"}"); }
-static jalon_status scenario_normals_triangulation(void) { return with_normals("{\"method\": \"triangulation\"}"); }
+static jalon_status scenario_normals(void) {
+  return with_normals("{\"k\": 8, \"orientation\": \"centroid\"}");
+}
+static jalon_status scenario_normals_quadric(void) {
+  return with_normals("{\"method\": \"quadric\"}");
+}
+static jalon_status scenario_normals_triangulation(void) {
+  return with_normals("{\"method\": \"triangulation\"}");
+}
 
 static jalon_status scenario_features(void) {
   jalon_cloud* cloud = NULL;
@@ -144,7 +154,8 @@ static jalon_status scenario_features(void) {
 }
 
 static jalon_status scenario_cleaning(void) {
-  static const char* const methods[] = {"{\"method\": \"voxel\"}", "{\"method\": \"minimum_distance\"}",
+  static const char* const methods[] = {"{\"method\": \"voxel\"}",
+                                        "{\"method\": \"minimum_distance\"}",
                                         "{\"method\": \"random\"}", "{\"method\": \"octree\"}"};
   jalon_cloud *cloud = NULL, *out = NULL;
   jalon_reduction report;
@@ -169,7 +180,8 @@ static jalon_status scenario_cleaning(void) {
 }
 
 /* A segmentation, and when wanted its model. */
-static jalon_status segmented(jalon_cloud** cloud, jalon_segmentation** segmentation, jalon_model** model) {
+static jalon_status segmented(jalon_cloud** cloud, jalon_segmentation** segmentation,
+                              jalon_model** model) {
   jalon_segmenter* segmenter = NULL;
   jalon_modeller* modeller = NULL;
   jalon_status status = small_cloud(cloud);
@@ -304,10 +316,12 @@ static jalon_status scenario_scan(void) {
   jalon_scanner* scanner = NULL;
   jalon_params *params = NULL, *options = NULL;
   jalon_cloud* cloud = NULL;
-  jalon_status status = jalon_model_create_mesh(corners, JALON_FLOAT64, 4, 0, triangles, 2, NULL, &mesh);
+  jalon_status status =
+      jalon_model_create_mesh(corners, JALON_FLOAT64, 4, 0, triangles, 2, NULL, &mesh);
   TRY(jalon_scanner_create(NULL, &scanner));
   TRY(jalon_scanner_params(scanner, &params));
-  TRY(jalon_params_from_json(params, "{\"horizontal_step_rad\": 0.05, \"vertical_step_rad\": 0.05}"));
+  TRY(jalon_params_from_json(params,
+                             "{\"horizontal_step_rad\": 0.05, \"vertical_step_rad\": 0.05}"));
   TRY(jalon_scanner_add_station(scanner, "a station with a rather long name", &pose));
   TRY(jalon_scanner_run(scanner, mesh, small_task, &cloud));
   TRY(options_of("scene", "{\"name\": \"facade\"}", &options));

@@ -40,9 +40,12 @@ static void* counted(void* block) {
   return block;
 }
 
-#pragma GCC visibility push(default) /* the build hides everything, but these must be seen by the libraries */
+#pragma GCC visibility push( \
+    default) /* the build hides everything, but these must be seen by the libraries */
 void* malloc(size_t bytes) { return must_fail() ? NULL : counted(__libc_malloc(bytes)); }
-void* calloc(size_t count, size_t bytes) { return must_fail() ? NULL : counted(__libc_calloc(count, bytes)); }
+void* calloc(size_t count, size_t bytes) {
+  return must_fail() ? NULL : counted(__libc_calloc(count, bytes));
+}
 void* memalign(size_t alignment, size_t bytes) {
   return must_fail() ? NULL : counted(__libc_memalign(alignment, bytes));
 }
@@ -107,15 +110,17 @@ static void out_of_memory__is_an_ordinary_error_everywhere(void** state) {
     /* What a process keeps for ever (thread stacks, the C library's tables) is kept by the first runs. */
     for (int warm = 0; warm < 3; ++warm) {
       whole = run_job(job, 0, 0);
-      if (whole.status != JALON_OK) fail_msg("%s does not run: %s", name, jalon_last_error_message());
+      if (whole.status != JALON_OK)
+        fail_msg("%s does not run: %s", name, jalon_last_error_message());
     }
     if (whole.kept != 0) fail_msg("%s keeps %ld blocks without any failure", name, whole.kept);
     const long steps = is_full_run() || whole.attempts < kShallow ? whole.attempts : kShallow;
     for (int mode = 0; mode < 2; ++mode)
       for (long step = 0; step < steps; ++step) {
         /* The last one of each stretch; a shift by mode takes others the second time. */
-        const long k = steps == whole.attempts ? step + 1
-                                               : 1 + (step * whole.attempts + mode * whole.attempts / 2) / steps;
+        const long k = steps == whole.attempts
+                           ? step + 1
+                           : 1 + (step * whole.attempts + mode * whole.attempts / 2) / steps;
         struct outcome outcome = run_job(job, k, mode);
         injected += outcome.failures;
         if (outcome.status == JALON_ERROR_OUT_OF_MEMORY) {
@@ -123,19 +128,23 @@ static void out_of_memory__is_an_ordinary_error_everywhere(void** state) {
           expect_one_line();
         } else if (outcome.status != JALON_OK) {
           fail_msg("%s, allocation %ld of %ld fails %s: %s: %s", name, k, whole.attempts,
-                   mode ? "and all after" : "once", jalon_status_name(outcome.status), jalon_last_error_message());
+                   mode ? "and all after" : "once", jalon_status_name(outcome.status),
+                   jalon_last_error_message());
         }
-        if (outcome.kept != 0 && run_job(job, k, mode).kept > 0) /* twice: no thread stack that happened to be new */
-          fail_msg("%s, allocation %ld of %ld fails %s: %ld blocks are never freed", name, k, whole.attempts,
-                   mode ? "and all after" : "once", outcome.kept);
-        if (files_left() != 0) fail_msg("%s, allocation %ld of %ld: a file is left behind", name, k, whole.attempts);
+        if (outcome.kept != 0 &&
+            run_job(job, k, mode).kept > 0) /* twice: no thread stack that happened to be new */
+          fail_msg("%s, allocation %ld of %ld fails %s: %ld blocks are never freed", name, k,
+                   whole.attempts, mode ? "and all after" : "once", outcome.kept);
+        if (files_left() != 0)
+          fail_msg("%s, allocation %ld of %ld: a file is left behind", name, k, whole.attempts);
         const struct outcome again = run_job(job, 0, 0);
         if (again.status != JALON_OK)
           fail_msg("%s fails after allocation %ld failed: %s", name, k, jalon_last_error_message());
       }
     printf("    %-22s %6ld allocations, %ld tried twice\n", name, whole.attempts, steps);
   }
-  printf("FIGURE %ld failures injected in %d jobs, %ld calls refused\n", injected, (int)kScenarioCount, refused);
+  printf("FIGURE %ld failures injected in %d jobs, %ld calls refused\n", injected,
+         (int)kScenarioCount, refused);
   assert_true(kScenarioCount >= 10);
   assert_true(refused > 100);
 }
@@ -149,11 +158,15 @@ int main(void) {
   return 77;
 #else
   const char* folder = getenv("TMPDIR");
-  snprintf(small_folder, sizeof small_folder, "%s/jalon_allocation_XXXXXX", folder ? folder : "/tmp");
+  snprintf(small_folder, sizeof small_folder, "%s/jalon_allocation_XXXXXX",
+           folder ? folder : "/tmp");
   if (mkdtemp(small_folder) == NULL) return 1;
   street_points(small_xyz, kSmall, 12, 0, 0);
-  if (jalon_task_create(&small_task) != JALON_OK || jalon_task_set_threads(small_task, 2) != JALON_OK) return 1;
-  const struct CMUnitTest tests[] = {cmocka_unit_test(out_of_memory__is_an_ordinary_error_everywhere)};
+  if (jalon_task_create(&small_task) != JALON_OK ||
+      jalon_task_set_threads(small_task, 2) != JALON_OK)
+    return 1;
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(out_of_memory__is_an_ordinary_error_everywhere)};
   const int result = cmocka_run_group_tests(tests, NULL, NULL);
   jalon_task_release(small_task);
   rmdir(small_folder);

@@ -26,7 +26,8 @@ static void no_points__are_a_cloud_that_workers_refuse(void** state) {
   jalon_box box = {{1, 2, 3}, {4, 5, 6}};
   MUST(jalon_cloud_create(NULL, JALON_FLOAT64, 0, 0, 0, &cloud));
   MUST(jalon_segmenter_create(NULL, &segmenter));
-  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
+          jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
   assert_ptr_equal(segmentation, UNTOUCHED);
   REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_cloud_bounds(cloud, &box));
   assert_true(box.min.x == 1 && box.max.z == 6);
@@ -173,7 +174,8 @@ static void empty_and_foreign_files__are_refused(void** state) {
 
 /* All writers, one call each: what is no cloud's and no report's business is in jobs. */
 enum { kWriters = 7 };
-static const char* const kWritten[kWriters] = {"w.las", "w.ply", "w.xyz", "w.obj", "w.svg", "w.html", "w.json"};
+static const char* const kWritten[kWriters] = {"w.las", "w.ply",  "w.xyz", "w.obj",
+                                               "w.svg", "w.html", "w.json"};
 
 struct written {
   jalon_cloud* cloud;
@@ -240,7 +242,8 @@ static void full_disk__leaves_the_old_file_and_no_new_one(void** state) {
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
     const jalon_status status = write_one(&w, i, path);
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
-    if (status != JALON_ERROR_IO) fail_msg("%s: \"%s\" on a full disk", kWritten[i], jalon_status_name(status));
+    if (status != JALON_ERROR_IO)
+      fail_msg("%s: \"%s\" on a full disk", kWritten[i], jalon_status_name(status));
     expect_one_line();
     expect_word(kWritten[i]);
     char* content = content_of(path, NULL);
@@ -273,7 +276,8 @@ static void read_only_folder__leaves_the_old_file(void** state) {
     if (as_root) assert_int_equal(seteuid(nobody), 0);
     const jalon_status status = write_one(&w, i, path);
     if (as_root) assert_int_equal(seteuid(0), 0);
-    if (status != JALON_ERROR_IO) fail_msg("%s: \"%s\" in a locked folder", kWritten[i], jalon_status_name(status));
+    if (status != JALON_ERROR_IO)
+      fail_msg("%s: \"%s\" in a locked folder", kWritten[i], jalon_status_name(status));
     expect_one_line();
     expect_word("permission");
     chmod(folder, 0700);
@@ -302,7 +306,8 @@ static void segmentation_of_another_cloud__is_refused(void** state) {
   jalon_modeller* modeller;
   jalon_model* model = UNTOUCHED;
   MUST(jalon_modeller_create(NULL, &modeller));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_modeller_run(modeller, other, w.segmentation, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_modeller_run(modeller, other, w.segmentation, NULL, &model));
   assert_ptr_equal(model, UNTOUCHED);
   jalon_modeller_release(modeller);
   jalon_cloud_release(other);

@@ -30,7 +30,8 @@ static void build__two_stations_in_blocks__gives_points_fields_and_ranges(void**
   OK(jalon_cloud_builder_declare_field(builder, "intensity", JALON_UINT16, 1, "1", NULL));
   OK(jalon_cloud_builder_begin_station(builder, "A", &pose));
   OK(jalon_cloud_builder_append_points(builder, block, JALON_FLOAT32, 3, 0));
-  OK(jalon_cloud_builder_append_field(builder, "intensity", wide, JALON_FLOAT64, 4, 0)); /* ahead of the points */
+  OK(jalon_cloud_builder_append_field(builder, "intensity", wide, JALON_FLOAT64, 4,
+                                      0)); /* ahead of the points */
   OK(jalon_cloud_builder_begin_station(builder, "B", NULL));
   OK(jalon_cloud_builder_append_points(builder, block, JALON_FLOAT32, 2, 0));
   OK(jalon_cloud_builder_append_field(builder, "intensity", wide + 4, JALON_FLOAT64, 1, 0));
@@ -97,7 +98,8 @@ static void build__mistakes__are_refused_and_leave_the_builder_as_it_was(void** 
   OK(jalon_cloud_builder_append_points(builder, good, JALON_FLOAT64, 2, 0));
   INVALID(jalon_cloud_builder_append_points(builder, bad, JALON_FLOAT64, 2, 0));
   assert_string_equal(jalon_last_error_message(), "point 3: y is nan, not a finite number");
-  assert_int_equal(jalon_cloud_builder_append_field(builder, "g", good, JALON_FLOAT64, 1, 0), JALON_ERROR_NOT_FOUND);
+  assert_int_equal(jalon_cloud_builder_append_field(builder, "g", good, JALON_FLOAT64, 1, 0),
+                   JALON_ERROR_NOT_FOUND);
   INVALID(jalon_cloud_builder_append_field(builder, "f", &big, JALON_FLOAT64, 1, 0));
   INVALID(jalon_cloud_builder_seal(builder, &cloud));
   assert_string_equal(jalon_last_error_message(), "field \"f\" has 0 items for 2 points");

@@ -36,8 +36,10 @@ static int32_t watch_progress(double fraction, const char* stage, void* user) {
 
 static void expect_contract(const struct watch* w, const char* name) {
   if (w->backward || w->outside || w->stranger || w->unnamed)
-    fail_msg("%s: of %d reports %d went backward, %d left 0..1, %d came on another thread, %d had no stage", name,
-             w->calls, w->backward, w->outside, w->stranger, w->unnamed);
+    fail_msg(
+        "%s: of %d reports %d went backward, %d left 0..1, %d came on another thread, %d had no "
+        "stage",
+        name, w->calls, w->backward, w->outside, w->stranger, w->unnamed);
 }
 
 static void progress__is_monotone_and_one_only_at_the_end_and_threads_change_no_bit(void** state) {
@@ -58,12 +60,14 @@ static void progress__is_monotone_and_one_only_at_the_end_and_threads_change_no_
         fail_msg("%s: %d reports of 1, the last is %g", kOperations[i].name, w.ones, w.last);
       reports += w.calls;
       const uint64_t hash = hash_made(&out);
-      if (threads > 1 && hash != hashes[i]) fail_msg("%s: other bits with %u threads", kOperations[i].name, threads);
+      if (threads > 1 && hash != hashes[i])
+        fail_msg("%s: other bits with %u threads", kOperations[i].name, threads);
       hashes[i] = hash;
       release_made(&out);
       jalon_task_release(task);
     }
-  printf("FIGURE progress reports of %d operations, 1 and 2 threads: %d\n", kOperationCount, reports);
+  printf("FIGURE progress reports of %d operations, 1 and 2 threads: %d\n", kOperationCount,
+         reports);
 }
 
 /* Stop at the first, second, ... report; then the same call with the same task gives what an undisturbed one gives. */
@@ -87,7 +91,8 @@ static void callback__stops_at_any_report_and_the_same_call_then_succeeds(void**
       if (status == JALON_ERROR_CANCELLED) {
         ++stopped;
         expect_one_line();
-        if (out.cloud || out.fields || out.segmentation) fail_msg("%s wrote an output", kOperations[i].name);
+        if (out.cloud || out.fields || out.segmentation)
+          fail_msg("%s wrote an output", kOperations[i].name);
         if (w.ones) fail_msg("%s reported 1 although it was cancelled", kOperations[i].name);
         expect_contract(&w, kOperations[i].name);
         MUST(jalon_task_set_progress(task, NULL, NULL));
@@ -95,7 +100,8 @@ static void callback__stops_at_any_report_and_the_same_call_then_succeeds(void**
       } else if (status != JALON_OK) {
         fail_msg("%s: %s", kOperations[i].name, jalon_last_error_message());
       }
-      if (hash_made(&out) != expected) fail_msg("%s: another result after a cancel", kOperations[i].name);
+      if (hash_made(&out) != expected)
+        fail_msg("%s: another result after a cancel", kOperations[i].name);
       release_made(&out);
       jalon_task_release(task);
       if (status == JALON_OK) break; /* fewer reports than that */
@@ -136,7 +142,8 @@ struct latencies {
 };
 
 /* One cancel after a random part of the time that the operation takes. */
-static void cancel_once(const jalon_cloud* cloud, int which, int round, double whole_s, struct latencies* seen) {
+static void cancel_once(const jalon_cloud* cloud, int which, int round, double whole_s,
+                        struct latencies* seen) {
   const char* name = kOperations[which].name;
   struct cancelled_call call = {cloud, NULL, kOperations[which].run, {NULL, NULL, NULL}, 0, 0};
   pthread_t thread;
@@ -150,7 +157,8 @@ static void cancel_once(const jalon_cloud* cloud, int which, int round, double w
   MUST(jalon_task_cancel(call.task));
   pthread_join(thread, NULL);
   if (call.status == JALON_ERROR_CANCELLED) {
-    if (call.out.cloud || call.out.fields || call.out.segmentation) fail_msg("%s wrote an output", name);
+    if (call.out.cloud || call.out.fields || call.out.segmentation)
+      fail_msg("%s wrote an output", name);
     const double late_s = call.ended_s - asked_s;
     if (late_s > seen->worst_s) seen->worst_s = late_s, seen->worst_name = name;
     seen->late_s[seen->count++] = late_s;
@@ -172,14 +180,18 @@ static void cancel_everything(const jalon_cloud* cloud, int rounds, int least) {
     MUST(kOperations[i].run(cloud, NULL, &reference));
     const double whole_s = now_s() - begin;
     release_made(&reference);
-    for (int r = 0; r < rounds && seen.count < kMostCancels; ++r) cancel_once(cloud, i, r, whole_s, &seen);
+    for (int r = 0; r < rounds && seen.count < kMostCancels; ++r)
+      cancel_once(cloud, i, r, whole_s, &seen);
   }
   qsort(seen.late_s, (size_t)seen.count, sizeof *seen.late_s, by_size);
   const double p99 = seen.count > 0 ? seen.late_s[(int)(0.99 * (seen.count - 1))] : 0;
-  printf("FIGURE cancel latency, %d cancels on %llu points: median %.1f ms, p99 %.1f ms, worst %.1f ms (%s); "
-         "%d ended before\n",
-         seen.count, (unsigned long long)count_of(cloud), seen.count > 0 ? 1e3 * seen.late_s[seen.count / 2] : 0,
-         1e3 * p99, 1e3 * seen.worst_s, seen.worst_name, seen.early);
+  printf(
+      "FIGURE cancel latency, %d cancels on %llu points: median %.1f ms, p99 %.1f ms, worst %.1f "
+      "ms (%s); "
+      "%d ended before\n",
+      seen.count, (unsigned long long)count_of(cloud),
+      seen.count > 0 ? 1e3 * seen.late_s[seen.count / 2] : 0, 1e3 * p99, 1e3 * seen.worst_s,
+      seen.worst_name, seen.early);
   assert_true(seen.count >= least);
   if (!is_sanitized()) assert_true(p99 <= 0.1);
 }

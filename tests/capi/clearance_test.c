@@ -85,8 +85,8 @@ static void clearance__of_two_models_is_signed(void** state) {
   (void)state;
   jalon_model *model = block(0), *apart = block(1.5), *into = block(0.75);
   jalon_fields *summary = NULL, *near_faces = NULL;
-  const jalon_status status =
-      jalon_model_clearance_to_model(model, JALON_WHOLE_MODEL, apart, JALON_WHOLE_MODEL, NULL, NULL, &summary, NULL);
+  const jalon_status status = jalon_model_clearance_to_model(
+      model, JALON_WHOLE_MODEL, apart, JALON_WHOLE_MODEL, NULL, NULL, &summary, NULL);
   if (status == JALON_ERROR_UNSUPPORTED) { /* built without FCL */
     jalon_model_release(model), jalon_model_release(apart), jalon_model_release(into);
     skip();
@@ -94,8 +94,8 @@ static void clearance__of_two_models_is_signed(void** state) {
   near_to(number(summary, "clearance", 0), 0.5);
   near_to(number(summary, "interferes", 0), 0);
   jalon_fields_release(summary);
-  MUST(jalon_model_clearance_to_model(model, JALON_WHOLE_MODEL, into, JALON_WHOLE_MODEL, NULL, NULL, &summary,
-                                      &near_faces));
+  MUST(jalon_model_clearance_to_model(model, JALON_WHOLE_MODEL, into, JALON_WHOLE_MODEL, NULL, NULL,
+                                      &summary, &near_faces));
   near_to(number(summary, "clearance", 0), -0.25);
   near_to(number(summary, "depth", 0), 0.25);
   near_to(number(summary, "interferes", 0), 1);
@@ -113,13 +113,15 @@ static void gauge__meets_a_pole_between_far_poses(void** state) {
   jalon_cloud* cloud = points(pole, 2);
   const double corners[24] = {-.5, -1, -1, .5, -1, -1, -.5, 1, -1, .5, 1, -1,
                               -.5, -1, 1,  .5, -1, 1,  -.5, 1, 1,  .5, 1, 1};
-  jalon_gauge_piece piece = {JALON_GAUGE_BOX, 0, {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}, {1, 2, 2}, 0, 0};
+  jalon_gauge_piece piece = {JALON_GAUGE_BOX, 0, {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}},
+                             {1, 2, 2},       0, 0};
   jalon_transform poses[2] = {kHere, kHere};
   poses[1].m[3] = 240;
   for (int hull = 0; hull < 2; ++hull) {
     if (hull) piece.kind = JALON_GAUGE_HULL, piece.count = 8;
     jalon_fields *places = NULL, *intervals = NULL;
-    MUST(jalon_gauge_sweep(&piece, 1, corners, 8, poses, 2, cloud, NULL, NULL, NULL, &places, &intervals));
+    MUST(jalon_gauge_sweep(&piece, 1, corners, 8, poses, 2, cloud, NULL, NULL, NULL, &places,
+                           &intervals));
     assert_int_equal(rows(places), 1);
     near_to(number(places, "clearance", 0), -0.03);
     assert_true(fabs(number(places, "parameter", 0) - 0.25) < 0.003);

@@ -109,7 +109,8 @@ static void statistics__covariance_and_moments(void** state) {
   OK(jalon_cloud_create(NULL, JALON_FLOAT64, 0, 0, 0, &empty));
   OK(jalon_cloud_covariance(cloud, NULL, &centroid, c));
   assert_true(centroid.x == 1 && centroid.y == 2 && centroid.z == 1.5);
-  assert_true(c[0] == 1 && c[4] == 4 && c[8] == 6.75 && c[2] == 1.5 && c[6] == 1.5 && c[5] == 3 && c[7] == 3);
+  assert_true(c[0] == 1 && c[4] == 4 && c[8] == 6.75 && c[2] == 1.5 && c[6] == 1.5 && c[5] == 3 &&
+              c[7] == 3);
   OK(jalon_cloud_moment(cloud, 1, 1, 1, 0, NULL, &moment));
   assert_true(moment == 12);
   INVALID(jalon_cloud_moment(cloud, 9, 0, 0, 0, NULL, &moment));
@@ -124,7 +125,8 @@ static void reductions__report_what_they_did(void** state) {
   jalon_params* p = params("subsample");
   jalon_reduction report;
   OK(jalon_cloud_remove_duplicates(cloud, 1e-4, NULL, &out, &report));
-  assert_true(report.count_in == kSide * kSide + 2 && report.removed == 2 && report.count_out == count_of(out));
+  assert_true(report.count_in == kSide * kSide + 2 && report.removed == 2 &&
+              report.count_out == count_of(out));
   assert_true(fabs(report.removed_percent - 200.0 / (kSide * kSide + 2)) < 1e-12);
   jalon_cloud_release(out);
   out = NULL;
@@ -167,10 +169,13 @@ static void cancel__ends_every_long_call_and_leaves_the_cloud_usable(void** stat
   assert_int_equal(jalon_cloud_compute_normals(cloud, NULL, task), JALON_ERROR_CANCELLED);
   assert_int_equal(jalon_cloud_compute_features(cloud, NULL, task), JALON_ERROR_CANCELLED);
   assert_int_equal(jalon_cloud_compute_components(cloud, NULL, task, &n), JALON_ERROR_CANCELLED);
-  assert_int_equal(jalon_cloud_remove_duplicates(cloud, 1e-4, task, &out, NULL), JALON_ERROR_CANCELLED);
-  assert_int_equal(jalon_cloud_remove_outliers(cloud, NULL, task, &out, NULL), JALON_ERROR_CANCELLED);
+  assert_int_equal(jalon_cloud_remove_duplicates(cloud, 1e-4, task, &out, NULL),
+                   JALON_ERROR_CANCELLED);
+  assert_int_equal(jalon_cloud_remove_outliers(cloud, NULL, task, &out, NULL),
+                   JALON_ERROR_CANCELLED);
   assert_int_equal(jalon_cloud_subsample(cloud, NULL, task, &out, NULL), JALON_ERROR_CANCELLED);
-  assert_int_equal(jalon_cloud_split_interest(cloud, NULL, task, &out, NULL), JALON_ERROR_CANCELLED);
+  assert_int_equal(jalon_cloud_split_interest(cloud, NULL, task, &out, NULL),
+                   JALON_ERROR_CANCELLED);
   assert_int_equal(jalon_cloud_append(cloud, cloud, task, &out), JALON_ERROR_CANCELLED);
   assert_int_equal(jalon_cloud_prepare(cloud, task), JALON_ERROR_CANCELLED);
   assert_null(out);

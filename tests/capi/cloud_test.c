@@ -152,7 +152,8 @@ static void fields__set_replace_remove__and_a_snapshot_stays(void** state) {
   jalon_fields* snapshot = NULL;
   jalon_array_view view;
   uint64_t n = 0;
-  OK(jalon_cloud_set_field(cloud, "intensity", intensity, JALON_FLOAT32, 1, 4, 0, "1", "return strength"));
+  OK(jalon_cloud_set_field(cloud, "intensity", intensity, JALON_FLOAT32, 1, 4, 0, "1",
+                           "return strength"));
   OK(jalon_cloud_fields(cloud, &snapshot));
   OK(jalon_cloud_set_field(cloud, "intensity", other, JALON_FLOAT32, 1, 4, 0, NULL, NULL));
   OK(jalon_fields_view(snapshot, "intensity", &view));
@@ -167,7 +168,8 @@ static void fields__set_replace_remove__and_a_snapshot_stays(void** state) {
   jalon_fields_release(snapshot);
   cloud = four();
   INVALID(jalon_cloud_set_field(cloud, "f", intensity, JALON_FLOAT32, 1, 3, 0, NULL, NULL));
-  assert_string_equal(jalon_last_error_message(), "field \"f\" has 3 items; the cloud has 4 points");
+  assert_string_equal(jalon_last_error_message(),
+                      "field \"f\" has 3 items; the cloud has 4 points");
   INVALID(jalon_cloud_set_field(cloud, "", intensity, JALON_FLOAT32, 1, 4, 0, NULL, NULL));
   INVALID(jalon_cloud_set_field(cloud, "f", intensity, JALON_FLOAT32, 0, 4, 0, NULL, NULL));
   INVALID(jalon_cloud_set_field(cloud, "f", NULL, JALON_FLOAT32, 1, 4, 0, NULL, NULL));
@@ -176,14 +178,16 @@ static void fields__set_replace_remove__and_a_snapshot_stays(void** state) {
 
 static void select_split_append_transform__give_new_clouds(void** state) {
   (void)state;
-  jalon_cloud *cloud = four(), *some = NULL, *equal = NULL, *others = NULL, *both = NULL, *moved = NULL;
+  jalon_cloud *cloud = four(), *some = NULL, *equal = NULL, *others = NULL, *both = NULL,
+              *moved = NULL;
   const uint8_t kind[4] = {1, 2, 1, 1};
   const uint64_t indices[3] = {3, 3, 0}, wrong[1] = {4};
   const jalon_transform shift = {{1, 0, 0, 652000, 0, 1, 0, 6861000, 0, 0, 1, 0}};
   const jalon_transform flat = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
   OK(jalon_cloud_set_field(cloud, "kind", kind, JALON_UINT8, 1, 4, 0, NULL, NULL));
   OK(jalon_cloud_select(cloud, indices, 3, NULL, &some));
-  assert_true(count_of(some) == 3 && coordinate(some, 1, 2) == 3 && field_value(some, "kind", 2) == 1);
+  assert_true(count_of(some) == 3 && coordinate(some, 1, 2) == 3 &&
+              field_value(some, "kind", 2) == 1);
   INVALID(jalon_cloud_select(cloud, wrong, 1, NULL, &equal));
   OK(jalon_cloud_split(cloud, "kind", 1, NULL, &equal, &others));
   assert_true(count_of(equal) == 3 && count_of(others) == 1);

@@ -6,7 +6,8 @@
 
 /* A cube of 2 m as twelve triangles, corners anticlockwise seen from outside; the last one may be made NaN. */
 static jalon_model* cube(double last_z) {
-  const double xyz[24] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, last_z};
+  const double xyz[24] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0,
+                          0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, last_z};
   const uint32_t triangles[36] = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
                                   1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
   jalon_model* model = NULL;
@@ -45,7 +46,8 @@ static void comparer__measures_signed_distances_from_a_model(void** state) {
   MUST(jalon_fields_copy(points, "distance", JALON_FLOAT64, distance, 5));
   MUST(jalon_fields_copy(points, "status", JALON_UINT8, status, 5));
   MUST(jalon_fields_copy(points, "within_tolerance", JALON_UINT8, within, 5));
-  assert_true(distance[0] == -0.5 && distance[1] == 0.5 && distance[3] == 1 && distance[4] == -0.25);
+  assert_true(distance[0] == -0.5 && distance[1] == 0.5 && distance[3] == 1 &&
+              distance[4] == -0.25);
   assert_true(isnan(distance[2]));
   assert_int_equal(status[2], JALON_NOTHING_NEAR);
   assert_int_equal(within[0], 1);
@@ -74,8 +76,10 @@ static void comparer__with_a_model_refuses_what_it_cannot_measure(void** state) 
   jalon_comparer* comparer = NULL;
   MUST(jalon_comparer_create(NULL, &comparer));
   jalon_comparison* comparison = NULL;
-  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_comparer_run_model(comparer, nothing, one, NULL, &comparison));
-  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_comparer_run_model(comparer, model, empty, NULL, &comparison));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
+          jalon_comparer_run_model(comparer, nothing, one, NULL, &comparison));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
+          jalon_comparer_run_model(comparer, model, empty, NULL, &comparison));
   assert_null(comparison);
   jalon_comparer_release(comparer);
   jalon_cloud_release(one);

@@ -71,14 +71,17 @@ static void comparer__refuses_empty_clouds_and_two_different_crs(void** state) {
   jalon_comparer* comparer = NULL;
   MUST(jalon_comparer_create("distance", &comparer));
   jalon_comparison* comparison = NULL;
-  assert_int_equal(jalon_comparer_run(comparer, empty, one, NULL, &comparison), JALON_ERROR_INSUFFICIENT_DATA);
-  assert_int_equal(jalon_comparer_run(comparer, one, empty, NULL, &comparison), JALON_ERROR_INSUFFICIENT_DATA);
+  assert_int_equal(jalon_comparer_run(comparer, empty, one, NULL, &comparison),
+                   JALON_ERROR_INSUFFICIENT_DATA);
+  assert_int_equal(jalon_comparer_run(comparer, one, empty, NULL, &comparison),
+                   JALON_ERROR_INSUFFICIENT_DATA);
   MUST(jalon_cloud_set_crs(one, "EPSG:2154"));
   MUST(jalon_comparer_run(comparer, one, other, NULL, &comparison));
   jalon_comparison_release(comparison);
   comparison = NULL;
   MUST(jalon_cloud_set_crs(other, "EPSG:2056"));
-  assert_int_equal(jalon_comparer_run(comparer, one, other, NULL, &comparison), JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_comparer_run(comparer, one, other, NULL, &comparison),
+                   JALON_ERROR_INVALID_ARGUMENT);
   assert_null(comparison);
   assert_int_equal(jalon_comparer_create("nonsense", &comparer), JALON_ERROR_NOT_FOUND);
   jalon_comparer_release(comparer);
@@ -109,7 +112,8 @@ static void comparer_preview__and_closest_points_of_a_line(void** state) {
   MUST(jalon_comparer_create("preview", &comparer));
   MUST(jalon_comparer_run(comparer, reference, compared, NULL, &comparison));
   jalon_comparer_release(comparer);
-  assert_int_equal(jalon_comparison_closest_points(comparison, reference, NULL, &closest), JALON_ERROR_NOT_FOUND);
+  assert_int_equal(jalon_comparison_closest_points(comparison, reference, NULL, &closest),
+                   JALON_ERROR_NOT_FOUND);
   jalon_comparison_release(comparison);
   MUST(jalon_comparer_create("distance", &comparer));
   MUST(jalon_comparer_run(comparer, reference, compared, NULL, &comparison));
@@ -162,8 +166,9 @@ static void comparer_m3c2__measures_at_given_core_points_along_the_normal(void**
                    JALON_ERROR_INVALID_ARGUMENT);
   jalon_comparer_release(comparer);
   MUST(jalon_comparer_create("distance", &comparer));
-  assert_int_equal(jalon_comparer_run_core(comparer, compared, compared, compared, NULL, &comparison),
-                   JALON_ERROR_UNSUPPORTED);
+  assert_int_equal(
+      jalon_comparer_run_core(comparer, compared, compared, compared, NULL, &comparison),
+      JALON_ERROR_UNSUPPORTED);
   assert_null(comparison);
   jalon_comparer_release(comparer);
   jalon_cloud_release(core);
@@ -180,7 +185,8 @@ static void comparer_m3c2__reads_parameter_files_of_cloudcompare(void** state) {
   const char* path = temporary("m3c2_params.txt");
   FILE* file = fopen(path, "wb");
   assert_non_null(file);
-  fputs("[General]\nM3C2VER=1\nNormalScale=0.5\nSearchScale=0.3\nSearchDepth=0.8\nNewIdea=7\n", file);
+  fputs("[General]\nM3C2VER=1\nNormalScale=0.5\nSearchScale=0.3\nSearchDepth=0.8\nNewIdea=7\n",
+        file);
   fclose(file);
   jalon_comparer* comparer = NULL;
   jalon_params* params = NULL;
@@ -244,7 +250,8 @@ static void changes__of_a_lifted_square_are_found_told_and_reported(void** state
   MUST(jalon_fields_view(changes, "class", &classes));
   assert_true(classes.count >= 1);
   const char* page = temporary("comparison.html");
-  MUST(jalon_report_write_comparison(forward, reverse, changes, "{\"title\": \"<Plate>\"}", page, NULL, NULL));
+  MUST(jalon_report_write_comparison(forward, reverse, changes, "{\"title\": \"<Plate>\"}", page,
+                                     NULL, NULL));
   char* text = content_of(page, NULL);
   assert_non_null(strstr(text, "&lt;Plate&gt;"));
   assert_non_null(strstr(text, "Weibull"));

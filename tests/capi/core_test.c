@@ -56,7 +56,8 @@ static void task__cancel_stays_until_reset(void** state) {
   MUST(jalon_task_cancel(task));
   MUST(jalon_task_is_cancelled(task, &cancelled));
   assert_int_equal(cancelled, 1);
-  for (int i = 0; i < 2; ++i) REFUSED(JALON_ERROR_CANCELLED, jalon_cloud_compute_normals(cloud, NULL, task));
+  for (int i = 0; i < 2; ++i)
+    REFUSED(JALON_ERROR_CANCELLED, jalon_cloud_compute_normals(cloud, NULL, task));
   MUST(jalon_task_reset(task));
   MUST(jalon_cloud_compute_normals(cloud, NULL, task));
   jalon_task_release(task);

@@ -12,9 +12,9 @@ static const double kEast = 652000.25, kNorth = 6861000.5;
 
 struct case_ {
   const char* name;
-  jalon_status status;   /* of every method */
+  jalon_status status; /* of every method */
   uint64_t count;
-  uint64_t planes;       /* most that there can be */
+  uint64_t planes; /* most that there can be */
   double xyz[3 * kMany];
 };
 
@@ -94,7 +94,8 @@ static void run(const jalon_segmenter* segmenter, const struct case_* c, const c
     assert_true(segmentation == NULL);
   } else {
     const uint64_t found = segments_of(segmentation);
-    if (found > c->planes) fail_msg("%s, %s: %llu planes", c->name, what, (unsigned long long)found);
+    if (found > c->planes)
+      fail_msg("%s, %s: %llu planes", c->name, what, (unsigned long long)found);
     jalon_segmentation_release(segmentation);
   }
   jalon_cloud_release(cloud);
@@ -105,7 +106,8 @@ static void run_all(const jalon_segmenter* segmenter, const char* what) {
 }
 
 /* Every value of a choice or a switch, the other parameters at their defaults. The clouds have no field of normals. */
-static void run_values(jalon_segmenter* segmenter, jalon_params* params, const jalon_param_info* info) {
+static void run_values(jalon_segmenter* segmenter, jalon_params* params,
+                       const jalon_param_info* info) {
   char text[400], what[300];
   MUST(jalon_params_reset(params));
   if (info->type == JALON_PARAM_BOOL) {
@@ -117,7 +119,8 @@ static void run_values(jalon_segmenter* segmenter, jalon_params* params, const j
   } else if (info->type == JALON_PARAM_CHOICE) {
     char* rest = text;
     snprintf(text, sizeof text, "%s", info->choices);
-    for (char* value = strtok_r(text, "|", &rest); value != NULL; value = strtok_r(NULL, "|", &rest)) {
+    for (char* value = strtok_r(text, "|", &rest); value != NULL;
+         value = strtok_r(NULL, "|", &rest)) {
       if (strcmp(value, "field") == 0) continue;
       snprintf(what, sizeof what, "%s = %s", info->name, value);
       MUST(jalon_params_set_string(params, info->name, value));
@@ -151,7 +154,8 @@ static void ransac_with_few_points_asked_for__gives_the_documented_status(void**
   const char* const kRows[] = {
       "{\"min_points\": 3, \"min_area_m2\": 0}",
       "{\"min_points\": 3, \"min_area_m2\": 0, \"normals\": \"none\", \"sampling\": \"global\"}",
-      "{\"min_points\": 3, \"min_area_m2\": 0, \"normals\": \"none\", \"refit\": false, \"reassign\": false}",
+      "{\"min_points\": 3, \"min_area_m2\": 0, \"normals\": \"none\", \"refit\": false, "
+      "\"reassign\": false}",
       "{\"orientation_order\": \"vertical horizontal inclined parallel\"}",
       "{\"orientation_order\": \"inclined\", \"min_points\": 3}",
       "{\"draws\": 1}",
@@ -190,7 +194,8 @@ static void one_plane__is_found_whole(void** state) {
       MUST(jalon_segmentation_segments(segmentation, &segments));
       MUST(jalon_fields_view(segments, "inliers", &inliers));
       if (inliers.count != 1 || *(const uint64_t*)inliers.data != kMany)
-        fail_msg("%s: %s gives %llu planes", kCases[i].name, kMethods[m], (unsigned long long)inliers.count);
+        fail_msg("%s: %s gives %llu planes", kCases[i].name, kMethods[m],
+                 (unsigned long long)inliers.count);
       jalon_fields_release(segments);
       jalon_segmentation_release(segmentation);
       jalon_segmenter_release(segmenter);
@@ -203,25 +208,29 @@ static void one_plane__is_found_whole(void** state) {
 static const struct pick_kind {
   int32_t primitive;
   uint64_t picks;
-} kKinds[] = {{JALON_PRIMITIVE_PLANE, 1},  {JALON_PRIMITIVE_PLANE, 4},    {JALON_PRIMITIVE_SPHERE, 2},
-              {JALON_PRIMITIVE_SPHERE, 4}, {JALON_PRIMITIVE_CYLINDER, 2}, {JALON_PRIMITIVE_CYLINDER, 3}};
+} kKinds[] = {{JALON_PRIMITIVE_PLANE, 1},    {JALON_PRIMITIVE_PLANE, 4},
+              {JALON_PRIMITIVE_SPHERE, 2},   {JALON_PRIMITIVE_SPHERE, 4},
+              {JALON_PRIMITIVE_CYLINDER, 2}, {JALON_PRIMITIVE_CYLINDER, 3}};
 
 static jalon_status expected_of_pick(const struct case_* c, const struct pick_kind* kind) {
-  const int asks_the_points = kind->primitive == JALON_PRIMITIVE_PLANE ? kind->picks == 1 : kind->picks == 2;
+  const int asks_the_points =
+      kind->primitive == JALON_PRIMITIVE_PLANE ? kind->picks == 1 : kind->picks == 2;
   /* Four picks in one plane are no ball, three in an upright one no column, whatever the points. */
   if (kind->primitive != JALON_PRIMITIVE_PLANE && !asks_the_points) return JALON_ERROR_DEGENERATE;
   if (asks_the_points && c->count < 3) return JALON_ERROR_INSUFFICIENT_DATA;
   if (asks_the_points && (c->status != JALON_OK || kind->primitive != JALON_PRIMITIVE_PLANE))
     return JALON_ERROR_DEGENERATE;
   if (strncmp(c->name, "one plane", 9) == 0) return JALON_OK;
-  if (strcmp(c->name, "four places, each a hundred times") == 0 && asks_the_points) return JALON_ERROR_DEGENERATE;
+  if (strcmp(c->name, "four places, each a hundred times") == 0 && asks_the_points)
+    return JALON_ERROR_DEGENERATE;
   if (strcmp(c->name, "a plane of 1000 km") == 0 && asks_the_points) return JALON_OK;
   return JALON_ERROR_INSUFFICIENT_DATA;
 }
 
 static void picks__gather_too_little_or_fix_no_surface(void** state) {
   (void)state;
-  const double kPicks[12] = {kEast, kNorth, 0, kEast + 1, kNorth, 0, kEast + 1, kNorth, 1, kEast, kNorth, 1};
+  const double kPicks[12] = {kEast,     kNorth, 0, kEast + 1, kNorth, 0,
+                             kEast + 1, kNorth, 1, kEast,     kNorth, 1};
   for (int i = 0; i < kCaseCount; ++i) {
     const struct case_* c = &kCases[i];
     jalon_cloud* cloud = cloud_of(c->count > 0 ? c->xyz : NULL, c->count);
@@ -235,8 +244,9 @@ static void picks__gather_too_little_or_fix_no_surface(void** state) {
       const jalon_status status =
           jalon_segmentation_pick(start, kind->primitive, kPicks, kind->picks, NULL, NULL, &picked);
       if (status != expected)
-        fail_msg("%s, primitive %d, %d picks: \"%s\", not \"%s\" (%s)", c->name, (int)kind->primitive,
-                 (int)kind->picks, jalon_status_name(status), jalon_status_name(expected), jalon_last_error_message());
+        fail_msg("%s, primitive %d, %d picks: \"%s\", not \"%s\" (%s)", c->name,
+                 (int)kind->primitive, (int)kind->picks, jalon_status_name(status),
+                 jalon_status_name(expected), jalon_last_error_message());
       if (status != JALON_OK) expect_one_line();
       assert_true((picked != NULL) == (status == JALON_OK));
       jalon_segmentation_release(picked);
@@ -290,7 +300,8 @@ static void nan__never_becomes_a_cloud(void** state) {
     const double before = xyz[k];
     for (int sign = -1; sign <= 1; ++sign) {
       xyz[k] = sign == 0 ? NAN : sign * INFINITY;
-      REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_create(xyz, JALON_FLOAT64, 3, 0, 0, &cloud));
+      REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+              jalon_cloud_create(xyz, JALON_FLOAT64, 3, 0, 0, &cloud));
       assert_true(cloud == NULL);
     }
     xyz[k] = before;

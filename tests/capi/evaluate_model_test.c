@@ -15,7 +15,8 @@ static double value(jalon_fields* fields, const char* name, uint64_t row) {
 
 /* An upright wall of 4 x 3 m, this far out and to the right. */
 static jalon_model* wall(double out_m, double right_m) {
-  const double xyz[12] = {right_m, -out_m, 0, right_m + 4, -out_m, 0, right_m + 4, -out_m, 3, right_m, -out_m, 3};
+  const double xyz[12] = {right_m,     -out_m, 0, right_m + 4, -out_m, 0,
+                          right_m + 4, -out_m, 3, right_m,     -out_m, 3};
   const uint32_t triangles[6] = {0, 1, 2, 0, 2, 3};
   jalon_model* model = NULL;
   MUST(jalon_model_create_mesh(xyz, JALON_FLOAT64, 4, 0, triangles, 2, NULL, &model));
@@ -41,7 +42,8 @@ static void model__against_itself_gives_1_1_0_0_0(void** state) {
   jalon_model_release(model);
   MUST(jalon_model_evaluation_totals(evaluation, &totals));
   assert_true(value(totals, "pairs", 0) > 0 && value(totals, "unmatched_reference", 0) == 0);
-  assert_true(value(totals, "total_completeness", 0) == 1 && value(totals, "total_quality", 0) == 1);
+  assert_true(value(totals, "total_completeness", 0) == 1 &&
+              value(totals, "total_quality", 0) == 1);
   assert_true(value(totals, "total_branching", 0) == 0 && value(totals, "total_miss", 0) == 0);
   assert_true(value(totals, "total_failure", 0) == 0 && value(totals, "max_distance", 0) == 0);
   jalon_fields_release(totals);
@@ -63,7 +65,8 @@ static void model__tables_tell_a_moved_wall(void** state) {
   assert_true(fabs(value(pairs, "distance", 0) - 0.02) < 1e-9);
   assert_true(fabs(value(pairs, "hausdorff", 0) - 0.05) < 1e-9);
   assert_true(value(automatic, "merged", 0) == 2 && value(automatic, "partner", 0) == 0);
-  assert_true(fabs(value(vertices, "along", 3) - 0.05) < 1e-9 && fabs(value(vertices, "out", 3) - 0.02) < 1e-9);
+  assert_true(fabs(value(vertices, "along", 3) - 0.05) < 1e-9 &&
+              fabs(value(vertices, "out", 3) - 0.02) < 1e-9);
   jalon_fields_release(pairs), jalon_fields_release(automatic), jalon_fields_release(vertices);
   jalon_params* options = NULL;
   MUST(jalon_params_create("model_evaluation", &options));
@@ -111,14 +114,16 @@ static void indices__of_polygons_take_holes_by_their_sense(void** state) {
   MUST(jalon_polygon_indices(found, found_rings, 1, truth, truth_rings, 2, NULL, &rows));
   assert_true(fabs(value(rows, "area_reference", 0) - 11) < 1e-9);
   assert_true(fabs(value(rows, "intersection", 0) - (3.9 * 3 - 1)) < 1e-9);
-  assert_true(fabs(value(rows, "excess", 0) - 1.3) < 1e-9 && fabs(value(rows, "deficit", 0) - 0.3) < 1e-9);
+  assert_true(fabs(value(rows, "excess", 0) - 1.3) < 1e-9 &&
+              fabs(value(rows, "deficit", 0) - 0.3) < 1e-9);
   jalon_fields_release(rows);
   MUST(jalon_polygon_indices(truth, truth_rings, 2, truth, truth_rings, 2, NULL, &rows));
   assert_true(value(rows, "quality", 0) == 1 && value(rows, "branching", 0) == 0);
   jalon_fields_release(rows);
   const double nowhere[2] = {NAN, 0};
   const uint64_t one[1] = {1};
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_polygon_indices(nowhere, one, 1, NULL, NULL, 0, NULL, &rows));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_polygon_indices(nowhere, one, 1, NULL, NULL, 0, NULL, &rows));
 }
 
 static void deviations__tell_bias_and_spread_per_axis(void** state) {
@@ -126,7 +131,8 @@ static void deviations__tell_bias_and_spread_per_axis(void** state) {
   const double found[6] = {1.03, 2, 3, 4.01, 5, 6.02}, truth[6] = {1, 2, 3, 4, 5, 6};
   jalon_fields *rows = NULL, *totals = NULL;
   MUST(jalon_vertex_deviations(found, truth, 2, &rows, &totals));
-  assert_true(fabs(value(rows, "dx", 0) - 0.03) < 1e-12 && fabs(value(rows, "dz", 1) - 0.02) < 1e-12);
+  assert_true(fabs(value(rows, "dx", 0) - 0.03) < 1e-12 &&
+              fabs(value(rows, "dz", 1) - 0.02) < 1e-12);
   assert_true(isnan(value(rows, "along", 0)));
   assert_true(fabs(value(totals, "mean_dx", 0) - 0.02) < 1e-12);
   assert_true(fabs(value(totals, "std_dx", 0) - sqrt(2e-4)) < 1e-12);

@@ -15,7 +15,8 @@ static jalon_cloud* walls(const void* labels, int32_t type) {
     xyz[3 * i + 2] = 0.05 * (double)(i / kSide % kSide);
   }
   jalon_cloud* cloud = cloud_of(xyz, kCount);
-  if (labels != NULL) MUST(jalon_cloud_set_field(cloud, "wall", labels, type, 1, kCount, 0, NULL, NULL));
+  if (labels != NULL)
+    MUST(jalon_cloud_set_field(cloud, "wall", labels, type, 1, kCount, 0, NULL, NULL));
   return cloud;
 }
 
@@ -87,7 +88,8 @@ static void labels__without_a_plane_keep_their_row(void** state) {
   jalon_segmentation_release(made);
   labels[77] = 0.5;
   MUST(jalon_cloud_set_field(cloud, "wall", labels, JALON_FLOAT64, 1, kCount, 0, NULL, NULL));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_segmentation_from_labels(cloud, "wall", NULL, NULL, &made));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_segmentation_from_labels(cloud, "wall", NULL, NULL, &made));
   assert_non_null(strstr(jalon_last_error_message(), "77"));
   REFUSED(JALON_ERROR_NOT_FOUND, jalon_segmentation_from_labels(cloud, "face", NULL, NULL, &made));
   jalon_cloud_release(cloud);
@@ -151,7 +153,8 @@ static void evaluation__has_its_tables_and_outlives_its_inputs(void** state) {
     assert_true(value(pairs, "intersection", i) == intersection[i]);
     assert_true(value(pairs, "commission", i) == (i == 2 ? 10 : 0));
     assert_true(fabs(value(pairs, "tdr", i) - intersection[i] / kFace) < 1e-15);
-    assert_true(value(pairs, "angle", i) < (i == 2 ? 0.1 : 0.001) && value(pairs, "distance", i) < 0.03);
+    assert_true(value(pairs, "angle", i) < (i == 2 ? 0.1 : 0.001) &&
+                value(pairs, "distance", i) < 0.03);
     assert_true(value(r, "partner", i) == partner[i]);
     assert_true(value(r, "kept", i) == 1);
   }
@@ -188,17 +191,21 @@ static void confusion__counts_precision_recall_and_f1(void** state) {
   MUST(jalon_params_set_doubles(options, "ignored_classes", &ignored, 1));
   jalon_fields *classes = NULL, *totals = NULL;
   MUST(jalon_cloud_confusion(cloud, "given", "class", options, NULL, &classes, &totals));
-  const double matrix[9] = {3, 1, 0, 1, 2, 0, 0, 1, 0}, precision[2] = {0.75, 0.5}, recall[3] = {0.75, 2.0 / 3, 0};
+  const double matrix[9] = {3, 1, 0, 1, 2, 0, 0, 1, 0}, precision[2] = {0.75, 0.5},
+               recall[3] = {0.75, 2.0 / 3, 0};
   for (uint64_t i = 0; i < 9; ++i) assert_true(value(classes, "confusion", i) == matrix[i]);
-  for (uint64_t i = 0; i < 2; ++i) assert_true(fabs(value(classes, "precision", i) - precision[i]) < 1e-15);
-  for (uint64_t i = 0; i < 3; ++i) assert_true(fabs(value(classes, "recall", i) - recall[i]) < 1e-15);
+  for (uint64_t i = 0; i < 2; ++i)
+    assert_true(fabs(value(classes, "precision", i) - precision[i]) < 1e-15);
+  for (uint64_t i = 0; i < 3; ++i)
+    assert_true(fabs(value(classes, "recall", i) - recall[i]) < 1e-15);
   assert_true(isnan(value(classes, "precision", 2))); /* never given */
   assert_true(fabs(value(classes, "f1", 1) - 2 * 0.5 * (2.0 / 3) / (0.5 + 2.0 / 3)) < 1e-15);
   assert_true(value(totals, "points", 0) == 8 && value(totals, "accuracy", 0) == 5.0 / 8);
   const double chance = (4.0 * 4 + 3 * 4 + 1 * 0) / 64;
   assert_true(fabs(value(totals, "kappa", 0) - (5.0 / 8 - chance) / (1 - chance)) < 1e-15);
   jalon_fields_release(classes), jalon_fields_release(totals);
-  REFUSED(JALON_ERROR_NOT_FOUND, jalon_cloud_confusion(cloud, "none", "class", NULL, NULL, &classes, NULL));
+  REFUSED(JALON_ERROR_NOT_FOUND,
+          jalon_cloud_confusion(cloud, "none", "class", NULL, NULL, &classes, NULL));
   jalon_params_release(options);
   jalon_cloud_release(cloud);
 }

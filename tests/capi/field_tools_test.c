@@ -62,7 +62,8 @@ static void law__fitted_kept_as_text_and_used_again(void** state) {
   double values[3], cumulative[3], density[3];
   MUST(jalon_noise_law_quantiles(again, probabilities, 3, values));
   MUST(jalon_noise_law_evaluate(again, values, 2, density, cumulative));
-  assert_true(fabs(cumulative[0] - 0.5) < 1e-12 && fabs(cumulative[1] - 0.95) < 1e-12 && density[0] > density[1]);
+  assert_true(fabs(cumulative[0] - 0.5) < 1e-12 && fabs(cumulative[1] - 0.95) < 1e-12 &&
+              density[0] > density[1]);
   assert_true(isnan(values[2]));
   jalon_noise_law_release(again);
   jalon_noise_law_release(law);
@@ -99,7 +100,8 @@ static void chain__filter_and_components__one_region_the_disc(void** state) {
   assert_int_equal(number(summary, "tested"), kPoints);
   assert_true(number(summary, "ceiling") == 48);
   MUST(jalon_params_create("components", &options));
-  MUST(jalon_params_from_json(options, "{\"field\": \"changed\", \"cell_m\": 0.1, \"min_points\": 50}"));
+  MUST(jalon_params_from_json(options,
+                              "{\"field\": \"changed\", \"cell_m\": 0.1, \"min_points\": 50}"));
   MUST(jalon_cloud_compute_components(cloud, options, NULL, &components));
   assert_int_equal(components, 1);
   MUST(jalon_cloud_fields(cloud, &fields));
@@ -139,7 +141,8 @@ static void tools__add_their_fields_and_refuse_what_they_must(void** state) {
   MUST(jalon_cloud_compute_map_distance(cloud, cloud, NULL, NULL));
   MUST(jalon_cloud_distance_map(cloud, NULL, NULL, &map));
   MUST(jalon_cloud_fields(cloud, &fields));
-  const char* names[] = {"gradient", "filtered", "region", "class", "computed", "geodesic", "map_distance"};
+  const char* names[] = {"gradient", "filtered", "region",      "class",
+                         "computed", "geodesic", "map_distance"};
   for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
     jalon_array_view view;
     MUST(jalon_fields_view(fields, names[i], &view));

@@ -51,14 +51,16 @@ static double value(const jalon_cloud* cloud, const char* field, uint64_t i) {
 static void expect_same(const jalon_cloud* a, const jalon_cloud* b, double tolerance_m) {
   assert_int_equal(count_of(a), count_of(b));
   for (uint64_t i = 0; i < N; i += 13) {
-    for (int k = 0; k < 3; ++k) assert_true(fabs(coordinate(a, i, k) - coordinate(b, i, k)) <= tolerance_m);
+    for (int k = 0; k < 3; ++k)
+      assert_true(fabs(coordinate(a, i, k) - coordinate(b, i, k)) <= tolerance_m);
     assert_true(value(a, "intensity", i) == value(b, "intensity", i));
     assert_true(value(a, "label", i) == value(b, "label", i));
   }
 }
 
 static void expect_message(const char* a, const char* b) {
-  if (strstr(jalon_last_error_message(), a) == NULL || strstr(jalon_last_error_message(), b) == NULL)
+  if (strstr(jalon_last_error_message(), a) == NULL ||
+      strstr(jalon_last_error_message(), b) == NULL)
     fail_msg("\"%s\" names not both \"%s\" and \"%s\"", jalon_last_error_message(), a, b);
 }
 
@@ -238,7 +240,8 @@ static void write__that_fails_keeps_the_old_file(void** state) {
   char* before = content_of(path, &bytes);
   jalon_params* options = NULL;
   MUST(jalon_params_create("write", &options));
-  MUST(jalon_params_set_double(options, "scale", 1e-12)); /* a street does not fit 32 bits with it */
+  MUST(
+      jalon_params_set_double(options, "scale", 1e-12)); /* a street does not fit 32 bits with it */
   REFUSED(JALON_ERROR_LIMIT, jalon_cloud_write(cloud, path, options, NULL));
   /* A file system that takes no more: the limit on the file's size. */
   struct rlimit old, small;
@@ -264,7 +267,9 @@ static void write__that_fails_keeps_the_old_file(void** state) {
 
 static void paths__are_utf_8(void** state) {
   (void)state;
-  const char* path = temporary("Fassade Stra\xC3\x9F" "e H\xC3\xB6he \xE6\xB8\xAC.las");
+  const char* path = temporary(
+      "Fassade Stra\xC3\x9F"
+      "e H\xC3\xB6he \xE6\xB8\xAC.las");
   jalon_cloud* cloud = survey();
   MUST(jalon_cloud_write(cloud, path, NULL, NULL));
   struct stat info;
@@ -281,7 +286,8 @@ static void paths__are_utf_8(void** state) {
 
 static void model__comes_back_from_every_format(void** state) {
   (void)state;
-  const double vertices[] = {652000.1, 6861000.2, 0.3, 652001.1, 6861000.2, 0.3, 652001.1, 6861001.2, 0.3};
+  const double vertices[] = {652000.1, 6861000.2, 0.3,       652001.1, 6861000.2,
+                             0.3,      652001.1,  6861001.2, 0.3};
   const uint32_t triangles[] = {0, 1, 2};
   const char* const names[] = {"m.obj", "m.ply"};
   jalon_model* model = NULL;
@@ -338,7 +344,8 @@ static void formats__are_listed(void** state) {
     const char *name = NULL, *extensions = NULL, *abilities = NULL;
     MUST(jalon_format_info(i, &name, &extensions, &abilities));
     assert_true(name[0] != 0 && extensions[0] != 0 && abilities[0] != 0);
-    if (strcmp(name, "LAS") == 0) las = strstr(abilities, "cloud read write") != NULL && strcmp(extensions, "las") == 0;
+    if (strcmp(name, "LAS") == 0)
+      las = strstr(abilities, "cloud read write") != NULL && strcmp(extensions, "las") == 0;
     if (strcmp(name, "OBJ") == 0) obj = strstr(abilities, "model read write") != NULL;
   }
   assert_true(las && obj);

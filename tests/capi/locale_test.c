@@ -7,8 +7,9 @@
 #include <locale.h>
 
 enum { kPoints = 500, kModels = 7, kTexts = 12, kJson = kTexts - 1 };
-static const char* const kFiles[kJson] = {"out.xyz", "out.csv", "out.ply", "out.las", "out.obj", "out.svg",
-                                          "report.json", "out.dxf", "out.city.json", "out.geojson", "out.stl"};
+static const char* const kFiles[kJson] = {"out.xyz",       "out.csv",     "out.ply",     "out.las",
+                                          "out.obj",       "out.svg",     "report.json", "out.dxf",
+                                          "out.city.json", "out.geojson", "out.stl"};
 
 static int use_comma(void) {
   static const char* const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8"};
@@ -41,11 +42,13 @@ static char* make_texts(void) {
   MUST(jalon_modeller_run(modeller, cloud, segmentation, NULL, &model));
   MUST(jalon_model_write(model, temporary(kFiles[4]), NULL, NULL));
   MUST(jalon_report_write_elevation(segmentation, model, temporary(kFiles[5]), NULL, NULL));
-  MUST(jalon_report_write_json(segmentation, model, "{\"title\": \"t\", \"times\": {\"read\": 1.5}}",
+  MUST(jalon_report_write_json(segmentation, model,
+                               "{\"title\": \"t\", \"times\": {\"read\": 1.5}}",
                                temporary(kFiles[6]), NULL, NULL));
   MUST(jalon_segmenter_params(segmenter, &params));
   MUST(jalon_params_from_json(ascii, "{\"stl_format\": \"ascii\"}"));
-  for (int f = kModels; f < kJson; ++f) MUST(jalon_model_write(model, temporary(kFiles[f]), ascii, NULL));
+  for (int f = kModels; f < kJson; ++f)
+    MUST(jalon_model_write(model, temporary(kFiles[f]), ascii, NULL));
   MUST(jalon_params_from_json(params, "{\"distance_tolerance_m\": 0.0125}"));
   MUST(jalon_params_to_json(params, &json));
   char* copy = strcpy(malloc(strlen(json) + 1), json);
@@ -100,15 +103,17 @@ static void locale__text_is_read_with_a_decimal_comma_about(void** state) {
   const double expected[9] = {1.25, 2.5, 3.75, 4.5, 5.5, 6.5, 7.125, 8.0625, 9.03125};
   assert_memory_equal(xyz.data, expected, sizeof expected);
   jalon_cloud_release(cloud);
-  write_text(temporary("in.ply"), "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\n"
-                                  "property double z\nend_header\n0.5 -1.25 1e-3\n");
+  write_text(temporary("in.ply"),
+             "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\n"
+             "property double z\nend_header\n0.5 -1.25 1e-3\n");
   MUST(jalon_cloud_read(temporary("in.ply"), NULL, NULL, &cloud));
   MUST(jalon_cloud_points(cloud, &xyz));
   const double one[3] = {0.5, -1.25, 1e-3};
   assert_memory_equal(xyz.data, one, sizeof one);
   jalon_cloud_release(cloud);
   static const char* const models[] = {
-      "solid\nfacet normal 0 0 1\nouter loop\nvertex 0.5 0 0\nvertex 1.25 0 0\nvertex 0 2.75 0\nendloop\nendfacet\n",
+      "solid\nfacet normal 0 0 1\nouter loop\nvertex 0.5 0 0\nvertex 1.25 0 0\nvertex 0 2.75 "
+      "0\nendloop\nendfacet\n",
       "{\"type\":\"CityJSON\",\"version\":\"1.0\",\"CityObjects\":{},\"vertices\":"
       "[[0.5,0,0],[1.25,0,0],[0,2.75,0]]}"};
   for (int f = 0; f < 2; ++f) {

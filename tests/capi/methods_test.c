@@ -13,14 +13,16 @@ typedef struct worker {
   void (*release)(void* worker);
 } worker;
 
-#define WORKER_CALLS(noun)                                                                                   \
-  static jalon_status noun##_create(const char* method, void** out) {                                        \
-    jalon_##noun* made = NULL;                                                                               \
-    const jalon_status status = jalon_##noun##_create(method, &made);                                        \
-    *out = made;                                                                                             \
-    return status;                                                                                           \
-  }                                                                                                          \
-  static jalon_status noun##_params(void* of, jalon_params** out) { return jalon_##noun##_params(of, out); } \
+#define WORKER_CALLS(noun)                                            \
+  static jalon_status noun##_create(const char* method, void** out) { \
+    jalon_##noun* made = NULL;                                        \
+    const jalon_status status = jalon_##noun##_create(method, &made); \
+    *out = made;                                                      \
+    return status;                                                    \
+  }                                                                   \
+  static jalon_status noun##_params(void* of, jalon_params** out) {   \
+    return jalon_##noun##_params(of, out);                            \
+  }                                                                   \
   static void noun##_release(void* gone) { jalon_##noun##_release(gone); }
 #define WORKER_ROW(noun) \
   { #noun, jalon_##noun##_methods, noun##_create, noun##_params, noun##_release }
@@ -185,7 +187,8 @@ static void every_registrar__registers_two_scans_or_says_what_it_wants(void** st
     jalon_registration* registration = NULL;
     jalon_transform pose;
     MUST(jalon_registrar_create(names[i], &registrar));
-    const jalon_status status = jalon_registrar_run(registrar, before, after, NULL, NULL, &registration);
+    const jalon_status status =
+        jalon_registrar_run(registrar, before, after, NULL, NULL, &registration);
     if (strcmp(names[i], "targets") == 0) {
       assert_int_equal(status, JALON_ERROR_UNSUPPORTED);
     } else {
@@ -215,9 +218,10 @@ static void every_scanner__scans_a_house(void** state) {
     jalon_cloud* cloud = NULL;
     MUST(jalon_scanner_create(names[i], &scanner));
     MUST(jalon_scanner_params(scanner, &params));
-    MUST(jalon_params_from_json(params, strcmp(names[i], "static") == 0
-                                            ? "{\"horizontal_step_rad\":0.01,\"vertical_step_rad\":0.01}"
-                                            : "{\"spacing_m\":0.1}"));
+    MUST(jalon_params_from_json(params,
+                                strcmp(names[i], "static") == 0
+                                    ? "{\"horizontal_step_rad\":0.01,\"vertical_step_rad\":0.01}"
+                                    : "{\"spacing_m\":0.1}"));
     MUST(jalon_scanner_run(scanner, house, NULL, &cloud));
     assert_true(count_of(cloud) > 1000);
     jalon_cloud_release(cloud);

@@ -59,10 +59,9 @@ static void mesh__has_one_part_and_tables_of_every_kind(void** state) {
   assert_true(parent == UINT64_MAX);
   MUST(jalon_model_part(model, 0, NULL, NULL, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_part(model, 1, &name, &part_class, &parent));
-  jalon_status (*const tables[])(const jalon_model*, jalon_fields**) = {jalon_model_faces, jalon_model_rings,
-                                                                        jalon_model_corners, jalon_model_vertices,
-                                                                        jalon_model_edges, jalon_model_solids,
-                                                                        jalon_model_parts};
+  jalon_status (*const tables[])(const jalon_model*, jalon_fields**) = {
+      jalon_model_faces, jalon_model_rings,  jalon_model_corners, jalon_model_vertices,
+      jalon_model_edges, jalon_model_solids, jalon_model_parts};
   const uint64_t columns[] = {10, 3, 2, 2, 6, 3, 7};
   for (int i = 0; i < 7; ++i) {
     jalon_fields* fields = NULL;
@@ -85,8 +84,10 @@ static void mesh__refuses_what_is_impossible(void** state) {
           jalon_model_create_mesh(nan_vertex, JALON_FLOAT64, 1, 0, NULL, 0, NULL, &model));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT,
           jalon_model_create_mesh(NULL, JALON_FLOAT32, 4, 0, kTriangles, 2, NULL, &model));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_create_mesh(kVertices, 99, 4, 0, kTriangles, 2, NULL, &model));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_model_create_mesh(kVertices, JALON_FLOAT32, 4, 0, NULL, 2, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_model_create_mesh(kVertices, 99, 4, 0, kTriangles, 2, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_model_create_mesh(kVertices, JALON_FLOAT32, 4, 0, NULL, 2, NULL, &model));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT,
           jalon_model_create_mesh(kVertices, JALON_FLOAT32, 4, 0, kTriangles, 2, NULL, NULL));
   assert_null(model);

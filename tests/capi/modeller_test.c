@@ -64,10 +64,14 @@ static void modeller__refuses_another_cloud_and_unknown_methods(void** state) {
   assert_null(modeller);
   MUST(jalon_modeller_create(NULL, &modeller));
   MUST(jalon_cloud_create(point, JALON_FLOAT64, 1, 0, 0, &other));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_modeller_run(modeller, other, scene.segmentation, NULL, &model));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_modeller_run(modeller, scene.cloud, NULL, NULL, &model));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_modeller_run(NULL, scene.cloud, scene.segmentation, NULL, &model));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_modeller_run(modeller, other, scene.segmentation, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_modeller_run(modeller, scene.cloud, NULL, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_modeller_run(NULL, scene.cloud, scene.segmentation, NULL, &model));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, NULL));
   assert_null(model);
   jalon_cloud_release(other);
   jalon_modeller_release(modeller);
@@ -84,7 +88,8 @@ static void modeller__cancelled_leaves_everything_usable(void** state) {
   MUST(jalon_modeller_create(NULL, &modeller));
   MUST(jalon_task_create(&task));
   MUST(jalon_task_cancel(task));
-  REFUSED(JALON_ERROR_CANCELLED, jalon_modeller_run(modeller, scene.cloud, scene.segmentation, task, &model));
+  REFUSED(JALON_ERROR_CANCELLED,
+          jalon_modeller_run(modeller, scene.cloud, scene.segmentation, task, &model));
   assert_null(model);
   MUST(jalon_task_reset(task));
   MUST(jalon_modeller_run(modeller, scene.cloud, scene.segmentation, task, &model));
@@ -135,7 +140,8 @@ static void modeller__extrusion_needs_a_depth_and_gives_a_closed_solid(void** st
   jalon_params* params = NULL;
   jalon_model* model = NULL;
   MUST(jalon_modeller_create("extrusion", &modeller));
-  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, &model));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
+          jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, &model));
   assert_null(model);
   MUST(jalon_modeller_params(modeller, &params));
   MUST(jalon_params_set_double(params, "thickness_m", 0.25));

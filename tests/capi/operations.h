@@ -31,8 +31,8 @@ static inline jalon_status own_handle(const jalon_cloud* cloud, jalon_cloud** ou
 typedef jalon_status (*operation)(const jalon_cloud* cloud, jalon_task* task, made* out);
 
 static inline jalon_status change(const jalon_cloud* cloud, jalon_task* task, made* out,
-                                  jalon_status (*f)(jalon_cloud*, const jalon_params*, jalon_task*), const char* name,
-                                  const char* json) {
+                                  jalon_status (*f)(jalon_cloud*, const jalon_params*, jalon_task*),
+                                  const char* name, const char* json) {
   jalon_cloud* own = NULL;
   jalon_params* options = NULL;
   jalon_status status = own_handle(cloud, &own);
@@ -57,12 +57,14 @@ static inline jalon_status op_normals(const jalon_cloud* cloud, jalon_task* task
   return change(cloud, task, out, jalon_cloud_compute_normals, "normals", "{\"k\": 12}");
 }
 static inline jalon_status op_quadric(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  return change(cloud, task, out, jalon_cloud_compute_normals, "normals", "{\"method\": \"quadric\"}");
+  return change(cloud, task, out, jalon_cloud_compute_normals, "normals",
+                "{\"method\": \"quadric\"}");
 }
 static inline jalon_status op_features(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return change(cloud, task, out, jalon_cloud_compute_features, "features", "{}");
 }
-static inline jalon_status components(jalon_cloud* cloud, const jalon_params* options, jalon_task* task) {
+static inline jalon_status components(jalon_cloud* cloud, const jalon_params* options,
+                                      jalon_task* task) {
   uint64_t count;
   return jalon_cloud_compute_components(cloud, options, task, &count);
 }
@@ -72,7 +74,8 @@ static inline jalon_status op_components(const jalon_cloud* cloud, jalon_task* t
 static inline jalon_status op_outliers(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return jalon_cloud_remove_outliers(cloud, NULL, task, &out->cloud, NULL);
 }
-static inline jalon_status subsample(const jalon_cloud* cloud, jalon_task* task, made* out, const char* json) {
+static inline jalon_status subsample(const jalon_cloud* cloud, jalon_task* task, made* out,
+                                     const char* json) {
   jalon_params* options = NULL;
   jalon_status status = jalon_params_create("subsample", &options);
   if (status == JALON_OK) status = jalon_params_from_json(options, json);
@@ -83,7 +86,8 @@ static inline jalon_status subsample(const jalon_cloud* cloud, jalon_task* task,
 static inline jalon_status op_voxel(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return subsample(cloud, task, out, "{\"method\": \"voxel\"}");
 }
-static inline jalon_status op_minimum_distance(const jalon_cloud* cloud, jalon_task* task, made* out) {
+static inline jalon_status op_minimum_distance(const jalon_cloud* cloud, jalon_task* task,
+                                               made* out) {
   return subsample(cloud, task, out, "{\"method\": \"minimum_distance\"}");
 }
 static inline jalon_status op_random(const jalon_cloud* cloud, jalon_task* task, made* out) {
@@ -101,12 +105,13 @@ static inline jalon_status op_radius(const jalon_cloud* cloud, jalon_task* task,
   jalon_status status = jalon_cloud_points(cloud, &xyz);
   const uint64_t count = xyz.count < 20000 ? xyz.count : 20000;
   if (status == JALON_OK)
-    status = jalon_cloud_radius_search(cloud, xyz.data, JALON_FLOAT64, count, 0, 0.1, task, &ranges, &out->fields);
+    status = jalon_cloud_radius_search(cloud, xyz.data, JALON_FLOAT64, count, 0, 0.1, task, &ranges,
+                                       &out->fields);
   jalon_fields_release(ranges);
   return status;
 }
-static inline jalon_status segment_by(const char* method, const char* json, const jalon_cloud* cloud, jalon_task* task,
-                                      made* out) {
+static inline jalon_status segment_by(const char* method, const char* json,
+                                      const jalon_cloud* cloud, jalon_task* task, made* out) {
   jalon_segmenter* segmenter = NULL;
   jalon_params* params = NULL;
   jalon_status status = jalon_segmenter_create(method, &segmenter);
@@ -133,7 +138,8 @@ static inline jalon_status op_pick(const jalon_cloud* cloud, jalon_task* task, m
   jalon_status status = jalon_segmentation_start(cloud, NULL, &start);
   if (status == JALON_OK) status = jalon_cloud_points(cloud, &xyz);
   if (status == JALON_OK)
-    status = jalon_segmentation_pick(start, JALON_PRIMITIVE_PLANE, xyz.data, 1, NULL, task, &out->segmentation);
+    status = jalon_segmentation_pick(start, JALON_PRIMITIVE_PLANE, xyz.data, 1, NULL, task,
+                                     &out->segmentation);
   jalon_segmentation_release(start);
   return status;
 }
@@ -142,8 +148,10 @@ static inline jalon_status op_fit(const jalon_cloud* cloud, jalon_task* task, ma
   const jalon_vec3 up = {0, 0, 1};
   jalon_params* options = NULL;
   jalon_status status = jalon_params_create("primitive", &options);
-  if (status == JALON_OK) status = jalon_params_from_json(options, "{\"tolerance_m\": 4, \"robust\": false}");
-  if (status == JALON_OK) status = jalon_cloud_fit_cylinder(cloud, NULL, 0, &up, options, task, &out->fields);
+  if (status == JALON_OK)
+    status = jalon_params_from_json(options, "{\"tolerance_m\": 4, \"robust\": false}");
+  if (status == JALON_OK)
+    status = jalon_cloud_fit_cylinder(cloud, NULL, 0, &up, options, task, &out->fields);
   jalon_params_release(options);
   return status;
 }
@@ -152,7 +160,8 @@ static inline jalon_status op_labels(const jalon_cloud* cloud, jalon_task* task,
   made parts = {NULL, NULL, NULL};
   jalon_status status = change(cloud, NULL, &parts, components, "components", "{\"cell_m\": 0.2}");
   if (status == JALON_OK)
-    status = jalon_segmentation_from_labels(parts.cloud, "component", NULL, task, &out->segmentation);
+    status =
+        jalon_segmentation_from_labels(parts.cloud, "component", NULL, task, &out->segmentation);
   release_made(&parts);
   return status;
 }
@@ -164,7 +173,8 @@ static inline jalon_status op_facade(const jalon_cloud* cloud, jalon_task* task,
   jalon_status status = op_labels(cloud, NULL, &parts);
   if (status == JALON_OK) status = jalon_segmentation_cloud(parts.segmentation, &parts.cloud);
   if (status == JALON_OK) status = jalon_modeller_create("facade", &modeller);
-  if (status == JALON_OK) status = jalon_modeller_run(modeller, parts.cloud, parts.segmentation, task, &model);
+  if (status == JALON_OK)
+    status = jalon_modeller_run(modeller, parts.cloud, parts.segmentation, task, &model);
   if (status == JALON_OK) status = jalon_model_vertices(model, &out->fields);
   jalon_model_release(model);
   jalon_modeller_release(modeller);
@@ -185,7 +195,8 @@ static inline jalon_status op_covariances(const jalon_cloud* cloud, jalon_task* 
   jalon_array_view xyz;
   jalon_status status = jalon_cloud_points(cloud, &xyz);
   const double* first = xyz.data;
-  const jalon_transform pose = {{1, 0, 0, floor(first[0]), 0, 1, 0, floor(first[1]) - 25, 0, 0, 1, 1.5}};
+  const jalon_transform pose = {
+      {1, 0, 0, floor(first[0]), 0, 1, 0, floor(first[1]) - 25, 0, 0, 1, 1.5}};
   if (status == JALON_OK) status = own_handle(cloud, &own);
   if (status == JALON_OK) status = jalon_cloud_set_station(own, "tripod", &pose);
   if (status == JALON_OK) status = jalon_cloud_compute_covariances(own, NULL, task);
@@ -208,7 +219,8 @@ static inline jalon_status with_ripple(const jalon_cloud* cloud, jalon_cloud** o
   }
   status = own_handle(cloud, out);
   if (status == JALON_OK)
-    status = jalon_cloud_set_field(*out, "ripple", values, JALON_FLOAT64, 1, xyz.count, 0, "m", NULL);
+    status =
+        jalon_cloud_set_field(*out, "ripple", values, JALON_FLOAT64, 1, xyz.count, 0, "m", NULL);
   free(values);
   return status;
 }
@@ -217,8 +229,10 @@ static inline jalon_status op_chi_square(const jalon_cloud* cloud, jalon_task* t
   jalon_noise_law* law = NULL;
   jalon_status status = with_ripple(cloud, &own);
   if (status == JALON_OK)
-    status = jalon_noise_law_from_json("{\"law\": \"weibull\", \"shape\": 2, \"scale\": 0.005}", &law);
-  if (status == JALON_OK) status = jalon_cloud_compute_chi_square(own, "ripple", law, NULL, task, &out->fields);
+    status =
+        jalon_noise_law_from_json("{\"law\": \"weibull\", \"shape\": 2, \"scale\": 0.005}", &law);
+  if (status == JALON_OK)
+    status = jalon_cloud_compute_chi_square(own, "ripple", law, NULL, task, &out->fields);
   jalon_noise_law_release(law);
   if (status == JALON_OK) out->cloud = own;
   else jalon_cloud_release(own);
@@ -227,7 +241,8 @@ static inline jalon_status op_chi_square(const jalon_cloud* cloud, jalon_task* t
 static inline jalon_status op_propagation(const jalon_cloud* cloud, jalon_task* task, made* out) {
   jalon_cloud* own = NULL;
   jalon_status status = with_ripple(cloud, &own);
-  if (status == JALON_OK) status = jalon_cloud_segment_propagation(own, "ripple", "ripple", NULL, task, &out->fields);
+  if (status == JALON_OK)
+    status = jalon_cloud_segment_propagation(own, "ripple", "ripple", NULL, task, &out->fields);
   if (status == JALON_OK) out->cloud = own;
   else jalon_cloud_release(own);
   return status;
@@ -255,18 +270,42 @@ static const struct {
   const char* name;
   operation run;
 } kOperations[] = {
-    {"prepare", op_prepare},     {"normals", op_normals},         {"normals quadric", op_quadric},
-    {"features", op_features},   {"components", op_components},   {"outliers", op_outliers},
-    {"voxel", op_voxel},         {"minimum distance", op_minimum_distance}, {"random", op_random},
-    {"duplicates", op_duplicates}, {"interest", op_interest},     {"radius search", op_radius},
-    {"segment", op_segment},     {"region growing", op_grow},     {"append", op_append},
-    {"crop", op_crop},           {"from labels", op_labels},      {"primitives", op_primitives},
-    {"pick", op_pick},           {"fit", op_fit},                 {"covariances", op_covariances},
-    {"facade model", op_facade},   {"chi-square", op_chi_square}, {"propagation", op_propagation},
-    {"gaussian", op_gaussian},     {"geodesic", op_geodesic},     {"m3c2", op_m3c2},
-    {"distance", op_distance},     {"model distance", op_model_distance}, {"regions", op_regions},
-    {"diagnosis", op_diagnose},    {"change outlines", op_change_outlines}, {"visibility", op_visibility},
-    {"volume", op_volume},         {"icp", op_icp},               {"automatic registration", op_automatic},
+    {"prepare", op_prepare},
+    {"normals", op_normals},
+    {"normals quadric", op_quadric},
+    {"features", op_features},
+    {"components", op_components},
+    {"outliers", op_outliers},
+    {"voxel", op_voxel},
+    {"minimum distance", op_minimum_distance},
+    {"random", op_random},
+    {"duplicates", op_duplicates},
+    {"interest", op_interest},
+    {"radius search", op_radius},
+    {"segment", op_segment},
+    {"region growing", op_grow},
+    {"append", op_append},
+    {"crop", op_crop},
+    {"from labels", op_labels},
+    {"primitives", op_primitives},
+    {"pick", op_pick},
+    {"fit", op_fit},
+    {"covariances", op_covariances},
+    {"facade model", op_facade},
+    {"chi-square", op_chi_square},
+    {"propagation", op_propagation},
+    {"gaussian", op_gaussian},
+    {"geodesic", op_geodesic},
+    {"m3c2", op_m3c2},
+    {"distance", op_distance},
+    {"model distance", op_model_distance},
+    {"regions", op_regions},
+    {"diagnosis", op_diagnose},
+    {"change outlines", op_change_outlines},
+    {"visibility", op_visibility},
+    {"volume", op_volume},
+    {"icp", op_icp},
+    {"automatic registration", op_automatic},
 };
 enum { kOperationCount = sizeof kOperations / sizeof *kOperations };
 
@@ -292,7 +331,8 @@ static inline uint64_t hash_cloud(uint64_t hash, const jalon_cloud* cloud) {
   jalon_array_view xyz;
   jalon_fields* fields;
   MUST(jalon_cloud_points(cloud, &xyz));
-  for (uint64_t i = 0; i < xyz.count; ++i) hash = hash_bytes(hash, (const char*)xyz.data + i * xyz.stride_bytes, 24);
+  for (uint64_t i = 0; i < xyz.count; ++i)
+    hash = hash_bytes(hash, (const char*)xyz.data + i * xyz.stride_bytes, 24);
   MUST(jalon_cloud_fields(cloud, &fields));
   hash = hash_fields(hash, fields);
   jalon_fields_release(fields);

@@ -44,8 +44,9 @@ static inline jalon_status changed_copy(const jalon_cloud* cloud, jalon_cloud** 
   return status;
 }
 
-static inline jalon_status compare_by(const char* method, const char* json, const jalon_cloud* reference,
-                                      const jalon_cloud* compared, jalon_task* task, jalon_comparison** out) {
+static inline jalon_status compare_by(const char* method, const char* json,
+                                      const jalon_cloud* reference, const jalon_cloud* compared,
+                                      jalon_task* task, jalon_comparison** out) {
   jalon_comparer* comparer = NULL;
   jalon_params* params = NULL;
   jalon_status status = jalon_comparer_create(method, &comparer);
@@ -57,8 +58,8 @@ static inline jalon_status compare_by(const char* method, const char* json, cons
   return status;
 }
 
-static inline jalon_status op_compare(const char* method, const char* json, const jalon_cloud* cloud, jalon_task* task,
-                                      made* out) {
+static inline jalon_status op_compare(const char* method, const char* json,
+                                      const jalon_cloud* cloud, jalon_task* task, made* out) {
   jalon_cloud* moved = NULL;
   jalon_comparison* comparison = NULL;
   jalon_status status = moved_copy(cloud, &moved);
@@ -72,11 +73,13 @@ static inline jalon_status op_m3c2(const jalon_cloud* cloud, jalon_task* task, m
   return op_compare("m3c2", "{\"core_spacing_m\": 0.1}", cloud, task, out);
 }
 static inline jalon_status op_distance(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  return op_compare("distance", "{\"local_model\": \"plane\", \"differences\": true}", cloud, task, out);
+  return op_compare("distance", "{\"local_model\": \"plane\", \"differences\": true}", cloud, task,
+                    out);
 }
 
 /* From an upright plane along the facade and a level one below it. */
-static inline jalon_status op_model_distance(const jalon_cloud* cloud, jalon_task* task, made* out) {
+static inline jalon_status op_model_distance(const jalon_cloud* cloud, jalon_task* task,
+                                             made* out) {
   double corners[18] = {-20, 0, 0, 20, 0, 0, 20, 0, 10, -20, 0, 10, 20, -10, 0, -20, -10, 0};
   double east_m = 0, north_m = 0;
   jalon_status status = whole_metres(cloud, &east_m, &north_m);
@@ -88,7 +91,8 @@ static inline jalon_status op_model_distance(const jalon_cloud* cloud, jalon_tas
   if (status == JALON_OK)
     status = jalon_model_create_mesh(corners, JALON_FLOAT64, 6, 0, triangles, 4, NULL, &mesh);
   if (status == JALON_OK) status = jalon_comparer_create("distance", &comparer);
-  if (status == JALON_OK) status = jalon_comparer_run_model(comparer, mesh, cloud, task, &comparison);
+  if (status == JALON_OK)
+    status = jalon_comparer_run_model(comparer, mesh, cloud, task, &comparison);
   if (status == JALON_OK) status = jalon_comparison_cloud(comparison, &out->cloud);
   jalon_comparison_release(comparison);
   jalon_comparer_release(comparer);
@@ -104,7 +108,8 @@ struct both_ways {
   jalon_fields *forward_points, *reverse_points, *changes;
 };
 static const char* const kChanges = "{\"criterion\": \"threshold\", \"threshold_m\": 0.08}";
-static inline jalon_status options_from(const char* operation, const char* json, jalon_params** out) {
+static inline jalon_status options_from(const char* operation, const char* json,
+                                        jalon_params** out) {
   jalon_status status = jalon_params_create(operation, out);
   if (status == JALON_OK) status = jalon_params_from_json(*out, json);
   return status;
@@ -116,24 +121,29 @@ static inline void release_both(struct both_ways* both) {
   jalon_cloud_release(both->changed), jalon_cloud_release(both->of);
   memset(both, 0, sizeof *both);
 }
-static inline jalon_status diagnose(const struct both_ways* both, jalon_task* task, jalon_fields** forward,
-                                    jalon_fields** reverse, jalon_fields** changes) {
+static inline jalon_status diagnose(const struct both_ways* both, jalon_task* task,
+                                    jalon_fields** forward, jalon_fields** reverse,
+                                    jalon_fields** changes) {
   jalon_params* options = NULL;
   jalon_status status = options_from("diagnosis", kChanges, &options);
   if (status == JALON_OK)
-    status = jalon_comparison_diagnose(both->forward, both->reverse, options, task, forward, reverse, changes);
+    status = jalon_comparison_diagnose(both->forward, both->reverse, options, task, forward,
+                                       reverse, changes);
   jalon_params_release(options);
   return status;
 }
-static inline jalon_status compare_both_ways(const jalon_cloud* cloud, const struct both_ways** out) {
+static inline jalon_status compare_both_ways(const jalon_cloud* cloud,
+                                             const struct both_ways** out) {
   static struct both_ways both;
   *out = &both;
   if (both.changes != NULL && both.of == cloud) return JALON_OK;
   release_both(&both);
   both.of = jalon_cloud_retain((jalon_cloud*)cloud);
   jalon_status status = changed_copy(cloud, &both.changed);
-  if (status == JALON_OK) status = compare_by("distance", "{}", cloud, both.changed, NULL, &both.forward);
-  if (status == JALON_OK) status = compare_by("distance", "{}", both.changed, cloud, NULL, &both.reverse);
+  if (status == JALON_OK)
+    status = compare_by("distance", "{}", cloud, both.changed, NULL, &both.forward);
+  if (status == JALON_OK)
+    status = compare_by("distance", "{}", both.changed, cloud, NULL, &both.reverse);
   if (status == JALON_OK)
     status = diagnose(&both, NULL, &both.forward_points, &both.reverse_points, &both.changes);
   return status;
@@ -143,7 +153,8 @@ static inline jalon_status op_regions(const jalon_cloud* cloud, jalon_task* task
   jalon_params* options = NULL;
   jalon_status status = compare_both_ways(cloud, &both);
   if (status == JALON_OK) status = options_from("regions", kChanges, &options);
-  if (status == JALON_OK) status = jalon_comparison_regions(both->forward, options, task, NULL, &out->fields);
+  if (status == JALON_OK)
+    status = jalon_comparison_regions(both->forward, options, task, NULL, &out->fields);
   jalon_params_release(options);
   return status;
 }
@@ -154,13 +165,14 @@ static inline jalon_status op_diagnose(const jalon_cloud* cloud, jalon_task* tas
   return status;
 }
 /* The vertices of the outlines are the result. */
-static inline jalon_status op_change_outlines(const jalon_cloud* cloud, jalon_task* task, made* out) {
+static inline jalon_status op_change_outlines(const jalon_cloud* cloud, jalon_task* task,
+                                              made* out) {
   const struct both_ways* both;
   jalon_model* model = NULL;
   jalon_status status = compare_both_ways(cloud, &both);
   if (status == JALON_OK)
-    status = jalon_comparison_outlines(both->forward, both->forward_points, both->reverse, both->reverse_points,
-                                       both->changes, NULL, task, &model);
+    status = jalon_comparison_outlines(both->forward, both->forward_points, both->reverse,
+                                       both->reverse_points, both->changes, NULL, task, &model);
   if (status == JALON_OK) status = jalon_model_vertices(model, &out->fields);
   jalon_model_release(model);
   return status;
@@ -184,18 +196,21 @@ static inline jalon_status op_visibility(const jalon_cloud* cloud, jalon_task* t
 static inline jalon_status op_volume(const jalon_cloud* cloud, jalon_task* task, made* out) {
   jalon_cloud* changed = NULL;
   jalon_status status = changed_copy(cloud, &changed);
-  if (status == JALON_OK) status = jalon_cloud_volume(cloud, changed, NULL, task, &out->fields, NULL);
+  if (status == JALON_OK)
+    status = jalon_cloud_volume(cloud, changed, NULL, task, &out->fields, NULL);
   jalon_cloud_release(changed);
   return status;
 }
 
-static inline jalon_status register_by(const char* method, const jalon_cloud* cloud, jalon_task* task, made* out) {
+static inline jalon_status register_by(const char* method, const jalon_cloud* cloud,
+                                       jalon_task* task, made* out) {
   jalon_cloud* moved = NULL;
   jalon_registrar* registrar = NULL;
   jalon_registration* registration = NULL;
   jalon_status status = moved_copy(cloud, &moved);
   if (status == JALON_OK) status = jalon_registrar_create(method, &registrar);
-  if (status == JALON_OK) status = jalon_registrar_run(registrar, cloud, moved, NULL, task, &registration);
+  if (status == JALON_OK)
+    status = jalon_registrar_run(registrar, cloud, moved, NULL, task, &registration);
   if (status == JALON_OK) status = jalon_registration_summary(registration, &out->fields);
   jalon_registration_release(registration);
   jalon_registrar_release(registrar);

@@ -58,11 +58,13 @@ static void check_row(const char* owner, jalon_params* params, const jalon_param
   if (row->type < 1 || row->type > 6) fail_msg("%s.%s has type %d", owner, row->name, row->type);
   if (strlen(row->help) < 8 || strchr(row->help, '\n') != NULL)
     fail_msg("%s.%s: help \"%s\"", owner, row->name, row->help);
-  if ((row->type == JALON_PARAM_CHOICE) != (row->choices[0] != 0)) fail_msg("%s.%s: choices", owner, row->name);
+  if ((row->type == JALON_PARAM_CHOICE) != (row->choices[0] != 0))
+    fail_msg("%s.%s: choices", owner, row->name);
   if (!(row->minimum <= row->maximum)) fail_msg("%s.%s: empty range", owner, row->name);
   if (row->default_text[0] == 0) fail_msg("%s.%s: no default", owner, row->name);
   for (const char* c = row->name; *c; ++c)
-    if (!((*c >= 'a' && *c <= 'z') || (*c >= '0' && *c <= '9') || *c == '_')) fail_msg("%s.%s: name", owner, row->name);
+    if (!((*c >= 'a' && *c <= 'z') || (*c >= '0' && *c <= '9') || *c == '_'))
+      fail_msg("%s.%s: name", owner, row->name);
   MUST(jalon_params_count(params, &rows));
   for (uint64_t r = 0; r < rows; ++r) {
     jalon_param_info other;
@@ -80,17 +82,19 @@ static void params__every_row_is_complete(void** state) {
 
 static void check_length(const char* owner, jalon_params* params, const jalon_param_info* row) {
   (void)params;
-  static const char* const kinds[] = {"radius", "diameter", "half", "edge", "side", "distance", "width", "height",
-                                      "length", "depth", "thickness", "size", "spacing", "shift", "offset",
-                                      "coordinate", "deviation", "sigma", "step", "scale", "gap", "position", "range",
-                                      "viewpoint", "point", "margin"};
+  static const char* const kinds[] = {
+      "radius",   "diameter",   "half",      "edge",      "side",  "distance", "width",
+      "height",   "length",     "depth",     "thickness", "size",  "spacing",  "shift",
+      "offset",   "coordinate", "deviation", "sigma",     "step",  "scale",    "gap",
+      "position", "range",      "viewpoint", "point",     "margin"};
   if (strcmp(row->unit, "m") != 0) return;
   char help[512] = "";
   for (size_t i = 0; i + 1 < sizeof help && row->help[i] != 0; ++i)
     help[i] = (char)(row->help[i] >= 'A' && row->help[i] <= 'Z' ? row->help[i] + 32 : row->help[i]);
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i)
     if (strstr(help, kinds[i]) != NULL) return;
-  fail_msg("%s.%s is a length, but its help does not say of what: \"%s\"", owner, row->name, row->help);
+  fail_msg("%s.%s is a length, but its help does not say of what: \"%s\"", owner, row->name,
+           row->help);
 }
 
 static void params__every_length_says_what_it_measures(void** state) {
@@ -122,9 +126,11 @@ static void check_range(const char* owner, jalon_params* params, const jalon_par
     MUST(jalon_params_get_int64(params, row->name, &whole_before));
     assert_true((double)whole_before >= row->minimum && (double)whole_before <= row->maximum);
     if (row->minimum > -9e15)
-      REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_int64(params, row->name, (int64_t)row->minimum - 1));
+      REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+              jalon_params_set_int64(params, row->name, (int64_t)row->minimum - 1));
     if (row->maximum < 9e15)
-      REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_int64(params, row->name, (int64_t)row->maximum + 1));
+      REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+              jalon_params_set_int64(params, row->name, (int64_t)row->maximum + 1));
     REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_double(params, row->name, 2.5));
     MUST(jalon_params_get_int64(params, row->name, &whole_after));
     assert_true(whole_before == whole_after);
@@ -149,7 +155,8 @@ static void check_type(const char* owner, jalon_params* params, const jalon_para
   if (row->type != JALON_PARAM_DOUBLES)
     REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_doubles(params, row->name, pair, 2));
   if (row->type == JALON_PARAM_CHOICE) {
-    REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_string(params, row->name, "no such choice"));
+    REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+            jalon_params_set_string(params, row->name, "no such choice"));
     REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_string(params, row->name, ""));
     char choices[512], *rest = choices;
     snprintf(choices, sizeof choices, "%s", row->choices);
@@ -212,7 +219,8 @@ static void params__json_is_all_or_nothing(void** state) {
   MUST(jalon_params_to_json(params, &json));
   snprintf(before, sizeof before, "%s", json);
   REFUSED(JALON_ERROR_NOT_FOUND, jalon_params_from_json(params, "{\"k\": 20, \"no_such\": 1}"));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_from_json(params, "{\"k\": 20, \"method\": \"magic\"}"));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_params_from_json(params, "{\"k\": 20, \"method\": \"magic\"}"));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_from_json(params, "{\"k\": 20"));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_from_json(params, "{\"k\": null}"));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_from_json(params, "{\"k\": 1e30}"));
@@ -239,10 +247,12 @@ static void params__info_serves_older_and_newer_callers(void** state) {
   } u;
   MUST(jalon_params_create("normals", &params));
   memset(&u, 0x5A, sizeof u);
-  u.info.struct_size = offsetof(jalon_param_info, unit); /* a caller from a release whose struct ended here */
+  u.info.struct_size =
+      offsetof(jalon_param_info, unit); /* a caller from a release whose struct ended here */
   MUST(jalon_params_info(params, 0, &u.info));
   assert_true(u.info.name != NULL && u.info.type >= 1);
-  for (size_t i = offsetof(jalon_param_info, unit); i < sizeof u; ++i) assert_int_equal(u.bytes[i], 0x5A);
+  for (size_t i = offsetof(jalon_param_info, unit); i < sizeof u; ++i)
+    assert_int_equal(u.bytes[i], 0x5A);
   memset(&u, 0x5A, sizeof u);
   u.info.struct_size = sizeof u; /* a caller from a later release */
   MUST(jalon_params_info(params, 0, &u.info));

@@ -13,22 +13,30 @@ static double component(jalon_fields* fields, const char* name, uint64_t row, ui
   return out[row * view.components + k];
 }
 
-static double value(jalon_fields* fields, const char* name, uint64_t row) { return component(fields, name, row, 0); }
+static double value(jalon_fields* fields, const char* name, uint64_t row) {
+  return component(fields, name, row, 0);
+}
 
 static void budget__of_a_trimble_gx_is_11_6_mm_at_100_m(void** state) {
   (void)state;
-  const double ranges[3] = {100, 100, 100}, vertical[3] = {0, 0.52359877559829887, 0.78539816339744831};
+  const double ranges[3] = {100, 100, 100},
+               vertical[3] = {0, 0.52359877559829887, 0.78539816339744831};
   const double expected_mm[3] = {11.58, 11.18, 10.77};
   jalon_fields* budget = NULL;
   MUST(jalon_precision_budget(ranges, vertical, NULL, 3, NULL, &budget));
-  for (uint64_t i = 0; i < 3; ++i) assert_true(fabs(1000 * value(budget, "point", i) - expected_mm[i]) < 0.005);
-  assert_true(fabs(component(budget, "covariance", 0, 0) - 36e-6) < 1e-12);  /* X: 60 urad over 100 m */
-  assert_true(fabs(component(budget, "covariance", 0, 4) - 49e-6) < 1e-12);  /* Y: the range */
-  assert_true(fabs(component(budget, "covariance", 0, 8) - 49e-6) < 1e-12);  /* Z: 70 urad over 100 m */
+  for (uint64_t i = 0; i < 3; ++i)
+    assert_true(fabs(1000 * value(budget, "point", i) - expected_mm[i]) < 0.005);
+  assert_true(fabs(component(budget, "covariance", 0, 0) - 36e-6) <
+              1e-12); /* X: 60 urad over 100 m */
+  assert_true(fabs(component(budget, "covariance", 0, 4) - 49e-6) < 1e-12); /* Y: the range */
+  assert_true(fabs(component(budget, "covariance", 0, 8) - 49e-6) <
+              1e-12); /* Z: 70 urad over 100 m */
   jalon_fields_release(budget);
   const double wrong[1] = {-1}, steep[1] = {2};
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_precision_budget(wrong, NULL, NULL, 1, NULL, &budget));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_precision_budget(ranges, steep, NULL, 1, NULL, &budget));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_precision_budget(wrong, NULL, NULL, 1, NULL, &budget));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_precision_budget(ranges, steep, NULL, 1, NULL, &budget));
 }
 
 static void cloud__gets_covariances_seen_from_its_station(void** state) {
@@ -59,7 +67,8 @@ static void planes__are_adjusted_with_their_points_covariances(void** state) {
   jalon_fields* planes = NULL;
   MUST(jalon_segmenter_create(NULL, &segmenter));
   MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_segmentation_plane_covariances(segmentation, NULL, NULL, &planes));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_segmentation_plane_covariances(segmentation, NULL, NULL, &planes));
   jalon_segmentation_release(segmentation);
   MUST(jalon_cloud_set_station(cloud, "tripod", &pose));
   MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
@@ -99,7 +108,8 @@ static void sample__tells_range_precision_and_intensity(void** state) {
   for (int i = 0; i < 7500; ++i) { /* the panel of the tests: 0.20 x 0.15 m in steps of 2 mm */
     double noise = -6;
     for (uint64_t k = 0; k < 12; ++k) noise += uniform(8, 12 * (uint64_t)i + k);
-    xyz[3 * i] = 0.002 * (i % 100), xyz[3 * i + 1] = 10 + 0.0016 * noise, xyz[3 * i + 2] = 0.002 * (double)(i / 100);
+    xyz[3 * i] = 0.002 * (i % 100), xyz[3 * i + 1] = 10 + 0.0016 * noise,
+            xyz[3 * i + 2] = 0.002 * (double)(i / 100);
     intensity[i] = (float)(100 + i % 3);
     squares += noise * noise;
   }
@@ -113,7 +123,8 @@ static void sample__tells_range_precision_and_intensity(void** state) {
   jalon_fields_release(sample);
   const uint64_t two[2] = {0, 1}, wrong[3] = {0, 1, 7500};
   REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_cloud_range_precision(cloud, two, 2, NULL, &sample));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_range_precision(cloud, wrong, 3, NULL, &sample));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_cloud_range_precision(cloud, wrong, 3, NULL, &sample));
   jalon_cloud_release(cloud);
 }
 

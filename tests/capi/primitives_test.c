@@ -13,7 +13,8 @@ static jalon_cloud* yard(void) {
   static double xyz[3 * kAll];
   for (int i = 0; i < kAll; ++i) {
     const uint64_t k = (uint64_t)i;
-    const double a = 6.283185307 * uniform(1, k), b = uniform(2, k), noise = 0.004 * (uniform(3, k) - 0.5);
+    const double a = 6.283185307 * uniform(1, k), b = uniform(2, k),
+                 noise = 0.004 * (uniform(3, k) - 0.5);
     double* p = xyz + 3 * i;
     if (i < kBall) {
       const double z = 2 * b - 1, s = sqrt(1 - z * z), r = 0.5 + noise;
@@ -29,7 +30,8 @@ static jalon_cloud* yard(void) {
   return cloud;
 }
 
-static double number(const jalon_fields* fields, const char* name, uint64_t row, uint32_t component) {
+static double number(const jalon_fields* fields, const char* name, uint64_t row,
+                     uint32_t component) {
   jalon_array_view view;
   MUST(jalon_fields_view(fields, name, &view));
   assert_int_equal(view.type, JALON_FLOAT64);
@@ -49,7 +51,8 @@ static void primitives__fits_by_index_with_covariance(void** state) {
   assert_true(fabs(number(fit, "centroid", 0, 0) - 5) < 3e-4);
   const double sigma_r = sqrt(number(fit, "covariance", 0, 15));
   assert_true(sigma_r > 2e-5 && sigma_r < 1e-4);
-  assert_true(isnan(number(fit, "normal", 0, 0)) && isnan(number(fit, "cylinder_covariance", 0, 0)));
+  assert_true(isnan(number(fit, "normal", 0, 0)) &&
+              isnan(number(fit, "cylinder_covariance", 0, 0)));
   jalon_fields_release(fit);
   MUST(jalon_cloud_fit_cylinder(cloud, pipe, kPipe, NULL, NULL, NULL, &fit));
   assert_true(fabs(number(fit, "radius", 0, 0) - 0.2) < 3e-4);
@@ -85,7 +88,8 @@ static void primitives__refuses_what_fixes_nothing(void** state) {
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_fit_sphere(cloud, beyond, 4, NULL, NULL, &fit));
   REFUSED(JALON_ERROR_DEGENERATE, jalon_cloud_fit_sphere(cloud, NULL, 0, NULL, NULL, &fit));
   REFUSED(JALON_ERROR_DEGENERATE, jalon_cloud_fit_cylinder(cloud, NULL, 0, NULL, NULL, NULL, &fit));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_fit_cylinder(cloud, NULL, 0, &none, NULL, NULL, &fit));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_cloud_fit_cylinder(cloud, NULL, 0, &none, NULL, NULL, &fit));
   REFUSED(JALON_ERROR_DEGENERATE, jalon_cloud_fit_circle(cloud, NULL, 0, NULL, NULL, &fit));
   assert_true(fit == NULL);
   jalon_cloud_release(cloud);
@@ -94,8 +98,10 @@ static void primitives__refuses_what_fixes_nothing(void** state) {
 /* The rows of the parameter file hold the numbers of the table, to the bit: type; normal and offset, centre and radius,
  * or axis point, direction and radius. */
 static void expect_parameter_file(const jalon_segmentation* segmentation) {
-  static const char* const kColumns[4][3] = {
-      {NULL}, {"normal", "offset", NULL}, {"centroid", "radius", NULL}, {"centroid", "normal", "radius"}};
+  static const char* const kColumns[4][3] = {{NULL},
+                                             {"normal", "offset", NULL},
+                                             {"centroid", "radius", NULL},
+                                             {"centroid", "normal", "radius"}};
   const char* path = temporary("primitives.txt");
   jalon_fields* segments = NULL;
   jalon_array_view types;
@@ -105,7 +111,8 @@ static void expect_parameter_file(const jalon_segmentation* segmentation) {
   MUST(jalon_segmentation_write_primitives(segmentation, path));
   char* text = content_of(path, &bytes);
   assert_non_null(text);
-  for (char* c = text; *c != 0; ++c) /* strtod reads the host's decimal mark, the file has points in every locale */
+  for (char* c = text; *c != 0;
+       ++c) /* strtod reads the host's decimal mark, the file has points in every locale */
     if (*c == '.') *c = *localeconv()->decimal_point;
   char* at = text;
   for (uint64_t row = 0; row < types.count; ++row) {
@@ -165,7 +172,8 @@ static void primitives__picks_one_after_the_other_with_undo(void** state) {
   jalon_segmentation* more = NULL;
   REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
           jalon_segmentation_pick(ball, JALON_PRIMITIVE_PLANE, corners, 4, NULL, NULL, &more));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_segmentation_pick(ball, 4, corners, 4, NULL, NULL, &more));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_segmentation_pick(ball, 4, corners, 4, NULL, NULL, &more));
   assert_true(more == NULL);
   jalon_segmentation_release(none);
   jalon_segmentation_release(wall);

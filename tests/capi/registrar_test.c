@@ -7,7 +7,8 @@
 /* Four targets, and the same seen from a scanner that stands elsewhere, turned by a quarter about the vertical. */
 static void four_targets(jalon_target* reference, jalon_target* moving) {
   static const char* const names[4] = {"A", "B", "C", "D"};
-  const double xyz[4][3] = {{652000, 6861000, 30}, {652010, 6861002, 31}, {652003, 6861012, 29}, {652006, 6861005, 35}};
+  const double xyz[4][3] = {
+      {652000, 6861000, 30}, {652010, 6861002, 31}, {652003, 6861012, 29}, {652006, 6861005, 35}};
   memset(reference, 0, 4 * sizeof *reference);
   memset(moving, 0, 4 * sizeof *moving);
   for (int i = 0; i < 4; ++i) {
@@ -34,7 +35,8 @@ static void targets__of_the_same_names_give_the_pose_on_the_national_grid(void**
   jalon_transform pose;
   MUST(jalon_registration_pose(registration, &pose));
   const double truth[12] = {0, -1, 0, 652000, 1, 0, 0, 6861000, 0, 0, 1, 30};
-  for (int i = 0; i < 12; ++i) assert_true(fabs(pose.m[i] - truth[i]) < (i % 4 == 3 ? 1e-7 : 1e-13));
+  for (int i = 0; i < 12; ++i)
+    assert_true(fabs(pose.m[i] - truth[i]) < (i % 4 == 3 ? 1e-7 : 1e-13));
   jalon_fields* summary = NULL;
   MUST(jalon_registration_summary(registration, &summary));
   const char* name = NULL;
@@ -53,7 +55,8 @@ static void targets__of_the_same_names_give_the_pose_on_the_national_grid(void**
   jalon_registration_release(registration);
 }
 
-static void registration__moves_a_cloud_and_gives_the_level_of_detection_its_covariance(void** state) {
+static void registration__moves_a_cloud_and_gives_the_level_of_detection_its_covariance(
+    void** state) {
   (void)state;
   jalon_registration* registration = registered();
   const double xyz[3] = {2, -10, 1};
@@ -63,7 +66,8 @@ static void registration__moves_a_cloud_and_gives_the_level_of_detection_its_cov
   jalon_array_view view;
   MUST(jalon_cloud_points(moved, &view));
   const double* at = view.data;
-  assert_true(fabs(at[0] - 652010) < 1e-8 && fabs(at[1] - 6861002) < 1e-8 && fabs(at[2] - 31) < 1e-8);
+  assert_true(fabs(at[0] - 652010) < 1e-8 && fabs(at[1] - 6861002) < 1e-8 &&
+              fabs(at[2] - 31) < 1e-8);
   jalon_comparer *m3c2 = NULL, *distance = NULL;
   MUST(jalon_comparer_create("m3c2", &m3c2));
   MUST(jalon_comparer_use_registration(m3c2, registration));
@@ -98,15 +102,17 @@ static void registration__report_is_one_page_with_pose_residuals_and_histograms(
   MUST(jalon_cloud_create(xyz, JALON_FLOAT64, 100, 0, 0, &moving));
   MUST(jalon_registration_apply(registration, moving, NULL, &reference));
   const char* page = "registration.html";
-  MUST(jalon_report_write_registration(registration, reference, moving, "{\"title\": \"<Hall>\"}", page, NULL, NULL));
+  MUST(jalon_report_write_registration(registration, reference, moving, "{\"title\": \"<Hall>\"}",
+                                       page, NULL, NULL));
   static char text[400000];
   FILE* file = fopen(page, "rb");
   assert_non_null(file);
   text[fread(text, 1, sizeof text - 1, file)] = 0;
   fclose(file);
   remove(page);
-  const char* const expected[] = {"&lt;Hall&gt;", "Converged", "on 4 pairs", "652000.000000", "What fixes the pose",
-                                  "Before", "After", "95 % below 0.00 mm", "residual"};
+  const char* const expected[] = {"&lt;Hall&gt;",  "Converged",           "on 4 pairs",
+                                  "652000.000000", "What fixes the pose", "Before",
+                                  "After",         "95 % below 0.00 mm",  "residual"};
   for (size_t i = 0; i < sizeof expected / sizeof *expected; ++i)
     if (strstr(text, expected[i]) == NULL) fail_msg("%s is not in the page", expected[i]);
   jalon_cloud_release(moving);
@@ -160,8 +166,10 @@ static void icp__is_the_default_and_lays_a_corner_onto_itself(void** state) {
   registration = NULL;
   REFUSED(JALON_ERROR_INVALID_ARGUMENT,
           jalon_registrar_run(registrar, reference, moving, &wild, NULL, &registration));
-  MUST(jalon_cloud_create((const double[9]){0, 0, 0, 1, 0, 0, 0, 1, 0}, JALON_FLOAT64, 3, 0, 0, &few));
-  REFUSED(JALON_ERROR_INSUFFICIENT_DATA, jalon_registrar_run(registrar, reference, few, NULL, NULL, &registration));
+  MUST(jalon_cloud_create((const double[9]){0, 0, 0, 1, 0, 0, 0, 1, 0}, JALON_FLOAT64, 3, 0, 0,
+                          &few));
+  REFUSED(JALON_ERROR_INSUFFICIENT_DATA,
+          jalon_registrar_run(registrar, reference, few, NULL, NULL, &registration));
   assert_null(registration);
   jalon_cloud_release(few);
   jalon_cloud_release(moving);
@@ -184,7 +192,8 @@ static uint64_t furnished_corner(double* xyz, uint32_t seed) {
         share[c] = (double)(state >> 8) / 16777216.0;
       }
       for (int c = 0; c < 3; ++c)
-        xyz[3 * n + (uint64_t)c] = sheets[k][c] + share[0] * sheets[k][3 + c] + share[1] * sheets[k][6 + c];
+        xyz[3 * n + (uint64_t)c] =
+            sheets[k][c] + share[0] * sheets[k][3 + c] + share[1] * sheets[k][6 + c];
       ++n;
     }
   return n;

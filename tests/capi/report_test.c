@@ -41,7 +41,9 @@ static void report__writes_drawing_page_and_json(void** state) {
   (void)state;
   wall_scene scene = make_wall_scene();
   jalon_model* model = model_of_scene(&scene);
-  const char* notes = "{\"title\": \"<b>Wall</b>\", \"input\": {\"file\": \"a&b.las\"}, \"times\": {\"read\": 0.5}}";
+  const char* notes =
+      "{\"title\": \"<b>Wall</b>\", \"input\": {\"file\": \"a&b.las\"}, \"times\": {\"read\": "
+      "0.5}}";
   MUST(jalon_report_write_elevation(scene.segmentation, model, in_folder("a.svg"), NULL, NULL));
   MUST(jalon_report_write_html(scene.segmentation, model, notes, in_folder("a.html"), NULL, NULL));
   MUST(jalon_report_write_json(scene.segmentation, model, notes, in_folder("a.json"), NULL, NULL));
@@ -74,8 +76,9 @@ static void report__options_set_title_and_scale(void** state) {
   assert_non_null(strstr(svg, "North side"));
   assert_non_null(strstr(svg, "1:200"));
   free(svg);
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
-          jalon_report_write_html(scene.segmentation, model, NULL, in_folder("a.html"), options, NULL));
+  REFUSED(
+      JALON_ERROR_INVALID_ARGUMENT,
+      jalon_report_write_html(scene.segmentation, model, NULL, in_folder("a.html"), options, NULL));
   jalon_params_release(options);
   jalon_model_release(model);
   release_scene(&scene);
@@ -90,18 +93,21 @@ static void report__failures_leave_the_old_file_alone(void** state) {
   fputs("old", old);
   fclose(old);
   REFUSED(JALON_ERROR_INVALID_ARGUMENT,
-          jalon_report_write_html(scene.segmentation, model, "{not json", in_folder("a.html"), NULL, NULL));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
-          jalon_report_write_html(scene.segmentation, model, "\xff", in_folder("a.html"), NULL, NULL));
+          jalon_report_write_html(scene.segmentation, model, "{not json", in_folder("a.html"), NULL,
+                                  NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_report_write_html(scene.segmentation, model, "\xff",
+                                                                in_folder("a.html"), NULL, NULL));
   char* text = text_of_file(in_folder("a.html"));
   assert_string_equal(text, "old");
   free(text);
-  REFUSED(JALON_ERROR_IO,
-          jalon_report_write_elevation(scene.segmentation, model, in_folder("none/a.svg"), NULL, NULL));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_report_write_elevation(NULL, model, in_folder("a.svg"), NULL, NULL));
+  REFUSED(JALON_ERROR_IO, jalon_report_write_elevation(scene.segmentation, model,
+                                                       in_folder("none/a.svg"), NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_report_write_elevation(NULL, model, in_folder("a.svg"), NULL, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT,
           jalon_report_write_elevation(scene.segmentation, NULL, in_folder("a.svg"), NULL, NULL));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_report_write_json(scene.segmentation, model, NULL, NULL, NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_report_write_json(scene.segmentation, model, NULL, NULL, NULL, NULL));
   jalon_model_release(model);
   release_scene(&scene);
 }
@@ -154,16 +160,19 @@ static void report__draws_a_facade_model_with_dimensions_and_the_given_source(vo
   MUST(jalon_report_write_elevation(scene.segmentation, model, in_folder("a.svg"), options, NULL));
   char* svg = text_of_file(in_folder("a.svg"));
   for (size_t i = 0; i < 5; ++i) {
-    const char* texts[] = {"&lt;wall&gt;.las", "2026-11-21", "\xC2\xB1" "0.00", "Distance along the facade (m)",
-                           "class=\"face\""};
+    const char* texts[] = {"&lt;wall&gt;.las", "2026-11-21",
+                           "\xC2\xB1"
+                           "0.00",
+                           "Distance along the facade (m)", "class=\"face\""};
     if (strstr(svg, texts[i]) == NULL) fail_msg("no %s in the drawing", texts[i]);
   }
   free(svg);
   MUST(jalon_params_set_int64(options, "facade", 1));
   MUST(jalon_report_write_elevation(scene.segmentation, model, in_folder("b.svg"), options, NULL));
   MUST(jalon_params_set_int64(options, "facade", 2));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
-          jalon_report_write_elevation(scene.segmentation, model, in_folder("c.svg"), options, NULL));
+  REFUSED(
+      JALON_ERROR_INVALID_ARGUMENT,
+      jalon_report_write_elevation(scene.segmentation, model, in_folder("c.svg"), options, NULL));
   assert_null(text_of_file(in_folder("c.svg")));
   jalon_params_release(options);
   jalon_model_release(model);
@@ -177,15 +186,16 @@ static void report__tells_parts_openings_and_precision(void** state) {
   const jalon_transform pose = {{1, 0, 0, 3, 0, 1, 0, -20, 0, 0, 1, 2}};
   const char* notes = "{\"scanner\": {\"sigma_range_m\": 0.003}}";
   REFUSED(JALON_ERROR_NOT_FOUND,
-          jalon_report_write_json(scene.segmentation, model, "{\"scanner\": {\"nose\": 1}}", in_folder("c.json"), NULL,
-                                  NULL));
+          jalon_report_write_json(scene.segmentation, model, "{\"scanner\": {\"nose\": 1}}",
+                                  in_folder("c.json"), NULL, NULL));
   MUST(jalon_report_write_html(scene.segmentation, model, NULL, in_folder("a.html"), NULL, NULL));
   MUST(jalon_report_write_json(scene.segmentation, model, NULL, in_folder("a.json"), NULL, NULL));
   char *page = text_of_file(in_folder("a.html")), *json = text_of_file(in_folder("a.json"));
   assert_non_null(strstr(page, ">Parts<"));
   assert_non_null(strstr(page, ">Precision<"));
   for (size_t i = 0; i < 4; ++i) {
-    const char* names[] = {"\"openings\"", "\"opening_types\"", "\"parts\"", "\"sigma_normal_rad\""};
+    const char* names[] = {"\"openings\"", "\"opening_types\"", "\"parts\"",
+                           "\"sigma_normal_rad\""};
     if (strstr(json, names[i]) == NULL) fail_msg("no %s in the JSON", names[i]);
   }
   assert_null(strstr(json, "variance_factor"));

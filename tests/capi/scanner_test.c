@@ -70,7 +70,8 @@ static void scanner__gives_points_with_their_truth(void** state) {
     uint64_t f = 0;
     while (f < face_count && id[f] != face[i]) ++f;
     assert_true(f < face_count);
-    assert_true(fabs(normal[3 * f] * p[0] + normal[3 * f + 1] * p[1] + normal[3 * f + 2] * p[2] - offset[f]) < 1e-9);
+    assert_true(fabs(normal[3 * f] * p[0] + normal[3 * f + 1] * p[1] + normal[3 * f + 2] * p[2] -
+                     offset[f]) < 1e-9);
   }
   const char* name;
   int32_t has_pose;
@@ -164,7 +165,8 @@ static void scanner__tells_the_true_planes_and_how_many_points_each_has(void** s
     const uint64_t k = segment[i] - 1;
     assert_true(segment[i] >= 1 && segment[i] <= 3);
     ++counted[segment[i]];
-    assert_true(fabs(normal[3 * k] * p[0] + normal[3 * k + 1] * p[1] + normal[3 * k + 2] * p[2] - offset[k]) < 1e-8);
+    assert_true(fabs(normal[3 * k] * p[0] + normal[3 * k + 1] * p[1] + normal[3 * k + 2] * p[2] -
+                     offset[k]) < 1e-8);
   }
   const char* expected[] = {"wall", "sill", "sill"};
   for (uint64_t k = 0; k < 3; ++k) {
@@ -219,12 +221,13 @@ static void scanner__surveys_the_school_as_its_recipe_says(void** state) {
   uint64_t planes, stations;
   MUST(jalon_scanner_create("static", &scanner));
   MUST(jalon_scanner_params(scanner, &params));
-  MUST(jalon_params_from_json(params,
-                              "{\"instrument\": \"gx\", \"horizontal_step_rad\": 0.0029, "
-                              "\"vertical_step_rad\": 0.0029, "
-                              "\"stations\": 4, \"station_distance_m\": 30, \"misfit_shift_m\": 0.004, "
-                              "\"glass_return_min\": 0.05, \"glass_return_max\": 0.3, \"outliers\": 0.02, "
-                              "\"outlier_place\": \"box\", \"max_points\": 200000}"));
+  MUST(jalon_params_from_json(
+      params,
+      "{\"instrument\": \"gx\", \"horizontal_step_rad\": 0.0029, "
+      "\"vertical_step_rad\": 0.0029, "
+      "\"stations\": 4, \"station_distance_m\": 30, \"misfit_shift_m\": 0.004, "
+      "\"glass_return_min\": 0.05, \"glass_return_max\": 0.3, \"outliers\": 0.02, "
+      "\"outlier_place\": \"box\", \"max_points\": 200000}"));
   MUST(jalon_scanner_run(scanner, model, NULL, &cloud));
   assert_int_equal(count_of(cloud), 200000);
   MUST(jalon_cloud_station_count(cloud, &stations));
@@ -237,7 +240,8 @@ static void scanner__surveys_the_school_as_its_recipe_says(void** state) {
     points += count[k];
   }
   assert_true(planes > 900 && with_points > 500);
-  assert_true(points > 180000 && points < 197000); /* the rest: outliers, mixed pixels, small faces */
+  assert_true(points > 180000 &&
+              points < 197000); /* the rest: outliers, mixed pixels, small faces */
   jalon_fields_release(truth);
   jalon_cloud_release(cloud);
   jalon_params_release(params);

@@ -32,7 +32,8 @@ static double squared(const double* a, const double* b) {
 }
 
 /* The j-th nearest by repeated search for the next in (distance, index) order. */
-static uint64_t next_nearest(const double* xyz, const double* q, double after, uint64_t after_index) {
+static uint64_t next_nearest(const double* xyz, const double* q, double after,
+                             uint64_t after_index) {
   uint64_t best = JALON_NO_POINT;
   double best_squared = INFINITY;
   for (uint64_t i = 0; i < kCount; ++i) {
@@ -65,10 +66,12 @@ static void knn__equals_brute_force_at_every_level(void** state) {
   const int32_t levels[] = {JALON_LEVEL_AUTOMATIC, 1, 2, 4, 7, 10, 21};
   for (size_t l = 0; l < sizeof levels / sizeof *levels; ++l) {
     memset(found, 0, sizeof found);
-    assert_int_equal(jalon_cloud_knn(cloud, queries, JALON_FLOAT64, 3, 0, 9, levels[l], NULL, found, distances),
-                     JALON_OK);
+    assert_int_equal(
+        jalon_cloud_knn(cloud, queries, JALON_FLOAT64, 3, 0, 9, levels[l], NULL, found, distances),
+        JALON_OK);
     assert_memory_equal(found, expected, sizeof expected);
-    for (int i = 0; i < 27; ++i) assert_true(distances[i] == squared(xyz + 3 * found[i], queries + 3 * (i / 9)));
+    for (int i = 0; i < 27; ++i)
+      assert_true(distances[i] == squared(xyz + 3 * found[i], queries + 3 * (i / 9)));
   }
   jalon_cloud_release(cloud);
 }
@@ -81,7 +84,8 @@ static void knn_all__agrees_with_knn(void** state) {
   static uint64_t each[kCount * 7];
   jalon_cloud* cloud = grid_cloud(0, xyz);
   assert_int_equal(jalon_cloud_knn_all(cloud, 7, NULL, all, squares), JALON_OK);
-  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, kCount, 0, 7, JALON_LEVEL_AUTOMATIC, NULL, each, NULL),
+  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, kCount, 0, 7, JALON_LEVEL_AUTOMATIC,
+                                   NULL, each, NULL),
                    JALON_OK);
   for (int i = 0; i < kCount * 7; ++i) assert_int_equal(all[i], each[i]);
   assert_true(squares[0] == 0 && squares[1] == 0.0625f);
@@ -93,7 +97,8 @@ static void radius_search__finds_the_closed_ball(void** state) {
   static double xyz[3 * kCount];
   jalon_cloud* cloud = grid_cloud(0, xyz);
   jalon_fields *ranges = NULL, *neighbours = NULL;
-  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, kCount, 0, 0.25, NULL, &ranges, &neighbours),
+  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, kCount, 0, 0.25, NULL,
+                                             &ranges, &neighbours),
                    JALON_OK);
   jalon_array_view first, index, distance;
   assert_int_equal(jalon_fields_view(ranges, "first", &first), JALON_OK);
@@ -106,7 +111,8 @@ static void radius_search__finds_the_closed_ball(void** state) {
   assert_int_equal(firsts[0], 0);
   assert_int_equal(firsts[1], 4); /* a corner: itself and three */
   assert_int_equal(firsts[kCount], kCount + 3 * 2 * kSide * kSide * (kSide - 1));
-  for (uint64_t n = 0; n < 4; ++n) assert_true(lengths[n] == sqrt(squared(xyz, xyz + 3 * indices[n])));
+  for (uint64_t n = 0; n < 4; ++n)
+    assert_true(lengths[n] == sqrt(squared(xyz, xyz + 3 * indices[n])));
   jalon_fields_release(ranges);
   jalon_fields_release(neighbours);
   jalon_cloud_release(cloud);
@@ -141,7 +147,9 @@ static void cells__tile_the_points_in_order(void** state) {
     next += 64;
   }
   assert_int_equal(next, kCount);
-  assert_int_equal(jalon_cloud_cell_neighbours(cloud, 2, ((const uint64_t*)code.data)[0], 1, NULL, &around), JALON_OK);
+  assert_int_equal(
+      jalon_cloud_cell_neighbours(cloud, 2, ((const uint64_t*)code.data)[0], 1, NULL, &around),
+      JALON_OK);
   jalon_array_view codes;
   assert_int_equal(jalon_fields_view(around, "code", &codes), JALON_OK);
   assert_int_equal(codes.count, 7);
@@ -184,17 +192,23 @@ static void bad_arguments__are_refused_and_nothing_is_written(void** state) {
                    JALON_ERROR_INVALID_ARGUMENT);
   assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, 1, 0, 1, 0, NULL, found, NULL),
                    JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_knn(cloud, xyz, 99, 1, 0, 1, -1, NULL, found, NULL), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, UINT64_MAX, 0, 1, -1, NULL, found, NULL),
+  assert_int_equal(jalon_cloud_knn(cloud, xyz, 99, 1, 0, 1, -1, NULL, found, NULL),
                    JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(
+      jalon_cloud_knn(cloud, xyz, JALON_FLOAT64, UINT64_MAX, 0, 1, -1, NULL, found, NULL),
+      JALON_ERROR_INVALID_ARGUMENT);
   assert_int_equal(found[0], 77);
-  assert_int_equal(jalon_cloud_knn_all(cloud, 257, NULL, (uint32_t*)found, NULL), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, 1, 0, -1, NULL, &fields, &more),
+  assert_int_equal(jalon_cloud_knn_all(cloud, 257, NULL, (uint32_t*)found, NULL),
                    JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, 1, 0, NAN, NULL, &fields, &more),
-                   JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(
+      jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, 1, 0, -1, NULL, &fields, &more),
+      JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(
+      jalon_cloud_radius_search(cloud, xyz, JALON_FLOAT64, 1, 0, NAN, NULL, &fields, &more),
+      JALON_ERROR_INVALID_ARGUMENT);
   assert_int_equal(jalon_cloud_cells(cloud, 22, NULL, &fields), JALON_ERROR_INVALID_ARGUMENT);
-  assert_int_equal(jalon_cloud_cell_neighbours(cloud, 2, 64, 1, NULL, &fields), JALON_ERROR_INVALID_ARGUMENT);
+  assert_int_equal(jalon_cloud_cell_neighbours(cloud, 2, 64, 1, NULL, &fields),
+                   JALON_ERROR_INVALID_ARGUMENT);
   assert_null(fields);
   assert_int_equal(jalon_cloud_cells(NULL, 2, NULL, &fields), JALON_ERROR_INVALID_ARGUMENT);
   assert_int_equal(jalon_cloud_cells(cloud, 2, NULL, NULL), JALON_ERROR_INVALID_ARGUMENT);
@@ -209,7 +223,9 @@ static void empty_cloud__has_no_neighbours(void** state) {
   uint64_t found[2] = {0, 0};
   double distances[2] = {0, 0};
   for (int32_t level = -1; level < 4; level += 4) {
-    assert_int_equal(jalon_cloud_knn(cloud, query, JALON_FLOAT32, 1, 0, 2, level, NULL, found, distances), JALON_OK);
+    assert_int_equal(
+        jalon_cloud_knn(cloud, query, JALON_FLOAT32, 1, 0, 2, level, NULL, found, distances),
+        JALON_OK);
     assert_true(found[0] == JALON_NO_POINT && found[1] == JALON_NO_POINT && isinf(distances[1]));
   }
   assert_int_equal(jalon_cloud_knn_all(cloud, 4, NULL, NULL, NULL), JALON_OK);

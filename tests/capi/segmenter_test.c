@@ -63,8 +63,9 @@ static void segmenter__finds_two_planes_with_their_tables(void** state) {
     assert_true(fabs(d[s]) < 1e-3);
     assert_true(fabs(m[3 * s + 1]) > 0.9999 || m[3 * s + 2] > 0.9999); /* the floor looks up */
   }
-  const char* names[] = {"label", "type", "orientation", "centroid", "radius", "axis_u", "axis_v",
-                         "sigma", "area", "length_u", "length_v", "cylinder_covariance"};
+  const char* names[] = {"label",  "type",     "orientation", "centroid",
+                         "radius", "axis_u",   "axis_v",      "sigma",
+                         "area",   "length_u", "length_v",    "cylinder_covariance"};
   for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
     jalon_array_view view;
     MUST(jalon_fields_view(segments, names[i], &view));
@@ -125,7 +126,8 @@ static void segmenter__tells_parameters_and_distribution(void** state) {
   assert_true(fabs(*(const double*)sigma.data - 0.004 / sqrt(12)) < 2e-5);
   assert_true(*(const double*)kurtosis.data < -1);
   jalon_fields *kept = bins, *kept_normal = normal;
-  assert_int_equal(jalon_segmentation_residuals(segmentation, 3, 20, NULL, &bins, &normal), JALON_ERROR_NOT_FOUND);
+  assert_int_equal(jalon_segmentation_residuals(segmentation, 3, 20, NULL, &bins, &normal),
+                   JALON_ERROR_NOT_FOUND);
   assert_int_equal(jalon_segmentation_residuals(segmentation, 1, 0, NULL, &bins, &normal),
                    JALON_ERROR_INVALID_ARGUMENT);
   assert_ptr_equal(bins, kept);

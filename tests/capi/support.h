@@ -26,20 +26,21 @@
 #endif
 
 /* The call must succeed. */
-#define MUST(call)                                                                                                     \
-  do {                                                                                                                 \
-    const jalon_status status_ = (call);                                                                               \
-    if (status_ != JALON_OK) fail_msg("%s: %s: %s", #call, jalon_status_name(status_), jalon_last_error_message());    \
+#define MUST(call)                                                                           \
+  do {                                                                                       \
+    const jalon_status status_ = (call);                                                     \
+    if (status_ != JALON_OK)                                                                 \
+      fail_msg("%s: %s: %s", #call, jalon_status_name(status_), jalon_last_error_message()); \
   } while (0)
 
 /* The call must fail in this way. */
-#define REFUSED(expected, call)                                                                                        \
-  do {                                                                                                                 \
-    const jalon_status status_ = (call);                                                                               \
-    if (status_ != (expected))                                                                                         \
-      fail_msg("%s gave \"%s\", not \"%s\" (%s)", #call, jalon_status_name(status_), jalon_status_name(expected),      \
-               jalon_last_error_message());                                                                            \
-    expect_one_line();                                                                                                 \
+#define REFUSED(expected, call)                                                      \
+  do {                                                                               \
+    const jalon_status status_ = (call);                                             \
+    if (status_ != (expected))                                                       \
+      fail_msg("%s gave \"%s\", not \"%s\" (%s)", #call, jalon_status_name(status_), \
+               jalon_status_name(expected), jalon_last_error_message());             \
+    expect_one_line();                                                               \
   } while (0)
 
 /* The last failure has a message of one line. */
@@ -62,7 +63,8 @@ static inline double on_grid(double x) { return (double)(int64_t)(x * 1048576.0)
 
 /* A facade of 20 x 10 m with a recess, and the ground before it: 3 mm of noise, coordinates on a 2^-20 m grid, shifted
  * by whole metres. */
-static inline void street_points(double* xyz, uint64_t n, uint64_t seed, double east_m, double north_m) {
+static inline void street_points(double* xyz, uint64_t n, uint64_t seed, double east_m,
+                                 double north_m) {
   for (uint64_t i = 0; i < n; ++i) {
     const double u = 20 * uniform(seed, 4 * i), v = 10 * uniform(seed, 4 * i + 1);
     const double noise = 0.006 * (uniform(seed, 4 * i + 2) - 0.5);
@@ -109,7 +111,8 @@ static inline const char* temporary(const char* name) {
   static int turn;
   const char* folder = getenv("TMPDIR");
   turn = (turn + 1) % 4;
-  snprintf(path[turn], sizeof path[turn], "%s/jalon_test_%d_%s", folder ? folder : "/tmp", (int)getpid(), name);
+  snprintf(path[turn], sizeof path[turn], "%s/jalon_test_%d_%s", folder ? folder : "/tmp",
+           (int)getpid(), name);
   return path[turn];
 }
 

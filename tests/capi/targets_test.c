@@ -60,7 +60,8 @@ static void targets__measured_in_two_clouds_register_them_without_names(void** s
   for (int i = 0; i < kSpheres; ++i) {
     const int j = (i + 1) % kSpheres; /* in another order */
     from[3 * i] = kAt[i][0] + 0.03, from[3 * i + 1] = kAt[i][1], from[3 * i + 2] = kAt[i][2] + 0.05;
-    to[3 * i] = 652000 - kAt[j][1], to[3 * i + 1] = 6861000 + kAt[j][0] + 0.06, to[3 * i + 2] = kAt[j][2] + 100;
+    to[3 * i] = 652000 - kAt[j][1], to[3 * i + 1] = 6861000 + kAt[j][0] + 0.06,
+           to[3 * i + 2] = kAt[j][2] + 100;
   }
   jalon_target a[kSpheres], b[kSpheres];
   measured(reference, to, a);
@@ -100,7 +101,8 @@ static void targets__that_are_not_there_are_rows_that_say_so(void** state) {
   jalon_fields_release(rows);
   rows = NULL;
   const double wrong[6] = {0, 0, 1, 0, NAN, 0};
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_measure_targets(cloud, wrong, 2, NULL, NULL, &rows));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_cloud_measure_targets(cloud, wrong, 2, NULL, NULL, &rows));
   assert_non_null(strstr(jalon_last_error_message(), "place 1"));
   assert_null(rows);
   jalon_cloud_release(cloud);
@@ -110,7 +112,8 @@ static void targets__of_a_square_are_a_result_that_says_ambiguous(void** state) 
   (void)state;
   jalon_target corners[4];
   memset(corners, 0, sizeof corners);
-  for (int i = 0; i < 4; ++i) corners[i].xyz = (jalon_vec3){i == 1 || i == 2 ? 10 : 0, i > 1 ? 10 : 0, 0};
+  for (int i = 0; i < 4; ++i)
+    corners[i].xyz = (jalon_vec3){i == 1 || i == 2 ? 10 : 0, i > 1 ? 10 : 0, 0};
   jalon_registrar* registrar = NULL;
   jalon_registration* registration = NULL;
   MUST(jalon_registrar_create("targets", &registrar));

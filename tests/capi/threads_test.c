@@ -51,14 +51,15 @@ static void* query_body(void* argument) {
     jalon_fields *ranges = NULL, *near = NULL, *fields = NULL;
     jalon_box box;
     if (jalon_cloud_points(w->cloud, &xyz) != JALON_OK) note(w, "points");
-    if (jalon_cloud_knn(w->cloud, xyz.data, JALON_FLOAT64, kQueries, 0, kNeighbours, JALON_LEVEL_AUTOMATIC, task, found,
-                        NULL) != JALON_OK)
+    if (jalon_cloud_knn(w->cloud, xyz.data, JALON_FLOAT64, kQueries, 0, kNeighbours,
+                        JALON_LEVEL_AUTOMATIC, task, found, NULL) != JALON_OK)
       note(w, jalon_last_error_message());
-    else if (memcmp(found, expected_neighbours, sizeof found) != 0)
-      note(w, "other neighbours");
-    if (jalon_cloud_radius_search(w->cloud, xyz.data, JALON_FLOAT64, 16, 0, 0.2, task, &ranges, &near) != JALON_OK)
+    else if (memcmp(found, expected_neighbours, sizeof found) != 0) note(w, "other neighbours");
+    if (jalon_cloud_radius_search(w->cloud, xyz.data, JALON_FLOAT64, 16, 0, 0.2, task, &ranges,
+                                  &near) != JALON_OK)
       note(w, jalon_last_error_message());
-    if (jalon_cloud_fields(w->cloud, &fields) != JALON_OK || jalon_cloud_bounds(w->cloud, &box) != JALON_OK)
+    if (jalon_cloud_fields(w->cloud, &fields) != JALON_OK ||
+        jalon_cloud_bounds(w->cloud, &box) != JALON_OK)
       note(w, "fields");
     jalon_fields_release(ranges);
     jalon_fields_release(near);
@@ -74,10 +75,11 @@ static void threads__may_all_query_one_cloud(void** state) {
   jalon_cloud* reference = street_cloud(points(), 5);
   jalon_array_view xyz;
   MUST(jalon_cloud_points(reference, &xyz));
-  MUST(jalon_cloud_knn(reference, xyz.data, JALON_FLOAT64, kQueries, 0, kNeighbours, JALON_LEVEL_AUTOMATIC, NULL,
-                       expected_neighbours, NULL));
+  MUST(jalon_cloud_knn(reference, xyz.data, JALON_FLOAT64, kQueries, 0, kNeighbours,
+                       JALON_LEVEL_AUTOMATIC, NULL, expected_neighbours, NULL));
   jalon_cloud_release(reference);
-  jalon_cloud* cloud = street_cloud(points(), 5); /* its index is built by whichever thread comes first */
+  jalon_cloud* cloud =
+      street_cloud(points(), 5); /* its index is built by whichever thread comes first */
   run_threads(workers, query_body, cloud);
   jalon_cloud_release(cloud);
 }
@@ -94,8 +96,10 @@ static void* own_handle_body(void* argument) {
     jalon_array_view normals;
     jalon_fields* fields = NULL;
     if (own_handle(w->cloud, &own) != JALON_OK) note(w, jalon_last_error_message());
-    if (jalon_cloud_compute_normals(own, NULL, NULL) != JALON_OK) note(w, jalon_last_error_message());
-    if (jalon_cloud_fields(own, &fields) != JALON_OK || jalon_fields_view(fields, "normal", &normals) != JALON_OK)
+    if (jalon_cloud_compute_normals(own, NULL, NULL) != JALON_OK)
+      note(w, jalon_last_error_message());
+    if (jalon_cloud_fields(own, &fields) != JALON_OK ||
+        jalon_fields_view(fields, "normal", &normals) != JALON_OK)
       note(w, "no normals");
     else if (hash_bytes(1, normals.data, normals.count * 12) != expected_hash)
       note(w, "other normals");
@@ -136,7 +140,8 @@ static void* storm_body(void* argument) {
     jalon_params* params = NULL;
     uint64_t count = 0;
     if (jalon_cloud_create(xyz, JALON_FLOAT64, 10, 0, 0, &made_here) != JALON_OK) note(w, "create");
-    if (jalon_task_create(&task) != JALON_OK || jalon_params_create("normals", &params) != JALON_OK) note(w, "create");
+    if (jalon_task_create(&task) != JALON_OK || jalon_params_create("normals", &params) != JALON_OK)
+      note(w, "create");
     if (jalon_cloud_count(shared, &count) != JALON_OK || count != 100) note(w, "count");
     jalon_cloud_release(made_here);
     jalon_cloud_release(shared);

@@ -10,15 +10,18 @@ static void version__runs_with_the_headers_it_was_built_from(void** state) {
   char text[32];
   assert_string_equal(jalon_version(), JALON_VERSION_STRING);
   assert_int_equal(jalon_version_number(), JALON_VERSION_NUMBER);
-  snprintf(text, sizeof text, "%d.%d.%d", JALON_VERSION_MAJOR, JALON_VERSION_MINOR, JALON_VERSION_PATCH);
+  snprintf(text, sizeof text, "%d.%d.%d", JALON_VERSION_MAJOR, JALON_VERSION_MINOR,
+           JALON_VERSION_PATCH);
   assert_string_equal(text, JALON_VERSION_STRING);
 }
 
 static void version__at_least_compares_in_order(void** state) {
   (void)state;
-  assert_true(JALON_VERSION_AT_LEAST(JALON_VERSION_MAJOR, JALON_VERSION_MINOR, JALON_VERSION_PATCH));
+  assert_true(
+      JALON_VERSION_AT_LEAST(JALON_VERSION_MAJOR, JALON_VERSION_MINOR, JALON_VERSION_PATCH));
   assert_true(JALON_VERSION_AT_LEAST(0, 0, 0));
-  assert_false(JALON_VERSION_AT_LEAST(JALON_VERSION_MAJOR, JALON_VERSION_MINOR, JALON_VERSION_PATCH + 1));
+  assert_false(
+      JALON_VERSION_AT_LEAST(JALON_VERSION_MAJOR, JALON_VERSION_MINOR, JALON_VERSION_PATCH + 1));
   assert_false(JALON_VERSION_AT_LEAST(JALON_VERSION_MAJOR, JALON_VERSION_MINOR + 1, 0));
   assert_false(JALON_VERSION_AT_LEAST(JALON_VERSION_MAJOR + 1, 0, 0));
 }

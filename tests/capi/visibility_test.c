@@ -33,7 +33,8 @@ static void labels__tell_what_the_reference_saw(void** state) {
   jalon_cloud* reference = box_scan("box");
   /* before the box, on it, behind it, under the ground, above all that was seen */
   const double xyz[15] = {0, -3, 0.5, 0, -0.9, 0.7, 0, 3, 0.5, 4, -4, -1, 0, -3, 9};
-  const uint8_t expected[5] = {JALON_VISIBLE, JALON_VISIBLE, JALON_HIDDEN, JALON_HIDDEN, JALON_OUT_OF_FIELD};
+  const uint8_t expected[5] = {JALON_VISIBLE, JALON_VISIBLE, JALON_HIDDEN, JALON_HIDDEN,
+                               JALON_OUT_OF_FIELD};
   jalon_cloud* cloud = cloud_of(xyz, 5);
   MUST(jalon_cloud_compute_visibility(cloud, reference, NULL, NULL));
   jalon_fields* fields;
@@ -43,7 +44,8 @@ static void labels__tell_what_the_reference_saw(void** state) {
   for (int i = 0; i < 5; ++i) assert_int_equal(labels[i], expected[i]);
   jalon_fields_release(fields);
   /* A cloud without stations could have been seen from anywhere. */
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_compute_visibility(reference, cloud, NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_cloud_compute_visibility(reference, cloud, NULL, NULL));
   jalon_cloud_release(cloud);
   jalon_cloud_release(reference);
 }
@@ -66,7 +68,8 @@ static void depth_map__is_a_table_of_cells(void** state) {
   MUST(jalon_cloud_count(reference, &n));
   assert_int_equal(points, n);
   jalon_fields_release(map);
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_depth_map(reference, 1, NULL, NULL, &map, NULL, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_cloud_depth_map(reference, 1, NULL, NULL, &map, NULL, NULL));
   jalon_cloud_release(reference);
 }
 

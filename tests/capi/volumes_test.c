@@ -56,7 +56,8 @@ static void volume__between_two_clouds_has_cut_and_fill(void** state) {
   summary = NULL;
   MUST(jalon_cloud_set_crs(low, "EPSG:2154"));
   MUST(jalon_cloud_set_crs(high, "EPSG:2056"));
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_volume(low, high, options, NULL, &summary, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_cloud_volume(low, high, options, NULL, &summary, NULL));
   MUST(jalon_params_set_double(options, "cell_m", 1e-5));
   REFUSED(JALON_ERROR_LIMIT, jalon_cloud_volume(low, low, options, NULL, &summary, NULL));
   assert_null(summary);

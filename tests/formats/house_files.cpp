@@ -16,22 +16,33 @@ namespace {
 std::string tables(const Model& model) {
   JsonWriter json;
   json.begin_object().name("vertices").begin_array();
-  for (const Vec3& p : model.vertices) json.begin_array().value(p.x).value(p.y).value(p.z).end_array();
+  for (const Vec3& p : model.vertices)
+    json.begin_array().value(p.x).value(p.y).value(p.z).end_array();
   json.end_array().name("corners").begin_array();
   for (const uint32_t v : model.corners) json.value(v);
   json.end_array().name("sagittas").begin_array();
   for (size_t c = 0; c < model.corners.size(); ++c) json.value(model.sagitta(c));
   json.end_array().name("rings").begin_array();
-  for (const Ring& r : model.rings) json.begin_array().value(r.first).value(r.count).value(r.part).end_array();
+  for (const Ring& r : model.rings)
+    json.begin_array().value(r.first).value(r.count).value(r.part).end_array();
   json.end_array().name("faces").begin_array();
   for (const Face& f : model.faces) {
     const Vec3& n = f.plane.normal;
-    json.begin_array().value(f.part).value(f.first_ring).value(f.ring_count).value(f.id).value(f.area_m2);
+    json.begin_array()
+        .value(f.part)
+        .value(f.first_ring)
+        .value(f.ring_count)
+        .value(f.id)
+        .value(f.area_m2);
     json.value(n.x).value(n.y).value(n.z).end_array();
   }
   json.end_array().name("parts").begin_array();
   for (const Part& p : model.parts)
-    json.begin_array().value(p.name).value(p.part_class).value(static_cast<int>(p.evidence)).end_array();
+    json.begin_array()
+        .value(p.name)
+        .value(p.part_class)
+        .value(static_cast<int>(p.evidence))
+        .end_array();
   json.end_array().name("solids").begin_array();
   for (const Solid& s : model.solids)
     json.begin_array().value(s.part).value(s.first_face).value(s.face_count).end_array();

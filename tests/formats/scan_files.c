@@ -60,8 +60,8 @@ static jalon_model* changes_between(const char* before, const char* after) {
   return model;
 }
 
-static void write_one(const jalon_model* model, const char* folder, const char* name, const char* option,
-                      const char* value) {
+static void write_one(const jalon_model* model, const char* folder, const char* name,
+                      const char* option, const char* value) {
   char path[4096];
   jalon_params* options = NULL;
   snprintf(path, sizeof path, "%s/%s", folder, name);
@@ -77,7 +77,8 @@ typedef struct {
 } column;
 
 /* "name": [[field, field, ...], ...], or a flat list where there is one field of one component. */
-static void write_table(FILE* out, const char* name, jalon_fields* fields, const column* columns, int count) {
+static void write_table(FILE* out, const char* name, jalon_fields* fields, const column* columns,
+                        int count) {
   jalon_array_view view;
   double* values[8];
   must(jalon_fields_view(fields, columns[0].field, &view));
@@ -87,7 +88,8 @@ static void write_table(FILE* out, const char* name, jalon_fields* fields, const
     must(jalon_fields_view(fields, columns[c].field, &view));
     components[c] = view.components;
     values[c] = malloc((rows * view.components + 1) * sizeof(double));
-    must(jalon_fields_copy(fields, columns[c].field, JALON_FLOAT64, values[c], rows * view.components));
+    must(jalon_fields_copy(fields, columns[c].field, JALON_FLOAT64, values[c],
+                           rows * view.components));
   }
   const int flat = count == 1 && components[0] == 1;
   fprintf(out, "\"%s\": [", name);
@@ -140,9 +142,10 @@ static void write_tables(const jalon_model* model, const char* folder) {
   static const column kVertices[] = {{"xyz", "%.17g"}}, kVertex[] = {{"vertex", "%.0f"}},
                       kSagitta[] = {{"sagitta", "%.17g"}},
                       kRings[] = {{"first", "%.0f"}, {"count", "%.0f"}, {"part", "%.0f"}},
-                      kFaces[] = {{"part", "%.0f"}, {"first_ring", "%.0f"}, {"ring_count", "%.0f"}, {"id", "%.0f"},
-                                  {"area", "%.17g"}, {"normal", "%.17g"}},
-                      kSolids[] = {{"part", "%.0f"}, {"first_face", "%.0f"}, {"face_count", "%.0f"}};
+                      kFaces[] = {{"part", "%.0f"}, {"first_ring", "%.0f"}, {"ring_count", "%.0f"},
+                                  {"id", "%.0f"},   {"area", "%.17g"},      {"normal", "%.17g"}},
+                      kSolids[] = {
+                          {"part", "%.0f"}, {"first_face", "%.0f"}, {"face_count", "%.0f"}};
   jalon_fields* fields = NULL;
   char path[4096];
   snprintf(path, sizeof path, "%s/model.json", folder);
@@ -166,16 +169,15 @@ static void write_tables(const jalon_model* model, const char* folder) {
 }
 
 int main(int argc, char** argv) {
-  static const char* const kFiles[][3] = {
-      {"r2000.dxf", "dxf_version", "r2000"},
-      {"r12.dxf", "dxf_version", "r12"},
-      {"elevation.dxf", "dxf_view", "elevation"},
-      {"model.city.json", NULL, NULL},
-      {"model.geojson", NULL, NULL},
-      {"model.obj", NULL, NULL},
-      {"binary.stl", "stl_format", "binary"},
-      {"ascii.stl", "stl_format", "ascii"},
-      {"model.ply", NULL, NULL}};
+  static const char* const kFiles[][3] = {{"r2000.dxf", "dxf_version", "r2000"},
+                                          {"r12.dxf", "dxf_version", "r12"},
+                                          {"elevation.dxf", "dxf_view", "elevation"},
+                                          {"model.city.json", NULL, NULL},
+                                          {"model.geojson", NULL, NULL},
+                                          {"model.obj", NULL, NULL},
+                                          {"binary.stl", "stl_format", "binary"},
+                                          {"ascii.stl", "stl_format", "ascii"},
+                                          {"model.ply", NULL, NULL}};
   if (argc != 4 && argc != 5) return 2;
   jalon_model* model = argc == 5 ? changes_between(argv[4], argv[1]) : model_of(argv[1], argv[2]);
   for (size_t i = 0; i < sizeof kFiles / sizeof *kFiles; ++i)

@@ -39,10 +39,12 @@ static void search(const jalon_cloud* cloud, uint64_t seed, jalon_task* task) {
   jalon_fields* fields;
   MUST(jalon_cloud_points(cloud, &xyz));
   MUST(jalon_cloud_knn_all(cloud, kNear, task, near, distances));
-  tell("knn_all", seed, hash_bytes(hash_bytes(kStart, near, sizeof near), distances, sizeof distances));
-  MUST(jalon_cloud_knn(cloud, xyz.data, JALON_FLOAT64, 2000, 0, kNear, JALON_LEVEL_AUTOMATIC, task, some,
-                       some_distances));
-  tell("knn", seed, hash_bytes(hash_bytes(kStart, some, sizeof some), some_distances, sizeof some_distances));
+  tell("knn_all", seed,
+       hash_bytes(hash_bytes(kStart, near, sizeof near), distances, sizeof distances));
+  MUST(jalon_cloud_knn(cloud, xyz.data, JALON_FLOAT64, 2000, 0, kNear, JALON_LEVEL_AUTOMATIC, task,
+                       some, some_distances));
+  tell("knn", seed,
+       hash_bytes(hash_bytes(kStart, some, sizeof some), some_distances, sizeof some_distances));
   MUST(jalon_cloud_cells(cloud, 6, task, &fields));
   tell("cells", seed, hash_and_release(fields));
   MUST(jalon_cloud_order(cloud, task, &fields));
@@ -51,7 +53,8 @@ static void search(const jalon_cloud* cloud, uint64_t seed, jalon_task* task) {
 
 static void triangulated(const jalon_cloud* cloud, uint64_t seed, jalon_task* task) {
   made out = {NULL, NULL, NULL};
-  MUST(change(cloud, task, &out, jalon_cloud_compute_normals, "normals", "{\"method\": \"triangulation\"}"));
+  MUST(change(cloud, task, &out, jalon_cloud_compute_normals, "normals",
+              "{\"method\": \"triangulation\"}"));
   tell("normals triangulation", seed, hash_made(&out));
   release_made(&out);
 }
@@ -126,7 +129,8 @@ static void evaluation(const jalon_cloud* cloud, uint64_t seed, jalon_task* task
   jalon_fields *fields, *totals;
   MUST(op_segment(cloud, task, &found));
   MUST(op_grow(cloud, task, &grown));
-  MUST(jalon_segmentation_evaluate(found.segmentation, grown.segmentation, NULL, task, &evaluation));
+  MUST(
+      jalon_segmentation_evaluate(found.segmentation, grown.segmentation, NULL, task, &evaluation));
   MUST(jalon_evaluation_pairs(evaluation, &fields));
   tell("evaluation pairs", seed, hash_and_release(fields));
   MUST(jalon_evaluation_totals(evaluation, &fields));
@@ -144,8 +148,8 @@ static void evaluation(const jalon_cloud* cloud, uint64_t seed, jalon_task* task
 }
 
 /* A scan of a scene by a method, with these parameters besides the seed, and its true planes. */
-static void scan(const char* name, const char* scene_name, const char* method, const char* more, uint64_t seed,
-                 jalon_task* task) {
+static void scan(const char* name, const char* scene_name, const char* method, const char* more,
+                 uint64_t seed, jalon_task* task) {
   jalon_scanner* scanner;
   jalon_params *params, *options;
   jalon_model* scene;
@@ -174,10 +178,13 @@ static void scan(const char* name, const char* scene_name, const char* method, c
 }
 
 static void scans(uint64_t seed, jalon_task* task) {
-  scan("virtual scan", "facade", NULL, "\"horizontal_step_rad\": 0.01, \"vertical_step_rad\": 0.01", seed, task);
+  scan("virtual scan", "facade", NULL, "\"horizontal_step_rad\": 0.01, \"vertical_step_rad\": 0.01",
+       seed, task);
   scan("virtual scan, all effects", "unwanted", NULL,
-       "\"horizontal_step_rad\": 0.01, \"vertical_step_rad\": 0.01, \"instrument\": \"gx\", \"misfit_shift_m\": 0.004, "
-       "\"misfit_rotation_rad\": 0.0001, \"glass_return_min\": 0.05, \"glass_return_max\": 0.3, \"outliers\": 0.02, "
+       "\"horizontal_step_rad\": 0.01, \"vertical_step_rad\": 0.01, \"instrument\": \"gx\", "
+       "\"misfit_shift_m\": 0.004, "
+       "\"misfit_rotation_rad\": 0.0001, \"glass_return_min\": 0.05, \"glass_return_max\": 0.3, "
+       "\"outliers\": 0.02, "
        "\"dropout\": 0.01, \"spacing_m\": 0.05, \"max_points\": 5000",
        seed, task);
   scan("virtual samples", "lycee", "sample", "\"points\": 20000, \"outliers\": 0.01", seed, task);
@@ -229,7 +236,8 @@ static double* shifted_points(double east, double north, int on_the_grid) {
 }
 
 /* The largest difference of two (n, 3) columns after the shift is taken off the second. */
-static double distance_apart(const jalon_array_view* a, const jalon_array_view* b, double east, double north) {
+static double distance_apart(const jalon_array_view* a, const jalon_array_view* b, double east,
+                             double north) {
   const double shift[3] = {east, north, 0};
   double worst = 0;
   if (a->count != b->count) return INFINITY;
@@ -244,7 +252,8 @@ static double distance_apart(const jalon_array_view* a, const jalon_array_view* 
 
 /* How far plane b lies from plane a, measured at its centroid along the normal: what a label more or less may
  * change. */
-static double planes_apart(const jalon_fields* a, const jalon_fields* b, double east, double north) {
+static double planes_apart(const jalon_fields* a, const jalon_fields* b, double east,
+                           double north) {
   const double shift[3] = {east, north, 0};
   jalon_array_view normals, p, q;
   double worst = 0;
@@ -285,11 +294,13 @@ static void compare_operation(int i, const jalon_cloud* local, const jalon_cloud
   if (a.cloud != NULL) {
     const double apart = clouds_apart(a.cloud, b.cloud, kEast, kNorth);
     const int averaged = strcmp(kOperations[i].name, "voxel") == 0;
-    same = apart <= (averaged ? 2e-9 : 0) && hash_cloud_fields(a.cloud) == hash_cloud_fields(b.cloud);
+    same =
+        apart <= (averaged ? 2e-9 : 0) && hash_cloud_fields(a.cloud) == hash_cloud_fields(b.cloud);
     if (strcmp(kOperations[i].name, "crop") == 0) same = 1; /* its box stays where it is */
   }
-  if (a.fields != NULL) same = same && (strcmp(kOperations[i].name, "radius search") != 0 ||
-                                        hash_fields(kStart, a.fields) == hash_fields(kStart, b.fields));
+  if (a.fields != NULL)
+    same = same && (strcmp(kOperations[i].name, "radius search") != 0 ||
+                    hash_fields(kStart, a.fields) == hash_fields(kStart, b.fields));
   if (a.segmentation != NULL) {
     jalon_fields *p, *q;
     MUST(jalon_segmentation_points(a.segmentation, &p));
@@ -335,8 +346,10 @@ static void compare_arbitrary(void) {
   MUST(jalon_segmentation_segments(a.segmentation, &p));
   MUST(jalon_segmentation_segments(b.segmentation, &q));
   const double apart = planes_apart(p, q, east, north);
-  printf("FIGURE arbitrary coordinates on the national grid: %d of %d labels differ, planes %.2g m apart\n", other,
-         kPoints, apart);
+  printf(
+      "FIGURE arbitrary coordinates on the national grid: %d of %d labels differ, planes %.2g m "
+      "apart\n",
+      other, kPoints, apart);
   verdict(other <= 1e-4 * kPoints, "at most 1e-4 of the labels differ for arbitrary coordinates");
   verdict(apart <= 1e-5, "planes move by at most 1e-5 m for arbitrary coordinates");
   jalon_fields_release(p);

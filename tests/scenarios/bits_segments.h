@@ -34,8 +34,8 @@ static inline uint64_t hash_segmentation(uint64_t hash, const jalon_segmentation
   return hash;
 }
 
-static inline void segment_with(const jalon_cloud* cloud, const char* method, const char* json, const char* name,
-                                uint64_t seed, jalon_task* task) {
+static inline void segment_with(const jalon_cloud* cloud, const char* method, const char* json,
+                                const char* name, uint64_t seed, jalon_task* task) {
   jalon_segmenter* segmenter;
   jalon_params* params;
   jalon_segmentation* segmentation;
@@ -54,7 +54,8 @@ static inline void segment_with(const jalon_cloud* cloud, const char* method, co
 }
 
 /* Every value of every choice and switch of a method, the others at their defaults. */
-static inline void every_choice(const jalon_cloud* cloud, const char* method, uint64_t seed, jalon_task* task) {
+static inline void every_choice(const jalon_cloud* cloud, const char* method, uint64_t seed,
+                                jalon_task* task) {
   jalon_segmenter* segmenter;
   jalon_params* params;
   uint64_t rows;
@@ -68,7 +69,8 @@ static inline void every_choice(const jalon_cloud* cloud, const char* method, ui
     const int is_choice = info.type == JALON_PARAM_CHOICE;
     if (!is_choice && info.type != JALON_PARAM_BOOL) continue;
     snprintf(values, sizeof values, "%s", is_choice ? info.choices : "false|true");
-    for (char* value = strtok_r(values, "|", &rest); value != NULL; value = strtok_r(NULL, "|", &rest)) {
+    for (char* value = strtok_r(values, "|", &rest); value != NULL;
+         value = strtok_r(NULL, "|", &rest)) {
       const char* quote = is_choice ? "\"" : "";
       snprintf(json, sizeof json, "{\"%s\": %s%s%s}", info.name, quote, value, quote);
       segment_with(cloud, method, json, json, seed, task);
@@ -79,7 +81,8 @@ static inline void every_choice(const jalon_cloud* cloud, const char* method, ui
 }
 
 /* Random points of a scene, with outliers. */
-static inline jalon_cloud* samples_of(const char* scene_name, uint64_t points, uint64_t seed, jalon_task* task) {
+static inline jalon_cloud* samples_of(const char* scene_name, uint64_t points, uint64_t seed,
+                                      jalon_task* task) {
   jalon_params *options, *params;
   jalon_model* scene;
   jalon_scanner* scanner;
@@ -104,10 +107,12 @@ static inline jalon_cloud* samples_of(const char* scene_name, uint64_t points, u
 static inline void segmenters(uint64_t seed, jalon_task* task) {
   const char* const kRows[] = {
       "{\"tolerance_from\": \"estimate\", \"tolerance_dof\": 2}",
-      "{\"orientation_order\": \"vertical horizontal inclined parallel\", \"gap_m\": 0, \"merge_gap_m\": 0}",
+      "{\"orientation_order\": \"vertical horizontal inclined parallel\", \"gap_m\": 0, "
+      "\"merge_gap_m\": 0}",
       "{\"orientation_order\": \"parallel horizontal\", \"strip_width_m\": 0.3}",
       "{\"draws\": 2000, \"max_planes\": 2, \"least_radius_m\": 0}",
-      "{\"connectivity\": false, \"normals\": \"none\", \"sampling\": \"global\", \"refit\": false, "
+      "{\"connectivity\": false, \"normals\": \"none\", \"sampling\": \"global\", \"refit\": "
+      "false, "
       "\"reassign\": false, \"min_points\": 500}"};
   jalon_cloud* cloud = samples_of("surrounds", 12000, seed, task);
   MUST(jalon_cloud_compute_normals(cloud, NULL, task));
@@ -126,8 +131,10 @@ static inline jalon_cloud* wall_column_ball(uint64_t seed) {
   for (uint64_t i = 0; i < kEach; ++i) {
     double *w = xyz + 3 * i, *c = w + 3 * kEach, *b = c + 3 * kEach;
     const double u = uniform(seed, 8 * i), v = uniform(seed, 8 * i + 1);
-    const double noise = 0.006 * (uniform(seed, 8 * i + 2) - 0.5), x = cos(2 * pi * u), y = sin(2 * pi * u);
-    const double z = 2 * v - 1, column = 0.2 + noise, ball = 0.5 + noise, around = ball * sqrt(1 - z * z);
+    const double noise = 0.006 * (uniform(seed, 8 * i + 2) - 0.5), x = cos(2 * pi * u),
+                 y = sin(2 * pi * u);
+    const double z = 2 * v - 1, column = 0.2 + noise, ball = 0.5 + noise,
+                 around = ball * sqrt(1 - z * z);
     w[0] = 4 * u, w[1] = 3 + noise, w[2] = 2 * v;
     c[0] = 2 + column * x, c[1] = column * y, c[2] = 2 * v;
     b[0] = 5 + around * x, b[1] = around * y, b[2] = 1 + ball * z;
@@ -156,7 +163,8 @@ static inline void picks(uint64_t seed, jalon_task* task) {
   segment_with(cloud, "ransac", "{\"primitives\": \"all\"}", "wall, column and ball", seed, task);
   MUST(jalon_segmentation_start(cloud, task, &start));
   for (size_t i = 0; i < sizeof kPicks / sizeof *kPicks; ++i) {
-    MUST(jalon_segmentation_pick(start, kPicks[i].primitive, kPicks[i].picks, kPicks[i].count, NULL, task, &picked));
+    MUST(jalon_segmentation_pick(start, kPicks[i].primitive, kPicks[i].picks, kPicks[i].count, NULL,
+                                 task, &picked));
     tell(kPicks[i].name, seed, hash_segmentation(kStart, picked));
     jalon_segmentation_release(picked);
   }
@@ -190,8 +198,9 @@ static inline void every_scene(uint64_t seed, jalon_task* task) {
       jalon_fields* truth;
       MUST(jalon_scanner_create(sampled ? "sample" : "static", &scanner));
       MUST(jalon_scanner_params(scanner, &params));
-      MUST(jalon_params_from_json(params, sampled ? "{\"points\": 3000}"
-                                                  : "{\"horizontal_step_rad\": 0.03, \"vertical_step_rad\": 0.03}"));
+      MUST(jalon_params_from_json(
+          params, sampled ? "{\"points\": 3000}"
+                          : "{\"horizontal_step_rad\": 0.03, \"vertical_step_rad\": 0.03}"));
       MUST(jalon_scanner_run(scanner, scene, task, &cloud));
       MUST(jalon_scanner_truth(scanner, scene, cloud, task, &truth));
       assert_true(count_of(cloud) > 100);

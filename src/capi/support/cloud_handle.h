@@ -24,7 +24,8 @@ struct CloudPair {
   }
 };
 /// The points where the mask is 1, and those where it is 0.
-CloudPair split_by_mask(const Cloud& cloud, std::span<const uint8_t> mask, bool want_ones, bool want_zeros, Task& task);
+CloudPair split_by_mask(const Cloud& cloud, std::span<const uint8_t> mask, bool want_ones,
+                        bool want_zeros, Task& task);
 
 /// Name, type and texts of a field as the caller gave them; unit and meaning may be NULL.
 FieldInfo require_field_info(const char* name, int32_t type, uint32_t components, const char* unit,
@@ -34,7 +35,8 @@ constexpr size_t kLongText = size_t{1} << 20;
 /// 0 or JALON_CLOUD_DROP_INVALID; true for the latter.
 bool require_flags(uint32_t flags);
 /// Packed doubles from strided memory of any type.
-void load_coordinates(const void* xyz, ElementType type, size_t count, size_t stride_bytes, double* out);
+void load_coordinates(const void* xyz, ElementType type, size_t count, size_t stride_bytes,
+                      double* out);
 /// The indices of the points whose three coordinates are finite.
 std::vector<uint64_t> finite_points(std::span<const double> xyz);
 

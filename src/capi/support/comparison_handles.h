@@ -13,7 +13,8 @@
 
 struct jalon_comparer : jalon::capi::Counted {
   const jalon::CompareMethod* method = nullptr;
-  std::shared_ptr<jalon::ParamSet> values;  ///< shared with the jalon_params handles of this comparer
+  std::shared_ptr<jalon::ParamSet>
+      values;  ///< shared with the jalon_params handles of this comparer
 };
 
 struct jalon_comparison : jalon::capi::Counted {
@@ -25,7 +26,8 @@ namespace jalon::capi {
 /// Where both are known.
 inline void require_same_crs(const SharedText& reference, const SharedText& compared) {
   if (!reference.empty() && !compared.empty() && reference != compared)
-    fail(Status::kInvalidArgument, "the CRS of the reference (%.60s) and of the compared data (%.60s) differ",
+    fail(Status::kInvalidArgument,
+         "the CRS of the reference (%.60s) and of the compared data (%.60s) differ",
          reference.c_str(), compared.c_str());
 }
 

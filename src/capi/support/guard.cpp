@@ -35,8 +35,10 @@ static_assert(static_cast<int32_t>(ElementType::kInt8) == JALON_INT8);
 static_assert(static_cast<int32_t>(ElementType::kUint64) == JALON_UINT64);
 static_assert(static_cast<int32_t>(ElementType::kFloat32) == JALON_FLOAT32);
 static_assert(static_cast<int32_t>(ElementType::kFloat64) == JALON_FLOAT64);
-static_assert(element_type_of<float>() == ElementType::kFloat32 && element_type_of<uint8_t>() == ElementType::kUint8);
-static_assert(element_type_of<int64_t>() == ElementType::kInt64 && element_type_of<uint32_t>() == ElementType::kUint32);
+static_assert(element_type_of<float>() == ElementType::kFloat32 &&
+              element_type_of<uint8_t>() == ElementType::kUint8);
+static_assert(element_type_of<int64_t>() == ElementType::kInt64 &&
+              element_type_of<uint32_t>() == ElementType::kUint32);
 
 }  // namespace
 
@@ -47,7 +49,8 @@ jalon_status remember(Status status, const char* text) noexcept {
   for (; text[n] != 0 && n + 1 < kMessageBytes; ++n)  // one line, whatever a file name holds
     last_message[n] = static_cast<unsigned char>(text[n]) < 0x20 ? ' ' : text[n];
   if (text[n] != 0)
-    while (n > 0 && (static_cast<unsigned char>(last_message[n]) & 0xC0) == 0x80) --n;  // no half UTF-8 character
+    while (n > 0 && (static_cast<unsigned char>(last_message[n]) & 0xC0) == 0x80)
+      --n;  // no half UTF-8 character
   last_message[n] = 0;
   return static_cast<jalon_status>(status);
 }
@@ -70,8 +73,8 @@ jalon_status remember_current() noexcept {
   }
 }
 
-size_t require_array(const void* data, int32_t type, uint64_t count, uint32_t components, uint64_t stride_bytes,
-                     const char* name) {
+size_t require_array(const void* data, int32_t type, uint64_t count, uint32_t components,
+                     uint64_t stride_bytes, const char* name) {
   const uint64_t element = size_of(require_type(type));
   const uint64_t item = element * components;
   if (stride_bytes == 0) stride_bytes = item;
@@ -80,7 +83,8 @@ size_t require_array(const void* data, int32_t type, uint64_t count, uint32_t co
          static_cast<unsigned long long>(stride_bytes));
   if (count == 0) return stride_bytes;
   require(data, name);
-  if (count > static_cast<uint64_t>(std::numeric_limits<ptrdiff_t>::max()) / std::max(stride_bytes, item))
+  if (count >
+      static_cast<uint64_t>(std::numeric_limits<ptrdiff_t>::max()) / std::max(stride_bytes, item))
     fail(Status::kInvalidArgument, "%s: %llu items do not fit the address space", name,
          static_cast<unsigned long long>(count));
   return stride_bytes;

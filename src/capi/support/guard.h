@@ -42,8 +42,8 @@ inline ElementType require_type(int32_t type) {
 
 /// Strided input of count items of components elements: checks type, stride, overflow and NULL (allowed for count 0
 /// only); returns the stride, packed when 0 was given.
-size_t require_array(const void* data, int32_t type, uint64_t count, uint32_t components, uint64_t stride_bytes,
-                     const char* name);
+size_t require_array(const void* data, int32_t type, uint64_t count, uint32_t components,
+                     uint64_t stride_bytes, const char* name);
 
 /// A valid UTF-8 text of at most 64 KiB (1 MiB for long ones), not NULL.
 std::string require_text(const char* text, const char* name, size_t limit = 65536);
@@ -51,7 +51,8 @@ std::string require_text(const char* text, const char* name, size_t limit = 6553
 inline Transform from_c(const jalon_transform& t) {
   Transform out;
   for (size_t i = 0; i < 12; ++i) {
-    if (!std::isfinite(t.m[i])) fail(Status::kInvalidArgument, "the transform holds a value that is not finite");
+    if (!std::isfinite(t.m[i]))
+      fail(Status::kInvalidArgument, "the transform holds a value that is not finite");
     out.m[i] = t.m[i];
   }
   return out;
@@ -64,7 +65,8 @@ inline jalon_transform to_c(const Transform& t) {
 inline Vec3 from_c(const jalon_vec3& v) { return {v.x, v.y, v.z}; }
 inline jalon_vec3 to_c(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline jalon_array_view view_of(const Column& column) {
-  return {column.raw(), column.count(), column.info().components, static_cast<int32_t>(column.info().type),
+  return {column.raw(), column.count(), column.info().components,
+          static_cast<int32_t>(column.info().type),
           size_of(column.info().type) * column.info().components};
 }
 

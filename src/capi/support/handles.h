@@ -27,7 +27,8 @@ T* retain(T* handle) noexcept {
 
 template <class T>
 void release(T* handle) noexcept {
-  if (handle != nullptr && handle->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) delete handle;
+  if (handle != nullptr && handle->owners.fetch_sub(1, std::memory_order_acq_rel) == 1)
+    delete handle;
 }
 
 /// A task in use by one call: refuses a second one, hands the hooks on. NULL gives the defaults.

@@ -18,7 +18,8 @@ namespace jalon::capi {
 
 /// The method of that name; else the error names those there are. what: "segmentation method".
 template <class Method>
-const Method& find_method(std::span<const Method> methods, const std::string& name, const char* what) {
+const Method& find_method(std::span<const Method> methods, const std::string& name,
+                          const char* what) {
   std::string names;
   for (const Method& method : methods) {
     if (name == method.name) return method;
@@ -29,10 +30,13 @@ const Method& find_method(std::span<const Method> methods, const std::string& na
 
 /// jalon_..._create: name NULL is the default method.
 template <class Worker, class Method>
-jalon_status create_worker(std::span<const Method> methods, const char* name, const char* what, Worker** out) {
+jalon_status create_worker(std::span<const Method> methods, const char* name, const char* what,
+                           Worker** out) {
   return guard([&] {
     require(out, "out");
-    const Method& method = name == nullptr ? methods.front() : find_method(methods, require_text(name, "method"), what);
+    const Method& method = name == nullptr
+                               ? methods.front()
+                               : find_method(methods, require_text(name, "method"), what);
     auto handle = std::make_unique<Worker>();
     handle->method = &method;
     handle->values = std::make_shared<ParamSet>(method.owner, method.rows());
@@ -41,7 +45,8 @@ jalon_status create_worker(std::span<const Method> methods, const char* name, co
 }
 
 /// jalon_..._methods: the static names that the table has (kNamesOf).
-inline void give_names(std::span<const char* const> from, const char* const** names, uint64_t* count) {
+inline void give_names(std::span<const char* const> from, const char* const** names,
+                       uint64_t* count) {
   require(names, "names");
   require(count, "count");
   *names = from.data();
@@ -64,7 +69,8 @@ jalon_status give_worker_params(Worker* worker, const char* name, jalon_params**
 /// The method's function of this kind; else the error says what it does not do, and names the first that does:
 /// require_run(registration_methods(), *worker->method, &RegistrationMethod::run_targets, "registers clouds").
 template <class Method, class Run>
-Run require_run(std::span<const Method> methods, const Method& method, Run Method::*run, const char* limit) {
+Run require_run(std::span<const Method> methods, const Method& method, Run Method::*run,
+                const char* limit) {
   if (method.*run != nullptr) return method.*run;
   for (const Method& other : methods)
     if (other.*run != nullptr)

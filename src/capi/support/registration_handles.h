@@ -12,7 +12,8 @@
 
 struct jalon_registrar : jalon::capi::Counted {
   const jalon::RegistrationMethod* method = nullptr;
-  std::shared_ptr<jalon::ParamSet> values;  ///< shared with the jalon_params handles of this registrar
+  std::shared_ptr<jalon::ParamSet>
+      values;  ///< shared with the jalon_params handles of this registrar
 };
 
 struct jalon_registration : jalon::capi::Counted {

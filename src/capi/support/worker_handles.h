@@ -12,7 +12,8 @@
 
 struct jalon_segmenter : jalon::capi::Counted {
   const jalon::SegmentMethod* method = nullptr;
-  std::shared_ptr<jalon::ParamSet> values;  ///< shared with the jalon_params handles of this segmenter
+  std::shared_ptr<jalon::ParamSet>
+      values;  ///< shared with the jalon_params handles of this segmenter
 };
 
 struct jalon_segmentation : jalon::capi::Counted {

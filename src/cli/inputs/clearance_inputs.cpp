@@ -69,7 +69,8 @@ void add_piece(const Json& json, Gauge& gauge) {
       for (const double c : point.get<Vector>()) gauge.hull_points.push_back(c);
     piece.count = gauge.hull_points.size() / 3 - piece.first;
   } else {
-    throw Failure{JALON_ERROR_FORMAT, "\"" + type + "\" is no type of piece: box, sphere, cylinder, hull"};
+    throw Failure{JALON_ERROR_FORMAT,
+                  "\"" + type + "\" is no type of piece: box, sphere, cylinder, hull"};
   }
   gauge.pieces.push_back(piece);
 }
@@ -103,7 +104,8 @@ std::vector<jalon_transform> along_path(const std::vector<Vector>& places) {
 
 Gauge read_gauge(const std::string& path) {
   const Json json = Json::parse(read_text_file(path), nullptr, false);
-  if (!json.is_object() || !json.contains("pieces")) malformed(path, "no JSON object with \"pieces\"");
+  if (!json.is_object() || !json.contains("pieces"))
+    malformed(path, "no JSON object with \"pieces\"");
   Gauge gauge;
   try {
     for (const Json& piece : json.at("pieces")) add_piece(piece, gauge);

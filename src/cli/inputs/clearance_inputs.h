@@ -25,6 +25,7 @@ std::vector<jalon_transform> read_trajectory(const std::string& path);
 
 /// The least clearance of each pose interval along the trajectory as SVG text, with the margin and the contacts.
 /// clearances: NaN where nothing is within reach_m.
-std::string clearance_drawing(const std::vector<double>& clearances, double margin_m, double reach_m);
+std::string clearance_drawing(const std::vector<double>& clearances, double margin_m,
+                              double reach_m);
 
 }  // namespace jalon::cli

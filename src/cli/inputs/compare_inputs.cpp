@@ -24,8 +24,9 @@ bool has_stations(const Cloud& cloud) {
 
 bool is_model_file(const std::string& path) {
   std::string lower = path;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
   return std::ranges::any_of(std::initializer_list<const char*>{".obj", ".stl", ".json"},
                              [&](const char* end) { return lower.ends_with(end); });
 }
@@ -38,8 +39,8 @@ Cloud sampled(const Console& console, const Model& model, const Settings& settin
   return out;
 }
 
-std::string use_stations(const Cloud& reference, const Cloud& compared, bool both, const Settings& settings,
-                         const Params& params) {
+std::string use_stations(const Cloud& reference, const Cloud& compared, bool both,
+                         const Settings& settings, const Params& params) {
   if (has_stations(reference) && (!both || has_stations(compared))) {
     must(jalon_params_set_string(params.get(), "visibility", "stations"));
     must(jalon_params_set_string(params.get(), "local_model", "plane"));
@@ -48,8 +49,10 @@ std::string use_stations(const Cloud& reference, const Cloud& compared, bool bot
   }
   const char* visibility = nullptr;
   must(jalon_params_get_string(params.get(), "visibility", &visibility));
-  if (std::string(visibility) == "stations") return "what the scanners could not see has no distance";
-  return "not told apart, may show as changes: --reference-station and --compared-station give the scanners' places";
+  if (std::string(visibility) == "stations")
+    return "what the scanners could not see has no distance";
+  return "not told apart, may show as changes: --reference-station and --compared-station give the "
+         "scanners' places";
 }
 
 }  // namespace jalon::cli

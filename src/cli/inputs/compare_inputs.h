@@ -16,7 +16,7 @@ Cloud sampled(const Console& console, const Model& model, const Settings& settin
 
 /// Where all points of the reference, and both ways of the compared scan too, have a scanner's place, sets what leaves
 /// out its shadows; settings said otherwise win. Returns what the report says of shadows.
-std::string use_stations(const Cloud& reference, const Cloud& compared, bool both, const Settings& settings,
-                         const Params& params);
+std::string use_stations(const Cloud& reference, const Cloud& compared, bool both,
+                         const Settings& settings, const Params& params);
 
 }  // namespace jalon::cli

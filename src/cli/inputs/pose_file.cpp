@@ -18,10 +18,12 @@ jalon_transform read_pose(const std::string& path) {
     all.insert(all.end(), row.begin(), row.end());
     at = end + 1;
   }
-  const bool has_last_row = all.size() == 16 && all[12] == 0 && all[13] == 0 && all[14] == 0 && all[15] == 1;
+  const bool has_last_row =
+      all.size() == 16 && all[12] == 0 && all[13] == 0 && all[14] == 0 && all[15] == 1;
   if (all.size() != 12 && !has_last_row)
-    throw Failure{JALON_ERROR_FORMAT, path + ": a pose has 12 numbers, or 16 with 0 0 0 1 at the end; here are " +
-                                          std::to_string(all.size())};
+    throw Failure{JALON_ERROR_FORMAT,
+                  path + ": a pose has 12 numbers, or 16 with 0 0 0 1 at the end; here are " +
+                      std::to_string(all.size())};
   jalon_transform pose;
   std::copy_n(all.begin(), 12, pose.m);
   return pose;

@@ -12,16 +12,18 @@ namespace jalon::cli {
 
 namespace {
 
-std::vector<double> numbers(const nlohmann::json& summary, const char* name, size_t count, const std::string& path) {
+std::vector<double> numbers(const nlohmann::json& summary, const char* name, size_t count,
+                            const std::string& path) {
   const auto found = summary.find(name);
   std::vector<double> out;
   if (found != summary.end() && found->is_array())
     for (const auto& value : *found)
       if (value.is_number()) out.push_back(value.get<double>());
   if (out.size() != count)
-    throw Failure{JALON_ERROR_FORMAT,
-                  path + ": no " + name + " of " + std::to_string(count) +
-                      " numbers; a registration that leaves directions open has no covariance there"};
+    throw Failure{
+        JALON_ERROR_FORMAT,
+        path + ": no " + name + " of " + std::to_string(count) +
+            " numbers; a registration that leaves directions open has no covariance there"};
   return out;
 }
 
@@ -33,7 +35,8 @@ void use_registration_file(const std::string& path, jalon_params* params) {
     throw Failure{JALON_ERROR_FORMAT, path + ": not a registration.json of \"jalon register\""};
   const std::vector<double> covariance = numbers(json["summary"], "covariance", 36, path);
   const std::vector<double> centre = numbers(json["summary"], "centre", 3, path);
-  must(jalon_params_set_doubles(params, "registration_covariance", covariance.data(), covariance.size()));
+  must(jalon_params_set_doubles(params, "registration_covariance", covariance.data(),
+                                covariance.size()));
   must(jalon_params_set_doubles(params, "registration_centre", centre.data(), centre.size()));
 }
 

@@ -11,11 +11,12 @@ namespace jalon {
 
 namespace {
 
-constexpr int kWidenings = 6;          // of the window around a region ...
-constexpr double kWidening = 1.5;      // ... each by this: objects up to eleven times the size of their change
-constexpr double kWindow = 0.5;        // first margin in diagonals of the region
-constexpr double kWindowCells = 6;     // and at least so many cells
-constexpr int kTurns = 3;              // between the epochs, until nothing is added
+constexpr int kWidenings = 6;  // of the window around a region ...
+constexpr double kWidening =
+    1.5;  // ... each by this: objects up to eleven times the size of their change
+constexpr double kWindow = 0.5;     // first margin in diagonals of the region
+constexpr double kWindowCells = 6;  // and at least so many cells
+constexpr int kTurns = 3;           // between the epochs, until nothing is added
 
 using Indices = std::vector<uint32_t>;
 
@@ -30,14 +31,16 @@ Box3 widened(const Box3& box, double margin) {
 
 bool reaches_edge(const Epoch& epoch, const Indices& points, const Box3& window, double margin) {
   const Box3 inner = widened(window, -margin);
-  return std::any_of(points.begin(), points.end(), [&](uint32_t i) { return !inner.contains(epoch.local(i)); });
+  return std::any_of(points.begin(), points.end(),
+                     [&](uint32_t i) { return !inner.contains(epoch.local(i)); });
 }
 
 // Points of the epoch in a window, ascending.
 Indices points_in(const Epoch& epoch, const Box3& window, Task& task) {
   const Vec3 centre = (window.min + window.max) * 0.5;
   std::vector<Neighbour> found;
-  epoch.cloud().octree(task)->radius(centre + epoch.origin, norm(window.max - window.min) / 2, found);
+  epoch.cloud().octree(task)->radius(centre + epoch.origin, norm(window.max - window.min) / 2,
+                                     found);
   Indices out;
   for (const Neighbour& n : found)
     if (window.contains(epoch.local(n.index))) out.push_back(n.index);
@@ -51,13 +54,14 @@ void add_unchanged(const Epoch& epoch, const Indices& points, std::vector<Vec3>&
 }
 
 // The pieces of the window, without the supports, that hold any of the seeds.
-Indices grow(const Epoch& epoch, const Indices& window, const Indices& seeds, const std::vector<Support>& supports,
-             double cell_m, Task& task) {
+Indices grow(const Epoch& epoch, const Indices& window, const Indices& seeds,
+             const std::vector<Support>& supports, double cell_m, Task& task) {
   Indices kept;
   std::vector<double> xyz;
   for (const uint32_t i : window) {
     const Vec3 p = epoch.local(i);
-    const bool is_support = std::any_of(supports.begin(), supports.end(), [&](const Support& s) { return s.holds(p); });
+    const bool is_support =
+        std::any_of(supports.begin(), supports.end(), [&](const Support& s) { return s.holds(p); });
     if (is_support) continue;
     kept.push_back(i);
     xyz.insert(xyz.end(), {p.x, p.y, p.z});
@@ -85,7 +89,11 @@ void add_counterparts(const Epoch& epoch, const Indices& object, Indices& seeds)
 class Grower {
  public:
   Grower(const Epoch& before, const Epoch& after, double tolerance_m, Task& task)
-      : before_(before), after_(after), tolerance_m_(tolerance_m), cell_m_(cell_of(before, after)), task_(task) {}
+      : before_(before),
+        after_(after),
+        tolerance_m_(tolerance_m),
+        cell_m_(cell_of(before, after)),
+        task_(task) {}
 
   // The object that holds these changed points.
   ChangedObject object_of(Indices seeds_before, Indices seeds_after) {
@@ -93,12 +101,15 @@ class Grower {
     Box3 change;
     for (const uint32_t i : seeds_before) change.add(before_.local(i));
     for (const uint32_t i : seeds_after) change.add(after_.local(i));
-    Box3 window = widened(change, std::max(kWindow * norm(change.max - change.min), kWindowCells * cell_m_));
+    Box3 window =
+        widened(change, std::max(kWindow * norm(change.max - change.min), kWindowCells * cell_m_));
     for (int k = 0; k <= kWidenings; ++k) {
       fill(window, change, seeds_before, seeds_after, out);
-      if (!reaches_edge(before_, out.before, window, cell_m_) && !reaches_edge(after_, out.after, window, cell_m_))
+      if (!reaches_edge(before_, out.before, window, cell_m_) &&
+          !reaches_edge(after_, out.after, window, cell_m_))
         return out;
-      window = widened(window, (kWidening - 1) / 2 * norm(window.max - window.min) / std::sqrt(3.0));
+      window =
+          widened(window, (kWidening - 1) / 2 * norm(window.max - window.min) / std::sqrt(3.0));
     }
     out.before = std::move(seeds_before);
     out.after = std::move(seeds_after);
@@ -107,9 +118,10 @@ class Grower {
   }
 
  private:
-  void fill(const Box3& window, const Box3& change, const Indices& seeds_before, const Indices& seeds_after,
-            ChangedObject& out) {
-    const Indices in_before = points_in(before_, window, task_), in_after = points_in(after_, window, task_);
+  void fill(const Box3& window, const Box3& change, const Indices& seeds_before,
+            const Indices& seeds_after, ChangedObject& out) {
+    const Indices in_before = points_in(before_, window, task_),
+                  in_after = points_in(after_, window, task_);
     std::vector<Vec3> unchanged;
     add_unchanged(before_, in_before, unchanged);
     add_unchanged(after_, in_after, unchanged);
@@ -118,8 +130,8 @@ class Grower {
     while (drop_own_faces(out)) grow_both(in_before, in_after, seeds_before, seeds_after, out);
   }
 
-  void grow_both(const Indices& in_before, const Indices& in_after, Indices from_before, Indices from_after,
-                 ChangedObject& out) {
+  void grow_both(const Indices& in_before, const Indices& in_after, Indices from_before,
+                 Indices from_after, ChangedObject& out) {
     out.before.clear();
     out.after.clear();
     for (int turn = 0; turn < kTurns; ++turn) {
@@ -137,7 +149,8 @@ class Grower {
     Box3 box;
     for (const uint32_t i : object.before) box.add(before_.local(i));
     for (const uint32_t i : object.after) box.add(after_.local(i));
-    return !box.empty() && std::erase_if(object.supports, [&](const Support& s) { return !s.goes_beyond(box); }) > 0;
+    return !box.empty() && std::erase_if(object.supports,
+                                         [&](const Support& s) { return !s.goes_beyond(box); }) > 0;
   }
 
   const Epoch &before_, &after_;
@@ -146,37 +159,42 @@ class Grower {
 };
 
 // Labels of the regions that an object holds and no object before it did; they are then done with.
-std::vector<uint32_t> labels_in(const Epoch& epoch, const Indices& points, std::vector<uint8_t>& done) {
+std::vector<uint32_t> labels_in(const Epoch& epoch, const Indices& points,
+                                std::vector<uint8_t>& done) {
   std::vector<uint32_t> out;
   for (const uint32_t i : points)
-    if (const uint32_t label = epoch.regions.labels[i]; label > 0 && done[label - 1] == 0) out.push_back(label);
+    if (const uint32_t label = epoch.regions.labels[i]; label > 0 && done[label - 1] == 0)
+      out.push_back(label);
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   for (const uint32_t label : out) done[label - 1] = 1;
   return out;
 }
 
-void take(const Epoch& before, const Epoch& after, ChangedObject& object, std::vector<uint8_t>& done_before,
-          std::vector<uint8_t>& done_after) {
+void take(const Epoch& before, const Epoch& after, ChangedObject& object,
+          std::vector<uint8_t>& done_before, std::vector<uint8_t>& done_after) {
   object.regions_before = labels_in(before, object.before, done_before);
   object.regions_after = labels_in(after, object.after, done_after);
 }
 
 }  // namespace
 
-std::vector<ChangedObject> single_regions(const Epoch& before, const Epoch& after, const ChangedObject& object,
-                                          double cell_m) {
+std::vector<ChangedObject> single_regions(const Epoch& before, const Epoch& after,
+                                          const ChangedObject& object, double cell_m) {
   std::vector<ChangedObject> out;
-  const auto add = [&](const Epoch& epoch, const Indices& points, const std::vector<uint32_t>& labels, bool is_after) {
+  const auto add = [&](const Epoch& epoch, const Indices& points,
+                       const std::vector<uint32_t>& labels, bool is_after) {
     for (const uint32_t label : labels) {
       const Region& region = epoch.regions.regions[label - 1];
-      const Box3 beside = widened({region.box.min - epoch.origin, region.box.max - epoch.origin}, 2 * cell_m);
+      const Box3 beside =
+          widened({region.box.min - epoch.origin, region.box.max - epoch.origin}, 2 * cell_m);
       ChangedObject& one = out.emplace_back();
       one.supports = object.supports;
       (is_after ? one.regions_after : one.regions_before) = {label};
       Indices& own = is_after ? one.after : one.before;
       for (const uint32_t i : points)
-        if (epoch.regions.labels[i] == label || (epoch.regions.changed[i] == 0 && beside.contains(epoch.local(i))))
+        if (epoch.regions.labels[i] == label ||
+            (epoch.regions.changed[i] == 0 && beside.contains(epoch.local(i))))
           own.push_back(i);
     }
   };
@@ -197,9 +215,11 @@ double changed_volume(const Epoch& epoch, const std::vector<uint32_t>& labels) {
   return sum;
 }
 
-std::vector<ChangedObject> whole_objects(const Epoch& before, const Epoch& after, double tolerance_m, Task& task) {
+std::vector<ChangedObject> whole_objects(const Epoch& before, const Epoch& after,
+                                         double tolerance_m, Task& task) {
   Grower grower(before, after, tolerance_m, task);
-  std::vector<uint8_t> done_before(before.regions.regions.size(), 0), done_after(after.regions.regions.size(), 0);
+  std::vector<uint8_t> done_before(before.regions.regions.size(), 0),
+      done_after(after.regions.regions.size(), 0);
   std::vector<ChangedObject> out;
   const size_t regions = done_before.size() + done_after.size();
   for (size_t k = 0; k < regions; ++k) {
@@ -210,7 +230,8 @@ std::vector<ChangedObject> whole_objects(const Epoch& before, const Epoch& after
     ChangedObject object =
         is_after ? grower.object_of({}, region.indices) : grower.object_of(region.indices, {});
     // A region within its own support (a hole in a floor that was filled) is what it is.
-    if (object.before.empty() && object.after.empty()) (is_after ? object.after : object.before) = region.indices;
+    if (object.before.empty() && object.after.empty())
+      (is_after ? object.after : object.before) = region.indices;
     take(before, after, object, done_before, done_after);
     (is_after ? done_after : done_before)[r] = 1;
     out.push_back(std::move(object));

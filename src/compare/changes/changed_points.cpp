@@ -19,8 +19,8 @@ const Column& number_column(const Comparison& comparison, const std::string& nam
   const Column* column = comparison.points.find(name);
   if (column == nullptr) column = &comparison.cloud->fields.require(name);
   if (column->info().components != 1)
-    fail(Status::kInvalidArgument, "field \"%.100s\" has %u components; one is needed", name.c_str(),
-         column->info().components);
+    fail(Status::kInvalidArgument, "field \"%.100s\" has %u components; one is needed",
+         name.c_str(), column->info().components);
   return *column;
 }
 
@@ -34,11 +34,13 @@ std::vector<uint8_t> where(size_t n, Task& task, F&& is_changed) {
 }
 
 /// Where the reference's points lie far apart, under grazing rays and across edges in depth, so may unchanged ones.
-std::vector<uint8_t> beyond(const Comparison& comparison, double threshold_m, double spacing_share, Task& task) {
+std::vector<uint8_t> beyond(const Comparison& comparison, double threshold_m, double spacing_share,
+                            Task& task) {
   const auto distance = comparison.points.require("distance").values<double>();
   const Column* column = comparison.points.find("reference_spacing");
   if (column == nullptr)
-    return where(distance.size(), task, [&](size_t i) { return std::abs(distance[i]) > threshold_m; });
+    return where(distance.size(), task,
+                 [&](size_t i) { return std::abs(distance[i]) > threshold_m; });
   const auto spacing = column->values<float>();
   return where(distance.size(), task, [&](size_t i) {
     const double apart = spacing[i] > 0 ? double{spacing[i]} : 0.0;
@@ -50,7 +52,8 @@ std::vector<uint8_t> set_in(const Comparison& comparison, const std::string& nam
   const Column& column = number_column(comparison, name);
   return visit(column.info().type, [&](auto zero) {
     const auto values = column.values<decltype(zero)>();
-    return where(values.size(), task, [&](size_t i) { return values[i] != zero && values[i] == values[i]; });
+    return where(values.size(), task,
+                 [&](size_t i) { return values[i] != zero && values[i] == values[i]; });
   });
 }
 
@@ -63,7 +66,8 @@ std::vector<uint8_t> changed_points(const Comparison& comparison, const RegionSe
   const bool has_level = comparison.points.find("significant") != nullptr;
   if (criterion == Criterion::kField) return set_in(comparison, settings.field, task);
   if (criterion == Criterion::kSignificance && !has_level)
-    fail(Status::kInvalidArgument, "this comparison has no level of detection; method m3c2 gives one");
+    fail(Status::kInvalidArgument,
+         "this comparison has no level of detection; method m3c2 gives one");
   if (criterion == Criterion::kSignificance || (criterion == Criterion::kAutomatic && has_level))
     return set_in(comparison, "significant", task);
   return beyond(comparison, settings.threshold_m, settings.spacing_share, task);

@@ -18,16 +18,20 @@ namespace jalon {
 
 namespace {
 
-constexpr double kToleranceShare = 0.5;   // of the threshold: what is less than half a change lies on the surface
+constexpr double kToleranceShare =
+    0.5;  // of the threshold: what is less than half a change lies on the surface
 // Of the points explained by one motion: scanned again after a rigid one 98 to 99.8 % were, of a beam of 3 m bent by
 // 0.25 m up to 88 %.
 constexpr double kRigidShare = 0.93;
 // Of twins far apart, where nothing but the shape speaks for a motion: other boxes of much the same size reach 96 %.
 constexpr double kTwinShare = 0.97;
-constexpr double kSizeRatio = 1.5;        // between the extents of twins: one epoch may see less of it than the other
+constexpr double kSizeRatio =
+    1.5;  // between the extents of twins: one epoch may see less of it than the other
 constexpr double kSizeCells = 4;
-constexpr double kSideShare = 0.05;       // of the changed surface: less than that on one side is its edge
-constexpr double kDiagnosisInsideShare = 0.02;     // of the points, in the box of the other: more than touches it
+constexpr double kSideShare =
+    0.05;  // of the changed surface: less than that on one side is its edge
+constexpr double kDiagnosisInsideShare =
+    0.02;  // of the points, in the box of the other: more than touches it
 
 struct Job {
   const Epoch &before, &after;
@@ -63,8 +67,8 @@ Vec3 up_of(const ChangedObject& object) {
 bool overlaps(const Job& job, const ChangedObject& object, double margin_m) {
   const std::vector<Vec3> after = job.after_of(object);
   const StandingBox box = standing_box(job.before_of(object), up_of(object));
-  const auto inside = static_cast<double>(
-      std::count_if(after.begin(), after.end(), [&](const Vec3& p) { return box.contains(p, margin_m); }));
+  const auto inside = static_cast<double>(std::count_if(
+      after.begin(), after.end(), [&](const Vec3& p) { return box.contains(p, margin_m); }));
   return inside > kDiagnosisInsideShare * static_cast<double>(after.size());
 }
 
@@ -80,10 +84,12 @@ Change moved_or_deformed(const Job& job, ChangedObject object) {
   out.object = std::move(object);
   const bool is_rigid = out.match.found && out.match.explained >= kRigidShare;
   const bool overlap = overlaps(job, out.object, 0);
-  out.change_class = is_rigid ? overlap ? ChangeClass::kDisplacementOverlap : ChangeClass::kDisplacement
+  out.change_class = is_rigid
+                         ? overlap ? ChangeClass::kDisplacementOverlap : ChangeClass::kDisplacement
                      : overlap ? ChangeClass::kDeformationOverlap
                                : ChangeClass::kDeformation;
-  out.confidence = is_rigid ? out.match.explained : std::clamp(1 - out.match.explained / 2, 0.0, 1.0);
+  out.confidence =
+      is_rigid ? out.match.explained : std::clamp(1 - out.match.explained / 2, 0.0, 1.0);
   if (!is_rigid) out.match = {};
   return out;
 }
@@ -93,7 +99,8 @@ bool stayed(const Job& job, const Change& change) {
   if (!change.match.found) return false;
   Box3 box;
   for (const uint32_t i : change.object.before) box.add(job.before.local(i));
-  return norm(change.match.displacement) + norm(change.match.rotation) * norm(box.max - box.min) / 2 <
+  return norm(change.match.displacement) +
+             norm(change.match.rotation) * norm(box.max - box.min) / 2 <
          job.threshold_m;
 }
 
@@ -105,7 +112,8 @@ bool is_twin(const Job& job, const ChangedObject& gone, const ChangedObject& com
   std::sort(x.begin(), x.end());
   std::sort(y.begin(), y.end());
   for (size_t k = 0; k < 3; ++k)
-    if (std::max(x[k], y[k]) > kSizeRatio * std::min(x[k], y[k]) + kSizeCells * job.cell_m) return false;
+    if (std::max(x[k], y[k]) > kSizeRatio * std::min(x[k], y[k]) + kSizeCells * job.cell_m)
+      return false;
   return true;
 }
 
@@ -132,10 +140,12 @@ void pair_twins(const Job& job, Sides& sides, std::vector<Change>& changes) {
     for (size_t c = 0; c < sides.come.size(); ++c) {
       if (!is_twin(job, sides.gone[g], sides.come[c])) continue;
       Change change = moved_or_deformed(job, joined(sides.gone[g], sides.come[c]));
-      if (change.match.found && change.match.explained >= kTwinShare) pairs.push_back({g, c, std::move(change)});
+      if (change.match.found && change.match.explained >= kTwinShare)
+        pairs.push_back({g, c, std::move(change)});
     }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& a, const Pair& b) { return a.change.confidence > b.change.confidence; });
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return a.change.confidence > b.change.confidence;
+  });
   std::vector<uint8_t> gone_used(sides.gone.size(), 0), come_used(sides.come.size(), 0);
   for (Pair& pair : pairs) {
     if (gone_used[pair.gone] != 0 || come_used[pair.come] != 0) continue;
@@ -156,7 +166,9 @@ void pair_twins(const Job& job, Sides& sides, std::vector<Change>& changes) {
 void pair_places(const Job& job, Sides& sides, std::vector<Change>& changes) {
   for (size_t g = 0; g < sides.gone.size();) {
     size_t c = 0;
-    while (c < sides.come.size() && !overlaps(job, joined(sides.gone[g], sides.come[c]), 2 * job.cell_m)) ++c;
+    while (c < sides.come.size() &&
+           !overlaps(job, joined(sides.gone[g], sides.come[c]), 2 * job.cell_m))
+      ++c;
     if (c == sides.come.size()) {
       ++g;
       continue;
@@ -202,10 +214,12 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
                    const RegionSettings& settings, Task& task) {
   for (const Comparison* c : {&forward, &reverse})
     if (c->points.find("nearest") == nullptr)
-      fail(Status::kInvalidArgument, "the diagnosis needs two comparisons of method distance between clouds");
+      fail(Status::kInvalidArgument,
+           "the diagnosis needs two comparisons of method distance between clouds");
   const double threshold_m = settings.threshold_m;
   if (!(threshold_m > 0))
-    fail(Status::kInvalidArgument, "threshold_m is 0; half of it is the tolerance of the diagnosis");
+    fail(Status::kInvalidArgument,
+         "threshold_m is 0; half of it is the tolerance of the diagnosis");
   Diagnosis out;
   out.after.comparison = &forward;
   out.before.comparison = &reverse;
@@ -217,8 +231,14 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
   }
   const double cell_m = std::max({out.before.regions.cell_m, out.after.regions.cell_m, 1e-6});
   for (Epoch* epoch : {&out.before, &out.after}) drop_shadow_rims(*epoch, threshold_m, cell_m);
-  const Job job{out.before, out.after, kToleranceShare * threshold_m, threshold_m, cell_m,
-                seen_by(out.before, threshold_m, task), seen_by(out.after, threshold_m, task), task};
+  const Job job{out.before,
+                out.after,
+                kToleranceShare * threshold_m,
+                threshold_m,
+                cell_m,
+                seen_by(out.before, threshold_m, task),
+                seen_by(out.after, threshold_m, task),
+                task};
   std::vector<ChangedObject> objects;
   {
     ProgressSpan span(task, 0.3, 0.6, "objects");
@@ -243,8 +263,10 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
   }
   pair_twins(job, sides, out.changes);
   pair_places(job, sides, out.changes);
-  for (ChangedObject& object : sides.come) out.changes.push_back(one_sided(job, std::move(object), true));
-  for (ChangedObject& object : sides.gone) out.changes.push_back(one_sided(job, std::move(object), false));
+  for (ChangedObject& object : sides.come)
+    out.changes.push_back(one_sided(job, std::move(object), true));
+  for (ChangedObject& object : sides.gone)
+    out.changes.push_back(one_sided(job, std::move(object), false));
   return out;
 }
 

@@ -23,7 +23,7 @@ struct Change {
   ChangeClass change_class = ChangeClass::kAppearance;
   double confidence = 0;  ///< 0 ... 1
   ChangedObject object;
-  RigidMatch match;       ///< of displacements; world coordinates relative to the epochs' origin
+  RigidMatch match;  ///< of displacements; world coordinates relative to the epochs' origin
 };
 
 struct Diagnosis {

@@ -12,8 +12,10 @@ MeasuredSteps::MeasuredSteps(const Comparison& comparison, const Cloud* referenc
       distance_(comparison.points.require("distance").values<double>()) {
   constexpr const char* kNames[] = {"difference_x", "difference_y", "difference_z"};
   for (size_t axis = 0; axis < 3; ++axis)
-    if (const Column* column = comparison.points.find(kNames[axis])) difference_[axis] = column->values<double>();
-  if (const Column* column = comparison.points.find("nearest"); column != nullptr && reference != nullptr)
+    if (const Column* column = comparison.points.find(kNames[axis]))
+      difference_[axis] = column->values<double>();
+  if (const Column* column = comparison.points.find("nearest");
+      column != nullptr && reference != nullptr)
     nearest_ = column->values<uint32_t>();
   if (const Column* column = comparison.points.find("normal")) normal_ = column->values<double>();
 }
@@ -21,7 +23,8 @@ MeasuredSteps::MeasuredSteps(const Comparison& comparison, const Cloud* referenc
 Vec3 MeasuredSteps::of(uint32_t point, const Vec3& otherwise_along) const {
   const double d = distance_[point];
   if (!std::isfinite(d)) return {d, d, d};
-  if (!difference_[2].empty()) return {difference_[0][point], difference_[1][point], difference_[2][point]};
+  if (!difference_[2].empty())
+    return {difference_[0][point], difference_[1][point], difference_[2][point]};
   if (!nearest_.empty() && nearest_[point] < reference_->size())
     return comparison_.cloud->point(point) - reference_->point(nearest_[point]);
   if (const size_t at = 3 * size_t{point}; !normal_.empty())

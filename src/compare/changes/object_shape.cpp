@@ -11,21 +11,22 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSoft = 1.5;           // thresholds: what is just beyond one has grown from nothing
+constexpr double kSoft = 1.5;  // thresholds: what is just beyond one has grown from nothing
 constexpr double kSoftShare = 0.5;
 constexpr size_t kLeastBorder = 10;
-constexpr double kRimShare = 0.5;       // of a rim's points have a hidden one beside them
+constexpr double kRimShare = 0.5;  // of a rim's points have a hidden one beside them
 // Thresholds: the margins of the visibility test are of the size of the threshold, and longer than that on surfaces
 // that rays graze.
 constexpr double kRimDistance = 4;
 constexpr double kRimQuantile = 0.9;
-constexpr double kParallel = 0.866;     // cosine of 30 degrees: surfaces that face the same way
+constexpr double kParallel = 0.866;  // cosine of 30 degrees: surfaces that face the same way
 constexpr uint32_t kPlaneNeighbours = 12;
 
 using Cell = std::array<int64_t, 3>;
 
 Cell cell_at(const Vec3& p, double cell_m) {
-  return {static_cast<int64_t>(std::floor(p.x / cell_m)), static_cast<int64_t>(std::floor(p.y / cell_m)),
+  return {static_cast<int64_t>(std::floor(p.x / cell_m)),
+          static_cast<int64_t>(std::floor(p.y / cell_m)),
           static_cast<int64_t>(std::floor(p.z / cell_m))};
 }
 
@@ -62,7 +63,8 @@ std::set<Cell> hidden_cells(const Epoch& epoch, double cell_m) {
   return hidden;
 }
 
-bool is_rim(const Epoch& epoch, const Region& region, const std::set<Cell>& hidden, double threshold_m, double cell_m) {
+bool is_rim(const Epoch& epoch, const Region& region, const std::set<Cell>& hidden,
+            double threshold_m, double cell_m) {
   const auto distance = epoch.comparison->points.require("distance").values<double>();
   std::vector<double> sizes;
   size_t beside = 0;
@@ -70,7 +72,8 @@ bool is_rim(const Epoch& epoch, const Region& region, const std::set<Cell>& hidd
     beside += touches(hidden, cell_at(epoch.local(i), cell_m)) ? 1 : 0;
     sizes.push_back(std::abs(distance[i]));
   }
-  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(kRimQuantile * static_cast<double>(sizes.size() - 1));
+  const auto at = sizes.begin() +
+                  static_cast<std::ptrdiff_t>(kRimQuantile * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), at, sizes.end());
   return static_cast<double>(beside) >= kRimShare * static_cast<double>(sizes.size()) &&
          *at <= kRimDistance * threshold_m;
@@ -97,18 +100,22 @@ double BorderOfChange::soft_share(double threshold_m) const {
   return static_cast<double>(soft) / static_cast<double>(points);
 }
 
-bool BorderOfChange::is_soft(double threshold_m) const { return soft_share(threshold_m) > kSoftShare; }
+bool BorderOfChange::is_soft(double threshold_m) const {
+  return soft_share(threshold_m) > kSoftShare;
+}
 
-BorderOfChange border_of_change(const Epoch& epoch, const Epoch& other, const std::vector<uint32_t>& points,
-                                double cell_m, Task& task) {
+BorderOfChange border_of_change(const Epoch& epoch, const Epoch& other,
+                                const std::vector<uint32_t>& points, double cell_m, Task& task) {
   BorderOfChange out;
   std::set<Cell> unchanged;
   for (const uint32_t i : points)
-    if (epoch.is_compared(i) && epoch.regions.changed[i] == 0) unchanged.insert(cell_at(epoch.local(i), cell_m));
+    if (epoch.is_compared(i) && epoch.regions.changed[i] == 0)
+      unchanged.insert(cell_at(epoch.local(i), cell_m));
   const auto distance = epoch.comparison->points.require("distance").values<double>();
   const auto tree = epoch.cloud().octree(task), other_tree = other.cloud().octree(task);
   for (const uint32_t i : points) {
-    if (epoch.regions.labels[i] == 0 || unchanged.count(cell_at(epoch.local(i), cell_m)) == 0) continue;
+    if (epoch.regions.labels[i] == 0 || unchanged.count(cell_at(epoch.local(i), cell_m)) == 0)
+      continue;
     ++out.points;
     if (epoch.nearest(i) == kNoPoint) continue;
     const Vec3 here = normal_at(*tree, epoch.cloud(), epoch.cloud().point(i));

@@ -10,8 +10,9 @@ namespace jalon {
 
 /// How a change meets the unchanged part of the same object.
 struct BorderOfChange {
-  size_t points = 0;               ///< changed ones beside unchanged ones
-  std::vector<double> parallel_m;  ///< distances of those whose surface faces as that of the other epoch does
+  size_t points = 0;  ///< changed ones beside unchanged ones
+  std::vector<double>
+      parallel_m;  ///< distances of those whose surface faces as that of the other epoch does
 
   /// Share of the border where the distance grows from nothing, surface along surface: a dent or a bulge. The foot of a
   /// thing that was put there has small distances too, but stands up from the surface.
@@ -20,8 +21,8 @@ struct BorderOfChange {
 };
 
 /// points: of the object in this epoch, ascending.
-BorderOfChange border_of_change(const Epoch& epoch, const Epoch& other, const std::vector<uint32_t>& points,
-                                double cell_m, Task& task);
+BorderOfChange border_of_change(const Epoch& epoch, const Epoch& other,
+                                const std::vector<uint32_t>& points, double cell_m, Task& task);
 
 /// Takes away changed regions that are but the rim of a shadow: most of their points lie beside hidden ones, and within
 /// the margin of the visibility test; there a point is called visible though another surface is nearer to the scanner.

@@ -34,7 +34,8 @@ double disc_radius(const Cloud& cloud, const Vec3& p, std::span<const Neighbour>
   for (const Neighbour& other : others) offset += cloud.point(other.index) - p;
   const auto k = static_cast<double>(others.size());
   const double share = farthest > 0 ? norm(offset) / (k * std::sqrt(farthest)) : 0;
-  const double beside = std::clamp((share - kChanceOffset) / (kBorderOffset - kChanceOffset), 0.0, 1.0);
+  const double beside =
+      std::clamp((share - kChanceOffset) / (kBorderOffset - kChanceOffset), 0.0, 1.0);
   // pi d^2 / k = 1 / density in the mean, on a plane.
   return std::sqrt(farthest / (k * kPointDiscsInsideShare) * (1 - 0.5 * beside));
 }
@@ -61,7 +62,8 @@ std::vector<PointDisc> point_discs(const Cloud& cloud, std::span<const uint64_t>
       tree->knn(p, k + 1, found);
       discs[i].radius_m = static_cast<float>(disc_radius(cloud, p, {found.data() + 1, k}));
       const Vec3 normal = disc_normal(cloud, p, {found.data(), k + 1});
-      for (int c = 0; c < 3; ++c) discs[i].across[static_cast<size_t>(c)] = static_cast<float>(normal[c]);
+      for (int c = 0; c < 3; ++c)
+        discs[i].across[static_cast<size_t>(c)] = static_cast<float>(normal[c]);
     }
   });
   return discs;
@@ -70,8 +72,10 @@ std::vector<PointDisc> point_discs(const Cloud& cloud, std::span<const uint64_t>
 double radius_quantile(const std::vector<PointDisc>& discs, double share) {
   if (discs.empty()) return 0;
   std::vector<float> radii(discs.size());
-  std::transform(discs.begin(), discs.end(), radii.begin(), [](const PointDisc& d) { return d.radius_m; });
-  const auto at = radii.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(radii.size() - 1));
+  std::transform(discs.begin(), discs.end(), radii.begin(),
+                 [](const PointDisc& d) { return d.radius_m; });
+  const auto at =
+      radii.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(radii.size() - 1));
   std::nth_element(radii.begin(), at, radii.end());
   return double{*at};
 }

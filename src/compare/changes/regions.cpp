@@ -88,7 +88,8 @@ void measure_volume(Region& region, const MeasuredSteps& steps, const std::vecto
   for (const uint32_t i : region.indices) {
     const PointDisc& disc = discs[row_in_part[i]];
     const Vec3 step = steps.of(i, region.axes.vectors[0]);
-    if (std::isfinite(step.x)) region.volume_m3 += disc.area_m2() * std::abs(dot(disc.normal(), step));
+    if (std::isfinite(step.x))
+      region.volume_m3 += disc.area_m2() * std::abs(dot(disc.normal(), step));
   }
 }
 
@@ -128,9 +129,11 @@ Regions change_regions(const Comparison& comparison, const RegionSettings& setti
 
 FieldTable region_points_table(const Regions& regions) {
   FieldTable table;
-  table.set(make_column<uint8_t>({"changed", ElementType::kUint8, 1, "", "1 = changed"}, regions.changed));
-  table.set(make_column<uint32_t>({"region", ElementType::kUint32, 1, "", "change region, 1 = most points, 0 = none"},
-                                  regions.labels));
+  table.set(make_column<uint8_t>({"changed", ElementType::kUint8, 1, "", "1 = changed"},
+                                 regions.changed));
+  table.set(make_column<uint32_t>(
+      {"region", ElementType::kUint32, 1, "", "change region, 1 = most points, 0 = none"},
+      regions.labels));
   return table;
 }
 
@@ -138,12 +141,16 @@ FieldTable regions_table(const Regions& found) {
   FieldTable table;
   const auto& rows = found.regions;
   add_column<uint32_t>(table, rows, "region", "", "label", [](const Region& r) { return r.label; });
-  add_column<uint64_t>(table, rows, "points", "", "", [](const Region& r) { return r.indices.size(); });
-  add_column<double>(table, rows, "area", "m2", "of the sampled surface", [](const Region& r) { return r.area_m2; });
+  add_column<uint64_t>(table, rows, "points", "", "",
+                       [](const Region& r) { return r.indices.size(); });
+  add_column<double>(table, rows, "area", "m2", "of the sampled surface",
+                     [](const Region& r) { return r.area_m2; });
   add_column<double>(table, rows, "volume", "m3", "between it and the other epoch",
                      [](const Region& r) { return r.volume_m3; });
-  add_column<double>(table, rows, "mean", "m", "mean distance", [](const Region& r) { return r.mean_m; });
-  add_column<double>(table, rows, "rms", "m", "root mean square distance", [](const Region& r) { return r.rms_m; });
+  add_column<double>(table, rows, "mean", "m", "mean distance",
+                     [](const Region& r) { return r.mean_m; });
+  add_column<double>(table, rows, "rms", "m", "root mean square distance",
+                     [](const Region& r) { return r.rms_m; });
   add_column<double>(table, rows, "extreme", "m", "largest distance, with its sign",
                      [](const Region& r) { return r.extreme_m; });
   const auto vec = [&](const char* name, const char* meaning, auto&& of) {

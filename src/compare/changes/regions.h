@@ -14,23 +14,23 @@ namespace jalon {
 
 /// Connected changed points: an object, a part of one, or several that touch (Girardeau-Montaut 2006, 3.2.4).
 struct Region {
-  uint32_t label = 0;              ///< 1 = most points
-  std::vector<uint32_t> indices;   ///< its points, ascending
-  double area_m2 = 0;              ///< of the surface that the points sample
-  double volume_m3 = 0;            ///< between that surface and the other epoch
-  double mean_m = 0, rms_m = 0;    ///< distances
-  double extreme_m = 0;            ///< the distance of largest size, with its sign
+  uint32_t label = 0;             ///< 1 = most points
+  std::vector<uint32_t> indices;  ///< its points, ascending
+  double area_m2 = 0;             ///< of the surface that the points sample
+  double volume_m3 = 0;           ///< between that surface and the other epoch
+  double mean_m = 0, rms_m = 0;   ///< distances
+  double extreme_m = 0;           ///< the distance of largest size, with its sign
   Box3 box;
   Vec3 centroid;
-  Eigen3 axes;                     ///< of the points' covariance about the centroid
+  Eigen3 axes;  ///< of the points' covariance about the centroid
 };
 
 struct Regions {
-  std::vector<uint8_t> changed;    ///< one a point of the comparison
-  std::vector<uint32_t> labels;    ///< the same: 0 = in no region
-  std::vector<Region> regions;     ///< labels 1, 2 ...
-  double cell_m = 0;               ///< edge of the grid that connected them
-  double spacing_m = 0;            ///< sqrt(A / (N pi)) of the changed points (eq. 2.6), median
+  std::vector<uint8_t> changed;  ///< one a point of the comparison
+  std::vector<uint32_t> labels;  ///< the same: 0 = in no region
+  std::vector<Region> regions;   ///< labels 1, 2 ...
+  double cell_m = 0;             ///< edge of the grid that connected them
+  double spacing_m = 0;          ///< sqrt(A / (N pi)) of the changed points (eq. 2.6), median
 };
 
 /// 1. Which points are changed; 2. their connected components on a grid (Girardeau-Montaut 2006,

@@ -23,7 +23,7 @@ struct Support {
 /// Planes among the unchanged points around a change that go on beyond it, the largest first: seeded draws of three
 /// points (Fischler & Bolles 1981), then least squares. What ends with the change (the unchanged top of a box that was
 /// pushed) is no support.
-std::vector<Support> find_supports(std::span<const Vec3> unchanged, const Box3& change, double tolerance_m,
-                                   uint64_t seed);
+std::vector<Support> find_supports(std::span<const Vec3> unchanged, const Box3& change,
+                                   double tolerance_m, uint64_t seed);
 
 }  // namespace jalon

@@ -46,11 +46,15 @@ void add_sources(FieldTable& table, const Rows& rows, const std::string& prefix,
                        [&](const auto& row) { return source(row).triangle; });
 }
 
-PartSurface surface_of(const PartTriangles& part, Task& task) { return {part.vertices, part.triangles, task}; }
+PartSurface surface_of(const PartTriangles& part, Task& task) {
+  return {part.vertices, part.triangles, task};
+}
 
-FieldTable near_points_table(const std::vector<NearPoint>& rows, const Cloud& cloud, const PartTriangles& part) {
+FieldTable near_points_table(const std::vector<NearPoint>& rows, const Cloud& cloud,
+                             const PartTriangles& part) {
   FieldTable t;
-  add_column<uint64_t>(t, rows, "point", "", "point of the cloud", [](const NearPoint& r) { return r.point; });
+  add_column<uint64_t>(t, rows, "point", "", "point of the cloud",
+                       [](const NearPoint& r) { return r.point; });
   add_column<double>(t, rows, "clearance", "m", "distance; negative inside",
                      [](const NearPoint& r) { return r.distance_m; });
   add_sources(t, rows, "", [&](const NearPoint& r) { return part.sources[r.triangle]; });
@@ -76,8 +80,10 @@ FieldTable near_triangles_table(const std::vector<NearTriangle>& rows, const Par
 }
 
 void add_inside(FieldTable& summary, bool closed, bool interferes, double depth, uint64_t near) {
-  add_value<double>(summary, "depth", "m", "how deep the deepest point lies inside; NaN: nothing has an inside", depth);
-  add_value<uint8_t>(summary, "interferes", "", "1: they meet, or one lies in the other", interferes);
+  add_value<double>(summary, "depth", "m",
+                    "how deep the deepest point lies inside; NaN: nothing has an inside", depth);
+  add_value<uint8_t>(summary, "interferes", "", "1: they meet, or one lies in the other",
+                     interferes);
   add_value<uint8_t>(summary, "closed", "", "1: the surface encloses a volume", closed);
   add_value<uint64_t>(summary, "near", "", "rows within the margin", near);
 }
@@ -86,7 +92,8 @@ void add_inside(FieldTable& summary, bool closed, bool interferes, double depth,
 
 void require_one_crs(const SharedText& a, const SharedText& b) {
   if (!a.empty() && !b.empty() && a != b)
-    fail(Status::kInvalidArgument, "the CRS of the two (%.60s and %.60s) differ", a.c_str(), b.c_str());
+    fail(Status::kInvalidArgument, "the CRS of the two (%.60s and %.60s) differ", a.c_str(),
+         b.c_str());
 }
 
 std::span<const ParamRow> clearance_rows() { return kRows; }
@@ -102,8 +109,8 @@ ClearanceTables clearance_to_cloud(const Model& model, uint64_t part, const Clou
 
   ClearanceTables tables{near_points_table({found.least}, cloud, triangles), {}};
   const double depth = !surface.is_closed() ? kNaN : std::max(0.0, -found.least.distance_m);
-  add_inside(tables.summary, surface.is_closed(), found.inside > 0 || found.least.distance_m == 0, depth,
-             found.near.size());
+  add_inside(tables.summary, surface.is_closed(), found.inside > 0 || found.least.distance_m == 0,
+             depth, found.near.size());
   add_value<uint64_t>(tables.summary, "inside", "", "points inside", found.inside);
   tables.near = near_points_table(found.near, cloud, triangles);
   return tables;
@@ -130,7 +137,8 @@ ClearanceTables clearance_to_model(const Model& model, uint64_t part, const Mode
   }
   ClearanceTables tables{near_triangles_table({row}, first, second), {}};
   add_inside(tables.summary, a.is_closed(), found.meet, found.depth_m, found.near.size());
-  add_value<uint8_t>(tables.summary, "other_closed", "", "1: the other surface encloses a volume", b.is_closed());
+  add_value<uint8_t>(tables.summary, "other_closed", "", "1: the other surface encloses a volume",
+                     b.is_closed());
   tables.near = near_triangles_table(found.near, first, second);
   return tables;
 }

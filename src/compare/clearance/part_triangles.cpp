@@ -30,7 +30,8 @@ std::vector<char> parts_below(const Model& model, uint64_t wanted) {
 
 class Collector {
  public:
-  explicit Collector(const Model& model) : model_(model), number_(model.vertices.size(), ~uint32_t{0}) {}
+  explicit Collector(const Model& model)
+      : model_(model), number_(model.vertices.size(), ~uint32_t{0}) {}
 
   void add(const std::array<uint32_t, 3>& triangle, const TriangleSource& source) {
     std::array<uint32_t, 3> renumbered;
@@ -60,7 +61,8 @@ PartTriangles collect(const Model& model, Wanted wanted) {
   for (size_t f = 0; f < model.faces.size(); ++f) {
     const uint64_t part = model.faces[f].part < model.parts.size() ? model.faces[f].part : kNoRow;
     if (!wanted(part)) continue;
-    for (const auto& t : triangles_of_face(model, model.faces[f])) collector.add(t, {part, f, kNoRow});
+    for (const auto& t : triangles_of_face(model, model.faces[f]))
+      collector.add(t, {part, f, kNoRow});
   }
   const bool by_part = is_mesh_by_part(model);
   for (const uint32_t t : loose_triangles(model)) {
@@ -85,13 +87,15 @@ ConvexPiece convex_piece_of(const PartTriangles& surface, const std::string& nam
 
 PartTriangles triangles_of_part(const Model& model, uint64_t part, double chord_m) {
   if (part != kWholeModel && part >= model.parts.size())
-    fail(Status::kInvalidArgument, "there is no part %llu; the model has %zu", static_cast<unsigned long long>(part),
-         model.parts.size());
+    fail(Status::kInvalidArgument, "there is no part %llu; the model has %zu",
+         static_cast<unsigned long long>(part), model.parts.size());
   if (has_arcs(model)) return triangles_of_part(with_chords(model, chord_m), part, chord_m);
-  const std::vector<char> below = part == kWholeModel ? std::vector<char>{} : parts_below(model, part);
-  PartTriangles found =
-      collect(model, [&](uint64_t p) { return part == kWholeModel || (p != kNoRow && below[p] != 0); });
-  if (found.triangles.empty()) fail(Status::kInsufficientData, "the model or its part has no surface");
+  const std::vector<char> below =
+      part == kWholeModel ? std::vector<char>{} : parts_below(model, part);
+  PartTriangles found = collect(
+      model, [&](uint64_t p) { return part == kWholeModel || (p != kNoRow && below[p] != 0); });
+  if (found.triangles.empty())
+    fail(Status::kInsufficientData, "the model or its part has no surface");
   return found;
 }
 
@@ -101,7 +105,8 @@ std::vector<ConvexPiece> gauge_of_model(const Model& model, double chord_m) {
   for (uint64_t p = 0; p < model.parts.size(); ++p) {
     const PartTriangles surface = collect(model, [&](uint64_t part) { return part == p; });
     if (surface.triangles.empty()) continue;
-    pieces.push_back(convex_piece_of(surface, "part " + std::to_string(p) + " (" + model.parts[p].name + ")"));
+    pieces.push_back(
+        convex_piece_of(surface, "part " + std::to_string(p) + " (" + model.parts[p].name + ")"));
   }
   const PartTriangles rest = collect(model, [](uint64_t part) { return part == kNoRow; });
   if (!rest.triangles.empty()) pieces.push_back(convex_piece_of(rest, "the mesh"));

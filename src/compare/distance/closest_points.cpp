@@ -15,8 +15,9 @@ Cloud closest_points(const Comparison& comparison, const Cloud& reference, Task&
   for (const uint32_t nearest : comparison.points.require("nearest").values<uint32_t>()) {
     if (nearest == kNoPoint) continue;
     if (nearest >= mask.size())
-      fail(Status::kInvalidArgument, "the comparison was made with another reference: it names point %u of %zu",
-           nearest, mask.size());
+      fail(Status::kInvalidArgument,
+           "the comparison was made with another reference: it names point %u of %zu", nearest,
+           mask.size());
     mask[nearest] = 1;
   }
   return select_mask(reference, mask, 1, task);

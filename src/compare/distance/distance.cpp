@@ -39,31 +39,38 @@ Trees trees_of(const Cloud& reference, const Cloud& compared, Task& task) {
 }
 
 // positions, if any: for each sorted position of the compared points that of the nearest reference point.
-void nearest_points(const Cloud& reference, const Cloud& compared, const Trees& trees, double max_distance_m,
-                    const DistanceColumns& columns, std::span<uint32_t> positions, Task& task) {
+void nearest_points(const Cloud& reference, const Cloud& compared, const Trees& trees,
+                    double max_distance_m, const DistanceColumns& columns,
+                    std::span<uint32_t> positions, Task& task) {
   const auto reference_order = trees.reference->order(), order = trees.compared->order();
-  for_each_nearest(*trees.reference, *trees.compared, max_distance_m, task, [&](const NearestBatch& batch) {
-    if (!positions.empty()) std::copy_n(batch.nearest, batch.count, positions.data() + batch.first);
-    for (size_t j = 0; j < batch.count; ++j) {
-      const size_t i = order[batch.first + j];
-      const bool found = batch.nearest[j] != kNoPoint;
-      const uint32_t nearest = found ? reference_order[batch.nearest[j]] : kNoPoint;
-      columns.distances[i] = found ? std::sqrt(batch.squared[j]) : kNaN;
-      columns.nearests[i] = nearest;
-      columns.statuses[i] = static_cast<uint8_t>(found ? CompareStatus::kCompared : CompareStatus::kNothingNear);
-      if (columns.differences[0] != nullptr)
-        columns.set_difference(i, found ? compared.point(i) - reference.point(nearest) : Vec3{kNaN, kNaN, kNaN});
-    }
-  });
+  for_each_nearest(
+      *trees.reference, *trees.compared, max_distance_m, task, [&](const NearestBatch& batch) {
+        if (!positions.empty())
+          std::copy_n(batch.nearest, batch.count, positions.data() + batch.first);
+        for (size_t j = 0; j < batch.count; ++j) {
+          const size_t i = order[batch.first + j];
+          const bool found = batch.nearest[j] != kNoPoint;
+          const uint32_t nearest = found ? reference_order[batch.nearest[j]] : kNoPoint;
+          columns.distances[i] = found ? std::sqrt(batch.squared[j]) : kNaN;
+          columns.nearests[i] = nearest;
+          columns.statuses[i] =
+              static_cast<uint8_t>(found ? CompareStatus::kCompared : CompareStatus::kNothingNear);
+          if (columns.differences[0] != nullptr)
+            columns.set_difference(
+                i, found ? compared.point(i) - reference.point(nearest) : Vec3{kNaN, kNaN, kNaN});
+        }
+      });
 }
 
-void add_sampling_error(const Octree& reference, const DistanceColumns& columns, Comparison& made, Task& task) {
+void add_sampling_error(const Octree& reference, const DistanceColumns& columns, Comparison& made,
+                        Task& task) {
   const SamplingError error =
       predict_sampling_error(reference, {columns.nearests, columns.nearest->count()}, task);
   made.points.set(error.column);
-  add_value<double>(made.summary, "sampling_rms", "m", "root mean square distance that sampling alone would make",
-                    error.rms_m);
-  add_value<double>(made.summary, "sampling_mean", "m", "mean distance that sampling alone would make", error.mean_m);
+  add_value<double>(made.summary, "sampling_rms", "m",
+                    "root mean square distance that sampling alone would make", error.rms_m);
+  add_value<double>(made.summary, "sampling_mean", "m",
+                    "mean distance that sampling alone would make", error.mean_m);
 }
 
 Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared,
@@ -92,9 +99,11 @@ Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared,
                                     {positions.data(), positions.size()}, settings, columns, task);
   }
   columns.attach(made.points);
-  made.summary = summarise(columns.distance->values<double>(), columns.status->values<uint8_t>(), task);
+  made.summary =
+      summarise(columns.distance->values<double>(), columns.status->values<uint8_t>(), task);
   if (with_model)
-    add_value<uint64_t>(made.summary, "modelled", "", "points whose distance is to a local surface", modelled);
+    add_value<uint64_t>(made.summary, "modelled", "", "points whose distance is to a local surface",
+                        modelled);
   if (settings.sampling_error) {
     ProgressSpan span(task, 0.8, 0.9, "sampling error");
     add_sampling_error(*trees.reference, columns, made, task);

@@ -13,6 +13,7 @@ namespace jalon {
 double directed_hausdorff(const Octree& from, const Octree& to, Task& task);
 /// Adds "hausdorff_forward" (from the compared points to the reference), "hausdorff_reverse" and the larger of both,
 /// "hausdorff" (2.3).
-void add_hausdorff(const Octree& reference, const Octree& compared, Task& task, FieldTable& summary);
+void add_hausdorff(const Octree& reference, const Octree& compared, Task& task,
+                   FieldTable& summary);
 
 }  // namespace jalon

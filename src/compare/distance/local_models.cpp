@@ -25,10 +25,10 @@ constexpr size_t kSparse = 8;
 
 // What is asked of the surface around one reference point.
 struct Request {
-  size_t centre = 0;                      ///< sorted position of the reference point
-  std::span<const uint32_t> neighbours;   ///< sorted positions, itself included
-  float farthest2 = 0;                    ///< squared distance of the farthest of them, m^2
-  std::span<const uint32_t> queries;      ///< sorted positions of compared points
+  size_t centre = 0;                     ///< sorted position of the reference point
+  std::span<const uint32_t> neighbours;  ///< sorted positions, itself included
+  float farthest2 = 0;                   ///< squared distance of the farthest of them, m^2
+  std::span<const uint32_t> queries;     ///< sorted positions of compared points
 };
 
 struct Work {
@@ -92,12 +92,14 @@ class ModelMaker {
   }
 
   void load_points(const Request& request) {
-    const int32_t *x = work_.reference.grid_x(), *y = work_.reference.grid_y(), *z = work_.reference.grid_z();
+    const int32_t *x = work_.reference.grid_x(), *y = work_.reference.grid_y(),
+                  *z = work_.reference.grid_z();
     const size_t c = request.centre;
     points_.clear();
     for (const uint32_t j : request.neighbours)
       points_.push_back(Vec3{static_cast<double>(x[j] - x[c]), static_cast<double>(y[j] - y[c]),
-                             static_cast<double>(z[j] - z[c])} * step_);
+                             static_cast<double>(z[j] - z[c])} *
+                        step_);
   }
 
   void measure(LocalModelKind kind, const Vec3& centre, uint32_t query) {
@@ -105,9 +107,10 @@ class ModelMaker {
     const Vec3 p = work_.compared_cloud.point(i) - centre;
     Vec3 foot;
     const double nearest_m = work_.columns.distances[i];
-    const bool found = kind == LocalModelKind::kPlane     ? surface_.foot_on_plane(p, foot)
-                       : kind == LocalModelKind::kQuadric ? surface_.foot_on_quadric(p, foot)
-                                                          : surface_.foot_on_triangles(p, nearest_m, foot);
+    const bool found = kind == LocalModelKind::kPlane ? surface_.foot_on_plane(p, foot)
+                       : kind == LocalModelKind::kQuadric
+                           ? surface_.foot_on_quadric(p, foot)
+                           : surface_.foot_on_triangles(p, nearest_m, foot);
     if (!found) return;
     const double distance = norm(p - foot);
     if (!(distance < nearest_m)) return;
@@ -134,7 +137,10 @@ void model_all(const Work& work, const NearestGroups& groups, Task& task) {
       for (size_t i = 0; i < batch.count; ++i) {
         const size_t begin = batch.offsets[i], end = batch.offsets[i + 1];
         const float farthest2 = *std::max_element(batch.squared + begin, batch.squared + end);
-        maker.add({batch.first + i, {batch.neighbours + begin, end - begin}, farthest2, groups[batch.first + i]});
+        maker.add({batch.first + i,
+                   {batch.neighbours + begin, end - begin},
+                   farthest2,
+                   groups[batch.first + i]});
       }
       maker.flush();
     });
@@ -146,7 +152,10 @@ void model_all(const Work& work, const NearestGroups& groups, Task& task) {
       const uint32_t* neighbours = batch.neighbours + i * batch.k;
       size_t n = batch.k;
       while (n > 1 && neighbours[n - 1] == kNoPoint) --n;  // a small cloud fills up the end
-      maker.add({batch.first + i, {neighbours, n}, batch.squared[i * batch.k + n - 1], groups[batch.first + i]});
+      maker.add({batch.first + i,
+                 {neighbours, n},
+                 batch.squared[i * batch.k + n - 1],
+                 groups[batch.first + i]});
     }
     maker.flush();
   });
@@ -220,10 +229,8 @@ uint64_t apply_local_models(const Octree& reference, const Octree& compared,
     return modelled;
   }
   const NearestGroups groups(nearest, reference.size(), task);
-  if (reference.size() / kSparse > compared.size())
-    model_used(work, groups, task);
-  else
-    model_all(work, groups, task);
+  if (reference.size() / kSparse > compared.size()) model_used(work, groups, task);
+  else model_all(work, groups, task);
   return modelled;
 }
 

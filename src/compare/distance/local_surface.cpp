@@ -64,7 +64,8 @@ bool LocalSurface::foot_on_quadric(const Vec3& p, Vec3& foot) const {
     const double qx = 2 * q.a * x + q.b + q.c * y, qy = q.c * x + q.d + 2 * q.e * y;
     const double above = q.height(x, y) - at.z;
     const double gx = x - at.x + above * qx, gy = y - at.y + above * qy;
-    double xx = 1 + qx * qx + above * 2 * q.a, xy = qx * qy + above * q.c, yy = 1 + qy * qy + above * 2 * q.e;
+    double xx = 1 + qx * qx + above * 2 * q.a, xy = qx * qy + above * q.c,
+           yy = 1 + qy * qy + above * 2 * q.e;
     if (!(xx > 0 && xx * yy - xy * xy > 0)) xx = 1 + qx * qx, xy = qx * qy, yy = 1 + qy * qy;
     const double inverse = 1 / (xx * yy - xy * xy);
     x -= (yy * gx - xy * gy) * inverse;

@@ -26,7 +26,9 @@ class LocalSurface {
   /// The point of the surface closest to p, if it is within reach; of triangles, if it is nearer than limit_m.
   bool foot_on_plane(const Vec3& p, Vec3& foot) const;
   bool foot_on_quadric(const Vec3& p, Vec3& foot) const;
-  bool foot_on_triangles(const Vec3& p, double limit_m, Vec3& foot) { return triangles_.foot(p, limit_m, foot); }
+  bool foot_on_triangles(const Vec3& p, double limit_m, Vec3& foot) {
+    return triangles_.foot(p, limit_m, foot);
+  }
 
  private:
   Vec3 to_frame(const Vec3& p) const;

@@ -21,7 +21,8 @@ Vector<double> vector_of(const Vec3& p) { return {p.x, p.y, p.z}; }
 
 }  // namespace
 
-bool LocalTriangles::set(std::span<const Vec3> points, const Vec3& centroid, const Vec3& u, const Vec3& v) {
+bool LocalTriangles::set(std::span<const Vec3> points, const Vec3& centroid, const Vec3& u,
+                         const Vec3& v) {
   centroid_ = centroid, u_ = u, v_ = v;
   corners_.assign(points.begin(), points.end());
   flat_.clear();
@@ -62,7 +63,8 @@ void LocalTriangles::measure_away(const Vec2& at) {
     const Sides& s = sides_[block];
     Doubles most = {};
     for (size_t side = 0; side < 3; ++side) {
-      const Doubles cross = s.along_u[side] * (at.v - s.from_v[side]) - s.along_v[side] * (at.u - s.from_u[side]);
+      const Doubles cross =
+          s.along_u[side] * (at.v - s.from_v[side]) - s.along_v[side] * (at.u - s.from_u[side]);
       const Doubles beyond = cross < 0 ? cross : Doubles{};
       const Doubles squared = beyond * beyond * s.inverse_squared_length[side];
       most = squared > most ? squared : most;
@@ -76,14 +78,16 @@ void LocalTriangles::measure_away(const Vec2& at) {
 void LocalTriangles::consider(size_t triangle, Closest& closest) const {
   std::array<uint32_t, 3> t = delaunay_.triangles()[triangle];
   std::ranges::sort(t);
-  const auto found = closest_on_triangle(vector_of(closest.p), vector_of(corners_[t[0]]), vector_of(corners_[t[1]]),
-                                         vector_of(corners_[t[2]]));
-  if (!(found.squared < closest.squared || (closest.found && found.squared == closest.squared && t < closest.corners)))
+  const auto found = closest_on_triangle(vector_of(closest.p), vector_of(corners_[t[0]]),
+                                         vector_of(corners_[t[1]]), vector_of(corners_[t[2]]));
+  if (!(found.squared < closest.squared ||
+        (closest.found && found.squared == closest.squared && t < closest.corners)))
     return;
   closest.squared = found.squared;
   closest.corners = t;
   closest.found = true;
-  closest.rest = found.on_face ? Vec3{found.normal.x, found.normal.y, found.normal.z} * (found.height / found.normal2)
+  closest.rest = found.on_face ? Vec3{found.normal.x, found.normal.y, found.normal.z} *
+                                     (found.height / found.normal2)
                                : Vec3{found.rest.x, found.rest.y, found.rest.z};
 }
 

@@ -51,7 +51,8 @@ class LocalTriangles {
   std::vector<Vec2> flat_;
   GrowingDelaunay delaunay_;
   std::vector<Sides> sides_;
-  std::vector<Doubles> away_;  ///< no more than the squared distance of the triangles from the point asked for
+  std::vector<Doubles>
+      away_;  ///< no more than the squared distance of the triangles from the point asked for
 };
 
 }  // namespace jalon

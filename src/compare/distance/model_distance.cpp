@@ -32,7 +32,8 @@ constexpr uint8_t kInTolerance = 1, kOffTolerance = 0, kNotJudged = 2;
 // What is asked for and only clouds can give is refused, not passed over.
 void require_for_models(const DistanceSettings& settings) {
   const auto refuse = [](const char* name, const char* instead) {
-    fail(Status::kUnsupported, "parameter \"%s\" is for a reference cloud; with a model %s", name, instead);
+    fail(Status::kUnsupported, "parameter \"%s\" is for a reference cloud; with a model %s", name,
+         instead);
   };
   if (settings.visibility != DistanceSettings::VisibleFrom::kAnywhere)
     refuse("visibility", "leave it at none: nothing tells from where the model was seen");
@@ -40,7 +41,9 @@ void require_for_models(const DistanceSettings& settings) {
     refuse("local_model", "leave it at none: its faces are the surface");
   if (settings.sampling_error) refuse("sampling_error", "leave it off: surfaces have no sampling");
   if (settings.hausdorff)
-    refuse("hausdorff", "take points on it (jalon_model_sample) and compare these with the cloud for the way back");
+    refuse(
+        "hausdorff",
+        "take points on it (jalon_model_sample) and compare these with the cloud for the way back");
 }
 
 template <class T>
@@ -49,7 +52,8 @@ struct NewColumn {
   T* values;
 
   NewColumn(const char* name, const char* unit, const char* meaning, size_t points)
-      : column(std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), 1, unit, meaning}, points)),
+      : column(std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), 1, unit, meaning},
+                                        points)),
         values(column->template values<T>().data()) {}
 };
 
@@ -76,9 +80,11 @@ class ModelColumns {
 
   void set(size_t i, const TriangleAnswer& answer, const ModelSurface& surface) {
     const bool found = answer.triangle != kNoFace;
-    const auto source = found ? surface.source(answer.triangle) : ModelSurface::Source{kNoFace, kNoFace, kNoPart};
+    const auto source =
+        found ? surface.source(answer.triangle) : ModelSurface::Source{kNoFace, kNoFace, kNoPart};
     distance_.values[i] = answer.is_behind ? -answer.distance : answer.distance;
-    status_.values[i] = static_cast<uint8_t>(found ? CompareStatus::kCompared : CompareStatus::kNothingNear);
+    status_.values[i] =
+        static_cast<uint8_t>(found ? CompareStatus::kCompared : CompareStatus::kNothingNear);
     face_.values[i] = source.face;
     triangle_.values[i] = source.triangle;
     part_.values[i] = source.part;
@@ -87,7 +93,8 @@ class ModelColumns {
       differences_[a].values[i] = found ? answer.from_foot[static_cast<int>(a)] : kNaN;
   }
   void attach(FieldTable& table) const {
-    for (const auto& column : {distance_.column, status_.column, face_.column, triangle_.column, part_.column})
+    for (const auto& column :
+         {distance_.column, status_.column, face_.column, triangle_.column, part_.column})
       table.set(column);
     if (is_signed_) table.set(side_.column);
     for (const auto& difference : differences_) table.set(difference.column);
@@ -107,11 +114,12 @@ class ModelColumns {
 };
 
 uint64_t count_of(std::span<const uint8_t> values, uint8_t value, Task& task) {
-  return parallel_reduce(task, values.size(), kModelDistanceGrain, uint64_t{0}, [&](size_t begin, size_t end) {
-    uint64_t sum = 0;
-    for (size_t i = begin; i < end; ++i) sum += values[i] == value ? 1 : 0;
-    return sum;
-  });
+  return parallel_reduce(task, values.size(), kModelDistanceGrain, uint64_t{0},
+                         [&](size_t begin, size_t end) {
+                           uint64_t sum = 0;
+                           for (size_t i = begin; i < end; ++i) sum += values[i] == value ? 1 : 0;
+                           return sum;
+                         });
 }
 
 /// Step 3.
@@ -124,10 +132,14 @@ void measure(const ModelSurface& surface, const NearestTriangles& tree, const Cl
 }
 
 void add_sides(const ModelColumns& columns, FieldTable& summary, Task& task) {
-  const auto count = [&](TriangleSide side) { return count_of(columns.sides(), static_cast<uint8_t>(side), task); };
-  add_value<uint64_t>(summary, "at_border", "", "points nearest to a border of the surface: sign as if it went on",
+  const auto count = [&](TriangleSide side) {
+    return count_of(columns.sides(), static_cast<uint8_t>(side), task);
+  };
+  add_value<uint64_t>(summary, "at_border", "",
+                      "points nearest to a border of the surface: sign as if it went on",
                       count(TriangleSide::kBorder));
-  add_value<uint64_t>(summary, "inconsistent", "", "points nearest to where triangles run opposite ways around",
+  add_value<uint64_t>(summary, "inconsistent", "",
+                      "points nearest to where triangles run opposite ways around",
                       count(TriangleSide::kInconsistent));
 }
 
@@ -135,7 +147,8 @@ void add_sides(const ModelColumns& columns, FieldTable& summary, Task& task) {
 void judge(const ModelColumns& columns, double tolerance_m, Comparison& made, Task& task) {
   const auto distances = columns.distances();
   const NewColumn<uint8_t> within("within_tolerance", "",
-                                  "1 at most tolerance_m from the model, 0 farther, 2 no distance", distances.size());
+                                  "1 at most tolerance_m from the model, 0 farther, 2 no distance",
+                                  distances.size());
   parallel_for(task, distances.size(), kModelDistanceGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
       within.values[i] = std::isnan(distances[i])                ? kNotJudged
@@ -143,10 +156,13 @@ void judge(const ModelColumns& columns, double tolerance_m, Comparison& made, Ta
                                                                  : kOffTolerance;
   });
   const auto judged = within.column->values<uint8_t>();
-  const uint64_t good = count_of(judged, kInTolerance, task), bad = count_of(judged, kOffTolerance, task);
+  const uint64_t good = count_of(judged, kInTolerance, task),
+                 bad = count_of(judged, kOffTolerance, task);
   made.points.set(within.column);
-  add_value<uint64_t>(made.summary, "within_tolerance", "", "points at most tolerance_m from the model", good);
-  add_value<double>(made.summary, "tolerance_share", "1", "share of the compared points within tolerance_m",
+  add_value<uint64_t>(made.summary, "within_tolerance", "",
+                      "points at most tolerance_m from the model", good);
+  add_value<double>(made.summary, "tolerance_share", "1",
+                    "share of the compared points within tolerance_m",
                     static_cast<double>(good) / static_cast<double>(good + bad));
 }
 
@@ -154,7 +170,8 @@ void judge(const ModelColumns& columns, double tolerance_m, Comparison& made, Ta
 void sum_up(const ModelColumns& columns, const Model& model, const DistanceSettings& settings,
             Comparison& made, Task& task) {
   made.summary = summarise(columns.distances(), columns.statuses(), task);
-  const double least = made.summary.require("minimum").number(0), most = made.summary.require("maximum").number(0);
+  const double least = made.summary.require("minimum").number(0),
+               most = made.summary.require("maximum").number(0);
   add_value<double>(made.summary, "maximum_absolute", "m",
                     "largest distance on either side: directed Hausdorff distance",
                     std::max(std::abs(least), std::abs(most)));

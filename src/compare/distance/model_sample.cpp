@@ -18,17 +18,17 @@ namespace {
 constexpr size_t kModelSampleGrain = 1 << 14;
 constexpr double kMostPoints = 4294967294.0;
 
-
 constexpr auto kModelSampleRows = setting_rows(
     integer_row<&ModelSampleSettings::points>("points", 0, kMostPoints, "points", "",
-                            "Number of points; 0 = by the spacing."),
+                                              "Number of points; 0 = by the spacing."),
     number_row<&ModelSampleSettings::spacing_m>(
         "spacing_m", 1e-5, 1e6, "m", "",
         "One point a square of this side on the average, unless the number of points is given."),
-    number_row<&ModelSampleSettings::chord_error_m>("chord_error_m", 1e-7, 1, "m", "",
-                                  "Largest distance of chords from the arcs they stand for."),
+    number_row<&ModelSampleSettings::chord_error_m>(
+        "chord_error_m", 1e-7, 1, "m", "",
+        "Largest distance of chords from the arcs they stand for."),
     integer_row<&ModelSampleSettings::seed>("seed", 0, 9007199254740992.0, "", "",
-                          "The same seed gives the same bits."));
+                                            "The same seed gives the same bits."));
 
 /// Running sums of the triangles' areas.
 std::vector<double> cumulated_areas(const ModelSurface& surface) {
@@ -56,8 +56,10 @@ class Sample {
   explicit Sample(size_t points)
       : xyz_(3 * points),
         normal_(column<float>("normal", 3, "unit normal of the face", points)),
-        face_(column<uint32_t>("face", 1, "row of the model's faces; 4294967295 = a triangle of its mesh", points)),
-        triangle_(column<uint32_t>("triangle", 1, "row of the model's triangles; 4294967295 = a face", points)),
+        face_(column<uint32_t>(
+            "face", 1, "row of the model's faces; 4294967295 = a triangle of its mesh", points)),
+        triangle_(column<uint32_t>("triangle", 1,
+                                   "row of the model's triangles; 4294967295 = a face", points)),
         part_(column<uint32_t>("part", 1, "row of the model's parts; 4294967295 = none", points)) {}
 
   void set(size_t i, const Vec3& point, const Vec3& normal, const ModelSurface::Source& source) {
@@ -77,8 +79,10 @@ class Sample {
 
  private:
   template <class T>
-  static std::shared_ptr<Column> column(const char* name, uint32_t components, const char* meaning, size_t points) {
-    return std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), components, "", meaning}, points);
+  static std::shared_ptr<Column> column(const char* name, uint32_t components, const char* meaning,
+                                        size_t points) {
+    return std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), components, "", meaning},
+                                    points);
   }
   Buffer<double> xyz_;
   std::shared_ptr<Column> normal_, face_, triangle_, part_;
@@ -99,8 +103,10 @@ Cloud sample_model(const Model& model, const ModelSampleSettings& settings, Task
   parallel_for(task, n, kModelSampleGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       RandomStream random(settings.seed, i);
-      const double at = (static_cast<double>(i) + random.uniform()) / static_cast<double>(n) * sums.back();
-      const auto t = static_cast<uint32_t>(std::upper_bound(sums.begin(), sums.end() - 1, at) - sums.begin());
+      const double at =
+          (static_cast<double>(i) + random.uniform()) / static_cast<double>(n) * sums.back();
+      const auto t =
+          static_cast<uint32_t>(std::upper_bound(sums.begin(), sums.end() - 1, at) - sums.begin());
       const auto& [a, b, c] = surface.triangles()[t];
       const Vec3& corner = surface.vertices()[a];
       const Vec3 ab = surface.vertices()[b] - corner, ac = surface.vertices()[c] - corner;

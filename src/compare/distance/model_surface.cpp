@@ -22,7 +22,8 @@ ModelSurface::ModelSurface(const Model& model, double chord_error_m, Task& task)
     add_faces(chorded_.vertices.empty() ? model : chorded_, task);
     add_loose_triangles();
   }
-  if (triangles().empty()) fail(Status::kInsufficientData, "the model has no faces and no triangles");
+  if (triangles().empty())
+    fail(Status::kInsufficientData, "the model has no faces and no triangles");
 }
 
 void ModelSurface::add_faces(const Model& model, Task& task) {

@@ -26,8 +26,12 @@ class ModelSurface {
   /// The model must outlive the surface. kInsufficientData when there is nothing to lie on.
   ModelSurface(const Model& model, double chord_error_m, Task& task);
 
-  std::span<const Vec3> vertices() const { return chorded_.vertices.empty() ? model_.vertices : chorded_.vertices; }
-  std::span<const std::array<uint32_t, 3>> triangles() const { return has_faces_ ? triangles_ : model_.triangles; }
+  std::span<const Vec3> vertices() const {
+    return chorded_.vertices.empty() ? model_.vertices : chorded_.vertices;
+  }
+  std::span<const std::array<uint32_t, 3>> triangles() const {
+    return has_faces_ ? triangles_ : model_.triangles;
+  }
   Source source(uint32_t triangle) const;
 
  private:
@@ -35,8 +39,8 @@ class ModelSurface {
   void add_loose_triangles();
 
   const Model& model_;
-  Model chorded_;  ///< empty when the model has no arcs
-  bool has_faces_;     ///< the model has faces; else its triangles are taken as they are
+  Model chorded_;   ///< empty when the model has no arcs
+  bool has_faces_;  ///< the model has faces; else its triangles are taken as they are
   bool mesh_by_part_;
   std::vector<std::array<uint32_t, 3>> triangles_;
   std::vector<uint32_t> rows_;  ///< of each of triangles_: the row of its face, or of its triangle

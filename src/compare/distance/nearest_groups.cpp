@@ -24,10 +24,16 @@ NearestGroups::NearestGroups(std::span<const uint32_t> nearest, size_t reference
   Buffer<Pair> pairs(nearest.size());
   const auto begins = partition(
       nearest.size(), stretches + 1,
-      [&](const Pair& p) { return p.position == kNoPoint ? stretches : size_t{p.position} >> shift; }, task,
-      pairs.data(), [&](size_t i) { return Pair{nearest[i], static_cast<uint32_t>(i)}; });
+      [&](const Pair& p) {
+        return p.position == kNoPoint ? stretches : size_t{p.position} >> shift;
+      },
+      task, pairs.data(),
+      [&](size_t i) {
+        return Pair{nearest[i], static_cast<uint32_t>(i)};
+      });
   begins_[references] = static_cast<uint32_t>(begins[stretches]);
-  const auto groups = groups_of(stretches, size_t{1} << 14, [&](size_t s) { return begins[s + 1] - begins[s] + 64; });
+  const auto groups = groups_of(stretches, size_t{1} << 14,
+                                [&](size_t s) { return begins[s + 1] - begins[s] + 64; });
   const size_t width = size_t{1} << shift;
   parallel_chunks(task, groups.size() - 1, [&](size_t g) {
     std::vector<uint32_t> next(width + 1);

@@ -14,7 +14,7 @@ namespace jalon {
 /// (NaN) or a part count nowhere. Columns: "part" (uint32), "points" (uint64), "mean", "sigma", "minimum", "maximum",
 /// "maximum_absolute" (float64, m; NaN without points), and with tolerance_m > 0 "within_tolerance" (uint64),
 /// "tolerance_share" (float64).
-FieldTable part_statistics(std::span<const double> distances, std::span<const uint32_t> parts, size_t part_count,
-                           double tolerance_m, Task& task);
+FieldTable part_statistics(std::span<const double> distances, std::span<const uint32_t> parts,
+                           size_t part_count, double tolerance_m, Task& task);
 
 }  // namespace jalon

@@ -45,23 +45,26 @@ struct Sums {
 
 }  // namespace
 
-SamplingError predict_sampling_error(const Octree& reference, std::span<const uint32_t> nearest, Task& task) {
+SamplingError predict_sampling_error(const Octree& reference, std::span<const uint32_t> nearest,
+                                     Task& task) {
   SamplingError out;
-  FieldInfo info{"sampling_error", ElementType::kFloat32, 1, "m", "rms distance that the reference's sampling makes"};
+  FieldInfo info{"sampling_error", ElementType::kFloat32, 1, "m",
+                 "rms distance that the reference's sampling makes"};
   out.column = std::make_shared<Column>(std::move(info), nearest.size());
   float* errors = out.column->values<float>().data();
   const Buffer<float> squared = squared_errors(reference, task);
   constexpr size_t kGrain = size_t{1} << 15;
-  const Sums sums = parallel_reduce(task, nearest.size(), kGrain, Sums{}, [&](size_t begin, size_t end) {
-    Sums part;
-    for (size_t i = begin; i < end; ++i) {
-      const float square = nearest[i] == kNoPoint ? kFloatNaN : squared[nearest[i]];
-      errors[i] = std::sqrt(square);
-      if (square != square) continue;
-      part += {square, std::sqrt(static_cast<double>(square)), 1};
-    }
-    return part;
-  });
+  const Sums sums =
+      parallel_reduce(task, nearest.size(), kGrain, Sums{}, [&](size_t begin, size_t end) {
+        Sums part;
+        for (size_t i = begin; i < end; ++i) {
+          const float square = nearest[i] == kNoPoint ? kFloatNaN : squared[nearest[i]];
+          errors[i] = std::sqrt(square);
+          if (square != square) continue;
+          part += {square, std::sqrt(static_cast<double>(square)), 1};
+        }
+        return part;
+      });
   const double per_point = sums.count > 0 ? 1 / sums.count : kNaN;
   out.rms_m = std::sqrt(sums.squares * per_point);
   // 1 / (2 sqrt(lambda)) = R sqrt(pi) / 2

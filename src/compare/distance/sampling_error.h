@@ -15,12 +15,14 @@ namespace jalon {
 /// an unchanged plane of lambda random reference points a unit of area, the root mean square distance is
 /// 1 / sqrt(pi lambda) and the mean 1 / (2 sqrt(lambda)).
 struct SamplingError {
-  std::shared_ptr<Column> column;  ///< "sampling_error", a row a compared point; NaN where there is no reference
-  double rms_m = 0, mean_m = 0;    ///< expected of all compared points together, NaN without any
+  std::shared_ptr<Column>
+      column;  ///< "sampling_error", a row a compared point; NaN where there is no reference
+  double rms_m = 0, mean_m = 0;  ///< expected of all compared points together, NaN without any
 };
 
 /// nearest: for every compared point, in the caller's order, its reference point or kNoPoint. The density is that of
 /// the reference around it.
-SamplingError predict_sampling_error(const Octree& reference, std::span<const uint32_t> nearest, Task& task);
+SamplingError predict_sampling_error(const Octree& reference, std::span<const uint32_t> nearest,
+                                     Task& task);
 
 }  // namespace jalon

@@ -15,7 +15,6 @@ namespace {
 // 16 for a quadric (0.5 % with 12).
 constexpr uint32_t kPlanePoints = 8, kDelaunayPoints = 16, kQuadricPoints = 16;
 
-
 constexpr auto kSettingsRows = setting_rows(
     number_row<&DistanceSettings::max_distance_m>(
         "max_distance_m", 0, 1e9, "m", "",
@@ -70,7 +69,8 @@ constexpr auto kSettingsRows = setting_rows(
         "With visibility: also tells how far apart the reference's points lie where each point is "
         "seen, along grazing rays and across edges in depth: a distance up to half of that is no "
         "sign of a change"),
-    nested_rows<&DistanceSettings::depth, kDepthRows>(), nested_rows<&DistanceSettings::hidden, kHiddenRows>());
+    nested_rows<&DistanceSettings::depth, kDepthRows>(),
+    nested_rows<&DistanceSettings::hidden, kHiddenRows>());
 
 }  // namespace
 

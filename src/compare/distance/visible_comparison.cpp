@@ -55,13 +55,15 @@ std::shared_ptr<Column> spread(const Column& column, std::span<const uint64_t> i
     const auto to = out->template values<T>();
     std::fill(to.begin(), to.end(), nothing<T>());
     for (size_t k = 0; k < indices.size(); ++k)
-      for (size_t c = 0; c < components; ++c) to[indices[k] * components + c] = from[k * components + c];
+      for (size_t c = 0; c < components; ++c)
+        to[indices[k] * components + c] = from[k * components + c];
   });
   return out;
 }
 
 /// Rows for all points from those of the visible ones.
-FieldTable all_rows(const FieldTable& visible, std::span<const uint64_t> indices, std::span<const uint8_t> labels) {
+FieldTable all_rows(const FieldTable& visible, std::span<const uint64_t> indices,
+                    std::span<const uint8_t> labels) {
   FieldTable out;
   for (const ColumnPtr& column : visible) {
     auto all = spread(*column, indices, labels.size());
@@ -77,20 +79,22 @@ FieldTable all_rows(const FieldTable& visible, std::span<const uint64_t> indices
 
 /// What the method adds to the summary stays; the counts are those of all points.
 FieldTable whole_summary(const FieldTable& points, const FieldTable& of_visible, Task& task) {
-  FieldTable out =
-      summarise(points.require("distance").values<double>(), points.require("status").values<uint8_t>(), task);
+  FieldTable out = summarise(points.require("distance").values<double>(),
+                             points.require("status").values<uint8_t>(), task);
   for (const ColumnPtr& column : of_visible)
     if (out.find(column->info().name) == nullptr) out.set(column);
   return out;
 }
 
 ColumnPtr spacing_column(const VisibilityTest& test, const Cloud& cloud, Task& task) {
-  auto column = std::make_shared<Column>(FieldInfo{"reference_spacing", ElementType::kFloat32, 1, "m",
-                                                   "of the reference's points where this one is seen"},
-                                         cloud.size());
+  auto column =
+      std::make_shared<Column>(FieldInfo{"reference_spacing", ElementType::kFloat32, 1, "m",
+                                         "of the reference's points where this one is seen"},
+                               cloud.size());
   const auto out = column->values<float>();
   parallel_for(task, cloud.size(), kVisibleComparisonGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) out[i] = static_cast<float>(test.spacing_m(cloud.point(i)));
+    for (size_t i = begin; i < end; ++i)
+      out[i] = static_cast<float>(test.spacing_m(cloud.point(i)));
   });
   return column;
 }
@@ -116,7 +120,8 @@ Comparison compare_visible(const CloudPtr& reference, const CloudPtr& compared,
     if (visible.empty()) {
       DistanceColumns(0, false).attach(made.points);
     } else {
-      const CloudPtr seen = visible.size() == compared->size() ? compared : points_of(*compared, visible, task);
+      const CloudPtr seen =
+          visible.size() == compared->size() ? compared : points_of(*compared, visible, task);
       made = run(reference, seen, settings, task);
     }
   }

@@ -20,7 +20,8 @@ CylinderComparer::CylinderComparer(const M3c2Settings& settings, const CloudPtr&
       compared_(epoch(compared, "compared", task)),
       detection_(settings.confidence) {}
 
-CylinderComparer::Epoch CylinderComparer::epoch(const CloudPtr& cloud, const char* name, Task& task) const {
+CylinderComparer::Epoch CylinderComparer::epoch(const CloudPtr& cloud, const char* name,
+                                                Task& task) const {
   Epoch out{cloud, cloud->octree(task), {}};
   if (by_covariances_) out.covariances = PointCovariances(*cloud, name);
   return out;
@@ -31,11 +32,14 @@ CylinderComparer::Side CylinderComparer::side(const Epoch& epoch) const {
       ShapeSearch(*epoch.tree), SurfaceFinder(gap_m_, settings_.min_points), {}, {}, {}, {}, {}};
 }
 
-CylinderComparer::Work CylinderComparer::work() const { return {side(reference_), side(compared_)}; }
+CylinderComparer::Work CylinderComparer::work() const {
+  return {side(reference_), side(compared_)};
+}
 
 // The points of one cloud in the cylinder and the surfaces they lie on.
 void CylinderComparer::fill(const Vec3& centre, const Vec3& normal, Side& side) const {
-  side.points = side.search.cylinder(centre, normal, settings_.cylinder_radius_m, settings_.max_depth_m);
+  side.points =
+      side.search.cylinder(centre, normal, settings_.cylinder_radius_m, settings_.max_depth_m);
   side.along_m.resize(side.points.size());
   for (size_t i = 0; i < side.points.size(); ++i) side.along_m[i] = side.points[i].along_m;
   sort_along(side.along_m, side.work_m);
@@ -52,7 +56,8 @@ SurfaceInCylinder CylinderComparer::measure(const Epoch& epoch, const Vec3& norm
   side.variances.clear();
   for (const ShapeSearch::Along& point : side.points)
     if (point.along_m >= along_m.front() && point.along_m <= along_m.back())
-      side.variances.add(epoch.covariances.variance_along(epoch.tree->order()[point.position], normal));
+      side.variances.add(
+          epoch.covariances.variance_along(epoch.tree->order()[point.position], normal));
   out.position.variance_m2 = at_median_ ? side.variances.of_median() : side.variances.of_mean();
   out.position.dof = std::numeric_limits<double>::infinity();
   return out;
@@ -64,13 +69,16 @@ CylinderResult CylinderComparer::at(const Vec3& centre, const Vec3& normal, Work
   CylinderResult result;
   result.reference.count = static_cast<uint32_t>(work.reference.points.size());
   result.compared.count = static_cast<uint32_t>(work.compared.points.size());
-  if (result.reference.count == 0 || result.compared.count == 0) result.status = CompareStatus::kNothingNear;
+  if (result.reference.count == 0 || result.compared.count == 0)
+    result.status = CompareStatus::kNothingNear;
   if (work.reference.surfaces.empty() || work.compared.surfaces.empty()) return result;
-  const SurfacePair pair = nearest_surfaces(work.reference.along_m, work.reference.surfaces, work.compared.along_m,
-                                            work.compared.surfaces);
+  const SurfacePair pair = nearest_surfaces(work.reference.along_m, work.reference.surfaces,
+                                            work.compared.along_m, work.compared.surfaces);
   result.status = CompareStatus::kCompared;
-  result.reference = measure(reference_, normal, work.reference, work.reference.surfaces[pair.reference]);
-  result.compared = measure(compared_, normal, work.compared, work.compared.surfaces[pair.compared]);
+  result.reference =
+      measure(reference_, normal, work.reference, work.reference.surfaces[pair.reference]);
+  result.compared =
+      measure(compared_, normal, work.compared, work.compared.surfaces[pair.compared]);
   result.distance_m = result.compared.position.position_m - result.reference.position.position_m;
   const double registration_m2 = registration_ ? registration_->variance_along(centre, normal) : 0;
   result.lod_m = detection_.level_m(result.reference.position, result.compared.position,

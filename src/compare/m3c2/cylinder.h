@@ -36,7 +36,8 @@ struct CylinderResult {
 /// surfaces lie in it, and how sure that is.
 class CylinderComparer {
  public:
-  CylinderComparer(const M3c2Settings& settings, const CloudPtr& reference, const CloudPtr& compared, Task& task);
+  CylinderComparer(const M3c2Settings& settings, const CloudPtr& reference,
+                   const CloudPtr& compared, Task& task);
 
   /// What one thread keeps of one cloud between cylinders.
   struct Side {
@@ -64,7 +65,8 @@ class CylinderComparer {
   Epoch epoch(const CloudPtr& cloud, const char* name, Task& task) const;
   Side side(const Epoch& epoch) const;
   void fill(const Vec3& centre, const Vec3& normal, Side& side) const;
-  SurfaceInCylinder measure(const Epoch& epoch, const Vec3& normal, Side& side, const CylinderSurface& surface) const;
+  SurfaceInCylinder measure(const Epoch& epoch, const Vec3& normal, Side& side,
+                            const CylinderSurface& surface) const;
 
   const M3c2Settings& settings_;
   double gap_m_;

@@ -61,16 +61,16 @@ class Keys {
     const std::string* text = take(key);
     if (text == nullptr) return false;
     if (!parse_number(*text, out) || !std::isfinite(out))
-      fail(Status::kFormat, "M3C2 file: %.*s=%.60s is no number", static_cast<int>(key.size()), key.data(),
-           text->c_str());
+      fail(Status::kFormat, "M3C2 file: %.*s=%.60s is no number", static_cast<int>(key.size()),
+           key.data(), text->c_str());
     return true;
   }
   bool take(std::string_view key, bool& out) {
     const std::string* text = take(key);
     if (text == nullptr) return false;
     if (*text != "true" && *text != "false" && *text != "1" && *text != "0")
-      fail(Status::kFormat, "M3C2 file: %.*s=%.60s is neither true nor false", static_cast<int>(key.size()), key.data(),
-           text->c_str());
+      fail(Status::kFormat, "M3C2 file: %.*s=%.60s is neither true nor false",
+           static_cast<int>(key.size()), key.data(), text->c_str());
     out = *text == "true" || *text == "1";
     return true;
   }
@@ -79,7 +79,8 @@ class Keys {
     std::vector<std::string> lines;
     for (const auto& [key, value] : values_)
       if (!taken_.contains(key))
-        lines.push_back("M3C2 file: " + shown(key) + "=" + shown(value) + " is not known and has no effect");
+        lines.push_back("M3C2 file: " + shown(key) + "=" + shown(value) +
+                        " is not known and has no effect");
     return lines;
   }
 
@@ -87,8 +88,10 @@ class Keys {
   void add(std::string_view line, size_t number) {
     if (line.empty() || line[0] == ';' || line[0] == '#' || line[0] == '[') return;
     const size_t equal = line.find('=');
-    if (equal == std::string_view::npos) fail(Status::kFormat, "M3C2 file: line %zu is not key=value", number);
-    values_[std::string(trimmed(line.substr(0, equal)))] = std::string(trimmed(line.substr(equal + 1)));
+    if (equal == std::string_view::npos)
+      fail(Status::kFormat, "M3C2 file: line %zu is not key=value", number);
+    values_[std::string(trimmed(line.substr(0, equal)))] =
+        std::string(trimmed(line.substr(equal + 1)));
   }
   const std::string* take(std::string_view key) {
     const auto found = values_.find(key);
@@ -102,21 +105,25 @@ class Keys {
 };
 
 [[noreturn]] void refuse(const char* what) {
-  fail(Status::kUnsupported, "M3C2 file: %s has no counterpart here and would change the distances", what);
+  fail(Status::kUnsupported, "M3C2 file: %s has no counterpart here and would change the distances",
+       what);
 }
 
 // Smallest, step and largest diameter of the multi-scale mode, as radii.
 void read_scales(Keys& keys, bool multiscale, ParamSet& params) {
   double smallest = 0, step = 0, largest = 0;
   const bool given = keys.take("NormalMinScale", smallest);
-  if ((!keys.take("NormalStep", step) | !keys.take("NormalMaxScale", largest) | !given) && multiscale)
-    fail(Status::kFormat, "M3C2 file: the multi-scale mode lacks NormalMinScale, NormalStep or NormalMaxScale");
+  if ((!keys.take("NormalStep", step) | !keys.take("NormalMaxScale", largest) | !given) &&
+      multiscale)
+    fail(Status::kFormat,
+         "M3C2 file: the multi-scale mode lacks NormalMinScale, NormalStep or NormalMaxScale");
   std::vector<double> radii_m;
   if (multiscale) {
     constexpr double kMost = 100;
     const double steps = step > 0 ? std::floor((largest - smallest) / step * (1 + 1e-9)) : 0;
     if (!(smallest > 0) || steps >= kMost)
-      fail(Status::kFormat, "M3C2 file: its multi-scale mode has a scale of 0 or more than 100 scales");
+      fail(Status::kFormat,
+           "M3C2 file: its multi-scale mode has a scale of 0 or more than 100 scales");
     for (double i = 0; i <= steps; ++i) radii_m.push_back(0.5 * (smallest + i * step));
   }
   params.set_numbers("normal_radii_m", radii_m);
@@ -135,7 +142,8 @@ void read_normals(Keys& keys, ParamSet& params) {
     if (!(mode >= 0 && mode <= 5 && mode == std::floor(mode))) refuse("this NormalMode");
     params.set_text("normals", kModes[static_cast<size_t>(mode)]);
   }
-  if (keys.take("NormalUseCorePoints", from_core)) params.set_text("normals_from", from_core ? "core" : "reference");
+  if (keys.take("NormalUseCorePoints", from_core))
+    params.set_text("normals_from", from_core ? "core" : "reference");
 }
 
 // The numbers since CloudCompare 2.10: 0 to 5 are +x -x +y -y +z -z, 11 the sensor.
@@ -143,7 +151,8 @@ void read_orientation(Keys& keys, ParamSet& params) {
   double number = 0;
   if (!keys.take("NormalPreferedOri", number)) return;
   if (number == 11) return params.set_text("orientation", "station");
-  if (!(number >= 0 && number <= 5 && number == std::floor(number))) refuse("this NormalPreferedOri");
+  if (!(number >= 0 && number <= 5 && number == std::floor(number)))
+    refuse("this NormalPreferedOri");
   const auto axis = static_cast<size_t>(number);
   std::array<double, 3> direction{};
   direction[axis / 2] = axis % 2 == 0 ? 1 : -1;
@@ -161,17 +170,20 @@ void read_cylinders(Keys& keys, ParamSet& params) {
   constexpr double kFewest = 3;
   if (keys.take("UseMinPoints4Stat", limited) && limited && has_points)
     params.set_number("min_points", std::max(kFewest, points));
-  if (keys.take("PositiveSearchOnly", positive_only) && positive_only) refuse("PositiveSearchOnly=true");
+  if (keys.take("PositiveSearchOnly", positive_only) && positive_only)
+    refuse("PositiveSearchOnly=true");
   if (keys.take("UsePrecisionMaps", precision_maps) && precision_maps)
-    fail(Status::kUnsupported, "M3C2 file: UsePrecisionMaps=true: give the clouds the field \"covariance\" and set "
-                               "precision_from = covariances instead");
+    fail(Status::kUnsupported,
+         "M3C2 file: UsePrecisionMaps=true: give the clouds the field \"covariance\" and set "
+         "precision_from = covariances instead");
   params.set_text("surfaces", "all");
 }
 
 void read_rest(Keys& keys, ParamSet& params) {
   double spacing_m = 0, error_m = 0;
   bool sampled = true, registered = true;
-  const bool has_spacing = keys.take("SubsampleRadius", spacing_m), has_error = keys.take("RegistrationError", error_m);
+  const bool has_spacing = keys.take("SubsampleRadius", spacing_m),
+             has_error = keys.take("RegistrationError", error_m);
   keys.take("SubsampleEnabled", sampled);
   keys.take("RegistrationErrorEnabled", registered);
   if (has_spacing || !sampled) params.set_number("core_spacing_m", sampled ? spacing_m : 0);
@@ -184,7 +196,8 @@ std::vector<std::string> read_cloudcompare_m3c2(std::string_view text, ParamSet&
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   Keys keys(text);
-  if (!keys.has("M3C2VER")) fail(Status::kFormat, "not an M3C2 parameter file: it has no key M3C2VER");
+  if (!keys.has("M3C2VER"))
+    fail(Status::kFormat, "not an M3C2 parameter file: it has no key M3C2VER");
   ParamSet set = params;
   read_normals(keys, set);
   read_orientation(keys, set);

@@ -72,14 +72,17 @@ SurfacePosition MedianEstimator::operator()(std::span<const double> ascending) c
   const double sigma = (ascending[n - 1 - order.rank] - ascending[order.rank]) * order.factor;
   out.variance_m2 = sigma * sigma;
   out.dof = median_dof(size);
-  if (sigma == 0) {  // rounded values, all alike in the middle: what is left is the variance of a normal sample
-    out.variance_m2 = variance_of_median(squared_deviations(ascending, out.position_m) / (size - 1), n);
+  if (sigma ==
+      0) {  // rounded values, all alike in the middle: what is left is the variance of a normal sample
+    out.variance_m2 =
+        variance_of_median(squared_deviations(ascending, out.position_m) / (size - 1), n);
     out.dof = size - 1;
   }
   return out;
 }
 
-RigidUncertainty::RigidUncertainty(std::span<const double> covariance36, const Vec3& centre) : centre_(centre) {
+RigidUncertainty::RigidUncertainty(std::span<const double> covariance36, const Vec3& centre)
+    : centre_(centre) {
   std::copy_n(covariance36.begin(), covariance_.size(), covariance_.begin());
 }
 
@@ -93,7 +96,8 @@ double RigidUncertainty::variance_along(const Vec3& place, const Vec3& normal) c
 }
 
 LevelOfDetection::LevelOfDetection(double confidence) {
-  constexpr size_t kCells = 1024;  // cubic between them: 1e-9 of a quantile, 1e-7 below three degrees of freedom
+  constexpr size_t kCells =
+      1024;  // cubic between them: 1e-9 of a quantile, 1e-7 below three degrees of freedom
   const double p = 0.5 + 0.5 * confidence;
   table_.resize(kCells + 1);
   table_[0] = normal_quantile(p);
@@ -108,13 +112,16 @@ double LevelOfDetection::quantile(double dof) const {
   const size_t first = std::clamp<size_t>(static_cast<size_t>(at), 1, last - 2) - 1;
   const double x = at - static_cast<double>(first);
   const double* y = table_.data() + first;
-  return ((x - 1) * (x - 2) * (x - 3) * y[0] - 3 * x * (x - 2) * (x - 3) * y[1] + 3 * x * (x - 1) * (x - 3) * y[2] -
-          x * (x - 1) * (x - 2) * y[3]) / -6;
+  return ((x - 1) * (x - 2) * (x - 3) * y[0] - 3 * x * (x - 2) * (x - 3) * y[1] +
+          3 * x * (x - 1) * (x - 3) * y[2] - x * (x - 1) * (x - 2) * y[3]) /
+         -6;
 }
 
-double LevelOfDetection::level_m(const SurfacePosition& a, const SurfacePosition& b, double registration_error_m,
+double LevelOfDetection::level_m(const SurfacePosition& a, const SurfacePosition& b,
+                                 double registration_error_m,
                                  double registration_variance_m2) const {
-  const double sampled = a.variance_m2 * a.variance_m2 / a.dof + b.variance_m2 * b.variance_m2 / b.dof;
+  const double sampled =
+      a.variance_m2 * a.variance_m2 / a.dof + b.variance_m2 * b.variance_m2 / b.dof;
   const double variance = a.variance_m2 + b.variance_m2 + registration_variance_m2;
   const double dof = sampled > 0 ? variance * variance / sampled : kInfinity;
   return quantile(dof) * std::sqrt(variance) + table_[0] * registration_error_m;

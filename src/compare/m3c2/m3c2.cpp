@@ -25,7 +25,8 @@ struct Output {
   T* values = nullptr;
 
   Output(const char* name, uint32_t components, const char* unit, const char* meaning, size_t n)
-      : column(std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), components, unit, meaning}, n)),
+      : column(std::make_shared<Column>(
+            FieldInfo{name, element_type_of<T>(), components, unit, meaning}, n)),
         values(column->template values<T>().data()) {}
 };
 
@@ -38,15 +39,19 @@ struct CoreColumns {
   Output<double> spread_reference, spread_compared;
 
   explicit CoreColumns(size_t n)
-      : distance("distance", 1, "m", "from the reference to the compared surface along the normal", n),
+      : distance("distance", 1, "m", "from the reference to the compared surface along the normal",
+                 n),
         lod("lod", 1, "m", "level of detection: distances up to it may be chance", n),
         significant("significant", 1, "", "1: the distance exceeds the level of detection", n),
-        status("status", 1, "", "0 compared, 4 no points in the cylinder in a cloud, 5 too few points", n),
+        status("status", 1, "",
+               "0 compared, 4 no points in the cylinder in a cloud, 5 too few points", n),
         normal("normal", 3, "", "unit vector along which the surfaces are compared", n),
-        normal_radius("normal_radius", 1, "m", "radius of the ball that gave the normal; 0 if none", n),
+        normal_radius("normal_radius", 1, "m", "radius of the ball that gave the normal; 0 if none",
+                      n),
         count_reference("count_reference", 1, "", "points of the reference surface", n),
         count_compared("count_compared", 1, "", "points of the compared surface", n),
-        spread_reference("spread_reference", 1, "m", "of those points along the normal: a standard deviation", n),
+        spread_reference("spread_reference", 1, "m",
+                         "of those points along the normal: a standard deviation", n),
         spread_compared("spread_compared", 1, "m", "the same of the compared surface", n) {}
 
   void set(size_t i, const CoreNormals::Normal& n, const CylinderResult& r) const {
@@ -54,7 +59,8 @@ struct CoreColumns {
     lod.values[i] = r.lod_m;
     significant.values[i] = std::fabs(r.distance_m) > r.lod_m;
     status.values[i] = static_cast<uint8_t>(r.status);
-    for (int c = 0; c < 3; ++c) normal.values[3 * i + static_cast<size_t>(c)] = n.known ? n.direction[c] : kNaN;
+    for (int c = 0; c < 3; ++c)
+      normal.values[3 * i + static_cast<size_t>(c)] = n.known ? n.direction[c] : kNaN;
     normal_radius.values[i] = n.radius_m;
     count_reference.values[i] = r.reference.count;
     count_compared.values[i] = r.compared.count;
@@ -64,15 +70,16 @@ struct CoreColumns {
   FieldTable table() const {
     FieldTable table;
     for (const auto& column :
-         {distance.column, lod.column, significant.column, status.column, normal.column, normal_radius.column,
-          count_reference.column, count_compared.column, spread_reference.column, spread_compared.column})
+         {distance.column, lod.column, significant.column, status.column, normal.column,
+          normal_radius.column, count_reference.column, count_compared.column,
+          spread_reference.column, spread_compared.column})
       table.set(column);
     return table;
   }
 };
 
-const CloudPtr& source_cloud(M3c2Settings::Source source, const CloudPtr& reference, const CloudPtr& compared,
-                             const CloudPtr& core) {
+const CloudPtr& source_cloud(M3c2Settings::Source source, const CloudPtr& reference,
+                             const CloudPtr& compared, const CloudPtr& core) {
   if (source == M3c2Settings::Source::kCore) return core;
   return source == M3c2Settings::Source::kCompared ? compared : reference;
 }
@@ -92,8 +99,8 @@ FieldTable summary_of(const CoreColumns& columns, size_t n, Task& task) {
     if (columns.status.values[i] == 0) sum += columns.lod.values[i];
   }
   const double compared = summary.require("compared").number(0);
-  add_value<uint64_t>(summary, "significant", "", "core points whose distance exceeds the level of detection",
-                      significant);
+  add_value<uint64_t>(summary, "significant", "",
+                      "core points whose distance exceeds the level of detection", significant);
   add_value<double>(summary, "mean_lod", "m", "mean level of detection of the compared core points",
                     compared > 0 ? sum / compared : kNaN);
   return summary;
@@ -101,9 +108,10 @@ FieldTable summary_of(const CoreColumns& columns, size_t n, Task& task) {
 
 /// Steps 1 to 4 of Lague, Brodu & Leroux (2013) at every core point, in the order of the curve, so that neighbours find
 /// their points in the cache. The columns are made behind the indices, when what those take to be made is given back.
-CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference, const CloudPtr& compared,
-                    const CloudPtr& core, Task& task) {
-  const CoreNormals normals(settings, source_cloud(settings.normals_from, reference, compared, core), core, task);
+CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference,
+                    const CloudPtr& compared, const CloudPtr& core, Task& task) {
+  const CoreNormals normals(
+      settings, source_cloud(settings.normals_from, reference, compared, core), core, task);
   const CylinderComparer cylinders(settings, reference, compared, task);
   const auto core_tree = core->octree(task);
   const auto order = core_tree->order();
@@ -129,7 +137,8 @@ Comparison compare_m3c2(const CloudPtr& reference, const CloudPtr& compared,
                         const M3c2Settings& settings, Task& task) {
   settings.check();
   const CloudPtr& source = source_cloud(settings.core_from, reference, compared, reference);
-  if (source->size() == 0) fail(Status::kInsufficientData, "the cloud that gives the core points is empty");
+  if (source->size() == 0)
+    fail(Status::kInsufficientData, "the cloud that gives the core points is empty");
   CloudPtr core;
   {
     ProgressSpan span(task, 0, 0.1, "core points");

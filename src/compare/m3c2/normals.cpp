@@ -29,7 +29,8 @@ ColumnPtr require_given_normals(const Cloud& core) {
   ColumnPtr column = core.fields.find_shared("normal");
   if (!column) fail(Status::kNotFound, "normals = given: the core points have no field \"normal\"");
   if (column->info().components != 3 || !is_floating(column->info().type))
-    fail(Status::kInvalidArgument, "normals = given: field \"normal\" does not hold 3 floating-point numbers a point");
+    fail(Status::kInvalidArgument,
+         "normals = given: field \"normal\" does not hold 3 floating-point numbers a point");
   return column;
 }
 
@@ -40,7 +41,8 @@ struct Scatter {
   size_t count = 0;
   Symmetric3 matrix{};
 };
-Scatter scatter_within(std::span<const Vec3> offsets, std::span<const double> squared_m2, double limit_m2) {
+Scatter scatter_within(std::span<const Vec3> offsets, std::span<const double> squared_m2,
+                       double limit_m2) {
   Scatter out;
   Vec3 sum;
   Symmetric3& m = out.matrix;
@@ -76,7 +78,8 @@ CoreNormals::CoreNormals(const M3c2Settings& settings, const CloudPtr& source, c
   const uint64_t without_pose = first_without_pose(*source);
   if (settings.orientation == Orientation::kStation && without_pose < source->size())
     fail(Status::kInvalidArgument,
-         "orientation = station: point %llu of the cloud that gives the normals has no station with a known pose",
+         "orientation = station: point %llu of the cloud that gives the normals has no station "
+         "with a known pose",
          static_cast<unsigned long long>(without_pose));
   by_station_ = settings.orientation == Orientation::kStation ||
                 (settings.orientation == Orientation::kAutomatic && without_pose == source->size());
@@ -107,7 +110,8 @@ CoreNormals::Normal CoreNormals::at(size_t core_point, Work& work) const {
 }
 
 Vec3 CoreNormals::given(size_t core_point) const {
-  return {given_->number(core_point, 0), given_->number(core_point, 1), given_->number(core_point, 2)};
+  return {given_->number(core_point, 0), given_->number(core_point, 1),
+          given_->number(core_point, 2)};
 }
 
 // Of the radii given the one whose points have the least surface variation, the smallest on a tie.
@@ -121,7 +125,8 @@ CoreNormals::Normal CoreNormals::plane_at(const Vec3& centre, Work& work) const 
     const Scatter scatter = scatter_within(offsets, work.squared_m2, radius_m * radius_m);
     if (scatter.count < 3) continue;
     const Eigen3 e = symmetric_eigen(scatter.matrix);
-    constexpr double kLine = 1e-12;  // the second eigenvalue of points on a line is what rounding leaves of the largest
+    constexpr double kLine =
+        1e-12;  // the second eigenvalue of points on a line is what rounding leaves of the largest
     if (!(e.values[1] > kLine * e.values[2])) continue;
     const double variation = std::max(0.0, e.values[0]) / (e.values[0] + e.values[1] + e.values[2]);
     if (!(variation < least)) continue;
@@ -137,7 +142,8 @@ Vec3 CoreNormals::oriented(const Vec3& centre, Vec3 normal, const Work& work) co
     toward = viewpoint_ - centre;
   } else if (by_station_) {
     const auto nearest = std::min_element(work.squared_m2.begin(), work.squared_m2.end());
-    const uint32_t position = work.search->ball_positions()[static_cast<size_t>(nearest - work.squared_m2.begin())];
+    const uint32_t position =
+        work.search->ball_positions()[static_cast<size_t>(nearest - work.squared_m2.begin())];
     toward = station_of(*source_, tree_->order()[position])->pose.translation() - centre;
   }
   return dot(toward, normal) < 0 ? -normal : normal;

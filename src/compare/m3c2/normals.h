@@ -14,7 +14,8 @@ namespace jalon {
 /// The directions along which core points are compared (step 1 of Lague, Brodu & Leroux 2013).
 class CoreNormals {
  public:
-  CoreNormals(const M3c2Settings& settings, const CloudPtr& source, const CloudPtr& core, Task& task);
+  CoreNormals(const M3c2Settings& settings, const CloudPtr& source, const CloudPtr& core,
+              Task& task);
 
   /// What one thread keeps between core points; its search is null where no points are looked at.
   struct Work {

@@ -20,7 +20,8 @@ double along(const T* c, size_t components, const Vec3& n) {
   if (components == 9)
     return n.x * (n.x * c[0] + n.y * (double{c[1]} + c[3]) + n.z * (double{c[2]} + c[6])) +
            n.y * (n.y * c[4] + n.z * (double{c[5]} + c[7])) + n.z * n.z * c[8];
-  return n.x * (n.x * c[0] + 2 * (n.y * c[1] + n.z * c[2])) + n.y * (n.y * c[3] + 2 * n.z * c[4]) + n.z * n.z * c[5];
+  return n.x * (n.x * c[0] + 2 * (n.y * c[1] + n.z * c[2])) + n.y * (n.y * c[3] + 2 * n.z * c[4]) +
+         n.z * n.z * c[5];
 }
 
 double normal_density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi); }
@@ -62,17 +63,18 @@ double common_sigma(std::span<const double> variances) {
 PointCovariances::PointCovariances(const Cloud& cloud, const char* name)
     : column_(cloud.fields.find_shared("covariance")) {
   if (!column_)
-    fail(Status::kNotFound, "precision_from = covariances: the %s cloud has no field \"covariance\"", name);
+    fail(Status::kNotFound,
+         "precision_from = covariances: the %s cloud has no field \"covariance\"", name);
   const FieldInfo& info = column_->info();
   if ((info.components != 6 && info.components != 9) || !is_floating(info.type))
     fail(Status::kInvalidArgument,
-         "precision_from = covariances: field \"covariance\" of the %s cloud does not hold 6 or 9 floating-point "
-         "numbers a point", name);
+         "precision_from = covariances: field \"covariance\" of the %s cloud does not hold 6 or 9 "
+         "floating-point "
+         "numbers a point",
+         name);
   components_ = info.components;
-  if (info.type == ElementType::kFloat32)
-    floats_ = column_->values<float>().data();
-  else
-    doubles_ = column_->values<double>().data();
+  if (info.type == ElementType::kFloat32) floats_ = column_->values<float>().data();
+  else doubles_ = column_->values<double>().data();
 }
 
 double PointCovariances::variance_along(size_t point, const Vec3& normal) const {

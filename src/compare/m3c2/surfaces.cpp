@@ -16,14 +16,16 @@ double shortest_half_sigma(std::span<const double> ascending) {
   constexpr double kNormalHalf = 1.3489795003921634;
   const size_t half = ascending.size() / 2 + 1;
   double least = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i + half <= ascending.size(); ++i) least = std::min(least, ascending[i + half - 1] - ascending[i]);
+  for (size_t i = 0; i + half <= ascending.size(); ++i)
+    least = std::min(least, ascending[i + half - 1] - ascending[i]);
   return least / kNormalHalf * (1 + 5 / static_cast<double>(ascending.size() - 1));
 }
 
 // Calls keep(i) for the points that have enough company within half a gap, themselves counted.
 template <class Keep>
 void for_each_accompanied(std::span<const double> ascending, double gap, Keep keep) {
-  constexpr size_t kLonely = 50;  // a surface that gives fewer than one point in so many is no surface here
+  constexpr size_t kLonely =
+      50;  // a surface that gives fewer than one point in so many is no surface here
   const size_t n = ascending.size(), company = std::max<size_t>(2, n / kLonely);
   size_t low = 0, high = 0;
   for (size_t i = 0; i < n; ++i) {
@@ -63,12 +65,15 @@ std::span<const CylinderSurface> SurfaceFinder::operator()(std::span<const doubl
   }
   split(ascending, gap_m_);
   // A gap for smooth surfaces takes a rough one to pieces: the largest piece tells how rough.
-  const auto larger = [](const CylinderSurface& a, const CylinderSurface& b) { return a.count < b.count; };
+  const auto larger = [](const CylinderSurface& a, const CylinderSurface& b) {
+    return a.count < b.count;
+  };
   const auto largest = std::max_element(surfaces_.begin(), surfaces_.end(), larger);
   constexpr double kTails = 5;
-  const double gap = kTails * shortest_half_sigma(largest == surfaces_.end()
-                                                      ? ascending
-                                                      : ascending.subspan(largest->first, largest->count));
+  const double gap =
+      kTails * shortest_half_sigma(largest == surfaces_.end()
+                                       ? ascending
+                                       : ascending.subspan(largest->first, largest->count));
   if (gap > gap_m_) split(ascending, gap);
   return surfaces_;
 }
@@ -85,19 +90,25 @@ void SurfaceFinder::split(std::span<const double> ascending, double gap) {
   std::erase_if(surfaces_, [&](const CylinderSurface& s) { return s.count < min_points_; });
 }
 
-SurfacePair nearest_surfaces(std::span<const double> reference, std::span<const CylinderSurface> reference_surfaces,
-                             std::span<const double> compared, std::span<const CylinderSurface> compared_surfaces) {
+SurfacePair nearest_surfaces(std::span<const double> reference,
+                             std::span<const CylinderSurface> reference_surfaces,
+                             std::span<const double> compared,
+                             std::span<const CylinderSurface> compared_surfaces) {
   const auto far_reference = [&](const CylinderSurface& s) { return from_core(reference, s); };
   const auto far_compared = [&](const CylinderSurface& s) { return from_core(compared, s); };
-  SurfacePair pair{least(reference_surfaces, far_reference), least(compared_surfaces, far_compared)};
-  if (far_reference(reference_surfaces[pair.reference]) <= far_compared(compared_surfaces[pair.compared])) {
+  SurfacePair pair{least(reference_surfaces, far_reference),
+                   least(compared_surfaces, far_compared)};
+  if (far_reference(reference_surfaces[pair.reference]) <=
+      far_compared(compared_surfaces[pair.compared])) {
     const double anchor = middle(reference, reference_surfaces[pair.reference]);
-    pair.compared = least(compared_surfaces,
-                          [&](const CylinderSurface& s) { return std::fabs(middle(compared, s) - anchor); });
+    pair.compared = least(compared_surfaces, [&](const CylinderSurface& s) {
+      return std::fabs(middle(compared, s) - anchor);
+    });
   } else {
     const double anchor = middle(compared, compared_surfaces[pair.compared]);
-    pair.reference = least(reference_surfaces,
-                           [&](const CylinderSurface& s) { return std::fabs(middle(reference, s) - anchor); });
+    pair.reference = least(reference_surfaces, [&](const CylinderSurface& s) {
+      return std::fabs(middle(reference, s) - anchor);
+    });
   }
   return pair;
 }

@@ -44,7 +44,9 @@ struct SurfacePair {
 /// The surface nearest to the core point (at 0), whichever cloud has it, the reference on a tie, and the one of the
 /// other cloud whose middle is nearest to its middle. Swapping the clouds swaps the answer unless there is a tie.
 /// Both lists hold one surface at least.
-SurfacePair nearest_surfaces(std::span<const double> reference, std::span<const CylinderSurface> reference_surfaces,
-                             std::span<const double> compared, std::span<const CylinderSurface> compared_surfaces);
+SurfacePair nearest_surfaces(std::span<const double> reference,
+                             std::span<const CylinderSurface> reference_surfaces,
+                             std::span<const double> compared,
+                             std::span<const CylinderSurface> compared_surfaces);
 
 }  // namespace jalon

@@ -13,11 +13,12 @@ namespace jalon {
 
 namespace {
 
-constexpr int kBoxAngles = 45;            // every 2 degrees of a quarter turn: ICP does the rest
+constexpr int kBoxAngles = 45;  // every 2 degrees of a quarter turn: ICP does the rest
 constexpr size_t kBoxSample = 4000;
 
 struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  double low = std::numeric_limits<double>::infinity(),
+         high = -std::numeric_limits<double>::infinity();
   void add(double v) {
     low = std::min(low, v);
     high = std::max(high, v);
@@ -27,7 +28,8 @@ struct Range {
 };
 
 // T that takes the frame (centre, axes) a to b.
-Transform frame_to_frame(const Vec3& centre_a, const Vec3 (&a)[3], const Vec3& centre_b, const Vec3 (&b)[3]) {
+Transform frame_to_frame(const Vec3& centre_a, const Vec3 (&a)[3], const Vec3& centre_b,
+                         const Vec3 (&b)[3]) {
   Transform out;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {
@@ -44,8 +46,10 @@ Transform frame_to_frame(const Vec3& centre_a, const Vec3 (&a)[3], const Vec3& c
 
 Transform shift_by(const Vec3& d) { return motion_about({}, {}, d); }
 
-void add_standing(const MatchSurface& before, const MatchSurface& after, const Vec3& up, std::vector<Transform>& out) {
-  const StandingBox a = standing_box(before.sample(kBoxSample), up), b = standing_box(after.sample(kBoxSample), up);
+void add_standing(const MatchSurface& before, const MatchSurface& after, const Vec3& up,
+                  std::vector<Transform>& out) {
+  const StandingBox a = standing_box(before.sample(kBoxSample), up),
+                    b = standing_box(after.sample(kBoxSample), up);
   // What stands keeps its foot: only the sides are shifted onto each other.
   const Vec3 from = a.centre - a.up * a.half[2], to = b.centre - b.up * b.half[2];
   const Vec3 axes_a[3] = {a.along, a.across, a.up};
@@ -77,8 +81,8 @@ void add_axes(const MatchSurface& before, const MatchSurface& after, std::vector
 
 bool StandingBox::contains(const Vec3& p, double margin) const {
   const Vec3 d = p - centre;
-  return std::abs(dot(d, along)) <= half[0] + margin && std::abs(dot(d, across)) <= half[1] + margin &&
-         std::abs(dot(d, up)) <= half[2] + margin;
+  return std::abs(dot(d, along)) <= half[0] + margin &&
+         std::abs(dot(d, across)) <= half[1] + margin && std::abs(dot(d, up)) <= half[2] + margin;
 }
 
 StandingBox standing_box(const std::vector<Vec3>& points, const Vec3& up) {
@@ -97,7 +101,10 @@ StandingBox standing_box(const std::vector<Vec3>& points, const Vec3& up) {
     }
     if (!(u.width() * v.width() < least)) continue;
     least = u.width() * v.width();
-    best = {up, across, along, along * u.middle() + across * v.middle() + up * w.middle(),
+    best = {up,
+            across,
+            along,
+            along * u.middle() + across * v.middle() + up * w.middle(),
             {u.width() / 2, v.width() / 2, w.width() / 2}};
   }
   return best;
@@ -106,10 +113,8 @@ StandingBox standing_box(const std::vector<Vec3>& points, const Vec3& up) {
 std::vector<Transform> match_starts(const MatchSurface& before, const MatchSurface& after,
                                     const MatchSetting& setting) {
   std::vector<Transform> out{Transform{}, shift_by(after.centroid() - before.centroid())};
-  if (setting.stands)
-    add_standing(before, after, setting.up, out);
-  else
-    add_axes(before, after, out);
+  if (setting.stands) add_standing(before, after, setting.up, out);
+  else add_axes(before, after, out);
   return out;
 }
 

@@ -13,8 +13,9 @@ namespace jalon {
 
 namespace {
 
-constexpr uint32_t kNeighbours = 12;  // of a local plane: the usual choice for normals of scans (A.2)
-constexpr double kFlat = 2;           // times the median scatter; a plane across an edge has many times that
+constexpr uint32_t kNeighbours =
+    12;                      // of a local plane: the usual choice for normals of scans (A.2)
+constexpr double kFlat = 2;  // times the median scatter; a plane across an edge has many times that
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

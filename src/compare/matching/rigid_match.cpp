@@ -14,18 +14,21 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kSample = 1500;        // points of the iterations
+constexpr size_t kSample = 1500;  // points of the iterations
 constexpr int kIterations = 40;
-constexpr double kShrink = 0.8;         // of the reach, each iteration
-constexpr double kDiscs = 4;            // points within so many of their discs' radii belong to one surface
-constexpr double kDamping = 1e-6;       // keeps directions that nothing fixes where they are
-constexpr double kEqual = 0.02;  // shares that differ by less are chance: a box turned half round fits as well
-constexpr double kJudged = 0.7;         // share of the points that must have been in sight of the other scanners
+constexpr double kShrink = 0.8;  // of the reach, each iteration
+constexpr double kDiscs = 4;  // points within so many of their discs' radii belong to one surface
+constexpr double kDamping = 1e-6;  // keeps directions that nothing fixes where they are
+constexpr double kEqual =
+    0.02;  // shares that differ by less are chance: a box turned half round fits as well
+constexpr double kJudged =
+    0.7;  // share of the points that must have been in sight of the other scanners
 constexpr int kRefinements = 4;
-constexpr size_t kLeastPairs = 12;      // two for each unknown
+constexpr size_t kLeastPairs = 12;  // two for each unknown
 
 // Is the moved point on the surface? The pair is its plane there. flat: only away from edges, where planes are true.
-bool lies_on(const MatchSurface& surface, const Vec3& moved, double reach_m, PlanePair& pair, bool flat = false) {
+bool lies_on(const MatchSurface& surface, const Vec3& moved, double reach_m, PlanePair& pair,
+             bool flat = false) {
   const Neighbour near = surface.nearest(moved);
   if (flat && !surface.is_flat(near.index)) return false;
   const double discs = kDiscs * surface.radius(near.index);
@@ -36,7 +39,8 @@ bool lies_on(const MatchSurface& surface, const Vec3& moved, double reach_m, Pla
 }
 
 // Step 2: one iteration; false when too few points meet.
-bool iterate(const std::vector<Vec3>& sample, const MatchSurface& after, double reach_m, MotionModel& model) {
+bool iterate(const std::vector<Vec3>& sample, const MatchSurface& after, double reach_m,
+             MotionModel& model) {
   Square<6> normal{};
   Coefficients<6> right{}, j;
   size_t n = 0;
@@ -63,8 +67,8 @@ bool iterate(const std::vector<Vec3>& sample, const MatchSurface& after, double 
   return true;
 }
 
-Transform iterated(const std::vector<Vec3>& sample, const MatchSurface& before, const MatchSurface& after,
-                   const Transform& start, double tolerance_m) {
+Transform iterated(const std::vector<Vec3>& sample, const MatchSurface& before,
+                   const MatchSurface& after, const Transform& start, double tolerance_m) {
   MotionModel model(start, before.centroid());
   const Vec3 size = before.box().max - before.box().min;
   double reach_m = std::max(norm(size) / 4, tolerance_m);
@@ -86,8 +90,8 @@ struct Share {
 };
 
 // Moved points that lie on the surface, of those that could have been seen where they came to lie.
-Share share_on(const std::vector<Vec3>& points, const Transform& motion, const MatchSurface& surface,
-               const SeenTest& seen, double tolerance_m, Task& task) {
+Share share_on(const std::vector<Vec3>& points, const Transform& motion,
+               const MatchSurface& surface, const SeenTest& seen, double tolerance_m, Task& task) {
   return parallel_reduce(task, points.size(), 512, Share{}, [&](size_t begin, size_t end) {
     Share part;
     for (size_t i = begin; i < end; ++i) {
@@ -102,10 +106,13 @@ Share share_on(const std::vector<Vec3>& points, const Transform& motion, const M
   });
 }
 
-double explained_by(const Transform& motion, const std::vector<Vec3>& of_before, const std::vector<Vec3>& of_after,
-                    const MatchSurface& before, const MatchSurface& after, const MatchSetting& setting, Task& task) {
-  const Share forth = share_on(of_before, motion, after, setting.seen_after, setting.tolerance_m, task);
-  const Share back = share_on(of_after, inverse(motion), before, setting.seen_before, setting.tolerance_m, task);
+double explained_by(const Transform& motion, const std::vector<Vec3>& of_before,
+                    const std::vector<Vec3>& of_after, const MatchSurface& before,
+                    const MatchSurface& after, const MatchSetting& setting, Task& task) {
+  const Share forth =
+      share_on(of_before, motion, after, setting.seen_after, setting.tolerance_m, task);
+  const Share back =
+      share_on(of_after, inverse(motion), before, setting.seen_before, setting.tolerance_m, task);
   // Where most of it could not have been seen, nothing says that it is there.
   const auto is_judged = [](const Share& share, size_t n) {
     return static_cast<double>(share.all) >= kJudged * static_cast<double>(n);
@@ -121,8 +128,8 @@ double size_of(const Transform& motion, const MatchSurface& before) {
 }
 
 // Step 4: pairs and adjustment in turns, with all points.
-void adjust_motion(const MatchSurface& before, const MatchSurface& after, const MatchSetting& setting, Task& task,
-                   RigidMatch& match) {
+void adjust_motion(const MatchSurface& before, const MatchSurface& after,
+                   const MatchSetting& setting, Task& task, RigidMatch& match) {
   MotionModel model(match.motion, before.centroid());
   Adjusted<6> adjusted;
   std::vector<PlanePair> pairs;
@@ -130,7 +137,8 @@ void adjust_motion(const MatchSurface& before, const MatchSurface& after, const 
     pairs.clear();
     for (const Vec3& p : before.points()) {
       PlanePair pair{p, {}, {}};
-      if (lies_on(after, model.motion().point(p), setting.tolerance_m, pair, true)) pairs.push_back(pair);
+      if (lies_on(after, model.motion().point(p), setting.tolerance_m, pair, true))
+        pairs.push_back(pair);
     }
     if (pairs.size() < kLeastPairs) return;
     MotionModel next = model;
@@ -142,15 +150,16 @@ void adjust_motion(const MatchSurface& before, const MatchSurface& after, const 
   match.rms_m = adjusted.sigma;
   match.covariance = adjusted.covariance;
   // The planes are measured as well, by the points after: their share of the variance is that of one point a plane.
-  const double planes = 1 + static_cast<double>(pairs.size()) / static_cast<double>(std::max<size_t>(after.size(), 1));
+  const double planes = 1 + static_cast<double>(pairs.size()) /
+                                static_cast<double>(std::max<size_t>(after.size(), 1));
   for (double& c : match.covariance) c *= planes;
   match.found = true;
 }
 
 }  // namespace
 
-RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after, const MatchSetting& setting,
-                         Task& task) {
+RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after,
+                         const MatchSetting& setting, Task& task) {
   RigidMatch best;
   if (before.size() < kLeastPairs || after.size() < kLeastPairs) return best;
   const std::vector<Vec3> sample = before.sample(kSample), other = after.sample(kSample);
@@ -159,7 +168,8 @@ RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after, 
     const Transform motion = iterated(sample, before, after, start, setting.tolerance_m);
     const double explained = explained_by(motion, sample, other, before, after, setting, task);
     const double size = size_of(motion, before);
-    const bool is_better = explained > best.explained + kEqual || (explained > best.explained - kEqual && size < least);
+    const bool is_better = explained > best.explained + kEqual ||
+                           (explained > best.explained - kEqual && size < least);
     if (!is_better) continue;
     best.motion = motion;
     best.explained = explained;
@@ -167,7 +177,8 @@ RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after, 
   }
   adjust_motion(before, after, setting, task, best);
   if (!best.found) return best;
-  best.explained = explained_by(best.motion, before.points(), after.points(), before, after, setting, task);
+  best.explained =
+      explained_by(best.motion, before.points(), after.points(), before, after, setting, task);
   best.rotation = rotation_vector(best.motion);
   best.displacement = best.motion.point(before.centroid()) - before.centroid();
   return best;

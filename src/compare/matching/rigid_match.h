@@ -23,17 +23,18 @@ struct MatchSetting {
 /// How well one rigid motion lays the object before onto the object after.
 struct RigidMatch {
   bool found = false;
-  Transform motion;            ///< T_after_before
-  Vec3 rotation, displacement; ///< rotation vector; what the object's centroid moved by
-  Square<6> covariance{};      ///< of rotation (rad) and displacement (m)
-  double explained = 0;        ///< share of the points of both, where they could be seen, that lie on the other
+  Transform motion;             ///< T_after_before
+  Vec3 rotation, displacement;  ///< rotation vector; what the object's centroid moved by
+  Square<6> covariance{};       ///< of rotation (rad) and displacement (m)
+  double explained =
+      0;  ///< share of the points of both, where they could be seen, that lie on the other
   double rms_m = 0;
 };
 
 /// 1. Starts from the boxes and axes of both; 2. point-to-plane iterations from each on a sample, with a shrinking
 /// reach (Chen & Medioni 1992; Girardeau-Montaut 2006, 2.1); 3. the start that explains most, the smaller motion of
 /// equals; 4. adjustment with all points.
-RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after, const MatchSetting& setting,
-                         Task& task);
+RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after,
+                         const MatchSetting& setting, Task& task);
 
 }  // namespace jalon

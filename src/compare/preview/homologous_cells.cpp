@@ -34,7 +34,8 @@ std::vector<Octree::Cell> occupied_cells(const Octree& tree, int level, Task& ta
   std::vector<std::vector<Octree::Cell>> parts((tree.size() + kGrain - 1) / kGrain);
   parallel_for(task, tree.size(), kGrain, [&](size_t begin, size_t end) {
     size_t at = begin;  // a cell belongs to the chunk that it begins in
-    if (begin > 0 && tree.code(begin - 1) >> shift == tree.code(begin) >> shift) at = end_of_cell(tree, shift, begin);
+    if (begin > 0 && tree.code(begin - 1) >> shift == tree.code(begin) >> shift)
+      at = end_of_cell(tree, shift, begin);
     while (at < end) {
       const size_t next = end_of_cell(tree, shift, at);
       parts[begin / kGrain].push_back({tree.code(at) >> shift, at, next - at});
@@ -46,7 +47,8 @@ std::vector<Octree::Cell> occupied_cells(const Octree& tree, int level, Task& ta
   return cells;
 }
 
-std::vector<CellPair> homologous_cells(const Octree& reference, const Octree& compared, int level, Task& task) {
+std::vector<CellPair> homologous_cells(const Octree& reference, const Octree& compared, int level,
+                                       Task& task) {
   const auto r = occupied_cells(reference, level, task), c = occupied_cells(compared, level, task);
   std::vector<CellPair> pairs;
   size_t i = 0;

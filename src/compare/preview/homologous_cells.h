@@ -20,6 +20,7 @@ struct CellPair {
 /// Occupied cells of a level, in code order. Meant for coarse levels: it leaps from cell to cell.
 std::vector<Octree::Cell> occupied_cells(const Octree& tree, int level, Task& task);
 /// The cells of a level that hold points of both; both trees on one cube.
-std::vector<CellPair> homologous_cells(const Octree& reference, const Octree& compared, int level, Task& task);
+std::vector<CellPair> homologous_cells(const Octree& reference, const Octree& compared, int level,
+                                       Task& task);
 
 }  // namespace jalon

@@ -98,7 +98,8 @@ double cell_distance(const Scene& scene, const CellPair& pair, Measure measure) 
 }
 
 // Strategies 1 and 2: one value for each pair of cells, the least over the levels for each point (sorted positions).
-void measure_level(const Scene& scene, int level, Measure measure, std::span<double> values, Task& task) {
+void measure_level(const Scene& scene, int level, Measure measure, std::span<double> values,
+                   Task& task) {
   const auto pairs = homologous_cells(*scene.reference, *scene.compared, level, task);
   const auto groups = groups_of(pairs.size(), kGroupPoints, [&](size_t p) {
     return pairs[p].reference_count + pairs[p].compared_count;
@@ -136,8 +137,8 @@ FieldTable angle_summary(const FieldTable& summary) {
 }
 
 // Values in the tree's order to columns in the caller's.
-Comparison comparison_of(const CloudPtr& compared, std::span<const double> values, std::span<const uint32_t> order,
-                         bool angles, Task& task) {
+Comparison comparison_of(const CloudPtr& compared, std::span<const double> values,
+                         std::span<const uint32_t> order, bool angles, Task& task) {
   const size_t n = values.size();
   FieldInfo info{"distance", ElementType::kFloat64, 1, "m", "of the cell"};
   if (angles) info.name = "plane_angle", info.unit = "rad";
@@ -150,7 +151,8 @@ Comparison comparison_of(const CloudPtr& compared, std::span<const double> value
     for (size_t i = begin; i < end; ++i) {
       to[order[i]] = values[i];
       const bool without = values[i] != values[i];
-      labels[order[i]] = static_cast<uint8_t>(without ? CompareStatus::kNothingNear : CompareStatus::kCompared);
+      labels[order[i]] =
+          static_cast<uint8_t>(without ? CompareStatus::kNothingNear : CompareStatus::kCompared);
     }
   });
   Comparison made;
@@ -181,10 +183,12 @@ Comparison compare_preview(const CloudPtr& reference, const CloudPtr& compared,
   std::fill(values.begin(), values.end(), kNaN);
   for (int level = first; level <= last; ++level) {
     const double steps = last - first + 1;
-    ProgressSpan span(task, 0.6 + 0.35 * (level - first) / steps, 0.6 + 0.35 * (level + 1 - first) / steps, "cells");
+    ProgressSpan span(task, 0.6 + 0.35 * (level - first) / steps,
+                      0.6 + 0.35 * (level + 1 - first) / steps, "cells");
     measure_level(scene, level, settings.measure, {values.data(), values.size()}, task);
   }
-  return comparison_of(compared, {values.data(), values.size()}, scene.compared->order(), angles, task);
+  return comparison_of(compared, {values.data(), values.size()}, scene.compared->order(), angles,
+                       task);
 }
 
 }  // namespace jalon

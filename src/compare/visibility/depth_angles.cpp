@@ -4,7 +4,8 @@
 
 namespace jalon {
 
-void sight(std::span<const double> xyz, const Vec3& centre, const Transform& axes, SightingBlock& out) {
+void sight(std::span<const double> xyz, const Vec3& centre, const Transform& axes,
+           SightingBlock& out) {
   double x[SightingBlock::kPoints], y[SightingBlock::kPoints], z[SightingBlock::kPoints];
   const size_t n = xyz.size() / 3;
   for (size_t i = 0; i < n; ++i) {

@@ -28,8 +28,8 @@ inline double arc_tangent2(double y, double x) {
   // tan(angle - pi / 4) = (t - 1) / (t + 1) above pi / 8.
   const double turned = low > kTanEighth * high ? 1.0 : 0.0;
   const double below = high + turned * low;
-  double angle =
-      small_arc_tangent((low - turned * high) / (below > 0 ? below : 1.0)) + turned * (std::numbers::pi / 4);
+  double angle = small_arc_tangent((low - turned * high) / (below > 0 ? below : 1.0)) +
+                 turned * (std::numbers::pi / 4);
   angle = b > a ? std::numbers::pi / 2 - angle : angle;
   angle = x < 0 ? std::numbers::pi - angle : angle;
   return y < 0 ? -angle : angle;
@@ -55,7 +55,8 @@ struct SightingBlock {
 };
 /// Of the points of the world xyz (3 a point); axes turns the world's directions to the scanner's. The same bits as
 /// sighting_of one by one.
-void sight(std::span<const double> xyz, const Vec3& centre, const Transform& axes, SightingBlock& out);
+void sight(std::span<const double> xyz, const Vec3& centre, const Transform& axes,
+           SightingBlock& out);
 
 /// A regular grid over the two angles; a closed one runs round the whole circle.
 struct AngularGrid {
@@ -85,8 +86,12 @@ struct AngularGrid {
     out.v = v - out.row;
     return true;
   }
-  double horizontal_of(uint32_t column) const { return horizontal_from_rad + (column + 0.5) * horizontal_step_rad; }
-  double vertical_of(uint32_t row) const { return vertical_from_rad + (row + 0.5) * vertical_step_rad; }
+  double horizontal_of(uint32_t column) const {
+    return horizontal_from_rad + (column + 0.5) * horizontal_step_rad;
+  }
+  double vertical_of(uint32_t row) const {
+    return vertical_from_rad + (row + 0.5) * vertical_step_rad;
+  }
 };
 
 }  // namespace jalon

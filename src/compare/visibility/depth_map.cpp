@@ -24,7 +24,8 @@ AngularGrid grid_over(const AngularField& field, const AngularSteps& steps, doub
   AngularGrid grid;
   grid.horizontal_step_rad = steps.horizontal_rad * cell_factor;
   grid.vertical_step_rad = steps.vertical_rad * cell_factor;
-  const double across = (field.horizontal_extent_rad + steps.horizontal_rad) / grid.horizontal_step_rad;
+  const double across =
+      (field.horizontal_extent_rad + steps.horizontal_rad) / grid.horizontal_step_rad;
   const double up = (field.vertical_extent_rad + steps.vertical_rad) / grid.vertical_step_rad;
   if (!(across * up < static_cast<double>(kMaxCells)))
     fail(Status::kLimit, "a depth map of more than 2^28 cells: take larger angular steps");
@@ -37,10 +38,12 @@ AngularGrid grid_over(const AngularField& field, const AngularSteps& steps, doub
   if (field.is_closed || grid.columns * grid.horizontal_step_rad >= 2 * std::numbers::pi) {
     grid.is_closed = true;
     grid.horizontal_from_rad = field.horizontal_from_rad;
-    grid.columns = std::max(1u, static_cast<uint32_t>(std::lround(2 * std::numbers::pi / grid.horizontal_step_rad)));
+    grid.columns = std::max(
+        1u, static_cast<uint32_t>(std::lround(2 * std::numbers::pi / grid.horizontal_step_rad)));
     grid.horizontal_step_rad = 2 * std::numbers::pi / grid.columns;
   }
-  if (grid.horizontal_from_rad < -std::numbers::pi) grid.horizontal_from_rad += 2 * std::numbers::pi;
+  if (grid.horizontal_from_rad < -std::numbers::pi)
+    grid.horizontal_from_rad += 2 * std::numbers::pi;
   return grid;
 }
 
@@ -78,7 +81,8 @@ DepthMap DepthMap::build(const Cloud& cloud, const Station& station, const Vec3&
         const size_t n = std::min(end - first, SightingBlock::kPoints);
         map.sight(cloud.xyz().subspan(3 * (station.first + first), 3 * n), block);
         for (size_t i = 0; i < n; ++i)
-          seen[first + i] = {static_cast<float>(block.horizontal_rad[i]), static_cast<float>(block.vertical_rad[i]),
+          seen[first + i] = {static_cast<float>(block.horizontal_rad[i]),
+                             static_cast<float>(block.vertical_rad[i]),
                              static_cast<float>(block.range_m[i])};
       }
     });
@@ -113,11 +117,13 @@ void DepthMap::accumulate(std::span<const Seen> seen, uint64_t first, CellRule r
   counts_.assign(grid_.size(), 0);
   std::vector<float> nearest(grid_.size(), std::numeric_limits<float>::infinity());
   for (size_t i = 0; i < seen.size(); ++i) {
-    if (i % kDepthMapPerCheck == 0) task.checkpoint(0.8 * static_cast<double>(i) / static_cast<double>(seen.size()));
+    if (i % kDepthMapPerCheck == 0)
+      task.checkpoint(0.8 * static_cast<double>(i) / static_cast<double>(seen.size()));
     AngularGrid::Place place;
     const float range = seen[i].range_m;
     // A point in the optical centre has no direction.
-    if (!(range > 0) || !grid_.locate({seen[i].horizontal_rad, seen[i].vertical_rad, range}, place)) continue;
+    if (!(range > 0) || !grid_.locate({seen[i].horizontal_rad, seen[i].vertical_rad, range}, place))
+      continue;
     const size_t c = grid_.index(place);
     Cell& cell = cells_[c];
     const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
@@ -130,13 +136,15 @@ void DepthMap::accumulate(std::span<const Seen> seen, uint64_t first, CellRule r
       cell.range_m += (range - cell.range_m) / n;
       cell.u += (u - cell.u) / n;
       cell.v += (v - cell.v) / n;
-    } else if (n == 1 || (rule == CellRule::kNearest ? range < cell.range_m : range > cell.range_m)) {
+    } else if (n == 1 ||
+               (rule == CellRule::kNearest ? range < cell.range_m : range > cell.range_m)) {
       cell = {range, u, v, cell.point};
     }
   }
 }
 
-const DepthMap::Cell* DepthMap::neighbour(const AngularGrid::Place& place, int columns, int rows) const {
+const DepthMap::Cell* DepthMap::neighbour(const AngularGrid::Place& place, int columns,
+                                          int rows) const {
   const int64_t row = int64_t{place.row} + rows;
   int64_t column = int64_t{place.column} + columns;
   if (grid_.is_closed) column = (column + grid_.columns) % grid_.columns;
@@ -166,7 +174,8 @@ void DepthMap::fill_holes(int passes, Task& task) {
               ++n;
               sum += double{cell->range_m};
             }
-          if (n >= kLeastNeighbours) found[begin / 16].push_back({grid_.index(place), static_cast<float>(sum / n)});
+          if (n >= kLeastNeighbours)
+            found[begin / 16].push_back({grid_.index(place), static_cast<float>(sum / n)});
         }
     });
     for (const auto& holes : found)
@@ -179,10 +188,12 @@ double DepthMap::surface_range_m(const AngularGrid::Place& place) const {
   if (!(cell.range_m > 0)) return 0;
   const Cell *left = neighbour(place, -1, 0), *right = neighbour(place, 1, 0);
   const Cell *below = neighbour(place, 0, -1), *above = neighbour(place, 0, 1);
-  const double across = limited(slope(cell, left, left != nullptr ? double{left->u} - cell.u - 1 : 0),
-                                slope(cell, right, right != nullptr ? double{right->u} - cell.u + 1 : 0));
-  const double up = limited(slope(cell, below, below != nullptr ? double{below->v} - cell.v - 1 : 0),
-                            slope(cell, above, above != nullptr ? double{above->v} - cell.v + 1 : 0));
+  const double across =
+      limited(slope(cell, left, left != nullptr ? double{left->u} - cell.u - 1 : 0),
+              slope(cell, right, right != nullptr ? double{right->u} - cell.u + 1 : 0));
+  const double up =
+      limited(slope(cell, below, below != nullptr ? double{below->v} - cell.v - 1 : 0),
+              slope(cell, above, above != nullptr ? double{above->v} - cell.v + 1 : 0));
   // A surface does not run away to more than twice its range within a cell.
   const double here = 1 / double{cell.range_m};
   return 1 / std::max(here + across * (place.u - cell.u) + up * (place.v - cell.v), here / 2);
@@ -191,10 +202,12 @@ double DepthMap::surface_range_m(const AngularGrid::Place& place) const {
 double DepthMap::spacing_m(const AngularGrid::Place& place) const {
   const Cell& cell = cells_[grid_.index(place)];
   if (!(cell.range_m > 0)) return 0;
-  const double across = cell.range_m * grid_.horizontal_step_rad, up = cell.range_m * grid_.vertical_step_rad;
+  const double across = cell.range_m * grid_.horizontal_step_rad,
+               up = cell.range_m * grid_.vertical_step_rad;
   double widest = std::max(across, up);
   const auto widen = [&](const Cell* other, double aside) {
-    if (other != nullptr) widest = std::max(widest, std::hypot(aside, double{other->range_m} - cell.range_m));
+    if (other != nullptr)
+      widest = std::max(widest, std::hypot(aside, double{other->range_m} - cell.range_m));
   };
   widen(neighbour(place, -1, 0), across);
   widen(neighbour(place, 1, 0), across);

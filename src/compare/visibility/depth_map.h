@@ -38,12 +38,16 @@ class DepthMap {
   std::span<const Cell> cells() const { return cells_; }
   std::span<const uint32_t> counts() const { return counts_; }  ///< points of each cell
   Fill fill(size_t cell) const {
-    return cells_[cell].range_m == 0 ? Fill::kEmpty : counts_[cell] > 0 ? Fill::kMeasured : Fill::kFilled;
+    return cells_[cell].range_m == 0 ? Fill::kEmpty
+           : counts_[cell] > 0       ? Fill::kMeasured
+                                     : Fill::kFilled;
   }
 
   /// A point of the world from the optical centre.
   Sighting sighting(const Vec3& p) const { return sighting_of(axes_.direction(p - centre_)); }
-  void sight(std::span<const double> xyz, SightingBlock& out) const { jalon::sight(xyz, centre_, axes_, out); }
+  void sight(std::span<const double> xyz, SightingBlock& out) const {
+    jalon::sight(xyz, centre_, axes_, out);
+  }
   /// Range of the surface in this direction; 0 for an empty cell.
   double surface_range_m(const AngularGrid::Place& place) const;
   /// Distance between the station's points there, to the farthest of the four next: under grazing rays along them, at

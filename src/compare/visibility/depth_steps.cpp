@@ -21,7 +21,8 @@ class Windows {
  public:
   Windows(const AngularField& field, size_t points)
       : field_(field),
-        side_(std::clamp<size_t>(static_cast<size_t>(std::sqrt(static_cast<double>(points) / 16)), 1, 64)),
+        side_(std::clamp<size_t>(static_cast<size_t>(std::sqrt(static_cast<double>(points) / 16)),
+                                 1, 64)),
         per_horizontal_(per(field.horizontal_extent_rad)),
         per_vertical_(per(field.vertical_extent_rad)) {}
   size_t size() const { return side_ * side_; }
@@ -31,12 +32,15 @@ class Windows {
   size_t of(const Seen& p) const {
     double around = p.horizontal_rad - field_.horizontal_from_rad;
     if (around < 0) around += kTurn_rad;
-    return part((p.vertical_rad - field_.vertical_from_rad) * per_vertical_) * side_ + part(around * per_horizontal_);
+    return part((p.vertical_rad - field_.vertical_from_rad) * per_vertical_) * side_ +
+           part(around * per_horizontal_);
   }
 
  private:
   double per(double extent) const { return extent > 0 ? static_cast<double>(side_) / extent : 0; }
-  size_t part(double k) const { return static_cast<size_t>(std::clamp(k, 0.0, static_cast<double>(side_ - 1))); }
+  size_t part(double k) const {
+    return static_cast<size_t>(std::clamp(k, 0.0, static_cast<double>(side_ - 1)));
+  }
   AngularField field_;
   size_t side_;
   double per_horizontal_, per_vertical_;  ///< windows a radian
@@ -51,17 +55,20 @@ T median_of(std::vector<T>& values) {
 
 /// The points of windows of common density, evenly spread over the field.
 std::vector<std::vector<Seen>> typical_windows(std::span<const Seen> points, const Windows& windows,
-                                               const std::vector<uint32_t>& counts, uint32_t median, Task& task) {
+                                               const std::vector<uint32_t>& counts, uint32_t median,
+                                               Task& task) {
   constexpr size_t kWindows = 48, kPoints = 4096;
   std::vector<size_t> common;
   for (size_t w = 0; w < counts.size(); ++w)
     if (2 * counts[w] >= median && counts[w] <= 2 * median) common.push_back(w);
   std::vector<uint32_t> slot(counts.size(), 0);  // 1 + number of the chosen window
   const size_t chosen = std::min(kWindows, common.size());
-  for (size_t k = 0; k < chosen; ++k) slot[common[k * common.size() / chosen]] = static_cast<uint32_t>(k + 1);
+  for (size_t k = 0; k < chosen; ++k)
+    slot[common[k * common.size() / chosen]] = static_cast<uint32_t>(k + 1);
   std::vector<std::vector<Seen>> out(chosen);
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i % kDepthStepsPerCheck == 0) task.checkpoint(0.5 + 0.4 * static_cast<double>(i) / static_cast<double>(points.size()));
+    if (i % kDepthStepsPerCheck == 0)
+      task.checkpoint(0.5 + 0.4 * static_cast<double>(i) / static_cast<double>(points.size()));
     const uint32_t k = slot[windows.of(points[i])];
     if (k != 0 && out[k - 1].size() < kPoints) out[k - 1].push_back(points[i]);
   }
@@ -69,7 +76,8 @@ std::vector<std::vector<Seen>> typical_windows(std::span<const Seen> points, con
 }
 
 /// Distances from some points of a window to the next one within 14 degrees of either axis.
-void next_across(const std::vector<Seen>& window, std::vector<double>& horizontal, std::vector<double>& vertical) {
+void next_across(const std::vector<Seen>& window, std::vector<double>& horizontal,
+                 std::vector<double>& vertical) {
   constexpr size_t kQueries = 64;
   constexpr double kSlope = 0.25;  // tan(14 degrees)
   const size_t stride = window.size() / kQueries + 1;
@@ -99,7 +107,8 @@ AngularField angular_field(std::span<const Seen> points, Task& task) {
     return std::min(kParts - 1, static_cast<size_t>(std::max(0.0, (h / kTurn_rad + 0.5) * kParts)));
   };
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i % kDepthStepsPerCheck == 0) task.checkpoint(0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
+    if (i % kDepthStepsPerCheck == 0)
+      task.checkpoint(0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
     seen[part_of(points[i].horizontal_rad)] = true;
     low = std::min(low, double{points[i].vertical_rad});
     high = std::max(high, double{points[i].vertical_rad});
@@ -117,7 +126,8 @@ AngularField angular_field(std::span<const Seen> points, Task& task) {
   double first = kTurn_rad, last = 0;
   const double after_gap = (static_cast<double>(gap_end) / kParts - 0.5) * kTurn_rad;
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i % kDepthStepsPerCheck == 0) task.checkpoint(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
+    if (i % kDepthStepsPerCheck == 0)
+      task.checkpoint(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
     double around = points[i].horizontal_rad - after_gap;
     if (part_of(points[i].horizontal_rad) < gap_end) around += kTurn_rad;
     first = std::min(first, around);
@@ -134,7 +144,8 @@ AngularSteps angular_steps(std::span<const Seen> points, const AngularField& fie
   const Windows windows(field, points.size());
   std::vector<uint32_t> counts(windows.size(), 0);
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i % kDepthStepsPerCheck == 0) task.checkpoint(0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
+    if (i % kDepthStepsPerCheck == 0)
+      task.checkpoint(0.5 * static_cast<double>(i) / static_cast<double>(points.size()));
     ++counts[windows.of(points[i])];
   }
   std::vector<uint32_t> occupied;

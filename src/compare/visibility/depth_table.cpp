@@ -8,7 +8,8 @@
 
 namespace jalon {
 
-DepthMap station_depth_map(const Cloud& cloud, uint64_t station, const DepthSettings& settings, Task& task) {
+DepthMap station_depth_map(const Cloud& cloud, uint64_t station, const DepthSettings& settings,
+                           Task& task) {
   settings.check();
   if (station >= cloud.stations.size())
     fail(Status::kInvalidArgument, "station %llu of a cloud with %zu stations",
@@ -29,10 +30,10 @@ FieldTable depth_table(const DepthMap& map) {
     horizontal[c] = grid.horizontal_of(static_cast<uint32_t>(c % grid.columns));
     vertical[c] = grid.vertical_of(static_cast<uint32_t>(c / grid.columns));
   }
-  add_column<float>(t, cells, "range", "m", "of the surface; NaN: empty", [](const DepthMap::Cell& c) {
-    return c.range_m > 0 ? c.range_m : kFloatNaN;
-  });
-  add_column<uint8_t>(t, fill, "fill", "", "0 empty, 1 measured, 2 from neighbours", [](uint8_t f) { return f; });
+  add_column<float>(t, cells, "range", "m", "of the surface; NaN: empty",
+                    [](const DepthMap::Cell& c) { return c.range_m > 0 ? c.range_m : kFloatNaN; });
+  add_column<uint8_t>(t, fill, "fill", "", "0 empty, 1 measured, 2 from neighbours",
+                      [](uint8_t f) { return f; });
   add_column<uint32_t>(t, map.counts(), "points", "", "in the cell", [](uint32_t n) { return n; });
   add_column<uint32_t>(t, cells, "nearest", "", "nearest point of the cell; 4294967295: none",
                        [](const DepthMap::Cell& c) { return c.point; });

@@ -13,16 +13,17 @@ namespace jalon {
 namespace {
 
 std::shared_ptr<Column> recovered_column(size_t n) {
-  auto column = std::make_shared<Column>(
-      FieldInfo{"recovered", ElementType::kUint8, 1, "",
-                "0 not, 1 along a direction, 2 from what hides it, 3 probably unchanged, 4 changed meanwhile"},
-      n);
+  auto column = std::make_shared<Column>(FieldInfo{"recovered", ElementType::kUint8, 1, "",
+                                                   "0 not, 1 along a direction, 2 from what hides "
+                                                   "it, 3 probably unchanged, 4 changed meanwhile"},
+                                         n);
   std::fill_n(column->values<uint8_t>().begin(), n, uint8_t{0});
   return column;
 }
 
 std::shared_ptr<Column> empty_lengths(const char* name, const char* meaning, size_t n) {
-  auto column = std::make_shared<Column>(FieldInfo{name, ElementType::kFloat64, 1, "m", meaning}, n);
+  auto column =
+      std::make_shared<Column>(FieldInfo{name, ElementType::kFloat64, 1, "m", meaning}, n);
   std::fill_n(column->values<double>().begin(), n, kNaN);
   return column;
 }
@@ -67,7 +68,8 @@ void recover_hidden(const Cloud& reference, const Cloud& compared, const Visibil
     }
     target.attach(points);
   } else {
-    const Target target(points, "shape_residual", "of a hidden zone after a rigid fit to what hides it");
+    const Target target(points, "shape_residual",
+                        "of a hidden zone after a rigid fit to what hides it");
     const OccluderMatch match =
         match_occluders(reference, compared, test, hidden, settings.zone_m, task);
     for (size_t k = 0; k < hidden.size(); ++k) {
@@ -79,10 +81,12 @@ void recover_hidden(const Cloud& reference, const Cloud& compared, const Visibil
   }
 }
 
-Comparison with_third_epoch(const Comparison& hidden, const Comparison& across, double tolerance_m, Task& task) {
+Comparison with_third_epoch(const Comparison& hidden, const Comparison& across, double tolerance_m,
+                            Task& task) {
   const size_t n = hidden.cloud->size();
-  if (across.cloud->size() != n || !std::equal(hidden.cloud->xyz().begin(), hidden.cloud->xyz().end(),
-                                               across.cloud->xyz().begin()))
+  if (across.cloud->size() != n ||
+      !std::equal(hidden.cloud->xyz().begin(), hidden.cloud->xyz().end(),
+                  across.cloud->xyz().begin()))
     fail(Status::kInvalidArgument, "the two comparisons are of different points");
   if (!(tolerance_m >= 0)) fail(Status::kInvalidArgument, "the tolerance must not be negative");
   const auto status = hidden.points.require("status").values<uint8_t>();

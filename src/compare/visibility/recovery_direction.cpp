@@ -54,8 +54,8 @@ class PlanCells {
 };
 
 /// The cells of the given points and those around them, ascending.
-std::vector<uint64_t> cells_near(const Cloud& cloud, std::span<const uint64_t> points, const PlanFrame& frame,
-                                 const PlanCells& cells) {
+std::vector<uint64_t> cells_near(const Cloud& cloud, std::span<const uint64_t> points,
+                                 const PlanFrame& frame, const PlanCells& cells) {
   std::vector<uint64_t> own;
   for (const uint64_t i : points) own.push_back(cells.number(frame.of(cloud.point(i))));
   std::sort(own.begin(), own.end());
@@ -71,14 +71,15 @@ std::vector<uint64_t> cells_near(const Cloud& cloud, std::span<const uint64_t> p
 }
 
 /// The reference's points in these cells.
-std::vector<Vec3> points_in(const Cloud& reference, const std::vector<uint64_t>& near, const PlanFrame& frame,
-                            const PlanCells& cells, Task& task) {
+std::vector<Vec3> points_in(const Cloud& reference, const std::vector<uint64_t>& near,
+                            const PlanFrame& frame, const PlanCells& cells, Task& task) {
   const size_t n = reference.size();
   std::vector<std::vector<Vec3>> parts((n + kRecoveryDirectionGrain - 1) / kRecoveryDirectionGrain);
   parallel_for(task, n, kRecoveryDirectionGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = frame.of(reference.point(i));
-      if (std::binary_search(near.begin(), near.end(), cells.number(p))) parts[begin / kRecoveryDirectionGrain].push_back(p);
+      if (std::binary_search(near.begin(), near.end(), cells.number(p)))
+        parts[begin / kRecoveryDirectionGrain].push_back(p);
     }
   });
   std::vector<Vec3> out;
@@ -87,7 +88,8 @@ std::vector<Vec3> points_in(const Cloud& reference, const std::vector<uint64_t>&
 }
 
 /// Delaunay triangles in the plane whose edges are no longer than this there.
-std::vector<std::array<uint32_t, 3>> short_triangles(const std::vector<Vec3>& points, double longest_m, Task& task) {
+std::vector<std::array<uint32_t, 3>> short_triangles(const std::vector<Vec3>& points,
+                                                     double longest_m, Task& task) {
   std::vector<Vec2> flat;
   for (const Vec3& p : points) flat.push_back({p.x, p.y});
   auto triangles = delaunay(flat, kDelaunayGrid_m, &task);
@@ -100,8 +102,9 @@ std::vector<std::array<uint32_t, 3>> short_triangles(const std::vector<Vec3>& po
 
 }  // namespace
 
-std::vector<double> heights_along(const Cloud& reference, const Cloud& compared, std::span<const uint64_t> points,
-                                  const Vec3& direction, double radius_m, Task& task) {
+std::vector<double> heights_along(const Cloud& reference, const Cloud& compared,
+                                  std::span<const uint64_t> points, const Vec3& direction,
+                                  double radius_m, Task& task) {
   std::vector<double> heights(points.size(), kNaN);
   if (points.empty()) return heights;
   // 1. The part of the reference that can matter.
@@ -126,7 +129,8 @@ std::vector<double> heights_along(const Cloud& reference, const Cloud& compared,
     for (size_t k = begin; k < end; ++k) {
       const Vec3 p = frame.of(compared.point(points[k]));
       RayHit hit;
-      if (tree->nearest({{p.x, p.y, top + 1}, {0, 0, -1}}, hit)) heights[k] = p.z - (top + 1 - hit.t);
+      if (tree->nearest({{p.x, p.y, top + 1}, {0, 0, -1}}, hit))
+        heights[k] = p.z - (top + 1 - hit.t);
     }
   });
   return heights;

@@ -60,13 +60,15 @@ Transform rigid_fit(std::span<const Vec3> a, std::span<const Vec3> b) {
     const Vec3 p = a[i] - ca, q = b[i] - cb;
     cross_covariance += Eigen::Vector3d(q.x, q.y, q.z) * Eigen::RowVector3d(p.x, p.y, p.z);
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(cross_covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(cross_covariance,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d signs(1, 1, 1);
   if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) signs[2] = -1;
   const Eigen::Matrix3d r = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
   Transform t;
   for (size_t i = 0; i < 3; ++i)
-    for (size_t j = 0; j < 3; ++j) t.m[4 * i + j] = r(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    for (size_t j = 0; j < 3; ++j)
+      t.m[4 * i + j] = r(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   const Vec3 turned = t.direction(ca);
   for (int i = 0; i < 3; ++i) t.m[static_cast<size_t>(4 * i + 3)] = cb[i] - turned[i];
   return t;
@@ -80,7 +82,8 @@ double fit_residual(const PointSet& zone, const PointSet& occluders, const Octre
   Vec3 from, to;
   for (const Vec3& p : moving) from += p;
   for (size_t i = 0; i < occluders.size(); ++i) to += occluders.point(i);
-  const Vec3 shift = to / static_cast<double>(occluders.size()) - from / static_cast<double>(moving.size());
+  const Vec3 shift =
+      to / static_cast<double>(occluders.size()) - from / static_cast<double>(moving.size());
   for (Vec3& p : moving) p += shift;
 
   double rms = std::numeric_limits<double>::infinity();
@@ -104,7 +107,8 @@ double fit_residual(const PointSet& zone, const PointSet& occluders, const Octre
 
 /// One zone: members are positions in the list of points.
 void match_zone(const Cloud& reference, const Cloud& compared, std::span<const uint64_t> points,
-                std::span<const uint32_t> members, std::span<const uint32_t> hiders, OccluderMatch& out, Task& task) {
+                std::span<const uint32_t> members, std::span<const uint32_t> hiders,
+                OccluderMatch& out, Task& task) {
   std::vector<uint32_t> distinct;
   for (const uint32_t k : members)
     if (hiders[k] != kNoPoint) distinct.push_back(hiders[k]);
@@ -117,7 +121,8 @@ void match_zone(const Cloud& reference, const Cloud& compared, std::span<const u
   for (const uint32_t i : distinct) occluders.add(reference.point(i) - origin);
   for (const uint32_t k : members) zone.add(compared.point(points[k]) - origin);
   const auto tree = Octree::build(occluders.xyz, enclosing_cube(occluders.box()), task);
-  const double residual = fit_residual(zone, occluders, *tree), spacing = spacing_of(occluders, *tree);
+  const double residual = fit_residual(zone, occluders, *tree),
+               spacing = spacing_of(occluders, *tree);
   for (size_t j = 0; j < members.size(); ++j) {
     out.distances[members[j]] = std::sqrt(nearest_in(*tree, zone.point(j)).squared_distance);
     out.residuals[members[j]] = residual;
@@ -128,10 +133,12 @@ void match_zone(const Cloud& reference, const Cloud& compared, std::span<const u
 
 }  // namespace
 
-OccluderMatch match_occluders(const Cloud& reference, const Cloud& compared, const VisibilityTest& test,
-                              std::span<const uint64_t> points, double zone_m, Task& task) {
+OccluderMatch match_occluders(const Cloud& reference, const Cloud& compared,
+                              const VisibilityTest& test, std::span<const uint64_t> points,
+                              double zone_m, Task& task) {
   OccluderMatch out;
-  for (auto* values : {&out.distances, &out.residuals, &out.ratios}) values->assign(points.size(), kNaN);
+  for (auto* values : {&out.distances, &out.residuals, &out.ratios})
+    values->assign(points.size(), kNaN);
   if (points.empty()) return out;
   // 1. Who hides whom; zones.
   std::vector<uint32_t> hiders(points.size());
@@ -142,10 +149,12 @@ OccluderMatch match_occluders(const Cloud& reference, const Cloud& compared, con
   }
   Vec3 origin = all.point(0);
   for (int a = 0; a < 3; ++a) origin[a] = std::floor(origin[a]);
-  const Components zones = connected_components(all.xyz, origin, zone_m, Connectivity3::k26, 1, task);
+  const Components zones =
+      connected_components(all.xyz, origin, zone_m, Connectivity3::k26, 1, task);
   // 2. Each zone with its occluders.
   std::vector<std::vector<uint32_t>> members(zones.count());
-  for (size_t k = 0; k < points.size(); ++k) members[zones.labels[k] - 1].push_back(static_cast<uint32_t>(k));
+  for (size_t k = 0; k < points.size(); ++k)
+    members[zones.labels[k] - 1].push_back(static_cast<uint32_t>(k));
   for (size_t z = 0; z < members.size(); ++z) {
     task.checkpoint(static_cast<double>(z) / static_cast<double>(members.size()));
     match_zone(reference, compared, points, members[z], hiders, out, task);

@@ -21,13 +21,16 @@ void require_stations(const Cloud& cloud) {
   uint64_t covered = 0;
   for (const Station& station : cloud.stations) {
     if (station.count > 0 && !station.has_pose)
-      fail(Status::kInvalidArgument, "station \"%.100s\" of the reference has no pose; visibility needs it",
+      fail(Status::kInvalidArgument,
+           "station \"%.100s\" of the reference has no pose; visibility needs it",
            station.name.c_str());
     covered += station.count;
   }
   if (covered < cloud.size())
-    fail(Status::kInvalidArgument, "%llu points of the reference belong to no station; visibility needs to know from "
-         "where they were seen", static_cast<unsigned long long>(cloud.size() - covered));
+    fail(Status::kInvalidArgument,
+         "%llu points of the reference belong to no station; visibility needs to know from "
+         "where they were seen",
+         static_cast<unsigned long long>(cloud.size() - covered));
 }
 
 }  // namespace
@@ -42,7 +45,9 @@ VisibilityTest::VisibilityTest(const Cloud& reference, const DepthSettings& sett
   uint64_t done = 0;
   for (const Station& station : reference.stations) {
     if (station.count == 0) continue;
-    const auto share = [&](uint64_t n) { return static_cast<double>(n) / static_cast<double>(reference.size()); };
+    const auto share = [&](uint64_t n) {
+      return static_cast<double>(n) / static_cast<double>(reference.size());
+    };
     const ProgressSpan span(task, share(done), share(done + station.count), "depth maps");
     done += station.count;
     maps_.push_back(DepthMap::build(reference, station, {}, settings, task));
@@ -51,10 +56,12 @@ VisibilityTest::VisibilityTest(const Cloud& reference, const DepthSettings& sett
   }
 }
 
-Visibility VisibilityTest::from_map(const DepthMap& map, const Sighting& s, uint32_t* occluder) const {
+Visibility VisibilityTest::from_map(const DepthMap& map, const Sighting& s,
+                                    uint32_t* occluder) const {
   AngularGrid::Place place;
   if (!map.grid().locate(s, place)) return Visibility::kOutOfField;
-  if (settings_.max_range_m > 0 && s.range_m >= settings_.max_range_m) return Visibility::kOutOfRange;
+  if (settings_.max_range_m > 0 && s.range_m >= settings_.max_range_m)
+    return Visibility::kOutOfRange;
   const double surface = map.surface_range_m(place);
   if (surface == 0) {
     if (settings_.empty_is_free()) return Visibility::kVisible;
@@ -88,7 +95,8 @@ double VisibilityTest::spacing_m(const Vec3& p) const {
   for (size_t m = 0; m < maps_.size(); m += maps_each_) {
     const Sighting s = maps_[m].sighting(p);
     AngularGrid::Place place;
-    if (from_map(maps_[m], s, nullptr) != Visibility::kVisible || !maps_[m].grid().locate(s, place)) continue;
+    if (from_map(maps_[m], s, nullptr) != Visibility::kVisible || !maps_[m].grid().locate(s, place))
+      continue;
     const double spacing = maps_[m].spacing_m(place);
     if (spacing > 0) best = std::min(best, spacing);
   }
@@ -103,7 +111,8 @@ void VisibilityTest::label(std::span<const double> xyz, std::span<uint8_t> out) 
     for (size_t i = 0; i < out.size(); ++i) {
       if (out[i] == static_cast<uint8_t>(Visibility::kVisible)) continue;
       Visibility here = from_map(maps_[m], blocks[0][i], nullptr);
-      if (maps_each_ == 2 && here == Visibility::kVisible) here = from_map(maps_[m + 1], blocks[1][i], nullptr);
+      if (maps_each_ == 2 && here == Visibility::kVisible)
+        here = from_map(maps_[m + 1], blocks[1][i], nullptr);
       out[i] = std::min(out[i], static_cast<uint8_t>(here));
     }
   }
@@ -131,9 +140,10 @@ Cloud with_visibility(const Cloud& reference, const Cloud& cloud, const DepthSet
     return visibility_labels(test, cloud, task);
   }();
   Cloud out = cloud;
-  out.fields.set(make_column<uint8_t>(
-      {"visibility", ElementType::kUint8, 1, "", "0 visible, 1 hidden, 2 out of range, 3 out of the field of view"},
-      labels));
+  out.fields.set(
+      make_column<uint8_t>({"visibility", ElementType::kUint8, 1, "",
+                            "0 visible, 1 hidden, 2 out of range, 3 out of the field of view"},
+                           labels));
   return out;
 }
 

@@ -39,7 +39,9 @@ Buffer<uint32_t> merged(std::span<const Vec3> vertices, Task& task) {
       [](size_t i) { return static_cast<uint32_t>(i); });
   parallel_chunks(task, kBins, [&](size_t bin) {
     const auto first = order.begin() + begins[bin], last = order.begin() + begins[bin + 1];
-    const auto key = [&](uint32_t v) { return std::tuple(vertices[v].x, vertices[v].y, vertices[v].z, v); };
+    const auto key = [&](uint32_t v) {
+      return std::tuple(vertices[v].x, vertices[v].y, vertices[v].z, v);
+    };
     std::sort(first, last, [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
     for (auto v = first; v != last; ++v)
       least[*v] = v != first && vertices[*v] == vertices[*(v - 1)] ? least[*(v - 1)] : *v;
@@ -54,17 +56,18 @@ struct Side {
 };
 
 MeshClosure count_sides(Side* first, Side* last) {
-  const auto is_less = [](const Side& a, const Side& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); };
+  const auto is_less = [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+  };
   std::sort(first, last, is_less);
   MeshClosure out;
   for (const Side* run = first; run != last;) {
     const Side* end = run;
     int64_t balance = 0;
-    for (; end != last && end->low == run->low && end->high == run->high; ++end) balance += end->direction;
-    if ((end - run) % 2 != 0)
-      ++out.border_sides;
-    else if (balance != 0)
-      ++out.inconsistent_sides;
+    for (; end != last && end->low == run->low && end->high == run->high; ++end)
+      balance += end->direction;
+    if ((end - run) % 2 != 0) ++out.border_sides;
+    else if (balance != 0) ++out.inconsistent_sides;
     run = end;
   }
   return out;
@@ -72,17 +75,20 @@ MeshClosure count_sides(Side* first, Side* last) {
 
 }  // namespace
 
-MeshClosure closure_of(std::span<const Vec3> vertices, std::span<const std::array<uint32_t, 3>> triangles, Task& task) {
+MeshClosure closure_of(std::span<const Vec3> vertices,
+                       std::span<const std::array<uint32_t, 3>> triangles, Task& task) {
   const Buffer<uint32_t> least = merged(vertices, task);
   const auto side = [&](size_t i) {
     const auto& t = triangles[i / 3];
-    const uint32_t from = least[t[i % 3]], to = least[t[(i + 1) % 3]], other = least[t[(i + 2) % 3]];
+    const uint32_t from = least[t[i % 3]], to = least[t[(i + 1) % 3]],
+                   other = least[t[(i + 2) % 3]];
     if (from == to || to == other || other == from) return Side{0, 0, 0};
     return from < to ? Side{from, to, 1} : Side{to, from, -1};
   };
   Buffer<Side> sides(3 * triangles.size());
   const auto begins = partition(
-      sides.size(), kBins + 1, [](const Side& s) { return s.direction == 0 ? kBins : mixed(s.low) % kBins; }, task,
+      sides.size(), kBins + 1,
+      [](const Side& s) { return s.direction == 0 ? kBins : mixed(s.low) % kBins; }, task,
       sides.data(), side);
   std::vector<MeshClosure> parts(kBins);
   parallel_chunks(task, kBins, [&](size_t bin) {
@@ -96,18 +102,20 @@ MeshClosure closure_of(std::span<const Vec3> vertices, std::span<const std::arra
   return out;
 }
 
-double enclosed_volume(std::span<const Vec3> vertices, std::span<const std::array<uint32_t, 3>> triangles, Task& task) {
+double enclosed_volume(std::span<const Vec3> vertices,
+                       std::span<const std::array<uint32_t, 3>> triangles, Task& task) {
   if (triangles.empty()) return 0;
   // About a corner of the surface: map coordinates lose nothing.
   const Vec3 origin = vertices[triangles[0][0]];
-  return parallel_reduce(task, triangles.size(), kMeshClosureGrain, 0.0, [&](size_t begin, size_t end) {
-    double sum = 0;
-    for (size_t i = begin; i < end; ++i) {
-      const auto& [a, b, c] = triangles[i];
-      sum += dot(vertices[a] - origin, cross(vertices[b] - origin, vertices[c] - origin)) / 6;
-    }
-    return sum;
-  });
+  return parallel_reduce(
+      task, triangles.size(), kMeshClosureGrain, 0.0, [&](size_t begin, size_t end) {
+        double sum = 0;
+        for (size_t i = begin; i < end; ++i) {
+          const auto& [a, b, c] = triangles[i];
+          sum += dot(vertices[a] - origin, cross(vertices[b] - origin, vertices[c] - origin)) / 6;
+        }
+        return sum;
+      });
 }
 
 }  // namespace jalon

@@ -33,7 +33,8 @@ struct State {
     for (const auto& t : surface.triangles())
       for (const uint32_t v : t) box.add(surface.vertices()[v]);
     closure = closure_of(surface.vertices(), surface.triangles(), task);
-    if (closure.is_closed()) enclosed_m3 = enclosed_volume(surface.vertices(), surface.triangles(), task);
+    if (closure.is_closed())
+      enclosed_m3 = enclosed_volume(surface.vertices(), surface.triangles(), task);
   }
 };
 
@@ -63,7 +64,8 @@ CellHeights surface_heights(const State& state, const VolumeGrid& grid, double t
 /// Both closed: nothing to cut or fill cell by cell.
 Volume enclosed_difference(const State& reference, const State& compared) {
   Volume out;
-  add_value<double>(out.summary, "net", "m3", "what the compared model encloses less what the reference encloses",
+  add_value<double>(out.summary, "net", "m3",
+                    "what the compared model encloses less what the reference encloses",
                     compared.enclosed_m3 - reference.enclosed_m3);
   return out;
 }
@@ -94,17 +96,19 @@ Volume volume_between(const Model& reference, const Model& compared, const Volum
   if (surfaces == Surfaces::kClosed && !both_closed) {
     const State& open = before.closure.is_closed() ? after : before;
     fail(Status::kDegenerate,
-         "the %s model is not closed: %llu sides at a border, %llu where triangles run opposite ways",
-         &open == &before ? "reference" : "compared", static_cast<unsigned long long>(open.closure.border_sides),
+         "the %s model is not closed: %llu sides at a border, %llu where triangles run opposite "
+         "ways",
+         &open == &before ? "reference" : "compared",
+         static_cast<unsigned long long>(open.closure.border_sides),
          static_cast<unsigned long long>(open.closure.inconsistent_sides));
   }
   const bool closed =
       surfaces == Surfaces::kClosed || (surfaces == Surfaces::kAutomatic && both_closed);
   Volume out = closed ? enclosed_difference(before, after) : prisms(before, after, settings, task);
-  add_value<double>(out.summary, "reference_volume", "m3", "that the reference encloses; NaN unless closed",
-                    before.enclosed_m3);
-  add_value<double>(out.summary, "compared_volume", "m3", "that the compared model encloses; NaN unless closed",
-                    after.enclosed_m3);
+  add_value<double>(out.summary, "reference_volume", "m3",
+                    "that the reference encloses; NaN unless closed", before.enclosed_m3);
+  add_value<double>(out.summary, "compared_volume", "m3",
+                    "that the compared model encloses; NaN unless closed", after.enclosed_m3);
   return out;
 }
 

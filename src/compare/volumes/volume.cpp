@@ -91,15 +91,19 @@ struct Totals {
 FieldTable summary_of(const Totals& t, const VolumeGrid& grid) {
   const double area = grid.cell_m * grid.cell_m, both = static_cast<double>(t.of_status[kBoth]);
   FieldTable table;
-  add_value<double>(table, "cut", "m3", "what the reference has above the compared state", t.cut * area);
-  add_value<double>(table, "fill", "m3", "what the compared state has above the reference", t.fill * area);
+  add_value<double>(table, "cut", "m3", "what the reference has above the compared state",
+                    t.cut * area);
+  add_value<double>(table, "fill", "m3", "what the compared state has above the reference",
+                    t.fill * area);
   add_value<double>(table, "net", "m3", "fill less cut", (t.fill - t.cut) * area);
-  add_value<double>(table, "sigma", "m3", "standard deviation of the net volume from the scatter within the cells",
+  add_value<double>(table, "sigma", "m3",
+                    "standard deviation of the net volume from the scatter within the cells",
                     std::sqrt(t.variance) * area);
   add_value<double>(table, "area", "m2", "of the cells that both have data in", both * area);
   add_value<double>(table, "cut_area", "m2", "of the cells that were cut", t.cut_cells * area);
   add_value<double>(table, "fill_area", "m2", "of the cells that were filled", t.fill_cells * area);
-  add_value<double>(table, "mean_difference", "m", "mean change of height", both > 0 ? t.sum / both : kNaN);
+  add_value<double>(table, "mean_difference", "m", "mean change of height",
+                    both > 0 ? t.sum / both : kNaN);
   add_value<double>(table, "cell", "m", "side of the cells", grid.cell_m);
   add_value<uint64_t>(table, "cells", "", "cells that both have data in", t.of_status[kBoth]);
   add_value<uint64_t>(table, "without_reference", "", "cells that the reference has no data in",
@@ -111,25 +115,30 @@ FieldTable summary_of(const Totals& t, const VolumeGrid& grid) {
   return table;
 }
 
-FieldTable table_of_cells(const VolumeGrid& grid, const CellHeights& reference, const CellHeights& compared) {
+FieldTable table_of_cells(const VolumeGrid& grid, const CellHeights& reference,
+                          const CellHeights& compared) {
   std::vector<size_t> cells;
   for (size_t c = 0; c < grid.cells(); ++c)
     if (status_of(reference.height[c], compared.height[c]) != kNeither) cells.push_back(c);
   FieldTable table;
   const double area = grid.cell_m * grid.cell_m;
   const auto difference = [&](size_t c) { return compared.height[c] - reference.height[c]; };
-  add_column<uint32_t>(table, cells, "column", "", "of the grid", [&](size_t c) { return c % grid.columns; });
-  add_column<uint32_t>(table, cells, "row", "", "of the grid", [&](size_t c) { return c / grid.columns; });
-  add_columns<double, 3>(table, cells, "xyz", "m", "centre of the cell at the height of the state that has data there",
-                         [&](size_t c, double* out) {
-                           const bool seen = !std::isnan(compared.height[c]);
-                           const Vec3 at = grid.place(c, seen ? compared.height[c] : reference.height[c]);
-                           for (int a = 0; a < 3; ++a) out[a] = at[a];
-                         });
+  add_column<uint32_t>(table, cells, "column", "", "of the grid",
+                       [&](size_t c) { return c % grid.columns; });
+  add_column<uint32_t>(table, cells, "row", "", "of the grid",
+                       [&](size_t c) { return c / grid.columns; });
+  add_columns<double, 3>(
+      table, cells, "xyz", "m", "centre of the cell at the height of the state that has data there",
+      [&](size_t c, double* out) {
+        const bool seen = !std::isnan(compared.height[c]);
+        const Vec3 at = grid.place(c, seen ? compared.height[c] : reference.height[c]);
+        for (int a = 0; a < 3; ++a) out[a] = at[a];
+      });
   add_column<uint8_t>(table, cells, "status", "",
                       "0 both have data, 1 the reference has none, 2 the compared state has none",
                       [&](size_t c) { return status_of(reference.height[c], compared.height[c]); });
-  add_column<double>(table, cells, "difference", "m", "height of the compared state above the reference", difference);
+  add_column<double>(table, cells, "difference", "m",
+                     "height of the compared state above the reference", difference);
   add_column<double>(table, cells, "volume", "m3", "difference times the area of the cell",
                      [&](size_t c) { return difference(c) * area; });
   add_column<uint32_t>(table, cells, "reference_points", "", "points of the reference",
@@ -145,17 +154,18 @@ std::span<const ParamRow> volume_rows() { return kRows; }
 
 Volume sum_up_volume(const VolumeGrid& grid, const CellHeights& reference,
                      const CellHeights& compared, double dead_band_m, Task& task) {
-  const Totals totals = parallel_reduce(task, grid.cells(), kVolumeGrain, Totals{}, [&](size_t begin, size_t end) {
-    Totals part;
-    for (size_t c = begin; c < end; ++c) {
-      const uint8_t status = status_of(reference.height[c], compared.height[c]);
-      ++part.of_status[status];
-      if (status == kBoth)
-        part.add(compared.height[c] - reference.height[c],
-                 reference.variance[c] + compared.variance[c], dead_band_m);
-    }
-    return part;
-  });
+  const Totals totals =
+      parallel_reduce(task, grid.cells(), kVolumeGrain, Totals{}, [&](size_t begin, size_t end) {
+        Totals part;
+        for (size_t c = begin; c < end; ++c) {
+          const uint8_t status = status_of(reference.height[c], compared.height[c]);
+          ++part.of_status[status];
+          if (status == kBoth)
+            part.add(compared.height[c] - reference.height[c],
+                     reference.variance[c] + compared.variance[c], dead_band_m);
+        }
+        return part;
+      });
   return {summary_of(totals, grid), table_of_cells(grid, reference, compared)};
 }
 
@@ -165,8 +175,10 @@ Volume volume_between(const Cloud& reference, const Cloud& compared, const Volum
   if (compared.size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
   const VolumeGrid axes =
       volume_axes(bounds(reference, task), bounds(compared, task), settings.direction);
-  const Box3 first = projected_box(reference, axes, task), second = projected_box(compared, axes, task);
-  const double spacing = std::max(spacing_of(first, reference.size()), spacing_of(second, compared.size()));
+  const Box3 first = projected_box(reference, axes, task),
+             second = projected_box(compared, axes, task);
+  const double spacing =
+      std::max(spacing_of(first, reference.size()), spacing_of(second, compared.size()));
   Box3 both = first;
   both += second;
   const VolumeGrid grid = grid_over(axes, both, chosen_cell(settings.cell_m, kSpacings * spacing));

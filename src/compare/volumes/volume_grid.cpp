@@ -47,7 +47,8 @@ class CellPoints {
   uint32_t count(size_t cell) const { return first_[cell + 1] - first_[cell]; }
   template <class F>
   void for_each(size_t cell, F&& f) const {
-    for (uint32_t k = first_[cell]; k < first_[cell + 1]; ++k) f(grid_.project(cloud_.point(order_[k])));
+    for (uint32_t k = first_[cell]; k < first_[cell + 1]; ++k)
+      f(grid_.project(cloud_.point(order_[k])));
   }
 
  private:
@@ -99,24 +100,29 @@ struct PlaneSums {
   /// a, within the heights seen; NaN where the points do not fix a plane.
   double at_centre() const {
     constexpr double kSpread = 1e-3;  // cells squared: less is a line
-    const double cxx = xx / n - x * x / (n * n), cyy = yy / n - y * y / (n * n), cxy = xy / n - x * y / (n * n);
+    const double cxx = xx / n - x * x / (n * n), cyy = yy / n - y * y / (n * n),
+                 cxy = xy / n - x * y / (n * n);
     const double determinant = cxx * cyy - cxy * cxy;
     if (!(n >= 3) || !(determinant > kSpread * (cxx + cyy))) return kNaN;
     const double cxz = xz / n - x * z / (n * n), cyz = yz / n - y * z / (n * n);
-    const double b = (cyy * cxz - cxy * cyz) / determinant, c = (cxx * cyz - cxy * cxz) / determinant;
+    const double b = (cyy * cxz - cxy * cyz) / determinant,
+                 c = (cxx * cyz - cxy * cxz) / determinant;
     return std::clamp((z - b * x - c * y) / n, least, most);
   }
 };
 
 double interpolated(const CellPoints& points, const VolumeGrid& grid, size_t cell) {
-  const auto column = static_cast<int64_t>(cell % grid.columns), row = static_cast<int64_t>(cell / grid.columns);
+  const auto column = static_cast<int64_t>(cell % grid.columns),
+             row = static_cast<int64_t>(cell / grid.columns);
   const double centre_u = grid.first_u + (static_cast<double>(column) + 0.5) * grid.cell_m;
   const double centre_v = grid.first_v + (static_cast<double>(row) + 0.5) * grid.cell_m;
   PlaneSums sums;
   uint32_t around = 0;
   double base = kNaN;  // heights are summed about the first
-  for (int64_t r = std::max<int64_t>(0, row - 1); r <= std::min<int64_t>(grid.rows - 1, row + 1); ++r)
-    for (int64_t c = std::max<int64_t>(0, column - 1); c <= std::min<int64_t>(grid.columns - 1, column + 1); ++c) {
+  for (int64_t r = std::max<int64_t>(0, row - 1); r <= std::min<int64_t>(grid.rows - 1, row + 1);
+       ++r)
+    for (int64_t c = std::max<int64_t>(0, column - 1);
+         c <= std::min<int64_t>(grid.columns - 1, column + 1); ++c) {
       const size_t other = static_cast<size_t>(r) * grid.columns + static_cast<size_t>(c);
       around += other != cell && points.count(other) > 0 ? 1 : 0;
       points.for_each(other, [&](const Vec3& p) {
@@ -147,7 +153,8 @@ Vec3 VolumeGrid::place(size_t cell, double height) const {
 VolumeGrid volume_axes(const Box3& first, const Box3& second, std::span<const double> direction) {
   if (direction.size() != 3) fail(Status::kInvalidArgument, "direction takes three numbers");
   const Vec3 along{direction[0], direction[1], direction[2]};
-  if (!is_finite(along) || !(norm(along) > 0)) fail(Status::kInvalidArgument, "direction must not be zero");
+  if (!is_finite(along) || !(norm(along) > 0))
+    fail(Status::kInvalidArgument, "direction must not be zero");
   VolumeGrid grid;
   grid.up = normalized(along);
   const PlaneAxes axes = axes_of(grid.up);
@@ -183,7 +190,8 @@ CellHeights cloud_heights(const Cloud& cloud, const VolumeGrid& grid, CellValue 
       out.points[cell] = count;
       out.variance[cell] = count > 1 ? sum.squares / (count - 1.0) / count : 0;
       out.height[cell] = sum.mean;
-      if (value == CellValue::kMedian && count > 0) out.height[cell] = median_of(points, cell, heights);
+      if (value == CellValue::kMedian && count > 0)
+        out.height[cell] = median_of(points, cell, heights);
       if (value != CellValue::kInterpolated) continue;
       const double height = interpolated(points, grid, cell);
       if (!std::isnan(height)) out.height[cell] = height;

@@ -16,7 +16,8 @@ namespace jalon {
 /// Square cells across a direction. Heights are counted along it from the origin, a whole metre.
 struct VolumeGrid {
   Vec3 origin;
-  Vec3 u{1, 0, 0}, v{0, 1, 0}, up{0, 0, 1};  ///< along columns, along rows, the direction; right-handed
+  Vec3 u{1, 0, 0}, v{0, 1, 0},
+      up{0, 0, 1};  ///< along columns, along rows, the direction; right-handed
   double cell_m = 1;
   double first_u = 0, first_v = 0;  ///< where column and row 0 begin; whole cells from the origin
   uint32_t columns = 0, rows = 0;

@@ -35,10 +35,12 @@ void Boundaries::level(JsonCursor& boundaries, JsonCursor* values, int depth) {
   boundaries.begin_array();
   if (values != nullptr) values->begin_array();
   while (boundaries.next_element()) {
-    if (values != nullptr && !values->next_element()) values->refuse("a semantic value for each shell");
+    if (values != nullptr && !values->next_element())
+      values->refuse("a semantic value for each shell");
     level(boundaries, values, depth - 1);
   }
-  if (values != nullptr && values->next_element()) values->refuse("no more semantic values than shells");
+  if (values != nullptr && values->next_element())
+    values->refuse("no more semantic values than shells");
   if (depth == 1 && model_.faces.size() > first_face)
     model_.solids.push_back({object_, first_face, model_.faces.size() - first_face});
 }
@@ -47,11 +49,13 @@ void Boundaries::list_of_surfaces(JsonCursor& boundaries, JsonCursor* values) {
   boundaries.begin_array();
   if (values != nullptr) values->begin_array();
   while (boundaries.next_element()) {
-    if (values != nullptr && !values->next_element()) values->refuse("a semantic value for each surface");
+    if (values != nullptr && !values->next_element())
+      values->refuse("a semantic value for each surface");
     const uint32_t draft = draft_of_value(values);
     surface(read_rings(boundaries), draft);
   }
-  if (values != nullptr && values->next_element()) values->refuse("no more semantic values than surfaces");
+  if (values != nullptr && values->next_element())
+    values->refuse("no more semantic values than surfaces");
 }
 
 uint32_t Boundaries::draft_of_value(JsonCursor* values) const {
@@ -74,11 +78,13 @@ Boundaries::Rings Boundaries::read_rings(JsonCursor& boundaries) const {
       const int64_t vertex = boundaries.integer();
       if (vertex < 0 || static_cast<uint64_t>(vertex) >= model_.vertices.size())
         boundaries.refuse("the number of a vertex");
-      if (ring.empty() || ring.back() != static_cast<uint32_t>(vertex)) ring.push_back(static_cast<uint32_t>(vertex));
+      if (ring.empty() || ring.back() != static_cast<uint32_t>(vertex))
+        ring.push_back(static_cast<uint32_t>(vertex));
     }
     while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
     if (ring.size() >= 3) rings.push_back(std::move(ring));
-    else if (rings.empty()) rings.emplace_back();  // an outline without extent keeps its place before the holes
+    else if (rings.empty())
+      rings.emplace_back();  // an outline without extent keeps its place before the holes
   }
   return rings;
 }
@@ -89,7 +95,8 @@ void Boundaries::surface(Rings rings, uint32_t draft) {
     return;
   }
   const bool is_closing = tree_.at(draft).is_closing && rings.size() == 1;
-  if (rings.size() == 1 && tree_.at(draft).is_opening) closings_.push_back({rings[0], draft, !is_closing});
+  if (rings.size() == 1 && tree_.at(draft).is_opening)
+    closings_.push_back({rings[0], draft, !is_closing});
   if (!is_closing) add_face(rings, draft);
 }
 
@@ -111,7 +118,8 @@ void Boundaries::add_face(const Rings& rings, uint32_t draft) {
   }
   Draft& told = tree_.at(draft);
   const size_t k = told.faces_seen++;
-  face.id = k < told.face_ids.size() ? told.face_ids[k] : static_cast<uint32_t>(model_.faces.size());
+  face.id =
+      k < told.face_ids.size() ? told.face_ids[k] : static_cast<uint32_t>(model_.faces.size());
   if (k < told.sigmas_m.size()) face.sigma_m = told.sigmas_m[k];
   model_.faces.push_back(face);
 }
@@ -129,8 +137,10 @@ uint32_t Boundaries::common_part(const Solid& solid) const {
   for (uint64_t f = 1; f < solid.face_count; ++f) {
     const std::vector<uint64_t> path = path_of(model_.faces[solid.first_face + f].part);
     const size_t n = std::min(path.size(), common.size());
-    common.resize(static_cast<size_t>(std::mismatch(common.begin(), common.begin() + static_cast<std::ptrdiff_t>(n),
-                                                    path.begin()).first - common.begin()));
+    common.resize(static_cast<size_t>(
+        std::mismatch(common.begin(), common.begin() + static_cast<std::ptrdiff_t>(n), path.begin())
+            .first -
+        common.begin()));
   }
   return common.empty() ? first : static_cast<uint32_t>(common.back());
 }
@@ -139,8 +149,10 @@ void Boundaries::finish(const std::vector<uint32_t>& new_index) {
   std::map<std::vector<uint32_t>, uint64_t> holes;  // by their vertices
   for (const Face& face : model_.faces)
     for (uint64_t r = face.first_ring + 1; r < face.first_ring + face.ring_count; ++r) {
-      const auto begin = model_.corners.begin() + static_cast<std::ptrdiff_t>(model_.rings[r].first);
-      holes.try_emplace(sorted({begin, begin + static_cast<std::ptrdiff_t>(model_.rings[r].count)}), r);
+      const auto begin =
+          model_.corners.begin() + static_cast<std::ptrdiff_t>(model_.rings[r].first);
+      holes.try_emplace(sorted({begin, begin + static_cast<std::ptrdiff_t>(model_.rings[r].count)}),
+                        r);
     }
   for (Closing& closing : closings_) {
     const auto hole = holes.find(sorted(closing.ring));

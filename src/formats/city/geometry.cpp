@@ -14,8 +14,9 @@ namespace jalon::city {
 
 namespace {
 
-constexpr size_t kGeometryTicks = 1024;                // faces or triangles between two looks at the task
-constexpr double kMaxSteps = 9007199254740992.0;  // 2^53: whole numbers that every JSON reader keeps
+constexpr size_t kGeometryTicks = 1024;  // faces or triangles between two looks at the task
+constexpr double kMaxSteps =
+    9007199254740992.0;  // 2^53: whole numbers that every JSON reader keeps
 
 /// Sorts the surfaces of a model into the objects they belong to.
 class Arranger {
@@ -49,9 +50,10 @@ class Arranger {
     for (uint32_t p = 0; p < model_.parts.size(); ++p) {
       if (model_.parts[p].part_class != part_class::kBuilding) continue;
       const uint64_t above = model_.parts[p].parent;
-      const uint32_t parent = above < model_.parts.size()
-                                  ? nearest(model_, static_cast<uint32_t>(above), part_class::kBuilding)
-                                  : kNoPart;
+      const uint32_t parent =
+          above < model_.parts.size()
+              ? nearest(model_, static_cast<uint32_t>(above), part_class::kBuilding)
+              : kNoPart;
       city_.objects[p] = {p, parent, {}};
     }
   }
@@ -153,7 +155,8 @@ Grid::Grid(const Model& model, double scale_m) : scale_m_(scale_m) {
 
 uint32_t Grid::add(const Vec3& p) {
   std::array<int64_t, 3> step;
-  for (int k = 0; k < 3; ++k) step[static_cast<size_t>(k)] = std::llround((p[k] - translate_[k]) / scale_m_);
+  for (int k = 0; k < 3; ++k)
+    step[static_cast<size_t>(k)] = std::llround((p[k] - translate_[k]) / scale_m_);
   const auto [entry, added] = index_.try_emplace(step, static_cast<uint32_t>(steps_.size()));
   if (added) steps_.push_back(step);
   return entry->second;
@@ -177,6 +180,8 @@ size_t Grid::Hash::operator()(const std::array<int64_t, 3>& s) const {
   return h;
 }
 
-City arrange(const Model& model, Grid& grid, Task& task) { return Arranger(model, grid, task).run(); }
+City arrange(const Model& model, Grid& grid, Task& task) {
+  return Arranger(model, grid, task).run();
+}
 
 }  // namespace jalon::city

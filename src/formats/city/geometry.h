@@ -55,11 +55,11 @@ struct Object {
 };
 
 struct City {
-  std::map<uint32_t, Object> objects;      ///< by their part
-  std::vector<uint8_t> closing;            ///< of each part: its surface was made to close the hole of a wall
+  std::map<uint32_t, Object> objects;  ///< by their part
+  std::vector<uint8_t> closing;  ///< of each part: its surface was made to close the hole of a wall
   std::vector<std::vector<uint32_t>> faces_of_part;
-  std::vector<uint32_t> wall_of_opening;   ///< find_openings
-  size_t dropped = 0;                      ///< faces too small for the grid
+  std::vector<uint32_t> wall_of_opening;  ///< find_openings
+  size_t dropped = 0;                     ///< faces too small for the grid
   bool has_openings = false;
 };
 

@@ -13,15 +13,16 @@ struct Pair {
   const char* type;
 };
 constexpr Pair kPairs[] = {
-    {part_class::kWall, "WallSurface"},     {part_class::kWindow, "Window"}, {part_class::kDoor, "Door"},
-    {part_class::kOpening, "ClosureSurface"}, {part_class::kRoof, "RoofSurface"},
-    {part_class::kGround, "GroundSurface"},
+    {part_class::kWall, "WallSurface"}, {part_class::kWindow, "Window"},
+    {part_class::kDoor, "Door"},        {part_class::kOpening, "ClosureSurface"},
+    {part_class::kRoof, "RoofSurface"}, {part_class::kGround, "GroundSurface"},
 };
 
 }  // namespace
 
 bool is_opening(const std::string& part_class) {
-  return part_class == part_class::kWindow || part_class == part_class::kDoor || part_class == part_class::kOpening;
+  return part_class == part_class::kWindow || part_class == part_class::kDoor ||
+         part_class == part_class::kOpening;
 }
 
 uint32_t nearest(const Model& model, uint32_t part, const char* part_class) {
@@ -56,11 +57,14 @@ const char* class_of_surface(std::string_view type) {
 std::string class_of_object(std::string_view type) {
   if (type == "BuildingPart") return part_class::kBuilding;  // it stands below its building
   if (type.starts_with('+')) type.remove_prefix(1);          // of an extension
-  const auto is_capital = [&](size_t i) { return i < type.size() && type[i] >= 'A' && type[i] <= 'Z'; };
+  const auto is_capital = [&](size_t i) {
+    return i < type.size() && type[i] >= 'A' && type[i] <= 'Z';
+  };
   std::string out;
   for (size_t i = 0; i < type.size(); ++i) {
     // A word begins where a capital follows a small letter or goes before one: "TINRelief" has two.
-    const bool begins = i > 0 && is_capital(i) && (!is_capital(i - 1) || (i + 1 < type.size() && !is_capital(i + 1)));
+    const bool begins = i > 0 && is_capital(i) &&
+                        (!is_capital(i - 1) || (i + 1 < type.size() && !is_capital(i + 1)));
     if (begins) out += '_';
     out += is_capital(i) ? static_cast<char>(type[i] - 'A' + 'a') : type[i];
   }
@@ -77,8 +81,10 @@ Openings find_openings(const Model& model) {
       if (part < model.parts.size()) out.wall[part] = face.part;
     }
     // The sides of an opening do not close it.
-    if (face.part >= model.parts.size() || model.parts[face.part].part_class == part_class::kReveal) continue;
-    for (uint64_t p = face.part; p < model.parts.size() && out.filled[p] == 0; p = model.parts[p].parent)
+    if (face.part >= model.parts.size() || model.parts[face.part].part_class == part_class::kReveal)
+      continue;
+    for (uint64_t p = face.part; p < model.parts.size() && out.filled[p] == 0;
+         p = model.parts[p].parent)
       out.filled[p] = 1;
   }
   return out;

@@ -27,8 +27,10 @@ uint32_t nearest(const Model& model, uint32_t part, const char* part_class);
 
 /// What the holes of the walls tell of their openings.
 struct Openings {
-  std::vector<uint32_t> wall;   ///< of each part: the part of the face with the hole that it fills, or kNoPart
-  std::vector<uint8_t> filled;  ///< of each part: it or a part of it has a face that closes the hole
+  std::vector<uint32_t>
+      wall;  ///< of each part: the part of the face with the hole that it fills, or kNoPart
+  std::vector<uint8_t>
+      filled;  ///< of each part: it or a part of it has a face that closes the hole
 };
 Openings find_openings(const Model& model);
 

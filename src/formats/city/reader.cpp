@@ -21,7 +21,8 @@ using namespace city;
 
 class CityReader {
  public:
-  CityReader(const ByteSource& source, Task& task) : source_(source), task_(task), boundaries_(model_, tree_) {}
+  CityReader(const ByteSource& source, Task& task)
+      : source_(source), task_(task), boundaries_(model_, tree_) {}
 
   Model run() {
     read_whole();
@@ -38,7 +39,8 @@ class CityReader {
       task_.log(Task::kWarning, "%s: %zu surfaces without area left out", source_.path().c_str(),
                 boundaries_.dropped());
     if (skipped_ != 0)
-      task_.log(Task::kWarning, "%s: %zu geometries of points and lines left out", source_.path().c_str(), skipped_);
+      task_.log(Task::kWarning, "%s: %zu geometries of points and lines left out",
+                source_.path().c_str(), skipped_);
     return std::move(model_);
   }
 
@@ -84,8 +86,8 @@ class CityReader {
     JsonCursor cursor = file_.vertices.cursor();
     for (cursor.begin_array(); cursor.next_element();) {
       const Vec3 p = read_triple(cursor);
-      model_.vertices.push_back(
-          {p.x * scale_.x + translate_.x, p.y * scale_.y + translate_.y, p.z * scale_.z + translate_.z});
+      model_.vertices.push_back({p.x * scale_.x + translate_.x, p.y * scale_.y + translate_.y,
+                                 p.z * scale_.z + translate_.z});
       if (!is_finite(model_.vertices.back())) cursor.refuse("a finite vertex");
     }
   }
@@ -125,7 +127,8 @@ class CityReader {
         else return false;
         return true;
       });
-      if (draft.number == kNoNumber || draft.part.part_class.empty()) draft.part.part_class = class_of_object(type);
+      if (draft.number == kNoNumber || draft.part.part_class.empty())
+        draft.part.part_class = class_of_object(type);
       const uint32_t object = tree_.add(std::move(draft));
       drafts.emplace(id, object);
       if (!parent.empty()) parents.emplace_back(object, parent);
@@ -197,7 +200,8 @@ class CityReader {
         if (const int64_t i = values.integer(); i >= 0 && static_cast<size_t>(i) < used.size())
           used[static_cast<size_t>(i)] = true;
         break;
-      default: values.skip();
+      default:
+        values.skip();
     }
   }
 
@@ -219,8 +223,8 @@ class CityReader {
       parents.push_back(parent);
     }
     for (size_t i = 0; i < drafts.size(); ++i)
-      if (parents[i] >= 0 && static_cast<size_t>(parents[i]) < drafts.size() && drafts[i] != object &&
-          drafts[static_cast<size_t>(parents[i])] != drafts[i])
+      if (parents[i] >= 0 && static_cast<size_t>(parents[i]) < drafts.size() &&
+          drafts[i] != object && drafts[static_cast<size_t>(parents[i])] != drafts[i])
         tree_.at(drafts[i]).parent = drafts[static_cast<size_t>(parents[i])];
     return drafts;
   }
@@ -231,14 +235,16 @@ class CityReader {
     draft.parent = object;
     read_attributes(cursor, draft, [&](const std::string& name) {
       if (name == "type") type = cursor.text();
-      else if (name == "parent" && cursor.kind() == JsonCursor::Kind::kNumber) parent = cursor.integer();
+      else if (name == "parent" && cursor.kind() == JsonCursor::Kind::kNumber)
+        parent = cursor.integer();
       else return false;
       return true;
     });
     const char* part_class = class_of_surface(type);
     draft.is_opening = is_opening(part_class);
     if (draft.part.part_class.empty()) draft.part.part_class = part_class;
-    if (draft.part.name.empty() && draft.number == kNoNumber) draft.part.name = name_from_file(type, "surface");
+    if (draft.part.name.empty() && draft.number == kNoNumber)
+      draft.part.name = name_from_file(type, "surface");
     return tree_.add(std::move(draft));
   }
 

@@ -27,11 +27,14 @@ FileText read_file_text(const ByteSource& source, Task& task, std::string_view t
   }
   cursor.end();
   if (type == "CityJSONFeature")
-    fail(Status::kUnsupported, "%s: CityJSON text sequences are not supported", source.path().c_str());
+    fail(Status::kUnsupported, "%s: CityJSON text sequences are not supported",
+         source.path().c_str());
   if (type != "CityJSON") source.refuse(0, "the type is not CityJSON");
   if (version != "2.0" && version != "1.1" && version != "1.0")
-    fail(Status::kUnsupported, "%s: CityJSON of another version than 1.0, 1.1 and 2.0", source.path().c_str());
-  if (out.objects.empty() || out.vertices.empty()) source.refuse(0, "CityObjects or vertices are missing");
+    fail(Status::kUnsupported, "%s: CityJSON of another version than 1.0, 1.1 and 2.0",
+         source.path().c_str());
+  if (out.objects.empty() || out.vertices.empty())
+    source.refuse(0, "CityObjects or vertices are missing");
   return out;
 }
 
@@ -65,7 +68,8 @@ GeometryText read_geometry_text(const Piece& list, JsonCursor& cursor) {
 void classify(GeometryText& geometry, const ByteSource& source, const Piece& list) {
   const std::string& type = geometry.type;
   if (type == "GeometryInstance")
-    fail(Status::kUnsupported, "%s: geometry templates of CityJSON are not supported", source.path().c_str());
+    fail(Status::kUnsupported, "%s: geometry templates of CityJSON are not supported",
+         source.path().c_str());
   geometry.has_surfaces = type != "MultiPoint" && type != "MultiLineString";
   if (!geometry.has_surfaces) return;
   const bool surfaces = type == "MultiSurface" || type == "CompositeSurface";

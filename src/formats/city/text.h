@@ -53,7 +53,7 @@ struct GeometryText {
   std::string type;
   double lod = -1;  ///< level of detail; -1: none that is a number
   Piece boundaries, surfaces, values;
-  int depth = 0;    ///< lists above the surfaces: 0 MultiSurface, 1 Solid, 2 MultiSolid
+  int depth = 0;             ///< lists above the surfaces: 0 MultiSurface, 1 Solid, 2 MultiSolid
   bool has_surfaces = true;  ///< false: points and lines
 };
 /// list: the array that the cursor walks through.

@@ -29,7 +29,8 @@ bool take_number(JsonCursor& cursor, double& out) {
 bool take_count(JsonCursor& cursor, uint64_t& out) {
   double value = 0;
   if (!take_number(cursor, value)) return false;
-  if (value >= 0 && value <= std::numeric_limits<uint32_t>::max()) out = static_cast<uint64_t>(value);
+  if (value >= 0 && value <= std::numeric_limits<uint32_t>::max())
+    out = static_cast<uint64_t>(value);
   return true;
 }
 
@@ -64,7 +65,8 @@ bool take_level(JsonCursor& cursor, Part& part) {
 
 }  // namespace
 
-bool read_attribute(JsonCursor& cursor, const std::string& name, Draft& draft, std::string& part_class) {
+bool read_attribute(JsonCursor& cursor, const std::string& name, Draft& draft,
+                    std::string& part_class) {
   if (name == "name") return take_text(cursor, draft.part.name);
   if (name == "class") return take_text(cursor, part_class);
   if (name == "part") return take_count(cursor, draft.number);
@@ -100,7 +102,8 @@ uint32_t Tree::add(Draft draft) {
 
 bool Tree::is_numbered() const {
   if (by_number_.empty() || by_number_.rbegin()->first != by_number_.size() - 1) return false;
-  return std::ranges::all_of(drafts_, [](const Draft& d) { return d.number != kNoNumber || d.faces_seen == 0; });
+  return std::ranges::all_of(
+      drafts_, [](const Draft& d) { return d.number != kNoNumber || d.faces_seen == 0; });
 }
 
 bool Tree::build(std::vector<Part>& parts, std::vector<uint32_t>& new_index) {
@@ -108,7 +111,9 @@ bool Tree::build(std::vector<Part>& parts, std::vector<uint32_t>& new_index) {
   const size_t n = numbered ? by_number_.size() : drafts_.size();
   new_index.resize(drafts_.size());
   for (uint32_t d = 0; d < drafts_.size(); ++d)
-    new_index[d] = !numbered ? d : drafts_[d].number == kNoNumber ? kNoPart : static_cast<uint32_t>(drafts_[d].number);
+    new_index[d] = !numbered                        ? d
+                   : drafts_[d].number == kNoNumber ? kNoPart
+                                                    : static_cast<uint32_t>(drafts_[d].number);
   const auto place_of = [&](uint64_t number) -> uint64_t {
     const auto found = by_number_.find(number);
     return number == kNoNumber || found == by_number_.end() ? kNoParent : new_index[found->second];

@@ -17,15 +17,16 @@ constexpr uint64_t kNoNumber = ~uint64_t{0};
 /// What an object or a semantic surface says about a part and its faces.
 struct Draft {
   Part part;
-  uint64_t number = kNoNumber;       ///< "part": its place in the tree that the file was written from
-  uint64_t above = kNoNumber;        ///< "part_of"
+  uint64_t number = kNoNumber;  ///< "part": its place in the tree that the file was written from
+  uint64_t above = kNoNumber;   ///< "part_of"
   uint64_t copied_from = kNoNumber;  ///< the number of the part it repeats
-  uint32_t parent = kNoPart;         ///< without numbers: the draft above, an object or the surface of a wall
-  bool is_closing = false;           ///< its surfaces were made to close the hole of a wall
-  bool is_opening = false;           ///< window, door or closure
+  uint32_t parent =
+      kNoPart;  ///< without numbers: the draft above, an object or the surface of a wall
+  bool is_closing = false;  ///< its surfaces were made to close the hole of a wall
+  bool is_opening = false;  ///< window, door or closure
   std::vector<uint32_t> face_ids;
   std::vector<double> sigmas_m;
-  size_t faces_seen = 0;             ///< faces that it has; so many of face_ids and sigmas_m are taken
+  size_t faces_seen = 0;  ///< faces that it has; so many of face_ids and sigmas_m are taken
 };
 
 /// Reads the attributes we know from an object at the cursor; class and numbers count only with "part", which files of
@@ -33,7 +34,8 @@ struct Draft {
 template <class F>
 void read_attributes(JsonCursor& cursor, Draft& draft, F&& rest);
 /// One member; false when it is none of ours (it has not been taken then).
-bool read_attribute(JsonCursor& cursor, const std::string& name, Draft& draft, std::string& part_class);
+bool read_attribute(JsonCursor& cursor, const std::string& name, Draft& draft,
+                    std::string& part_class);
 
 /// The parts of a file on their way to a tree.
 class Tree {

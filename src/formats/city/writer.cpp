@@ -26,7 +26,8 @@ struct Semantics {
 
   explicit Semantics(const Geometry& geometry) {
     for (const Surface& surface : geometry.surfaces)
-      if (surface.part != kNoPart && index.try_emplace(surface.part, static_cast<uint32_t>(parts.size())).second)
+      if (surface.part != kNoPart &&
+          index.try_emplace(surface.part, static_cast<uint32_t>(parts.size())).second)
         parts.push_back(surface.part);
   }
 };
@@ -50,7 +51,9 @@ class CityFile {
 
   void write(Task& task) {
     if (city_.dropped != 0)
-      task.log(Task::kWarning, "CityJSON: %zu faces smaller than the step of the coordinates left out", city_.dropped);
+      task.log(Task::kWarning,
+               "CityJSON: %zu faces smaller than the step of the coordinates left out",
+               city_.dropped);
     json_.begin_object().name("type").value("CityJSON").name("version").value("2.0");
     json_.name("transform").begin_object().name("scale").begin_array();
     for (int k = 0; k < 3; ++k) json_.value(grid_.scale_m());
@@ -78,7 +81,9 @@ class CityFile {
     file_.write(json_.take());
   }
 
-  void add_point(const Vec3& p) { json_.begin_array().value(p.x).value(p.y).value(p.z).end_array(); }
+  void add_point(const Vec3& p) {
+    json_.begin_array().value(p.x).value(p.y).value(p.z).end_array();
+  }
 
   void add_metadata() {
     json_.name("metadata").begin_object();
@@ -90,7 +95,8 @@ class CityFile {
       json_.end_array();
     }
     if (const uint32_t code = metric_epsg_code(model_.crs.str()); code != 0)
-      json_.name("referenceSystem").value("https://www.opengis.net/def/crs/EPSG/0/" + std::to_string(code));
+      json_.name("referenceSystem")
+          .value("https://www.opengis.net/def/crs/EPSG/0/" + std::to_string(code));
     json_.end_object();
   }
 
@@ -134,7 +140,8 @@ class CityFile {
     if (part != kNoPart) add_part(part);
     if (part == city_.objects.begin()->first) add_groups();
     json_.end_object();
-    if (object.parent != kNoPart) json_.name("parents").begin_array().value(ids_[object.parent]).end_array();
+    if (object.parent != kNoPart)
+      json_.name("parents").begin_array().value(ids_[object.parent]).end_array();
     add_children(part);
     json_.name("geometry").begin_array();
     for (const Geometry& geometry : object.geometries) add_geometry(geometry, task);

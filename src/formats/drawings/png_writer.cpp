@@ -62,23 +62,28 @@ std::string png_of(const IndexedImage& image) {
   rows.reserve((image.width + size_t{1}) * image.height);
   for (uint32_t y = 0; y < image.height; ++y) {
     rows += kFilterNone;
-    rows.append(reinterpret_cast<const char*>(image.pixels.data()) + size_t{y} * image.width, image.width);
+    rows.append(reinterpret_cast<const char*>(image.pixels.data()) + size_t{y} * image.width,
+                image.width);
   }
   std::string out = "\x89PNG\r\n\x1a\n";
   add_chunk(out, "IHDR", header);
   add_chunk(out, "PLTE", palette);
-  if (!image.description.empty()) add_chunk(out, "tEXt", std::string("Description\0", 12) + image.description);
+  if (!image.description.empty())
+    add_chunk(out, "tEXt", std::string("Description\0", 12) + image.description);
   add_chunk(out, "IDAT", zlib_of(rows, image.width + size_t{1}));
   add_chunk(out, "IEND", {});
   return out;
 }
 
 std::string base64_of(std::string_view bytes) {
-  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
   out.reserve((bytes.size() + 2) / 3 * 4);
   for (size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](size_t k) { return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u; };
+    const auto byte = [&](size_t k) {
+      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u;
+    };
     const uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
     out += kDigits[three >> 18];
     out += kDigits[three >> 12 & 63];

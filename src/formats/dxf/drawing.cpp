@@ -19,12 +19,12 @@ struct ClassColour {
   int colour;
 };
 constexpr ClassColour kColours[] = {
-    {part_class::kWall, 7},      {part_class::kOpening, 4},       {part_class::kWindow, 5},
-    {part_class::kDoor, 1},      {part_class::kReveal, 9},        {part_class::kJoinery, 140},
-    {part_class::kSill, 30},     {part_class::kCornice, 6},       {part_class::kStringCourse, 200},
-    {part_class::kBaseCourse, 34}, {part_class::kPost, 2},        {part_class::kGround, 3},
-    {part_class::kRoof, 12},     {part_class::kElement, 40},      {part_class::kNoData, 8},
-    {part_class::kRegion, 1},    {part_class::kAppearance, 3},    {part_class::kDisappearance, 1},
+    {part_class::kWall, 7},         {part_class::kOpening, 4},     {part_class::kWindow, 5},
+    {part_class::kDoor, 1},         {part_class::kReveal, 9},      {part_class::kJoinery, 140},
+    {part_class::kSill, 30},        {part_class::kCornice, 6},     {part_class::kStringCourse, 200},
+    {part_class::kBaseCourse, 34},  {part_class::kPost, 2},        {part_class::kGround, 3},
+    {part_class::kRoof, 12},        {part_class::kElement, 40},    {part_class::kNoData, 8},
+    {part_class::kRegion, 1},       {part_class::kAppearance, 3},  {part_class::kDisappearance, 1},
     {part_class::kDisplacement, 5}, {part_class::kDeformation, 6},
 };
 constexpr int kOtherColour = 7;
@@ -32,7 +32,8 @@ constexpr int kOtherColour = 7;
 // Of the class, and of "displacement_before" as of "displacement".
 int colour_of(const std::string& part_class) {
   for (const ClassColour& row : kColours)
-    if (part_class == row.part_class || part_class.starts_with(row.part_class + std::string("_"))) return row.colour;
+    if (part_class == row.part_class || part_class.starts_with(row.part_class + std::string("_")))
+      return row.colour;
   return kOtherColour;
 }
 
@@ -42,7 +43,8 @@ std::string layer_name(const std::string& part_class, bool copied) {
   std::string out;
   for (const char c : part_class.substr(0, kMaxLayerName - suffix.size())) {
     const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    const bool plain = (upper >= 'A' && upper <= 'Z') || (upper >= '0' && upper <= '9') || upper == '-';
+    const bool plain =
+        (upper >= 'A' && upper <= 'Z') || (upper >= '0' && upper <= '9') || upper == '-';
     out += plain ? upper : '_';
   }
   return (out.empty() ? "ELEMENT" : out) + suffix;
@@ -52,7 +54,8 @@ std::string layer_name(const std::string& part_class, bool copied) {
 uint32_t ring_layer(Layers& layers, const Model& model, const Face& face, uint64_t r) {
   if (r == face.first_ring) return layers.of_part(model, face.part);
   const uint32_t part = model.rings[r].part;
-  return part < model.parts.size() ? layers.of_part(model, part) : layers.of_class(part_class::kOpening);
+  return part < model.parts.size() ? layers.of_part(model, part)
+                                   : layers.of_class(part_class::kOpening);
 }
 
 // The horizontal direction that most of the wall looks to; upward for models without upright faces.
@@ -72,24 +75,28 @@ Vec3 direction_of_view(const Model& model) {
 // The number of a change region, which tables list it by, in the middle of its outline.
 void add_number(Drawing& drawing, const Model& model, const Face& face, const Vec3& normal) {
   constexpr double kShare = 0.25;  // of the side of a square as large as the region
-  const uint64_t parent = face.part < model.parts.size() ? model.parts[face.part].parent : kNoParent;
-  if (parent >= model.parts.size() || model.parts[parent].part_class != part_class::kChanges) return;
+  const uint64_t parent =
+      face.part < model.parts.size() ? model.parts[face.part].parent : kNoParent;
+  if (parent >= model.parts.size() || model.parts[parent].part_class != part_class::kChanges)
+    return;
   if (!(face.area_m2 > 0) || face.ring_count == 0 || squared_norm(normal) == 0) return;
   const Ring& ring = model.rings[face.first_ring];
   const Vec3 first = model.vertices[model.corners[ring.first]];
   Vec3 sum;
-  for (uint64_t c = 0; c < ring.count; ++c) sum += model.vertices[model.corners[ring.first + c]] - first;
+  for (uint64_t c = 0; c < ring.count; ++c)
+    sum += model.vertices[model.corners[ring.first + c]] - first;
   const Vec3 middle = first + sum / static_cast<double>(ring.count);
-  drawing.labels.push_back({middle, normal, kShare * std::sqrt(face.area_m2), std::to_string(face.id),
-                            drawing.layers.of_part(model, face.part)});
+  drawing.labels.push_back({middle, normal, kShare * std::sqrt(face.area_m2),
+                            std::to_string(face.id), drawing.layers.of_part(model, face.part)});
 }
 
 void add_triangles(Drawing& drawing, const Model& model) {
   const bool by_part = is_mesh_by_part(model);
   for (const uint32_t t : loose_triangles(model)) {
     drawing.triangles.push_back(model.triangles[t]);
-    drawing.triangle_layers.push_back(by_part ? drawing.layers.of_part(model, model.triangle_faces[t])
-                                              : drawing.layers.of_class("mesh"));
+    drawing.triangle_layers.push_back(by_part
+                                          ? drawing.layers.of_part(model, model.triangle_faces[t])
+                                          : drawing.layers.of_class("mesh"));
     for (const uint32_t v : model.triangles[t]) drawing.box.add(model.vertices[v]);
   }
 }
@@ -105,11 +112,13 @@ uint32_t Layers::of_part(const Model& model, uint32_t part) {
 uint32_t Layers::of_class(const std::string& part_class, bool copied) {
   const std::string name = layer_name(part_class, copied);
   const auto [entry, added] = index_.try_emplace(name, static_cast<uint32_t>(layers_.size()));
-  if (added) layers_.push_back({name, colour_of(part_class), copied || part_class == part_class::kNoData});
+  if (added)
+    layers_.push_back({name, colour_of(part_class), copied || part_class == part_class::kNoData});
   return entry->second;
 }
 
-void add_ring(Drawing& drawing, const Model& model, const Face& face, uint64_t r, const Vec3& normal) {
+void add_ring(Drawing& drawing, const Model& model, const Face& face, uint64_t r,
+              const Vec3& normal) {
   const Ring& ring = model.rings[r];
   Polyline line;
   bool arcs = false;
@@ -132,7 +141,8 @@ Drawing draw_world(const Model& model, Task& task) {
   constexpr size_t kTicks = 256;  // faces between two looks at the task
   Drawing drawing;
   for (size_t f = 0; f < model.faces.size(); ++f) {
-    if (f % kTicks == 0) task.checkpoint(static_cast<double>(f) / static_cast<double>(model.faces.size()));
+    if (f % kTicks == 0)
+      task.checkpoint(static_cast<double>(f) / static_cast<double>(model.faces.size()));
     const Face& face = model.faces[f];
     const Vec3 normal = normal_of(model, face);
     for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)

@@ -15,7 +15,8 @@ namespace jalon::dxf {
 
 struct Layer {
   std::string name;
-  int colour = 7;       ///< AutoCAD colour index: 1 red, 2 yellow, 3 green, 4 cyan, 5 blue, 6 magenta, 7 black or white
+  int colour =
+      7;  ///< AutoCAD colour index: 1 red, 2 yellow, 3 green, 4 cyan, 5 blue, 6 magenta, 7 black or white
   bool dashed = false;  ///< copied elements and areas without data
 };
 
@@ -37,7 +38,8 @@ class Layers {
 /// A closed chain of lines and arcs in a plane of this normal.
 struct Polyline {
   std::vector<Vec3> corners;
-  std::vector<double> sagittas_m;  ///< as Model::sagittas, seen against the normal; empty: all straight
+  std::vector<double>
+      sagittas_m;  ///< as Model::sagittas, seen against the normal; empty: all straight
   Vec3 normal;
   uint32_t layer = 0;
   uint32_t part = kNoPart;
@@ -72,6 +74,7 @@ Drawing draw_world(const Model& model, Task& task);
 Drawing draw_elevation(const Model& model, double chord_error_m, Task& task);
 
 /// One ring as a polyline; nothing when it has no extent.
-void add_ring(Drawing& drawing, const Model& model, const Face& face, uint64_t ring, const Vec3& normal);
+void add_ring(Drawing& drawing, const Model& model, const Face& face, uint64_t ring,
+              const Vec3& normal);
 
 }  // namespace jalon::dxf

@@ -11,11 +11,14 @@ namespace jalon::dxf {
 
 namespace {
 
-constexpr double kEdgeOn = 0.1;       // cosine to the view below which a face is a line: seen at 6 degrees or less
-constexpr double kUpright = 0.5;      // |z| of the normal of what may be the front of a facade
-constexpr double kFlatArc = 0.99995;  // cosine (0.6 degrees) up to which an arc of 5 m stays within 0.25 mm of a circle
-constexpr double kSameDepth_m = 0.005;  // steps in which depths are told apart for the order of drawing
-constexpr double kGap_m = 2;          // between two facades side by side
+constexpr double kEdgeOn =
+    0.1;  // cosine to the view below which a face is a line: seen at 6 degrees or less
+constexpr double kUpright = 0.5;  // |z| of the normal of what may be the front of a facade
+constexpr double kFlatArc =
+    0.99995;  // cosine (0.6 degrees) up to which an arc of 5 m stays within 0.25 mm of a circle
+constexpr double kSameDepth_m =
+    0.005;                    // steps in which depths are told apart for the order of drawing
+constexpr double kGap_m = 2;  // between two facades side by side
 constexpr uint32_t kNoFacade = ~uint32_t{0};
 
 /// Seen from the front: x to the right, y up.
@@ -41,8 +44,10 @@ bool find_view(const Model& model, const std::vector<uint32_t>& faces, View& vie
   for (const uint32_t f : faces) {
     const Face& face = model.faces[f];
     if (std::fabs(normal_of(model, face).z) > kUpright || face.ring_count == 0) continue;
-    const bool wall = face.part < model.parts.size() && model.parts[face.part].part_class == part_class::kWall;
-    if (best != nullptr && (wall != best_is_wall ? best_is_wall : face.area_m2 <= best->area_m2)) continue;
+    const bool wall =
+        face.part < model.parts.size() && model.parts[face.part].part_class == part_class::kWall;
+    if (best != nullptr && (wall != best_is_wall ? best_is_wall : face.area_m2 <= best->area_m2))
+      continue;
     best = &face;
     best_is_wall = wall;
   }
@@ -75,7 +80,8 @@ void sort_by_depth(Drawing& drawing, size_t first, const View& view) {
   std::ranges::stable_sort(lines, [](const auto& a, const auto& b) {
     return std::floor(a.first / kSameDepth_m) < std::floor(b.first / kSameDepth_m);
   });
-  for (size_t i = 0; i < lines.size(); ++i) drawing.polylines[first + i] = std::move(lines[i].second);
+  for (size_t i = 0; i < lines.size(); ++i)
+    drawing.polylines[first + i] = std::move(lines[i].second);
 }
 
 void flatten(Polyline& line, const View& view, double chord_error_m) {
@@ -133,8 +139,10 @@ double add_facade(Drawing& drawing, const Model& model, const std::vector<uint32
 Drawing draw_elevation(const Model& model, double chord_error_m, Task& task) {
   Drawing drawing;
   std::map<uint32_t, std::vector<uint32_t>> facades;  // faces by facade; those of none last
-  for (uint32_t f = 0; f < model.faces.size(); ++f) facades[facade_of(model, model.faces[f].part)].push_back(f);
-  if (facades.size() == 2 && facades.contains(kNoFacade)) {  // ground, roof and the like belong to the only facade
+  for (uint32_t f = 0; f < model.faces.size(); ++f)
+    facades[facade_of(model, model.faces[f].part)].push_back(f);
+  if (facades.size() == 2 &&
+      facades.contains(kNoFacade)) {  // ground, roof and the like belong to the only facade
     const std::vector<uint32_t> others = std::move(facades[kNoFacade]);
     facades.erase(kNoFacade);
     auto& faces = facades.begin()->second;

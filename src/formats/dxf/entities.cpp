@@ -10,14 +10,15 @@ namespace jalon::dxf {
 
 namespace {
 
-constexpr double kPlanar_m = 1e-6;  // of corners from the plane of their ring, to be drawn as a planar polyline
+constexpr double kPlanar_m =
+    1e-6;  // of corners from the plane of their ring, to be drawn as a planar polyline
 constexpr int kClosed = 1, kPolyline3d = 8, kVertex3d = 32;
 
 /// A polyline in its object coordinate system.
 struct Planar {
   std::vector<Vec3> corners;  ///< z: the elevation of each
   double elevation_m = 0;
-  double spread_m = 0;        ///< largest distance of a corner from that elevation
+  double spread_m = 0;  ///< largest distance of a corner from that elevation
 };
 
 Planar planar(const Polyline& line, const ObjectAxes& axes) {
@@ -28,7 +29,8 @@ Planar planar(const Polyline& line, const ObjectAxes& axes) {
     sum += out.corners.back().z - out.corners.front().z;
   }
   out.elevation_m = out.corners.front().z + sum / static_cast<double>(line.corners.size());
-  for (const Vec3& p : out.corners) out.spread_m = std::max(out.spread_m, std::fabs(p.z - out.elevation_m));
+  for (const Vec3& p : out.corners)
+    out.spread_m = std::max(out.spread_m, std::fabs(p.z - out.elevation_m));
   return out;
 }
 
@@ -40,7 +42,8 @@ double bulge(const Polyline& line, size_t i) {
   return chord_m > 0 ? 2 * line.sagittas_m[i] / chord_m : 0;
 }
 
-void begin_entity(Text& text, const char* name, const Layer& layer, uint64_t handle, uint64_t owner = kModelSpace) {
+void begin_entity(Text& text, const char* name, const Layer& layer, uint64_t handle,
+                  uint64_t owner = kModelSpace) {
   text.begin(name, handle, owner).subclass("AcDbEntity").group(8, layer.name);
 }
 
@@ -50,12 +53,15 @@ void add_data(Text& text, const Polyline& line, const Model& model) {
   if (line.part >= model.parts.size()) return;
   const Part& part = model.parts[line.part];
   text.group(1000, "part=" + part.name).group(1000, "class=" + part.part_class);
-  if (part.evidence != Evidence::kNone) text.group(1000, std::string("evidence=") + name_of(part.evidence));
-  if (part.copied_from < model.parts.size()) text.group(1000, "copied_from=" + model.parts[part.copied_from].name);
+  if (part.evidence != Evidence::kNone)
+    text.group(1000, std::string("evidence=") + name_of(part.evidence));
+  if (part.copied_from < model.parts.size())
+    text.group(1000, "copied_from=" + model.parts[part.copied_from].name);
   if (std::isfinite(part.depth_m)) text.group(1000, "depth_m=" + text_of(part.depth_m));
 }
 
-void add_lightweight(Text& text, const Polyline& line, const Planar& flat, const Layer& layer, uint64_t handle) {
+void add_lightweight(Text& text, const Polyline& line, const Planar& flat, const Layer& layer,
+                     uint64_t handle) {
   begin_entity(text, "LWPOLYLINE", layer, handle);
   text.subclass("AcDbPolyline").group(90, static_cast<int>(line.corners.size())).group(70, kClosed);
   text.group(43, 0.0).group(38, flat.elevation_m);
@@ -67,8 +73,8 @@ void add_lightweight(Text& text, const Polyline& line, const Planar& flat, const
 }
 
 /// POLYLINE with its VERTEX entities and SEQEND: planar in the object coordinate system, or in space.
-void add_heavy(Text& text, const Polyline& line, const Planar* flat, const Layer& layer, const Model& model,
-               uint64_t& next_handle) {
+void add_heavy(Text& text, const Polyline& line, const Planar* flat, const Layer& layer,
+               const Model& model, uint64_t& next_handle) {
   const uint64_t own = next_handle++;
   begin_entity(text, "POLYLINE", layer, own);
   text.subclass(flat != nullptr ? "AcDb2dPolyline" : "AcDb3dPolyline").group(66, 1);
@@ -94,12 +100,14 @@ void add_heavy(Text& text, const Polyline& line, const Planar* flat, const Layer
 ObjectAxes object_axes(const Vec3& normal) {
   constexpr double kNearZ = 1.0 / 64;  // of the algorithm
   const Vec3 z = normalized(normal);
-  const Vec3 help = std::fabs(z.x) < kNearZ && std::fabs(z.y) < kNearZ ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 help =
+      std::fabs(z.x) < kNearZ && std::fabs(z.y) < kNearZ ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
   const Vec3 x = normalized(cross(help, z));
   return {x, normalized(cross(z, x)), z};
 }
 
-void add_polyline(Text& text, const Polyline& line, const Layer& layer, const Model& model, uint64_t& next_handle) {
+void add_polyline(Text& text, const Polyline& line, const Layer& layer, const Model& model,
+                  uint64_t& next_handle) {
   const Planar flat = planar(line, object_axes(line.normal));
   const bool arcs = !line.sagittas_m.empty();
   // Straight rings of release 12 stand in space, where their coordinates are exactly the model's; so do rings that
@@ -115,11 +123,16 @@ void add_label(Text& text, const Label& label, const Layer& layer, uint64_t& nex
   constexpr int kCentred = 1, kMiddle = 2;
   const Vec3 at = object_axes(label.normal).project(label.at);
   begin_entity(text, "TEXT", layer, next_handle++);
-  text.subclass("AcDbText").point(10, at).group(40, label.height_m).group(1, label.text).group(72, kCentred);
+  text.subclass("AcDbText")
+      .point(10, at)
+      .group(40, label.height_m)
+      .group(1, label.text)
+      .group(72, kCentred);
   text.point(11, at).point(210, label.normal).subclass("AcDbText").group(73, kMiddle);
 }
 
-void add_triangle(Text& text, const std::array<Vec3, 3>& corners, const Layer& layer, uint64_t& next_handle) {
+void add_triangle(Text& text, const std::array<Vec3, 3>& corners, const Layer& layer,
+                  uint64_t& next_handle) {
   begin_entity(text, "3DFACE", layer, next_handle++);
   text.subclass("AcDbFace");
   for (int k = 0; k < 4; ++k) text.point(10 + k, corners[static_cast<size_t>(std::min(k, 2))]);

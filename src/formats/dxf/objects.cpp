@@ -33,21 +33,39 @@ void add_layout(Text& text, const char* name, Handle own, Handle record, int tab
   constexpr int kModelType = 1024, kFitPaper = 16;
   const bool model = tab == 0;
   text.begin("LAYOUT", own, kLayoutDictionary);
-  text.group(100, "AcDbPlotSettings").group(1, "").group(2, "none_device").group(4, "A4").group(6, "");
+  text.group(100, "AcDbPlotSettings")
+      .group(1, "")
+      .group(2, "none_device")
+      .group(4, "A4")
+      .group(6, "");
   for (const int code : {40, 41, 42, 43}) text.group(code, 10.0);  // margins (mm)
   text.group(44, 297.0).group(45, 210.0);
   for (const int code : {46, 47, 48, 49, 140, 141}) text.group(code, 0.0);
-  text.group(142, 1.0).group(143, 1.0).group(70, model ? kModelType + kFitPaper : kFitPaper).group(72, 1).group(73, 0);
+  text.group(142, 1.0)
+      .group(143, 1.0)
+      .group(70, model ? kModelType + kFitPaper : kFitPaper)
+      .group(72, 1)
+      .group(73, 0);
   text.group(74, 0).group(7, "").group(75, 16).group(147, 1.0).group(148, 0.0).group(149, 0.0);
   text.group(100, "AcDbLayout").group(1, name).group(70, 1).group(71, tab);
   text.group(10, 0.0).group(20, 0.0).group(11, 420.0).group(21, 297.0).point(12, {0, 0, 0});
   text.point(14, box.min).point(15, box.max).group(146, 0.0);
-  text.point(13, {0, 0, 0}).point(16, {1, 0, 0}).point(17, {0, 1, 0}).group(76, 0).handle(330, record);
+  text.point(13, {0, 0, 0})
+      .point(16, {1, 0, 0})
+      .point(17, {0, 1, 0})
+      .group(76, 0)
+      .handle(330, record);
 }
 
 void add_line_style(Text& text) {
   text.begin("MLINESTYLE", kLineStyleStandard, kLineStyleDictionary).group(100, "AcDbMlineStyle");
-  text.group(2, "Standard").group(70, 0).group(3, "").group(62, 256).group(51, 90.0).group(52, 90.0).group(71, 2);
+  text.group(2, "Standard")
+      .group(70, 0)
+      .group(3, "")
+      .group(62, 256)
+      .group(51, 90.0)
+      .group(52, 90.0)
+      .group(71, 2);
   for (const double offset : {0.5, -0.5}) text.group(49, offset).group(62, 256).group(6, "ByLayer");
 }
 
@@ -64,8 +82,13 @@ void add_classes(Text& text) {
   };
   text.group(0, "SECTION").group(2, "CLASSES");
   for (const Class& c : kClasses)
-    text.group(0, "CLASS").group(1, c.record).group(2, c.name).group(3, c.application).group(90, 0).group(280, 0).group(
-        281, 0);
+    text.group(0, "CLASS")
+        .group(1, c.record)
+        .group(2, c.name)
+        .group(3, c.application)
+        .group(90, 0)
+        .group(280, 0)
+        .group(281, 0);
   text.group(0, "ENDSEC");
 }
 
@@ -86,13 +109,17 @@ void add_objects(Text& text, const Drawing& drawing) {
   sheet.add({420, 297, 0});
   text.group(0, "SECTION").group(2, "OBJECTS");
   begin_dictionary(text, "DICTIONARY", kRootDictionary, Handle{},
-                   {{"ACAD_GROUP", kGroupDictionary}, {"ACAD_LAYOUT", kLayoutDictionary},
-                    {"ACAD_MLINESTYLE", kLineStyleDictionary}, {"ACAD_PLOTSTYLENAME", kPlotStyleDictionary}});
+                   {{"ACAD_GROUP", kGroupDictionary},
+                    {"ACAD_LAYOUT", kLayoutDictionary},
+                    {"ACAD_MLINESTYLE", kLineStyleDictionary},
+                    {"ACAD_PLOTSTYLENAME", kPlotStyleDictionary}});
   begin_dictionary(text, "DICTIONARY", kGroupDictionary, kRootDictionary, {});
   begin_dictionary(text, "DICTIONARY", kLayoutDictionary, kRootDictionary,
                    {{"Model", kModelLayout}, {"Layout1", kPaperLayout}});
-  begin_dictionary(text, "DICTIONARY", kLineStyleDictionary, kRootDictionary, {{"Standard", kLineStyleStandard}});
-  begin_dictionary(text, "ACDBDICTIONARYWDFLT", kPlotStyleDictionary, kRootDictionary, {{"Normal", kPlotStyleNormal}});
+  begin_dictionary(text, "DICTIONARY", kLineStyleDictionary, kRootDictionary,
+                   {{"Standard", kLineStyleStandard}});
+  begin_dictionary(text, "ACDBDICTIONARYWDFLT", kPlotStyleDictionary, kRootDictionary,
+                   {{"Normal", kPlotStyleNormal}});
   text.group(100, "AcDbDictionaryWithDefault").handle(340, kPlotStyleNormal);
   text.begin("ACDBPLACEHOLDER", kPlotStyleNormal, kPlotStyleDictionary);
   add_line_style(text);

@@ -18,8 +18,10 @@ void add_blocks(Text& text);
 void add_objects(Text& text, const Drawing& drawing);
 
 /// The ENTITIES section item by item.
-void add_polyline(Text& text, const Polyline& line, const Layer& layer, const Model& model, uint64_t& next_handle);
-void add_triangle(Text& text, const std::array<Vec3, 3>& corners, const Layer& layer, uint64_t& next_handle);
+void add_polyline(Text& text, const Polyline& line, const Layer& layer, const Model& model,
+                  uint64_t& next_handle);
+void add_triangle(Text& text, const std::array<Vec3, 3>& corners, const Layer& layer,
+                  uint64_t& next_handle);
 void add_label(Text& text, const Label& label, const Layer& layer, uint64_t& next_handle);
 
 /// Axes of the object coordinate system of a normal (DXF Reference, "Arbitrary Axis Algorithm").

@@ -27,8 +27,13 @@ void begin_table(Text& text, const char* name, Handle handle, size_t entries) {
 }
 void end_table(Text& text) { text.group(0, "ENDTAB"); }
 
-void begin_entry(Text& text, const char* table, Handle handle, Handle owner, const char* subclass, const char* name) {
-  text.begin(table, handle, owner).subclass("AcDbSymbolTableRecord").subclass(subclass).group(2, name).group(70, 0);
+void begin_entry(Text& text, const char* table, Handle handle, Handle owner, const char* subclass,
+                 const char* name) {
+  text.begin(table, handle, owner)
+      .subclass("AcDbSymbolTableRecord")
+      .subclass(subclass)
+      .group(2, name)
+      .group(70, 0);
 }
 
 // The window that the drawing opens in: looks at the middle of all, from the front.
@@ -46,8 +51,21 @@ void add_viewport(Text& text, const Drawing& drawing) {
   pair(14, 1, 1);
   pair(15, 1, 1);
   text.point(16, drawing.view_direction).point(17, box.min + 0.5 * size);
-  text.group(40, height_m).group(41, 1.5).group(42, 50.0).group(43, 0.0).group(44, 0.0).group(50, 0.0).group(51, 0.0);
-  text.group(71, 0).group(72, 1000).group(73, 1).group(74, 3).group(75, 0).group(76, 0).group(77, 0).group(78, 0);
+  text.group(40, height_m)
+      .group(41, 1.5)
+      .group(42, 50.0)
+      .group(43, 0.0)
+      .group(44, 0.0)
+      .group(50, 0.0)
+      .group(51, 0.0);
+  text.group(71, 0)
+      .group(72, 1000)
+      .group(73, 1)
+      .group(74, 3)
+      .group(75, 0)
+      .group(76, 0)
+      .group(77, 0)
+      .group(78, 0);
   end_table(text);
 }
 
@@ -56,7 +74,10 @@ void add_linetype(Text& text, Handle handle, const char* name, const char* descr
   begin_entry(text, "LTYPE", handle, kLinetypeTable, "AcDbLinetypeTableRecord", name);
   double length = 0;
   for (const double dash : dashes_m) length += std::fabs(dash);
-  text.group(3, description).group(72, 65).group(73, static_cast<int>(dashes_m.size())).group(40, length);
+  text.group(3, description)
+      .group(72, 65)
+      .group(73, static_cast<int>(dashes_m.size()))
+      .group(40, length);
   for (const double dash : dashes_m) {
     text.group(49, dash);
     if (!text.is_r12()) text.group(74, 0);
@@ -69,8 +90,10 @@ void add_linetypes(Text& text) {
     add_linetype(text, kLinetypeByBlock, "ByBlock", "", {});
     add_linetype(text, kLinetypeByLayer, "ByLayer", "", {});
   }
-  add_linetype(text, kLinetypeContinuous, text.is_r12() ? "CONTINUOUS" : "Continuous", "Solid line", {});
-  add_linetype(text, kLinetypeDashed, "DASHED", "Copied elements and areas without data __ __ __", {0.1, -0.05});
+  add_linetype(text, kLinetypeContinuous, text.is_r12() ? "CONTINUOUS" : "Continuous", "Solid line",
+               {});
+  add_linetype(text, kLinetypeDashed, "DASHED", "Copied elements and areas without data __ __ __",
+               {0.1, -0.05});
   end_table(text);
 }
 
@@ -79,7 +102,8 @@ void add_layers(Text& text, const Drawing& drawing) {
   begin_table(text, "LAYER", kLayerTable, layers.size());
   uint64_t handle = kFirstFree;
   for (const Layer& layer : layers) {
-    begin_entry(text, "LAYER", static_cast<Handle>(handle++), kLayerTable, "AcDbLayerTableRecord", layer.name.c_str());
+    begin_entry(text, "LAYER", static_cast<Handle>(handle++), kLayerTable, "AcDbLayerTableRecord",
+                layer.name.c_str());
     const char* continuous = text.is_r12() ? "CONTINUOUS" : "Continuous";
     text.group(62, layer.colour).group(6, layer.dashed ? "DASHED" : continuous);
     if (!text.is_r12()) text.group(370, -3).handle(390, kPlotStyleNormal);
@@ -91,7 +115,13 @@ void add_styles(Text& text) {
   begin_table(text, "STYLE", kStyleTable, 1);
   const char* name = text.is_r12() ? "STANDARD" : "Standard";
   begin_entry(text, "STYLE", kStyleStandard, kStyleTable, "AcDbTextStyleTableRecord", name);
-  text.group(40, 0.0).group(41, 1.0).group(50, 0.0).group(71, 0).group(42, 0.2).group(3, "txt").group(4, "");
+  text.group(40, 0.0)
+      .group(41, 1.0)
+      .group(50, 0.0)
+      .group(71, 0)
+      .group(42, 0.2)
+      .group(3, "txt")
+      .group(4, "");
   end_table(text);
 }
 
@@ -107,7 +137,10 @@ void add_dimension_styles(Text& text) {
   begin_table(text, "DIMSTYLE", kDimStyleTable, 1);
   text.group(100, "AcDbDimStyleTable").group(71, 0);
   text.begin("DIMSTYLE", kDimStyleStandard, kDimStyleTable, 105);
-  text.group(100, "AcDbSymbolTableRecord").group(100, "AcDbDimStyleTableRecord").group(2, "Standard").group(70, 0);
+  text.group(100, "AcDbSymbolTableRecord")
+      .group(100, "AcDbDimStyleTableRecord")
+      .group(2, "Standard")
+      .group(70, 0);
   text.handle(340, kStyleStandard);
   end_table(text);
 }

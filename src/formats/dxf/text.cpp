@@ -20,7 +20,8 @@ uint32_t code_point(std::string_view character) {
   const auto lead = static_cast<unsigned char>(character[0]);
   if (character.size() == 1) return lead;
   uint32_t code = lead & (0x3F >> (character.size() - 1));
-  for (size_t i = 1; i < character.size(); ++i) code = code << 6 | (static_cast<unsigned char>(character[i]) & 0x3F);
+  for (size_t i = 1; i < character.size(); ++i)
+    code = code << 6 | (static_cast<unsigned char>(character[i]) & 0x3F);
   return code;
 }
 
@@ -38,7 +39,9 @@ std::string safe(std::string_view text, Version version) {
     } else if (code > 0x7F) {
       piece = "_";
       if (version == Version::kR2000 && code <= 0xFFFF)
-        piece = {'\\', 'U', '+', kHex[code >> 12], kHex[code >> 8 & 15], kHex[code >> 4 & 15], kHex[code & 15]};
+        piece = {
+            '\\',           'U', '+', kHex[code >> 12], kHex[code >> 8 & 15], kHex[code >> 4 & 15],
+            kHex[code & 15]};
     }
     if (out.size() + piece.size() > kMaxTextBytes) break;
     out += piece;
@@ -85,7 +88,9 @@ Text& Text::handle(int code_, uint64_t handle) {
   return *this;
 }
 
-Text& Text::point(int code, const Vec3& p) { return group(code, p.x).group(code + 10, p.y).group(code + 20, p.z); }
+Text& Text::point(int code, const Vec3& p) {
+  return group(code, p.x).group(code + 10, p.y).group(code + 20, p.z);
+}
 
 Text& Text::begin(std::string_view name, uint64_t own, uint64_t owner, int handle_code) {
   group(0, name);

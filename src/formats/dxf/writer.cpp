@@ -14,17 +14,21 @@ using namespace dxf;
 constexpr size_t kPieceBytes = size_t{1} << 20;  // of text, before it goes to the file
 constexpr size_t kTicks = 256;                   // entities between two looks at the task
 
-uint64_t handles_before_entities(const Drawing& drawing) { return kFirstFree + drawing.layers.all().size(); }
+uint64_t handles_before_entities(const Drawing& drawing) {
+  return kFirstFree + drawing.layers.all().size();
+}
 
 /// The first handle behind those of the entities, or one beyond: a polyline takes one for itself, each vertex and its
 /// end.
 uint64_t handles_end(const Drawing& drawing) {
-  uint64_t end = handles_before_entities(drawing) + drawing.labels.size() + drawing.triangles.size();
+  uint64_t end =
+      handles_before_entities(drawing) + drawing.labels.size() + drawing.triangles.size();
   for (const Polyline& line : drawing.polylines) end += line.corners.size() + 2;
   return end;
 }
 
-void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model, Version version, Task& task) {
+void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model, Version version,
+                    Task& task) {
   Text text(version);
   text.group(0, "SECTION").group(2, "ENTITIES");
   const std::vector<Layer>& layers = drawing.layers.all();
@@ -33,7 +37,8 @@ void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model
   for (size_t i = 0; i < total; ++i) {
     if (i % kTicks == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(total));
     if (i < lines) {
-      add_polyline(text, drawing.polylines[i], layers[drawing.polylines[i].layer], model, next_handle);
+      add_polyline(text, drawing.polylines[i], layers[drawing.polylines[i].layer], model,
+                   next_handle);
     } else {
       std::array<Vec3, 3> corners;
       for (size_t k = 0; k < 3; ++k) corners[k] = model.vertices[drawing.triangles[i - lines][k]];
@@ -41,7 +46,8 @@ void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model
     }
     if (text.size() >= kPieceBytes) file.write(text.take());
   }
-  for (const Label& label : drawing.labels) add_label(text, label, layers[label.layer], next_handle);
+  for (const Label& label : drawing.labels)
+    add_label(text, label, layers[label.layer], next_handle);
   text.group(0, "ENDSEC");
   file.write(text.take());
 }

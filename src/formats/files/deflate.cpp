@@ -18,14 +18,15 @@ struct Code {
   uint16_t base;
   uint8_t extra_bits;
 };
-constexpr std::array<Code, 29> kLengths = {{{3, 0},  {4, 0},  {5, 0},  {6, 0},  {7, 0},  {8, 0},   {9, 0},   {10, 0},
-                                            {11, 1}, {13, 1}, {15, 1}, {17, 1}, {19, 2}, {23, 2},  {27, 2},  {31, 2},
-                                            {35, 3}, {43, 3}, {51, 3}, {59, 3}, {67, 4}, {83, 4},  {99, 4},  {115, 4},
-                                            {131, 5}, {163, 5}, {195, 5}, {227, 5}, {258, 0}}};
+constexpr std::array<Code, 29> kLengths = {
+    {{3, 0},  {4, 0},  {5, 0},  {6, 0},   {7, 0},   {8, 0},   {9, 0},   {10, 0},  {11, 1}, {13, 1},
+     {15, 1}, {17, 1}, {19, 2}, {23, 2},  {27, 2},  {31, 2},  {35, 3},  {43, 3},  {51, 3}, {59, 3},
+     {67, 4}, {83, 4}, {99, 4}, {115, 4}, {131, 5}, {163, 5}, {195, 5}, {227, 5}, {258, 0}}};
 constexpr std::array<Code, 30> kDistances = {
-    {{1, 0},    {2, 0},    {3, 0},     {4, 0},     {5, 1},     {7, 1},     {9, 2},     {13, 2},
-     {17, 3},   {25, 3},   {33, 4},    {49, 4},    {65, 5},    {97, 5},    {129, 6},   {193, 6},
-     {257, 7},  {385, 7},  {513, 8},   {769, 8},   {1025, 9},  {1537, 9},  {2049, 10}, {3073, 10},
+    {{1, 0},     {2, 0},     {3, 0},     {4, 0},      {5, 1},      {7, 1},
+     {9, 2},     {13, 2},    {17, 3},    {25, 3},     {33, 4},     {49, 4},
+     {65, 5},    {97, 5},    {129, 6},   {193, 6},    {257, 7},    {385, 7},
+     {513, 8},   {769, 8},   {1025, 9},  {1537, 9},   {2049, 10},  {3073, 10},
      {4097, 11}, {6145, 11}, {8193, 12}, {12289, 12}, {16385, 13}, {24577, 13}}};
 
 class BitWriter {
@@ -33,7 +34,8 @@ class BitWriter {
   // Least significant bit first.
   void bits(uint32_t value, uint32_t count) {
     held_ |= uint64_t{value} << count_;
-    for (count_ += count; count_ >= 8; count_ -= 8, held_ >>= 8) out_ += static_cast<char>(held_ & 0xff);
+    for (count_ += count; count_ >= 8; count_ -= 8, held_ >>= 8)
+      out_ += static_cast<char>(held_ & 0xff);
   }
   // Codes go most significant bit first.
   void code(uint32_t value, uint32_t count) {
@@ -60,8 +62,8 @@ class BitWriter {
 
 template <size_t N>
 uint32_t code_of(const std::array<Code, N>& codes, size_t value) {
-  const auto after =
-      std::upper_bound(codes.begin(), codes.end(), value, [](size_t v, const Code& c) { return v < c.base; });
+  const auto after = std::upper_bound(codes.begin(), codes.end(), value,
+                                      [](size_t v, const Code& c) { return v < c.base; });
   return static_cast<uint32_t>(after - codes.begin()) - 1;
 }
 
@@ -111,7 +113,8 @@ std::string zlib_of(std::string_view bytes, size_t row_bytes) {
   writer.symbol(kEndOfBlock);
   writer.flush();
   const uint32_t sum = adler32(bytes);
-  for (int shift = 24; shift >= 0; shift -= 8) writer.out() += static_cast<char>(sum >> shift & 0xff);
+  for (int shift = 24; shift >= 0; shift -= 8)
+    writer.out() += static_cast<char>(sum >> shift & 0xff);
   return std::move(writer.out());
 }
 

@@ -10,7 +10,9 @@ namespace {
 
 constexpr size_t kNameBytes = 256;
 
-bool continues(std::string_view text, size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80; }
+bool continues(std::string_view text, size_t i) {
+  return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+}
 
 }  // namespace
 

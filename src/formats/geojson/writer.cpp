@@ -49,13 +49,16 @@ class GeoJson {
     json_.name("properties").begin_object().name("name").value(name).end_object().end_object();
   }
 
-  void add_position(const Vec3& p) { json_.begin_array().value(p.x).value(p.y).value(p.z).end_array(); }
+  void add_position(const Vec3& p) {
+    json_.begin_array().value(p.x).value(p.y).value(p.z).end_array();
+  }
 
   // Twice the area of the ring in plan: RFC 7946 wants outlines anticlockwise there, holes clockwise.
   double plan_area(const Ring& ring) const {
     double sum = 0;
     const auto corner = [&](uint64_t i) {
-      const Vec3 p = model_.vertices[model_.corners[ring.first + i]] - model_.vertices[model_.corners[ring.first]];
+      const Vec3 p = model_.vertices[model_.corners[ring.first + i]] -
+                     model_.vertices[model_.corners[ring.first]];
       return Vec2{p.x, p.y};
     };
     for (uint64_t i = 1; i + 1 < ring.count; ++i) sum += cross(corner(i), corner(i + 1));
@@ -79,10 +82,12 @@ class GeoJson {
     if (index >= model_.parts.size()) return;
     const Part& part = model_.parts[index];
     json_.name("class").value(part.part_class).name("name").value(part.name);
-    if (part.parent < model_.parts.size()) json_.name("part_of").value(model_.parts[part.parent].name);
+    if (part.parent < model_.parts.size())
+      json_.name("part_of").value(model_.parts[part.parent].name);
     json_.name("evidence").value(name_of(part.evidence));
     json_.name("copied").value(part.evidence == Evidence::kCopied);
-    if (part.copied_from < model_.parts.size()) json_.name("copied_from").value(model_.parts[part.copied_from].name);
+    if (part.copied_from < model_.parts.size())
+      json_.name("copied_from").value(model_.parts[part.copied_from].name);
     add_number("width_m", part.width_m);
     add_number("height_m", part.height_m);
     add_number("depth_m", part.depth_m);
@@ -93,9 +98,15 @@ class GeoJson {
     if (face.ring_count == 0 || model_.rings[face.first_ring].count < 3) return;
     const bool turned = plan_area(model_.rings[face.first_ring]) < 0;
     json_.begin_object().name("type").value("Feature").name("id").value(f);
-    json_.name("geometry").begin_object().name("type").value("Polygon").name("coordinates").begin_array();
+    json_.name("geometry")
+        .begin_object()
+        .name("type")
+        .value("Polygon")
+        .name("coordinates")
+        .begin_array();
     for (uint64_t r = 0; r < face.ring_count; ++r)
-      if (const Ring& ring = model_.rings[face.first_ring + r]; ring.count >= 3) add_ring(ring, turned);
+      if (const Ring& ring = model_.rings[face.first_ring + r]; ring.count >= 3)
+        add_ring(ring, turned);
     json_.end_array().end_object().name("properties").begin_object();
     json_.name("face").value(face.id);
     add_part(face.part);
@@ -114,7 +125,12 @@ class GeoJson {
     size_t done = 0;
     for (const auto& [id, triangles] : by_id) {
       json_.begin_object().name("type").value("Feature");
-      json_.name("geometry").begin_object().name("type").value("MultiPolygon").name("coordinates").begin_array();
+      json_.name("geometry")
+          .begin_object()
+          .name("type")
+          .value("MultiPolygon")
+          .name("coordinates")
+          .begin_array();
       for (const uint32_t t : triangles) {
         if (done++ % kTicks == 0) {
           task.checkpoint(static_cast<double>(done) / static_cast<double>(model_.triangles.size()));

@@ -16,7 +16,7 @@ namespace jalon::las {
 namespace {
 
 constexpr size_t kColumnsGrain = size_t{1} << 18;  // items a chunk when values are only looked at
-constexpr size_t kMaxPlainBytes = 255;      // of a dimension of type 0
+constexpr size_t kMaxPlainBytes = 255;             // of a dimension of type 0
 
 // Counts what does not fit, so that the answer is the same for any number of threads.
 template <class F>

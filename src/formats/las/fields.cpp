@@ -13,7 +13,8 @@ using enum ElementType;
 
 constexpr double kAngleStep = 0.006;  // degrees, of formats 6-10
 
-Dimension whole(const char* name, ElementType type, int offset, const char* unit, const char* meaning) {
+Dimension whole(const char* name, ElementType type, int offset, const char* unit,
+                const char* meaning) {
   return {{name, type, 1, unit, meaning}, {type, offset}};
 }
 
@@ -28,17 +29,45 @@ struct CoreDimension {
 
 // ASPRS LAS 1.4 R15, tables 7 and 15.
 constexpr CoreDimension kCore[] = {
-    {"return_number", kUint8, "", "number of this return, from 1", {kUint8, 14, 0, 3}, {kUint8, 14, 0, 4}},
-    {"number_of_returns", kUint8, "", "returns of the pulse", {kUint8, 14, 3, 3}, {kUint8, 14, 4, 4}},
-    {"scan_direction", kUint8, "", "1: the mirror moved to the left", {kUint8, 14, 6, 1}, {kUint8, 15, 6, 1}},
-    {"edge_of_flight_line", kUint8, "", "1: last point of a scan line", {kUint8, 14, 7, 1}, {kUint8, 15, 7, 1}},
+    {"return_number",
+     kUint8,
+     "",
+     "number of this return, from 1",
+     {kUint8, 14, 0, 3},
+     {kUint8, 14, 0, 4}},
+    {"number_of_returns",
+     kUint8,
+     "",
+     "returns of the pulse",
+     {kUint8, 14, 3, 3},
+     {kUint8, 14, 4, 4}},
+    {"scan_direction",
+     kUint8,
+     "",
+     "1: the mirror moved to the left",
+     {kUint8, 14, 6, 1},
+     {kUint8, 15, 6, 1}},
+    {"edge_of_flight_line",
+     kUint8,
+     "",
+     "1: last point of a scan line",
+     {kUint8, 14, 7, 1},
+     {kUint8, 15, 7, 1}},
     {"classification", kUint8, "", "ASPRS class", {kUint8, 15, 0, 5}, {kUint8, 16}},
     {"synthetic", kUint8, "", "1: not from a laser pulse", {kUint8, 15, 5, 1}, {kUint8, 15, 0, 1}},
     {"key_point", kUint8, "", "1: model key point", {kUint8, 15, 6, 1}, {kUint8, 15, 1, 1}},
     {"withheld", kUint8, "", "1: deleted", {kUint8, 15, 7, 1}, {kUint8, 15, 2, 1}},
-    {"overlap", kUint8, "", "1: in the overlap of two flight lines", {kUint8, -1}, {kUint8, 15, 3, 1}},
+    {"overlap",
+     kUint8,
+     "",
+     "1: in the overlap of two flight lines",
+     {kUint8, -1},
+     {kUint8, 15, 3, 1}},
     {"scanner_channel", kUint8, "", "scanner head", {kUint8, -1}, {kUint8, 15, 4, 2}},
-    {"scan_angle", kFloat32, "deg", "angle of the pulse across track",
+    {"scan_angle",
+     kFloat32,
+     "deg",
+     "angle of the pulse across track",
      {kInt8, 16},
      {kInt16, 18, 0, 0, kAngleStep}},
     {"user_data", kUint8, "", "", {kUint8, 17}, {kUint8, 17}},

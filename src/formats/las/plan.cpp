@@ -146,19 +146,20 @@ bool old_steps_fit(const Cloud& cloud, const Plan& plan, const Vec3& scale, cons
                    Task& task) {
   const std::span<const double> xyz = cloud.xyz();
   const Vec3 unit{plan.units.horizontal, plan.units.horizontal, plan.units.vertical};
-  return parallel_reduce<uint64_t>(task, cloud.size(), kPlanGrain, 0, [&](size_t begin, size_t end) {
-           uint64_t bad = 0;
-           for (size_t i = begin; i < end; ++i)
-             for (int k = 0; k < 3; ++k) {
-               const double steps =
-                   (xyz[3 * i + static_cast<size_t>(k)] / unit[k] - offset[k]) / scale[k];
-               bad += std::fabs(steps) <= kLargest &&
-                              std::fabs(steps - std::nearbyint(steps)) <= kExact
-                          ? 0
-                          : 1;
-             }
-           return bad;
-         }) == 0;
+  return parallel_reduce<uint64_t>(
+             task, cloud.size(), kPlanGrain, 0, [&](size_t begin, size_t end) {
+               uint64_t bad = 0;
+               for (size_t i = begin; i < end; ++i)
+                 for (int k = 0; k < 3; ++k) {
+                   const double steps =
+                       (xyz[3 * i + static_cast<size_t>(k)] / unit[k] - offset[k]) / scale[k];
+                   bad += std::fabs(steps) <= kLargest &&
+                                  std::fabs(steps - std::nearbyint(steps)) <= kExact
+                              ? 0
+                              : 1;
+                 }
+               return bad;
+             }) == 0;
 }
 
 void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, double wanted,

@@ -18,8 +18,8 @@ namespace {
 
 using namespace las;
 
-constexpr size_t kWriterGrain = size_t{1} << 14;       // points a chunk
-constexpr size_t kBatchBytes = size_t{8} << 20;  // encoded in parallel, then written in one go
+constexpr size_t kWriterGrain = size_t{1} << 14;  // points a chunk
+constexpr size_t kBatchBytes = size_t{8} << 20;   // encoded in parallel, then written in one go
 constexpr uint16_t kWktBit = 16, kTimeTypeBit = 1, kSyntheticReturnsBit = 8;
 
 /// What the header says about the points; sums and extremes, so the order of chunks does not
@@ -182,7 +182,8 @@ std::vector<std::byte> header_bytes(const Plan& plan, const Tally& tally, uint64
 
 Tally write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Task& task) {
   const size_t n = cloud.size();
-  const size_t batch = std::max<size_t>(kWriterGrain, kBatchBytes / plan.record_bytes / kWriterGrain * kWriterGrain);
+  const size_t batch =
+      std::max<size_t>(kWriterGrain, kBatchBytes / plan.record_bytes / kWriterGrain * kWriterGrain);
   const auto records =
       std::make_unique_for_overwrite<std::byte[]>(std::min(batch, n) * plan.record_bytes);
   Tally total;
@@ -190,10 +191,11 @@ Tally write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Task&
     const size_t count = std::min(batch, n - first);
     const auto fraction = [&](size_t i) { return static_cast<double>(i) / static_cast<double>(n); };
     ProgressSpan span(task, fraction(first), fraction(first + count));
-    total += parallel_reduce<Tally>(task, count, kWriterGrain, Tally{}, [&](size_t begin, size_t end) {
-      return put_points(plan, cloud, records.get() + begin * plan.record_bytes, first + begin,
-                        end - begin);
-    });
+    total +=
+        parallel_reduce<Tally>(task, count, kWriterGrain, Tally{}, [&](size_t begin, size_t end) {
+          return put_points(plan, cloud, records.get() + begin * plan.record_bytes, first + begin,
+                            end - begin);
+        });
     file.write(records.get(), count * plan.record_bytes);
   }
   return total;

@@ -167,7 +167,8 @@ bool Notes::read(std::string_view text, size_t triangles_so_far) {
 void Notes::line(std::span<const uint32_t> vertices) {
   if (!wants_ring_) return;
   wants_ring_ = false;
-  if (vertices.size() > 1 && vertices.front() == vertices.back()) vertices = vertices.first(vertices.size() - 1);
+  if (vertices.size() > 1 && vertices.front() == vertices.back())
+    vertices = vertices.first(vertices.size() - 1);
   rings_.push_back({corners_.size(), vertices.size(), hole_part_});
   corners_.insert(corners_.end(), vertices.begin(), vertices.end());
   ++faces_.back().ring_count;
@@ -176,7 +177,8 @@ void Notes::line(std::span<const uint32_t> vertices) {
 bool Notes::build(Model& model) {
   for (Part& part : parts_) {
     uint64_t at = part.parent;  // a walk upward must end
-    for (size_t steps = 0; at < parts_.size() && steps < kMaxPartLevels; ++steps) at = parts_[at].parent;
+    for (size_t steps = 0; at < parts_.size() && steps < kMaxPartLevels; ++steps)
+      at = parts_[at].parent;
     if (at < parts_.size()) return false;
   }
   for (Part& part : parts_) {
@@ -188,7 +190,8 @@ bool Notes::build(Model& model) {
   for (Ring& ring : rings_)
     if (ring.part >= parts_.size()) ring.part = kNoPart;
   for (const Solid& solid : solids_)
-    if (solid.first_face > faces_.size() || solid.face_count > faces_.size() - solid.first_face) return false;
+    if (solid.first_face > faces_.size() || solid.face_count > faces_.size() - solid.first_face)
+      return false;
   model.crs = std::move(crs_);
   model.parts = std::move(parts_);
   model.rings = std::move(rings_);

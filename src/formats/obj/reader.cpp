@@ -66,22 +66,23 @@ class ObjReader {
 
   // The faces that the notes tell, instead of the triangles and polygons that draw them.
   void build_faces() {
-    const auto own = static_cast<std::ptrdiff_t>(std::min(notes_.own_triangles(model_.triangles.size()),
-                                                          model_.triangles.size()));
+    const auto own = static_cast<std::ptrdiff_t>(
+        std::min(notes_.own_triangles(model_.triangles.size()), model_.triangles.size()));
     model_.triangles.erase(model_.triangles.begin(), model_.triangles.begin() + own);
     group_of_triangle_.erase(group_of_triangle_.begin(), group_of_triangle_.begin() + own);
     std::vector<uint32_t> number_of_group;  // "face_7" is 7
     for (size_t g = 0; g < model_.parts.size(); ++g) {
       int64_t number = 0;
       const std::string& name = model_.parts[g].name;
-      const bool known = name.starts_with("face_") && parse_integer(name.substr(5), number) && number >= 0 &&
-                         number <= std::numeric_limits<uint32_t>::max();
+      const bool known = name.starts_with("face_") && parse_integer(name.substr(5), number) &&
+                         number >= 0 && number <= std::numeric_limits<uint32_t>::max();
       number_of_group.push_back(known ? static_cast<uint32_t>(number) : static_cast<uint32_t>(g));
     }
     model_.triangle_faces.clear();
     for (const uint32_t g : group_of_triangle_)
       model_.triangle_faces.push_back(g < number_of_group.size() ? number_of_group[g] : g);
-    if (!notes_.build(model_)) refuse("the notes \"#:\" on parts, faces and solids do not fit together");
+    if (!notes_.build(model_))
+      refuse("the notes \"#:\" on parts, faces and solids do not fit together");
   }
 
   static bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -151,7 +152,8 @@ class ObjReader {
     if (model_.parts.empty()) group("default");
     Face face;
     face.part = group_;
-    face.id = static_cast<uint32_t>(std::min<size_t>(model_.faces.size(), std::numeric_limits<uint32_t>::max()));
+    face.id = static_cast<uint32_t>(
+        std::min<size_t>(model_.faces.size(), std::numeric_limits<uint32_t>::max()));
     face.first_ring = model_.rings.size();
     face.ring_count = 1;
     model_.rings.push_back({model_.corners.size(), polygon_.size()});

@@ -84,7 +84,8 @@ void append_outlines(std::string& out, const Model& model, const Face& face) {
 // Solids name their faces by their order in the file: those without an outline do not stand there.
 void append_solids(std::string& out, const Model& model) {
   std::vector<uint64_t> before{0};
-  for (const Face& face : model.faces) before.push_back(before.back() + (has_outline(model, face) ? 1 : 0));
+  for (const Face& face : model.faces)
+    before.push_back(before.back() + (has_outline(model, face) ? 1 : 0));
   for (Solid solid : model.solids) {
     const uint64_t end = before[solid.first_face + solid.face_count];
     solid.first_face = before[solid.first_face];
@@ -124,18 +125,22 @@ void write_mesh(AtomicFile& file, const Model& model, Task& task) {
   if (triangles.empty()) return;
   file.write("o mesh\n");
   const bool by_part = is_mesh_by_part(model);
-  write_in_batches(triangles.size(), kBatch, kBatch, file, task, [&](size_t begin, size_t end, std::string& out) {
-    for (size_t i = begin; i < end; ++i) {
-      const uint32_t id = model.triangle_faces[triangles[i]];
-      if (i == 0 || id != model.triangle_faces[triangles[i - 1]]) {
-        const std::string number = std::to_string(id);
-        out += "g " + (by_part ? word_of(model.parts[id].name, "part_" + number) : "face_" + number) + "\n";
-      }
-      out += "f";
-      for (const uint32_t corner : model.triangles[triangles[i]]) append_corner(out, corner);
-      out += "\n";
-    }
-  });
+  write_in_batches(
+      triangles.size(), kBatch, kBatch, file, task,
+      [&](size_t begin, size_t end, std::string& out) {
+        for (size_t i = begin; i < end; ++i) {
+          const uint32_t id = model.triangle_faces[triangles[i]];
+          if (i == 0 || id != model.triangle_faces[triangles[i - 1]]) {
+            const std::string number = std::to_string(id);
+            out += "g " +
+                   (by_part ? word_of(model.parts[id].name, "part_" + number) : "face_" + number) +
+                   "\n";
+          }
+          out += "f";
+          for (const uint32_t corner : model.triangles[triangles[i]]) append_corner(out, corner);
+          out += "\n";
+        }
+      });
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 using namespace ply;
 
-constexpr size_t kReaderGrain = size_t{1} << 15;        // vertices a chunk
+constexpr size_t kReaderGrain = size_t{1} << 15;  // vertices a chunk
 constexpr size_t kBlockBytes = size_t{96} << 10;  // read at once
 constexpr size_t kTicks = 4096;                   // items between two looks at the task
 

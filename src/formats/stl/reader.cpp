@@ -27,7 +27,8 @@ class Vertices {
 
   uint32_t add(const Vec3& p) {
     const Vec3 q{p.x + 0.0, p.y + 0.0, p.z + 0.0};  // -0 and 0 are the same place
-    const auto [entry, added] = index_.try_emplace(q, static_cast<uint32_t>(model_.vertices.size()));
+    const auto [entry, added] =
+        index_.try_emplace(q, static_cast<uint32_t>(model_.vertices.size()));
     if (added) model_.vertices.push_back(p);
     return entry->second;
   }
@@ -35,7 +36,8 @@ class Vertices {
  private:
   struct Hash {
     size_t operator()(const Vec3& p) const {
-      uint64_t h = 0x9E3779B97F4A7C15u;  // splitmix64 (Steele et al. 2014) over the bits of the coordinates
+      uint64_t h =
+          0x9E3779B97F4A7C15u;  // splitmix64 (Steele et al. 2014) over the bits of the coordinates
       for (int k = 0; k < 3; ++k) {
         h ^= std::bit_cast<uint64_t>(p[k]);
         h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -64,7 +66,8 @@ Vec3 shift_of(std::string_view header) {
     const size_t begin = header.find_first_not_of(' ');
     if (begin == std::string_view::npos) return {};
     const size_t end = std::min(header.find(' ', begin), header.size());
-    if (!parse_number(header.substr(begin, end - begin), shift[k]) || !std::isfinite(shift[k])) return {};
+    if (!parse_number(header.substr(begin, end - begin), shift[k]) || !std::isfinite(shift[k]))
+      return {};
     header.remove_prefix(end);
   }
   return shift;
@@ -82,7 +85,8 @@ Model read_binary(const ByteSource& source, Task& task) {
   std::vector<char> records(std::min(count, kBlock) * stl::kRecordBytes);
   for (uint64_t first = 0; first < count; first += kBlock) {
     task.checkpoint(static_cast<double>(first) / static_cast<double>(count));
-    const uint64_t n = std::min(kBlock, count - first), offset = sizeof head + first * stl::kRecordBytes;
+    const uint64_t n = std::min(kBlock, count - first),
+                   offset = sizeof head + first * stl::kRecordBytes;
     source.read(offset, records.data(), n * stl::kRecordBytes);
     for (uint64_t i = 0; i < n; ++i) {
       std::array<uint32_t, 3> triangle;
@@ -104,7 +108,8 @@ Model read_binary(const ByteSource& source, Task& task) {
 /// solid NAME, facets of one loop of three vertices each, endsolid; several solids make several parts.
 class AsciiStl {
  public:
-  AsciiStl(const ByteSource& source, Task& task) : source_(source), task_(task), lines_(source), vertices_(model_) {}
+  AsciiStl(const ByteSource& source, Task& task)
+      : source_(source), task_(task), lines_(source), vertices_(model_) {}
 
   Model run() {
     std::string_view line;
@@ -151,12 +156,14 @@ class AsciiStl {
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = next_word(line);
       ParsedNumber number;
-      if (word.empty() || parse_number_at(word.data(), word.data() + word.size(), number) != word.data() + word.size())
+      if (word.empty() || parse_number_at(word.data(), word.data() + word.size(), number) !=
+                              word.data() + word.size())
         refuse("a vertex needs three numbers");
       p[k] = number.value;
     }
     if (!is_finite(p)) refuse("a vertex is not finite");
-    if (model_.vertices.size() == std::numeric_limits<uint32_t>::max()) refuse("more than 2^32 vertices");
+    if (model_.vertices.size() == std::numeric_limits<uint32_t>::max())
+      refuse("more than 2^32 vertices");
     triangle_[corners_++] = vertices_.add(p);
     if (corners_ < 3) return;
     corners_ = 0;
@@ -183,7 +190,8 @@ class AsciiStl {
 bool is_binary_stl(const ByteSource& source) {
   char head[stl::kHeaderBytes + stl::kCountBytes];
   if (source.read_some(0, head, sizeof head) < sizeof head) return false;
-  return source.size() - sizeof head == uint64_t{load<uint32_t>(head + stl::kHeaderBytes)} * stl::kRecordBytes;
+  return source.size() - sizeof head ==
+         uint64_t{load<uint32_t>(head + stl::kHeaderBytes)} * stl::kRecordBytes;
 }
 
 Model read_stl(const ByteSource& source, const ReadSettings&, Task& task) {

@@ -58,7 +58,8 @@ Vec3 shift_of(const Model& model, const Triangles& triangles) {
     for (const uint32_t v : t) box.add(model.vertices[v]);
   if (box.empty()) return {};
   bool far = false;
-  for (int k = 0; k < 3; ++k) far = far || std::max(std::fabs(box.min[k]), std::fabs(box.max[k])) > kFarAway_m;
+  for (int k = 0; k < 3; ++k)
+    far = far || std::max(std::fabs(box.min[k]), std::fabs(box.max[k])) > kFarAway_m;
   return far ? Vec3{std::floor(box.min.x), std::floor(box.min.y), std::floor(box.min.z)} : Vec3{};
 }
 
@@ -69,7 +70,8 @@ std::string header_text(const Vec3& shift) {
 }
 
 void write_binary(AtomicFile& file, const Model& model, const Triangles& triangles, Task& task) {
-  if (triangles.corners.size() > 0xFFFFFFFFu) fail(Status::kLimit, "an STL file holds at most 2^32 triangles");
+  if (triangles.corners.size() > 0xFFFFFFFFu)
+    fail(Status::kLimit, "an STL file holds at most 2^32 triangles");
   Vec3 shift = shift_of(model, triangles);
   std::string head = header_text(shift);
   if (head.size() > stl::kHeaderBytes) head = header_text(shift = {});  // far beyond any map
@@ -83,11 +85,13 @@ void write_binary(AtomicFile& file, const Model& model, const Triangles& triangl
     char record[stl::kRecordBytes] = {};
     const auto put = [&](size_t at, const Vec3& v) {
       for (int k = 0; k < 3; ++k)
-        store<float, std::endian::little>(record + at + 4 * static_cast<size_t>(k), static_cast<float>(v[k]));
+        store<float, std::endian::little>(record + at + 4 * static_cast<size_t>(k),
+                                          static_cast<float>(v[k]));
     };
     for (size_t i = begin; i < end; ++i) {
       put(0, normal_of_triangle(model, triangles.corners[i]));
-      for (size_t k = 0; k < 3; ++k) put(12 * (k + 1), model.vertices[triangles.corners[i][k]] - shift);
+      for (size_t k = 0; k < 3; ++k)
+        put(12 * (k + 1), model.vertices[triangles.corners[i][k]] - shift);
       out.append(record, sizeof record);
     }
   });
@@ -96,7 +100,8 @@ void write_binary(AtomicFile& file, const Model& model, const Triangles& triangl
 // A solid a part, coordinates exactly as they are.
 void write_ascii(AtomicFile& file, const Model& model, const Triangles& triangles, Task& task) {
   const auto name = [&](uint32_t part) {
-    return part < model.parts.size() ? name_from_file(model.parts[part].name, "part") : std::string("mesh");
+    return part < model.parts.size() ? name_from_file(model.parts[part].name, "part")
+                                     : std::string("mesh");
   };
   const size_t n = triangles.corners.size();
   const auto vector = [](std::string& out, const Vec3& v) {
@@ -110,7 +115,8 @@ void write_ascii(AtomicFile& file, const Model& model, const Triangles& triangle
   write_in_batches(n, kBatch, kGrain, file, task, [&](size_t begin, size_t end, std::string& out) {
     for (size_t i = begin; i < end; ++i) {
       const uint32_t part = triangles.parts[i];
-      if (i == 0 || triangles.parts[i - 1] != part) out.append("solid ").append(name(part)).append("\n");
+      if (i == 0 || triangles.parts[i - 1] != part)
+        out.append("solid ").append(name(part)).append("\n");
       out += "facet normal";
       vector(out, normal_of_triangle(model, triangles.corners[i]));
       out += "outer loop\n";
@@ -119,7 +125,8 @@ void write_ascii(AtomicFile& file, const Model& model, const Triangles& triangle
         vector(out, model.vertices[v]);
       }
       out += "endloop\nendfacet\n";
-      if (i + 1 == n || triangles.parts[i + 1] != part) out.append("endsolid ").append(name(part)).append("\n");
+      if (i + 1 == n || triangles.parts[i + 1] != part)
+        out.append("endsolid ").append(name(part)).append("\n");
     }
   });
 }

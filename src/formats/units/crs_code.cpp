@@ -19,7 +19,8 @@ uint32_t last_number(std::string_view text) {
   const std::string_view digits = at == std::string_view::npos ? text : text.substr(at + 1);
   uint32_t code = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code);
-  return error == std::errc() && end == digits.data() + digits.size() && code <= kMaxCode ? code : 0;
+  return error == std::errc() && end == digits.data() + digits.size() && code <= kMaxCode ? code
+                                                                                          : 0;
 }
 
 // AUTHORITY["EPSG","2154"] (WKT 1) or ID["EPSG",2154] (WKT 2), inside the outermost bracket only.
@@ -40,7 +41,8 @@ uint32_t code_of_wkt(std::string_view text) {
   }
   if (start == std::string_view::npos || !text.substr(start).starts_with("\"EPSG\",")) return 0;
   std::string_view digits = text.substr(start + 7);
-  while (!digits.empty() && (digits.front() == '"' || digits.front() == ' ')) digits.remove_prefix(1);
+  while (!digits.empty() && (digits.front() == '"' || digits.front() == ' '))
+    digits.remove_prefix(1);
   uint32_t code = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code);
   return error == std::errc() && code <= kMaxCode ? code : 0;
@@ -54,7 +56,8 @@ uint32_t metric_epsg_code(std::string_view crs) {
                      small.find("/def/crs/epsg/") != std::string::npos;
   const uint32_t code = named ? last_number(crs) : code_of_wkt(crs);
   if (code == 0) return 0;
-  const LengthUnits units = named ? units_of_crs("EPSG:" + std::to_string(code)) : units_of_crs(crs);
+  const LengthUnits units =
+      named ? units_of_crs("EPSG:" + std::to_string(code)) : units_of_crs(crs);
   return units.metres() && !units.degrees ? code : 0;
 }
 

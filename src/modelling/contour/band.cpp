@@ -24,13 +24,15 @@ float spacing_about(const CellRows& rows, size_t cell) {
   uint64_t cells = 0, points = 0;
   for (uint64_t r = row > 2 ? row - 2 : 0; r <= row + 2; ++r) {
     const uint64_t from = r << 32 | (column > 2 ? column - 2 : 0), to = r << 32 | (column + 2);
-    auto c = static_cast<size_t>(std::lower_bound(rows.keys.begin(), rows.keys.end(), from) - rows.keys.begin());
+    auto c = static_cast<size_t>(std::lower_bound(rows.keys.begin(), rows.keys.end(), from) -
+                                 rows.keys.begin());
     for (; c < rows.keys.size() && rows.keys[c] <= to; ++c) {
       ++cells;
       points += rows.first[c + 1] - rows.first[c];
     }
   }
-  return static_cast<float>(rows.cell_m * std::sqrt(static_cast<double>(cells) / static_cast<double>(points)));
+  return static_cast<float>(rows.cell_m *
+                            std::sqrt(static_cast<double>(cells) / static_cast<double>(points)));
 }
 
 // Sums over the points of a cell, about a place near them.
@@ -47,7 +49,8 @@ struct CellMoments {
   }
   /// Standard deviation across the line that fits best.
   double thickness() const {
-    const double a = uu / n - u * u / (n * n), b = uv / n - u * v / (n * n), c = vv / n - v * v / (n * n);
+    const double a = uu / n - u * u / (n * n), b = uv / n - u * v / (n * n),
+                 c = vv / n - v * v / (n * n);
     const double least = (a + c) / 2 - std::hypot((a - c) / 2, b);
     return std::sqrt(std::max(0.0, least));
   }
@@ -55,11 +58,12 @@ struct CellMoments {
 
 // Cells whose points, with those of the cells around them, lie in a line: where another surface crosses the plane it
 // leaves a string of its points there, and a string bounds nothing; no more does a point far from all others.
-std::vector<uint8_t> strings_of(const CellRows& rows, std::span<const Vec2> points, std::span<const uint8_t> deep,
-                                double spacing_m) {
+std::vector<uint8_t> strings_of(const CellRows& rows, std::span<const Vec2> points,
+                                std::span<const uint8_t> deep, double spacing_m) {
   std::vector<CellMoments> moments(rows.keys.size());
   for (size_t c = 0; c < rows.keys.size(); ++c)
-    for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k) moments[c].add(points[rows.order[k]] - rows.corner);
+    for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k)
+      moments[c].add(points[rows.order[k]] - rows.corner);
   std::vector<uint8_t> out(rows.keys.size(), 0);
   for (size_t c = 0; c < rows.keys.size(); ++c) {
     if (deep[c] != 0) continue;
@@ -67,7 +71,8 @@ std::vector<uint8_t> strings_of(const CellRows& rows, std::span<const Vec2> poin
     CellMoments sum;
     for (uint64_t r = row > 1 ? row - 1 : 0; r <= row + 1; ++r) {
       const uint64_t from = r << 32 | (column > 1 ? column - 1 : 0), to = r << 32 | (column + 1);
-      auto i = static_cast<size_t>(std::lower_bound(rows.keys.begin(), rows.keys.end(), from) - rows.keys.begin());
+      auto i = static_cast<size_t>(std::lower_bound(rows.keys.begin(), rows.keys.end(), from) -
+                                   rows.keys.begin());
       for (; i < rows.keys.size() && rows.keys[i] <= to; ++i) sum.add(moments[i]);
     }
     out[c] = sum.thickness() < kStringOfSpacing * spacing_m;
@@ -116,18 +121,23 @@ std::vector<Triangle2> all_triangles(const ContourBand& band, Task& task) {
 std::vector<Triangle2> short_triangles(const ContourBand& band, double max_edge_m, Task& task) {
   auto triangles = all_triangles(band, task);
   const double limit = max_edge_m * max_edge_m;
-  const auto is_long = [&](uint32_t a, uint32_t b) { return squared(band.points[a] - band.points[b]) > limit; };
+  const auto is_long = [&](uint32_t a, uint32_t b) {
+    return squared(band.points[a] - band.points[b]) > limit;
+  };
   std::erase_if(triangles, [&](const Triangle2& t) {
-    return !is_inner(band, t) && (is_long(t[0], t[1]) || is_long(t[1], t[2]) || is_long(t[2], t[0]));
+    return !is_inner(band, t) &&
+           (is_long(t[0], t[1]) || is_long(t[1], t[2]) || is_long(t[2], t[0]));
   });
   return triangles;
 }
 
-std::vector<Triangle2> alpha_triangles(const ContourBand& band, double radius_m, double typical_m, Task& task) {
+std::vector<Triangle2> alpha_triangles(const ContourBand& band, double radius_m, double typical_m,
+                                       Task& task) {
   auto triangles = all_triangles(band, task);
   const auto limit_of = [&](const Triangle2& t) {
     if (typical_m == 0) return radius_m;
-    const double local = std::max({band.spacing_m[t[0]], band.spacing_m[t[1]], band.spacing_m[t[2]]});
+    const double local =
+        std::max({band.spacing_m[t[0]], band.spacing_m[t[1]], band.spacing_m[t[2]]});
     return radius_m * std::clamp(local / typical_m, kLeastLocal, kMostLocal);
   };
   std::erase_if(triangles, [&](const Triangle2& t) {

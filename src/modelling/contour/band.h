@@ -15,8 +15,8 @@ namespace jalon {
 /// The points of a segment that can lie on a contour.
 struct ContourBand {
   std::vector<Vec2> points;
-  std::vector<uint8_t> is_inner;   ///< in a raster cell whose eight neighbours are all occupied
-  std::vector<float> spacing_m;    ///< of the points about it: root of the occupied area a point
+  std::vector<uint8_t> is_inner;  ///< in a raster cell whose eight neighbours are all occupied
+  std::vector<float> spacing_m;   ///< of the points about it: root of the occupied area a point
 };
 
 /// Leaves out the points of cells that are inner and have only inner neighbours, those that lie in
@@ -35,6 +35,7 @@ std::vector<Triangle2> all_triangles(const ContourBand& band, Task& task);
 std::vector<Triangle2> short_triangles(const ContourBand& band, double max_edge_m, Task& task);
 /// Those with a circumradius up to radius_m; where the points lie further or less far apart than typical_m, in
 /// proportion (within limits). typical_m = 0: radius_m everywhere.
-std::vector<Triangle2> alpha_triangles(const ContourBand& band, double radius_m, double typical_m, Task& task);
+std::vector<Triangle2> alpha_triangles(const ContourBand& band, double radius_m, double typical_m,
+                                       Task& task);
 
 }  // namespace jalon

@@ -90,7 +90,8 @@ void split_at_repeats(std::span<const uint32_t> walk, std::vector<uint32_t>& pos
 
 }  // namespace
 
-std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles, std::span<const Vec2> points) {
+std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles,
+                                          std::span<const Vec2> points) {
   const HalfEdges edges = pair_half_edges(triangles);
   std::vector<uint32_t> piece_of;
   std::vector<BoundaryPiece> pieces(label_pieces(edges, piece_of));

@@ -23,6 +23,7 @@ struct BoundaryPiece {
 /// Before: triangles anticlockwise, each undirected edge in at most two. After: pieces in the order
 /// of their first triangle, their areas above 0; every edge with one triangle stands in one ring.
 /// O(t log t).
-std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles, std::span<const Vec2> points);
+std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles,
+                                          std::span<const Vec2> points);
 
 }  // namespace jalon

@@ -16,15 +16,18 @@ namespace jalon {
 namespace {
 
 // Steps 3 of both modes: widest gap that is still surface where the spacing is typical.
-double widest_gap(std::span<const Vec2> points, double spacing_m, const ContourSetting& setting, Task& task) {
+double widest_gap(std::span<const Vec2> points, double spacing_m, const ContourSetting& setting,
+                  Task& task) {
   if (setting.max_edge_m > 0) return setting.max_edge_m;
-  if (setting.mode == ContourMode::kAlpha) return 2 * setting.alpha_factor * spacing_m;  // a circle's diameter
+  if (setting.mode == ContourMode::kAlpha)
+    return 2 * setting.alpha_factor * spacing_m;  // a circle's diameter
   const ContourBand band = contour_band(points, kMostSpacings * spacing_m / 2, spacing_m, {});
   return long_edge_threshold(edge_lengths(band.points, all_triangles(band, task)), spacing_m);
 }
 
 // Step 5: rings of one piece become its outline and the openings that are large enough.
-ContourPiece make_piece(const BoundaryPiece& rings, std::span<const Vec2> points, const ContourSetting& setting) {
+ContourPiece make_piece(const BoundaryPiece& rings, std::span<const Vec2> points,
+                        const ContourSetting& setting) {
   ContourPiece piece;
   piece.area_m2 = rings.area;
   double outline_area = 0;
@@ -69,16 +72,19 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
   task.checkpoint(0);
   // 3. Triangles that span no gap.
   const bool is_local = setting.max_edge_m == 0;
-  const auto triangles = setting.mode == ContourMode::kAlpha
-                             ? alpha_triangles(band, out.max_edge_m / 2, is_local ? out.spacing_m : 0, task)
-                             : short_triangles(band, out.max_edge_m, task);
+  const auto triangles =
+      setting.mode == ContourMode::kAlpha
+          ? alpha_triangles(band, out.max_edge_m / 2, is_local ? out.spacing_m : 0, task)
+          : short_triangles(band, out.max_edge_m, task);
   task.checkpoint(0);
   // 4. Their borders as rings, piece by piece.  5. Outline and openings.
   for (const auto& rings : boundary_rings(triangles, band.points))
-    if (rings.area >= setting.min_area_m2) out.pieces.push_back(make_piece(rings, band.points, setting));
+    if (rings.area >= setting.min_area_m2)
+      out.pieces.push_back(make_piece(rings, band.points, setting));
   std::erase_if(out.pieces, [](const ContourPiece& piece) { return piece.outline.size() < 3; });
-  std::stable_sort(out.pieces.begin(), out.pieces.end(),
-                   [](const ContourPiece& a, const ContourPiece& b) { return a.area_m2 > b.area_m2; });
+  std::stable_sort(
+      out.pieces.begin(), out.pieces.end(),
+      [](const ContourPiece& a, const ContourPiece& b) { return a.area_m2 > b.area_m2; });
   return out;
 }
 

@@ -20,9 +20,10 @@ enum class ContourMode : uint8_t {
 
 struct ContourSetting {
   ContourMode mode = ContourMode::kAlpha;
-  double max_edge_m = 0;       ///< widest gap that counts as surface; 0 = from the spacing or the edge lengths
+  double max_edge_m =
+      0;  ///< widest gap that counts as surface; 0 = from the spacing or the edge lengths
   double alpha_factor = 2;   ///< largest circumradius in local spacings, when max_edge_m is 0
-  double min_area_m2 = 0.1;    ///< of a connected piece, its openings taken off
+  double min_area_m2 = 0.1;  ///< of a connected piece, its openings taken off
   double min_opening_area_m2 = 0.1;
   double min_opening_width_m = 0.2;
 };

@@ -10,11 +10,13 @@ namespace jalon {
 namespace {
 
 constexpr double kFallbackSpacings = 3;
-constexpr double kCurveEnd = 10;  // spacings: the few edges across whole openings would flatten the rest of the curve
+constexpr double kCurveEnd =
+    10;  // spacings: the few edges across whole openings would flatten the rest of the curve
 
 }  // namespace
 
-std::vector<double> edge_lengths(std::span<const Vec2> points, std::span<const Triangle2> triangles) {
+std::vector<double> edge_lengths(std::span<const Vec2> points,
+                                 std::span<const Triangle2> triangles) {
   std::vector<uint64_t> edges;
   edges.reserve(3 * triangles.size());
   for (const Triangle2& t : triangles)
@@ -33,7 +35,8 @@ std::vector<double> edge_lengths(std::span<const Vec2> points, std::span<const T
 
 double long_edge_threshold(std::span<const double> lengths, double spacing_m) {
   const double end = kCurveEnd * spacing_m;
-  const auto count = static_cast<size_t>(std::upper_bound(lengths.begin(), lengths.end(), end) - lengths.begin());
+  const auto count =
+      static_cast<size_t>(std::upper_bound(lengths.begin(), lengths.end(), end) - lengths.begin());
   double knee = kFallbackSpacings * spacing_m, farthest = 0;
   for (size_t i = 0; i < count; ++i) {
     const double along = static_cast<double>(i + 1) / static_cast<double>(count);
@@ -45,8 +48,8 @@ double long_edge_threshold(std::span<const double> lengths, double spacing_m) {
   return std::clamp(knee, kLeastSpacings * spacing_m, kMostSpacings * spacing_m);
 }
 
-std::vector<uint32_t> long_edge_points(std::span<const Vec2> points, std::span<const Triangle2> triangles,
-                                       double threshold_m) {
+std::vector<uint32_t> long_edge_points(std::span<const Vec2> points,
+                                       std::span<const Triangle2> triangles, double threshold_m) {
   std::vector<uint8_t> is_contour(points.size(), 0);
   for (const Triangle2& t : triangles)
     for (size_t k = 0; k < 3; ++k) {

@@ -17,7 +17,8 @@ namespace jalon {
 constexpr double kLeastSpacings = 2, kMostSpacings = 5;
 
 /// Length of every edge of the triangles, each once, ascending: the curve that the threshold is read from. O(t log t).
-std::vector<double> edge_lengths(std::span<const Vec2> points, std::span<const Triangle2> triangles);
+std::vector<double> edge_lengths(std::span<const Vec2> points,
+                                 std::span<const Triangle2> triangles);
 
 /// Threshold at the knee of that curve: where it lies farthest below the chord from its first length to 10 spacings,
 /// but 2 to 5 spacings. 3 spacings when there are no edges.
@@ -25,7 +26,7 @@ double long_edge_threshold(std::span<const double> lengths, double spacing_m);
 
 /// End points of the edges longer than threshold_m: outer and inner contours together. After:
 /// indices of points, ascending, none twice. O(t log t).
-std::vector<uint32_t> long_edge_points(std::span<const Vec2> points, std::span<const Triangle2> triangles,
-                                       double threshold_m);
+std::vector<uint32_t> long_edge_points(std::span<const Vec2> points,
+                                       std::span<const Triangle2> triangles, double threshold_m);
 
 }  // namespace jalon

@@ -50,7 +50,8 @@ ComparedAreas& ComparedAreas::operator+=(const ComparedAreas& b) {
 }
 
 AreaIndices area_indices(const ComparedAreas& areas, IndexFormulas formulas) {
-  const double shared = areas.intersection_m2, excess = areas.excess_m2(), deficit = areas.deficit_m2();
+  const double shared = areas.intersection_m2, excess = areas.excess_m2(),
+               deficit = areas.deficit_m2();
   AreaIndices out;
   out.completeness = rate(shared, areas.reference_m2);
   out.correctness = rate(shared, areas.automatic_m2);
@@ -86,20 +87,27 @@ void require_areas(std::span<const ComparedAreas> rows) {
       if (!(area >= 0) || !std::isfinite(area))
         fail(Status::kInvalidArgument, "row %zu has an area that is negative or not finite", i);
     if (r.intersection_m2 > r.automatic_m2 || r.intersection_m2 > r.reference_m2)
-      fail(Status::kInvalidArgument, "row %zu: the intersection is larger than one of the two areas", i);
+      fail(Status::kInvalidArgument,
+           "row %zu: the intersection is larger than one of the two areas", i);
   }
 }
 
 FieldTable index_table(std::span<const ComparedAreas> rows, IndexFormulas formulas) {
   FieldTable t;
   using C = ComparedAreas;
-  add_column<double>(t, rows, "area_automatic", "m2", "|SA|", [](const C& r) { return r.automatic_m2; });
-  add_column<double>(t, rows, "area_reference", "m2", "|SR|", [](const C& r) { return r.reference_m2; });
-  add_column<double>(t, rows, "intersection", "m2", "TP: area of both", [](const C& r) { return r.intersection_m2; });
-  add_column<double>(t, rows, "excess", "m2", "FP: area of SA alone", [](const C& r) { return r.excess_m2(); });
-  add_column<double>(t, rows, "deficit", "m2", "FN: area of SR alone", [](const C& r) { return r.deficit_m2(); });
+  add_column<double>(t, rows, "area_automatic", "m2", "|SA|",
+                     [](const C& r) { return r.automatic_m2; });
+  add_column<double>(t, rows, "area_reference", "m2", "|SR|",
+                     [](const C& r) { return r.reference_m2; });
+  add_column<double>(t, rows, "intersection", "m2", "TP: area of both",
+                     [](const C& r) { return r.intersection_m2; });
+  add_column<double>(t, rows, "excess", "m2", "FP: area of SA alone",
+                     [](const C& r) { return r.excess_m2(); });
+  add_column<double>(t, rows, "deficit", "m2", "FN: area of SR alone",
+                     [](const C& r) { return r.deficit_m2(); });
   for (const IndexColumn& c : kIndexColumns)
-    add_column<double>(t, rows, c.name, "1", c.meaning, [&](const C& r) { return area_indices(r, formulas).*c.value; });
+    add_column<double>(t, rows, c.name, "1", c.meaning,
+                       [&](const C& r) { return area_indices(r, formulas).*c.value; });
   return t;
 }
 

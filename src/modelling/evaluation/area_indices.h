@@ -14,7 +14,7 @@ namespace jalon {
 /// Which definitions the indices follow (Boulaassal 2010, 5.6.3.2, table 5.5).
 enum class IndexFormulas : uint8_t {
   kCanonical,  ///< of the literature: branching FP/TP, miss FN/TP, failure FP/|SR| (the false alarm rate)
-  kThesis,     ///< as printed in Boulaassal 2010: rho_b = |SR \ SA| / TP, rho_m = |SA \ SR| / TP: the two swapped
+  kThesis,  ///< as printed in Boulaassal 2010: rho_b = |SR \ SA| / TP, rho_m = |SA \ SR| / TP: the two swapped
 };
 struct IndexSettings {
   IndexFormulas formulas = IndexFormulas::kCanonical;
@@ -23,8 +23,8 @@ struct IndexSettings {
 /// Areas of an automatic polygon SA, its reference SR and their intersection, in one plane.
 struct ComparedAreas {
   double automatic_m2 = 0, reference_m2 = 0, intersection_m2 = 0;
-  double excess_m2() const { return automatic_m2 - intersection_m2; }    ///< FP = |SA \ SR|
-  double deficit_m2() const { return reference_m2 - intersection_m2; }   ///< FN = |SR \ SA|
+  double excess_m2() const { return automatic_m2 - intersection_m2; }   ///< FP = |SA \ SR|
+  double deficit_m2() const { return reference_m2 - intersection_m2; }  ///< FN = |SR \ SA|
   double union_m2() const { return automatic_m2 + reference_m2 - intersection_m2; }
   ComparedAreas& operator+=(const ComparedAreas& b);
 };
@@ -37,8 +37,8 @@ struct AreaIndices {
   double quality = kNaN;       ///< rho_q: TP / |SR u SA|
   double branching = kNaN;     ///< rho_b, the excess factor
   double miss = kNaN;          ///< rho_m, the deficit factor
-  double failure = kNaN;       ///< rho_f as printed, FP / |SR|; the words of the thesis mean omission
-  double omission = kNaN;      ///< FN / |SR|
+  double failure = kNaN;   ///< rho_f as printed, FP / |SR|; the words of the thesis mean omission
+  double omission = kNaN;  ///< FN / |SR|
 };
 AreaIndices area_indices(const ComparedAreas& areas, IndexFormulas formulas);
 

@@ -95,7 +95,8 @@ double quantile95(std::vector<Sample>& samples, double length_m) {
   return samples.back().distance_m;
 }
 
-BorderSpread spread_of(const std::vector<BorderEdge>& from, BorderIndex& to, double tolerance_m, double step_m) {
+BorderSpread spread_of(const std::vector<BorderEdge>& from, BorderIndex& to, double tolerance_m,
+                       double step_m) {
   double length_m = 0, sum = 0, squares = 0, within = 0;
   for (const BorderEdge& e : from) length_m += norm(e.b - e.a);
   BorderSpread out;
@@ -126,7 +127,8 @@ BorderSpread spread_of(const std::vector<BorderEdge>& from, BorderIndex& to, dou
 }  // namespace
 
 BorderComparison compare_borders(std::span<const PolygonWithHoles> automatic,
-                                 std::span<const PolygonWithHoles> reference, double tolerance_m, double step_m) {
+                                 std::span<const PolygonWithHoles> reference, double tolerance_m,
+                                 double step_m) {
   const std::vector<BorderEdge> a = edges_of(automatic), r = edges_of(reference);
   BorderComparison out;
   if (a.empty() || r.empty()) return out;

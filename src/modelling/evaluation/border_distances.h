@@ -30,6 +30,7 @@ struct BorderComparison {
 
 /// NaN where a side has no border. O(samples x edges / 16 + ...): edges go by blocks with boxes.
 BorderComparison compare_borders(std::span<const PolygonWithHoles> automatic,
-                                 std::span<const PolygonWithHoles> reference, double tolerance_m, double step_m);
+                                 std::span<const PolygonWithHoles> reference, double tolerance_m,
+                                 double step_m);
 
 }  // namespace jalon

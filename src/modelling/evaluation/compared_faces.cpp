@@ -14,20 +14,22 @@ namespace jalon {
 namespace {
 
 constexpr double kLeastArea_m2 = 1e-8;  // a square of the polygons' grid
-constexpr size_t kFacesPerChunk = 16;     // areas of polygons: some 10 us each
+constexpr size_t kFacesPerChunk = 16;   // areas of polygons: some 10 us each
 constexpr size_t kComparedFacesFacesPerCheckpoint = 256;
 constexpr Vec3 kAlongX{1, 0, 0};
 
 // Twice the vector area of a closed chain (Newell), about its first corner.
 Vec3 vector_area(const std::vector<Vec3>& corners) {
   Vec3 sum;
-  for (size_t i = 1; i + 1 < corners.size(); ++i) sum += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  for (size_t i = 1; i + 1 < corners.size(); ++i)
+    sum += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
   return sum;
 }
 
 std::vector<Vec3> ring_corners(const Model& model, const Ring& ring, const Vec3& origin) {
   std::vector<Vec3> out;
-  for (uint64_t i = 0; i < ring.count; ++i) out.push_back(model.vertices[model.corners[ring.first + i]] - origin);
+  for (uint64_t i = 0; i < ring.count; ++i)
+    out.push_back(model.vertices[model.corners[ring.first + i]] - origin);
   return out;
 }
 
@@ -41,8 +43,8 @@ PlaneFrame frame_of(const std::vector<Vec3>& corners, const Vec3& fallback_norma
 }
 
 // A ring in a frame, its arcs as chords. mirrored: the frame's normal is against the face's.
-std::vector<Vec2> chorded(const Model& model, const Ring& ring, const Vec3& origin, const PlaneFrame& frame,
-                          bool mirrored) {
+std::vector<Vec2> chorded(const Model& model, const Ring& ring, const Vec3& origin,
+                          const PlaneFrame& frame, bool mirrored) {
   std::vector<Vec2> out;
   const std::vector<Vec3> corners = ring_corners(model, ring, origin);
   for (size_t i = 0; i < corners.size(); ++i) {
@@ -61,14 +63,17 @@ void finish(ComparedFace& face) {
 
 // Where a ring turns, or an arc begins or ends: what others would survey too. The joints of an arc drawn as chords are
 // nobody's corners.
-void add_vertices(const Model& model, const Ring& ring, double corner_angle_rad, std::vector<uint32_t>& out) {
+void add_vertices(const Model& model, const Ring& ring, double corner_angle_rad,
+                  std::vector<uint32_t>& out) {
   for (uint64_t i = 0; i < ring.count; ++i) {
     const uint64_t before = ring.first + (i + ring.count - 1) % ring.count, here = ring.first + i,
                    after = ring.first + (i + 1) % ring.count;
     const Vec3& p = model.vertices[model.corners[here]];
-    const Vec3 in = p - model.vertices[model.corners[before]], on = model.vertices[model.corners[after]] - p;
+    const Vec3 in = p - model.vertices[model.corners[before]],
+               on = model.vertices[model.corners[after]] - p;
     const bool turns = std::atan2(norm(cross(in, on)), dot(in, on)) >= corner_angle_rad;
-    if (turns || model.sagitta(before) != 0 || model.sagitta(here) != 0) out.push_back(model.corners[here]);
+    if (turns || model.sagitta(before) != 0 || model.sagitta(here) != 0)
+      out.push_back(model.corners[here]);
   }
 }
 
@@ -83,10 +88,8 @@ ComparedFace whole_face(const Model& model, size_t f, const Vec3& origin, double
     if (r == 0) out.frame = frame_of(ring_corners(model, ring, origin), face.plane.normal);
     const bool mirrored = dot(out.frame.normal, face.plane.normal) < 0;
     std::vector<Vec2> corners = chorded(model, ring, origin, out.frame, mirrored);
-    if (r == 0)
-      polygon.outline = std::move(corners);
-    else
-      polygon.holes.push_back(std::move(corners));
+    if (r == 0) polygon.outline = std::move(corners);
+    else polygon.holes.push_back(std::move(corners));
     add_vertices(model, ring, corner_angle_rad, out.vertices);
   }
   out.region.push_back(std::move(polygon));
@@ -94,7 +97,8 @@ ComparedFace whole_face(const Model& model, size_t f, const Vec3& origin, double
   return out;
 }
 
-ComparedFace opening_face(const Model& model, size_t f, size_t r, const Vec3& origin, double corner_angle_rad) {
+ComparedFace opening_face(const Model& model, size_t f, size_t r, const Vec3& origin,
+                          double corner_angle_rad) {
   const Face& face = model.faces[f];
   const Ring& ring = model.rings[r];
   ComparedFace out;
@@ -115,7 +119,8 @@ ComparedFace triangle_face(const Model& model, size_t t, const Vec3& origin) {
   ComparedFace out;
   out.face = static_cast<uint32_t>(t);
   std::vector<Vec3> corners;
-  for (const uint32_t v : model.triangles[t]) corners.push_back(model.vertices[v] - origin), out.vertices.push_back(v);
+  for (const uint32_t v : model.triangles[t])
+    corners.push_back(model.vertices[v] - origin), out.vertices.push_back(v);
   out.frame = frame_of(corners, {0, 0, 1});
   PolygonWithHoles polygon;
   for (const Vec3& p : corners) polygon.outline.push_back(out.frame.project(p));
@@ -132,24 +137,28 @@ bool is_chosen(const Model& model, uint32_t part, const FaceChoice& choice) {
   return (choice.classes.empty() || among(choice.classes)) && !among(choice.ignored_classes);
 }
 
-
 // Largest first, so that a plane is that of its largest face; then in the order of those.
-std::vector<ComparedFace> merged_by_plane(std::vector<ComparedFace> faces, const FaceChoice& choice, Task& task) {
+std::vector<ComparedFace> merged_by_plane(std::vector<ComparedFace> faces, const FaceChoice& choice,
+                                          Task& task) {
   std::vector<size_t> order(faces.size());
   std::iota(order.begin(), order.end(), size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return faces[a].area_m2 > faces[b].area_m2; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return faces[a].area_m2 > faces[b].area_m2; });
   std::vector<ComparedFace> planes;
   size_t done = 0;
   for (const size_t f : order) {
     if (done++ % kComparedFacesFacesPerCheckpoint == 0) task.checkpoint(0);
-    const auto plane = std::find_if(planes.begin(), planes.end(),
-                                    [&](const ComparedFace& p) { return on_plane_of(p, faces[f], {}, choice); });
+    const auto plane = std::find_if(planes.begin(), planes.end(), [&](const ComparedFace& p) {
+      return on_plane_of(p, faces[f], {}, choice);
+    });
     if (plane == planes.end()) {
       planes.push_back(std::move(faces[f]));
       continue;
     }
-    for (PolygonWithHoles& polygon : region_in(plane->frame, faces[f], {})) plane->region.push_back(std::move(polygon));
-    plane->vertices.insert(plane->vertices.end(), faces[f].vertices.begin(), faces[f].vertices.end());
+    for (PolygonWithHoles& polygon : region_in(plane->frame, faces[f], {}))
+      plane->region.push_back(std::move(polygon));
+    plane->vertices.insert(plane->vertices.end(), faces[f].vertices.begin(),
+                           faces[f].vertices.end());
     plane->merged += faces[f].merged;
   }
   parallel_for(task, planes.size(), 1, [&](size_t begin, size_t end) {
@@ -164,7 +173,8 @@ std::vector<ComparedFace> merged_by_plane(std::vector<ComparedFace> faces, const
 
 }  // namespace
 
-bool on_plane_of(const ComparedFace& reference, const ComparedFace& face, const Vec3& shift, const FaceChoice& choice) {
+bool on_plane_of(const ComparedFace& reference, const ComparedFace& face, const Vec3& shift,
+                 const FaceChoice& choice) {
   return plane_angle(reference.frame.normal, face.frame.normal) <= choice.angle_rad &&
          std::fabs(plane_distance(reference, face, shift)) <= choice.distance_m;
 }
@@ -173,9 +183,12 @@ double plane_distance(const ComparedFace& reference, const ComparedFace& face, c
   return dot(reference.frame.normal, face.frame.origin + shift - reference.frame.origin);
 }
 
-double plane_angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), std::fabs(dot(a, b))); }
+double plane_angle(const Vec3& a, const Vec3& b) {
+  return std::atan2(norm(cross(a, b)), std::fabs(dot(a, b)));
+}
 
-std::vector<PolygonWithHoles> region_in(const PlaneFrame& frame, const ComparedFace& face, const Vec3& shift) {
+std::vector<PolygonWithHoles> region_in(const PlaneFrame& frame, const ComparedFace& face,
+                                        const Vec3& shift) {
   const auto moved = [&](std::vector<Vec2> corners) {
     for (Vec2& p : corners) p = frame.project(face.frame.lift(p) + shift);
     return corners;
@@ -188,7 +201,8 @@ std::vector<PolygonWithHoles> region_in(const PlaneFrame& frame, const ComparedF
   return out;
 }
 
-std::vector<ComparedFace> compared_faces(const Model& model, const Vec3& origin, const FaceChoice& choice, Task& task) {
+std::vector<ComparedFace> compared_faces(const Model& model, const Vec3& origin,
+                                         const FaceChoice& choice, Task& task) {
   struct Source {
     size_t face, ring;  ///< of a mesh the triangle
   };

@@ -25,29 +25,33 @@ struct FaceChoice {
 
 /// A face, an opening or coplanar faces, in their own plane.
 struct ComparedFace {
-  uint32_t face = 0;               ///< row of the model's face, of the largest of several; of a mesh its triangle
-  uint32_t ring = ~uint32_t{0};    ///< row of the ring, of an opening
+  uint32_t face =
+      0;  ///< row of the model's face, of the largest of several; of a mesh its triangle
+  uint32_t ring = ~uint32_t{0};  ///< row of the ring, of an opening
   uint32_t part = 0;
-  uint32_t merged = 1;             ///< how many faces it stands for
-  PlaneFrame frame;                ///< about its middle
+  uint32_t merged = 1;                   ///< how many faces it stands for
+  PlaneFrame frame;                      ///< about its middle
   std::vector<PolygonWithHoles> region;  ///< in the frame; arcs as chords within the polygons' grid
   std::vector<uint32_t> vertices;  ///< corners that count, of the model, in the order of the rings
   double area_m2 = 0;
   Box3 box;
-  bool kept = true;                ///< false: too small
+  bool kept = true;  ///< false: too small
 };
 
 /// The polygons to compare, in the order of the model; faces of other classes and those without an area (fewer than 3
 /// corners, collinear ones) are not among them. Coordinates relative to origin. A model without faces gives its
 /// triangles, coplanar ones together. O(corners), by plane O(faces x planes).
-std::vector<ComparedFace> compared_faces(const Model& model, const Vec3& origin, const FaceChoice& choice, Task& task);
+std::vector<ComparedFace> compared_faces(const Model& model, const Vec3& origin,
+                                         const FaceChoice& choice, Task& task);
 
 /// The face's region in another plane's frame, moved by shift first: projected along that plane's
 /// normal.
-std::vector<PolygonWithHoles> region_in(const PlaneFrame& frame, const ComparedFace& face, const Vec3& shift);
+std::vector<PolygonWithHoles> region_in(const PlaneFrame& frame, const ComparedFace& face,
+                                        const Vec3& shift);
 
 /// Is the middle of a face, moved by shift, within the tolerances of the reference's plane?
-bool on_plane_of(const ComparedFace& reference, const ComparedFace& face, const Vec3& shift, const FaceChoice& choice);
+bool on_plane_of(const ComparedFace& reference, const ComparedFace& face, const Vec3& shift,
+                 const FaceChoice& choice);
 /// Of the middle of a face, moved by shift, along the reference's normal.
 double plane_distance(const ComparedFace& reference, const ComparedFace& face, const Vec3& shift);
 

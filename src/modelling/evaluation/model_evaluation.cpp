@@ -75,7 +75,8 @@ struct Side {
     std::sort(uses.begin(), uses.end(), [&](const Use& a, const Use& b) {
       for (int i = 0; i < 3; ++i)
         if (a.place[i] != b.place[i]) return a.place[i] < b.place[i];
-      if (faces[a.face].area_m2 != faces[b.face].area_m2) return faces[a.face].area_m2 > faces[b.face].area_m2;
+      if (faces[a.face].area_m2 != faces[b.face].area_m2)
+        return faces[a.face].area_m2 > faces[b.face].area_m2;
       return a.face != b.face ? a.face < b.face : a.vertex < b.vertex;
     });
     vertices.clear(), largest.clear(), places.clear();
@@ -89,7 +90,8 @@ struct Side {
 };
 
 // Against the covariances that are known: a reference without one is taken as right.
-double normalised_deviation(const Vec3& e, const Model& a, uint32_t vertex_a, const Model& r, uint32_t vertex_r) {
+double normalised_deviation(const Vec3& e, const Model& a, uint32_t vertex_a, const Model& r,
+                            uint32_t vertex_r) {
   const auto known = [](const Model& model, uint32_t v) {
     return !model.vertex_covariances.empty() && std::isfinite(model.vertex_covariances[v][0]);
   };
@@ -101,20 +103,22 @@ double normalised_deviation(const Vec3& e, const Model& a, uint32_t vertex_a, co
   return jalon::normalised_deviation(e, sum);
 }
 
-std::vector<VertexPair> compare_vertices(Side& automatic, Side& reference, const std::vector<FacePair>& pairs,
-                                         const Vec3& shift, double tolerance_m, Task& task) {
+std::vector<VertexPair> compare_vertices(Side& automatic, Side& reference,
+                                         const std::vector<FacePair>& pairs, const Vec3& shift,
+                                         double tolerance_m, Task& task) {
   std::vector<uint32_t> a, r;
   for (const FacePair& pair : pairs) a.push_back(pair.automatic), r.push_back(pair.reference);
   automatic.collect_vertices(a, shift);
   reference.collect_vertices(r, {});
-  std::vector<VertexPair> out = homologous_vertices(automatic.places, reference.places, tolerance_m, task);
+  std::vector<VertexPair> out =
+      homologous_vertices(automatic.places, reference.places, tolerance_m, task);
   for (VertexPair& pair : out) {
     const PlaneFrame& frame = reference.faces[reference.largest[pair.reference]].frame;
     pair.in_facade = {dot(pair.deviation, frame.axis_u), dot(pair.deviation, frame.axis_v),
                       dot(pair.deviation, frame.normal)};
     pair.automatic = automatic.vertices[pair.automatic];
-    pair.normalised = normalised_deviation(pair.deviation, automatic.model, pair.automatic, reference.model,
-                                           reference.vertices[pair.reference]);
+    pair.normalised = normalised_deviation(pair.deviation, automatic.model, pair.automatic,
+                                           reference.model, reference.vertices[pair.reference]);
     pair.reference = reference.vertices[pair.reference];
   }
   return out;
@@ -140,7 +144,8 @@ Vec3 common_shift(const std::vector<VertexPair>& vertices) {
 
 std::vector<FaceVerdict> verdicts_of(const Side& side) {
   std::vector<FaceVerdict> out;
-  for (const ComparedFace& f : side.faces) out.push_back({f.face, f.ring, f.part, f.merged, f.area_m2, f.kept});
+  for (const ComparedFace& f : side.faces)
+    out.push_back({f.face, f.ring, f.part, f.merged, f.area_m2, f.kept});
   return out;
 }
 
@@ -187,7 +192,8 @@ ModelEvaluation evaluate_model(const Model& automatic_model, const Model& refere
     if (settings.mode == ModelEvaluationSettings::Mode::kRelative) {
       out.shift = common_shift(out.vertices);
       out.pairs = pair_faces(automatic.faces, reference.faces, out.shift, choice, min_iou, task);
-      out.vertices = compare_vertices(automatic, reference, out.pairs, out.shift, vertex_tolerance_m, task);
+      out.vertices =
+          compare_vertices(automatic, reference, out.pairs, out.shift, vertex_tolerance_m, task);
     }
   }
   ProgressSpan span(task, 0.6, 1, "comparing contours");

@@ -20,8 +20,8 @@ namespace jalon {
 struct FaceVerdict {
   uint32_t face = 0, ring = ~uint32_t{0}, part = 0, merged = 1;  ///< as ComparedFace
   double area_m2 = 0;
-  bool kept = true;                ///< false: too small
-  uint32_t partner = kNoPartner;   ///< row of its counterpart on the other side
+  bool kept = true;               ///< false: too small
+  uint32_t partner = kNoPartner;  ///< row of its counterpart on the other side
 
   static constexpr uint32_t kNoPartner = ~uint32_t{0};
 };
@@ -30,19 +30,20 @@ struct FaceVerdict {
 struct FacePair {
   uint32_t automatic = 0, reference = 0;  ///< rows of the sides' verdicts
   ComparedAreas areas;
-  double angle_rad = 0;    ///< between the planes
-  double distance_m = 0;   ///< of the automatic face's middle from the reference's plane, along its normal
-  bool same_class = false; ///< their parts have one class
+  double angle_rad = 0;  ///< between the planes
+  double distance_m =
+      0;  ///< of the automatic face's middle from the reference's plane, along its normal
+  bool same_class = false;  ///< their parts have one class
   BorderComparison borders;
 };
 
 /// A model against a reference (Boulaassal 2010, 5.6.2, 5.6.3.2 and table 5.8).
 struct ModelEvaluation {
   std::vector<FaceVerdict> automatic, reference;
-  std::vector<FacePair> pairs;           ///< ascending by reference
-  std::vector<VertexPair> vertices;      ///< of paired faces; indices of the models' vertices
-  ComparedAreas unpaired;                ///< kept faces without a counterpart, nothing shared
-  Vec3 shift;                            ///< what the automatic model was moved by first; 0 when absolute
+  std::vector<FacePair> pairs;       ///< ascending by reference
+  std::vector<VertexPair> vertices;  ///< of paired faces; indices of the models' vertices
+  ComparedAreas unpaired;            ///< kept faces without a counterpart, nothing shared
+  Vec3 shift;  ///< what the automatic model was moved by first; 0 when absolute
   IndexFormulas formulas = IndexFormulas::kCanonical;
 };
 

@@ -25,9 +25,12 @@ constexpr uint8_t kWalls = 2, kOpenings = 3;  // levels of detail of CityGML 3.0
 
 const char* class_of(OpeningKind kind) {
   switch (kind) {
-    case OpeningKind::kDoor: return part_class::kDoor;
-    case OpeningKind::kWindow: return part_class::kWindow;
-    case OpeningKind::kOpening: break;
+    case OpeningKind::kDoor:
+      return part_class::kDoor;
+    case OpeningKind::kWindow:
+      return part_class::kWindow;
+    case OpeningKind::kOpening:
+      break;
   }
   return part_class::kOpening;
 }
@@ -49,10 +52,12 @@ bool same_corners(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 
 class Assembly {
  public:
-  Assembly(const Segmentation& segmentation, const FacadePlan& plan, const AssemblySetting& setting, Task& task)
+  Assembly(const Segmentation& segmentation, const FacadePlan& plan, const AssemblySetting& setting,
+           Task& task)
       : segmentation_(segmentation), plan_(plan), setting_(setting), task_(task) {
     if (setting.solids) thicknesses_ = wall_thicknesses(plan, setting.thickness_m);
-    for (const VectorPlane& plane : plan.planes) vertices_.emplace_back(model_, shared_, plane.frame);
+    for (const VectorPlane& plane : plan.planes)
+      vertices_.emplace_back(model_, shared_, plane.frame);
     for (size_t s = 0; s < plan.shared.size(); ++s) {
       shared_.positions.push_back(plan.shared[s].position);
       for (const auto& use : plan.shared[s].uses) vertices_[use.plane].share(use.place, s);
@@ -66,9 +71,11 @@ class Assembly {
     if (plan_.facades.size() > 1)
       building = append_part(model_, "building", part_class::kBuilding, kNoParent, Evidence::kNone);
     for (size_t f = 0; f < plan_.facades.size(); ++f) {
-      const std::string name = plan_.facades.size() > 1 ? "facade " + std::to_string(f + 1) : "facade";
+      const std::string name =
+          plan_.facades.size() > 1 ? "facade " + std::to_string(f + 1) : "facade";
       if (setting_.solids) thickness_m_ = thicknesses_[f];
-      add_facade(plan_.facades[f], append_part(model_, name, part_class::kFacade, building, Evidence::kMeasured));
+      add_facade(plan_.facades[f],
+                 append_part(model_, name, part_class::kFacade, building, Evidence::kMeasured));
     }
     add_covariances();
     return std::move(model_);
@@ -99,7 +106,8 @@ class Assembly {
     std::vector<Box3> boxes;
     for (const PlannedWall& wall : facade.walls) {
       Box3 box;
-      for (const VectorRing& ring : wall.wall.outlines) box += box_in(facade.group.frame, wall.wall.frame, ring);
+      for (const VectorRing& ring : wall.wall.outlines)
+        box += box_in(facade.group.frame, wall.wall.frame, ring);
       boxes.push_back(box);
     }
     name_openings();
@@ -127,8 +135,8 @@ class Assembly {
   void add_wall(const PlannedWall& planned, size_t index, const Box3& box, uint32_t facade_part) {
     task_.checkpoint(0);
     const FacadeWall& wall = planned.wall;
-    const uint32_t part = append_part(model_, "wall " + std::to_string(++wall_count_), part_class::kWall, facade_part,
-                                      Evidence::kMeasured);
+    const uint32_t part = append_part(model_, "wall " + std::to_string(++wall_count_),
+                                      part_class::kWall, facade_part, Evidence::kMeasured);
     set_size(part, box);
     model_.parts[part].depth_m = -(box.min.y + box.max.y) / 2;
     model_.parts[part].level_of_detail = kWalls;
@@ -138,21 +146,25 @@ class Assembly {
       openings.push_back(add_opening_part(wall, wall.openings[o], names_[index][o], part));
     for (size_t o = 0; o < wall.openings.size(); ++o)
       if (wall.openings[o].copied_from >= 0)
-        model_.parts[openings[o]].copied_from = openings[static_cast<size_t>(wall.openings[o].copied_from)];
+        model_.parts[openings[o]].copied_from =
+            openings[static_cast<size_t>(wall.openings[o].copied_from)];
     // 2. The wall's faces.
     const VectorPlane& plane = plan_.planes[planned.plane];
-    for (const VectorFace& face : plane.faces) add_wall_face(planned.plane, face, wall, openings, part);
+    for (const VectorFace& face : plane.faces)
+      add_wall_face(planned.plane, face, wall, openings, part);
     // 3. What fills the openings, and what was not seen.
     for (size_t o = 0; o < wall.openings.size() && !setting_.walls_only; ++o) {
       Face joinery;
-      if (wall.openings[o].joinery_label != 0) joinery = face_of(wall.openings[o].joinery_label - 1, 0);
-      append_opening_faces(model_, vertices_[planned.plane], wall.openings[o], openings[o], joinery, !setting_.solids);
+      if (wall.openings[o].joinery_label != 0)
+        joinery = face_of(wall.openings[o].joinery_label - 1, 0);
+      append_opening_faces(model_, vertices_[planned.plane], wall.openings[o], openings[o], joinery,
+                           !setting_.solids);
     }
     for (const FacadeShadow& shadow : wall.shadows) add_shadow(planned.plane, shadow, part);
   }
 
-  uint32_t add_opening_part(const FacadeWall& wall, const FacadeOpening& opening, const std::string& name,
-                            uint32_t wall_part) {
+  uint32_t add_opening_part(const FacadeWall& wall, const FacadeOpening& opening,
+                            const std::string& name, uint32_t wall_part) {
     const bool is_copy = opening.copied_from >= 0;
     const uint32_t part = append_part(model_, name, class_of(opening.kind), wall_part,
                                       is_copy ? Evidence::kCopied : opening.evidence);
@@ -166,17 +178,21 @@ class Assembly {
 
   void add_wall_face(size_t plane, const VectorFace& face, const FacadeWall& wall,
                      const std::vector<uint32_t>& openings, uint32_t part) {
-    std::vector<uint32_t> hole_parts(face.openings.size(), kNoPart), reveal_parts(face.openings.size(), part);
+    std::vector<uint32_t> hole_parts(face.openings.size(), kNoPart),
+        reveal_parts(face.openings.size(), part);
     for (size_t r = 0; r < face.openings.size(); ++r) {
       const VectorRing outline = reversed(face.openings[r]);
       for (size_t o = 0; o < wall.openings.size(); ++o)
-        if (same_corners(wall.openings[o].outline.corners, outline.corners)) hole_parts[r] = openings[o];
+        if (same_corners(wall.openings[o].outline.corners, outline.corners))
+          hole_parts[r] = openings[o];
     }
     if (setting_.solids) {
       for (size_t r = 0; r < hole_parts.size(); ++r)
         if (hole_parts[r] != kNoPart)
-          reveal_parts[r] = append_part(model_, "reveal", part_class::kReveal, hole_parts[r], Evidence::kDerived);
-      append_wall_solid(model_, vertices_[plane], face, face_of(plane, part), hole_parts, reveal_parts, thickness_m_);
+          reveal_parts[r] =
+              append_part(model_, "reveal", part_class::kReveal, hole_parts[r], Evidence::kDerived);
+      append_wall_solid(model_, vertices_[plane], face, face_of(plane, part), hole_parts,
+                        reveal_parts, thickness_m_);
       return;
     }
     std::vector<PartRing> rings{part_ring(vertices_[plane], face.outline)};
@@ -188,8 +204,8 @@ class Assembly {
   }
 
   void add_shadow(size_t plane, const FacadeShadow& shadow, uint32_t wall_part) {
-    const uint32_t part = append_part(model_, "no data " + std::to_string(++shadow_count_), part_class::kNoData,
-                                      wall_part, Evidence::kNone);
+    const uint32_t part = append_part(model_, "no data " + std::to_string(++shadow_count_),
+                                      part_class::kNoData, wall_part, Evidence::kNone);
     set_size(part, box_in(facade_->group.frame, plan_.planes[plane].frame, shadow.outline));
     append_face(model_, face_of(plane, part), {part_ring(vertices_[plane], shadow.outline)});
   }
@@ -210,11 +226,13 @@ class Assembly {
         const FacadeFrame& frame = facade_->group.frame;
         const Vec3& n = plan_.planes[plane].frame.normal;
         const Box3 box = box_in(frame, plan_.planes[plane].frame, face.outline);
-        const ElementShape shape{box, {dot(n, frame.along), dot(n, frame.outward), n.z}, area(face)};
+        const ElementShape shape{
+            box, {dot(n, frame.along), dot(n, frame.outward), n.z}, area(face)};
         // Small pieces of the ground beside cars and tripods are ground.
         const char* own = class_of_element(shape, shape_);
         if (largest == nullptr) largest = own;
-        elements.push_back({plane, &face, box, largest == std::string_view(part_class::kGround) ? largest : own});
+        elements.push_back(
+            {plane, &face, box, largest == std::string_view(part_class::kGround) ? largest : own});
         boxes.push_back(box);
       }
     }
@@ -226,12 +244,14 @@ class Assembly {
       std::replace(name.begin(), name.end(), '_', ' ');
       const size_t number = ++numbers[name];
       name += " " + std::to_string(number);
-      const uint32_t part = append_part(model_, name, e.part_class, facade_part, Evidence::kMeasured);
+      const uint32_t part =
+          append_part(model_, name, e.part_class, facade_part, Evidence::kMeasured);
       set_size(part, e.box);
       model_.parts[part].depth_m = -(e.box.min.y + e.box.max.y) / 2;
       model_.parts[part].level_of_detail = kOpenings;
       std::vector<PartRing> rings{part_ring(vertices_[e.plane], e.face->outline)};
-      for (const VectorRing& ring : e.face->openings) rings.push_back(part_ring(vertices_[e.plane], ring));
+      for (const VectorRing& ring : e.face->openings)
+        rings.push_back(part_ring(vertices_[e.plane], ring));
       append_face(model_, face_of(e.plane, part), rings);
     }
   }
@@ -254,7 +274,8 @@ class Assembly {
       }
     for (const PlannedFacade& facade : plan_.facades)
       for (const PlannedWall& wall : facade.walls)
-        for (const FacadeOpening& o : wall.wall.openings) add(wall.plane, o.outline, -o.depth_m, o.depth_sigma_m);
+        for (const FacadeOpening& o : wall.wall.openings)
+          add(wall.plane, o.outline, -o.depth_m, o.depth_sigma_m);
   }
 
   // From left to right, then from below; ties by index.
@@ -285,7 +306,8 @@ class Assembly {
 
 }  // namespace
 
-Model assemble_facades(const Segmentation& segmentation, FacadePlan plan, const AssemblySetting& setting, Task& task) {
+Model assemble_facades(const Segmentation& segmentation, FacadePlan plan,
+                       const AssemblySetting& setting, Task& task) {
   if (setting.solids) draw_chords(plan, kRevealChord_m);
   return Assembly(segmentation, plan, setting, task).run();
 }

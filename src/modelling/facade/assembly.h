@@ -10,7 +10,8 @@ namespace jalon {
 struct AssemblySetting {
   bool solids = false;
   bool walls_only = false;  ///< no panes, no elements: method "extrusion"
-  double thickness_m = 0;   ///< of solids; 0: the median depth of the facade's openings, or of all facades'
+  double thickness_m =
+      0;  ///< of solids; 0: the median depth of the facade's openings, or of all facades'
 };
 
 /// Faces, vertices and the tree of parts from a plan: [building ->] facade -> wall -> opening
@@ -26,6 +27,7 @@ struct AssemblySetting {
 ///
 /// After: every face is under a part and every part but the topmost under another; corners that
 /// faces share are one vertex.
-Model assemble_facades(const Segmentation& segmentation, FacadePlan plan, const AssemblySetting& setting, Task& task);
+Model assemble_facades(const Segmentation& segmentation, FacadePlan plan,
+                       const AssemblySetting& setting, Task& task);
 
 }  // namespace jalon

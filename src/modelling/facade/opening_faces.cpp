@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kLeastReveal_m = 0.005;  // shallower: the pane is flush with the wall
 
-void append_pane(Model& model, PlaneVertices& wall, const FacadeOpening& opening, uint32_t part, Face face) {
+void append_pane(Model& model, PlaneVertices& wall, const FacadeOpening& opening, uint32_t part,
+                 Face face) {
   face.part = part;
   face.id = opening.joinery_label;
   const Vec3& n = wall.frame().normal;
@@ -22,8 +23,8 @@ void append_pane(Model& model, PlaneVertices& wall, const FacadeOpening& opening
 
 }  // namespace
 
-void append_sides(Model& model, PlaneVertices& wall, const VectorRing& ring, double w_front, double w_back,
-                  bool to_the_right, uint32_t part) {
+void append_sides(Model& model, PlaneVertices& wall, const VectorRing& ring, double w_front,
+                  double w_back, bool to_the_right, uint32_t part) {
   const std::vector<Vec2> corners = flattened(ring, kRevealChord_m);
   for (size_t i = 0; i < corners.size(); ++i) {
     const Vec2 &p = corners[i], &q = corners[(i + 1) % corners.size()];
@@ -31,18 +32,17 @@ void append_sides(Model& model, PlaneVertices& wall, const VectorRing& ring, dou
     const uint32_t a_back = wall.at(p, w_back), b_back = wall.at(q, w_back);
     const Vec2 d = (q - p) * (1 / norm(q - p));
     const Vec3 right = wall.frame().axis_u * d.v - wall.frame().axis_v * d.u;
-    if (to_the_right)
-      append_polygon(model, part, {a, a_back, b_back, b}, right);
-    else
-      append_polygon(model, part, {a, b, b_back, a_back}, -right);
+    if (to_the_right) append_polygon(model, part, {a, a_back, b_back, b}, right);
+    else append_polygon(model, part, {a, b, b_back, a_back}, -right);
   }
 }
 
-void append_opening_faces(Model& model, PlaneVertices& wall, const FacadeOpening& opening, uint32_t opening_part,
-                          const Face& joinery, bool with_reveals) {
+void append_opening_faces(Model& model, PlaneVertices& wall, const FacadeOpening& opening,
+                          uint32_t opening_part, const Face& joinery, bool with_reveals) {
   if (!std::isfinite(opening.depth_m)) return;
   if (with_reveals && opening.depth_m >= kLeastReveal_m) {
-    const uint32_t reveal = append_part(model, "reveal", part_class::kReveal, opening_part, Evidence::kDerived);
+    const uint32_t reveal =
+        append_part(model, "reveal", part_class::kReveal, opening_part, Evidence::kDerived);
     model.parts[reveal].depth_m = opening.depth_m;
     append_sides(model, wall, opening.outline, 0, -opening.depth_m, false, reveal);
   }

@@ -16,12 +16,12 @@ constexpr double kRevealChord_m = 0.001;
 ///
 /// After: they use the vertices of the wall's hole, so that no gap is left; nothing where the depth
 /// is unknown; no reveals where the pane does not lie behind the wall.
-void append_opening_faces(Model& model, PlaneVertices& wall, const FacadeOpening& opening, uint32_t opening_part,
-                          const Face& joinery, bool with_reveals);
+void append_opening_faces(Model& model, PlaneVertices& wall, const FacadeOpening& opening,
+                          uint32_t opening_part, const Face& joinery, bool with_reveals);
 
 /// Sides between a ring at w_front and the same ring at w_back, both seen against the wall's normal: quads that look to
 /// the right of the walk when outward, else to its left.
-void append_sides(Model& model, PlaneVertices& wall, const VectorRing& ring, double w_front, double w_back,
-                  bool to_the_right, uint32_t part);
+void append_sides(Model& model, PlaneVertices& wall, const VectorRing& ring, double w_front,
+                  double w_back, bool to_the_right, uint32_t part);
 
 }  // namespace jalon

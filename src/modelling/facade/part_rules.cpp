@@ -13,11 +13,11 @@ namespace jalon {
 
 namespace {
 
-constexpr double kLevel = 0.94;      // |nz| of a plane within 20 degrees of level: slabs have a fall
-constexpr double kUpright = 0.342;   // within 20 degrees of upright
-constexpr double kFacing = 0.94;     // within 20 degrees of the facade's direction
-constexpr double kFront_m = 0.01;    // in front of the wall
-constexpr double kLong = 3;          // times as long as high or deep
+constexpr double kLevel = 0.94;     // |nz| of a plane within 20 degrees of level: slabs have a fall
+constexpr double kUpright = 0.342;  // within 20 degrees of upright
+constexpr double kFacing = 0.94;    // within 20 degrees of the facade's direction
+constexpr double kFront_m = 0.01;   // in front of the wall
+constexpr double kLong = 3;         // times as long as high or deep
 constexpr double kGroundArea_m2 = 2, kGroundAbove_m = 1, kRoofArea_m2 = 4, kTop_m = 1;
 constexpr double kSillGap_m = 0.15, kSillBeside_m = 0.5, kSillHeight_m = 0.5;
 constexpr double kBaseHeight_m = 1.5, kBaseFoot_m = 0.5;
@@ -37,8 +37,8 @@ struct Element {
   bool is_long() const { return width() >= kLong * std::max(height(), is_level() ? depth() : 0.0); }
 
   bool is_ground() const {
-    return is_level() && e.area_m2 >= kGroundArea_m2 && e.box.max.z <= f.box.min.z + kGroundAbove_m &&
-           e.box.max.y > kGroundAbove_m;
+    return is_level() && e.area_m2 >= kGroundArea_m2 &&
+           e.box.max.z <= f.box.min.z + kGroundAbove_m && e.box.max.y > kGroundAbove_m;
   }
   bool is_sill() const {
     if (!is_before() || height() > kSillHeight_m || !(is_level() || is_facing())) return false;
@@ -48,17 +48,20 @@ struct Element {
     });
   }
   bool is_roof() const {
-    return !is_upright() && e.area_m2 >= kRoofArea_m2 && e.box.max.z >= f.box.max.z - kTop_m && e.box.min.y < -kTop_m;
+    return !is_upright() && e.area_m2 >= kRoofArea_m2 && e.box.max.z >= f.box.max.z - kTop_m &&
+           e.box.min.y < -kTop_m;
   }
   bool is_cornice() const {
-    return is_before() && is_long() && (is_level() || is_facing()) && e.box.max.z >= f.box.max.z - kTop_m;
+    return is_before() && is_long() && (is_level() || is_facing()) &&
+           e.box.max.z >= f.box.max.z - kTop_m;
   }
   bool is_base_course() const {
     return is_before() && is_long() && is_facing() && height() <= kBaseHeight_m &&
            e.box.min.z <= f.box.min.z + kBaseFoot_m;
   }
   bool is_string_course() const {
-    return is_before() && is_long() && (is_level() ? depth() <= kCourse_m : is_facing() && height() <= kCourse_m);
+    return is_before() && is_long() &&
+           (is_level() ? depth() <= kCourse_m : is_facing() && height() <= kCourse_m);
   }
   bool is_post() const {
     return is_before() && is_upright() && std::max(width(), depth()) <= kPostWidth_m &&
@@ -86,7 +89,8 @@ std::vector<std::string> row_numbers(const std::vector<Box3>& boxes) {
   std::iota(order.begin(), order.end(), size_t{0});
   const auto middle = [&](size_t i) { return (boxes[i].min.z + boxes[i].max.z) / 2; };
   const auto height = [&](size_t i) { return boxes[i].max.z - boxes[i].min.z; };
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return middle(a) < middle(b); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return middle(a) < middle(b); });
   std::vector<std::string> out(boxes.size());
   size_t row = 0;
   for (size_t first = 0; first < order.size();) {
@@ -94,7 +98,8 @@ std::vector<std::string> row_numbers(const std::vector<Box3>& boxes) {
     while (end < order.size() && middle(order[end]) - middle(order[end - 1]) <
                                      0.5 * std::min(height(order[end]), height(order[end - 1])))
       ++end;
-    std::stable_sort(order.begin() + static_cast<ptrdiff_t>(first), order.begin() + static_cast<ptrdiff_t>(end),
+    std::stable_sort(order.begin() + static_cast<ptrdiff_t>(first),
+                     order.begin() + static_cast<ptrdiff_t>(end),
                      [&](size_t a, size_t b) { return boxes[a].min.x < boxes[b].min.x; });
     ++row;
     for (size_t k = first; k < end; ++k)

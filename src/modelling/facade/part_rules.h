@@ -18,7 +18,7 @@ struct ElementShape {
 
 /// What the rule compares an element with.
 struct FacadeShape {
-  Box3 box;                     ///< of the walls
+  Box3 box;  ///< of the walls
   std::vector<Box3> openings;
 };
 

@@ -14,19 +14,21 @@ namespace jalon {
 
 namespace {
 
-constexpr double kConsumedShare = 0.6;  // of a segment's points in openings: it is their joinery or reveal
+constexpr double kConsumedShare =
+    0.6;  // of a segment's points in openings: it is their joinery or reveal
 
-constexpr double kChordOfSpacing = 0.1; // of arcs, where only soundness is asked
+constexpr double kChordOfSpacing = 0.1;  // of arcs, where only soundness is asked
 
 // Points of each segment that lie in openings, no further before the wall than what is fixed there.
 // What stands in an opening before its joinery is a part of its own.
-void count_points(std::span<const int32_t> opening_of, const WallSurvey& survey, const FacadeWall& wall,
-                  std::vector<uint64_t>& in_openings) {
+void count_points(std::span<const int32_t> opening_of, const WallSurvey& survey,
+                  const FacadeWall& wall, std::vector<uint64_t>& in_openings) {
   for (size_t h = 0; h < opening_of.size(); ++h) {
     if (opening_of[h] < 0) continue;
     const auto& standing = wall.openings[static_cast<size_t>(opening_of[h])].standing_labels;
     for (const HolePoint& p : survey.holes[h].points)
-      if (std::find(standing.begin(), standing.end(), p.label) == standing.end()) ++in_openings[p.label];
+      if (std::find(standing.begin(), standing.end(), p.label) == standing.end())
+        ++in_openings[p.label];
   }
 }
 
@@ -50,20 +52,22 @@ struct WallList {
 };
 
 // The holes of a wall's faces, and the bays between its pieces.
-std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, size_t wall, const FacadeGroup& group,
-                                       const PlanSetting& setting) {
+std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, size_t wall,
+                                       const FacadeGroup& group, const PlanSetting& setting) {
   std::vector<WallHole> out = holes_of(planes[wall], setting.group.notch);
   std::vector<WallHole> bays = bays_of(planes[wall], out, setting.group.notch);
   std::erase_if(bays, [&](const WallHole& bay) {
     return std::any_of(group.walls.begin(), group.walls.end(), [&](size_t other) {
-      return other != wall && is_walled_up(bay, planes[wall], planes[other], setting.survey.max_depth_m);
+      return other != wall &&
+             is_walled_up(bay, planes[wall], planes[other], setting.survey.max_depth_m);
     });
   });
   out.insert(out.end(), bays.begin(), bays.end());
   return out;
 }
 
-WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan, const PlanSetting& setting) {
+WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan,
+                    const PlanSetting& setting) {
   WallList out;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)
@@ -71,20 +75,22 @@ WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan, co
   size_t k = 0;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)
-      out.walls.push_back({&plan.planes[plane], out.holes[k++], segmentation.segments[plane].fit.sigma});
+      out.walls.push_back(
+          {&plan.planes[plane], out.holes[k++], segmentation.segments[plane].fit.sigma});
   return out;
 }
 
 // Shadows are no holes: the faces and the outlines close over them.
-void close_shadows(std::span<const WallHole> holes, std::span<const int32_t> opening_of, VectorPlane& plane,
-                   FacadeWall& wall) {
+void close_shadows(std::span<const WallHole> holes, std::span<const int32_t> opening_of,
+                   VectorPlane& plane, FacadeWall& wall) {
   for (size_t h = 0; h < holes.size(); ++h)
     if (opening_of[h] < 0) close_hole(plane.faces[holes[h].piece], holes[h]);
   for (size_t f = 0; f < plane.faces.size(); ++f) wall.outlines[f] = plane.faces[f].outline;
 }
 
 // The wall's faces with these openings as their holes; notches are in the outlines.
-std::vector<VectorFace> faces_with(const VectorPlane& plane, std::span<const FacadeOpening> openings) {
+std::vector<VectorFace> faces_with(const VectorPlane& plane,
+                                   std::span<const FacadeOpening> openings) {
   std::vector<VectorFace> faces = plane.faces;
   for (VectorFace& face : faces) face.openings.clear();
   for (const FacadeOpening& opening : openings)
@@ -102,12 +108,11 @@ void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& w
     const FacadeOpening& copy = wall.openings[i];
     const bool is_new = i >= before.size();
     if (!is_new && copy.copied_from < 0) continue;
-    if (copy.is_notch || (!is_new && before[i].is_notch)) continue;  // a notch belongs to the outline
+    if (copy.is_notch || (!is_new && before[i].is_notch))
+      continue;  // a notch belongs to the outline
     std::vector<FacadeOpening> trial = kept;
-    if (is_new)
-      trial.push_back(copy);
-    else
-      trial[i] = copy;
+    if (is_new) trial.push_back(copy);
+    else trial[i] = copy;
     std::vector<VectorFace> faces = faces_with(plane, trial);
     if (!is_sound(faces[copy.piece], kChordOfSpacing * plane.spacing_m)) continue;
     plane.faces = std::move(faces);
@@ -118,8 +123,8 @@ void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& w
 
 }  // namespace
 
-FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes, const PlanSetting& setting,
-                        Task& task) {
+FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes,
+                        const PlanSetting& setting, Task& task) {
   FacadePlan plan;
   plan.planes = std::move(planes);
   // 1. Facades and their walls.
@@ -141,7 +146,8 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
       task.checkpoint(0.8);
       end_at_sills(plan.planes, index, surveys[k], setting.survey.front_m, list.holes[k]);
       PlannedWall wall = planned_wall(segmentation, plan.planes[index], index);
-      const auto opening_of = judge_holes(segmentation, list.holes[k], surveys[k], setting.survey, wall.wall, task);
+      const auto opening_of =
+          judge_holes(segmentation, list.holes[k], surveys[k], setting.survey, wall.wall, task);
       count_points(opening_of, surveys[k], wall.wall, in_openings);
       close_shadows(list.holes[k], opening_of, plan.planes[index], wall.wall);
       add_copies(setting.patterns, plan.planes[index], wall.wall);
@@ -152,7 +158,8 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
   for (PlannedFacade& facade : plan.facades)
     for (const size_t index : facade.group.others) {
       const Segment& segment = segmentation.segments[index];
-      if (static_cast<double>(in_openings[segment.label]) < kConsumedShare * static_cast<double>(segment.point_count()))
+      if (static_cast<double>(in_openings[segment.label]) <
+          kConsumedShare * static_cast<double>(segment.point_count()))
         facade.elements.push_back(index);
     }
   return plan;

@@ -21,8 +21,9 @@ struct PlannedWall {
 
 struct PlannedFacade {
   FacadeGroup group;
-  std::vector<PlannedWall> walls;   ///< as group.walls
-  std::vector<size_t> elements;     ///< planes that become parts of their own; joinery and reveals left out
+  std::vector<PlannedWall> walls;  ///< as group.walls
+  std::vector<size_t>
+      elements;  ///< planes that become parts of their own; joinery and reveals left out
 };
 
 /// All that is known before faces are made; faces of the wall planes are those that stay: shadows are closed in them.
@@ -44,7 +45,7 @@ struct PlanSetting {
 /// closed in the planes' faces; each opening that is neither a copy nor a bay is a hole or notch of
 /// the face that it names; elements are neither walls, nor joinery, nor reveals. shared is empty:
 /// the caller sets it.
-FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes, const PlanSetting& setting,
-                        Task& task);
+FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes,
+                        const PlanSetting& setting, Task& task);
 
 }  // namespace jalon

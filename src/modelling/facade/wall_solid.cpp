@@ -52,7 +52,8 @@ std::vector<double> wall_thicknesses(const FacadePlan& plan, double given_m) {
   std::vector<double> all, out;
   for (const PlannedFacade& facade : plan.facades) add_depths(facade, all);
   if (!(given_m > 0) && all.empty())
-    fail(Status::kInsufficientData, "no opening with a measured depth tells how thick the walls are: set thickness_m");
+    fail(Status::kInsufficientData,
+         "no opening with a measured depth tells how thick the walls are: set thickness_m");
   const double common = given_m > 0 ? given_m : median(all);
   for (const PlannedFacade& facade : plan.facades) {
     std::vector<double> depths;
@@ -62,9 +63,9 @@ std::vector<double> wall_thicknesses(const FacadePlan& plan, double given_m) {
   return out;
 }
 
-void append_wall_solid(Model& model, PlaneVertices& vertices, const VectorFace& face, const Face& front,
-                       const std::vector<uint32_t>& hole_parts, const std::vector<uint32_t>& reveal_parts,
-                       double thickness_m) {
+void append_wall_solid(Model& model, PlaneVertices& vertices, const VectorFace& face,
+                       const Face& front, const std::vector<uint32_t>& hole_parts,
+                       const std::vector<uint32_t>& reveal_parts, double thickness_m) {
   const uint64_t first = model.faces.size();
   std::vector<PartRing> before, behind;
   for (size_t r = 0; r <= face.openings.size(); ++r) {

@@ -19,8 +19,8 @@ std::vector<double> wall_thicknesses(const FacadePlan& plan, double given_m);
 /// A wall's face (straight edges) as a closed volume: the front; the back, thickness_m behind it; the sides between
 /// both, of the outline under front.part, of opening k under reveal_parts[k]. hole_parts[k]: what fills opening k. The
 /// normals look outward; every edge is shared by two of the faces.
-void append_wall_solid(Model& model, PlaneVertices& vertices, const VectorFace& face, const Face& front,
-                       const std::vector<uint32_t>& hole_parts, const std::vector<uint32_t>& reveal_parts,
-                       double thickness_m);
+void append_wall_solid(Model& model, PlaneVertices& vertices, const VectorFace& face,
+                       const Face& front, const std::vector<uint32_t>& hole_parts,
+                       const std::vector<uint32_t>& reveal_parts, double thickness_m);
 
 }  // namespace jalon

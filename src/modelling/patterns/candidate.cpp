@@ -9,9 +9,10 @@ namespace jalon {
 
 namespace {
 
-constexpr double kLeastCost_m2 = 1e-8;   // 0.1 mm squared: exact data
-constexpr double kSetBackSigma = 0.15;   // local spacings: of the last points' mean distance from a side
-constexpr double kContradiction = 3;     // sigma
+constexpr double kLeastCost_m2 = 1e-8;  // 0.1 mm squared: exact data
+constexpr double kSetBackSigma =
+    0.15;  // local spacings: of the last points' mean distance from a side
+constexpr double kContradiction = 3;  // sigma
 
 }  // namespace
 
@@ -26,8 +27,8 @@ bool is_better_explained(const Candidate& copy, double own_cost_m2, double own_p
          (own_parameters - copy.parameters) * std::log(n);
 }
 
-double variance_across(const Placement& placed, const std::array<bool, 4>& seen, PatternSide a, PatternSide b,
-                       double spacing_m) {
+double variance_across(const Placement& placed, const std::array<bool, 4>& seen, PatternSide a,
+                       PatternSide b, double spacing_m) {
   const double set_back_m = kSetBackSigma * spacing_m;
   double sum = 0, count = 0;
   for (const PatternSide s : {a, b}) {
@@ -43,7 +44,8 @@ double step_to_line(const OpeningGrid& grid, const GridLine* line, double at_m, 
   if (line == nullptr) return 0;
   const double way_m = line->at - at_m, both_m2 = border_m2 + grid.variance_m2(*line);
   if (!(border_m2 < INFINITY)) return way_m;
-  return way_m * way_m <= kContradiction * kContradiction * both_m2 ? way_m * border_m2 / both_m2 : 0;
+  return way_m * way_m <= kContradiction * kContradiction * both_m2 ? way_m * border_m2 / both_m2
+                                                                    : 0;
 }
 
 }  // namespace jalon

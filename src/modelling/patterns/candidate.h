@@ -20,7 +20,8 @@ struct Candidate {
   size_t signs = 0;  ///< sides seen and lines of the grid agreed with; 0: it is not there
   double residual_m = 0, cost_m2 = 0;
   std::vector<Vec2> border;  ///< what it was judged by
-  double parameters = 2;     ///< of its place, less those that lines of the grid confirm; more for an odd one in a row
+  double parameters =
+      2;  ///< of its place, less those that lines of the grid confirm; more for an odd one in a row
 
   /// The less the likelier: Schwarz' criterion (1978), per border point.
   double unlikeliness() const;
@@ -36,8 +37,8 @@ bool is_better_explained(const Candidate& copy, double own_cost_m2, double own_p
 
 /// Variance of a placement across two opposite sides by those that are seen; infinite when none is. spacing_m: of the
 /// wall's points there.
-double variance_across(const Placement& placed, const std::array<bool, 4>& seen, PatternSide a, PatternSide b,
-                       double spacing_m);
+double variance_across(const Placement& placed, const std::array<bool, 4>& seen, PatternSide a,
+                       PatternSide b, double spacing_m);
 
 /// From where the border has the middle of a copy, with this variance, towards its line of the grid: the mean weighted
 /// by the variances of both. Not at all without a line or when the two contradict each other.

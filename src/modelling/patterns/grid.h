@@ -24,7 +24,8 @@ struct OpeningGrid {
 
   /// Variance of where an opening of that line has its middle.
   double variance_m2(const GridLine& line) const {
-    return sigma_m * sigma_m * (1 + 1 / static_cast<double>(std::max<size_t>(1, line.openings.size())));
+    return sigma_m * sigma_m *
+           (1 + 1 / static_cast<double>(std::max<size_t>(1, line.openings.size())));
   }
 
   /// The line within reach, or null.
@@ -41,8 +42,8 @@ double grid_reach_m(const FacadeWall& wall, const PatternSetting& setting);
 /// The grid of the openings told, with their boxes (one an opening of the wall). Lines whose crossings are mostly bare
 /// wall are left out. What remains is a grid when it has two rows and two columns or four openings at equal distances,
 /// and when enough of its crossings are taken, of those where a wall or an opening can be seen.
-OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings, std::span<const RingBox> boxes,
-                      const PatternSetting& setting);
+OpeningGrid find_grid(const FacadeWall& wall, std::span<const size_t> openings,
+                      std::span<const RingBox> boxes, const PatternSetting& setting);
 
 /// The pattern that most of the row and the column show; it must be in the row, or in the column of a single one. Their
 /// number when there is none.

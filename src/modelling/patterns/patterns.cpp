@@ -17,22 +17,26 @@ namespace jalon {
 
 namespace {
 
-constexpr double kReach = 1.5;           // local spacings: border points farther from a side do not belong to it
-constexpr double kFit = 0.6;             // local spacings: root mean square distance of those that do
-constexpr double kExplained = 0.65;      // share of an opening's border points that belong to the sides of a copy
-constexpr double kSideSupport = 0.10;    // share of a side's length where border points must lie
+constexpr double kReach =
+    1.5;  // local spacings: border points farther from a side do not belong to it
+constexpr double kFit = 0.6;  // local spacings: root mean square distance of those that do
+constexpr double kExplained =
+    0.65;  // share of an opening's border points that belong to the sides of a copy
+constexpr double kSideSupport = 0.10;  // share of a side's length where border points must lie
 constexpr size_t kLeastSupport = 3;
-constexpr double kSideSigmas = 3;        // of the mean distance of a side's points
+constexpr double kSideSigmas = 3;  // of the mean distance of a side's points
 // Sides seen and lines of the grid agreed with. Three sides prove one size; a form seen once needs row and column as
 // well: among many single openings one that agrees by chance in one size is soon found.
 constexpr size_t kLeastSigns = 3, kLeastSignsOfOne = 4;
-constexpr double kOddOne = 2;              // parameters that a window unlike the others of its row must be worth
+constexpr double kOddOne =
+    2;  // parameters that a window unlike the others of its row must be worth
 constexpr size_t kMostBorderPoints = 400;  // of a fit; more are thinned evenly
 
 /// Whether any of its edges stands upright or lies level: then all of its kind do.
 bool is_upright(const VectorRing& ring) {
   return std::any_of(ring.edges.begin(), ring.edges.end(), [](const VectorEdge& edge) {
-    return edge.direction == EdgeDirection::kVertical || edge.direction == EdgeDirection::kHorizontal;
+    return edge.direction == EdgeDirection::kVertical ||
+           edge.direction == EdgeDirection::kHorizontal;
   });
 }
 
@@ -70,7 +74,9 @@ class Completion {
     grid_ = find_grid(wall_, known, boxes_, setting_);
   }
 
-  const FacadeOpening& best_of(size_t pattern) const { return wall_.openings[patterns_[pattern].best]; }
+  const FacadeOpening& best_of(size_t pattern) const {
+    return wall_.openings[patterns_[pattern].best];
+  }
 
   /// 2. The badly measured opening becomes a copy of the pattern that its border agrees with best.
   size_t replace(size_t i) {
@@ -84,7 +90,8 @@ class Completion {
     FacadeOpening& opening = wall_.openings[i];
     const FacadeOpening& source = best_of(best.pattern);
     opening.outline = moved(source.outline, best.motion);
-    if (!std::isfinite(opening.depth_m)) opening.depth_m = source.depth_m, opening.depth_sigma_m = source.depth_sigma_m;
+    if (!std::isfinite(opening.depth_m))
+      opening.depth_m = source.depth_m, opening.depth_sigma_m = source.depth_sigma_m;
     opening.kind = source.kind;
     opening.residual_m = best.residual_m;
     mark(i, best.pattern);
@@ -97,7 +104,8 @@ class Completion {
     for (const GridLine& row : grid_.rows)
       for (const GridLine& column : grid_.columns) {
         const Vec2 centre{column.at, row.at};
-        const size_t p = boxes_[i].holds(centre) ? pattern_at(patterns_, row, column) : patterns_.size();
+        const size_t p =
+            boxes_[i].holds(centre) ? pattern_at(patterns_, row, column) : patterns_.size();
         if (p == patterns_.size()) continue;
         const Vec2 pivot = patterns_[p].box.middle();
         const double spacing_m = spacing_beside(wall_, boxes_[i]);
@@ -118,7 +126,8 @@ class Completion {
     const FacadeOpening& opening = wall_.openings[i];
     const double reach_m = kReach * spacing_beside(wall_, boxes_[i]);
     const double own_m2 = cost_in_place(outline_points(opening.outline), copy.border, reach_m);
-    double parameters = 0;  // a place and a direction an edge; arcs, and edges in a class, have one more or less
+    double parameters =
+        0;  // a place and a direction an edge; arcs, and edges in a class, have one more or less
     for (const VectorEdge& edge : opening.outline.edges)
       parameters += edge.sagitta_m != 0 ? 3 : edge.direction == EdgeDirection::kInclined ? 2 : 1;
     return is_better_explained(copy, own_m2, parameters);
@@ -140,13 +149,16 @@ class Completion {
     if (opening.border_points.empty() || boxes_[i].width() < patterns_[p].box.width() - reach_m ||
         boxes_[i].height() < patterns_[p].box.height() - reach_m)
       return {};
-    const std::vector<Vec2> form = outline_points(best_of(p).outline), border = thinned_border(opening);
+    const std::vector<Vec2> form = outline_points(best_of(p).outline),
+                            border = thinned_border(opening);
     // Where leaves or glass thin the points out, the last ones stay farther from the edge.
     const double spacing_m = spacing_beside(wall_, boxes_[i]);
-    const double set_back_m = mean_distance(form, thinned_border(best_of(p))) * spacing_m / wall_.spacing_m;
+    const double set_back_m =
+        mean_distance(form, thinned_border(best_of(p))) * spacing_m / wall_.spacing_m;
     const bool may_turn = !is_upright(best_of(p).outline);
     Candidate best;
-    const Vec2 low = boxes_[i].low - patterns_[p].box.low, high = boxes_[i].high - patterns_[p].box.high;
+    const Vec2 low = boxes_[i].low - patterns_[p].box.low,
+               high = boxes_[i].high - patterns_[p].box.high;
     for (const double u : starts(low.u, high.u, reach_m))
       for (const double v : starts(low.v, high.v, reach_m)) {
         Placement placed = place_on_border(form, set_back_m, border, {u, v}, reach_m, may_turn);
@@ -179,13 +191,15 @@ class Completion {
 
   /// Counts the sides that are seen and the lines of the grid that the placement agrees with, and takes from the grid
   /// what the sides leave open. No signs: not there.
-  Candidate judged(size_t p, size_t i, const Placement& placed, size_t border_points, double spacing_m) const {
+  Candidate judged(size_t p, size_t i, const Placement& placed, size_t border_points,
+                   double spacing_m) const {
     const RingBox& box = patterns_[p].box;
     std::array<bool, 4> seen{};
     for (size_t s = 0; s < 4; ++s) {
       const double length_m = s == kLeft || s == kRight ? box.height() : box.width();
       const auto wanted = static_cast<size_t>(kSideSupport * length_m / spacing_m);
-      seen[s] = placed.sides[s] >= std::max(kLeastSupport, std::min(wanted, kMostBorderPoints / 20));
+      seen[s] =
+          placed.sides[s] >= std::max(kLeastSupport, std::min(wanted, kMostBorderPoints / 20));
     }
     Candidate out{p, placed.motion, 0, placed.residual_m, placed.cost_m2, {}, 2};
     const auto border = static_cast<double>(border_points);
@@ -205,14 +219,17 @@ class Completion {
     const double across_m2 = variance_across(placed, seen, kLeft, kRight, spacing_m);
     const double up_m2 = variance_across(placed, seen, kLower, kUpper, spacing_m);
     out.motion.shift.u += step_to_line(grid_, column, centre.u, across_m2);
-    if (!wall_.openings[i].ends_at_sill) out.motion.shift.v += step_to_line(grid_, row, centre.v, up_m2);
+    if (!wall_.openings[i].ends_at_sill)
+      out.motion.shift.v += step_to_line(grid_, row, centre.v, up_m2);
     const bool is_single = patterns_[p].members.size() < 2;
     if (is_single && (row == nullptr || column == nullptr)) return out;
-    const size_t lines = static_cast<size_t>(row != nullptr) + static_cast<size_t>(column != nullptr);
+    const size_t lines =
+        static_cast<size_t>(row != nullptr) + static_cast<size_t>(column != nullptr);
     signs += lines;
     out.parameters -= static_cast<double>(lines);
     if (lines == 2 && pattern_at(patterns_, *row, *column) != p) out.parameters += kOddOne;
-    if (signs >= (is_single ? kLeastSignsOfOne : kLeastSigns) && is_free(p, out.motion, i)) out.signs = signs;
+    if (signs >= (is_single ? kLeastSignsOfOne : kLeastSigns) && is_free(p, out.motion, i))
+      out.signs = signs;
     return out;
   }
 
@@ -228,12 +245,14 @@ class Completion {
   }
 
   /// Whether the border lies where the form says on every side that is seen, within the tolerance of sizes.
-  bool is_of_size(const Placement& placed, const std::array<bool, 4>& seen, double spacing_m) const {
+  bool is_of_size(const Placement& placed, const std::array<bool, 4>& seen,
+                  double spacing_m) const {
     for (size_t s = 0; s < 4; ++s) {
-      const double sigma_m = placed.residual_m / std::sqrt(static_cast<double>(std::max<size_t>(1, placed.sides[s])));
+      const double sigma_m =
+          placed.residual_m / std::sqrt(static_cast<double>(std::max<size_t>(1, placed.sides[s])));
       // How much farther the last points stay in the shade is known to within the growth of the spacing.
-      const double limit_m =
-          std::max(setting_.size_tolerance_m / 2, kSideSigmas * sigma_m) + spacing_m - wall_.spacing_m;
+      const double limit_m = std::max(setting_.size_tolerance_m / 2, kSideSigmas * sigma_m) +
+                             spacing_m - wall_.spacing_m;
       if (seen[s] && std::fabs(placed.offsets_m[s]) > limit_m) return false;
     }
     return true;
@@ -271,8 +290,8 @@ class Completion {
     const VectorRing ring = moved(best_of(p).outline, motion);
     const RingBox box = ring_box(ring);
     for (size_t k = 0; k < boxes_.size(); ++k)
-      if (k != i && box.low.u < boxes_[k].high.u && boxes_[k].low.u < box.high.u && box.low.v < boxes_[k].high.v &&
-          boxes_[k].low.v < box.high.v)
+      if (k != i && box.low.u < boxes_[k].high.u && boxes_[k].low.u < box.high.u &&
+          box.low.v < boxes_[k].high.v && boxes_[k].low.v < box.high.v)
         return false;
     const std::vector<Vec2> form = outline_points(ring);
     if (piece_around(wall_, form) == wall_.outlines.size() || shows_wall(wall_, form)) return false;

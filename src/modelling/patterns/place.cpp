@@ -15,15 +15,15 @@ namespace {
 
 constexpr int kMostIterations = 60;
 constexpr double kSettled_m = 1e-5;
-constexpr double kFirstReach = 4;          // reaches: the first iterations pull from farther away
-constexpr double kMostTurn_rad = 0.035;    // 2 degrees: builders set windows upright
-constexpr double kProof = 9;               // square of 3 sigma by which a turn must better the fit
-constexpr double kFacing = 0.8;            // cosine of a side's normal: within 37 degrees of an axis
+constexpr double kFirstReach = 4;        // reaches: the first iterations pull from farther away
+constexpr double kMostTurn_rad = 0.035;  // 2 degrees: builders set windows upright
+constexpr double kProof = 9;             // square of 3 sigma by which a turn must better the fit
+constexpr double kFacing = 0.8;          // cosine of a side's normal: within 37 degrees of an axis
 
 /// The nearest place of a form's border.
 struct Foot {
-  Vec2 at, outward;    ///< unit
-  double distance_m;   ///< positive outside
+  Vec2 at, outward;   ///< unit
+  double distance_m;  ///< positive outside
 };
 
 Foot foot_on(std::span<const Vec2> form, const Vec2& p) {
@@ -50,8 +50,8 @@ struct Pairs {
   std::vector<Foot> feet;
 };
 
-Pairs pair_up(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border, const Motion2& motion,
-              double reach_m) {
+Pairs pair_up(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border,
+              const Motion2& motion, double reach_m) {
   Pairs out;
   for (const Vec2& b : border) {
     const Foot foot = foot_on(form, motion.origin_of(b));
@@ -77,7 +77,8 @@ Motion2 procrustes(const Pairs& pairs, const Vec2& pivot, bool may_turn) {
     c += dot(pairs.wanted[i] - w, pairs.measured[i] - m);
     s += cross(pairs.wanted[i] - w, pairs.measured[i] - m);
   }
-  Motion2 out{pivot, {}, may_turn ? std::clamp(std::atan2(s, c), -kMostTurn_rad, kMostTurn_rad) : 0};
+  Motion2 out{
+      pivot, {}, may_turn ? std::clamp(std::atan2(s, c), -kMostTurn_rad, kMostTurn_rad) : 0};
   out.shift = m - out.point(w);
   return out;
 }
@@ -88,14 +89,15 @@ struct Fit {
   double squares = 0;
 };
 
-Fit iterate(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border, Motion2 motion,
-            double reach_m, bool may_turn) {
+Fit iterate(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border,
+            Motion2 motion, double reach_m, bool may_turn) {
   for (int i = 0; i < kMostIterations; ++i) {
     const double reach = reach_m * std::max(1.0, kFirstReach - i);
     const Pairs pairs = pair_up(form, set_back_m, border, motion, reach);
     if (pairs.wanted.size() < 2) break;
     const Motion2 next = procrustes(pairs, motion.pivot, may_turn);
-    const double step = norm(next.shift - motion.shift) + std::fabs(next.turn_rad - motion.turn_rad);
+    const double step =
+        norm(next.shift - motion.shift) + std::fabs(next.turn_rad - motion.turn_rad);
     motion = next;
     if (step < kSettled_m && reach == reach_m) break;
   }
@@ -125,8 +127,9 @@ VectorRing moved(const VectorRing& ring, const Motion2& motion) {
   return out;
 }
 
-Placement place_on_border(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border,
-                          const Vec2& start, double reach_m, bool may_turn) {
+Placement place_on_border(std::span<const Vec2> form, double set_back_m,
+                          std::span<const Vec2> border, const Vec2& start, double reach_m,
+                          bool may_turn) {
   Placement out;
   out.motion = {mean_of(form), start, 0};
   Fit fit = iterate(form, set_back_m, border, out.motion, reach_m, false);
@@ -134,15 +137,17 @@ Placement place_on_border(std::span<const Vec2> form, double set_back_m, std::sp
   // A turn is proven when it betters the sum of squares by more than chance, of no fewer points.
   const auto n = static_cast<double>(turned.pairs.feet.size());
   const bool as_many = turned.pairs.feet.size() >= fit.pairs.feet.size();
-  if (as_many && n > 3 && (fit.squares - turned.squares) * (n - 3) > kProof * turned.squares) fit = turned;
+  if (as_many && n > 3 && (fit.squares - turned.squares) * (n - 3) > kProof * turned.squares)
+    fit = turned;
   out.motion = fit.motion;
   out.support = fit.pairs.feet.size();
-  out.residual_m = out.support > 0 ? std::sqrt(fit.squares / static_cast<double>(out.support)) : reach_m;
+  out.residual_m =
+      out.support > 0 ? std::sqrt(fit.squares / static_cast<double>(out.support)) : reach_m;
   const auto all = static_cast<double>(border.size()), off = all - static_cast<double>(out.support);
   out.cost_m2 = all > 0 ? (fit.squares + off * reach_m * reach_m) / all : reach_m * reach_m;
   for (const Foot& foot : fit.pairs.feet) {
-    const bool faces[] = {foot.outward.u < -kFacing, foot.outward.u > kFacing, foot.outward.v < -kFacing,
-                          foot.outward.v > kFacing};
+    const bool faces[] = {foot.outward.u<-kFacing, foot.outward.u> kFacing,
+                          foot.outward.v<-kFacing, foot.outward.v> kFacing};
     for (size_t s = 0; s < 4; ++s)
       if (faces[s]) ++out.sides[s], out.offsets_m[s] += foot.distance_m - set_back_m;
   }
@@ -177,7 +182,9 @@ CellCount count_cells(const WallMap& map, std::span<const Vec2> form, double mar
     low = {std::min(low.u, p.u), std::min(low.v, p.v)};
     high = {std::max(high.u, p.u), std::max(high.v, p.v)};
   }
-  const auto index = [&](double at, double origin) { return std::floor((at - origin) / map.cell_m); };
+  const auto index = [&](double at, double origin) {
+    return std::floor((at - origin) / map.cell_m);
+  };
   for (double r = index(low.v, map.origin.v); r <= index(high.v, map.origin.v); ++r)
     for (double c = index(low.u, map.origin.u); c <= index(high.u, map.origin.u); ++c) {
       const Vec2 middle = map.origin + Vec2{c + 0.5, r + 0.5} * map.cell_m;

@@ -25,8 +25,8 @@ VectorRing moved(const VectorRing& ring, const Motion2& motion);
 struct Placement {
   Motion2 motion;
   double residual_m = 0;
-  double cost_m2 = 0;             ///< mean square distance of all border points, at most the reach of each
-  size_t support = 0;             ///< border points that lie where the form's border should be
+  double cost_m2 = 0;  ///< mean square distance of all border points, at most the reach of each
+  size_t support = 0;  ///< border points that lie where the form's border should be
   /// Of the border points beside the left, right, lower and upper side of the form: how many, and their mean distance
   /// outward from where they should be.
   std::array<size_t, 4> sides{};
@@ -37,8 +37,9 @@ struct Placement {
 /// (anticlockwise) that brings border points to this distance outside it. Starts from the shift; points farther than
 /// reach_m from where they should be count no more in the end. Turns only where it may and the points prove it.
 /// O(iterations x points x corners).
-Placement place_on_border(std::span<const Vec2> form, double set_back_m, std::span<const Vec2> border,
-                          const Vec2& start, double reach_m, bool may_turn);
+Placement place_on_border(std::span<const Vec2> form, double set_back_m,
+                          std::span<const Vec2> border, const Vec2& start, double reach_m,
+                          bool may_turn);
 
 /// Mean square distance of border points from where the form itself, moved nowhere, says that they should lie at the
 /// set-back that suits them best; at most the reach of each.
@@ -52,7 +53,9 @@ struct CellCount {
   std::array<size_t, 4> of{};  ///< by WallCell
   size_t all() const { return of[0] + of[1] + of[2] + of[3]; }
   double share(WallCell cell) const {
-    return all() > 0 ? static_cast<double>(of[static_cast<size_t>(cell)]) / static_cast<double>(all()) : 0;
+    return all() > 0
+               ? static_cast<double>(of[static_cast<size_t>(cell)]) / static_cast<double>(all())
+               : 0;
   }
 };
 /// Cells whose middle lies inside the form and this far from its border.

@@ -15,16 +15,20 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSolidInside = 0.05;    // share of a form's cells where points of the wall may lie: strays
+constexpr double kSolidInside =
+    0.05;  // share of a form's cells where points of the wall may lie: strays
 constexpr double kThroughBeside = 0.10;  // of its cells, seen through beside it
 constexpr double kAround_cells = 8;      // beside an opening, where its local spacing shows
-constexpr double kSolidWhereLit = 0.75;  // share of the wall's cells, one spacing wide, that have a point: 0.6-0.95
-constexpr double kLeastLit = 0.1;        // of it; a copy from fewer points is a guess
+constexpr double kSolidWhereLit =
+    0.75;  // share of the wall's cells, one spacing wide, that have a point: 0.6-0.95
+constexpr double kLeastLit = 0.1;  // of it; a copy from fewer points is a guess
 
-constexpr auto kSiteSolid = static_cast<size_t>(WallCell::kSolid), kThrough = static_cast<size_t>(WallCell::kThrough);
+constexpr auto kSiteSolid = static_cast<size_t>(WallCell::kSolid),
+               kThrough = static_cast<size_t>(WallCell::kThrough);
 
 CellCount cells_in(const WallMap& map, const RingBox& b) {
-  return count_cells(map, std::array{b.low, Vec2{b.high.u, b.low.v}, b.high, Vec2{b.low.u, b.high.v}}, 0);
+  return count_cells(
+      map, std::array{b.low, Vec2{b.high.u, b.low.v}, b.high, Vec2{b.low.u, b.high.v}}, 0);
 }
 
 }  // namespace
@@ -33,7 +37,8 @@ uint32_t piece_around(const FacadeWall& wall, std::span<const Vec2> form) {
   size_t k = 0;
   for (; k < wall.outlines.size(); ++k) {
     const std::vector<Vec2> face = outline_points(wall.outlines[k]);
-    if (std::all_of(form.begin(), form.end(), [&](const Vec2& p) { return contains(face, p); })) break;
+    if (std::all_of(form.begin(), form.end(), [&](const Vec2& p) { return contains(face, p); }))
+      break;
   }
   return static_cast<uint32_t>(k);
 }

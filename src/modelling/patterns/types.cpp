@@ -13,11 +13,13 @@ namespace jalon {
 
 namespace {
 
-constexpr double kChord_m = 5e-4;       // of arcs: far below any spacing
-constexpr double kEdgeSigma = 0.3;      // of the spacing, for edges that tell none (the accuracy asked of vertices)
-constexpr double kSigmas = 3;           // of the difference of two sizes
-constexpr double kForm = 2;             // tolerances of size by which outlines of one form may differ anywhere
-constexpr double kResidual = 0.75;      // of the spacing: about a true edge border points scatter by 0.3-0.55
+constexpr double kChord_m = 5e-4;  // of arcs: far below any spacing
+constexpr double kEdgeSigma =
+    0.3;  // of the spacing, for edges that tell none (the accuracy asked of vertices)
+constexpr double kSigmas = 3;  // of the difference of two sizes
+constexpr double kForm = 2;  // tolerances of size by which outlines of one form may differ anywhere
+constexpr double kResidual =
+    0.75;  // of the spacing: about a true edge border points scatter by 0.3-0.55
 
 /// What sets one opening beside another.
 struct Size {
@@ -56,9 +58,12 @@ bool is_like(const Size& a, const Size& b, double tolerance_m, double spacing_m)
 
 std::vector<Vec2> outline_points(const VectorRing& ring) { return flattened(ring, kChord_m); }
 
-bool is_well_measured(const FacadeOpening& opening, const FacadeWall& wall, const PatternSetting& setting) {
-  const bool is_known = opening.evidence != Evidence::kNone && opening.evidence != Evidence::kCopied;
-  return is_known && opening.outline.corners.size() >= 3 && opening.coverage >= setting.least_coverage &&
+bool is_well_measured(const FacadeOpening& opening, const FacadeWall& wall,
+                      const PatternSetting& setting) {
+  const bool is_known =
+      opening.evidence != Evidence::kNone && opening.evidence != Evidence::kCopied;
+  return is_known && opening.outline.corners.size() >= 3 &&
+         opening.coverage >= setting.least_coverage &&
          !(opening.residual_m > std::max(kResidual * wall.spacing_m, 2 * wall.sigma_m));
 }
 

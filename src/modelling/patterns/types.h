@@ -18,11 +18,12 @@ std::vector<Vec2> outline_points(const VectorRing& ring);
 struct Pattern {
   size_t best = 0;              ///< the one to copy
   std::vector<size_t> members;  ///< ascending, the best one among them
-  RingBox box;               ///< of the best one
+  RingBox box;                  ///< of the best one
 };
 
 /// Measured well enough to be copied.
-bool is_well_measured(const FacadeOpening& opening, const FacadeWall& wall, const PatternSetting& setting);
+bool is_well_measured(const FacadeOpening& opening, const FacadeWall& wall,
+                      const PatternSetting& setting);
 
 /// Every well measured opening belongs to one pattern, perhaps alone. After: the pattern of the
 /// best measured opening first; no opening in two.

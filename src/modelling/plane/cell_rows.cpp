@@ -13,10 +13,12 @@ namespace {
 constexpr double kMaxCells = 0x1p30;  // rows and columns, well inside 31 bits
 constexpr uint64_t kRow = uint64_t{1} << 32;
 
-constexpr uint64_t kDenseCells = 8, kDenseFloor = 65536;  // a counter a cell pays off up to so many cells a point
+constexpr uint64_t kDenseCells = 8,
+                   kDenseFloor = 65536;  // a counter a cell pays off up to so many cells a point
 
 // Counting sort: O(points + cells).
-void count_into_cells(std::span<const Vec2> points, uint64_t columns, uint64_t rows, CellRows& out) {
+void count_into_cells(std::span<const Vec2> points, uint64_t columns, uint64_t rows,
+                      CellRows& out) {
   const auto cell_of = [&](const Vec2& p) {
     const uint64_t key = out.key_of(p);
     return ((key >> 32) - 1) * columns + (key & 0xffffffffu) - 1;
@@ -31,13 +33,15 @@ void count_into_cells(std::span<const Vec2> points, uint64_t columns, uint64_t r
     begin += std::exchange(next[cell], begin);
   }
   out.order.resize(points.size());
-  for (size_t i = 0; i < points.size(); ++i) out.order[next[cell_of(points[i])]++] = static_cast<uint32_t>(i);
+  for (size_t i = 0; i < points.size(); ++i)
+    out.order[next[cell_of(points[i])]++] = static_cast<uint32_t>(i);
 }
 
 // Few points in a wide raster: O(n log n).
 void compare_into_cells(std::span<const Vec2> points, CellRows& out) {
   std::vector<std::pair<uint64_t, uint32_t>> keyed(points.size());
-  for (size_t i = 0; i < points.size(); ++i) keyed[i] = {out.key_of(points[i]), static_cast<uint32_t>(i)};
+  for (size_t i = 0; i < points.size(); ++i)
+    keyed[i] = {out.key_of(points[i]), static_cast<uint32_t>(i)};
   std::sort(keyed.begin(), keyed.end());
   out.order.resize(points.size());
   for (size_t i = 0; i < keyed.size(); ++i) {
@@ -74,8 +78,7 @@ CellRows sort_into_cells(std::span<const Vec2> points, double cell_m) {
   const uint64_t last = out.key_of(high), columns = (last & 0xffffffffu), rows = last >> 32;
   if (rows * columns <= kDenseCells * points.size() + kDenseFloor)
     count_into_cells(points, columns, rows, out);
-  else
-    compare_into_cells(points, out);
+  else compare_into_cells(points, out);
   out.first.push_back(static_cast<uint32_t>(points.size()));
   return out;
 }
@@ -85,8 +88,8 @@ std::vector<uint8_t> eroded(const CellRows& rows, std::span<const uint8_t> marke
   const size_t n = keys.size();
   std::vector<uint8_t> out(n, 0);
   const auto three = [&](size_t at, uint64_t key) {  // cells key, key + 1, key + 2 from position at
-    return at + 2 < n && keys[at] == key && keys[at + 1] == key + 1 && keys[at + 2] == key + 2 && marked[at] != 0 &&
-           marked[at + 1] != 0 && marked[at + 2] != 0;
+    return at + 2 < n && keys[at] == key && keys[at + 1] == key + 1 && keys[at + 2] == key + 2 &&
+           marked[at] != 0 && marked[at + 1] != 0 && marked[at + 2] != 0;
   };
   // The neighbours' keys grow with the cell's key, so two cursors walk the rows below and above.
   size_t below = 0, above = 0;
@@ -94,7 +97,10 @@ std::vector<uint8_t> eroded(const CellRows& rows, std::span<const uint8_t> marke
     const uint64_t key = keys[i];
     while (below < n && keys[below] < key - kRow - 1) ++below;
     while (above < n && keys[above] < key + kRow - 1) ++above;
-    out[i] = i > 0 && three(i - 1, key - 1) && three(below, key - kRow - 1) && three(above, key + kRow - 1) ? 1 : 0;
+    out[i] = i > 0 && three(i - 1, key - 1) && three(below, key - kRow - 1) &&
+                     three(above, key + kRow - 1)
+                 ? 1
+                 : 0;
   }
   return out;
 }

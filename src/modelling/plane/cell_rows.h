@@ -15,9 +15,10 @@ namespace jalon {
 struct CellRows {
   double cell_m = 1;
   Vec2 corner;
-  std::vector<uint64_t> keys;    ///< of the occupied cells, ascending: row << 32 | column, both from 1
-  std::vector<uint32_t> first;   ///< keys.size() + 1; cell c holds order[first[c] ... first[c + 1])
-  std::vector<uint32_t> order;   ///< point indices by cell, ascending within one
+  std::vector<uint64_t>
+      keys;  ///< of the occupied cells, ascending: row << 32 | column, both from 1
+  std::vector<uint32_t> first;  ///< keys.size() + 1; cell c holds order[first[c] ... first[c + 1])
+  std::vector<uint32_t> order;  ///< point indices by cell, ascending within one
 
   uint64_t key_of(const Vec2& p) const;
   /// First cell whose key is not below this, or keys.size().
@@ -48,7 +49,8 @@ struct PointRows {
   template <class F>
   void visit(const Vec2& low, const Vec2& high, F&& f) const {
     if (points.empty()) return;
-    const uint64_t left = number_of(low.u - rows.corner.u), right = number_of(high.u - rows.corner.u);
+    const uint64_t left = number_of(low.u - rows.corner.u),
+                   right = number_of(high.u - rows.corner.u);
     const uint64_t top = number_of(high.v - rows.corner.v);
     for (uint64_t row = number_of(low.v - rows.corner.v); row <= top; ++row) {
       size_t c = rows.lower(row << 32 | left);

@@ -34,7 +34,8 @@ CornerEdge edge_of(const VectorRing& ring, size_t e, bool at_end, bool by_chord)
 
 }  // namespace
 
-void set_covariances(Model& model, const PlaneFrame& frame, const Face& plane, const RingVertices& ring) {
+void set_covariances(Model& model, const PlaneFrame& frame, const Face& plane,
+                     const RingVertices& ring) {
   std::array<double, 9> unknown;
   unknown.fill(kNaN);
   model.vertex_covariances.resize(model.vertices.size(), unknown);
@@ -42,7 +43,8 @@ void set_covariances(Model& model, const PlaneFrame& frame, const Face& plane, c
   for (size_t i = 0; i < n; ++i) {
     std::array<double, 9>& out = model.vertex_covariances[ring.vertices[i]];
     if (std::isfinite(out[0])) continue;
-    UncertainSurface surface = plane_at(plane.plane, plane.covariance, model.vertices[ring.vertices[i]]);
+    UncertainSurface surface =
+        plane_at(plane.plane, plane.covariance, model.vertices[ring.vertices[i]]);
     surface.sigma_m = std::hypot(surface.sigma_m, ring.extra_sigma_m);
     const size_t last = (i + n - 1) % n;
     for (const bool by_chord : {false, true}) {

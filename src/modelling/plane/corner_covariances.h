@@ -24,6 +24,7 @@ struct RingVertices {
 /// Before: plane has its covariance; ring.vertices, one a corner, are in the model. After:
 /// model.vertex_covariances is as long as its vertices, NaN where an edge has no sigma; what was
 /// known already stays.
-void set_covariances(Model& model, const PlaneFrame& frame, const Face& plane, const RingVertices& ring);
+void set_covariances(Model& model, const PlaneFrame& frame, const Face& plane,
+                     const RingVertices& ring);
 
 }  // namespace jalon

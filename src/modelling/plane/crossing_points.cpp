@@ -9,11 +9,14 @@ namespace jalon {
 
 namespace {
 
-constexpr double kCrossingPointsFlattest = 0.94;  // |cos| of 20 degrees: flatter planes share more than a row of points
+constexpr double kCrossingPointsFlattest =
+    0.94;  // |cos| of 20 degrees: flatter planes share more than a row of points
 constexpr double kOn = 3, kLeastSigma_m = 0.001;  // sigma: of points on a plane
-constexpr int kLeastBeside = 2;     // points on one side of a plane before it goes on there
+constexpr int kLeastBeside = 2;  // points on one side of a plane before it goes on there
 
-double on_plane_m(const Segment& segment) { return kOn * std::max(segment.fit.sigma, kLeastSigma_m); }
+double on_plane_m(const Segment& segment) {
+  return kOn * std::max(segment.fit.sigma, kLeastSigma_m);
+}
 
 // The offset of a plane far from the origin has lost bits that no result may hang on.
 double height_m(const Segment& segment, const Vec3& p) {
@@ -27,10 +30,12 @@ CrossingPoints::CrossingPoints(const Segmentation& segmentation, const Octree& t
   crosses_.assign(segmentation.segments.size() + 1, 0);
   for (const Segment& other : segmentation.segments)
     crosses_[other.label] =
-        other.has_plane() && std::fabs(dot(other.fit.plane.normal, own_.fit.plane.normal)) < kCrossingPointsFlattest;
+        other.has_plane() &&
+        std::fabs(dot(other.fit.plane.normal, own_.fit.plane.normal)) < kCrossingPointsFlattest;
 }
 
-bool CrossingPoints::ends_at(const Segment& other, const Vec3& p, const std::vector<Neighbour>& near) const {
+bool CrossingPoints::ends_at(const Segment& other, const Vec3& p,
+                             const std::vector<Neighbour>& near) const {
   const double on_other = on_plane_m(other), on_own = on_plane_m(own_);
   if (std::fabs(height_m(other, p)) > on_other) return false;
   const Cloud& cloud = *segmentation_.cloud;

@@ -62,8 +62,10 @@ PartRing turned(const PartRing& ring);
 /// lie in face.plane. After: its area is that of the rings, arcs included.
 void append_face(Model& model, Face face, const std::vector<PartRing>& rings);
 /// A planar face through corners given in order, anticlockwise for who sees it against normal.
-void append_polygon(Model& model, uint32_t part, const std::vector<uint32_t>& corners, const Vec3& normal);
+void append_polygon(Model& model, uint32_t part, const std::vector<uint32_t>& corners,
+                    const Vec3& normal);
 /// Appends a part and gives its index.
-uint32_t append_part(Model& model, std::string name, const char* part_class, uint64_t parent, Evidence evidence);
+uint32_t append_part(Model& model, std::string name, const char* part_class, uint64_t parent,
+                     Evidence evidence);
 
 }  // namespace jalon

@@ -24,15 +24,16 @@ int level_for(const Cube& cube, double edge_m) {
 double to_micrometres(double height_m) { return std::round(height_m * 0x1p20) * 0x1p-20; }
 
 // Codes of the cells that a box in the plane about p, of this depth, can meet.
-void add_cells(const Cube& cube, int level, const PlaneFrame& frame, const Vec2& p, double reach_m, double depth_m,
-               std::vector<uint64_t>& codes) {
+void add_cells(const Cube& cube, int level, const PlaneFrame& frame, const Vec2& p, double reach_m,
+               double depth_m, std::vector<uint64_t>& codes) {
   const double edge = cube.edge * std::ldexp(1.0, -level), count = std::ldexp(1.0, level);
   const Vec3 centre = frame.lift(p) - cube.origin;
   std::array<uint32_t, 3> low, high;
   for (int k = 0; k < 3; ++k) {
     const double half = reach_m * (std::fabs(frame.axis_u[k]) + std::fabs(frame.axis_v[k])) +
                         depth_m * std::fabs(frame.normal[k]);
-    const double from = std::floor((centre[k] - half) / edge), to = std::floor((centre[k] + half) / edge);
+    const double from = std::floor((centre[k] - half) / edge),
+                 to = std::floor((centre[k] + half) / edge);
     if (to < 0 || from >= count) return;
     low[static_cast<size_t>(k)] = static_cast<uint32_t>(std::max(from, 0.0));
     high[static_cast<size_t>(k)] = static_cast<uint32_t>(std::min(to, count - 1));
@@ -44,7 +45,8 @@ void add_cells(const Cube& cube, int level, const PlaneFrame& frame, const Vec2&
 
 // Cells along the rings, ascending, each once.
 std::vector<uint64_t> cells_along(const Octree& tree, int level, const PlaneFrame& frame,
-                                  std::span<const std::vector<Vec2>> rings, const NearSetting& setting) {
+                                  std::span<const std::vector<Vec2>> rings,
+                                  const NearSetting& setting) {
   const double edge = tree.cube().edge * std::ldexp(1.0, -level);
   std::vector<uint64_t> codes;
   for (const auto& ring : rings)
@@ -53,8 +55,8 @@ std::vector<uint64_t> cells_along(const Octree& tree, int level, const PlaneFram
       const double pieces = std::max(1.0, std::ceil(norm(step) / edge));
       const double half = norm(step) / pieces / 2;
       for (double k = 0; k < pieces; ++k)
-        add_cells(tree.cube(), level, frame, a + step * ((k + 0.5) / pieces), setting.reach_m + half, setting.depth_m,
-                  codes);
+        add_cells(tree.cube(), level, frame, a + step * ((k + 0.5) / pieces),
+                  setting.reach_m + half, setting.depth_m, codes);
       if (codes.size() > (size_t{1} << 20)) {
         std::sort(codes.begin(), codes.end());
         codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
@@ -67,9 +69,9 @@ std::vector<uint64_t> cells_along(const Octree& tree, int level, const PlaneFram
 
 }  // namespace
 
-NearPoints points_near(const Segmentation& segmentation, const Octree& tree, const PlaneFrame& frame,
-                       std::span<const std::vector<Vec2>> rings, std::span<const uint8_t> planes_parallel,
-                       const NearSetting& setting) {
+NearPoints points_near(const Segmentation& segmentation, const Octree& tree,
+                       const PlaneFrame& frame, std::span<const std::vector<Vec2>> rings,
+                       std::span<const uint8_t> planes_parallel, const NearSetting& setting) {
   const Cloud& cloud = *segmentation.cloud;
   const auto labels = segmentation.labels->values<uint32_t>();
   const auto order = tree.order();

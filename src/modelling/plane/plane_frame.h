@@ -46,7 +46,9 @@ struct PlaneFrame {
     const Vec3 d = p - origin;
     return {dot(d, axis_u), dot(d, axis_v)};
   }
-  Vec3 lift(const Vec2& p) const { return origin + (axis_u * p.u + axis_v * p.v + normal * height); }
+  Vec3 lift(const Vec2& p) const {
+    return origin + (axis_u * p.u + axis_v * p.v + normal * height);
+  }
 };
 
 /// Before: origin is any point near the data, facade_x a horizontal unit vector along the facade.

@@ -17,10 +17,11 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSamePoint_m = 1e-9;      // three planes' common point, from two of its lines
-constexpr double kLeastCornerSine = 0.17;  // 10 degrees: flatter neighbours have no useful intersection
-constexpr double kReachOfGap = 2;          // a corner may move so many gaps
-constexpr double kChordOfSpacing = 0.1;    // of arcs, where only soundness is asked
+constexpr double kSamePoint_m = 1e-9;  // three planes' common point, from two of its lines
+constexpr double kLeastCornerSine =
+    0.17;                          // 10 degrees: flatter neighbours have no useful intersection
+constexpr double kReachOfGap = 2;  // a corner may move so many gaps
+constexpr double kChordOfSpacing = 0.1;  // of arcs, where only soundness is asked
 
 // A line in the plane.
 struct Line2 {
@@ -91,21 +92,23 @@ void tell_source(std::span<const VectorPlane> planes, std::span<const Segment> s
   }
 }
 
-using FaceKey = std::pair<size_t, size_t>;          // plane, face
+using FaceKey = std::pair<size_t, size_t>;                   // plane, face
 using PairKey = std::tuple<size_t, size_t, size_t, size_t>;  // and the face it meets
-using CornerKey = std::tuple<size_t, size_t, size_t>;  // and corner
+using CornerKey = std::tuple<size_t, size_t, size_t>;        // and corner
 
 // 2. Ends of edges on a common line become one vertex.
 class Sharing {
  public:
-  Sharing(std::vector<VectorPlane>& planes, std::map<FaceKey, Joined>& joined) : planes_(planes), joined_(joined) {}
+  Sharing(std::vector<VectorPlane>& planes, std::map<FaceKey, Joined>& joined)
+      : planes_(planes), joined_(joined) {}
 
   void share_ends(const EdgeJoint& a, const EdgeJoint& b) {
     const auto fa = joined_.find({a.plane, a.face}), fb = joined_.find({b.plane, b.face});
     if (fa == joined_.end() || fb == joined_.end()) return;
     const size_t na = fa->second.is_fixed.size(), nb = fb->second.is_fixed.size();
     for (const size_t ca : {a.edge, (a.edge + 1) % na})
-      for (const size_t cb : {b.edge, (b.edge + 1) % nb}) share(a, fa->second, ca, b, fb->second, cb);
+      for (const size_t cb : {b.edge, (b.edge + 1) % nb})
+        share(a, fa->second, ca, b, fb->second, cb);
   }
 
   // Vertices of two planes and more, in the order in which they were first met.
@@ -130,7 +133,8 @@ class Sharing {
   // What the place of a corner along the line is worth: 1 / variance of the edge that ends there.
   static double weight(const EdgeJoint& joint, const Joined& face, size_t corner) {
     const auto& edges = face.face.outline.edges;
-    const size_t crossing = corner == joint.edge ? (corner + edges.size() - 1) % edges.size() : corner;
+    const size_t crossing =
+        corner == joint.edge ? (corner + edges.size() - 1) % edges.size() : corner;
     const double sigma = edges[crossing].sigma_m > 0 ? edges[crossing].sigma_m : joint.reach_m;
     return 1 / (sigma * sigma);
   }
@@ -139,7 +143,9 @@ class Sharing {
     const Vec3 pa = place(a, fa, ca), pb = place(b, fb, cb);
     const double ta = a.line.at(pa), tb = a.line.at(pb);
     // A corner moves no further than its own plane's gap allows, whatever the spacing of the other one.
-    const double reach_m = fa.is_fixed[ca] ? b.reach_m : fb.is_fixed[cb] ? a.reach_m : a.reach_m + b.reach_m;
+    const double reach_m = fa.is_fixed[ca]   ? b.reach_m
+                           : fb.is_fixed[cb] ? a.reach_m
+                                             : a.reach_m + b.reach_m;
     if (std::fabs(ta - tb) > reach_m) return;
     const CornerKey ka{a.plane, a.face, ca}, kb{b.plane, b.face, cb};
     // A corner on two lines stays; where both do, they must be the same point already: faces are never bent.
@@ -161,7 +167,8 @@ class Sharing {
     const CornerKey ra = root_of(a), rb = root_of(b);
     if (members_[ra].empty()) members_[ra] = {ra};
     if (ra == rb) return;
-    const std::vector<CornerKey> moved = members_.contains(rb) ? members_[rb] : std::vector<CornerKey>{rb};
+    const std::vector<CornerKey> moved =
+        members_.contains(rb) ? members_[rb] : std::vector<CornerKey>{rb};
     members_.erase(rb);
     for (const CornerKey& key : moved) {
       root_[key] = ra;
@@ -179,7 +186,8 @@ class Sharing {
 
 }  // namespace
 
-std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes, std::span<const Segment> segments,
+std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes,
+                                      std::span<const Segment> segments,
                                       const JointSetting& setting, Task& task) {
   if (!setting.enabled) return {};
   const std::vector<EdgeJoint> joints = find_joints(planes, setting, task);
@@ -189,7 +197,8 @@ std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes, std::spa
     task.checkpoint(0);
     size_t end = first;
     const FaceKey key{joints[first].plane, joints[first].face};
-    while (end < joints.size() && joints[end].plane == key.first && joints[end].face == key.second) ++end;
+    while (end < joints.size() && joints[end].plane == key.first && joints[end].face == key.second)
+      ++end;
     const VectorPlane& plane = planes[key.first];
     Joined face{plane.faces[key.second], {}};
     const std::span own(joints.data() + first, end - first);
@@ -205,7 +214,8 @@ std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes, std::spa
   for (size_t i = 0; i < joints.size(); ++i) {
     task.checkpoint(0);
     const EdgeJoint& a = joints[i];
-    for (const size_t j : by_pair[{a.other_plane, a.other_face, a.plane, a.face}]) sharing.share_ends(a, joints[j]);
+    for (const size_t j : by_pair[{a.other_plane, a.other_face, a.plane, a.face}])
+      sharing.share_ends(a, joints[j]);
     by_pair[{a.plane, a.face, a.other_plane, a.other_face}].push_back(i);
   }
   std::vector<SharedCorner> shared = sharing.corners();

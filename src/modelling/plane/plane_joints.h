@@ -13,7 +13,8 @@ namespace jalon {
 
 struct JointSetting {
   bool enabled = true;
-  double gap_m = 0;  ///< edges this near to another plane are drawn to it; 0: two spacings of its points
+  double gap_m =
+      0;  ///< edges this near to another plane are drawn to it; 0: two spacings of its points
 };
 
 /// A vertex that several planes share, by its place in each.
@@ -36,7 +37,8 @@ struct SharedCorner {
 /// After: faces are as sound as they were (one that would meet itself or its openings keeps its
 /// edges); edges that moved have source and sigma of their joint; a shared corner has its place in
 /// each plane. O(faces^2) box tests + the edges of neighbours.
-std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes, std::span<const Segment> segments,
+std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes,
+                                      std::span<const Segment> segments,
                                       const JointSetting& setting, Task& task);
 
 }  // namespace jalon

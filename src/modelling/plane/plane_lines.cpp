@@ -14,12 +14,14 @@ namespace jalon {
 
 namespace {
 
-constexpr double kGapOfSpacing = 2;  // an edge misses the line by its last spacing and as much by noise and beam width
-constexpr double kPlaneLinesFlattest = 0.94;      // |cos| of 20 degrees: flatter planes have no useful line
-constexpr double kEdgeAlong = 0.996;    // 5 degrees between edge and line
-constexpr double kChord_m = 0.01;       // of arcs, where only "near or not" is asked
-constexpr int kProbes = 5;              // along an edge ...
-constexpr int kNeeded = 3;              // ... of which so many must find the other face there
+constexpr double kGapOfSpacing =
+    2;  // an edge misses the line by its last spacing and as much by noise and beam width
+constexpr double kPlaneLinesFlattest =
+    0.94;                             // |cos| of 20 degrees: flatter planes have no useful line
+constexpr double kEdgeAlong = 0.996;  // 5 degrees between edge and line
+constexpr double kChord_m = 0.01;     // of arcs, where only "near or not" is asked
+constexpr int kProbes = 5;            // along an edge ...
+constexpr int kNeeded = 3;            // ... of which so many must find the other face there
 
 struct FaceAt {
   size_t plane = 0, face = 0;
@@ -28,7 +30,8 @@ struct FaceAt {
   double gap_m = 0;
 };
 
-std::vector<FaceAt> list_faces(const std::vector<VectorPlane>& planes, const JointSetting& setting) {
+std::vector<FaceAt> list_faces(const std::vector<VectorPlane>& planes,
+                               const JointSetting& setting) {
   std::vector<FaceAt> out;
   for (size_t p = 0; p < planes.size(); ++p)
     for (size_t f = 0; f < planes[p].faces.size(); ++f) {
@@ -58,7 +61,8 @@ std::optional<PlaneLine> line_of(const PlaneFrame& a, const PlaneFrame& b, const
   PlaneLine out;
   const double ha = height_above(a, near), hb = height_above(b, near), square = 1 - cosine * cosine;
   out.d = normalized(cross(a.normal, b.normal));
-  out.p = near - a.normal * ((ha - cosine * hb) / square) - b.normal * ((hb - cosine * ha) / square);
+  out.p =
+      near - a.normal * ((ha - cosine * hb) / square) - b.normal * ((hb - cosine * ha) / square);
   return out;
 }
 
@@ -68,8 +72,8 @@ bool is_there(const VectorPlane& plane, const FaceAt& face, const Vec3& p, doubl
 }
 
 // Edges of face a along the line, where face b is.
-void find_edges(const std::vector<VectorPlane>& planes, const FaceAt& a, const FaceAt& b, const PlaneLine& line,
-                std::vector<EdgeJoint>& out) {
+void find_edges(const std::vector<VectorPlane>& planes, const FaceAt& a, const FaceAt& b,
+                const PlaneLine& line, std::vector<EdgeJoint>& out) {
   const double gap_m = a.gap_m;
   const VectorPlane& plane = planes[a.plane];
   const VectorRing& ring = plane.faces[a.face].outline;
@@ -79,18 +83,22 @@ void find_edges(const std::vector<VectorPlane>& planes, const FaceAt& a, const F
     const Vec3 to = plane.frame.lift(ring.corners[(e + 1) % ring.corners.size()]);
     const double t0 = line.at(from), t1 = line.at(to);
     const double d0 = norm(from - line.p - line.d * t0), d1 = norm(to - line.p - line.d * t1);
-    if (std::max(d0, d1) > gap_m || std::fabs(t1 - t0) < kEdgeAlong * norm(to - from) || norm(to - from) < gap_m)
+    if (std::max(d0, d1) > gap_m || std::fabs(t1 - t0) < kEdgeAlong * norm(to - from) ||
+        norm(to - from) < gap_m)
       continue;
     int there = 0;
     for (int k = 0; k < kProbes; ++k)
-      there += is_there(planes[b.plane], b, line.p + line.d * (t0 + (t1 - t0) * (k + 0.5) / kProbes), b.gap_m);
-    if (there >= kNeeded) out.push_back({a.plane, a.face, e, b.plane, b.face, line, (d0 + d1) / 2, gap_m});
+      there += is_there(planes[b.plane], b,
+                        line.p + line.d * (t0 + (t1 - t0) * (k + 0.5) / kProbes), b.gap_m);
+    if (there >= kNeeded)
+      out.push_back({a.plane, a.face, e, b.plane, b.face, line, (d0 + d1) / 2, gap_m});
   }
 }
 
 }  // namespace
 
-std::vector<EdgeJoint> find_joints(const std::vector<VectorPlane>& planes, const JointSetting& setting, Task& task) {
+std::vector<EdgeJoint> find_joints(const std::vector<VectorPlane>& planes,
+                                   const JointSetting& setting, Task& task) {
   const std::vector<FaceAt> faces = list_faces(planes, setting);
   std::vector<EdgeJoint> all;
   for (size_t i = 0; i < faces.size(); ++i) {
@@ -107,7 +115,8 @@ std::vector<EdgeJoint> find_joints(const std::vector<VectorPlane>& planes, const
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const EdgeJoint& a, const EdgeJoint& b) {
-    return std::tie(a.plane, a.face, a.edge, a.distance_m) < std::tie(b.plane, b.face, b.edge, b.distance_m);
+    return std::tie(a.plane, a.face, a.edge, a.distance_m) <
+           std::tie(b.plane, b.face, b.edge, b.distance_m);
   });
   const auto same_edge = [](const EdgeJoint& a, const EdgeJoint& b) {
     return a.plane == b.plane && a.face == b.face && a.edge == b.edge;

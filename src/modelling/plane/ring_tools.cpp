@@ -112,7 +112,8 @@ bool is_sound(const VectorFace& face, double chord_error_m) {
     if (!is_simple(opening, chord_error_m) || signed_area(opening) >= 0) return false;
     holes.push_back(flattened(opening, chord_error_m));
     boxes.emplace_back().add(holes.back());
-    if (borders_meet(holes.back(), outline) || !contains(outline, holes.back().front())) return false;
+    if (borders_meet(holes.back(), outline) || !contains(outline, holes.back().front()))
+      return false;
     for (size_t k = 0; k + 1 < holes.size(); ++k) {
       if (!boxes[k].meets(boxes.back())) continue;
       if (borders_meet(holes[k], holes.back()) || contains(holes[k], holes.back().front()) ||

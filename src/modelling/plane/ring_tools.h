@@ -20,8 +20,12 @@ struct RingBox {
   double width() const { return high.u - low.u; }
   double height() const { return high.v - low.v; }
   Vec2 middle() const { return {(low.u + high.u) / 2, (low.v + high.v) / 2}; }
-  RingBox grown(double by_m) const { return {{low.u - by_m, low.v - by_m}, {high.u + by_m, high.v + by_m}}; }
-  bool holds(const Vec2& p) const { return p.u >= low.u && p.u <= high.u && p.v >= low.v && p.v <= high.v; }
+  RingBox grown(double by_m) const {
+    return {{low.u - by_m, low.v - by_m}, {high.u + by_m, high.v + by_m}};
+  }
+  bool holds(const Vec2& p) const {
+    return p.u >= low.u && p.u <= high.u && p.v >= low.v && p.v <= high.v;
+  }
   bool meets(const RingBox& b) const {
     return low.u <= b.high.u && b.low.u <= high.u && low.v <= b.high.v && b.low.v <= high.v;
   }

@@ -20,20 +20,24 @@ constexpr double kSpacingOfRadius = 0.62665706865775006;
 static_assert(kNeighbours == 8);
 
 // Squared distance to the 8th neighbour of p, looking at most reach cells away; infinity when there are fewer.
-double eighth_neighbour(std::span<const Vec2> points, const CellRows& rows, const Vec2& p, uint64_t reach) {
+double eighth_neighbour(std::span<const Vec2> points, const CellRows& rows, const Vec2& p,
+                        uint64_t reach) {
   std::array<double, kNeighbours + 1> best;  // p itself is among them
   best.fill(INFINITY);
   const uint64_t key = rows.key_of(p), row = key >> 32, column = key & 0xffffffffu;
   for (uint64_t r = row > reach ? row - reach : 0; r <= row + reach; ++r) {
-    const uint64_t from = r << 32 | (column > reach ? column - reach : 0), to = r << 32 | (column + reach);
-    auto cell = static_cast<size_t>(std::lower_bound(rows.keys.begin(), rows.keys.end(), from) - rows.keys.begin());
+    const uint64_t from = r << 32 | (column > reach ? column - reach : 0),
+                   to = r << 32 | (column + reach);
+    auto cell = static_cast<size_t>(std::lower_bound(rows.keys.begin(), rows.keys.end(), from) -
+                                    rows.keys.begin());
     for (; cell < rows.keys.size() && rows.keys[cell] <= to; ++cell)
       for (uint32_t k = rows.first[cell]; k < rows.first[cell + 1]; ++k) {
         const Vec2 d = points[rows.order[k]] - p;
         const double squared = dot(d, d);
         if (squared >= best.back()) continue;
         *std::prev(best.end()) = squared;
-        for (size_t i = best.size() - 1; i > 0 && best[i] < best[i - 1]; --i) std::swap(best[i], best[i - 1]);
+        for (size_t i = best.size() - 1; i > 0 && best[i] < best[i - 1]; --i)
+          std::swap(best[i], best[i - 1]);
       }
   }
   return best.back();
@@ -61,13 +65,15 @@ double typical_spacing(std::span<const Vec2> points, Task& task) {
     double squared = INFINITY;
     for (uint64_t reach = 1; reach <= 16 && !std::isfinite(squared); reach *= 4) {
       squared = eighth_neighbour(points, rows, points[i], reach);
-      const double safe = static_cast<double>(reach) * rows.cell_m;  // nothing nearer lies beyond the cells looked at
+      const double safe = static_cast<double>(reach) *
+                          rows.cell_m;  // nothing nearer lies beyond the cells looked at
       if (squared > safe * safe) squared = INFINITY;
     }
     if (std::isfinite(squared)) spacings.push_back(kSpacingOfRadius * std::sqrt(squared));
   }
   if (spacings.empty()) return 0;
-  const auto at = spacings.begin() +
+  const auto at =
+      spacings.begin() +
       static_cast<ptrdiff_t>(kSpacingQuantile * static_cast<double>(spacings.size() - 1));
   std::nth_element(spacings.begin(), at, spacings.end());
   return *at;

@@ -24,7 +24,8 @@ double signed_area(const VectorRing& ring) {
 
 double area(const VectorFace& face) {
   double sum = signed_area(face.outline);
-  for (const VectorRing& opening : face.openings) sum += signed_area(opening);  // clockwise: negative
+  for (const VectorRing& opening : face.openings)
+    sum += signed_area(opening);  // clockwise: negative
   return sum;
 }
 
@@ -32,8 +33,8 @@ std::vector<Vec2> flattened(const VectorRing& ring, double chord_error_m) {
   std::vector<Vec2> out;
   out.reserve(ring.corners.size());
   for (size_t i = 0; i < ring.corners.size(); ++i)
-    append_arc(out, ring.corners[i], ring.corners[(i + 1) % ring.corners.size()], ring.edges[i].sagitta_m,
-               chord_error_m);
+    append_arc(out, ring.corners[i], ring.corners[(i + 1) % ring.corners.size()],
+               ring.edges[i].sagitta_m, chord_error_m);
   return out;
 }
 

@@ -23,7 +23,7 @@ enum class EdgeSource : uint8_t {
 
 /// The edge from one corner of a ring to the next.
 struct VectorEdge {
-  double sagitta_m = 0;  ///< of an arc, as Model::sagittas; 0: straight
+  double sagitta_m = 0;   ///< of an arc, as Model::sagittas; 0: straight
   double sigma_m = kNaN;  ///< standard deviation of its position across it
   EdgeDirection direction = EdgeDirection::kInclined;
   EdgeSource source = EdgeSource::kContour;
@@ -46,8 +46,8 @@ struct VectorFace {
 struct VectorPlane {
   uint32_t label = 0;  ///< of the segment
   PlaneFrame frame;
-  double spacing_m = 0;   ///< typical distance of neighbouring points
-  double max_edge_m = 0;  ///< longest distance that counted as surface
+  double spacing_m = 0;           ///< typical distance of neighbouring points
+  double max_edge_m = 0;          ///< longest distance that counted as surface
   std::vector<VectorFace> faces;  ///< one a connected piece, largest first
 };
 

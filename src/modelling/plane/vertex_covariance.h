@@ -26,13 +26,14 @@ struct UncertainSurface {
 UncertainSurface plane_at(const PlaneFit& fit, const Vec3& point);
 /// The same from the covariance of (nx, ny, nz, offset), row-major, as in Face. Far from the origin (7 000 km of a
 /// national grid) its own rounding leaves some 1e-9 m2: take the fit where there is one.
-UncertainSurface plane_at(const Plane& plane, const std::array<double, 16>& covariance, const Vec3& point);
+UncertainSurface plane_at(const Plane& plane, const std::array<double, 16>& covariance,
+                          const Vec3& point);
 
 /// An edge of a face, as the plane that stands on it, upright on the face. direction: along the edge at the corner (of
 /// an arc its tangent), in (u, v) of the frame, not 0. sigma_m: of its position across it where it was measured (as
 /// VectorEdge::sigma_m); sigma_direction_rad turns it about that place, lever_m away from the corner.
-UncertainSurface edge_at(const PlaneFrame& frame, const Vec2& direction, double sigma_m, double sigma_direction_rad = 0,
-                         double lever_m = 0);
+UncertainSurface edge_at(const PlaneFrame& frame, const Vec2& direction, double sigma_m,
+                         double sigma_direction_rad = 0, double lever_m = 0);
 
 /// Covariance of the vertex in which three independent surfaces meet: with N the rows of their
 /// normals and S the diagonal of their variances, C = N^-1 S N^-T (propagation of n_i . dp = e_i,
@@ -44,7 +45,7 @@ std::optional<Covariance3> vertex_covariance(const std::array<UncertainSurface, 
 /// The usual case: a corner of a ring between two edges, in a plane (plane_at of the corner). The levers are half the
 /// edges' lengths.
 struct CornerEdge {
-  Vec2 direction;      ///< along the edge at the corner
+  Vec2 direction;  ///< along the edge at the corner
   double length_m = 0;
   double sigma_m = 0, sigma_direction_rad = 0;
 };

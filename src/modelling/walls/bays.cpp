@@ -16,16 +16,18 @@ constexpr double kChordOfSpacing = 0.1;
 // Smaller pieces of the wall lie in the openings (shutters, posters) unless they stand on its foot as piers do.
 constexpr double kLeastPier_m2 = 1, kPierHeight_m = 1, kPierFoot_m = 0.5;
 constexpr double kPierWidth_spacings = 3;  // on average: a string of points is no pier
-constexpr double kSameGap = 0.6;       // intersection over union of a gap in two rows: a bite in a pier is no end
-constexpr double kBite_m = 1.0;        // nor is one that leaves nothing of it, so high
-constexpr double kOnSide_spacings = 3; // a row agrees with a side from which its wall ends no farther
+constexpr double kSameGap =
+    0.6;  // intersection over union of a gap in two rows: a bite in a pier is no end
+constexpr double kBite_m = 1.0;  // nor is one that leaves nothing of it, so high
+constexpr double kOnSide_spacings =
+    3;  // a row agrees with a side from which its wall ends no farther
 constexpr size_t kRecentRows = 15;
-constexpr double kLintel = 0.5;        // share of the width that has wall above it
-constexpr double kWalledUp = 0.5;      // of a bay with another wall behind it
-constexpr double kSeenShare = 0.15;    // of a bay's cells with points behind it
+constexpr double kLintel = 0.5;          // share of the width that has wall above it
+constexpr double kWalledUp = 0.5;        // of a bay with another wall behind it
+constexpr double kSeenShare = 0.15;      // of a bay's cells with points behind it
 constexpr double kHeadQuantile = 0.995;  // of their levels: a few strays lie higher
 constexpr size_t kMostRows = 20000;
-constexpr double kTakenUp = 0.3;       // of a bay by a hole
+constexpr double kTakenUp = 0.3;  // of a bay by a hole
 
 struct Interval {
   double from, to;
@@ -51,7 +53,8 @@ void add_outline(const std::vector<Vec2>& ring, Rows& rows) {
     Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
     if (a.v > b.v) std::swap(a, b);
     const double first = std::ceil((a.v - rows.low_v) / rows.step_m - 0.5);
-    for (auto k = static_cast<size_t>(std::max(0.0, first)); k < rows.solid.size() && rows.level(k) < b.v; ++k)
+    for (auto k = static_cast<size_t>(std::max(0.0, first));
+         k < rows.solid.size() && rows.level(k) < b.v; ++k)
       crossings[k].push_back(a.u + (b.u - a.u) * (rows.level(k) - a.v) / (b.v - a.v));
   }
   for (size_t k = 0; k < crossings.size(); ++k) {
@@ -64,8 +67,9 @@ void add_outline(const std::vector<Vec2>& ring, Rows& rows) {
 bool is_pier(const VectorRing& outline, double foot_v, double spacing_m) {
   const RingBox box = ring_box(outline);
   const double area = signed_area(outline);
-  return area >= kLeastPier_m2 || (box.height() >= kPierHeight_m && box.low.v <= foot_v + kPierFoot_m &&
-                                   area >= kPierWidth_spacings * spacing_m * box.height());
+  return area >= kLeastPier_m2 ||
+         (box.height() >= kPierHeight_m && box.low.v <= foot_v + kPierFoot_m &&
+          area >= kPierWidth_spacings * spacing_m * box.height());
 }
 
 Rows rows_of(const VectorPlane& wall) {
@@ -80,12 +84,14 @@ Rows rows_of(const VectorPlane& wall) {
     if (is_pier(face.outline, box.low.v, wall.spacing_m))
       add_outline(flattened(face.outline, kChordOfSpacing * wall.spacing_m), rows);
   for (Row& row : rows.solid)
-    std::sort(row.begin(), row.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    std::sort(row.begin(), row.end(),
+              [](const Interval& a, const Interval& b) { return a.from < b.from; });
   return rows;
 }
 
 double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -111,7 +117,8 @@ Row gaps_of(const Row& solid, const NotchSetting& setting) {
   double end = solid.empty() ? 0 : solid.front().to;
   for (const Interval& piece : solid) {
     const double width = piece.from - end;
-    if (width >= setting.min_width_m && width <= setting.max_width_m) out.push_back({end, piece.from});
+    if (width >= setting.min_width_m && width <= setting.max_width_m)
+      out.push_back({end, piece.from});
     end = std::max(end, piece.to);
   }
   return out;
@@ -135,8 +142,8 @@ std::vector<Bay> follow_gaps(const Rows& rows, const NotchSetting& setting) {
       it->right.push_back(gap.to);
       it->end = k + 1;
     }
-    const auto ended = std::stable_partition(open.begin(), open.end(),
-                                             [&](const Bay& bay) { return k + 1 - bay.end <= longest_bite; });
+    const auto ended = std::stable_partition(
+        open.begin(), open.end(), [&](const Bay& bay) { return k + 1 - bay.end <= longest_bite; });
     done.insert(done.end(), ended, open.end());
     open.erase(ended, open.end());
   }
@@ -150,7 +157,8 @@ Interval settle_sides(Bay& bay, double reach_m) {
   const Interval width{quantile(bay.left, 0.5), quantile(bay.right, 0.5)};
   size_t first = bay.rows.size(), last = 0;
   for (size_t i = 0; i < bay.rows.size(); ++i)
-    if (std::fabs(bay.left[i] - width.from) <= reach_m || std::fabs(bay.right[i] - width.to) <= reach_m) {
+    if (std::fabs(bay.left[i] - width.from) <= reach_m ||
+        std::fabs(bay.right[i] - width.to) <= reach_m) {
       first = std::min(first, i);
       last = i;
     }
@@ -175,15 +183,19 @@ uint32_t piece_beside(const VectorPlane& wall, const Vec2& left) {
   double nearest = std::numeric_limits<double>::infinity();
   for (size_t f = 0; f < wall.faces.size(); ++f)
     for (const Vec2& corner : wall.faces[f].outline.corners)
-      if (norm(corner - left) < nearest) nearest = norm(corner - left), best = static_cast<uint32_t>(f);
+      if (norm(corner - left) < nearest)
+        nearest = norm(corner - left), best = static_cast<uint32_t>(f);
   return best;
 }
 
 VectorRing rectangle(const Interval& width, const Interval& height, double sigma_m) {
   VectorRing ring;
-  ring.corners = {{width.from, height.from}, {width.to, height.from}, {width.to, height.to}, {width.from, height.to}};
-  for (const EdgeDirection d : {EdgeDirection::kHorizontal, EdgeDirection::kVertical, EdgeDirection::kHorizontal,
-                                EdgeDirection::kVertical}) {
+  ring.corners = {{width.from, height.from},
+                  {width.to, height.from},
+                  {width.to, height.to},
+                  {width.from, height.to}};
+  for (const EdgeDirection d : {EdgeDirection::kHorizontal, EdgeDirection::kVertical,
+                                EdgeDirection::kHorizontal, EdgeDirection::kVertical}) {
     VectorEdge edge;
     edge.direction = d;
     if (d == EdgeDirection::kVertical) edge.sigma_m = sigma_m;
@@ -204,14 +216,16 @@ bool is_taken_up(const VectorRing& bay, std::span<const WallHole> holes) {
 
 }  // namespace
 
-std::vector<WallHole> bays_of(const VectorPlane& wall, std::span<const WallHole> holes, const NotchSetting& setting) {
+std::vector<WallHole> bays_of(const VectorPlane& wall, std::span<const WallHole> holes,
+                              const NotchSetting& setting) {
   std::vector<WallHole> out;
   const Rows rows = rows_of(wall);
   for (Bay& bay : follow_gaps(rows, setting)) {
     const Interval width = settle_sides(bay, kOnSide_spacings * wall.spacing_m);
     const Interval height{rows.low_v + static_cast<double>(bay.first) * rows.step_m,
                           rows.low_v + static_cast<double>(bay.end) * rows.step_m};
-    if (height.length() < setting.min_height_m || !(width.length() >= setting.min_width_m)) continue;
+    if (height.length() < setting.min_height_m || !(width.length() >= setting.min_width_m))
+      continue;
     if (!has_lintel(rows, bay, width)) continue;
     WallHole hole;
     hole.outline = rectangle(width, height, wall.spacing_m);
@@ -225,7 +239,8 @@ std::vector<WallHole> bays_of(const VectorPlane& wall, std::span<const WallHole>
   return out;
 }
 
-bool is_walled_up(const WallHole& bay, const VectorPlane& wall, const VectorPlane& other, double max_depth_m) {
+bool is_walled_up(const WallHole& bay, const VectorPlane& wall, const VectorPlane& other,
+                  double max_depth_m) {
   const RingBox box = ring_box(bay.outline);
   for (const VectorFace& face : other.faces) {
     RingBox place;
@@ -238,12 +253,14 @@ bool is_walled_up(const WallHole& bay, const VectorPlane& wall, const VectorPlan
     depth_m /= static_cast<double>(face.outline.corners.size());
     const double u = common({box.low.u, box.high.u}, {place.low.u, place.high.u});
     const double v = common({box.low.v, box.high.v}, {place.low.v, place.high.v});
-    if (depth_m > 0 && depth_m <= max_depth_m && u * v > kWalledUp * box.width() * box.height()) return true;
+    if (depth_m > 0 && depth_m <= max_depth_m && u * v > kWalledUp * box.width() * box.height())
+      return true;
   }
   return false;
 }
 
-bool fit_to_content(WallHole& bay, const HoleSurvey& survey, const WallMap& map, double tolerance_m) {
+bool fit_to_content(WallHole& bay, const HoleSurvey& survey, const WallMap& map,
+                    double tolerance_m) {
   const RingBox box = ring_box(bay.outline);
   std::vector<double> levels;
   std::vector<std::pair<uint32_t, uint32_t>> cells;

@@ -18,14 +18,17 @@ namespace jalon {
 ///
 /// After: from left to right, without those that a hole given takes up; outlines start at the left
 /// foot as those of notches do, and no face has them. O(rows x corners).
-std::vector<WallHole> bays_of(const VectorPlane& wall, std::span<const WallHole> holes, const NotchSetting& setting);
+std::vector<WallHole> bays_of(const VectorPlane& wall, std::span<const WallHole> holes,
+                              const NotchSetting& setting);
 
 /// Whether another wall, this far behind at most, stands in the bay: then it is no opening.
-bool is_walled_up(const WallHole& bay, const VectorPlane& wall, const VectorPlane& other, double max_depth_m);
+bool is_walled_up(const WallHole& bay, const VectorPlane& wall, const VectorPlane& other,
+                  double max_depth_m);
 
 /// What is seen behind a bay tells how far up it goes: above may be what hid the piers' tops.
 /// Lowers its head to there. False, and nothing has changed: too little is seen, and it may be a
 /// way between two houses as well. survey: of this bay.
-bool fit_to_content(WallHole& bay, const HoleSurvey& survey, const WallMap& map, double tolerance_m);
+bool fit_to_content(WallHole& bay, const HoleSurvey& survey, const WallMap& map,
+                    double tolerance_m);
 
 }  // namespace jalon

@@ -12,7 +12,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kReach = 2;          // cells from the outline to the wall's outermost points, gaps included
+constexpr double kReach =
+    2;  // cells from the outline to the wall's outermost points, gaps included
 constexpr double kBorderEvidenceChordOfCell = 0.1;
 
 // A step along the outline, and the wall's point nearest to it.
@@ -25,7 +26,8 @@ struct Step {
 
 // The upper edge of a sill is left out: no point of the wall lies below it.
 std::vector<Step> steps_along(const FacadeOpening& opening, const WallMap& map) {
-  const std::vector<Vec2> ring = flattened(opening.outline, kBorderEvidenceChordOfCell * map.cell_m);
+  const std::vector<Vec2> ring =
+      flattened(opening.outline, kBorderEvidenceChordOfCell * map.cell_m);
   std::vector<Step> out;
   for (size_t i = opening.ends_at_sill ? 1 : 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], d = ring[(i + 1) % ring.size()] - a;
@@ -45,14 +47,18 @@ std::vector<Step> steps_along(const FacadeOpening& opening, const WallMap& map) 
 }
 
 // Gives each of the wall's points beside the opening to its nearest step: a hash of steps by cell.
-void give_points(const HoleSurvey& survey, uint32_t own_label, const WallMap& map, std::vector<Step>& steps) {
+void give_points(const HoleSurvey& survey, uint32_t own_label, const WallMap& map,
+                 std::vector<Step>& steps) {
   const double bin = kReach * map.cell_m;
   const auto key = [&](int64_t c, int64_t r) { return r * (int64_t{1} << 32) + c; };
-  const auto column = [&](double x, double origin) { return static_cast<int64_t>(std::floor((x - origin) / bin)); };
+  const auto column = [&](double x, double origin) {
+    return static_cast<int64_t>(std::floor((x - origin) / bin));
+  };
   std::vector<std::pair<int64_t, uint32_t>> bins;
   for (size_t s = 0; s < steps.size(); ++s)
-    bins.emplace_back(key(column(steps[s].middle.u, map.origin.u), column(steps[s].middle.v, map.origin.v)),
-                      static_cast<uint32_t>(s));
+    bins.emplace_back(
+        key(column(steps[s].middle.u, map.origin.u), column(steps[s].middle.v, map.origin.v)),
+        static_cast<uint32_t>(s));
   std::sort(bins.begin(), bins.end());
   for (const HolePoint& point : survey.points) {
     if (point.label != own_label) continue;
@@ -61,7 +67,8 @@ void give_points(const HoleSurvey& survey, uint32_t own_label, const WallMap& ma
     Step* nearest = nullptr;
     double least = bin * bin;
     for (int64_t dr = -1; dr <= 1; ++dr) {
-      auto at = std::lower_bound(bins.begin(), bins.end(), std::pair{key(c - 1, r + dr), uint32_t{0}});
+      auto at =
+          std::lower_bound(bins.begin(), bins.end(), std::pair{key(c - 1, r + dr), uint32_t{0}});
       for (; at != bins.end() && at->first <= key(c + 1, r + dr); ++at) {
         const Vec2 d = p - steps[at->second].middle;
         if (dot(d, d) >= least) continue;

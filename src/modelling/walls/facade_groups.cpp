@@ -14,13 +14,16 @@ namespace jalon {
 
 namespace {
 
-constexpr double kFacadeGroupsUpright = 0.1736;       // |nz| of a plane within 10 degrees of the vertical: walls lean
+constexpr double kFacadeGroupsUpright =
+    0.1736;  // |nz| of a plane within 10 degrees of the vertical: walls lean
 constexpr double kSameDirection = 0.985;  // 10 degrees
 constexpr double kChord_m = 0.005;        // of arcs, where only "inside or not" is asked
 constexpr double kInsideShare = 0.6;      // of a face's probes in a wall's holes: it fills them
 constexpr int kProbes = 8;                // per side of a face's box
 
-bool is_upright(const VectorPlane& plane) { return std::fabs(plane.frame.normal.z) <= kFacadeGroupsUpright; }
+bool is_upright(const VectorPlane& plane) {
+  return std::fabs(plane.frame.normal.z) <= kFacadeGroupsUpright;
+}
 
 struct Candidate {
   size_t plane = 0;
@@ -100,12 +103,14 @@ bool fills_holes(const VectorPlane& plane, const Holes& holes) {
 }
 
 bool is_beside(const FacadeGroup& group, const Box3& box, const GroupSetting& setting) {
-  return box.min.x <= group.box.max.x + setting.facade_gap_m && box.max.x >= group.box.min.x - setting.facade_gap_m &&
+  return box.min.x <= group.box.max.x + setting.facade_gap_m &&
+         box.max.x >= group.box.min.x - setting.facade_gap_m &&
          box.min.y <= setting.facade_depth_m && box.max.y >= -setting.facade_depth_m;
 }
 
 // Walls of the facades, main walls by falling area; further ones join the first facade they belong to.
-std::vector<FacadeGroup> group_walls(const std::vector<VectorPlane>& planes, const GroupSetting& setting) {
+std::vector<FacadeGroup> group_walls(const std::vector<VectorPlane>& planes,
+                                     const GroupSetting& setting) {
   std::vector<FacadeGroup> groups;
   std::vector<std::vector<Holes>> holes;
   const std::vector<Candidate> candidates = wall_candidates(planes);
@@ -118,7 +123,9 @@ std::vector<FacadeGroup> group_walls(const std::vector<VectorPlane>& planes, con
       const Box3 box = box_in(groups[g].frame, plane);
       if (!is_beside(groups[g], box, setting)) continue;
       taken = true;
-      if (std::any_of(holes[g].begin(), holes[g].end(), [&](const Holes& h) { return fills_holes(plane, h); })) break;
+      if (std::any_of(holes[g].begin(), holes[g].end(),
+                      [&](const Holes& h) { return fills_holes(plane, h); }))
+        break;
       groups[g].walls.push_back(c.plane);
       groups[g].box += box;
       holes[g].emplace_back(plane, setting.notch);
@@ -141,8 +148,11 @@ double distance_to(const FacadeGroup& group, const VectorPlane& plane) {
   Box3 box;
   for (const Vec3& p : outline_corners(plane)) box.add(p);
   const Vec3 p = group.frame.local((box.min + box.max) * 0.5);
-  const auto beyond = [](double x, double low, double high) { return std::max({0.0, low - x, x - high}); };
-  return norm(Vec3{beyond(p.x, group.box.min.x, group.box.max.x), beyond(p.y, group.box.min.y, group.box.max.y),
+  const auto beyond = [](double x, double low, double high) {
+    return std::max({0.0, low - x, x - high});
+  };
+  return norm(Vec3{beyond(p.x, group.box.min.x, group.box.max.x),
+                   beyond(p.y, group.box.min.y, group.box.max.y),
                    beyond(p.z, group.box.min.z, group.box.max.z)});
 }
 
@@ -155,7 +165,8 @@ std::vector<Vec3> outline_corners(const VectorPlane& plane) {
   return out;
 }
 
-std::vector<FacadeGroup> group_facades(const std::vector<VectorPlane>& planes, const GroupSetting& setting) {
+std::vector<FacadeGroup> group_facades(const std::vector<VectorPlane>& planes,
+                                       const GroupSetting& setting) {
   std::vector<FacadeGroup> groups = group_walls(planes, setting);
   if (groups.empty()) groups.emplace_back();
   std::vector<uint8_t> is_wall(planes.size(), 0);

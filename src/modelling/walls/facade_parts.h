@@ -24,14 +24,16 @@ struct FacadeOpening {
   uint32_t piece = 0;  ///< of FacadeWall::outlines: the face whose hole it is
   /// It comes in from the lower border of the face (a door) and is no hole of it: the outline begins at its left foot.
   bool is_notch = false;
-  bool ends_at_sill = false;  ///< its first edge is the upper edge of a sill that hides the wall there
+  bool ends_at_sill =
+      false;  ///< its first edge is the upper edge of a sill that hides the wall there
   OpeningKind kind = OpeningKind::kOpening;
   Evidence evidence = Evidence::kNone;
   /// Of the joinery (frame, pane, leaf) behind the wall, along its normal; negative in front of it; NaN: nothing seen.
   double depth_m = kNaN;
   double depth_sigma_m = kNaN;
   uint32_t joinery_label = 0;  ///< segment the depth was measured on; 0: none
-  std::vector<uint32_t> standing_labels;  ///< segments in it before the joinery: parapets, mullions, surrounds
+  std::vector<uint32_t>
+      standing_labels;  ///< segments in it before the joinery: parapets, mullions, surrounds
   /// Share of the outline's length, less that at a sill, along which points of the wall end and nothing in front hides
   /// the opening: 1 = seen all round, 0 = its place is a guess.
   double coverage = 0;
@@ -39,7 +41,8 @@ struct FacadeOpening {
   double residual_m = kNaN;
   /// Points of the wall next to the opening where coverage holds: what its outline was drawn from.
   std::vector<Vec2> border_points;
-  int32_t copied_from = -1;  ///< index in FacadeWall::openings of the opening it repeats; -1: measured itself
+  int32_t copied_from =
+      -1;  ///< index in FacadeWall::openings of the opening it repeats; -1: measured itself
 };
 
 /// A stretch of the wall that no station saw: the wall is closed over it.

@@ -10,13 +10,14 @@ namespace jalon {
 
 namespace {
 
-constexpr double kHoleContentParallel = 0.985;     // 10 degrees, as walls of one facade
-constexpr double kHoleContentUpright = 0.174;      // 10 degrees from upright to the wall
-constexpr uint32_t kBlock = 4;           // cells a side
+constexpr double kHoleContentParallel = 0.985;  // 10 degrees, as walls of one facade
+constexpr double kHoleContentUpright = 0.174;   // 10 degrees from upright to the wall
+constexpr uint32_t kBlock = 4;                  // cells a side
 constexpr double kLowQuantile = 0.02;
 
 double quantile(std::vector<float>& values, double share) {
-  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -48,8 +49,8 @@ HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map, Task
 
 }  // namespace
 
-HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segmentation& segmentation, const Vec3& normal,
-                       uint32_t own_label, Task& task) {
+HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segmentation& segmentation,
+                       const Vec3& normal, uint32_t own_label, Task& task) {
   HoleContent out;
   std::map<uint32_t, std::vector<HolePoint>> by_label;
   for (const HolePoint& p : hole.points)
@@ -58,9 +59,13 @@ HoleContent content_of(const HoleSurvey& hole, const WallMap& map, const Segment
     task.checkpoint(0);
     const HoleFiller filler = filler_of(points, map, task);
     const Segment* segment = filler.label == 0 ? nullptr : &segmentation.segments[filler.label - 1];
-    const double cosine =
-        segment != nullptr && segment->has_plane() ? std::fabs(dot(segment->fit.plane.normal, normal)) : 0.5;
-    (cosine >= kHoleContentParallel ? out.parallel : cosine <= kHoleContentUpright ? out.upright : out.other).push_back(filler);
+    const double cosine = segment != nullptr && segment->has_plane()
+                              ? std::fabs(dot(segment->fit.plane.normal, normal))
+                              : 0.5;
+    (cosine >= kHoleContentParallel  ? out.parallel
+     : cosine <= kHoleContentUpright ? out.upright
+                                     : out.other)
+        .push_back(filler);
   }
   for (auto* fillers : {&out.parallel, &out.upright, &out.other})
     std::stable_sort(fillers->begin(), fillers->end(),

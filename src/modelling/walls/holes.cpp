@@ -12,16 +12,17 @@ namespace jalon {
 
 namespace {
 
-constexpr double kHolesSteep = 3;         // |dv| / |du| of a jamb
-constexpr double kFeetLevel_m = 0.4; // steps of sloping ground from foot to foot
-constexpr size_t kMostEdges = 12;    // of a head between the jambs
+constexpr double kHolesSteep = 3;     // |dv| / |du| of a jamb
+constexpr double kFeetLevel_m = 0.4;  // steps of sloping ground from foot to foot
+constexpr size_t kMostEdges = 12;     // of a head between the jambs
 
 bool goes_up(const Vec2& d) { return d.v > kHolesSteep * std::fabs(d.u); }
 bool goes_down(const Vec2& d) { return -d.v > kHolesSteep * std::fabs(d.u); }
 
 // The notch whose left jamb is edge `up` of the outline. Walking anticlockwise along the lower border a notch goes up,
 // to the right along its head and down again; the right end of the face goes up and then to the left.
-std::optional<WallHole> notch_at(const VectorRing& outline, size_t up, const NotchSetting& setting) {
+std::optional<WallHole> notch_at(const VectorRing& outline, size_t up,
+                                 const NotchSetting& setting) {
   const size_t n = outline.corners.size();
   const auto corner = [&](size_t i) -> const Vec2& { return outline.corners[i % n]; };
   const Vec2 left = corner(up);
@@ -31,8 +32,10 @@ std::optional<WallHole> notch_at(const VectorRing& outline, size_t up, const Not
     const double height = std::min(corner(up + 1).v, from.v) - std::max(left.v, right.v);
     const double width = right.u - left.u;
     if (from.v <= left.v) return {};
-    if (width <= 0 || !goes_down(right - from) || std::fabs(right.v - left.v) > kFeetLevel_m) continue;
-    if (height < setting.min_height_m || width < setting.min_width_m || width > setting.max_width_m) return {};
+    if (width <= 0 || !goes_down(right - from) || std::fabs(right.v - left.v) > kFeetLevel_m)
+      continue;
+    if (height < setting.min_height_m || width < setting.min_width_m || width > setting.max_width_m)
+      return {};
     WallHole hole;
     hole.is_notch = true;
     // Anticlockwise as a face of its own: along the feet, then the face's way back.
@@ -73,9 +76,10 @@ std::vector<WallHole> holes_of(const VectorPlane& wall, const NotchSetting& sett
         notch->piece = static_cast<uint32_t>(f);
         out.push_back(std::move(*notch));
       }
-    std::stable_sort(out.begin() + static_cast<ptrdiff_t>(first), out.end(), [](const WallHole& a, const WallHole& b) {
-      return a.outline.corners.front().u < b.outline.corners.front().u;
-    });
+    std::stable_sort(out.begin() + static_cast<ptrdiff_t>(first), out.end(),
+                     [](const WallHole& a, const WallHole& b) {
+                       return a.outline.corners.front().u < b.outline.corners.front().u;
+                     });
   }
   return out;
 }
@@ -92,8 +96,10 @@ void close_hole(VectorFace& face, const WallHole& hole) {
   VectorRing& outline = face.outline;
   const size_t n = outline.corners.size(), at = find_run(outline.corners, run);
   if (at == n || n < run.size() + 1) return;
-  std::rotate(outline.corners.begin(), outline.corners.begin() + static_cast<ptrdiff_t>(at), outline.corners.end());
-  std::rotate(outline.edges.begin(), outline.edges.begin() + static_cast<ptrdiff_t>(at), outline.edges.end());
+  std::rotate(outline.corners.begin(), outline.corners.begin() + static_cast<ptrdiff_t>(at),
+              outline.corners.end());
+  std::rotate(outline.edges.begin(), outline.edges.begin() + static_cast<ptrdiff_t>(at),
+              outline.edges.end());
   const auto inner = static_cast<ptrdiff_t>(run.size() - 2);
   outline.corners.erase(outline.corners.begin() + 1, outline.corners.begin() + 1 + inner);
   outline.edges.erase(outline.edges.begin(), outline.edges.begin() + inner);

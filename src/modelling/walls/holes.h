@@ -11,7 +11,8 @@ namespace jalon {
 /// A place where a wall's face is interrupted: a hole of it, or a notch that comes in from its lower border (a door
 /// that reaches the ground).
 struct WallHole {
-  VectorRing outline;  ///< anticlockwise; of a notch it starts at its left foot, and its first edge closes it
+  VectorRing
+      outline;  ///< anticlockwise; of a notch it starts at its left foot, and its first edge closes it
   uint32_t piece = 0;  ///< index of the wall's face
   bool is_notch = false;
   bool ends_at_sill = false;  ///< its first edge is the upper edge of a sill (sills.h)

@@ -9,11 +9,14 @@ namespace jalon {
 
 namespace {
 
-constexpr double kLevel_m = 0.05;     // frames stand 2 to 5 cm before their glass
-constexpr double kNearShare = 0.5;    // of the largest level's cells: enough for one before it to be the joinery
-constexpr double kBesideShare = 0.25; // of the largest level's cells: enough for one behind and beside it
-constexpr double kSamePlace = 0.5;    // share of the smaller one's blocks where both levels show: one before the other
-constexpr double kLeastShare = 0.1;   // of a level's cells: less is a handle, a pot, a lamp
+constexpr double kLevel_m = 0.05;  // frames stand 2 to 5 cm before their glass
+constexpr double kNearShare =
+    0.5;  // of the largest level's cells: enough for one before it to be the joinery
+constexpr double kBesideShare =
+    0.25;  // of the largest level's cells: enough for one behind and beside it
+constexpr double kSamePlace =
+    0.5;  // share of the smaller one's blocks where both levels show: one before the other
+constexpr double kLeastShare = 0.1;  // of a level's cells: less is a handle, a pot, a lamp
 
 // Fillers of nearly one depth.
 struct Level {
@@ -26,11 +29,13 @@ std::vector<Level> levels_of(const HoleContent& content, double min_depth_m) {
   std::vector<const HoleFiller*> fillers;
   for (const HoleFiller& f : content.parallel)
     if (f.depth_m >= min_depth_m) fillers.push_back(&f);
-  std::stable_sort(fillers.begin(), fillers.end(),
-                   [](const HoleFiller* a, const HoleFiller* b) { return a->depth_m < b->depth_m; });
+  std::stable_sort(fillers.begin(), fillers.end(), [](const HoleFiller* a, const HoleFiller* b) {
+    return a->depth_m < b->depth_m;
+  });
   std::vector<Level> out;
   for (const HoleFiller* f : fillers) {
-    if (out.empty() || f->depth_m - out.back().fillers.back()->depth_m > kLevel_m) out.emplace_back();
+    if (out.empty() || f->depth_m - out.back().fillers.back()->depth_m > kLevel_m)
+      out.emplace_back();
     Level& level = out.back();
     level.fillers.push_back(f);
     level.cells += f->cells;
@@ -57,7 +62,8 @@ size_t closing_level(const std::vector<Level>& levels) {
     if (levels[k].cells > levels[best].cells) best = k;
   const double largest = levels[best].cells;
   for (size_t k = levels.size() - 1; k > best; --k)
-    if (levels[k].cells >= kBesideShare * largest && !share_place(levels[k], levels[best])) return k;
+    if (levels[k].cells >= kBesideShare * largest && !share_place(levels[k], levels[best]))
+      return k;
   for (size_t k = 0; k < best; ++k)
     if (levels[k].cells >= kNearShare * largest && share_place(levels[k], levels[best])) return k;
   return best;
@@ -71,8 +77,9 @@ Joinery joinery_of(const HoleContent& content, double min_depth_m) {
   double front_m = min_depth_m;
   if (!levels.empty()) {
     const Level& level = levels[closing_level(levels)];
-    out.filler = *std::find_if(level.fillers.begin(), level.fillers.end(),
-                               [&](const HoleFiller* f) { return f->cells >= kLeastShare * level.cells; });
+    out.filler =
+        *std::find_if(level.fillers.begin(), level.fillers.end(),
+                      [&](const HoleFiller* f) { return f->cells >= kLeastShare * level.cells; });
     front_m = level.fillers.front()->depth_m;
   }
   for (const HoleFiller& f : content.parallel)

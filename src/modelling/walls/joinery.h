@@ -10,8 +10,10 @@ namespace jalon {
 
 /// What closes an opening, and what stands in it before that.
 struct Joinery {
-  const HoleFiller* filler = nullptr;  ///< of the content given; null: nothing parallel to the wall lies behind it
-  std::vector<uint32_t> standing;      ///< segments parallel to the wall before it: parapets, mullions, surrounds
+  const HoleFiller* filler =
+      nullptr;  ///< of the content given; null: nothing parallel to the wall lies behind it
+  std::vector<uint32_t>
+      standing;  ///< segments parallel to the wall before it: parapets, mullions, surrounds
 };
 
 /// The joinery (Boulaassal 2010, 4.4.2) among the fillers min_depth_m and more behind the wall:

@@ -18,8 +18,8 @@ namespace {
 // Shares of a hole's cells.
 constexpr double kThroughShare = 0.05;  // seen through: glass gives few returns, frames are narrow
 constexpr uint32_t kThroughCells = 4;
-constexpr double kHiddenShare = 0.25;   // hidden: rays to the rest went astray
-constexpr double kFlushShare = 0.5;     // filled by something on or before the wall
+constexpr double kHiddenShare = 0.25;  // hidden: rays to the rest went astray
+constexpr double kFlushShare = 0.5;    // filled by something on or before the wall
 // Points of a plane upright to the wall before it counts as a reveal.
 constexpr size_t kRevealPoints = 10;
 constexpr size_t kDepthPoints = 10;  // behind an opening for a depth without a plane
@@ -29,13 +29,15 @@ constexpr double kWindowLeast_m = 0.25, kWindowMost_m = 5;
 // By shape alone: the share of its upright box that an opening fills (a semicircle fills pi / 4 of its own).
 constexpr double kBoxShare = 0.75;
 constexpr size_t kMostCorners = 8;
-constexpr double kMostSlender = 4;  // longer side in shorter ones: strips are gutters and boards that were cut out
+constexpr double kMostSlender =
+    4;  // longer side in shorter ones: strips are gutters and boards that were cut out
 // The foot of a door lies this much below the wall's border before it is drawn there.
 constexpr double kFootStep_m = 0.05;
 
 bool has_shape_of_opening(const VectorRing& outline) {
   const RingBox box = ring_box(outline);
-  const double least = std::min(box.width(), box.height()), most = std::max(box.width(), box.height());
+  const double least = std::min(box.width(), box.height()),
+               most = std::max(box.width(), box.height());
   return outline.corners.size() <= kMostCorners && least >= kWindowLeast_m &&
          most <= std::min(kWindowMost_m, kMostSlender * least) &&
          signed_area(outline) >= kBoxShare * box.width() * box.height();
@@ -46,14 +48,17 @@ struct Verdict {
   Evidence evidence = Evidence::kNone;
 };
 
-Verdict judge(const WallHole& hole, const HoleSurvey& survey, const HoleContent& content, const HoleFiller* joinery,
-              double tolerance_m) {
-  const auto share = [&](uint32_t cells) { return cells / std::max(1.0, static_cast<double>(survey.cells)); };
+Verdict judge(const WallHole& hole, const HoleSurvey& survey, const HoleContent& content,
+              const HoleFiller* joinery, double tolerance_m) {
+  const auto share = [&](uint32_t cells) {
+    return cells / std::max(1.0, static_cast<double>(survey.cells));
+  };
   const bool is_seen = survey.through >= kThroughCells && share(survey.through) >= kThroughShare;
-  const bool is_revealed = std::any_of(content.upright.begin(), content.upright.end(), [&](const HoleFiller& f) {
-    return f.points >= kRevealPoints && f.depth_m > tolerance_m;
-  });
-  if (is_seen || joinery != nullptr) return {true, is_revealed ? Evidence::kRevealed : Evidence::kSeenBehind};
+  const bool is_revealed = std::any_of(
+      content.upright.begin(), content.upright.end(),
+      [&](const HoleFiller& f) { return f.points >= kRevealPoints && f.depth_m > tolerance_m; });
+  if (is_seen || joinery != nullptr)
+    return {true, is_revealed ? Evidence::kRevealed : Evidence::kSeenBehind};
   if (!content.parallel.empty() && share(content.parallel.front().cells) >= kFlushShare)
     return {true, Evidence::kMeasured};
   if (share(survey.hidden) >= kHiddenShare) return {};
@@ -62,9 +67,11 @@ Verdict judge(const WallHole& hole, const HoleSurvey& survey, const HoleContent&
 }
 
 OpeningKind kind_of(const RingBox& box, bool reaches_ground, const FacadeOpening& opening) {
-  if (reaches_ground && box.height() >= kDoorHeight_m && box.width() >= kDoorLeast_m && box.width() <= kDoorMost_m)
+  if (reaches_ground && box.height() >= kDoorHeight_m && box.width() >= kDoorLeast_m &&
+      box.width() <= kDoorMost_m)
     return OpeningKind::kDoor;
-  const double least = std::min(box.width(), box.height()), most = std::max(box.width(), box.height());
+  const double least = std::min(box.width(), box.height()),
+               most = std::max(box.width(), box.height());
   if (least < kWindowLeast_m || most > kWindowMost_m) return OpeningKind::kOpening;
   const bool is_filled = opening.joinery_label != 0 || opening.evidence == Evidence::kShape;
   return is_filled ? OpeningKind::kWindow : OpeningKind::kOpening;
@@ -82,10 +89,12 @@ double depth_of_points(const HoleSurvey& survey, double tolerance_m) {
   return *middle;
 }
 
-void measure_depth(const HoleContent& content, const HoleFiller* joinery, const Segmentation& segmentation,
-                   const HoleSurvey& survey, double tolerance_m, FacadeOpening& opening) {
+void measure_depth(const HoleContent& content, const HoleFiller* joinery,
+                   const Segmentation& segmentation, const HoleSurvey& survey, double tolerance_m,
+                   FacadeOpening& opening) {
   const HoleFiller* filler = joinery;
-  if (filler == nullptr && opening.evidence == Evidence::kMeasured) filler = &content.parallel.front();
+  if (filler == nullptr && opening.evidence == Evidence::kMeasured)
+    filler = &content.parallel.front();
   if (filler == nullptr) {
     opening.depth_m = depth_of_points(survey, tolerance_m);
     return;
@@ -106,15 +115,17 @@ void lower_to_foot(const HoleFiller* joinery, VectorRing& outline) {
   jamb.direction = EdgeDirection::kVertical;
   VectorEdge foot;
   foot.direction = EdgeDirection::kHorizontal;
-  outline.corners.insert(outline.corners.begin() + 1, {{left.u, joinery->low_v}, {right.u, joinery->low_v}});
+  outline.corners.insert(outline.corners.begin() + 1,
+                         {{left.u, joinery->low_v}, {right.u, joinery->low_v}});
   outline.edges.erase(outline.edges.begin());
   outline.edges.insert(outline.edges.begin(), {jamb, foot, jamb});
 }
 
 }  // namespace
 
-std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<const WallHole> holes, WallSurvey& survey,
-                                 const SurveySetting& setting, FacadeWall& wall, Task& task) {
+std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<const WallHole> holes,
+                                 WallSurvey& survey, const SurveySetting& setting, FacadeWall& wall,
+                                 Task& task) {
   wall.map = std::move(survey.map);
   std::vector<int32_t> opening_of(holes.size(), -1);
   for (size_t h = 0; h < holes.size(); ++h) {
@@ -122,7 +133,8 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     WallHole hole = holes[h];
     const HoleSurvey& seen = survey.holes[h];
     if (hole.is_bay && !fit_to_content(hole, seen, wall.map, survey.tolerance_m)) continue;
-    const HoleContent content = content_of(seen, wall.map, segmentation, wall.frame.normal, wall.label, task);
+    const HoleContent content =
+        content_of(seen, wall.map, segmentation, wall.frame.normal, wall.label, task);
     Joinery closing = joinery_of(content, setting.min_depth_m);
     const HoleFiller* joinery = closing.filler;
     const Verdict verdict = judge(hole, seen, content, joinery, survey.tolerance_m);

@@ -24,7 +24,8 @@ namespace jalon {
 /// - for each hole its index in wall.openings, or -1 for a shadow (or a bay that is none);
 /// - openings have evidence, kind, depth and what was measured of their border;
 /// - survey.map has moved to wall.map.
-std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<const WallHole> holes, WallSurvey& survey,
-                                 const SurveySetting& setting, FacadeWall& wall, Task& task);
+std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<const WallHole> holes,
+                                 WallSurvey& survey, const SurveySetting& setting, FacadeWall& wall,
+                                 Task& task);
 
 }  // namespace jalon

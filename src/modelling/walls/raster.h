@@ -19,8 +19,9 @@ struct WallRaster {
   Vec2 origin;
   double cell_m = 1;
   uint32_t columns = 0, rows = 0;
-  std::vector<uint32_t> hole;       ///< kNoHole: none
-  std::vector<uint32_t> near_hole;  ///< the same with a margin about each hole, and what lies below notches
+  std::vector<uint32_t> hole;  ///< kNoHole: none
+  std::vector<uint32_t>
+      near_hole;  ///< the same with a margin about each hole, and what lies below notches
 
   uint32_t cell_of(const Vec2& p) const {
     const double c = (p.u - origin.u) / cell_m, r = (p.v - origin.v) / cell_m;

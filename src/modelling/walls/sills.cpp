@@ -14,21 +14,24 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSillsParallel = 0.985;      // 10 degrees, as walls of one facade
-constexpr double kMostHeight_m = 0.35;   // of a sill's front: stone sills have 0.08-0.25
-constexpr double kLeastSpan = 0.8;       // of the hole's width
-constexpr double kLowestShare = 0.3;     // of the hole's height, where its upper edge may be
-constexpr double kFlare_spacings = 4;    // above it, where the hole narrows from the sill's width to its own
-constexpr double kSillsSteep = 3;             // |dv| / |du| of a jamb
+constexpr double kSillsParallel = 0.985;  // 10 degrees, as walls of one facade
+constexpr double kMostHeight_m = 0.35;    // of a sill's front: stone sills have 0.08-0.25
+constexpr double kLeastSpan = 0.8;        // of the hole's width
+constexpr double kLowestShare = 0.3;      // of the hole's height, where its upper edge may be
+constexpr double kFlare_spacings =
+    4;  // above it, where the hole narrows from the sill's width to its own
+constexpr double kSillsSteep = 3;        // |dv| / |du| of a jamb
 constexpr double kFront_spacings = 0.5;  // nearer to the wall's plane a surface is the wall's own
 
-constexpr double kEdgeSigma = 0.3;       // spacings, of an edge drawn from its last row of points
-constexpr size_t kLeastPoints = 10;      // of a front without a plane of its own
-constexpr double kStrays = 0.02;         // share of them that may lie beyond either edge
-constexpr double kColumns = 0.6;         // share of the hole's width, in columns of two spacings, where they lie
+constexpr double kEdgeSigma = 0.3;   // spacings, of an edge drawn from its last row of points
+constexpr size_t kLeastPoints = 10;  // of a front without a plane of its own
+constexpr double kStrays = 0.02;     // share of them that may lie beyond either edge
+constexpr double kColumns =
+    0.6;  // share of the hole's width, in columns of two spacings, where they lie
 constexpr double kReach_spacings = 1.5;  // of an edge, from where it was taken to be
-constexpr double kEdgeNoise = 0.05;      // spacings: of the edge itself and of points along the wall
-constexpr double kSetBack_spacings = 0.35;  // of the last row of points from the edge: 0.5 on grids, 0.2 at random
+constexpr double kEdgeNoise = 0.05;  // spacings: of the edge itself and of points along the wall
+constexpr double kSetBack_spacings =
+    0.35;  // of the last row of points from the edge: 0.5 on grids, 0.2 at random
 
 /// The front of a sill in the wall's coordinates.
 struct Sill {
@@ -36,11 +39,14 @@ struct Sill {
   double sigma_m;  ///< of its upper edge
 };
 
-std::vector<Sill> sills_before(const std::vector<VectorPlane>& planes, size_t wall, double front_m) {
+std::vector<Sill> sills_before(const std::vector<VectorPlane>& planes, size_t wall,
+                               double front_m) {
   const PlaneFrame& frame = planes[wall].frame;
   std::vector<Sill> out;
   for (size_t p = 0; p < planes.size(); ++p) {
-    if (p == wall || planes[p].faces.empty() || dot(planes[p].frame.normal, frame.normal) < kSillsParallel) continue;
+    if (p == wall || planes[p].faces.empty() ||
+        dot(planes[p].frame.normal, frame.normal) < kSillsParallel)
+      continue;
     for (const VectorFace& face : planes[p].faces) {
       Sill sill{{}, kNaN};
       double in_front = 0;
@@ -64,7 +70,8 @@ std::vector<Sill> sills_before(const std::vector<VectorPlane>& planes, size_t wa
 std::optional<Sill> sill_of(const RingBox& hole, const std::vector<Sill>& sills) {
   const Sill* best = nullptr;
   for (const Sill& sill : sills) {
-    const double common = std::min(hole.high.u, sill.box.high.u) - std::max(hole.low.u, sill.box.low.u);
+    const double common =
+        std::min(hole.high.u, sill.box.high.u) - std::max(hole.low.u, sill.box.low.u);
     const double top = sill.box.high.v;
     if (common < kLeastSpan * hole.width() || top <= hole.low.v) continue;
     if (top > hole.low.v + kLowestShare * hole.height()) continue;
@@ -74,14 +81,15 @@ std::optional<Sill> sill_of(const RingBox& hole, const std::vector<Sill>& sills)
 }
 
 /// The points before the hole's foot where they make a level bar.
-std::optional<Sill> sill_of_points(const RingBox& hole, const HoleSurvey& survey, double tolerance_m, double front_m,
-                                   double spacing_m) {
+std::optional<Sill> sill_of_points(const RingBox& hole, const HoleSurvey& survey,
+                                   double tolerance_m, double front_m, double spacing_m) {
   std::vector<double> levels;
   std::vector<int64_t> columns;
   std::vector<double> behind;
   for (const HolePoint& p : survey.points) {
     if (p.w < -tolerance_m) behind.push_back(p.v);
-    if (p.w <= tolerance_m || p.w > front_m || p.v > hole.low.v + kLowestShare * hole.height()) continue;
+    if (p.w <= tolerance_m || p.w > front_m || p.v > hole.low.v + kLowestShare * hole.height())
+      continue;
     levels.push_back(p.v);
     if (p.u > hole.low.u && p.u < hole.high.u)
       columns.push_back(static_cast<int64_t>((p.u - hole.low.u) / (2 * spacing_m)));
@@ -93,22 +101,26 @@ std::optional<Sill> sill_of_points(const RingBox& hole, const HoleSurvey& survey
   const double foot = at(kStrays), top = at(1 - kStrays);
   if (top - foot > kMostHeight_m) return {};
   // A rail or a flower box with the opening going on below it is no sill.
-  const auto below = std::count_if(behind.begin(), behind.end(), [&](double v) { return v < foot - spacing_m; });
+  const auto below =
+      std::count_if(behind.begin(), behind.end(), [&](double v) { return v < foot - spacing_m; });
   if (static_cast<double>(below) > kStrays * static_cast<double>(behind.size())) return {};
   std::sort(columns.begin(), columns.end());
-  const auto filled = static_cast<double>(std::unique(columns.begin(), columns.end()) - columns.begin());
+  const auto filled =
+      static_cast<double>(std::unique(columns.begin(), columns.end()) - columns.begin());
   if (filled * 2 * spacing_m < kColumns * hole.width()) return {};
-  return Sill{{{hole.low.u, foot}, {hole.high.u, top + kSetBack_spacings * spacing_m}}, kEdgeSigma * spacing_m};
+  return Sill{{{hole.low.u, foot}, {hole.high.u, top + kSetBack_spacings * spacing_m}},
+              kEdgeSigma * spacing_m};
 }
 
 /// Points of the sill's front before the hole: those at the middle one's distance from the wall.
-std::vector<Vec2> front_points(const RingBox& hole, const HoleSurvey& survey, double tolerance_m, double front_m,
-                               double spacing_m, const Sill& sill) {
+std::vector<Vec2> front_points(const RingBox& hole, const HoleSurvey& survey, double tolerance_m,
+                               double front_m, double spacing_m, const Sill& sill) {
   std::vector<float> heights;
   std::vector<const HolePoint*> near;
   for (const HolePoint& p : survey.points)
     if (p.w > tolerance_m && p.w <= front_m && p.v > sill.box.low.v - spacing_m &&
-        p.v < sill.box.high.v + kReach_spacings * spacing_m && p.u > hole.low.u && p.u < hole.high.u) {
+        p.v < sill.box.high.v + kReach_spacings * spacing_m && p.u > hole.low.u &&
+        p.u < hole.high.u) {
       near.push_back(&p);
       heights.push_back(p.w);
     }
@@ -137,7 +149,8 @@ double foot_of(const Vec2& a, const Vec2& b, double level) {
 
 /// The ring (anticlockwise) from this level on: what lies above the flare, and the jambs down to the level. Nothing
 /// when it comes in more than one piece.
-std::optional<VectorRing> ended_at(const VectorRing& ring, double level, double flare_m, double sigma_m) {
+std::optional<VectorRing> ended_at(const VectorRing& ring, double level, double flare_m,
+                                   double sigma_m) {
   const size_t n = ring.corners.size();
   const auto above = [&](size_t i) { return ring.corners[i % n].v > level + flare_m; };
   size_t first = n, runs = 0;  // the first corner above, after one below
@@ -167,8 +180,8 @@ std::optional<VectorRing> ended_at(const VectorRing& ring, double level, double 
 
 }  // namespace
 
-void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, const WallSurvey& survey, double front_m,
-                  std::vector<WallHole>& holes) {
+void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, const WallSurvey& survey,
+                  double front_m, std::vector<WallHole>& holes) {
   const std::vector<Sill> sills = sills_before(planes, wall, front_m);
   const double spacing_m = planes[wall].spacing_m;
   for (size_t h = 0; h < holes.size(); ++h) {
@@ -178,8 +191,10 @@ void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, const WallSurve
     auto sill = sill_of(box, sills);
     if (!sill) sill = sill_of_points(box, survey.holes[h], survey.tolerance_m, front_m, spacing_m);
     if (!sill) continue;
-    refine(front_points(box, survey.holes[h], survey.tolerance_m, front_m, spacing_m, *sill), spacing_m, *sill);
-    const auto ended = ended_at(hole.outline, sill->box.high.v, kFlare_spacings * spacing_m, sill->sigma_m);
+    refine(front_points(box, survey.holes[h], survey.tolerance_m, front_m, spacing_m, *sill),
+           spacing_m, *sill);
+    const auto ended =
+        ended_at(hole.outline, sill->box.high.v, kFlare_spacings * spacing_m, sill->sigma_m);
     if (!ended || !is_simple(*ended, spacing_m)) continue;
     const VectorRing before = reversed(hole.outline);
     for (VectorRing& ring : planes[wall].faces[hole.piece].openings)

@@ -20,7 +20,7 @@ namespace jalon {
 /// front_m: farthest that a sill stands out. After: a hole that ends at a sill says so and begins
 /// with its edge there, and the wall's face has the same ring; the others are as they were. O(holes
 /// x (planes + points)).
-void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, const WallSurvey& survey, double front_m,
-                  std::vector<WallHole>& holes);
+void end_at_sills(std::vector<VectorPlane>& planes, size_t wall, const WallSurvey& survey,
+                  double front_m, std::vector<WallHole>& holes);
 
 }  // namespace jalon

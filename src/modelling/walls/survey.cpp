@@ -14,9 +14,11 @@ namespace jalon {
 namespace {
 
 constexpr size_t kPointsPerChunk = 1 << 14;
-constexpr double kSigmas = 4;        // beyond this a point is not of the wall
-constexpr double kNearFront_m = 10;  // without stations: what stands this near before the wall may hide it
-constexpr double kGrazing = 0.05;    // sine of rays too flat for the wall's plane to say where they cross it
+constexpr double kSigmas = 4;  // beyond this a point is not of the wall
+constexpr double kNearFront_m =
+    10;  // without stations: what stands this near before the wall may hide it
+constexpr double kGrazing =
+    0.05;  // sine of rays too flat for the wall's plane to say where they cross it
 
 enum Seen : uint8_t { kWall = 1, kBehind = 2, kBefore = 4 };
 
@@ -28,8 +30,10 @@ struct Survey {
   std::vector<uint8_t> seen;
 
   Survey(const SurveyedWall& w, const SurveySetting& setting)
-      : wall(w), raster(rasterise_wall(*w.plane, w.holes)),
-        tolerance_m(std::max(setting.min_depth_m, kSigmas * w.sigma_m)), seen(raster.hole.size(), 0) {}
+      : wall(w),
+        raster(rasterise_wall(*w.plane, w.holes)),
+        tolerance_m(std::max(setting.min_depth_m, kSigmas * w.sigma_m)),
+        seen(raster.hole.size(), 0) {}
 
   void mark(uint32_t cell, Seen what) {
     if (cell == kNoCell) return;
@@ -46,7 +50,8 @@ void look_along_ray(Survey& survey, const Vec3& eye, const Vec3& p, double w) {
   if (height <= survey.tolerance_m || std::fabs(w) <= survey.tolerance_m) return;
   if (fall < kGrazing * norm(p - eye)) return;
   const Vec3 crossing = eye + (p - eye) * (height / fall);
-  survey.mark(survey.raster.cell_of(survey.wall.plane->frame.project(crossing)), w < 0 ? kBehind : kBefore);
+  survey.mark(survey.raster.cell_of(survey.wall.plane->frame.project(crossing)),
+              w < 0 ? kBehind : kBefore);
 }
 
 void look_straight(Survey& survey, uint32_t cell, double w, const SurveySetting& setting) {
@@ -54,22 +59,23 @@ void look_straight(Survey& survey, uint32_t cell, double w, const SurveySetting&
   if (w > survey.tolerance_m && w <= kNearFront_m) survey.mark(cell, kBefore);
 }
 
-void look_at_point(Survey& survey, const Vec3& p, uint32_t label, const Vec3* eye, const SurveySetting& setting,
-                   std::vector<HolePoint>& out) {
+void look_at_point(Survey& survey, const Vec3& p, uint32_t label, const Vec3* eye,
+                   const SurveySetting& setting, std::vector<HolePoint>& out) {
   const double w = survey.height_of(p);
   if (eye != nullptr) look_along_ray(survey, *eye, p, w);
   const bool is_own = label == survey.wall.plane->label;
-  if (!is_own && (w < -setting.max_depth_m || w > (eye != nullptr ? setting.front_m : kNearFront_m))) return;
+  if (!is_own &&
+      (w < -setting.max_depth_m || w > (eye != nullptr ? setting.front_m : kNearFront_m)))
+    return;
   const Vec2 q = survey.wall.plane->frame.project(p);
   const uint32_t cell = survey.raster.cell_of(q);
   if (cell == kNoCell) return;
-  if (is_own)
-    survey.mark(cell, kWall);
-  else if (eye == nullptr)
-    look_straight(survey, cell, w, setting);
+  if (is_own) survey.mark(cell, kWall);
+  else if (eye == nullptr) look_straight(survey, cell, w, setting);
   const uint32_t hole = survey.raster.near_hole[cell];
   if (hole != kNoHole && w <= setting.front_m)
-    out.push_back({hole, label, static_cast<float>(q.u), static_cast<float>(q.v), static_cast<float>(w)});
+    out.push_back(
+        {hole, label, static_cast<float>(q.u), static_cast<float>(q.v), static_cast<float>(w)});
 }
 
 WallCell cell_of(uint8_t seen) {
@@ -104,14 +110,16 @@ struct Eyes {
   const Station* of(size_t i) {
     const auto& stations = cloud.stations;
     while (next < stations.size() && i >= stations[next].first + stations[next].count) ++next;
-    const bool is_known = next < stations.size() && i >= stations[next].first && stations[next].has_pose;
+    const bool is_known =
+        next < stations.size() && i >= stations[next].first && stations[next].has_pose;
     return is_known ? &stations[next] : nullptr;
   }
 };
 
 }  // namespace
 
-std::vector<WallSurvey> survey_walls(const Segmentation& segmentation, std::span<const SurveyedWall> walls,
+std::vector<WallSurvey> survey_walls(const Segmentation& segmentation,
+                                     std::span<const SurveyedWall> walls,
                                      const SurveySetting& setting, Task& task) {
   std::vector<Survey> surveys;
   for (const SurveyedWall& wall : walls) {
@@ -120,7 +128,8 @@ std::vector<WallSurvey> survey_walls(const Segmentation& segmentation, std::span
   }
   const Cloud& cloud = *segmentation.cloud;
   const auto labels = segmentation.labels->values<uint32_t>();
-  const size_t n = walls.empty() ? 0 : cloud.size(), chunks = (n + kPointsPerChunk - 1) / kPointsPerChunk;
+  const size_t n = walls.empty() ? 0 : cloud.size(),
+               chunks = (n + kPointsPerChunk - 1) / kPointsPerChunk;
   std::vector<std::vector<std::vector<HolePoint>>> found(chunks);
   parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
     auto& mine = found[begin / kPointsPerChunk];
@@ -132,7 +141,8 @@ std::vector<WallSurvey> survey_walls(const Segmentation& segmentation, std::span
       Vec3 eye;
       if (station != nullptr) eye = station->pose.translation();
       for (size_t s = 0; s < surveys.size(); ++s)
-        look_at_point(surveys[s], p, labels[i], station != nullptr ? &eye : nullptr, setting, mine[s]);
+        look_at_point(surveys[s], p, labels[i], station != nullptr ? &eye : nullptr, setting,
+                      mine[s]);
     }
   });
   std::vector<WallSurvey> out;

@@ -53,7 +53,8 @@ struct SurveyedWall {
 ///
 /// After: one survey a wall, in it one a hole, in the order given; points in the order of the
 /// cloud. The same bits for any number of threads. Cost: points x walls, a few operations each.
-std::vector<WallSurvey> survey_walls(const Segmentation& segmentation, std::span<const SurveyedWall> walls,
+std::vector<WallSurvey> survey_walls(const Segmentation& segmentation,
+                                     std::span<const SurveyedWall> walls,
                                      const SurveySetting& setting, Task& task);
 
 }  // namespace jalon

@@ -12,18 +12,22 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kRank = 2;             // mutual neighbours in feature space: the right one is often the second
-constexpr size_t kMostMatches = 3000;   // vertices of the graph
-constexpr double kRigid = 1.5;          // cells: centroids of cells of two grids lie off by about half a cell each
-constexpr double kApart = 5;            // cells: places nearer to each other say nothing about a turn
+constexpr size_t kRank =
+    2;  // mutual neighbours in feature space: the right one is often the second
+constexpr size_t kMostMatches = 3000;  // vertices of the graph
+constexpr double kRigid =
+    1.5;  // cells: centroids of cells of two grids lie off by about half a cell each
+constexpr double kApart = 5;  // cells: places nearer to each other say nothing about a turn
 constexpr size_t kCliques = 60, kLeastClique = 4;
-constexpr size_t kPlanes = 14;          // of each cloud
-constexpr size_t kRotations = 32;       // 24 of a scene of right angles and some to spare
+constexpr size_t kPlanes = 14;     // of each cloud
+constexpr size_t kRotations = 32;  // 24 of a scene of right angles and some to spare
 constexpr size_t kPosesOfRotation = 8;
 
 void add_from_features(const CoarseSurface& reference, const CoarseSurface& moving,
-                       const std::vector<FeatureMatch>& matches, Task& task, std::vector<PoseCandidate>& out) {
-  const MatchGraph graph(matches, reference, moving, kRigid * reference.cell_m, kApart * reference.cell_m, task);
+                       const std::vector<FeatureMatch>& matches, Task& task,
+                       std::vector<PoseCandidate>& out) {
+  const MatchGraph graph(matches, reference, moving, kRigid * reference.cell_m,
+                         kApart * reference.cell_m, task);
   for (const std::vector<uint32_t>& clique : graph.cliques(kCliques, kLeastClique, task)) {
     std::vector<Vec3> from, to;
     for (const uint32_t i : clique) {
@@ -50,8 +54,8 @@ void add_from_planes(const CoarseSurface& reference, const CoarseSurface& moving
 
 }  // namespace
 
-std::vector<PoseCandidate> coarse_candidates(const CoarseSurface& reference, const CoarseSurface& moving, bool level,
-                                             Task& task) {
+std::vector<PoseCandidate> coarse_candidates(const CoarseSurface& reference,
+                                             const CoarseSurface& moving, bool level, Task& task) {
   std::vector<FeatureMatch> matches;
   std::vector<PoseCandidate> out;
   {

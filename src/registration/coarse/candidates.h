@@ -28,7 +28,7 @@ struct PoseCandidate {
 /// Before: features are described; level says that both clouds stand upright (z is the same), so
 /// that a plane and the vertical already fix a rotation. After: rigid poses, some of them alike; as
 /// many as 60 of features, 8 of the largest planes and 256 of the others.
-std::vector<PoseCandidate> coarse_candidates(const CoarseSurface& reference, const CoarseSurface& moving, bool level,
-                                             Task& task);
+std::vector<PoseCandidate> coarse_candidates(const CoarseSurface& reference,
+                                             const CoarseSurface& moving, bool level, Task& task);
 
 }  // namespace jalon

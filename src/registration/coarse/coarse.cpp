@@ -16,14 +16,17 @@ namespace jalon {
 
 namespace {
 
-constexpr double kFeatureRadius = 5;     // cells (Rusu et al. 2009: a few times the radius of the normals)
+constexpr double kFeatureRadius =
+    5;  // cells (Rusu et al. 2009: a few times the radius of the normals)
 constexpr size_t kDistinctPoints = 4000;
-constexpr size_t kCoarseLeastCells = 50;       // fewer show no shape
-constexpr double kLevel = 0.9962;        // cosine, 5 degrees: of what stands upright, before fine registration
+constexpr size_t kCoarseLeastCells = 50;  // fewer show no shape
+constexpr double kLevel =
+    0.9962;  // cosine, 5 degrees: of what stands upright, before fine registration
 // Salient places near the other cloud: few of them, all in one corner, look alike anywhere. Scans of different places
 // came to 0.05, of the same place to 0.6 and more.
 constexpr double kLeastSalient = 0.1;
-constexpr double kWhole = 0.8;           // overlap of both clouds that needs no salient places to be believed
+constexpr double kWhole =
+    0.8;  // overlap of both clouds that needs no salient places to be believed
 
 Transform shift_by(const Vec3& shift) { return motion_about({}, {}, shift); }
 
@@ -42,8 +45,9 @@ struct Frames {
 CoarseSurface described(const Cloud& cloud, double cell_m, const char* which, Task& task) {
   CoarseSurface surface = coarse_surface(cloud, cell_m, task);
   if (surface.size() < kCoarseLeastCells)
-    fail(Status::kInsufficientData, "the %s cloud fills only %zu cells; coarse registration needs %zu", which,
-         surface.size(), kCoarseLeastCells);
+    fail(Status::kInsufficientData,
+         "the %s cloud fills only %zu cells; coarse registration needs %zu", which, surface.size(),
+         kCoarseLeastCells);
   describe_features(surface, kFeatureRadius * cell_m, kDistinctPoints, task);
   return surface;
 }
@@ -67,7 +71,8 @@ StopReason verdict(const std::vector<RankedPose>& poses, const CoarseSettings& s
   const Overlap& best = poses[0].overlap;
   const bool is_whole = best.count >= kWhole;
   const double least_common = settings.min_common_percent / 100;
-  if (best.of_moving < least_common || (!is_whole && best.salient < kLeastSalient)) return StopReason::kNothingFound;
+  if (best.of_moving < least_common || (!is_whole && best.salient < kLeastSalient))
+    return StopReason::kNothingFound;
   if (!is_whole && 100 * best.likeness < settings.min_likeness_percent)
     return StopReason::kNothingFound;
   const bool has_rival = poses.size() > 1 && 100 * poses[1].overlap.score() >=
@@ -90,7 +95,8 @@ std::span<const ParamRow> coarse_rows() { return kCoarseRows; }
 Registration register_coarse(const CloudPtr& reference, const CloudPtr& moving,
                              const Transform& T_start, const CoarseSettings& settings, Task& task) {
   if (reference->size() < kCoarseLeastCells || moving->size() < kCoarseLeastCells)
-    fail(Status::kInsufficientData, "coarse registration needs %zu points in each cloud", kCoarseLeastCells);
+    fail(Status::kInsufficientData, "coarse registration needs %zu points in each cloud",
+         kCoarseLeastCells);
   // 1. Surfaces.
   CoarseSurface reference_surface, moving_surface;
   {

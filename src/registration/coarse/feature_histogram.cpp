@@ -12,8 +12,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kBins = 11;             // Rusu et al. 2009
-constexpr float kSum = 100;              // of an angle's bins, as in the authors' own code
+constexpr size_t kBins = 11;  // Rusu et al. 2009
+constexpr float kSum = 100;   // of an angle's bins, as in the authors' own code
 constexpr size_t kFeatureHistogramLeastNeighbours = 6;
 constexpr size_t kSalientOneIn = 7;
 constexpr size_t kFeatureHistogramGrain = 64;
@@ -31,7 +31,8 @@ Vec3 facing_normal(const CoarseSurface& s, size_t i, const std::vector<Neighbour
 }
 
 // The simplified histogram of one point: the angles of the Darboux frame with each neighbour.
-Feature simplified_histogram(const CoarseSurface& s, size_t i, double radius_m, const std::vector<Neighbour>& near) {
+Feature simplified_histogram(const CoarseSurface& s, size_t i, double radius_m,
+                             const std::vector<Neighbour>& near) {
   Feature out{};
   if (squared_norm(s.normals[i]) == 0 || near.size() < kFeatureHistogramLeastNeighbours) return out;
   const Vec3 u = facing_normal(s, i, near), place = s.points[i] + u * radius_m;
@@ -46,7 +47,8 @@ Feature simplified_histogram(const CoarseSurface& s, size_t i, double radius_m, 
     const Vec3 normal = dot(place - s.points[k], s.normals[k]) < 0 ? -s.normals[k] : s.normals[k];
     ++out[bin_of(dot(v, normal), -1, 1)];
     ++out[kBins + bin_of(dot(u, d), -1, 1)];
-    ++out[2 * kBins + bin_of(std::atan2(dot(w, normal), dot(u, normal)), -std::numbers::pi, std::numbers::pi)];
+    ++out[2 * kBins +
+          bin_of(std::atan2(dot(w, normal), dot(u, normal)), -std::numbers::pi, std::numbers::pi)];
     ++n;
   }
   if (n == 0) return Feature{};
@@ -86,7 +88,8 @@ std::vector<Feature> feature_histograms(const CoarseSurface& s, double radius_m,
       for (const Neighbour& n : near) {
         if (n.index == i) continue;
         const double weight = s.cell_m / std::max(std::sqrt(n.squared_distance), s.cell_m) / sum;
-        for (size_t b = 0; b < kFeatureSize; ++b) f[b] += static_cast<float>(weight) * simplified[n.index][b];
+        for (size_t b = 0; b < kFeatureSize; ++b)
+          f[b] += static_cast<float>(weight) * simplified[n.index][b];
       }
       for (size_t b = 0; b < kFeatureSize; ++b) f[b] += simplified[i][b];
       normalise(f);

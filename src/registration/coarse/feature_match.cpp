@@ -21,7 +21,8 @@ class FeatureLanes {
       : count_(s.distinct.size()), values_((count_ + kLanes - 1) / kLanes * kLanes * kFeatureSize) {
     for (size_t i = 0; i < count_; ++i)
       for (size_t k = 0; k < kFeatureSize; ++k)
-        values_[(i / kLanes * kFeatureSize + k) * kLanes + i % kLanes] = s.features[s.distinct[i]][k];
+        values_[(i / kLanes * kFeatureSize + k) * kLanes + i % kLanes] =
+            s.features[s.distinct[i]][k];
   }
   size_t size() const { return count_; }
   void distances(const Feature& f, std::vector<float>& out) const {
@@ -46,12 +47,14 @@ class FeatureLanes {
 struct Near {
   float distance;
   uint32_t index;
-  bool operator<(const Near& b) const { return distance != b.distance ? distance < b.distance : index < b.index; }
+  bool operator<(const Near& b) const {
+    return distance != b.distance ? distance < b.distance : index < b.index;
+  }
 };
 
 // For each distinct point the `rank` nearest of the lanes.
-std::vector<std::vector<Near>> nearest_features(const CoarseSurface& s, const FeatureLanes& lanes, size_t rank,
-                                                Task& task) {
+std::vector<std::vector<Near>> nearest_features(const CoarseSurface& s, const FeatureLanes& lanes,
+                                                size_t rank, Task& task) {
   std::vector<std::vector<Near>> out(s.distinct.size());
   parallel_for(task, out.size(), kFeatureMatchGrain, [&](size_t begin, size_t end) {
     std::vector<float> distances;
@@ -71,8 +74,9 @@ std::vector<std::vector<Near>> nearest_features(const CoarseSurface& s, const Fe
 
 }  // namespace
 
-std::vector<FeatureMatch> match_features(const CoarseSurface& reference, const CoarseSurface& moving, size_t rank,
-                                         size_t most, Task& task) {
+std::vector<FeatureMatch> match_features(const CoarseSurface& reference,
+                                         const CoarseSurface& moving, size_t rank, size_t most,
+                                         Task& task) {
   const FeatureLanes reference_lanes(reference), moving_lanes(moving);
   const auto forth = nearest_features(moving, reference_lanes, rank, task);
   const auto back = nearest_features(reference, moving_lanes, rank, task);
@@ -80,11 +84,14 @@ std::vector<FeatureMatch> match_features(const CoarseSurface& reference, const C
   for (uint32_t i = 0; i < forth.size(); ++i)
     for (const Near& near : forth[i]) {
       const auto& others = back[near.index];
-      const bool is_mutual = std::any_of(others.begin(), others.end(), [&](const Near& n) { return n.index == i; });
-      if (is_mutual) out.push_back({moving.distinct[i], reference.distinct[near.index], near.distance});
+      const bool is_mutual =
+          std::any_of(others.begin(), others.end(), [&](const Near& n) { return n.index == i; });
+      if (is_mutual)
+        out.push_back({moving.distinct[i], reference.distinct[near.index], near.distance});
     }
-  std::stable_sort(out.begin(), out.end(),
-                   [](const FeatureMatch& a, const FeatureMatch& b) { return a.distance < b.distance; });
+  std::stable_sort(out.begin(), out.end(), [](const FeatureMatch& a, const FeatureMatch& b) {
+    return a.distance < b.distance;
+  });
   if (out.size() > most) out.resize(most);
   return out;
 }

@@ -21,7 +21,8 @@ struct FeatureMatch {
 ///
 /// Before: features are described. After: the nearest first, ties by index, at most `most`; a point
 /// may stand in several. O(a b) for a and b distinct points.
-std::vector<FeatureMatch> match_features(const CoarseSurface& reference, const CoarseSurface& moving, size_t rank,
-                                         size_t most, Task& task);
+std::vector<FeatureMatch> match_features(const CoarseSurface& reference,
+                                         const CoarseSurface& moving, size_t rank, size_t most,
+                                         Task& task);
 
 }  // namespace jalon

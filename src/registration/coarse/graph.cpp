@@ -13,14 +13,16 @@ namespace jalon {
 
 namespace {
 
-constexpr double kNormalSlack = 0.35;  // of cosines: normals of cells at edges are good to some 20 degrees
+constexpr double kNormalSlack =
+    0.35;  // of cosines: normals of cells at edges are good to some 20 degrees
 constexpr size_t kGraphGrain = 16;
 
 struct Place {
   Vec3 p, n;
 };
 
-bool is_rigid(const Place& a, const Place& b, const Place& x, const Place& y, double tolerance_m, double nearest_m) {
+bool is_rigid(const Place& a, const Place& b, const Place& x, const Place& y, double tolerance_m,
+              double nearest_m) {
   const Vec3 ab = b.p - a.p, xy = y.p - x.p;
   const double l = norm(ab), m = norm(xy);
   if (l < nearest_m || m < nearest_m || std::abs(l - m) > tolerance_m) return false;
@@ -32,7 +34,8 @@ bool is_rigid(const Place& a, const Place& b, const Place& x, const Place& y, do
 }  // namespace
 
 MatchGraph::MatchGraph(std::span<const FeatureMatch> matches, const CoarseSurface& reference,
-                       const CoarseSurface& moving, double tolerance_m, double nearest_m, Task& task)
+                       const CoarseSurface& moving, double tolerance_m, double nearest_m,
+                       Task& task)
     : count_(matches.size()), words_((count_ + 63) / 64), bits_(count_ * words_), degrees_(count_) {
   std::vector<Place> from(count_), to(count_);
   for (size_t i = 0; i < count_; ++i) {
@@ -74,7 +77,8 @@ std::vector<uint32_t> MatchGraph::clique(size_t seed) const {
   }
 }
 
-std::vector<std::vector<uint32_t>> MatchGraph::cliques(size_t most, size_t least, Task& task) const {
+std::vector<std::vector<uint32_t>> MatchGraph::cliques(size_t most, size_t least,
+                                                       Task& task) const {
   // Second-order degree (Chen et al. 2022, SC2-PCR): the neighbours that a match shares with its neighbours; wrong
   // matches have neighbours by chance, which share few.
   std::vector<uint64_t> second(count_);
@@ -86,7 +90,8 @@ std::vector<std::vector<uint32_t>> MatchGraph::cliques(size_t most, size_t least
   });
   std::vector<uint32_t> order(count_);
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return second[a] > second[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](uint32_t a, uint32_t b) { return second[a] > second[b]; });
   std::vector<std::vector<uint32_t>> out;
   std::vector<uint8_t> is_used(count_);
   for (const uint32_t seed : order) {

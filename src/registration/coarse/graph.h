@@ -22,8 +22,8 @@ namespace jalon {
 class MatchGraph {
  public:
   /// tolerance_m: of the distances; nearest_m: pairs nearer than this say nothing about a turn and are no edges.
-  MatchGraph(std::span<const FeatureMatch> matches, const CoarseSurface& reference, const CoarseSurface& moving,
-             double tolerance_m, double nearest_m, Task& task);
+  MatchGraph(std::span<const FeatureMatch> matches, const CoarseSurface& reference,
+             const CoarseSurface& moving, double tolerance_m, double nearest_m, Task& task);
 
   size_t size() const { return count_; }
   size_t degree(size_t i) const { return degrees_[i]; }

@@ -12,10 +12,11 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSameAngle = 0.07;       // of cosines, about 4 degrees
-constexpr double kMostParallel = 0.94;    // cosine, 20 degrees: two planes closer than this fix no rotation
-constexpr double kSameTurn_rad = 0.1;     // rotations this near are one
-constexpr size_t kMostTurns = 400;        // different rotations looked at
+constexpr double kSameAngle = 0.07;  // of cosines, about 4 degrees
+constexpr double kMostParallel =
+    0.94;  // cosine, 20 degrees: two planes closer than this fix no rotation
+constexpr double kSameTurn_rad = 0.1;  // rotations this near are one
+constexpr size_t kMostTurns = 400;     // different rotations looked at
 
 // The rotation that lays the frame of two directions on that of two others at the same angle.
 Transform rotation_of(const Vec3& a1, const Vec3& a2, const Vec3& b1, const Vec3& b2) {
@@ -37,20 +38,23 @@ struct Turn {
 };
 
 // The rotations that lay two directions on two others, whichever way round: normals have no sign.
-void add_turns(const Vec3& n1, const Vec3& n2, const Vec3& m1, const Vec3& m2, double area, bool keep_first,
-               std::vector<Turn>& out) {
+void add_turns(const Vec3& n1, const Vec3& n2, const Vec3& m1, const Vec3& m2, double area,
+               bool keep_first, std::vector<Turn>& out) {
   const double angle = dot(n1, n2);
   for (int signs = 0; signs < 4; ++signs) {
     if (keep_first && (signs & 1)) continue;
     const Vec3 to1 = m1 * (signs & 1 ? -1.0 : 1.0), to2 = m2 * (signs & 2 ? -1.0 : 1.0);
-    if (std::abs(dot(to1, to2) - angle) <= kSameAngle) out.push_back({rotation_of(n1, n2, to1, to2), area});
+    if (std::abs(dot(to1, to2) - angle) <= kSameAngle)
+      out.push_back({rotation_of(n1, n2, to1, to2), area});
   }
 }
 
 // Every rotation that two pairs of planes give, or one pair and the vertical.
 std::vector<Turn> turns_of(const PlaneSets& planes, Task& task) {
   const auto& [reference, moving, level] = planes;
-  const auto is_fixing = [](const Vec3& a, const Vec3& b) { return std::abs(dot(a, b)) <= kMostParallel; };
+  const auto is_fixing = [](const Vec3& a, const Vec3& b) {
+    return std::abs(dot(a, b)) <= kMostParallel;
+  };
   constexpr Vec3 kUp{0, 0, 1};
   std::vector<Turn> out;
   for (size_t i = 0; i < moving.size(); ++i) {
@@ -69,7 +73,8 @@ std::vector<Turn> turns_of(const PlaneSets& planes, Task& task) {
                       std::min(common_area(moving[i], r1), common_area(moving[j], r2)), false, out);
     }
   }
-  std::stable_sort(out.begin(), out.end(), [](const Turn& a, const Turn& b) { return a.area > b.area; });
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Turn& a, const Turn& b) { return a.area > b.area; });
   return out;
 }
 
@@ -104,7 +109,8 @@ std::vector<Transform> plane_rotations(const PlaneSets& planes, size_t most, Tas
     });
     if (is_new) distinct.push_back({turn.rotation, parallel_area(turn.rotation, planes)});
   }
-  std::stable_sort(distinct.begin(), distinct.end(), [](const Turn& a, const Turn& b) { return a.area > b.area; });
+  std::stable_sort(distinct.begin(), distinct.end(),
+                   [](const Turn& a, const Turn& b) { return a.area > b.area; });
   if (distinct.size() > most) distinct.resize(most);
   std::vector<Transform> out;
   for (const Turn& turn : distinct) out.push_back(turn.rotation);

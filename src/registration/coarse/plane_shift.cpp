@@ -20,7 +20,8 @@ struct Vote {
 
 // The strongest shifts: sums of votes within a window, no two of one window.
 std::vector<Vote> peaks_of(std::vector<Vote> votes, double window_m) {
-  std::stable_sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) { return a.shift < b.shift; });
+  std::stable_sort(votes.begin(), votes.end(),
+                   [](const Vote& a, const Vote& b) { return a.shift < b.shift; });
   std::vector<Vote> sums;
   for (size_t i = 0, first = 0, last = 0; i < votes.size(); ++i) {
     while (votes[first].shift < votes[i].shift - window_m) ++first;
@@ -32,7 +33,8 @@ std::vector<Vote> peaks_of(std::vector<Vote> votes, double window_m) {
     }
     sums.push_back({sum.shift / sum.weight, sum.weight});
   }
-  std::stable_sort(sums.begin(), sums.end(), [](const Vote& a, const Vote& b) { return a.weight > b.weight; });
+  std::stable_sort(sums.begin(), sums.end(),
+                   [](const Vote& a, const Vote& b) { return a.weight > b.weight; });
   std::vector<Vote> out;
   for (const Vote& sum : sums) {
     if (out.size() == kPeaks) break;
@@ -51,7 +53,8 @@ struct Parallel {
 
 // Pairs of planes that the rotation makes parallel, the largest first, with the shift along the reference's normal
 // that lays them together. Shifts are those of the moving centroid: a small error of the rotation moves it least.
-std::vector<Parallel> parallels_of(const Transform& rotation, const PlaneSets& planes, const Vec3& centroid) {
+std::vector<Parallel> parallels_of(const Transform& rotation, const PlaneSets& planes,
+                                   const Vec3& centroid) {
   std::vector<Parallel> out;
   for (const CoarsePlane& m : planes.moving)
     for (const CoarsePlane& r : planes.reference) {
@@ -60,8 +63,9 @@ std::vector<Parallel> parallels_of(const Transform& rotation, const PlaneSets& p
       const double from = -m.plane.distance(centroid) * (facing < 0 ? -1 : 1);
       out.push_back({r.plane.normal, {r.plane.offset - from, common_area(m, r)}});
     }
-  std::stable_sort(out.begin(), out.end(),
-                   [](const Parallel& a, const Parallel& b) { return a.vote.weight > b.vote.weight; });
+  std::stable_sort(out.begin(), out.end(), [](const Parallel& a, const Parallel& b) {
+    return a.vote.weight > b.vote.weight;
+  });
   return out;
 }
 
@@ -84,7 +88,8 @@ std::vector<Vote> votes_along(const Vec3& direction, const std::vector<Parallel>
   std::vector<Vote> out;
   for (const Parallel& p : parallels) {
     const double facing = dot(direction, p.normal);
-    if (std::abs(facing) >= kParallel) out.push_back({facing < 0 ? -p.vote.shift : p.vote.shift, p.vote.weight});
+    if (std::abs(facing) >= kParallel)
+      out.push_back({facing < 0 ? -p.vote.shift : p.vote.shift, p.vote.weight});
   }
   return out;
 }
@@ -98,8 +103,8 @@ Vec3 meeting(const Vec3 (&n)[3], const double (&d)[3]) {
 /// Combines the shifts along the directions that planes fix, and by votes of features along the one they leave open.
 class ShiftFinder {
  public:
-  ShiftFinder(const Transform& rotation, const CoarseSurface& reference, const CoarseSurface& moving,
-              std::span<const FeatureMatch> matches)
+  ShiftFinder(const Transform& rotation, const CoarseSurface& reference,
+              const CoarseSurface& moving, std::span<const FeatureMatch> matches)
       : rotation_(rotation), reference_(reference), moving_(moving), matches_(matches) {}
 
   struct Shift {
@@ -107,16 +112,19 @@ class ShiftFinder {
     double weight;
   };
 
-  std::vector<Shift> across_three(const std::vector<Vec3>& n, const std::vector<Vote> (&peaks)[3]) const {
+  std::vector<Shift> across_three(const std::vector<Vec3>& n,
+                                  const std::vector<Vote> (&peaks)[3]) const {
     std::vector<Shift> out;
     for (const Vote& a : peaks[0])
       for (const Vote& b : peaks[1])
         for (const Vote& c : peaks[2])
-          out.push_back({meeting({n[0], n[1], n[2]}, {a.shift, b.shift, c.shift}), a.weight + b.weight + c.weight});
+          out.push_back({meeting({n[0], n[1], n[2]}, {a.shift, b.shift, c.shift}),
+                         a.weight + b.weight + c.weight});
     return out;
   }
 
-  std::vector<Shift> across_two(const std::vector<Vec3>& n, const std::vector<Vote> (&peaks)[3]) const {
+  std::vector<Shift> across_two(const std::vector<Vec3>& n,
+                                const std::vector<Vote> (&peaks)[3]) const {
     const Vec3 open = normalized(cross(n[0], n[1]));
     const double window_m = kVoteWindow * reference_.cell_m;
     std::vector<Shift> out;
@@ -126,14 +134,16 @@ class ShiftFinder {
         for (const FeatureMatch& match : matches_) {
           const Vec3 to = reference_.points[match.reference] -
                           rotation_.direction(moving_.points[match.moving] - moving_.centroid);
-          if (std::abs(dot(to, n[0]) - a.shift) > 2 * window_m || std::abs(dot(to, n[1]) - b.shift) > 2 * window_m)
+          if (std::abs(dot(to, n[0]) - a.shift) > 2 * window_m ||
+              std::abs(dot(to, n[1]) - b.shift) > 2 * window_m)
             continue;
           along.push_back({dot(to, open), 1});
         }
         // Without a word on it the middle of both is as good as any.
         if (along.empty()) along.push_back({dot(reference_.centroid, open), 1});
         for (const Vote& c : peaks_of(std::move(along), window_m))
-          out.push_back({meeting({n[0], n[1], open}, {a.shift, b.shift, c.shift}), a.weight + b.weight + c.weight});
+          out.push_back({meeting({n[0], n[1], open}, {a.shift, b.shift, c.shift}),
+                         a.weight + b.weight + c.weight});
       }
     return out;
   }
@@ -160,8 +170,10 @@ std::vector<Transform> plane_poses(const Transform& rotation, const PlaneSets& p
   for (size_t k = 0; k < directions.size(); ++k)
     peaks[k] = peaks_of(votes_along(directions[k], parallels), kVoteWindow * reference.cell_m);
   const ShiftFinder finder(rotation, reference, moving, matches);
-  auto shifts = directions.size() == 3 ? finder.across_three(directions, peaks) : finder.across_two(directions, peaks);
-  std::stable_sort(shifts.begin(), shifts.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });
+  auto shifts = directions.size() == 3 ? finder.across_three(directions, peaks)
+                                       : finder.across_two(directions, peaks);
+  std::stable_sort(shifts.begin(), shifts.end(),
+                   [](const auto& a, const auto& b) { return a.weight > b.weight; });
   if (shifts.size() > most) shifts.resize(most);
   std::vector<Transform> out;
   for (const auto& shift : shifts) {

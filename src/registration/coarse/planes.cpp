@@ -12,13 +12,13 @@ namespace jalon {
 
 namespace {
 
-constexpr double kPlanesReach = 1.8;            // cells: the eight around one on a plane
+constexpr double kPlanesReach = 1.8;  // cells: the eight around one on a plane
 constexpr double kSeedVariation = 0.01;
-constexpr double kPlanesSameFacing = 0.94;      // cosine, 20 degrees: normals of single cells
-constexpr double kPlanesOffPlane = 0.4;         // cells
+constexpr double kPlanesSameFacing = 0.94;  // cosine, 20 degrees: normals of single cells
+constexpr double kPlanesOffPlane = 0.4;     // cells
 constexpr size_t kPlanesLeastCells = 20;
 constexpr double kCoplanarFacing = 0.9986;  // cosine, 3 degrees
-constexpr double kCoplanarOffset = 0.5;   // cells, at the other's centroid
+constexpr double kCoplanarOffset = 0.5;     // cells, at the other's centroid
 
 struct Region {
   Moments moments;
@@ -27,7 +27,8 @@ struct Region {
 
 class RegionGrower {
  public:
-  RegionGrower(const CoarseSurface& surface, Task& task) : s_(surface), near_(s_.size()), label_(s_.size()) {
+  RegionGrower(const CoarseSurface& surface, Task& task)
+      : s_(surface), near_(s_.size()), label_(s_.size()) {
     constexpr size_t kGrain = 256;
     parallel_for(task, s_.size(), kGrain, [&](size_t begin, size_t end) {
       std::vector<Neighbour> near;
@@ -45,7 +46,8 @@ class RegionGrower {
                      [&](uint32_t a, uint32_t b) { return s_.variation[a] < s_.variation[b]; });
     std::vector<Region> out;
     for (size_t k = 0; k < seeds.size() && s_.variation[seeds[k]] <= kSeedVariation; ++k) {
-      if (k % 1024 == 0) task.checkpoint(static_cast<double>(k) / static_cast<double>(seeds.size()));
+      if (k % 1024 == 0)
+        task.checkpoint(static_cast<double>(k) / static_cast<double>(seeds.size()));
       if (label_[seeds[k]]) continue;
       Region region = grown(seeds[k]);
       if (region.moments.n >= kPlanesLeastCells) out.push_back(region);
@@ -110,10 +112,8 @@ std::vector<CoarsePlane> coarse_planes(const CoarseSurface& surface, size_t most
     const auto same = std::find_if(out.begin(), out.end(), [&](const CoarsePlane& plane) {
       return is_coplanar(plane, region, surface.cell_m);
     });
-    if (same == out.end())
-      out.push_back({region.plane, region.moments.n});
-    else
-      same->cells += region.moments.n;
+    if (same == out.end()) out.push_back({region.plane, region.moments.n});
+    else same->cells += region.moments.n;
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const CoarsePlane& a, const CoarsePlane& b) { return a.cells > b.cells; });

@@ -12,7 +12,7 @@ namespace jalon {
 
 /// All flat parts of a surface that lie in one plane. The sign of the normal means nothing.
 struct CoarsePlane {
-  Plane plane;     ///< in the surface's frame
+  Plane plane;       ///< in the surface's frame
   size_t cells = 0;  ///< its area, in cells
 };
 

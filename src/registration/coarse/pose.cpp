@@ -15,9 +15,10 @@ namespace jalon {
 namespace {
 
 constexpr double kPoseSameFacing = 0.8;  // cosine, 37 degrees: of normals of cells of two grids
-constexpr float kAlike = 0.2f;  // of the squared distance from the mean feature: 0.45 of the way there
-constexpr double kDamping = 1e-4;    // keeps directions that nothing fixes where they are
-constexpr size_t kLeastPairs = 12;   // two for each unknown
+constexpr float kAlike =
+    0.2f;  // of the squared distance from the mean feature: 0.45 of the way there
+constexpr double kDamping = 1e-4;   // keeps directions that nothing fixes where they are
+constexpr size_t kLeastPairs = 12;  // two for each unknown
 
 struct Found {
   uint32_t index = kNoPoint;
@@ -34,7 +35,8 @@ Found partner(const CoarseSurface& surface, const Vec3& place, const Vec3& facin
   if (is_flat && std::abs(dot(normal, facing)) < kPoseSameFacing) return found;
   found.index = near.index;
   found.distance = std::sqrt(near.squared_distance);
-  found.off_plane = is_flat ? std::abs(dot(normal, place - surface.points[near.index])) : found.distance;
+  found.off_plane =
+      is_flat ? std::abs(dot(normal, place - surface.points[near.index])) : found.distance;
   return found;
 }
 
@@ -52,7 +54,8 @@ Transform closest_motion(std::span<const Vec3> from, std::span<const Vec3> to) {
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  const Eigen::Matrix3d turn = svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  const Eigen::Matrix3d turn =
+      svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
   Transform out;
   for (size_t r = 0; r < 3; ++r)
     for (size_t c = 0; c < 3; ++c)
@@ -71,7 +74,8 @@ PoseJudge::PoseJudge(const CoarseSurface& reference, const CoarseSurface& moving
       side.weight += s.weights[i];
     }
     const size_t salient_step = s.salient.size() / most + 1;
-    for (size_t i = 0; i < s.salient.size(); i += salient_step) side.salient.push_back(s.salient[i]);
+    for (size_t i = 0; i < s.salient.size(); i += salient_step)
+      side.salient.push_back(s.salient[i]);
     return side;
   };
   reference_ = side_of(reference);
@@ -138,7 +142,8 @@ Overlap PoseJudge::overlap(const Transform& T_reference_moving, double reach,
   const auto asked = static_cast<double>(moving_.salient.size() + reference_.salient.size());
   out.salient = static_cast<double>(there.near + here.near) / std::max(asked, 1.0);
   if (there.near + here.near > 0)
-    out.likeness = static_cast<double>(there.alike + here.alike) / static_cast<double>(there.near + here.near);
+    out.likeness =
+        static_cast<double>(there.alike + here.alike) / static_cast<double>(there.near + here.near);
   return out;
 }
 
@@ -150,9 +155,11 @@ PoseJudge::Step PoseJudge::step(MotionModel& model, double reach) const {
   size_t n = 0;
   for (const uint32_t i : moving_.sample) {
     const Vec3 facing = model.motion().direction(from.normals[i]);
-    const Found found = partner(to, model.motion().point(from.points[i]), facing, reach * to.cell_m);
+    const Found found =
+        partner(to, model.motion().point(from.points[i]), facing, reach * to.cell_m);
     if (found.index == kNoPoint || squared_norm(to.normals[found.index]) == 0) continue;
-    const double d = model.residual({from.points[i], to.points[found.index], to.normals[found.index]}, j);
+    const double d =
+        model.residual({from.points[i], to.points[found.index], to.normals[found.index]}, j);
     const double weight = from.weights[i] * std::max(0.05, 1 - 10 * to.variation[found.index]);
     ++n;
     for (size_t r = 0; r < 6; ++r) {

@@ -20,8 +20,10 @@ Transform closest_motion(std::span<const Vec3> from, std::span<const Vec3> to);
 /// How much of two surfaces a pose lays onto each other: weighted shares.
 struct Overlap {
   double of_moving = 0, of_reference = 0;
-  double count = 0;      ///< what lies on the other surface, of both: DARCES' overlapping number, by weight
-  double likeness = 0;   ///< share of the salient places that come near the other surface and look alike there
+  double count =
+      0;  ///< what lies on the other surface, of both: DARCES' overlapping number, by weight
+  double likeness =
+      0;  ///< share of the salient places that come near the other surface and look alike there
   double salient = 0;    ///< share of all salient places that come near it
   size_t pairs = 0;      ///< asked points that lie on the other surface
   double rms_m = 0;      ///< off the planes of what lies on the other surface

@@ -13,14 +13,14 @@ namespace jalon {
 namespace {
 
 constexpr size_t kFewPoints = 400, kMorePoints = 1000, kManyPoints = 6000;  // of each surface
-constexpr double kLooseReach = 2, kLooseOffPlane = 1;  // cells: before poses have settled
-constexpr double kSearchReach = 1.5, kSearchOffPlane = 0.5;        // cells: once they have
-constexpr double kFirstReach = 4, kLastReach = 1.2;    // cells, of the iterations
+constexpr double kLooseReach = 2, kLooseOffPlane = 1;        // cells: before poses have settled
+constexpr double kSearchReach = 1.5, kSearchOffPlane = 0.5;  // cells: once they have
+constexpr double kFirstReach = 4, kLastReach = 1.2;          // cells, of the iterations
 constexpr int kIterations = 14, kLastIterations = 8;
-constexpr size_t kSettled = 40, kRivals = 8;           // poses that are settled, and judged in the end
-constexpr double kSamePose = 1;                        // cells: two candidates this near settle alike
-constexpr double kOtherPose = 4;                       // cells: settled poses this far from each other are two
-constexpr double kSlide = 8;                           // cells
+constexpr size_t kSettled = 40, kRivals = 8;  // poses that are settled, and judged in the end
+constexpr double kSamePose = 1;               // cells: two candidates this near settle alike
+constexpr double kOtherPose = 4;  // cells: settled poses this far from each other are two
+constexpr double kSlide = 8;      // cells
 
 // Curved ground can be laid across other ground, salient places and all; but then it crosses it, and what counts as
 // common is spread over the half cell that it may be off: 0.2 to 0.3 cells, 2.2 to 3.4 times the scatter of the cells
@@ -30,12 +30,14 @@ constexpr double kCrossCells = 0.17, kCrossScatters = 1.7;
 using Poses = std::vector<RankedPose>;
 
 bool crosses(const RankedPose& pose, double cell_m) {
-  return pose.overlap.rms_m > kCrossCells * cell_m && pose.overlap.rms_m > kCrossScatters * pose.overlap.scatter_m;
+  return pose.overlap.rms_m > kCrossCells * cell_m &&
+         pose.overlap.rms_m > kCrossScatters * pose.overlap.scatter_m;
 }
 
 void rank(Poses& poses) {
-  std::stable_sort(poses.begin(), poses.end(),
-                   [](const RankedPose& a, const RankedPose& b) { return a.overlap.score() > b.overlap.score(); });
+  std::stable_sort(poses.begin(), poses.end(), [](const RankedPose& a, const RankedPose& b) {
+    return a.overlap.score() > b.overlap.score();
+  });
 }
 
 // The best of each group of poses within a distance, at most this many.
@@ -63,8 +65,8 @@ void settle(Poses& poses, const PoseJudge& judge, double first_reach, int iterat
 }
 
 // Step 1.
-Poses first_look(const PoseJudge& judge, const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted,
-                 Task& task) {
+Poses first_look(const PoseJudge& judge, const std::vector<PoseCandidate>& candidates,
+                 const PoseFilter& is_wanted, Task& task) {
   Poses out;
   for (const PoseCandidate& candidate : candidates)
     if (is_wanted(candidate.T_reference_moving))
@@ -82,7 +84,8 @@ Poses slides(const RankedPose& best, const Square<6>& fixed, const CoarseSurface
   Eigen::Matrix<double, 6, 6> scaled;
   const auto unit_of = [&](Eigen::Index i) { return i < 3 ? 1 / moving.extent_m : 1.0; };
   for (Eigen::Index i = 0; i < 6; ++i)
-    for (Eigen::Index k = 0; k < 6; ++k) scaled(i, k) = fixed[static_cast<size_t>(6 * i + k)] * unit_of(i) * unit_of(k);
+    for (Eigen::Index k = 0; k < 6; ++k)
+      scaled(i, k) = fixed[static_cast<size_t>(6 * i + k)] * unit_of(i) * unit_of(k);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(scaled);
   const Vec3 centre = best.T_reference_moving.point(moving.centroid);
   Poses out;
@@ -100,7 +103,8 @@ Poses slides(const RankedPose& best, const Square<6>& fixed, const CoarseSurface
 }  // namespace
 
 CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& moving,
-                          const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted, Task& task) {
+                          const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted,
+                          Task& task) {
   const double cell_m = reference.cell_m;
   const PoseJudge few(reference, moving, kFewPoints), more(reference, moving, kMorePoints),
       many(reference, moving, kManyPoints);
@@ -112,7 +116,8 @@ CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& m
   {
     // Steps 1 and 2.
     const ProgressSpan span(task, 0, 0.6, "settling poses");
-    poses = distinct(first_look(few, candidates, is_wanted, task), few, kSamePose * cell_m, kSettled);
+    poses =
+        distinct(first_look(few, candidates, is_wanted, task), few, kSamePose * cell_m, kSettled);
     settle(poses, more, kFirstReach, kIterations, task);
     std::erase_if(poses, unwanted);
     rank(poses);

@@ -34,6 +34,7 @@ using PoseFilter = std::function<bool(const Transform&)>;
 /// After: every pose is wanted, lays no surface across the other, and lies at least four cells from
 /// each better one; none where no candidate stands. Same bits for any number of threads.
 CoarseSearch search_poses(const CoarseSurface& reference, const CoarseSurface& moving,
-                          const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted, Task& task);
+                          const std::vector<PoseCandidate>& candidates, const PoseFilter& is_wanted,
+                          Task& task);
 
 }  // namespace jalon

@@ -18,8 +18,9 @@ namespace {
 constexpr size_t kCellSample = 400'000;  // points that the size of a cell is found from
 constexpr double kPointsPerCell = 3;     // on average, at the least
 constexpr int kCellTurns = 6;
-constexpr double kSparse = 0.03;         // of the points in the cell of the median point: less is an outlier
-constexpr double kNormalReach = 2.2;     // cells: about 15 neighbours on a plane
+constexpr double kSparse =
+    0.03;  // of the points in the cell of the median point: less is an outlier
+constexpr double kNormalReach = 2.2;  // cells: about 15 neighbours on a plane
 constexpr size_t kSurfaceLeastNeighbours = 4;
 constexpr double kFlatVariation = 0.02;  // above, a place is curved or broken
 constexpr size_t kSurfaceGrain = 256;
@@ -41,7 +42,8 @@ uint32_t least_count(const VoxelGrid& grid) {
   uint64_t points = 0;
   for (const uint32_t count : counts) {
     points += count;
-    if (points > half) return std::max<uint32_t>(1, static_cast<uint32_t>(std::lround(kSparse * count)));
+    if (points > half)
+      return std::max<uint32_t>(1, static_cast<uint32_t>(std::lround(kSparse * count)));
   }
   return 1;
 }
@@ -60,7 +62,8 @@ double cell_of(const Cloud& cloud, size_t target, Task& task) {
   const Buffer<double> xyz = even_sample(cloud);
   const double diagonal = norm(box.max - box.min);
   if (!(diagonal > 0)) return 0;
-  const double wanted = std::min(static_cast<double>(target), static_cast<double>(xyz.size() / 3) / kPointsPerCell);
+  const double wanted =
+      std::min(static_cast<double>(target), static_cast<double>(xyz.size() / 3) / kPointsPerCell);
   double cell = diagonal / std::sqrt(wanted);
   // The cells of a surface are inversely as the square of their edge.
   for (int turn = 0; turn < kCellTurns; ++turn) {
@@ -79,12 +82,14 @@ struct CellShape {
 
 CellShape shape_of(const Cloud& cloud, const VoxelGrid& grid, size_t v, const Vec3& origin) {
   Moments moments;
-  for (size_t k = grid.first[v]; k < grid.first[v + 1]; ++k) moments.add(cloud.point(grid.order[k]) - origin);
+  for (size_t k = grid.first[v]; k < grid.first[v + 1]; ++k)
+    moments.add(cloud.point(grid.order[k]) - origin);
   return {moments.centroid(), moments.covariance()};
 }
 
 // The plane through the cells around a point, all with the same say: dense places would pull it to themselves.
-void fit_plane(CoarseSurface& s, const std::vector<CellShape>& shapes, size_t i, std::vector<Neighbour>& near) {
+void fit_plane(CoarseSurface& s, const std::vector<CellShape>& shapes, size_t i,
+               std::vector<Neighbour>& near) {
   s.tree->radius(s.points[i], kNormalReach * s.cell_m, near);
   s.variation[i] = 1;
   if (near.size() < kSurfaceLeastNeighbours) return;
@@ -98,7 +103,8 @@ void fit_plane(CoarseSurface& s, const std::vector<CellShape>& shapes, size_t i,
   Symmetric3 covariance = moments.covariance();
   for (size_t k = 0; k < 6; ++k) covariance[k] += within[k] / static_cast<double>(near.size());
   const Eigen3 e = symmetric_eigen(covariance);
-  constexpr double kLine = 0.02;  // of the largest spread: what is narrower is a line, with no normal
+  constexpr double kLine =
+      0.02;  // of the largest spread: what is narrower is a line, with no normal
   if (!(e.values[1] > kLine * e.values[2])) return;
   s.normals[i] = e.vectors[0];
   s.scatter_m2[i] = std::max(0.0, e.values[0]);
@@ -169,7 +175,9 @@ void balance_weights(CoarseSurface& s) {
     if (s.variation[i] > kFlatVariation) return 3;
     size_t best = 0;
     for (size_t k = 1; k < 3; ++k)
-      if (std::abs(dot(s.normals[i], frame.vectors[k])) > std::abs(dot(s.normals[i], frame.vectors[best]))) best = k;
+      if (std::abs(dot(s.normals[i], frame.vectors[k])) >
+          std::abs(dot(s.normals[i], frame.vectors[best])))
+        best = k;
     return best;
   };
   for (size_t i = 0; i < s.size(); ++i) counts[class_of(i)] += 1;

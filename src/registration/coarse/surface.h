@@ -34,21 +34,23 @@ using Feature = std::array<float, kFeatureSize>;
 
 /// A cloud thinned to one point a cell of a regular grid, with local planes: all that coarse registration looks at.
 struct CoarseSurface {
-  Vec3 origin;                  ///< of the points' frame, whole metres
+  Vec3 origin;  ///< of the points' frame, whole metres
   double cell_m = 1;
-  std::vector<Vec3> points;     ///< centroids of the cells, from the origin
-  std::vector<Vec3> normals;    ///< unit, of either sign; zero where the neighbours span no plane
-  std::vector<double> variation;  ///< lambda_0 / (lambda_0 + lambda_1 + lambda_2): 0 on a plane; 1 without a normal
+  std::vector<Vec3> points;   ///< centroids of the cells, from the origin
+  std::vector<Vec3> normals;  ///< unit, of either sign; zero where the neighbours span no plane
+  std::vector<double>
+      variation;  ///< lambda_0 / (lambda_0 + lambda_1 + lambda_2): 0 on a plane; 1 without a normal
   std::vector<double> scatter_m2;  ///< lambda_0: of the neighbours about their plane
-  std::vector<double> weights;  ///< what the point counts for: see balance_weights
+  std::vector<double> weights;     ///< what the point counts for: see balance_weights
   Vec3 centroid;
-  double extent_m = 0;          ///< radius of gyration
+  double extent_m = 0;  ///< radius of gyration
   std::shared_ptr<const Octree> tree;
-  Buffer<double> xyz;           ///< the points again, for the tree
+  Buffer<double> xyz;  ///< the points again, for the tree
   // From describe_features() on:
   std::vector<Feature> features;
-  std::vector<uint32_t> distinct;  ///< points whose features are farthest from the mean one, ascending
-  std::vector<uint32_t> salient;   ///< the farthest of them, ascending
+  std::vector<uint32_t>
+      distinct;  ///< points whose features are farthest from the mean one, ascending
+  std::vector<uint32_t> salient;  ///< the farthest of them, ascending
   Feature mean_feature{};
 
   size_t size() const { return points.size(); }

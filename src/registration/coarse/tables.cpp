@@ -22,13 +22,15 @@ std::array<PoseDirection, 6> directions_of(const Square<6>& fixed, double extent
   Eigen::Matrix<double, 6, 6> scaled;
   const auto unit_of = [&](Eigen::Index i) { return i < 3 ? 1 / extent_m : 1.0; };
   for (Eigen::Index i = 0; i < 6; ++i)
-    for (Eigen::Index k = 0; k < 6; ++k) scaled(i, k) = fixed[static_cast<size_t>(6 * i + k)] * unit_of(i) * unit_of(k);
+    for (Eigen::Index k = 0; k < 6; ++k)
+      scaled(i, k) = fixed[static_cast<size_t>(6 * i + k)] * unit_of(i) * unit_of(k);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(scaled);
   const double least = kHeld * solver.eigenvalues().sum() / 6;
   std::array<PoseDirection, 6> out;
   for (size_t i = 0; i < 6; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    for (size_t c = 0; c < 6; ++c) out[i].unit[c] = solver.eigenvectors()(static_cast<Eigen::Index>(c), k);
+    for (size_t c = 0; c < 6; ++c)
+      out[i].unit[c] = solver.eigenvectors()(static_cast<Eigen::Index>(c), k);
     out[i].sigma_m = kNaN;
     out[i].observable = solver.eigenvalues()(k) > least;
   }
@@ -37,18 +39,23 @@ std::array<PoseDirection, 6> directions_of(const Square<6>& fixed, double extent
 
 }  // namespace
 
-void fill_coarse_tables(Registration& r, const CoarseSearch& found, double cell_m, size_t candidates) {
+void fill_coarse_tables(Registration& r, const CoarseSearch& found, double cell_m,
+                        size_t candidates) {
   const std::vector<RankedPose>& poses = found.poses;
-  const RankedPose none{}, &best = poses.empty() ? none : poses[0], &second = poses.size() < 2 ? none : poses[1];
+  const RankedPose none{}, &best = poses.empty() ? none : poses[0],
+                           &second = poses.size() < 2 ? none : poses[1];
   r.pairs = best.overlap.pairs;
   r.rms_m = best.overlap.rms_m;
   r.covariance.fill(kNaN);
-  add_value<double>(r.summary, "score", "1", "overlap of both clouds times likeness, 0 ... 1", best.overlap.score());
-  add_value<double>(r.summary, "overlap_moving", "1", "share of the moving surface on the reference",
-                    best.overlap.of_moving);
-  add_value<double>(r.summary, "overlap_reference", "1", "share of the reference's surface on the moving one",
+  add_value<double>(r.summary, "score", "1", "overlap of both clouds times likeness, 0 ... 1",
+                    best.overlap.score());
+  add_value<double>(r.summary, "overlap_moving", "1",
+                    "share of the moving surface on the reference", best.overlap.of_moving);
+  add_value<double>(r.summary, "overlap_reference", "1",
+                    "share of the reference's surface on the moving one",
                     best.overlap.of_reference);
-  add_value<double>(r.summary, "likeness", "1", "share of the salient places near the other that look alike there",
+  add_value<double>(r.summary, "likeness", "1",
+                    "share of the salient places near the other that look alike there",
                     best.overlap.likeness);
   add_value<uint8_t>(r.summary, "ambiguous", "", "1: a clearly different pose fits about as well",
                      r.stopped == StopReason::kAmbiguous);
@@ -57,8 +64,10 @@ void fill_coarse_tables(Registration& r, const CoarseSearch& found, double cell_
   add_value<double>(r.summary, "cell", "m", "edge of the cells that both were thinned to", cell_m);
   add_value<uint64_t>(r.summary, "candidates", "", "poses looked at", candidates);
   const auto score = [](const RankedPose& p) { return p.overlap.score(); };
-  add_column<double>(r.iteration_log, poses, "score", "1", "overlap of both clouds times likeness", score);
-  add_column<double>(r.iteration_log, poses, "overlap_moving", "1", "share of the moving surface on the reference",
+  add_column<double>(r.iteration_log, poses, "score", "1", "overlap of both clouds times likeness",
+                     score);
+  add_column<double>(r.iteration_log, poses, "overlap_moving", "1",
+                     "share of the moving surface on the reference",
                      [](const RankedPose& p) { return p.overlap.of_moving; });
   add_column<double>(r.iteration_log, poses, "overlap_reference", "1",
                      "share of the reference's surface on the moving one",
@@ -66,11 +75,14 @@ void fill_coarse_tables(Registration& r, const CoarseSearch& found, double cell_
   add_column<double>(r.iteration_log, poses, "likeness", "1",
                      "share of the salient places near the other cloud that look alike there",
                      [](const RankedPose& p) { return p.overlap.likeness; });
-  add_column<double>(r.iteration_log, poses, "salient", "1", "share of the salient places near the other cloud",
+  add_column<double>(r.iteration_log, poses, "salient", "1",
+                     "share of the salient places near the other cloud",
                      [](const RankedPose& p) { return p.overlap.salient; });
-  add_column<double>(r.iteration_log, poses, "rms", "m", "of what lies on the other surface, off its planes",
+  add_column<double>(r.iteration_log, poses, "rms", "m",
+                     "of what lies on the other surface, off its planes",
                      [](const RankedPose& p) { return p.overlap.rms_m; });
-  add_column<uint8_t>(r.iteration_log, poses, "source", "", "what spoke for it: JALON_POSE_FROM_...",
+  add_column<uint8_t>(r.iteration_log, poses, "source", "",
+                      "what spoke for it: JALON_POSE_FROM_...",
                       [](const RankedPose& p) { return static_cast<uint8_t>(p.source); });
   add_columns<double, 12>(r.iteration_log, poses, "pose", "", "T_reference_moving, rows of [A | t]",
                           [](const RankedPose& p, double* out) {

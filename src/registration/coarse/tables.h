@@ -15,6 +15,7 @@ namespace jalon {
 /// - iteration_log has a row a pose of found, the best first; residuals stay empty;
 /// - the covariance is NaN: a start pose has none worth the name; directions say what holds the
 /// pose.
-void fill_coarse_tables(Registration& registration, const CoarseSearch& found, double cell_m, size_t candidates);
+void fill_coarse_tables(Registration& registration, const CoarseSearch& found, double cell_m,
+                        size_t candidates);
 
 }  // namespace jalon

@@ -16,7 +16,8 @@ namespace {
 
 constexpr size_t kCovarianceGrain = 1 << 13;
 constexpr double kCut = 3;
-constexpr double kCutVariance = 0.973337;  // of the standard normal within 3: 1 - 6 phi(3) / (2 Phi(3) - 1)
+constexpr double kCutVariance =
+    0.973337;  // of the standard normal within 3: 1 - 6 phi(3) / (2 Phi(3) - 1)
 
 /// Squares of the residuals and the variances foretold for them.
 struct Scatter {
@@ -36,18 +37,19 @@ struct Scatter {
 
 double sigma0_of(const IcpPairing& at, double sigma_m, Task& task) {
   const auto both = [&](const Buffer<uint32_t>& near, PairWay way) {
-    return parallel_reduce(task, near.size(), kCovarianceGrain, Scatter{}, [&](size_t begin, size_t end) {
-      Scatter part;
-      IcpPair pair;
-      for (size_t i = begin; i < end; ++i) {
-        if (near[i] == kNoPoint) continue;
-        uint32_t m = static_cast<uint32_t>(i), r = near[i];
-        if (way == PairWay::kBack) std::swap(m, r);
-        if (pair_of(at, m, r, way, pair))
-          part.add(pair.residual_m, pair.variance_m2, kCut * sigma_m);
-      }
-      return part;
-    });
+    return parallel_reduce(task, near.size(), kCovarianceGrain, Scatter{},
+                           [&](size_t begin, size_t end) {
+                             Scatter part;
+                             IcpPair pair;
+                             for (size_t i = begin; i < end; ++i) {
+                               if (near[i] == kNoPoint) continue;
+                               uint32_t m = static_cast<uint32_t>(i), r = near[i];
+                               if (way == PairWay::kBack) std::swap(m, r);
+                               if (pair_of(at, m, r, way, pair))
+                                 part.add(pair.residual_m, pair.variance_m2, kCut * sigma_m);
+                             }
+                             return part;
+                           });
   };
   Scatter sum = both(at.neighbours.of_moving, PairWay::kForth);
   sum += both(at.neighbours.of_reference, PairWay::kBack);
@@ -103,7 +105,8 @@ IcpCovariance icp_covariance(const IcpProblem& problem, const IcpState& state, T
   const IcpPairing at{problem.clouds, all, state.last.neighbours, heard, state.T_reference_moving};
   const IcpSums sums = icp_sums(at, {KernelKind::kNone, kernel.sigma_m}, frame, task);
   const IcpDirections directions = icp_directions(sums);
-  const bool by_planes = heard.metric == IcpMetric::kPointToPlane;  // else the sigma of each pair is in the scores
+  const bool by_planes =
+      heard.metric == IcpMetric::kPointToPlane;  // else the sigma of each pair is in the scores
   if (by_planes) out.sigma0 = sigma0_of(at, kernel.sigma_m, task);
   out.redundancy = static_cast<double>(sums.pairs) - 6;
   // 2. The covariance in lengths: of patches, or N^-1 scatter N^-1 of pairs.

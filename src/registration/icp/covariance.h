@@ -9,10 +9,11 @@ namespace jalon {
 
 /// What a pose is worth.
 struct IcpCovariance {
-  Square<6> covariance{};  ///< rotation (rad) about the centre, shift (m); NaN where a direction is open
+  Square<6>
+      covariance{};  ///< rotation (rad) about the centre, shift (m); NaN where a direction is open
   std::array<PoseDirection, 6> directions;
-  double sigma0 = 1;       ///< a posteriori: residuals against what the scatter of the planes foretells
-  double redundancy = 0;   ///< points with a say, less the unknowns
+  double sigma0 = 1;  ///< a posteriori: residuals against what the scatter of the planes foretells
+  double redundancy = 0;  ///< points with a say, less the unknowns
 };
 
 /// Of pairs: propagates the noise of every point of both clouds to the pose, the way it went: as a

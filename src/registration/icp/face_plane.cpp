@@ -9,8 +9,9 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kFacePlaneMost = 32;      // neighbours looked at
-constexpr size_t kHypotheses = 6; // nearest points that, two at a time, give the planes: fifteen of them
+constexpr size_t kFacePlaneMost = 32;  // neighbours looked at
+constexpr size_t kHypotheses =
+    6;  // nearest points that, two at a time, give the planes: fifteen of them
 constexpr size_t kFacePlaneLeastPoints = 6;
 // A plane through three noisy points is off by some noises where it is extrapolated; one through all is not.
 constexpr double kWide = 4;
@@ -44,11 +45,13 @@ Around around(const Octree& tree, size_t position, std::span<const uint32_t> nei
 // Sum of 1 - (d / limit)^2 over the points within the limit of the plane through the point.
 float score_of(const Around& points, const Vec3& normal, float limit) {
   const float inverse = 1 / limit;
-  const auto nx = static_cast<float>(normal.x) * inverse, ny = static_cast<float>(normal.y) * inverse,
+  const auto nx = static_cast<float>(normal.x) * inverse,
+             ny = static_cast<float>(normal.y) * inverse,
              nz = static_cast<float>(normal.z) * inverse;
   Four sum{};
   for (size_t i = 0; i < points.count; i += kLanes) {
-    const Four x = *reinterpret_cast<const Four*>(points.x + i), y = *reinterpret_cast<const Four*>(points.y + i),
+    const Four x = *reinterpret_cast<const Four*>(points.x + i),
+               y = *reinterpret_cast<const Four*>(points.y + i),
                z = *reinterpret_cast<const Four*>(points.z + i);
     const Four d = x * nx + y * ny + z * nz, left = 1 - d * d;
     sum += left > 0 ? left : Four{};
@@ -67,7 +70,9 @@ std::optional<Vec3> best_normal(const Around& points, double noise) {
       const Vec3 n = cross(points.at(i), points.at(j));
       const double length2 = squared_norm(n);
       // The point itself, and points in line with it, span no plane.
-      if (!(length2 > kFacePlaneLeastAspect * squared_norm(points.at(i)) * squared_norm(points.at(j)))) continue;
+      if (!(length2 >
+            kFacePlaneLeastAspect * squared_norm(points.at(i)) * squared_norm(points.at(j))))
+        continue;
       const Vec3 unit = n / std::sqrt(length2);
       const float score = score_of(points, unit, limit);
       if (score <= best) continue;
@@ -93,7 +98,8 @@ PlanePoints sums_within(const Around& points, const Vec3& normal, double offset,
   if (out.count == 0) return out;
   const double inverse = 1 / static_cast<double>(out.count);
   out.offset = sum * inverse;
-  const double mean[6] = {sum.x * sum.x, sum.x * sum.y, sum.x * sum.z, sum.y * sum.y, sum.y * sum.z, sum.z * sum.z};
+  const double mean[6] = {sum.x * sum.x, sum.x * sum.y, sum.x * sum.z,
+                          sum.y * sum.y, sum.y * sum.z, sum.z * sum.z};
   for (size_t k = 0; k < 6; ++k) out.scatter[k] = products[k] - mean[k] * inverse;
   return out;
 }

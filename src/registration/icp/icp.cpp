@@ -16,10 +16,11 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kFewest = 4000;      // cells of the coarsest level: enough for steps of a millimetre on a street
+constexpr size_t kFewest =
+    4000;  // cells of the coarsest level: enough for steps of a millimetre on a street
 constexpr size_t kMore = 60'000, kMany = 300'000;
 constexpr size_t kIcpLeastPoints = 20;
-constexpr double kMisfits = 3;        // of the first distance
+constexpr double kMisfits = 3;  // of the first distance
 
 // Step 2: the deepest level with at most so many occupied cells.
 int level_of(const Octree& tree, size_t most, Task& task) {
@@ -116,8 +117,8 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
                           const Transform& T_start, const IcpSettings& settings, Task& task) {
   double cell_m = 0;
   if (reference->size() < kIcpLeastPoints || moving->size() < kIcpLeastPoints)
-    fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud", reference->size(),
-         moving->size(), kIcpLeastPoints);
+    fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud",
+         reference->size(), moving->size(), kIcpLeastPoints);
   if (!is_finite(T_start.translation()))
     fail(Status::kInvalidArgument, "the start has a shift that is not finite");
   IcpProblem problem;
@@ -138,7 +139,8 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
   }
   ProgressSpan span(task, 0.95, 1, "covariance");
   Registration out = icp_result(problem, state, task);
-  add_value<double>(out.summary, "thinning_cell", "m", "edge of the cubes thinned to a point; 0: none", cell_m);
+  add_value<double>(out.summary, "thinning_cell", "m",
+                    "edge of the cubes thinned to a point; 0: none", cell_m);
   return out;
 }
 

@@ -12,11 +12,13 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kExact = 100'000;     // points of a cloud
-constexpr size_t kInfluenceRun = 16;            // points of a run in the tree's order: those of a plane, or nearly
-constexpr size_t kMostInfluences = size_t{1} << 17;  // points looked at; of more, every second, third ... run
+constexpr size_t kExact = 100'000;  // points of a cloud
+constexpr size_t kInfluenceRun =
+    16;  // points of a run in the tree's order: those of a plane, or nearly
+constexpr size_t kMostInfluences = size_t{1}
+                                   << 17;  // points looked at; of more, every second, third ... run
 constexpr size_t kInfluenceBetweenReports = 1 << 15;  // pairs or points: some milliseconds
-constexpr double kOneFace = 0.7;       // cosine between the normals of points on one face
+constexpr double kOneFace = 0.7;  // cosine between the normals of points on one face
 
 /// Six numbers of one point.
 struct Share {
@@ -58,21 +60,21 @@ class CloudInfluence {
     if (s == kUnused) return;
     plane_[s].add(j, factor);
     if (!exact_) return;
-    for (int axis = 0; axis < 3; ++axis) tilt_[s][static_cast<size_t>(axis)].add(j, factor * offset[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+      tilt_[s][static_cast<size_t>(axis)].add(j, factor * offset[axis]);
   }
 
   Square<6> squares(uint32_t k, const Progress& report) {
     const size_t step = exact_ ? 1 : kInfluenceRun * stride_;
     for (size_t first = 0, done = 0; first < planes_.size(); first += step, ++done) {
       if (done % (kInfluenceBetweenReports / kInfluenceRun) == 0) report(first, planes_.size());
-      if (exact_)
-        share_exactly(static_cast<uint32_t>(first), k);
-      else
-        share_in_run(first);
+      if (exact_) share_exactly(static_cast<uint32_t>(first), k);
+      else share_in_run(first);
     }
     Square<6> out{};
     for (size_t first = 0; first < planes_.size(); first += kInfluenceRun * stride_)
-      for (size_t i = first; i < std::min(first + kInfluenceRun, planes_.size()); ++i) add_square(i, out);
+      for (size_t i = first; i < std::min(first + kInfluenceRun, planes_.size()); ++i)
+        add_square(i, out);
     for (double& v : out) v *= static_cast<double>(stride_);
     return out;
   }
@@ -97,12 +99,15 @@ class CloudInfluence {
     const Share& mean = plane_[position];
     if (std::all_of(mean.of, mean.of + 6, [](float v) { return v == 0; })) return;
     for (const PlaneShare& share : plane_shares(planes_, position, k)) {
-      const double cosine = dot(planes_.planes[position].unit(), planes_.planes[share.position].unit());
+      const double cosine =
+          dot(planes_.planes[position].unit(), planes_.planes[share.position].unit());
       const double sign = cosine < 0 ? -1 : 1;
       for (size_t i = 0; i < 6; ++i) {
-        const double along = tilt_[position][0].of[i] * share.slope.x + tilt_[position][1].of[i] * share.slope.y +
+        const double along = tilt_[position][0].of[i] * share.slope.x +
+                             tilt_[position][1].of[i] * share.slope.y +
                              tilt_[position][2].of[i] * share.slope.z;
-        own_[share.position].of[i] += static_cast<float>(sign * (mean.of[i] * share.height + along));
+        own_[share.position].of[i] +=
+            static_cast<float>(sign * (mean.of[i] * share.height + along));
       }
     }
   }
@@ -124,7 +129,8 @@ class CloudInfluence {
 
   void add_square(size_t position, Square<6>& out) const {
     const float* b = own_[slot(position)].of;
-    const double sigma = planes_.flat(position) ? planes_.planes[position].sigma_m : planes_.noise_m;
+    const double sigma =
+        planes_.flat(position) ? planes_.planes[position].sigma_m : planes_.noise_m;
     for (size_t r = 0; r < 6; ++r)
       for (size_t c = 0; c < 6; ++c) out[6 * r + c] += sigma * sigma * b[r] * b[c];
   }

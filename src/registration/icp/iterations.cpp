@@ -11,10 +11,11 @@ namespace jalon {
 
 namespace {
 
-constexpr double kShrink = 0.8, kNoises = 3;  // of the greatest residual (Girardeau-Montaut 2006, 2.1)
-constexpr double kSteps = 3;                  // ... which stays above so many times the last step
-constexpr double kMadToSigma = 1.4826;        // median of |x| of the standard normal, inverted
-constexpr double kLeastSigma_m = 1e-9;        // keeps noise-free points from having no weight
+constexpr double kShrink = 0.8,
+                 kNoises = 3;           // of the greatest residual (Girardeau-Montaut 2006, 2.1)
+constexpr double kSteps = 3;            // ... which stays above so many times the last step
+constexpr double kMadToSigma = 1.4826;  // median of |x| of the standard normal, inverted
+constexpr double kLeastSigma_m = 1e-9;  // keeps noise-free points from having no weight
 // A step is small when it is below so many standard deviations of the pose: what it leaves adds nothing to its
 // variance.
 constexpr double kSmallLast = 0.1, kSmallBefore = 0.3;
@@ -25,12 +26,13 @@ constexpr size_t kRestless = 15;    // steps of a level
 constexpr size_t kMostBefore = 40;  // steps of a level that is not the last
 // Weights pull less than their slope would: near the end a step that goes by the weights falls short by this ratio.
 constexpr double kMostLengthening = 1.5;
-constexpr double kRounding = 1e-13;           // of the extent: a step that rounding makes
-constexpr uint64_t kLeastPairs = 12;          // two for each unknown
+constexpr double kRounding = 1e-13;   // of the extent: a step that rounding makes
+constexpr uint64_t kLeastPairs = 12;  // two for each unknown
 
 double quantile_of(std::vector<float>& values, double share) {
   for (float& v : values) v = std::fabs(v);
-  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

@@ -9,13 +9,15 @@ namespace jalon {
 
 namespace {
 
-constexpr double kFlatShape = 1e-3;  // variance across a plane where along it it is 1 (Segal, Haehnel & Thrun 2009)
+constexpr double kFlatShape =
+    1e-3;  // variance across a plane where along it it is 1 (Segal, Haehnel & Thrun 2009)
 
 // C1 + C2 of two planes: I - (1 - e) n n^T each.
 Symmetric3 shape_of(const Vec3& a, const Vec3& b) {
   const double s = 1 - kFlatShape;
-  return {2 - s * (a.x * a.x + b.x * b.x), -s * (a.x * a.y + b.x * b.y), -s * (a.x * a.z + b.x * b.z),
-          2 - s * (a.y * a.y + b.y * b.y), -s * (a.y * a.z + b.y * b.z), 2 - s * (a.z * a.z + b.z * b.z)};
+  return {2 - s * (a.x * a.x + b.x * b.x), -s * (a.x * a.y + b.x * b.y),
+          -s * (a.x * a.z + b.x * b.z),    2 - s * (a.y * a.y + b.y * b.y),
+          -s * (a.y * a.z + b.y * b.z),    2 - s * (a.z * a.z + b.z * b.z)};
 }
 
 }  // namespace

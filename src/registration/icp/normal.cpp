@@ -12,23 +12,26 @@ namespace jalon {
 namespace {
 
 constexpr size_t kNormalGrain = 1 << 13;
-constexpr size_t kResidualSample = 1 << 15;  // of either side: a median of so many is within 1 % of that of all
+constexpr size_t kResidualSample =
+    1 << 15;  // of either side: a median of so many is within 1 % of that of all
 // Information that stands out of noise: twice as much again as noise alone would give. The estimate of the noise is
 // good to some per cent where normals scatter alike in all directions, and to a factor of two where they do not.
 constexpr double kOverNoise = 10;
-constexpr double kNormalLeastShare = 1e-9;  // of the strongest direction: what rounding leaves of a noise-free plane
+constexpr double kNormalLeastShare =
+    1e-9;  // of the strongest direction: what rounding leaves of a noise-free plane
 
 void add_plane_pair(const IcpPair& pair, double w, const IcpFrame& frame, IcpSums& sums) {
   const Vec3 arm = (pair.place - frame.centre) / frame.extent_m, turn = cross(arm, pair.normal);
   const double j[6] = {turn.x, turn.y, turn.z, pair.normal.x, pair.normal.y, pair.normal.z};
   // E d(j) d(j)^T for a normal that scatters alike in all directions of its plane: A^T (I - n n^T) A tilt^2.
   const double t = w * pair.tilt_rad * pair.tilt_rad, a2 = squared_norm(arm);
-  const double along[6][6] = {{a2 - arm.x * arm.x, -arm.x * arm.y, -arm.x * arm.z, 0, -arm.z, arm.y},
-                              {0, a2 - arm.y * arm.y, -arm.y * arm.z, arm.z, 0, -arm.x},
-                              {0, 0, a2 - arm.z * arm.z, -arm.y, arm.x, 0},
-                              {0, 0, 0, 1, 0, 0},
-                              {0, 0, 0, 0, 1, 0},
-                              {0, 0, 0, 0, 0, 1}};
+  const double along[6][6] = {
+      {a2 - arm.x * arm.x, -arm.x * arm.y, -arm.x * arm.z, 0, -arm.z, arm.y},
+      {0, a2 - arm.y * arm.y, -arm.y * arm.z, arm.z, 0, -arm.x},
+      {0, 0, a2 - arm.z * arm.z, -arm.y, arm.x, 0},
+      {0, 0, 0, 1, 0, 0},
+      {0, 0, 0, 0, 1, 0},
+      {0, 0, 0, 0, 0, 1}};
   for (size_t r = 0; r < 6; ++r) {
     sums.right[r] -= w * pair.residual_m * j[r];
     for (size_t c = r; c < 6; ++c) {
@@ -93,16 +96,17 @@ IcpSums icp_sums(const IcpPairing& at, const RobustKernel& kernel, const IcpFram
         part.of_moving = part.pairs;
         return part;
       });
-  sums += parallel_reduce(task, back.size(), kNormalGrain, IcpSums{}, [&](size_t begin, size_t end) {
-    IcpSums part;
-    IcpPair pair;
-    for (size_t i = begin; i < end; ++i) {
-      const uint32_t m = back[i], r = at.level.reference.position(i);
-      if (m != kNoPoint && pair_of(at, m, r, PairWay::kBack, pair))
-        add_pair(pair, at.rule.metric, kernel, frame, part);
-    }
-    return part;
-  });
+  sums +=
+      parallel_reduce(task, back.size(), kNormalGrain, IcpSums{}, [&](size_t begin, size_t end) {
+        IcpSums part;
+        IcpPair pair;
+        for (size_t i = begin; i < end; ++i) {
+          const uint32_t m = back[i], r = at.level.reference.position(i);
+          if (m != kNoPoint && pair_of(at, m, r, PairWay::kBack, pair))
+            add_pair(pair, at.rule.metric, kernel, frame, part);
+        }
+        return part;
+      });
   mirror_of_normal(sums.normal);
   mirror_of_normal(sums.noise);
   return sums;
@@ -136,8 +140,8 @@ IcpDirections icp_directions(const IcpSums& sums) {
     for (size_t i = 0; i < 6; ++i) out.unit[k][i] = v(static_cast<Eigen::Index>(i));
     out.information[k] = solver.eigenvalues()(static_cast<Eigen::Index>(k));
     const double of_noise = v.dot(noise * v);
-    out.observable[k] =
-        out.information[k] > kOverNoise * of_noise && out.information[k] > kNormalLeastShare * strongest;
+    out.observable[k] = out.information[k] > kOverNoise * of_noise &&
+                        out.information[k] > kNormalLeastShare * strongest;
   }
   return out;
 }
@@ -148,7 +152,8 @@ Coefficients<6> icp_step(const IcpSums& sums, const IcpDirections& directions) {
     if (!directions.observable[k]) continue;
     double along = 0;
     for (size_t i = 0; i < 6; ++i) along += directions.unit[k][i] * sums.right[i];
-    for (size_t i = 0; i < 6; ++i) step[i] += directions.unit[k][i] * along / directions.information[k];
+    for (size_t i = 0; i < 6; ++i)
+      step[i] += directions.unit[k][i] * along / directions.information[k];
   }
   return step;
 }

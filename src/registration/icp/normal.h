@@ -16,12 +16,13 @@ namespace jalon {
 /// Normal equations of one step, N x = b: unknowns are a turn (rad) about the centre, scaled by the
 /// extent so that it is a length, and a shift (m).
 struct IcpSums {
-  Square<6> normal{};       ///< N, the sum of w j j^T
-  Square<6> noise{};        ///< what the noise of the planes' normals alone puts into it
-  Coefficients<6> right{};  ///< b, the sum of -w r j
-  double squares = 0;       ///< sum of w r^2
+  Square<6> normal{};              ///< N, the sum of w j j^T
+  Square<6> noise{};               ///< what the noise of the planes' normals alone puts into it
+  Coefficients<6> right{};         ///< b, the sum of -w r j
+  double squares = 0;              ///< sum of w r^2
   double weights = 0, slopes = 0;  ///< sums of w and of the slope of w r
-  uint64_t pairs = 0, of_moving = 0;  ///< with a weight; those of moving points and reference planes
+  uint64_t pairs = 0,
+           of_moving = 0;  ///< with a weight; those of moving points and reference planes
   IcpSums& operator+=(const IcpSums& b);
 };
 

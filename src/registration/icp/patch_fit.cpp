@@ -11,16 +11,16 @@ namespace jalon {
 namespace {
 
 constexpr size_t kPlane = 3, kParaboloid = 6;  // coefficients
-constexpr size_t kPatchFitLeastPoints = 10;            // of both clouds
+constexpr size_t kPatchFitLeastPoints = 10;    // of both clouds
 constexpr size_t kLeastOfEach = 3;             // of either cloud
 constexpr size_t kLeastBent = 30;              // for a paraboloid
 constexpr int kFits = 2;                       // with weights of the one before
-constexpr double kMisfit = 3;                  // standard deviations of a variance of so many points
-constexpr double kDoubted = 0.3;               // weight of a point that does not lie on the surface
-constexpr double kMostDoubted = 0.05;          // share of them; more are a bend
-constexpr double kMostNoises = 2;              // scatter of the points about their surface
-constexpr double kMostTaken = 0.8;             // leverage of a cloud's points, in the mean
-constexpr double kLeastSlope = 2.0 / 3;        // of psi, against the weights: as between pairs
+constexpr double kMisfit = 3;            // standard deviations of a variance of so many points
+constexpr double kDoubted = 0.3;         // weight of a point that does not lie on the surface
+constexpr double kMostDoubted = 0.05;    // share of them; more are a bend
+constexpr double kMostNoises = 2;        // scatter of the points about their surface
+constexpr double kMostTaken = 0.8;       // leverage of a cloud's points, in the mean
+constexpr double kLeastSlope = 2.0 / 3;  // of psi, against the weights: as between pairs
 constexpr double kLeastLength_m = 1e-9;
 
 using Coordinates = Coefficients<kParaboloid>;
@@ -79,7 +79,8 @@ std::optional<double> fit(const RobustKernel& kernel, PatchSurface& s) {
         right[r] += wq * s.heights[i];
         for (size_t c = 0; c <= r; ++c) normal[kParaboloid * r + c] += wq * s.terms[i][c];
       }
-    for (size_t r = m; r < kParaboloid; ++r) normal[(kParaboloid + 1) * r] = 1;  // those left out stay 0
+    for (size_t r = m; r < kParaboloid; ++r)
+      normal[(kParaboloid + 1) * r] = 1;  // those left out stay 0
     Cholesky<kParaboloid> factor;
     if (!factor.factor(normal)) return std::nullopt;
     s.of = factor.solve(right);
@@ -123,14 +124,15 @@ struct Side {
 /// Equations of one patch before its surface is eliminated.
 struct PatchEquations {
   Side reference, moving;
-  Square<6> pose{};                   ///< sum of w j j^T, of the moving points
-  Square<6> mixed{};                  ///< sum of - w j q^T
-  Coefficients<6> right{}, surface{}; ///< sums of - w r j and of w r q
+  Square<6> pose{};                    ///< sum of w j j^T, of the moving points
+  Square<6> mixed{};                   ///< sum of - w j q^T
+  Coefficients<6> right{}, surface{};  ///< sums of - w r j and of w r q
 };
 
 // Step 4: residual r + j x - q ds of each point, along the normal of the surface where it lies.
-void add_points(const std::vector<PatchPoint>& points, const PatchSurface& s, const RobustKernel& kernel,
-                const IcpFrame& frame, PatchEquations& e, PatchSums& sums) {
+void add_points(const std::vector<PatchPoint>& points, const PatchSurface& s,
+                const RobustKernel& kernel, const IcpFrame& frame, PatchEquations& e,
+                PatchSums& sums) {
   const size_t m = s.unknowns;
   for (size_t i = 0; i < points.size(); ++i) {
     const double x = s.terms[i][1], y = s.terms[i][2];
@@ -141,7 +143,8 @@ void add_points(const std::vector<PatchPoint>& points, const PatchSurface& s, co
     }
     du /= s.length_m;
     dv /= s.length_m;
-    const double shorter = 1 / std::sqrt(1 + du * du + dv * dv), r = s.residual(i) * shorter, w = kernel.weight(r);
+    const double shorter = 1 / std::sqrt(1 + du * du + dv * dv), r = s.residual(i) * shorter,
+                 w = kernel.weight(r);
     if (w == 0) continue;
     Side& side = points[i].moving ? e.moving : e.reference;
     Coefficients<kParaboloid> q{};
@@ -204,7 +207,8 @@ bool add_reduced(PatchEquations& e, size_t unknowns, PatchSums& sums) {
     row = factor.solve(row);
     std::copy(row.begin(), row.end(), k.begin() + static_cast<ptrdiff_t>(6 * r));
   }
-  const double of_reference = squared_psi(e.reference, factor), of_moving = squared_psi(e.moving, factor);
+  const double of_reference = squared_psi(e.reference, factor),
+               of_moving = squared_psi(e.moving, factor);
   // Weights pull less than their slope would, and the less the more the points scatter.
   const double slope = std::clamp(sums.slopes / sums.weights, kLeastSlope, 1.0);
   const Square<6> by_reference = propagated<6, 6>(k, e.reference.terms);
@@ -220,8 +224,9 @@ bool add_reduced(PatchEquations& e, size_t unknowns, PatchSums& sums) {
         turned += k[6 * r + a] * e.mixed[6 * c + a];
       }
       sums.normal[6 * r + c] += slope * (e.pose[6 * r + c] - mixed);
-      sums.scatter[6 * r + c] += of_reference * by_reference[6 * r + c] +
-                                 of_moving * (e.pose[6 * r + c] - mixed - turned + by_moving[6 * r + c]);
+      sums.scatter[6 * r + c] +=
+          of_reference * by_reference[6 * r + c] +
+          of_moving * (e.pose[6 * r + c] - mixed - turned + by_moving[6 * r + c]);
     }
   }
   return true;
@@ -244,11 +249,13 @@ PatchSums& PatchSums::operator+=(const PatchSums& b) {
   return *this;
 }
 
-void add_patch(const std::vector<PatchPoint>& points, const Vec3& normal, double noise_m, const RobustKernel& kernel,
-               const IcpFrame& frame, PatchSums& sums) {
+void add_patch(const std::vector<PatchPoint>& points, const Vec3& normal, double noise_m,
+               const RobustKernel& kernel, const IcpFrame& frame, PatchSums& sums) {
   const auto moving = static_cast<size_t>(
       std::count_if(points.begin(), points.end(), [](const PatchPoint& p) { return p.moving; }));
-  if (points.size() < kPatchFitLeastPoints || std::min(moving, points.size() - moving) < kLeastOfEach) return;
+  if (points.size() < kPatchFitLeastPoints ||
+      std::min(moving, points.size() - moving) < kLeastOfEach)
+    return;
   PatchSurface surface;
   set_base(points, normal, surface);
   if (!fit_surface(noise_m, kernel, surface)) return;
@@ -256,8 +263,10 @@ void add_patch(const std::vector<PatchPoint>& points, const Vec3& normal, double
   PatchSums part;
   add_points(points, surface, kernel, frame, equations, part);
   const double all = equations.reference.count + equations.moving.count;
-  if (std::min(equations.reference.count, equations.moving.count) < static_cast<double>(kLeastOfEach) ||
-      all < static_cast<double>(kPatchFitLeastPoints) || !add_reduced(equations, surface.unknowns, part))
+  if (std::min(equations.reference.count, equations.moving.count) <
+          static_cast<double>(kLeastOfEach) ||
+      all < static_cast<double>(kPatchFitLeastPoints) ||
+      !add_reduced(equations, surface.unknowns, part))
     return;
   part.points = static_cast<uint64_t>(all);
   part.of_moving = static_cast<uint64_t>(equations.moving.count);

@@ -24,7 +24,8 @@ struct PatchSums {
   Square<6> normal{};       ///< sum of slope g g^T: information on the pose that is left
   Coefficients<6> right{};  ///< sum of - psi(r) g
   Square<6> scatter{};      ///< sum of psi^2 g g^T: what the noise of both clouds puts into right
-  double squares = 0, weights = 0, slopes = 0;  ///< sums of w r^2, of w and of the slope of psi = w r
+  double squares = 0, weights = 0,
+         slopes = 0;  ///< sums of w r^2, of w and of the slope of psi = w r
   uint64_t points = 0, of_moving = 0, patches = 0;
   PatchSums& operator+=(const PatchSums& b);
 };
@@ -36,7 +37,7 @@ struct PatchSums {
 /// After: sums.patches has grown by one, or, for fewer points than fix a surface and a shift
 /// against each other, or where neither surface fits, nothing has changed. Costs about 100
 /// operations a point.
-void add_patch(const std::vector<PatchPoint>& points, const Vec3& normal, double noise_m, const RobustKernel& kernel,
-               const IcpFrame& frame, PatchSums& sums);
+void add_patch(const std::vector<PatchPoint>& points, const Vec3& normal, double noise_m,
+               const RobustKernel& kernel, const IcpFrame& frame, PatchSums& sums);
 
 }  // namespace jalon

@@ -19,16 +19,16 @@ constexpr size_t kPatchesRun = 192;
 constexpr size_t kRunsPerChunk = 32;
 constexpr size_t kPatchesGrain = 1 << 14;
 constexpr size_t kPatchesBetweenReports = 1 << 18;  // points: a few milliseconds
-constexpr size_t kMostSeeds = 32;     // in a run: what is left are stray points
+constexpr size_t kMostSeeds = 32;                   // in a run: what is left are stray points
 // A point belongs to the patch of another where both their planes, in the mean, lead from one to the other within so
 // many noises, and a share of the distance for the noise of their normals and the bend of the surface.
 constexpr double kNearNoises = 5, kNearSlope = 0.03;
-constexpr double kAlike = 0.75;       // cosine between the normals
+constexpr double kAlike = 0.75;  // cosine between the normals
 constexpr size_t kLeastFlat = 6;
 // A plane through many points tells which others lie on it better than the normals of these do.
 constexpr double kFlatNoises = 1.4, kOnPlaneNoises = 4, kAlikeOnPlane = 0.5;
-constexpr double kPatchesLeastAspect = 0.02; // of the squared extents
-constexpr double kBeyond = 3;         // root mean squares of the points along either axis
+constexpr double kPatchesLeastAspect = 0.02;  // of the squared extents
+constexpr double kBeyond = 3;                 // root mean squares of the points along either axis
 
 // Where a wall lies along the sides of the tree's cells, as walls at whole metres do, the noise of its points tells on
 // which side they are, and a shift is not seen any more. Cells that are turned like this lie along nothing that is
@@ -39,15 +39,16 @@ constexpr Vec3 kTurn_rad{0.53, 0.71, 0.97};
 std::vector<uint32_t> turned_order(const SurfacePlanes& reference, Task& task) {
   const Transform turned = motion_about({}, kTurn_rad, {});
   Buffer<double> xyz(3 * reference.size());
-  const Box3 box = parallel_reduce(task, reference.size(), kPatchesGrain, Box3{}, [&](size_t begin, size_t end) {
-    Box3 part;
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 p = turned.point(reference.place(i));
-      for (int c = 0; c < 3; ++c) xyz[3 * i + static_cast<size_t>(c)] = p[c];
-      part.add(p);
-    }
-    return part;
-  });
+  const Box3 box =
+      parallel_reduce(task, reference.size(), kPatchesGrain, Box3{}, [&](size_t begin, size_t end) {
+        Box3 part;
+        for (size_t i = begin; i < end; ++i) {
+          const Vec3 p = turned.point(reference.place(i));
+          for (int c = 0; c < 3; ++c) xyz[3 * i + static_cast<size_t>(c)] = p[c];
+          part.add(p);
+        }
+        return part;
+      });
   const auto tree = Octree::build(xyz, enclosing_cube(box), task);
   const auto order = tree->order();
   return {order.begin(), order.end()};
@@ -94,7 +95,9 @@ class Run {
       const double cosine = dot(c.normal, seed.normal);
       if (std::abs(cosine) < kAlike) continue;
       const Vec3 other = cosine < 0 ? -c.normal : c.normal, d = c.place - foot;
-      if (std::abs(dot(seed.normal + other, d)) > 2 * (kNearNoises * noise_m_ + kNearSlope * norm(d))) continue;
+      if (std::abs(dot(seed.normal + other, d)) >
+          2 * (kNearNoises * noise_m_ + kNearSlope * norm(d)))
+        continue;
       members_.push_back(i);
       normal += other;
     }
@@ -114,15 +117,18 @@ class Run {
     }
     const Eigen3 e = symmetric_eigen(scatter);
     const double flat_m = kFlatNoises * noise_m_;
-    if (e.values[0] > count * flat_m * flat_m || !(e.values[1] > kPatchesLeastAspect * e.values[2])) return;
-    const double along = kBeyond * kBeyond * e.values[2] / count, across = kBeyond * kBeyond * e.values[1] / count;
+    if (e.values[0] > count * flat_m * flat_m || !(e.values[1] > kPatchesLeastAspect * e.values[2]))
+      return;
+    const double along = kBeyond * kBeyond * e.values[2] / count,
+                 across = kBeyond * kBeyond * e.values[1] / count;
     members_.clear();
     for (uint32_t i = 0; i < all_.size(); ++i) {
       const Candidate& c = all_[i];
       if (c.taken || std::abs(dot(c.normal, e.vectors[0])) < kAlikeOnPlane) continue;
       const Vec3 d = c.place - centre;
       const double u = dot(e.vectors[2], d), v = dot(e.vectors[1], d);
-      if (std::abs(dot(e.vectors[0], d)) <= kOnPlaneNoises * noise_m_ && u * u <= along && v * v <= across)
+      if (std::abs(dot(e.vectors[0], d)) <= kOnPlaneNoises * noise_m_ && u * u <= along &&
+          v * v <= across)
         members_.push_back(i);
     }
     normal = e.vectors[0];

@@ -26,7 +26,7 @@ class IcpPatches {
  private:
   const IcpClouds& clouds_;
   double noise_m_;
-  std::vector<uint32_t> order_;            ///< of the reference's points
+  std::vector<uint32_t> order_;           ///< of the reference's points
   std::vector<uint32_t> first_, moving_;  ///< moving points by their partner
 };
 

@@ -11,8 +11,8 @@ namespace jalon {
 /// What a unit of a neighbour's height adds to the plane of a point.
 struct PlaneShare {
   uint32_t position = 0;
-  double height = 0;   ///< of the plane at the point
-  Vec3 slope;          ///< of the plane, 1 / m
+  double height = 0;  ///< of the plane at the point
+  Vec3 slope;         ///< of the plane, 1 / m
 };
 /// Of all points that the plane of a point goes through; empty where it has none. Before: k
 /// neighbours made the planes; the same ones are found again. After: a share a point, in the order

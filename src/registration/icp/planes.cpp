@@ -30,7 +30,8 @@ SurfacePlane plane_of(const PlanePoints& points, const Vec3& n, double least, do
   SurfacePlane out{{0, 0, 0}, 0, kPlanesNone, 0, 0, SurfaceShape::kPlane};
   const Symmetric3& s = points.scatter;
   const double tangent = s[0] + s[3] + s[5] - least;
-  const double minors = (s[0] * s[3] - s[1] * s[1]) + (s[0] * s[5] - s[2] * s[2]) + (s[3] * s[5] - s[4] * s[4]);
+  const double minors =
+      (s[0] * s[3] - s[1] * s[1]) + (s[0] * s[5] - s[2] * s[2]) + (s[3] * s[5] - s[4] * s[4]);
   const double product = minors - least * tangent;  // of the two larger eigenvalues
   if (points.count <= kPlanesUnknowns || !(product > 0)) return out;
   const double variance = least / static_cast<double>(points.count - kPlanesUnknowns);
@@ -100,7 +101,8 @@ double median_of(const Buffer<SurfacePlane>& planes, Value value) {
 }
 
 int axis_of(const SurfacePlane& plane) {
-  const float x = std::fabs(plane.normal[0]), y = std::fabs(plane.normal[1]), z = std::fabs(plane.normal[2]);
+  const float x = std::fabs(plane.normal[0]), y = std::fabs(plane.normal[1]),
+              z = std::fabs(plane.normal[2]);
   return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
@@ -144,7 +146,8 @@ std::vector<uint32_t> flattest_points(const SurfacePlanes& planes, int level, Ta
       for (size_t i = cells[c].first; i < cells[c].first + cells[c].count; ++i) {
         if (!planes.flat(i)) continue;
         uint32_t& held = best[axis_of(planes.planes[i])];
-        if (held == kNoPoint || planes.planes[i].sigma_m < planes.planes[held].sigma_m) held = static_cast<uint32_t>(i);
+        if (held == kNoPoint || planes.planes[i].sigma_m < planes.planes[held].sigma_m)
+          held = static_cast<uint32_t>(i);
       }
       std::sort(best, best + 3);
       for (const uint32_t i : best)

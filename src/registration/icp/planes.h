@@ -15,9 +15,9 @@ namespace jalon {
 
 /// What the plane of a point comes from.
 enum class SurfaceShape : uint8_t {
-  kPlane,   ///< through all neighbours
-  kQuadric, ///< touches a paraboloid through all neighbours
-  kFace,    ///< through those neighbours alone that lie on the face of the point
+  kPlane,    ///< through all neighbours
+  kQuadric,  ///< touches a paraboloid through all neighbours
+  kFace,     ///< through those neighbours alone that lie on the face of the point
 };
 
 /// The plane of the surface at a point: what one point of a cloud knows of it.
@@ -25,8 +25,10 @@ struct SurfacePlane {
   float normal[3];
   float height_m;  ///< of the plane above the point, along the normal
   float sigma_m;   ///< scatter of the neighbours about the surface; infinity: no plane
-  float tilt_rad;  ///< standard deviation of the normal about an axis in the plane, mean of all axes
-  float radius_m;  ///< root mean square distance of the neighbours from their centroid, in the plane
+  float
+      tilt_rad;  ///< standard deviation of the normal about an axis in the plane, mean of all axes
+  float
+      radius_m;  ///< root mean square distance of the neighbours from their centroid, in the plane
   SurfaceShape shape;
 
   Vec3 unit() const { return {normal[0], normal[1], normal[2]}; }

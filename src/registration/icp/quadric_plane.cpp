@@ -13,10 +13,12 @@ namespace jalon {
 namespace {
 
 constexpr size_t kQuadricPlaneUnknowns = 6;
-constexpr size_t kQuadricPlaneMost = 64;            // neighbours looked at
+constexpr size_t kQuadricPlaneMost = 64;  // neighbours looked at
 constexpr size_t kLeast = 2 * kQuadricPlaneUnknowns;
-constexpr double kQuadricPlaneLeastAspect = 0.1;    // of the neighbours' spread, squared: a strip fixes no bend across itself
-constexpr double kSteepest = 1.25;      // slope of the paraboloid at the point: the neighbours' plane is no base for it
+constexpr double kQuadricPlaneLeastAspect =
+    0.1;  // of the neighbours' spread, squared: a strip fixes no bend across itself
+constexpr double kSteepest =
+    1.25;  // slope of the paraboloid at the point: the neighbours' plane is no base for it
 
 // Step 2: the plane through the neighbours as base; none where they lie along a line.
 std::optional<LocalQuadric> base_of(std::span<const Vec3> offsets) {
@@ -52,8 +54,10 @@ std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
   Vec3 offsets[kQuadricPlaneMost];
   for (size_t i = 0; i < count; ++i) {
     const uint32_t n = neighbours[i];
-    offsets[i] = Vec3{static_cast<double>(x[n] - x[position]), static_cast<double>(y[n] - y[position]),
-                      static_cast<double>(z[n] - z[position])} * step;
+    offsets[i] =
+        Vec3{static_cast<double>(x[n] - x[position]), static_cast<double>(y[n] - y[position]),
+             static_cast<double>(z[n] - z[position])} *
+        step;
   }
   std::optional<LocalQuadric> found = base_of({offsets, count});
   if (!found) return found;
@@ -76,7 +80,8 @@ std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
   out.a = factor.solve(right);
   out.cofactors = factor.inverse();
   for (size_t i = 0; i < kQuadricPlaneUnknowns; ++i) squares -= out.a[i] * right[i];
-  out.sigma_m = std::sqrt(std::max(0.0, squares) / static_cast<double>(count - kQuadricPlaneUnknowns));
+  out.sigma_m =
+      std::sqrt(std::max(0.0, squares) / static_cast<double>(count - kQuadricPlaneUnknowns));
   return found;
 }
 
@@ -94,7 +99,8 @@ SurfacePlane tangent_plane(const Octree& tree, size_t position,
   for (int c = 0; c < 3; ++c) out.normal[c] = static_cast<float>(normal[c]);
   out.height_m = static_cast<float>(q.a[0] / length);
   out.sigma_m = static_cast<float>(q.sigma_m);
-  out.tilt_rad = static_cast<float>(q.sigma_m * std::sqrt(0.5 * (q.cofactors[7] + q.cofactors[14])) / q.scale_m);
+  out.tilt_rad = static_cast<float>(
+      q.sigma_m * std::sqrt(0.5 * (q.cofactors[7] + q.cofactors[14])) / q.scale_m);
   out.radius_m = static_cast<float>(q.scale_m);
   out.shape = SurfaceShape::kQuadric;
   return out;

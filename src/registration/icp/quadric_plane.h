@@ -13,11 +13,12 @@ namespace jalon {
 /// The paraboloid h = a0 + a1 u + a2 v + a3 u^2 + a4 u v + a5 v^2 through the neighbours of a point, over the plane
 /// through them; u and v are lengths divided by the scale (Girardeau-Montaut 2006, annex A.2, method 3).
 struct LocalQuadric {
-  Vec3 u, v, n;            ///< axes
-  double scale_m = 1;      ///< root mean square distance of the neighbours from their centroid, in the plane
-  double sigma_m = 0;      ///< of their heights about the paraboloid
+  Vec3 u, v, n;  ///< axes
+  double scale_m =
+      1;  ///< root mean square distance of the neighbours from their centroid, in the plane
+  double sigma_m = 0;  ///< of their heights about the paraboloid
   Coefficients<6> a{};
-  Square<6> cofactors{};   ///< covariance of a for a unit variance of the heights
+  Square<6> cofactors{};  ///< covariance of a for a unit variance of the heights
 
   Coefficients<6> terms(const Vec3& offset_m) const {
     const double x = dot(u, offset_m) / scale_m, y = dot(v, offset_m) / scale_m;

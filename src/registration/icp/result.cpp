@@ -14,8 +14,10 @@ namespace {
 
 FieldTable log_table(const std::vector<IcpIteration>& log) {
   FieldTable t;
-  add_column<int32_t>(t, log, "level", "", "0: the fewest points", [](const auto& r) { return r.level; });
-  add_column<uint64_t>(t, log, "pairs", "", "with a weight, both ways", [](const auto& r) { return r.pairs; });
+  add_column<int32_t>(t, log, "level", "", "0: the fewest points",
+                      [](const auto& r) { return r.level; });
+  add_column<uint64_t>(t, log, "pairs", "", "with a weight, both ways",
+                       [](const auto& r) { return r.pairs; });
   add_column<double>(t, log, "kept", "1", "share of the level's moving points that have a pair",
                      [](const auto& r) { return r.kept; });
   add_column<double>(t, log, "rms", "m", "weighted root mean square residual before the step",
@@ -24,8 +26,10 @@ FieldTable log_table(const std::vector<IcpIteration>& log) {
                      [](const auto& r) { return r.sigma_m; });
   add_column<double>(t, log, "distance", "m", "greatest residual of a pair",
                      [](const auto& r) { return r.distance_m; });
-  add_column<double>(t, log, "turn", "rad", "of the step", [](const auto& r) { return r.turn_rad; });
-  add_column<double>(t, log, "shift", "m", "of the step, at the centre", [](const auto& r) { return r.shift_m; });
+  add_column<double>(t, log, "turn", "rad", "of the step",
+                     [](const auto& r) { return r.turn_rad; });
+  add_column<double>(t, log, "shift", "m", "of the step, at the centre",
+                     [](const auto& r) { return r.shift_m; });
   add_column<uint8_t>(t, log, "observable", "", "directions that the pairs fixed",
                       [](const auto& r) { return r.observable; });
   return t;
@@ -54,11 +58,14 @@ FieldTable residual_table(const IcpProblem& problem, const IcpState& state) {
                     static_cast<float>(state.last.kernel.weight(pair.residual_m))});
   }
   FieldTable t;
-  add_column<uint32_t>(t, rows, "moving", "", "index of the point", [](const Residual& r) { return r.moving; });
-  add_column<uint32_t>(t, rows, "reference", "", "index of its partner", [](const Residual& r) { return r.reference; });
+  add_column<uint32_t>(t, rows, "moving", "", "index of the point",
+                       [](const Residual& r) { return r.moving; });
+  add_column<uint32_t>(t, rows, "reference", "", "index of its partner",
+                       [](const Residual& r) { return r.reference; });
   add_column<float>(t, rows, "residual", "m", "moved point above the partner's plane",
                     [](const Residual& r) { return r.residual_m; });
-  add_column<float>(t, rows, "weight", "1", "of the kernel", [](const Residual& r) { return r.weight; });
+  add_column<float>(t, rows, "weight", "1", "of the kernel",
+                    [](const Residual& r) { return r.weight; });
   return t;
 }
 
@@ -96,9 +103,11 @@ Registration icp_result(const IcpProblem& problem, const IcpState& state, Task& 
     return out;
   }
   const IcpCovariance found = icp_covariance(problem, state, task);
-  add_value<double>(out.summary, "sigma0", "1", "a posteriori: residuals over what the planes' scatter foretells",
+  add_value<double>(out.summary, "sigma0", "1",
+                    "a posteriori: residuals over what the planes' scatter foretells",
                     found.sigma0);
-  add_value<uint64_t>(out.summary, "patches", "", "of both clouds that the pose settled on; 0: it rests on pairs",
+  add_value<uint64_t>(out.summary, "patches", "",
+                      "of both clouds that the pose settled on; 0: it rests on pairs",
                       state.patches.patches);
   add_value<double>(out.summary, "redundancy", "", "pairs less unknowns", found.redundancy);
   out.covariance = found.covariance;

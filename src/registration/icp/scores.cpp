@@ -14,15 +14,18 @@ constexpr double kGroupRadii = 8;
 
 using Groups = std::map<std::array<int64_t, 3>, Coefficients<6>>;
 
-void add_scores(const IcpPair& pair, IcpMetric metric, const IcpFrame& frame, double edge_m, Groups& groups) {
+void add_scores(const IcpPair& pair, IcpMetric metric, const IcpFrame& frame, double edge_m,
+                Groups& groups) {
   const Vec3 at = pair.place / edge_m;
-  Coefficients<6>& sum = groups[{static_cast<int64_t>(std::floor(at.x)), static_cast<int64_t>(std::floor(at.y)),
-                                 static_cast<int64_t>(std::floor(at.z))}];
+  Coefficients<6>& sum =
+      groups[{static_cast<int64_t>(std::floor(at.x)), static_cast<int64_t>(std::floor(at.y)),
+              static_cast<int64_t>(std::floor(at.z))}];
   PairTerm terms[3];
   for (size_t k = 0; k < pair_terms(pair, metric, terms); ++k) {
     const Vec3 turn = cross((pair.place - frame.centre) / frame.extent_m, terms[k].normal);
     const double score = terms[k].weight * terms[k].residual_m;
-    const double j[6] = {turn.x, turn.y, turn.z, terms[k].normal.x, terms[k].normal.y, terms[k].normal.z};
+    const double j[6] = {turn.x,           turn.y, turn.z, terms[k].normal.x, terms[k].normal.y,
+                         terms[k].normal.z};
     for (size_t i = 0; i < 6; ++i) sum[i] += score * j[i];
   }
 }

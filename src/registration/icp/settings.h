@@ -14,9 +14,9 @@ namespace jalon {
 struct IcpSettings {
   IcpMetric metric = IcpMetric::kPointToPlane;
   KernelKind kernel = KernelKind::kTukey;
-  double max_distance_m = 0;  ///< 0: from the misfit at the start
-  double min_distance_m = 0;  ///< 0: by the noise
-  double trim_percent = 0;    ///< of the pairs, the worst, without a say
+  double max_distance_m = 0;                    ///< 0: from the misfit at the start
+  double min_distance_m = 0;                    ///< 0: by the noise
+  double trim_percent = 0;                      ///< of the pairs, the worst, without a say
   double max_angle_rad = std::numbers::pi / 4;  ///< between the normals of a pair
   double min_overlap_percent = 10;
   double cell_m = 0;  ///< 0: only where the points lie in lines

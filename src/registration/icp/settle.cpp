@@ -38,7 +38,8 @@ Basis observable(const IcpDirections& directions) {
 
 Matrix inverse_on(const Basis& basis, const Square<6>& normal) {
   const Matrix all = Eigen::Map<const Matrix>(normal.data());
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6> reduced = basis.transpose() * all * basis;
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6> reduced =
+      basis.transpose() * all * basis;
   return basis * reduced.ldlt().solve(Basis(basis).transpose());
 }
 
@@ -47,7 +48,8 @@ bool says_enough(const PatchSums& sums, const IcpDirections& directions) {
   for (size_t k = 0; k < 6; ++k) {
     if (!directions.observable[k]) continue;
     const Eigen::Map<const Eigen::Matrix<double, 6, 1>> unit(directions.unit[k].data());
-    if (!(unit.dot(normal * unit) >= kSettleLeastShare * kOfPairs * directions.information[k])) return false;
+    if (!(unit.dot(normal * unit) >= kSettleLeastShare * kOfPairs * directions.information[k]))
+      return false;
   }
   return sums.patches > 0;
 }

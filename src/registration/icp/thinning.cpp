@@ -14,7 +14,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kSample = 1000;     // neighbourhoods looked at: a median of so many is sure to a few per cent
+constexpr size_t kSample =
+    1000;  // neighbourhoods looked at: a median of so many is sure to a few per cent
 // Sides of the neighbourhoods, the shorter over the longer: of points spread evenly about 0.75, of a grid that is three
 // times as dense one way 0.4, of a line the noise.
 constexpr double kLeastSides = 0.25;
@@ -23,8 +24,8 @@ constexpr int kMostWidenings = 12;
 constexpr size_t kLeastLeft = 1000;  // points that thinning must leave
 
 struct Neighbourhoods {
-  double sides = 1;      ///< median ratio of the middle extent to the largest
-  double length_m = 0;   ///< median of the largest
+  double sides = 1;     ///< median ratio of the middle extent to the largest
+  double length_m = 0;  ///< median of the largest
 };
 
 Neighbourhoods neighbourhoods_of(const Cloud& cloud, uint32_t k, Task& task) {

@@ -11,8 +11,9 @@ namespace jalon {
 
 namespace {
 
-constexpr int kMostAdjustments = 100;       // three or four are usual
-constexpr double kSmallAdjustment = 1e-8;  // in standard deviations of the unknowns: far below anything that matters
+constexpr int kMostAdjustments = 100;  // three or four are usual
+constexpr double kSmallAdjustment =
+    1e-8;  // in standard deviations of the unknowns: far below anything that matters
 
 template <size_t K>
 using Design = std::array<double, 3 * K>;  // row-major, 3 x K
@@ -131,7 +132,8 @@ class Adjuster {
       const Vec3 weighted = times_of_adjustment(row.weight, column);
       right_[c] -= dot(column, correlates);
       for (size_t d = 0; d < K; ++d)
-        normal_[K * d + c] += dot(Vec3{row.design[d], row.design[K + d], row.design[2 * K + d]}, weighted);
+        normal_[K * d + c] +=
+            dot(Vec3{row.design[d], row.design[K + d], row.design[2 * K + d]}, weighted);
     }
   }
 

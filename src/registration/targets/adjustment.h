@@ -31,9 +31,10 @@ struct TargetPair {
 
 /// What the adjustment says of one pair, in the reference's frame.
 struct PairResidual {
-  Vec3 residual_m;        ///< transformed moving - reference
-  Square<3> weight{};     ///< P: inverse of the covariance of the residual before the adjustment (1/m2)
-  Square<3> cofactor{};   ///< Q_e of the adjusted residual (m2); the redundancy matrix is Q_e P
+  Vec3 residual_m;  ///< transformed moving - reference
+  Square<3>
+      weight{};  ///< P: inverse of the covariance of the residual before the adjustment (1/m2)
+  Square<3> cofactor{};  ///< Q_e of the adjusted residual (m2); the redundancy matrix is Q_e P
 };
 
 struct AdjustmentStep {
@@ -44,7 +45,8 @@ struct AdjustmentStep {
 struct TargetAdjustment {
   Transform T_reference_moving;
   double scale = 1;
-  Vec3 centre;  ///< in the reference's frame: the unknowns are independent about it for equal weights
+  Vec3
+      centre;  ///< in the reference's frame: the unknowns are independent about it for equal weights
   /// Inverse normal matrix, for sigma0 = 1: rotation vector (rad) about the centre, shift (m) of the centre, relative
   /// change of the scale (0 for a rigid motion).
   Square<7> cofactor{};

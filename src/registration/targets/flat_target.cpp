@@ -88,7 +88,8 @@ struct Patch {
   std::vector<Vec2> places;
 };
 
-Patch patch_of(const Surroundings& near, const PlaneModel& plane, const Column* intensity, double tolerance_m) {
+Patch patch_of(const Surroundings& near, const PlaneModel& plane, const Column* intensity,
+               double tolerance_m) {
   Patch out;
   for (size_t i = 0; i < near.points.size(); ++i) {
     const Vec3 d = near.points[i] - plane.origin;
@@ -112,7 +113,8 @@ std::vector<Vec2> hull_of(std::vector<Vec2> points) {
   for (int pass = 0; pass < 2; ++pass) {
     const size_t first = hull.size();
     for (const Vec2& p : points) {
-      while (hull.size() >= first + 2 && cross_of(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      while (hull.size() >= first + 2 && cross_of(hull[hull.size() - 2], hull.back(), p) <= 0)
+        hull.pop_back();
       hull.push_back(p);
     }
     hull.pop_back();
@@ -202,13 +204,21 @@ std::optional<KindOfPattern> find_pattern(const Patch& patch, const Vec2& seed,
 }
 
 // Step 3. Across: of the pattern; along the normal: of the plane there.
-Square<3> covariance_at(const PlaneModel& plane, const PatternCentre& pattern, const Square<3>& of_plane) {
+Square<3> covariance_at(const PlaneModel& plane, const PatternCentre& pattern,
+                        const Square<3>& of_plane) {
   const Coefficients<3> j{1, pattern.centre.u, pattern.centre.v};
   double along = 0;
   for (size_t r = 0; r < 3; ++r)
     for (size_t c = 0; c < 3; ++c) along += j[r] * of_plane[3 * r + c] * j[c];
-  const Square<3> local{pattern.covariance[0], pattern.covariance[1], 0,
-                        pattern.covariance[2], pattern.covariance[3], 0, 0, 0, along};
+  const Square<3> local{pattern.covariance[0],
+                        pattern.covariance[1],
+                        0,
+                        pattern.covariance[2],
+                        pattern.covariance[3],
+                        0,
+                        0,
+                        0,
+                        along};
   const Vec3 &u = plane.u, &v = plane.v, &n = plane.normal;
   return propagated<3, 3>({u.x, v.x, n.x, u.y, v.y, n.y, u.z, v.z, n.z}, local);
 }
@@ -243,7 +253,8 @@ MeasuredTarget measure_flat(const Cloud& cloud, const Octree& tree, const Vec3& 
   out.status = Status::kOk;
   out.centre = plane.origin + pattern.centre.u * plane.u + pattern.centre.v * plane.v;
   out.covariance = covariance_at(plane, pattern, fit.covariance);
-  if (out.kind == TargetKind::kDisc) out.radius_m = pattern.radius_m, out.radius_sigma_m = pattern.radius_sigma_m;
+  if (out.kind == TargetKind::kDisc)
+    out.radius_m = pattern.radius_m, out.radius_sigma_m = pattern.radius_sigma_m;
   out.normal = plane.normal;
   out.sigma_m = fit.sigma;
   out.points = pattern.points;

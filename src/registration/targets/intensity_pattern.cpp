@@ -14,17 +14,20 @@ namespace jalon {
 
 namespace {
 
-constexpr int kStepsAcross = 16;       // of the search, a pattern's size
-constexpr int kAngles = 9;             // in a quarter turn: 10 degrees apart
-constexpr int kRadii = 9;              // between half a disc's radius and one and a half
-constexpr size_t kSearched = 1500;     // points that the search looks at
+constexpr int kStepsAcross = 16;    // of the search, a pattern's size
+constexpr int kAngles = 9;          // in a quarter turn: 10 degrees apart
+constexpr int kRadii = 9;           // between half a disc's radius and one and a half
+constexpr size_t kSearched = 1500;  // points that the search looks at
 constexpr size_t kLeastPoints = 24;
-constexpr double kCheckerShare = 0.45; // radius within a checker, of its edge: what its quadrants surely fill
-constexpr double kDiscShare = 0.8;     // radius around a disc, of its diameter: so much of the ground shows its edge
-constexpr int kRefits = 3;             // the window moves with the centre
+constexpr double kCheckerShare =
+    0.45;  // radius within a checker, of its edge: what its quadrants surely fill
+constexpr double kDiscShare =
+    0.8;  // radius around a disc, of its diameter: so much of the ground shows its edge
+constexpr int kRefits = 3;  // the window moves with the centre
 constexpr int kMostSteps = 60;
 
-std::vector<BrightPoint> window(std::span<const BrightPoint> points, const Vec2& centre, double radius_m) {
+std::vector<BrightPoint> window(std::span<const BrightPoint> points, const Vec2& centre,
+                                double radius_m) {
   std::vector<BrightPoint> out;
   for (const BrightPoint& p : points)
     if (norm(Vec2{p.u - centre.u, p.v - centre.v}) <= radius_m) out.push_back(p);
@@ -33,7 +36,8 @@ std::vector<BrightPoint> window(std::span<const BrightPoint> points, const Vec2&
 
 std::vector<BrightPoint> sample_of(std::span<const BrightPoint> points) {
   std::vector<BrightPoint> out;
-  for (size_t i = 0; i < points.size(); i += points.size() / kSearched + 1) out.push_back(points[i]);
+  for (size_t i = 0; i < points.size(); i += points.size() / kSearched + 1)
+    out.push_back(points[i]);
   return out;
 }
 
@@ -74,7 +78,8 @@ std::optional<CheckerModel> search_checker(std::span<const BrightPoint> points, 
   for_each_centre(size_m, reach_m, task, [&](const Vec2& centre) {
     const auto near = window(points, centre, kCheckerShare * size_m);
     for (int a = 0; a < kAngles; ++a) {
-      const double angle = a * std::numbers::pi / 2 / kAngles, c = std::cos(angle), s = std::sin(angle);
+      const double angle = a * std::numbers::pi / 2 / kAngles, c = std::cos(angle),
+                   s = std::sin(angle);
       Correlation correlation;
       for (const BrightPoint& p : near) {
         const double du = p.u - centre.u, dv = p.v - centre.v;
@@ -130,7 +135,8 @@ std::optional<Refined<Model>> refine(std::span<const BrightPoint> points, double
   for (int fit = 0; fit < kRefits; ++fit) {
     const auto near = window(points, model.centre, radius_m);
     if (near.size() < kLeastPoints) return std::nullopt;
-    model.width_m = std::sqrt(std::numbers::pi * radius_m * radius_m / static_cast<double>(near.size()));
+    model.width_m =
+        std::sqrt(std::numbers::pi * radius_m * radius_m / static_cast<double>(near.size()));
     const std::span<const BrightPoint> list(near);
     const bool settled = adjustment::descend(list, kAll, kMostSteps, 1e-7 * size_m, task, model);
     if (!settled && fit == kRefits - 1) return std::nullopt;

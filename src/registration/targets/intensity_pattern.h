@@ -19,7 +19,7 @@ struct BrightPoint {
 /// The centre of a pattern: four quadrants dark and bright by turns, or a disc of another brightness.
 struct PatternCentre {
   Vec2 centre;
-  std::array<double, 4> covariance{};  ///< m2, of (u, v), row-major
+  std::array<double, 4> covariance{};       ///< m2, of (u, v), row-major
   double radius_m = 0, radius_sigma_m = 0;  ///< of a disc
   double explained = 0;  ///< share of the variance of the brightness that the pattern explains
   uint64_t points = 0;

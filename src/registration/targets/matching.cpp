@@ -13,11 +13,11 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSigmas = 4;            // of a distance's difference: one of 16000 good ones is lost
-constexpr size_t kMostNodes = 10'000;    // 100 by 100 targets
-constexpr size_t kMostScaled = 1'600;    // 40 by 40, whose ratios fit in memory
-constexpr size_t kMostWays = 64;         // a cube of targets has 48
-constexpr double kMostScale = 1000;      // either way: millimetres for metres
+constexpr double kSigmas = 4;          // of a distance's difference: one of 16000 good ones is lost
+constexpr size_t kMostNodes = 10'000;  // 100 by 100 targets
+constexpr size_t kMostScaled = 1'600;  // 40 by 40, whose ratios fit in memory
+constexpr size_t kMostWays = 64;       // a cube of targets has 48
+constexpr double kMostScale = 1000;    // either way: millimetres for metres
 constexpr size_t kWindowsOfAnEdge = 64;  // an edge with a looser ratio says nothing about the scale
 
 // Two pairs: the difference of their distances, or the logarithm of their ratio, and how far it may be off.
@@ -29,14 +29,16 @@ struct Edge {
 double variance_along(const Square<3>& c, const Vec3& u) {
   double sum = 0;
   for (size_t i = 0; i < 3; ++i)
-    for (size_t j = 0; j < 3; ++j) sum += u[static_cast<int>(i)] * c[3 * i + j] * u[static_cast<int>(j)];
+    for (size_t j = 0; j < 3; ++j)
+      sum += u[static_cast<int>(i)] * c[3 * i + j] * u[static_cast<int>(j)];
   return sum;
 }
 
 // Distances of all targets of one side from each other, with their variances.
 class Distances {
  public:
-  Distances(std::span<const Target> targets, double sigma_m) : n_(targets.size()), d_(n_ * n_), v_(n_ * n_) {
+  Distances(std::span<const Target> targets, double sigma_m)
+      : n_(targets.size()), d_(n_ * n_), v_(n_ * n_) {
     for (size_t i = 0; i < n_; ++i)
       for (size_t j = 0; j < n_; ++j) {
         if (i == j) continue;
@@ -76,20 +78,25 @@ class Matcher {
   Matching run() {
     const size_t most = setting_.with_scale() ? kMostScaled : kMostNodes;
     if (nodes_.size() > most)
-      fail(Status::kLimit, "%zu pairs of unnamed targets are possible; distances tell at most %zu apart: name them",
+      fail(Status::kLimit,
+           "%zu pairs of unnamed targets are possible; distances tell at most %zu apart: name them",
            nodes_.size(), most);
     return setting_.with_scale() ? by_ratios() : by_lengths();
   }
 
  private:
-  size_t least() const { return std::max<size_t>(3, best_) - std::min(named_, std::max<size_t>(3, best_)); }
+  size_t least() const {
+    return std::max<size_t>(3, best_) - std::min(named_, std::max<size_t>(3, best_));
+  }
 
   // At which difference or ratio of their distances two pairs agree, if they can.
   std::optional<Edge> agreement(size_t a, size_t b) const {
     const IndexPair &p = nodes_[a], &q = nodes_[b];
     if (p.reference == q.reference || p.moving == q.moving) return std::nullopt;
-    const double r = reference_.length(p.reference, q.reference), m = moving_.length(p.moving, q.moving);
-    const double vr = reference_.variance(p.reference, q.reference), vm = moving_.variance(p.moving, q.moving);
+    const double r = reference_.length(p.reference, q.reference),
+                 m = moving_.length(p.moving, q.moving);
+    const double vr = reference_.variance(p.reference, q.reference),
+                 vm = moving_.variance(p.moving, q.moving);
     const double given = setting_.match_tolerance_m;
     if (!setting_.with_scale()) {
       const Edge edge{a, b, r - m, given > 0 ? given : kSigmas * std::sqrt(vr + vm)};
@@ -160,7 +167,8 @@ class Matcher {
     for (const Edge& e : edges) {
       const double reach = std::min(e.tolerance, width * static_cast<double>(kWindowsOfAnEdge) / 2);
       const auto place = [&](double ratio) {
-        return std::clamp<int64_t>(static_cast<int64_t>(std::llround(ratio / width)) + half, 0, 2 * half);
+        return std::clamp<int64_t>(static_cast<int64_t>(std::llround(ratio / width)) + half, 0,
+                                   2 * half);
       };
       ++steps[static_cast<size_t>(place(e.ratio - reach))];
       --steps[static_cast<size_t>(place(e.ratio + reach) + 1)];
@@ -194,7 +202,8 @@ class Matcher {
       }
       out.complete = out.complete && here.complete;
       for (auto& way : here.ways)
-        if (std::find(out.ways.begin(), out.ways.end(), way) == out.ways.end()) out.ways.push_back(std::move(way));
+        if (std::find(out.ways.begin(), out.ways.end(), way) == out.ways.end())
+          out.ways.push_back(std::move(way));
       if (out.ways.size() > kMostWays) break;
     }
     return out;

@@ -27,16 +27,20 @@ FieldTable table_of(const std::vector<MeasuredTarget>& rows, std::span<const Vec
     const Vec3 at = places[i++] + r.centre;
     for (int k = 0; k < 3; ++k) out[k] = found(r) ? at[k] : kNaN;
   });
-  add_columns<double, 9>(table, rows, "covariance", "m2", "of the centre, row-major", [&](Row r, double* out) {
-    for (size_t k = 0; k < 9; ++k) out[k] = found(r) ? r.covariance[k] : kNaN;
-  });
-  add_column<double>(table, rows, "radius", "m", "of a sphere or a disc", [](Row r) { return r.radius_m; });
+  add_columns<double, 9>(table, rows, "covariance", "m2", "of the centre, row-major",
+                         [&](Row r, double* out) {
+                           for (size_t k = 0; k < 9; ++k)
+                             out[k] = found(r) ? r.covariance[k] : kNaN;
+                         });
+  add_column<double>(table, rows, "radius", "m", "of a sphere or a disc",
+                     [](Row r) { return r.radius_m; });
   add_column<double>(table, rows, "radius_sigma", "m", "its standard deviation; 0: given",
                      [](Row r) { return r.radius_sigma_m; });
   add_columns<double, 3>(table, rows, "normal", "", "of a flat target", [](Row r, double* out) {
     out[0] = r.normal.x, out[1] = r.normal.y, out[2] = r.normal.z;
   });
-  add_column<double>(table, rows, "sigma", "m", "of the points from the surface", [](Row r) { return r.sigma_m; });
+  add_column<double>(table, rows, "sigma", "m", "of the points from the surface",
+                     [](Row r) { return r.sigma_m; });
   add_column<uint64_t>(table, rows, "points", "", "that carry it", [](Row r) { return r.points; });
   return table;
 }
@@ -73,8 +77,8 @@ constexpr auto kTargetRows = setting_rows(
 
 std::span<const ParamRow> target_rows() { return kTargetRows; }
 
-Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3& place, const Vec3& centre,
-                             double radius_m) {
+Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3& place,
+                             const Vec3& centre, double radius_m) {
   Surroundings out{place, {}, {}};
   std::vector<Neighbour> near;
   tree.radius(place + centre, radius_m, near);

@@ -19,14 +19,15 @@ enum class TargetKind : uint8_t { kSphere = 1, kChecker = 2, kDisc = 3, kPatch =
 
 /// A target measured in a cloud, relative to the place it was looked for.
 struct MeasuredTarget {
-  Status status = Status::kOk;  ///< kOk, kInsufficientData (too few points), kDegenerate (no target in them)
+  Status status =
+      Status::kOk;  ///< kOk, kInsufficientData (too few points), kDegenerate (no target in them)
   TargetKind kind = TargetKind::kSphere;
   Vec3 centre;
-  Square<3> covariance{};       ///< m2
+  Square<3> covariance{};                         ///< m2
   double radius_m = kNaN, radius_sigma_m = kNaN;  ///< of spheres and discs
-  Vec3 normal{kNaN, kNaN, kNaN};   ///< of flat ones
-  double sigma_m = kNaN;         ///< of the points from the surface
-  uint64_t points = 0;          ///< that carry it
+  Vec3 normal{kNaN, kNaN, kNaN};                  ///< of flat ones
+  double sigma_m = kNaN;                          ///< of the points from the surface
+  uint64_t points = 0;                            ///< that carry it
 };
 
 /// Points around a place, relative to it, in the order of the cloud.
@@ -36,8 +37,8 @@ struct Surroundings {
   std::vector<Vec3> points;
 };
 /// Those within radius_m of place + centre. centre: relative to the place as well.
-Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3& place, const Vec3& centre,
-                             double radius_m);
+Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3& place,
+                             const Vec3& centre, double radius_m);
 
 /// Parameter table of operation "target".
 std::span<const ParamRow> target_rows();

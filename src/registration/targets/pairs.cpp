@@ -14,9 +14,10 @@ namespace jalon {
 
 namespace {
 
-constexpr double kOnePlace_m = 1e-4;    // a tenth of a millimetre: duplicates of Boulaassal 2010, 3.3
-constexpr double kAsymmetry = 1e-9;     // of a covariance, relative to its variances
-constexpr double kNegative = -1e-12;    // smallest eigenvalue against the largest: rounding of a rank-deficient one
+constexpr double kOnePlace_m = 1e-4;  // a tenth of a millimetre: duplicates of Boulaassal 2010, 3.3
+constexpr double kAsymmetry = 1e-9;   // of a covariance, relative to its variances
+constexpr double kNegative =
+    -1e-12;  // smallest eigenvalue against the largest: rounding of a rank-deficient one
 
 std::string named(const Target& target, size_t i) {
   return target.name.empty() ? std::to_string(i) : "\"" + target.name.substr(0, 100) + "\"";
@@ -28,8 +29,8 @@ void require_names_differ(std::span<const Target> targets, const char* side) {
     if (targets[i].name.empty()) continue;
     const auto [at, fresh] = seen.emplace(targets[i].name, i);
     if (!fresh)
-      fail(Status::kInvalidArgument, "%s targets %zu and %zu are both named \"%.100s\"", side, at->second, i,
-           targets[i].name.c_str());
+      fail(Status::kInvalidArgument, "%s targets %zu and %zu are both named \"%.100s\"", side,
+           at->second, i, targets[i].name.c_str());
   }
 }
 
@@ -78,13 +79,15 @@ void require_distinct(std::span<const Target> targets, const char* side) {
   require_places_differ(targets, side);
 }
 
-std::vector<IndexPair> pairs_by_name(std::span<const Target> reference, std::span<const Target> moving) {
+std::vector<IndexPair> pairs_by_name(std::span<const Target> reference,
+                                     std::span<const Target> moving) {
   std::map<std::string, size_t> at;
   for (size_t i = 0; i < reference.size(); ++i)
     if (!reference[i].name.empty()) at.emplace(reference[i].name, i);
   std::vector<IndexPair> pairs;
   for (size_t i = 0; i < moving.size(); ++i)
-    if (const auto found = at.find(moving[i].name); found != at.end()) pairs.push_back({found->second, i});
+    if (const auto found = at.find(moving[i].name); found != at.end())
+      pairs.push_back({found->second, i});
   return pairs;
 }
 
@@ -95,15 +98,18 @@ Vec3 origin_of(std::span<const Target> targets) {
 }
 
 Square<3> covariance_of(const Target& target, double sigma_m) {
-  const bool given = std::any_of(target.covariance.begin(), target.covariance.end(), [](double c) { return c != 0; });
+  const bool given = std::any_of(target.covariance.begin(), target.covariance.end(),
+                                 [](double c) { return c != 0; });
   if (given) return target.covariance;
   const double v = sigma_m * sigma_m;
   return {v, 0, 0, 0, v, 0, 0, 0, v};
 }
 
-std::vector<TargetPair> measured_pairs(std::span<const Target> reference, std::span<const Target> moving,
-                                       std::span<const IndexPair> pairs, const Vec3& reference_origin,
-                                       const Vec3& moving_origin, double sigma_m) {
+std::vector<TargetPair> measured_pairs(std::span<const Target> reference,
+                                       std::span<const Target> moving,
+                                       std::span<const IndexPair> pairs,
+                                       const Vec3& reference_origin, const Vec3& moving_origin,
+                                       double sigma_m) {
   std::vector<TargetPair> out;
   for (const IndexPair& pair : pairs) {
     const Target &r = reference[pair.reference], &m = moving[pair.moving];

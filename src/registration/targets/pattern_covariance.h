@@ -33,7 +33,8 @@ class PatternCovariance {
  private:
   static constexpr double kDifference = 0.01;  // of what an edge notices: slopes by differences
 
-  static Coefficients<kK> scores_of(std::span<const BrightPoint> points, Model model, const Coefficients<kK>& step) {
+  static Coefficients<kK> scores_of(std::span<const BrightPoint> points, Model model,
+                                    const Coefficients<kK>& step) {
     model.move(step);
     Coefficients<kK> out{}, j;
     for (const BrightPoint& p : points) {
@@ -49,9 +50,11 @@ class PatternCovariance {
     for (size_t c = 0; c < kK; ++c) {
       Coefficients<kK> forth{}, back{};
       forth[c] = kDifference * units[c], back[c] = -forth[c];
-      const Coefficients<kK> after = scores_of(points, model, forth), before = scores_of(points, model, back);
+      const Coefficients<kK> after = scores_of(points, model, forth),
+                             before = scores_of(points, model, back);
       for (size_t r = 0; r < kK; ++r) {
-        const double half = (after[r] - before[r]) / (4 * forth[c]);  // the other half from its mirror image
+        const double half =
+            (after[r] - before[r]) / (4 * forth[c]);  // the other half from its mirror image
         out[kK * r + c] += half, out[kK * c + r] += half;
       }
     }

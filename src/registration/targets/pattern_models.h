@@ -28,8 +28,14 @@ struct CheckerModel {
       t[k] = std::tanh((n[k][0] * du + n[k][1] * dv) / width_m);
       across[k] = -n[k][1] * du + n[k][0] * dv;
     }
-    const double s0 = contrast * tanh_slope(t[0]) * t[1] / width_m, s1 = contrast * t[0] * tanh_slope(t[1]) / width_m;
-    j = {-s0 * n[0][0] - s1 * n[1][0], -s0 * n[0][1] - s1 * n[1][1], s0 * across[0], s1 * across[1], 1, t[0] * t[1]};
+    const double s0 = contrast * tanh_slope(t[0]) * t[1] / width_m,
+                 s1 = contrast * t[0] * tanh_slope(t[1]) / width_m;
+    j = {-s0 * n[0][0] - s1 * n[1][0],
+         -s0 * n[0][1] - s1 * n[1][1],
+         s0 * across[0],
+         s1 * across[1],
+         1,
+         t[0] * t[1]};
     return level + contrast * t[0] * t[1] - p.value;
   }
   void move(const Coefficients<6>& x) {
@@ -43,7 +49,8 @@ struct CheckerModel {
   }
   bool sound(double size_m) const {
     const double between = std::fabs(std::sin(angle[0] - angle[1]));
-    return contrast != 0 && between > 0.5 && size_m > 0;  // lines at 30 degrees are seen askew, or are none
+    return contrast != 0 && between > 0.5 &&
+           size_m > 0;  // lines at 30 degrees are seen askew, or are none
   }
 };
 
@@ -56,7 +63,8 @@ struct DiscModel {
 
   double residual(const BrightPoint& p, Coefficients<5>& j) const {
     const Vec2 d{p.u - centre.u, p.v - centre.v};
-    const double r = norm(d), t = std::tanh((radius_m - r) / width_m), s = contrast * tanh_slope(t) / width_m;
+    const double r = norm(d), t = std::tanh((radius_m - r) / width_m),
+                 s = contrast * tanh_slope(t) / width_m;
     const Vec2 u = r > 0 ? d * (1 / r) : Vec2{1, 0};
     j = {s * u.u, s * u.v, s, 1, t};
     return level + contrast * t - p.value;

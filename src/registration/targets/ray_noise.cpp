@@ -12,10 +12,12 @@ namespace {
 constexpr double kReach = 4;  // standard deviations: what lies beyond is no noise
 
 // Slope of d^2 against cos^2 of incidence.
-double ray_variance(std::span<const Vec3> points, std::span<const Vec3> rays, const Sphere& sphere, double reach_m) {
+double ray_variance(std::span<const Vec3> points, std::span<const Vec3> rays, const Sphere& sphere,
+                    double reach_m) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (size_t i = 0; i < points.size(); ++i) {
-    const double d = sphere.distance(points[i]), c = dot(rays[i], normalized(points[i] - sphere.centre));
+    const double d = sphere.distance(points[i]),
+                 c = dot(rays[i], normalized(points[i] - sphere.centre));
     if (std::fabs(d) > reach_m) continue;
     ++n, x += c * c, y += d * d, xx += c * c * c * c, xy += c * c * d * d;
   }
@@ -49,8 +51,8 @@ std::optional<Coefficients<K>> bias_of(std::span<const Vec3> points, std::span<c
 
 }  // namespace
 
-Sphere without_ray_bias(std::span<const Vec3> points, std::span<const Vec3> rays, const Sphere& fitted, double sigma_m,
-                        bool radius_known) {
+Sphere without_ray_bias(std::span<const Vec3> points, std::span<const Vec3> rays,
+                        const Sphere& fitted, double sigma_m, bool radius_known) {
   const double reach_m = kReach * sigma_m, variance = ray_variance(points, rays, fitted, reach_m);
   Sphere out = fitted;
   if (radius_known) {

@@ -18,7 +18,7 @@ namespace jalon {
 ///
 /// Before: fitted is the least squares fit to the points, sigma_m their noise; rays: unit vectors
 /// from the points to the scanner, one each. After: the radius as it was where it is known.
-Sphere without_ray_bias(std::span<const Vec3> points, std::span<const Vec3> rays, const Sphere& fitted, double sigma_m,
-                        bool radius_known);
+Sphere without_ray_bias(std::span<const Vec3> points, std::span<const Vec3> rays,
+                        const Sphere& fitted, double sigma_m, bool radius_known);
 
 }  // namespace jalon

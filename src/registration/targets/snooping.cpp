@@ -13,12 +13,15 @@ namespace jalon {
 
 namespace {
 
-constexpr double kUncontrolled = 1e-9;  // redundancy below which no other target controls a direction
-constexpr double kRounding = 1e-24;     // squares this small against the weights are rounding: nothing to test
-constexpr int kHalvings = 40;           // of an interval: to twelve digits
-constexpr double kMostNoncentrality = 1000;  // a blunder of 30 standard deviations, or none at all will do
-constexpr size_t kMostTerms = 2000;     // of a Poisson mixture with a mean below 500
-constexpr double kNegligible = 1e-12;   // weight of the terms left
+constexpr double kUncontrolled =
+    1e-9;  // redundancy below which no other target controls a direction
+constexpr double kRounding =
+    1e-24;  // squares this small against the weights are rounding: nothing to test
+constexpr int kHalvings = 40;  // of an interval: to twelve digits
+constexpr double kMostNoncentrality =
+    1000;                            // a blunder of 30 standard deviations, or none at all will do
+constexpr size_t kMostTerms = 2000;  // of a Poisson mixture with a mean below 500
+constexpr double kNegligible = 1e-12;  // weight of the terms left
 
 Vec3 times_of_snooping(const Square<3>& m, const Vec3& v) {
   return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[3] * v.x + m[4] * v.y + m[5] * v.z,
@@ -26,7 +29,8 @@ Vec3 times_of_snooping(const Square<3>& m, const Vec3& v) {
 }
 
 // The quadratic form v^T M^+ v and the rank of M, both in units where W is the identity: M is at most W.
-double controlled_form(const Square<3>& whole, const Square<3>& controlled, const Vec3& v, int& rank) {
+double controlled_form(const Square<3>& whole, const Square<3>& controlled, const Vec3& v,
+                       int& rank) {
   // L^-1 M L^-T with W = L L^T has eigenvalues between 0 and 1: the redundancies along its own axes.
   std::array<Vec3, 3> rows;
   Square<3> l{};
@@ -133,10 +137,12 @@ TargetTest Snooping::test(const PairResidual& pair) const {
   out.outlier = out.p_value < setting_.significance;
   const double needed = needed_[static_cast<size_t>(out.dimensions)];
   for (size_t i = 0; i < 3; ++i) {
-    for (size_t k = 0; k < 3; ++k) out.redundancy[i] += pair.cofactor[3 * i + k] * pair.weight[3 * k + i];
+    for (size_t k = 0; k < 3; ++k)
+      out.redundancy[i] += pair.cofactor[3 * i + k] * pair.weight[3 * k + i];
     const double control = controlled[4 * i];
     const bool seen = out.dimensions > 0 && control > kUncontrolled * pair.weight[4 * i];
-    if (seen && sigma0_ > 0) out.normalised[i] = weighted[static_cast<int>(i)] / (std::sqrt(control) * sigma0_);
+    if (seen && sigma0_ > 0)
+      out.normalised[i] = weighted[static_cast<int>(i)] / (std::sqrt(control) * sigma0_);
     out.detectable_m[i] = seen ? sigma0_ * std::sqrt(needed / control) : INFINITY;
   }
   return out;
@@ -152,12 +158,14 @@ TargetTest Snooping::test_prediction(const Vec3& residual_m, const Square<3>& co
   // Independent of the adjusted squares: an F test, as a share of both sums.
   const double share = out.statistic / (out.statistic + weighted_squares_);
   if (!setting_.estimated()) out.p_value = chi_square_tail(3, out.statistic);
-  else if (redundancy_ > 0 && out.statistic > 0) out.p_value = beta_tail(1.5, redundancy_ / 2.0, std::min(share, 1.0));
+  else if (redundancy_ > 0 && out.statistic > 0)
+    out.p_value = beta_tail(1.5, redundancy_ / 2.0, std::min(share, 1.0));
   out.outlier = out.p_value < setting_.significance;
   const Square<3> inverse = factor.inverse();
   for (size_t i = 0; i < 3; ++i) {
     out.redundancy[i] = 1;
-    if (sigma0_ > 0) out.normalised[i] = residual_m[static_cast<int>(i)] / (std::sqrt(cofactor[4 * i]) * sigma0_);
+    if (sigma0_ > 0)
+      out.normalised[i] = residual_m[static_cast<int>(i)] / (std::sqrt(cofactor[4 * i]) * sigma0_);
     out.detectable_m[i] = sigma0_ * std::sqrt(needed_[3] / inverse[4 * i]);
   }
   return out;

@@ -13,13 +13,16 @@ namespace jalon {
 /// The test of one target as a whole: is its place wrong by any vector? (Baarda 1968 for one dimension, Teunissen 2006,
 /// chapter 4, for more.)
 struct TargetTest {
-  double statistic = 0;            ///< e^T P (P Q_e P)^+ P e, for sigma0 = 1
-  int dimensions = 0;              ///< directions in which the other targets control this one: 0 ... 3
-  double p_value = 1;              ///< of a statistic as large by chance; 1 where nothing controls the target
-  std::array<double, 3> normalised{};    ///< Baarda's w along x, y, z; over sigma0; 0 where nothing controls
-  std::array<double, 3> redundancy{};    ///< diagonal of Q_e P: 0 uncontrolled ... 1; they sum up to the redundancy
-  std::array<double, 3> detectable_m{};  ///< smallest blunder along x, y, z found with the power; infinity: none
-  bool outlier = false;            ///< p_value < significance
+  double statistic = 0;  ///< e^T P (P Q_e P)^+ P e, for sigma0 = 1
+  int dimensions = 0;    ///< directions in which the other targets control this one: 0 ... 3
+  double p_value = 1;    ///< of a statistic as large by chance; 1 where nothing controls the target
+  std::array<double, 3>
+      normalised{};  ///< Baarda's w along x, y, z; over sigma0; 0 where nothing controls
+  std::array<double, 3>
+      redundancy{};  ///< diagonal of Q_e P: 0 uncontrolled ... 1; they sum up to the redundancy
+  std::array<double, 3>
+      detectable_m{};    ///< smallest blunder along x, y, z found with the power; infinity: none
+  bool outlier = false;  ///< p_value < significance
 };
 
 /// Tests one target of an adjustment; sigma0: what multiplies standard deviations (1 or estimated).

@@ -15,14 +15,18 @@ namespace jalon {
 
 namespace {
 
-constexpr double kOpenTurn_rad = 0.1;     // standard deviation of a rotation beyond which its covariance means nothing
-constexpr double kMirrorGain = 0.01;      // share of the squares that a reflection leaves of mirrored targets
-constexpr double kMirrorChance = 1e-6;    // of residuals as large as the proper motion's by noise alone
+constexpr double kOpenTurn_rad =
+    0.1;  // standard deviation of a rotation beyond which its covariance means nothing
+constexpr double kMirrorGain =
+    0.01;  // share of the squares that a reflection leaves of mirrored targets
+constexpr double kMirrorChance =
+    1e-6;  // of residuals as large as the proper motion's by noise alone
 
 double mean_sigma2(std::span<const TargetPair> pairs) {
   double sum = 0;
   for (const TargetPair& pair : pairs)
-    for (size_t i = 0; i < 3; ++i) sum += pair.reference_covariance[4 * i] + pair.moving_covariance[4 * i];
+    for (size_t i = 0; i < 3; ++i)
+      sum += pair.reference_covariance[4 * i] + pair.moving_covariance[4 * i];
   return sum / static_cast<double>(3 * pairs.size());
 }
 
@@ -34,13 +38,14 @@ bool is_mirrored(const SimilarityFit& fit, std::span<const TargetPair> pairs) {
 }
 
 std::string on_one_line(const std::string& detail) {
-  return "the targets lie on one line" + detail + ": the turn about it stays open; add one beside it";
+  return "the targets lie on one line" + detail +
+         ": the turn about it stays open; add one beside it";
 }
 
 // The largest standard deviation of a rotation about any axis.
 double weakest_turn_rad(const Square<7>& cofactor) {
-  const Eigen3 eigen =
-      symmetric_eigen({cofactor[0], cofactor[1], cofactor[2], cofactor[8], cofactor[9], cofactor[16]});
+  const Eigen3 eigen = symmetric_eigen(
+      {cofactor[0], cofactor[1], cofactor[2], cofactor[8], cofactor[9], cofactor[16]});
   return std::sqrt(std::max(0.0, eigen.values[2]));
 }
 
@@ -55,15 +60,16 @@ size_t worst_of(const std::vector<TargetTest>& tests) {
   size_t worst = tests.size();
   for (size_t i = 0; i < tests.size(); ++i) {
     if (!tests[i].outlier) continue;
-    const bool worse = worst == tests.size() || tests[i].p_value < tests[worst].p_value ||
-                       (tests[i].p_value == tests[worst].p_value && tests[i].statistic > tests[worst].statistic);
+    const bool worse =
+        worst == tests.size() || tests[i].p_value < tests[worst].p_value ||
+        (tests[i].p_value == tests[worst].p_value && tests[i].statistic > tests[worst].statistic);
     if (worse) worst = i;
   }
   return worst;
 }
 
-TestedPair predicted(const IndexPair& pair, const TargetPair& measured, const TargetAdjustment& adjustment,
-                     const Snooping& snooping) {
+TestedPair predicted(const IndexPair& pair, const TargetPair& measured,
+                     const TargetAdjustment& adjustment, const Snooping& snooping) {
   const Vec3 residual = adjustment.T_reference_moving.point(measured.moving) - measured.reference;
   const Square<3> cofactor = predicted_cofactor(measured, adjustment);
   return {pair, residual, cofactor, snooping.test_prediction(residual, cofactor), true};
@@ -78,7 +84,9 @@ std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs,
       fit_similarity(places_of(pairs), setting.with_scale());
   if (!closed) return {};
   if (is_mirrored(*closed, pairs)) {
-    why = "the targets of one side are the mirror image of the other's: an axis has the wrong sign, or two are swapped";
+    why =
+        "the targets of one side are the mirror image of the other's: an axis has the wrong sign, "
+        "or two are swapped";
     return {};
   }
   AdjustedTargets adjusted =
@@ -89,7 +97,8 @@ std::optional<TargetAdjustment> solve_pairs(std::span<const TargetPair> pairs,
   if (adjusted.failure != AdjustmentFailure::kNone) return {};
   const double turn = weakest_turn_rad(adjusted.adjustment.cofactor);
   if (turn <= kOpenTurn_rad) return std::move(adjusted.adjustment);
-  why = on_one_line(" as far as their covariances tell (standard deviation of a turn: " + text_of(turn, 2) + " rad)");
+  why = on_one_line(" as far as their covariances tell (standard deviation of a turn: " +
+                    text_of(turn, 2) + " rad)");
   return {};
 }
 
@@ -98,21 +107,25 @@ TargetSolution solve_targets(const TargetSets& sets, std::vector<IndexPair> pair
   TargetSolution out;
   std::vector<IndexPair> removed;
   const auto measured = [&](std::span<const IndexPair> of) {
-    return measured_pairs(sets.reference, sets.moving, of, sets.reference_origin, sets.moving_origin, setting.sigma_m);
+    return measured_pairs(sets.reference, sets.moving, of, sets.reference_origin,
+                          sets.moving_origin, setting.sigma_m);
   };
   while (true) {
     task.checkpoint(0);
     if (pairs.size() < 3)
-      fail(Status::kInsufficientData, "%zu targets are known on both sides; a pose needs 3", pairs.size());
+      fail(Status::kInsufficientData, "%zu targets are known on both sides; a pose needs 3",
+           pairs.size());
     out.used = measured(pairs);
     std::string why;
     auto adjustment = solve_pairs(out.used, setting, why);
     if (!adjustment) fail(Status::kDegenerate, "%s", why.c_str());
     out.adjustment = std::move(*adjustment);
-    const Snooping snooping(setting.snooping, out.adjustment.weighted_squares, out.adjustment.redundancy);
+    const Snooping snooping(setting.snooping, out.adjustment.weighted_squares,
+                            out.adjustment.redundancy);
     std::vector<TargetTest> tests;
     for (const PairResidual& pair : out.adjustment.pairs) tests.push_back(snooping.test(pair));
-    const size_t worst = setting.remove_outliers && pairs.size() > 3 ? worst_of(tests) : tests.size();
+    const size_t worst =
+        setting.remove_outliers && pairs.size() > 3 ? worst_of(tests) : tests.size();
     if (worst < tests.size()) {
       removed.push_back(pairs[worst]);
       pairs.erase(pairs.begin() + static_cast<ptrdiff_t>(worst));

@@ -32,7 +32,7 @@ struct TargetSolution {
   TargetAdjustment adjustment;  ///< relative to the origins of the sets
   std::vector<TestedPair> pairs;
   std::vector<TargetPair> used;
-  double sigma0 = 1;      ///< factor of all standard deviations
+  double sigma0 = 1;  ///< factor of all standard deviations
   uint64_t removed = 0;
 };
 

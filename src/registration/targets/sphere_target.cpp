@@ -17,14 +17,17 @@ namespace {
 
 constexpr double kSearchRadii = 2.5, kFreeSearch_m = 0.25;
 constexpr double kLeastRadius_m = 0.005;
-constexpr double kLeastCap_rad = 40 * std::numbers::pi / 180;  // half-angle of what is seen; a hemisphere has 90
-constexpr double kCapShare = 0.9;       // of the points lie within it
-constexpr double kMostInside = 0.3;     // points inside the ball, to those on it: something else
-constexpr double kMostSigma = 0.5;      // of the tolerance: as even a distribution as that is no surface
-constexpr double kOneSided = 0.5;       // length of the mean normal: 2 / 3 of a sphere seen from afar, 0 all round
+constexpr double kLeastCap_rad =
+    40 * std::numbers::pi / 180;     // half-angle of what is seen; a hemisphere has 90
+constexpr double kCapShare = 0.9;    // of the points lie within it
+constexpr double kMostInside = 0.3;  // points inside the ball, to those on it: something else
+constexpr double kMostSigma =
+    0.5;  // of the tolerance: as even a distribution as that is no surface
+constexpr double kOneSided =
+    0.5;  // length of the mean normal: 2 / 3 of a sphere seen from afar, 0 all round
 constexpr int kSphereTargetDraws = 3000;
-constexpr int kTries = 12;              // for a second and a third point close enough to the first
-constexpr size_t kScored = 1024;        // points that a draw is judged by
+constexpr int kTries = 12;        // for a second and a third point close enough to the first
+constexpr size_t kScored = 1024;  // points that a draw is judged by
 
 /// A sphere of a known radius.
 struct CentreModel {
@@ -130,7 +133,8 @@ double cap_of(const std::vector<Vec3>& points, const Sphere& sphere, double tole
     if (std::fabs(sphere.distance(p)) <= tolerance_m)
       angles.push_back(std::acos(std::clamp(dot(mean, normalized(p - sphere.centre)), -1.0, 1.0)));
   if (angles.empty()) return 0;
-  const auto at = angles.begin() + static_cast<ptrdiff_t>(kCapShare * static_cast<double>(angles.size() - 1));
+  const auto at =
+      angles.begin() + static_cast<ptrdiff_t>(kCapShare * static_cast<double>(angles.size() - 1));
   std::nth_element(angles.begin(), at, angles.end());
   return *at;
 }
@@ -151,15 +155,14 @@ bool is_ball(const std::vector<Vec3>& points, const Sphere& sphere, double toler
 std::vector<Vec3> rays_of(const Cloud& cloud, const Surroundings& near, const Sphere& sphere) {
   std::vector<Vec3> out;
   Vec3 axis;
-  for (const Vec3& p : near.points) axis += normalized(p - sphere.centre) / static_cast<double>(near.points.size());
+  for (const Vec3& p : near.points)
+    axis += normalized(p - sphere.centre) / static_cast<double>(near.points.size());
   for (size_t i = 0; i < near.points.size(); ++i) {
     const Station* station = station_of(cloud, near.indices[i]);
     if (station != nullptr && station->has_pose)
       out.push_back(normalized(station->pose.translation() - near.place - near.points[i]));
-    else if (norm(axis) > kOneSided)
-      out.push_back(normalized(axis));
-    else
-      return {};
+    else if (norm(axis) > kOneSided) out.push_back(normalized(axis));
+    else return {};
   }
   return out;
 }
@@ -187,7 +190,8 @@ std::optional<MeasuredTarget> adjusted(const Cloud& cloud, const Surroundings& n
     out.radius_sigma_m = std::sqrt(fit.covariance[15]);
   }
   const std::vector<Vec3> rays = rays_of(cloud, near, fit.sphere);
-  if (!rays.empty()) fit.sphere = without_ray_bias(points, rays, fit.sphere, fit.sigma, setting.radius_m > 0);
+  if (!rays.empty())
+    fit.sphere = without_ray_bias(points, rays, fit.sphere, fit.sigma, setting.radius_m > 0);
   out.centre = fit.sphere.centre;
   out.radius_m = fit.sphere.radius;
   out.sigma_m = fit.sigma;
@@ -203,8 +207,9 @@ std::optional<MeasuredTarget> adjusted(const Cloud& cloud, const Surroundings& n
 MeasuredTarget measure_sphere(const Cloud& cloud, const Octree& tree, const Vec3& place,
                               const MeasuringSettings& setting, Task& task) {
   const bool known = setting.radius_m > 0;
-  const double search_m = setting.search_m > 0 ? setting.search_m : known ? kSearchRadii * setting.radius_m
-                                                                          : kFreeSearch_m;
+  const double search_m = setting.search_m > 0 ? setting.search_m
+                          : known              ? kSearchRadii * setting.radius_m
+                                               : kFreeSearch_m;
   const PrimitiveSetting limits = free_setting(setting, search_m);
   const auto refused = [](Status status, size_t points) {
     MeasuredTarget none;
@@ -213,14 +218,16 @@ MeasuredTarget measure_sphere(const Cloud& cloud, const Octree& tree, const Vec3
     return none;
   };
   Surroundings near = surroundings_of(cloud, tree, place, {}, search_m);
-  if (near.points.size() < setting.min_points) return refused(Status::kInsufficientData, near.points.size());
+  if (near.points.size() < setting.min_points)
+    return refused(Status::kInsufficientData, near.points.size());
   const std::optional<Sphere> start =
       known ? draw_known(near, setting, task) : draw_free(near, limits, task);
   if (!start) return refused(Status::kDegenerate, 0);
   // Step 2: the whole of it, and nothing behind it.
   near =
       surroundings_of(cloud, tree, place, start->centre, start->radius + 2 * setting.tolerance_m);
-  if (near.points.size() < setting.min_points) return refused(Status::kInsufficientData, near.points.size());
+  if (near.points.size() < setting.min_points)
+    return refused(Status::kInsufficientData, near.points.size());
   const std::optional<MeasuredTarget> out = adjusted(cloud, near, setting, limits, *start, task);
   if (!out) return refused(Status::kDegenerate, 0);
   if (out->points < setting.min_points) return refused(Status::kInsufficientData, out->points);

@@ -23,32 +23,42 @@ FieldTable residual_table(const TargetSolution& solution) {
   const double sigma0 = solution.sigma0;
   add_column<uint64_t>(table, rows, "reference", "", "index of the reference target",
                        [](Row r) { return r.pair.reference; });
-  add_column<uint64_t>(table, rows, "moving", "", "index of the moving target", [](Row r) { return r.pair.moving; });
+  add_column<uint64_t>(table, rows, "moving", "", "index of the moving target",
+                       [](Row r) { return r.pair.moving; });
   add_columns<double, 3>(table, rows, "residual", "m", "moved minus reference",
                          [](Row r, double* out) { fill(out, r.residual_m); });
-  add_columns<double, 3>(table, rows, "sigma", "m", "standard deviation of the residual", [&](Row r, double* out) {
-    for (size_t i = 0; i < 3; ++i) out[i] = sigma0 * std::sqrt(std::max(0.0, r.cofactor[4 * i]));
-  });
-  add_columns<double, 3>(table, rows, "redundancy", "1", "share of an error that shows in the residual",
+  add_columns<double, 3>(table, rows, "sigma", "m", "standard deviation of the residual",
+                         [&](Row r, double* out) {
+                           for (size_t i = 0; i < 3; ++i)
+                             out[i] = sigma0 * std::sqrt(std::max(0.0, r.cofactor[4 * i]));
+                         });
+  add_columns<double, 3>(table, rows, "redundancy", "1",
+                         "share of an error that shows in the residual",
                          [](Row r, double* out) { fill(out, r.test.redundancy); });
-  add_columns<double, 3>(table, rows, "normalised", "1", "residual over its standard deviation (Baarda's w)",
+  add_columns<double, 3>(table, rows, "normalised", "1",
+                         "residual over its standard deviation (Baarda's w)",
                          [](Row r, double* out) { fill(out, r.test.normalised); });
-  add_columns<double, 3>(table, rows, "detectable", "m", "smallest error along an axis that the test finds",
+  add_columns<double, 3>(table, rows, "detectable", "m",
+                         "smallest error along an axis that the test finds",
                          [](Row r, double* out) { fill(out, r.test.detectable_m); });
-  add_column<double>(table, rows, "p_value", "1", "chance of a target as far off as this by noise alone",
+  add_column<double>(table, rows, "p_value", "1",
+                     "chance of a target as far off as this by noise alone",
                      [](Row r) { return r.test.p_value; });
   add_column<uint8_t>(table, rows, "outlier", "", "1: the test rejects the target",
                       [](Row r) { return r.test.outlier; });
-  add_column<uint8_t>(table, rows, "removed", "", "1: it took no part in the pose", [](Row r) { return r.removed; });
+  add_column<uint8_t>(table, rows, "removed", "", "1: it took no part in the pose",
+                      [](Row r) { return r.removed; });
   return table;
 }
 
 FieldTable step_table(const TargetAdjustment& adjustment) {
   FieldTable table;
   const auto& steps = adjustment.steps;
-  add_column<double>(table, steps, "weighted_squares", "1", "sum of the weighted squared residuals before the step",
+  add_column<double>(table, steps, "weighted_squares", "1",
+                     "sum of the weighted squared residuals before the step",
                      [](const AdjustmentStep& s) { return s.weighted_squares; });
-  add_column<double>(table, steps, "step", "1", "length of the step in standard deviations of the pose",
+  add_column<double>(table, steps, "step", "1",
+                     "length of the step in standard deviations of the pose",
                      [](const AdjustmentStep& s) { return s.step; });
   return table;
 }
@@ -70,17 +80,21 @@ FieldTable global_columns(const TargetSets& sets, const TargetSolution& solution
   add_value<uint64_t>(table, "removed", "", "outliers that were taken away", solution.removed);
   add_value<uint64_t>(table, "unpaired_reference", "", "reference targets without a partner",
                       sets.reference.size() - pairs);
-  add_value<uint64_t>(table, "unpaired_moving", "", "moving targets without a partner", sets.moving.size() - pairs);
-  add_value<uint64_t>(table, "redundancy", "", "observations more than unknowns", static_cast<uint64_t>(a.redundancy));
+  add_value<uint64_t>(table, "unpaired_moving", "", "moving targets without a partner",
+                      sets.moving.size() - pairs);
+  add_value<uint64_t>(table, "redundancy", "", "observations more than unknowns",
+                      static_cast<uint64_t>(a.redundancy));
   const double factor = a.redundancy > 0 ? std::sqrt(a.weighted_squares / a.redundancy) : kNaN;
-  add_value<double>(table, "sigma0", "1", "of unit weight, by the residuals: 1 where covariances are right", factor);
+  add_value<double>(table, "sigma0", "1",
+                    "of unit weight, by the residuals: 1 where covariances are right", factor);
   add_value<uint8_t>(table, "sigma0_estimated", "", "1: the covariance is scaled by it",
                      setting.snooping.estimated());
   const double p = variance_factor_p_value(a.weighted_squares, a.redundancy);
   add_value<double>(table, "global_p_value", "1", "of the test of sigma0 against 1, two-sided", p);
   add_value<uint8_t>(table, "global_accepted", "", "1: residuals and covariances agree",
                      p >= setting.snooping.significance);
-  add_value<double>(table, "scale_sigma", "1", "standard deviation of the scale; 0 for a rigid motion",
+  add_value<double>(table, "scale_sigma", "1",
+                    "standard deviation of the scale; 0 for a rigid motion",
                     a.scale * solution.sigma0 * std::sqrt(std::max(0.0, a.cofactor[48])));
   return table;
 }
@@ -105,7 +119,8 @@ void describe_targets(const TargetSets& sets, const TargetSolution& solution,
   out.residuals = residual_table(solution);
   for (const TestedPair& row : solution.pairs) {
     const Target& target = sets.moving[row.pair.moving];
-    out.pair_names.push_back(target.name.empty() ? sets.reference[row.pair.reference].name : target.name);
+    out.pair_names.push_back(target.name.empty() ? sets.reference[row.pair.reference].name
+                                                 : target.name);
   }
   out.iteration_log = step_table(a);
   out.summary = global_columns(sets, solution, setting);

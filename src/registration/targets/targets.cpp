@@ -57,8 +57,8 @@ Registration register_targets(std::span<const Target> reference, std::span<const
                 : out.converged       ? StopReason::kConverged
                                       : StopReason::kIterationLimit;
   describe_targets(sets, solution, settings, out);
-  add_value<uint64_t>(out.summary, "solutions", "", "poses that pair the targets about as well: 1 is unique",
-                      pairing.solutions);
+  add_value<uint64_t>(out.summary, "solutions", "",
+                      "poses that pair the targets about as well: 1 is unique", pairing.solutions);
   return out;
 }
 

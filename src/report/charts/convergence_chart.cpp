@@ -15,7 +15,9 @@ namespace jalon {
 namespace {
 
 // The plot's window in the chart's millimetres.
-constexpr double kWidth = 180, kHeight = 84, kConvergenceChartLeft = 20, kConvergenceChartRight = 176, kConvergenceChartTop = 12, kConvergenceChartBottom = 70;
+constexpr double kWidth = 180, kHeight = 84, kConvergenceChartLeft = 20,
+                 kConvergenceChartRight = 176, kConvergenceChartTop = 12,
+                 kConvergenceChartBottom = 70;
 constexpr double kConvergenceChartText = 2.8;
 
 struct Curve {
@@ -30,8 +32,14 @@ constexpr Curve kCurves[] = {{"rms", "rms residual", "#1f6f8b", ""},
 
 struct Plot {
   double rows, low, high;  // decades: log10 of millimetres
-  double x(double row) const { return kConvergenceChartLeft + (rows > 1 ? (row - 1) / (rows - 1) : 0.5) * (kConvergenceChartRight - kConvergenceChartLeft); }
-  double y(double decade) const { return kConvergenceChartBottom - (decade - low) / (high - low) * (kConvergenceChartBottom - kConvergenceChartTop); }
+  double x(double row) const {
+    return kConvergenceChartLeft + (rows > 1 ? (row - 1) / (rows - 1) : 0.5) *
+                                       (kConvergenceChartRight - kConvergenceChartLeft);
+  }
+  double y(double decade) const {
+    return kConvergenceChartBottom -
+           (decade - low) / (high - low) * (kConvergenceChartBottom - kConvergenceChartTop);
+  }
 };
 
 double decade_of(double metres) { return std::log10(1000 * metres); }
@@ -55,9 +63,10 @@ Plot plot_of(const FieldTable& log) {
 
 void draw_level(SvgWriter& svg, const Plot& plot, double mm) {
   const double decade = std::log10(mm);
-  svg_line(svg, {kConvergenceChartLeft, plot.y(decade)}, {kConvergenceChartRight, plot.y(decade)}, kFaint, 0.15);
-  svg_text(svg, {kConvergenceChartLeft - 1.5, plot.y(decade) + 1}, kConvergenceChartText, Anchor::kEnd,
-           text_of(mm, static_cast<int>(std::max(0.0, -std::floor(decade + 1e-9)))));
+  svg_line(svg, {kConvergenceChartLeft, plot.y(decade)}, {kConvergenceChartRight, plot.y(decade)},
+           kFaint, 0.15);
+  svg_text(svg, {kConvergenceChartLeft - 1.5, plot.y(decade) + 1}, kConvergenceChartText,
+           Anchor::kEnd, text_of(mm, static_cast<int>(std::max(0.0, -std::floor(decade + 1e-9)))));
 }
 
 void draw_axes(SvgWriter& svg, const Plot& plot) {
@@ -67,15 +76,23 @@ void draw_axes(SvgWriter& svg, const Plot& plot) {
     if (decades > 2 || decade == plot.high) continue;
     for (const double between : {2, 5}) draw_level(svg, plot, between * std::pow(10, decade));
   }
-  for (const double row : make_ticks(1, std::max(plot.rows, 2.0), std::max(1.0, plot.rows / 12)).values) {
+  for (const double row :
+       make_ticks(1, std::max(plot.rows, 2.0), std::max(1.0, plot.rows / 12)).values) {
     if (row != std::floor(row) || row > plot.rows) continue;
-    svg_line(svg, {plot.x(row), kConvergenceChartBottom}, {plot.x(row), kConvergenceChartBottom + 1.5}, kInk, 0.2);
-    svg_text(svg, {plot.x(row), kConvergenceChartBottom + 5}, kConvergenceChartText, Anchor::kMiddle, text_of(row, 0));
+    svg_line(svg, {plot.x(row), kConvergenceChartBottom},
+             {plot.x(row), kConvergenceChartBottom + 1.5}, kInk, 0.2);
+    svg_text(svg, {plot.x(row), kConvergenceChartBottom + 5}, kConvergenceChartText,
+             Anchor::kMiddle, text_of(row, 0));
   }
-  svg_line(svg, {kConvergenceChartLeft, kConvergenceChartBottom}, {kConvergenceChartRight, kConvergenceChartBottom}, kInk, 0.25);
-  svg_line(svg, {kConvergenceChartLeft, kConvergenceChartTop}, {kConvergenceChartLeft, kConvergenceChartBottom}, kInk, 0.25);
-  svg_text(svg, {(kConvergenceChartLeft + kConvergenceChartRight) / 2, kConvergenceChartBottom + 10.5}, 3, Anchor::kMiddle, "Iteration");
-  svg_text(svg, {4, (kConvergenceChartTop + kConvergenceChartBottom) / 2}, 3, Anchor::kMiddle, "mm (logarithmic)", false, true);
+  svg_line(svg, {kConvergenceChartLeft, kConvergenceChartBottom},
+           {kConvergenceChartRight, kConvergenceChartBottom}, kInk, 0.25);
+  svg_line(svg, {kConvergenceChartLeft, kConvergenceChartTop},
+           {kConvergenceChartLeft, kConvergenceChartBottom}, kInk, 0.25);
+  svg_text(svg,
+           {(kConvergenceChartLeft + kConvergenceChartRight) / 2, kConvergenceChartBottom + 10.5},
+           3, Anchor::kMiddle, "Iteration");
+  svg_text(svg, {4, (kConvergenceChartTop + kConvergenceChartBottom) / 2}, 3, Anchor::kMiddle,
+           "mm (logarithmic)", false, true);
 }
 
 void draw_curve(SvgWriter& svg, const Column& column, const Curve& curve, const Plot& plot) {
@@ -83,9 +100,13 @@ void draw_curve(SvgWriter& svg, const Column& column, const Curve& curve, const 
   for (size_t i = 0; i < column.count(); ++i)
     if (const double decade = decade_of(column.number(i)); std::isfinite(decade))
       points.push_back({plot.x(static_cast<double>(i + 1)), plot.y(decade)});
-  svg.leaf("path", {{"d", svg_polyline(points)}, {"fill", "none"}, {"stroke", curve.colour}, {"stroke-width", 0.5},
+  svg.leaf("path", {{"d", svg_polyline(points)},
+                    {"fill", "none"},
+                    {"stroke", curve.colour},
+                    {"stroke-width", 0.5},
                     {"stroke-dasharray", *curve.dash != 0 ? curve.dash : "none"}});
-  for (const Vec2& p : points) svg.leaf("circle", {{"cx", p.u}, {"cy", p.v}, {"r", 0.8}, {"fill", curve.colour}});
+  for (const Vec2& p : points)
+    svg.leaf("circle", {{"cx", p.u}, {"cy", p.v}, {"r", 0.8}, {"fill", curve.colour}});
 }
 
 }  // namespace
@@ -104,8 +125,10 @@ std::string convergence_chart(const FieldTable& log) {
     const Column* column = log.find(curve.column);
     if (column == nullptr) continue;
     draw_curve(svg, *column, curve, plot);
-    svg_line(svg, {key, kConvergenceChartTop - 6}, {key + 7, kConvergenceChartTop - 6}, curve.colour, 0.6);
-    svg_text(svg, {key + 8.5, kConvergenceChartTop - 5}, kConvergenceChartText, Anchor::kStart, curve.name);
+    svg_line(svg, {key, kConvergenceChartTop - 6}, {key + 7, kConvergenceChartTop - 6},
+             curve.colour, 0.6);
+    svg_text(svg, {key + 8.5, kConvergenceChartTop - 5}, kConvergenceChartText, Anchor::kStart,
+             curve.name);
     key += 46;
   }
   return svg.take();

@@ -12,19 +12,25 @@ namespace jalon {
 
 namespace {
 
-constexpr double kDistanceChartTop = 10, kLine = 0.5;  // mm; the key of the curve stands above the plot
-constexpr double kDistanceChartLeft = HistogramPlot::kLeft, kDistanceChartRight = HistogramPlot::kRight, kDistanceChartText = HistogramPlot::kText;
+constexpr double kDistanceChartTop = 10,
+                 kLine = 0.5;  // mm; the key of the curve stands above the plot
+constexpr double kDistanceChartLeft = HistogramPlot::kLeft,
+                 kDistanceChartRight = HistogramPlot::kRight,
+                 kDistanceChartText = HistogramPlot::kText;
 constexpr const char* kDistanceChartCurve = "#b3472f";
 constexpr const char* kMark = "#1a1a1a";
 
 std::string law_text(const NoiseLaw& law) {
   if (law.kind == LawKind::kWeibull)
-    return "Weibull, a = " + text_of(law.shape, 2) + ", b = " + text_of(1000 * law.scale, 2) + " mm";
-  return std::string(name_of(law.kind)) + ", \xCF\x83 = " + text_of(1000 * law.standard_deviation(), 2) + " mm";
+    return "Weibull, a = " + text_of(law.shape, 2) + ", b = " + text_of(1000 * law.scale, 2) +
+           " mm";
+  return std::string(name_of(law.kind)) +
+         ", \xCF\x83 = " + text_of(1000 * law.standard_deviation(), 2) + " mm";
 }
 
 // Expected points per bin at each place.
-void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law, const HistogramPlot& plot) {
+void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law,
+              const HistogramPlot& plot) {
   constexpr int kSteps = 240;
   std::vector<Vec2> curve;
   const double points = static_cast<double>(histogram.values) * histogram.width();
@@ -33,9 +39,14 @@ void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law, c
     const double density = law.density(mm / 1000);
     if (std::isfinite(density)) curve.push_back({plot.x(mm), plot.y(density * points)});
   }
-  svg.leaf("path", {{"d", svg_polyline(curve)}, {"fill", "none"}, {"stroke", kDistanceChartCurve}, {"stroke-width", kLine}});
-  svg_line(svg, {kDistanceChartRight - 68, kDistanceChartTop - 5}, {kDistanceChartRight - 60, kDistanceChartTop - 5}, kDistanceChartCurve, kLine);
-  svg_text(svg, {kDistanceChartRight - 58, kDistanceChartTop - 4}, kDistanceChartText, Anchor::kStart, law_text(law));
+  svg.leaf("path", {{"d", svg_polyline(curve)},
+                    {"fill", "none"},
+                    {"stroke", kDistanceChartCurve},
+                    {"stroke-width", kLine}});
+  svg_line(svg, {kDistanceChartRight - 68, kDistanceChartTop - 5},
+           {kDistanceChartRight - 60, kDistanceChartTop - 5}, kDistanceChartCurve, kLine);
+  svg_text(svg, {kDistanceChartRight - 58, kDistanceChartTop - 4}, kDistanceChartText,
+           Anchor::kStart, law_text(law));
 }
 
 void draw_marks(SvgWriter& svg, std::span<const ChartMark> marks, const HistogramPlot& plot) {
@@ -43,23 +54,29 @@ void draw_marks(SvgWriter& svg, std::span<const ChartMark> marks, const Histogra
   for (const ChartMark& mark : marks) {
     const double mm = 1000 * mark.at_m;
     if (mm < plot.from_mm || mm > plot.to_mm) continue;
-    svg.leaf("path", {{"d", svg_polyline(std::vector<Vec2>{{plot.x(mm), kDistanceChartTop}, {plot.x(mm), HistogramPlot::kBottom}})},
-                      {"fill", "none"}, {"stroke", kMark}, {"stroke-width", 0.3}, {"stroke-dasharray", "1.5 1"}});
+    svg.leaf("path", {{"d", svg_polyline(std::vector<Vec2>{{plot.x(mm), kDistanceChartTop},
+                                                           {plot.x(mm), HistogramPlot::kBottom}})},
+                      {"fill", "none"},
+                      {"stroke", kMark},
+                      {"stroke-width", 0.3},
+                      {"stroke-dasharray", "1.5 1"}});
     const bool is_right = plot.x(mm) > (kDistanceChartLeft + kDistanceChartRight) / 2;
-    svg_text(svg, {plot.x(mm) + (is_right ? -1 : 1), row}, kDistanceChartText, is_right ? Anchor::kEnd : Anchor::kStart,
-             mark.name + " " + text_of(mm, 1) + " mm");
+    svg_text(svg, {plot.x(mm) + (is_right ? -1 : 1), row}, kDistanceChartText,
+             is_right ? Anchor::kEnd : Anchor::kStart, mark.name + " " + text_of(mm, 1) + " mm");
     row += 4;
   }
 }
 
 }  // namespace
 
-std::string distance_chart(const Histogram& histogram, const NoiseLaw* law, std::span<const ChartMark> marks) {
+std::string distance_chart(const Histogram& histogram, const NoiseLaw* law,
+                           std::span<const ChartMark> marks) {
   SvgWriter svg;
   open_histogram(svg, "Histogram of the distances");
   HistogramPlot plot{kDistanceChartTop, 1000 * histogram.from, 1000 * histogram.to};
   if (!(plot.to_mm > plot.from_mm)) plot.to_mm = plot.from_mm + 1;
-  for (const uint64_t n : histogram.counts) plot.most = std::max(plot.most, 1.05 * static_cast<double>(n));
+  for (const uint64_t n : histogram.counts)
+    plot.most = std::max(plot.most, 1.05 * static_cast<double>(n));
   draw_axes(svg, plot, "Distance (mm)");
   draw_bars(svg, plot, histogram.counts);
   if (law != nullptr) draw_law(svg, histogram, *law, plot);

@@ -16,6 +16,7 @@ struct ChartMark {
 
 /// Histogram of distances as SVG: millimetres across, points upward, the fitted law as a curve, thresholds as lines.
 /// law may be null.
-std::string distance_chart(const Histogram& histogram, const NoiseLaw* law, std::span<const ChartMark> marks);
+std::string distance_chart(const Histogram& histogram, const NoiseLaw* law,
+                           std::span<const ChartMark> marks);
 
 }  // namespace jalon

@@ -13,10 +13,13 @@ namespace jalon {
 /// Window of a histogram of distances: their millimetres to the right, points a bin upward; the rest
 /// is in millimetres of the chart.
 struct HistogramPlot {
-  static constexpr double kWidth = 180, kHeight = 80, kLeft = 20, kRight = 176, kBottom = 66, kText = 2.8;
+  static constexpr double kWidth = 180, kHeight = 80, kLeft = 20, kRight = 176, kBottom = 66,
+                          kText = 2.8;
 
   double top, from_mm, to_mm, most = 1;
-  double x(double mm) const { return kLeft + (mm - from_mm) / (to_mm - from_mm) * (kRight - kLeft); }
+  double x(double mm) const {
+    return kLeft + (mm - from_mm) / (to_mm - from_mm) * (kRight - kLeft);
+  }
   double y(double count) const { return kBottom - std::min(count / most, 1.0) * (kBottom - top); }
 };
 

@@ -22,10 +22,14 @@ void draw_curve(SvgWriter& svg, const Residuals& r, const HistogramPlot& plot) {
     const double value = r.half_range_m * (2.0 * i / kSteps - 1);
     curve.push_back({plot.x(1000 * value), plot.y(r.expected(value))});
   }
-  svg.leaf("path", {{"d", svg_polyline(curve)}, {"fill", "none"}, {"stroke", kResidualChartCurve}, {"stroke-width", 0.5}});
-  svg_line(svg, {HistogramPlot::kRight - 48, kResidualChartTop + 2}, {HistogramPlot::kRight - 40, kResidualChartTop + 2}, kResidualChartCurve, 0.5);
-  svg_text(svg, {HistogramPlot::kRight - 38, kResidualChartTop + 3}, HistogramPlot::kText, Anchor::kStart,
-           "normal, \xCF\x83 = " + text_of(1000 * r.sigma_m, 2) + " mm");
+  svg.leaf("path", {{"d", svg_polyline(curve)},
+                    {"fill", "none"},
+                    {"stroke", kResidualChartCurve},
+                    {"stroke-width", 0.5}});
+  svg_line(svg, {HistogramPlot::kRight - 48, kResidualChartTop + 2},
+           {HistogramPlot::kRight - 40, kResidualChartTop + 2}, kResidualChartCurve, 0.5);
+  svg_text(svg, {HistogramPlot::kRight - 38, kResidualChartTop + 3}, HistogramPlot::kText,
+           Anchor::kStart, "normal, \xCF\x83 = " + text_of(1000 * r.sigma_m, 2) + " mm");
 }
 
 }  // namespace
@@ -33,7 +37,8 @@ void draw_curve(SvgWriter& svg, const Residuals& r, const HistogramPlot& plot) {
 std::string residual_chart(const Residuals& residuals) {
   SvgWriter svg;
   open_histogram(svg, "Histogram of the residuals");
-  HistogramPlot plot{kResidualChartTop, -1000 * residuals.half_range_m, 1000 * residuals.half_range_m};
+  HistogramPlot plot{kResidualChartTop, -1000 * residuals.half_range_m,
+                     1000 * residuals.half_range_m};
   for (const uint64_t n : residuals.bins) plot.most = std::max(plot.most, static_cast<double>(n));
   if (residuals.sigma_m > 0) plot.most = std::max(plot.most, residuals.expected(residuals.mean_m));
   plot.most *= 1.05;

@@ -20,7 +20,9 @@ std::string url_of(const ElevationDrawing& drawing, const char* name) {
   return std::string("url(#").append(name).append(drawing.content.id).append(")");
 }
 
-double width_of(Role role) { return role == Role::kWall ? kOutline : role == Role::kInside ? kDetail : kEdge; }
+double width_of(Role role) {
+  return role == Role::kWall ? kOutline : role == Role::kInside ? kDetail : kEdge;
+}
 
 std::string fill_of(const ElevationDrawing& drawing, const DrawnFace& face) {
   if (face.role == Role::kNoData) return url_of(drawing, "unknown");
@@ -64,13 +66,15 @@ void draw_cross(SvgWriter& svg, const OnPaper& on_paper, const DrawnOpening& ope
   const Vec2 &a = opening.low, &b = opening.high;
   const Vec2 corners[2][2] = {{a, b}, {{a.u, b.v}, {b.u, a.v}}};
   for (const auto& [from, to] : corners)
-    svg_line(svg, on_paper(on_contour(opening, from)), on_paper(on_contour(opening, to)), kGrey, kCross);
+    svg_line(svg, on_paper(on_contour(opening, from)), on_paper(on_contour(opening, to)), kGrey,
+             kCross);
 }
 
 // Under all faces: what shows where nothing lies behind a hole.
 void draw_holes(SvgWriter& svg, const ElevationDrawing& drawing) {
   for (const DrawnRing& ring : drawing.faces.unknown)
-    svg.leaf("path", {{"d", svg_path(ring, drawing.on_paper)}, {"fill", url_of(drawing, "unknown")}});
+    svg.leaf("path",
+             {{"d", svg_path(ring, drawing.on_paper)}, {"fill", url_of(drawing, "unknown")}});
   for (const DrawnOpening& opening : drawing.faces.openings)
     if (opening.is_empty) draw_cross(svg, drawing.on_paper, opening);
 }
@@ -79,7 +83,8 @@ void draw_contour(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnOp
   const OpeningRow& row = drawing.faces.list.rows[opening.row];
   const std::string d = svg_path(opening.contour, drawing.on_paper);
   if (row.is_copy())  // between the dashes shows paper, not the wall's own line
-    svg.leaf("path", {{"d", d}, {"fill", "none"}, {"stroke", "#ffffff"}, {"stroke-width", kOutline + 0.1}});
+    svg.leaf("path",
+             {{"d", d}, {"fill", "none"}, {"stroke", "#ffffff"}, {"stroke-width", kOutline + 0.1}});
   svg.leaf("path", {{"class", "opening"},
                     {"d", d},
                     {"fill", "none"},
@@ -91,12 +96,15 @@ void draw_contour(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnOp
 }  // namespace
 
 void draw_body(SvgWriter& svg, const ElevationDrawing& drawing) {
-  svg.open("g", {{"clip-path", url_of(drawing, "window")}, {"stroke-linejoin", "round"}, {"fill-rule", "evenodd"}});
+  svg.open("g", {{"clip-path", url_of(drawing, "window")},
+                 {"stroke-linejoin", "round"},
+                 {"fill-rule", "evenodd"}});
   draw_holes(svg, drawing);
   auto opening = drawing.faces.openings.begin();
   const auto end = drawing.faces.openings.end();
   for (const DrawnFace& face : drawing.faces.faces) {
-    for (; opening != end && opening->depth_m > face.depth_m; ++opening) draw_contour(svg, drawing, *opening);
+    for (; opening != end && opening->depth_m > face.depth_m; ++opening)
+      draw_contour(svg, drawing, *opening);
     draw_face(svg, drawing, face);
   }
   for (; opening != end; ++opening) draw_contour(svg, drawing, *opening);

@@ -18,8 +18,12 @@ using Colour = std::array<double, 3>;
 
 // ColorBrewer YlGnBu, Reds and Greens (Harrower & Brewer 2003): lightness falls all the way, also in grey; the greens
 // lean to blue, so that the colour-blind tell them from the reds.
-constexpr std::array<Colour, 6> kDepths{
-    {{255, 247, 214}, {199, 233, 180}, {127, 205, 187}, {65, 158, 196}, {38, 98, 168}, {22, 40, 108}}};
+constexpr std::array<Colour, 6> kDepths{{{255, 247, 214},
+                                         {199, 233, 180},
+                                         {127, 205, 187},
+                                         {65, 158, 196},
+                                         {38, 98, 168},
+                                         {22, 40, 108}}};
 constexpr std::array<Colour, 3> kInFront{{{253, 222, 206}, {246, 172, 145}, {222, 106, 80}}};
 constexpr std::array<Colour, 3> kBehind{{{218, 240, 226}, {150, 208, 186}, {76, 160, 146}}};
 constexpr const char* kMainPlane = "#f7f3e8";
@@ -46,7 +50,9 @@ std::string on_scale(std::span<const Colour> stops, double t) {
 }
 
 // Place i of n on a scale; a single one stands near its light end.
-double place(size_t i, size_t n) { return n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.35; }
+double place(size_t i, size_t n) {
+  return n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.35;
+}
 
 }  // namespace
 
@@ -55,10 +61,12 @@ std::string group_colour(const ElevationFaces& faces, size_t i, ElevationColours
   if (colours == ElevationColours::kDepth) return on_scale(kDepths, place(i, faces.groups.size()));
   const DepthGroup& group = faces.groups[i];
   if (group.side == 0) return kMainPlane;
-  const auto n = static_cast<size_t>(std::count_if(faces.groups.begin(), faces.groups.end(),
-                                                   [&](const DepthGroup& g) { return g.side == group.side; }));
-  return on_scale(group.side < 0 ? std::span<const Colour>(kInFront) : std::span<const Colour>(kBehind),
-                  place(group.rank, n));
+  const auto n =
+      static_cast<size_t>(std::count_if(faces.groups.begin(), faces.groups.end(),
+                                        [&](const DepthGroup& g) { return g.side == group.side; }));
+  return on_scale(
+      group.side < 0 ? std::span<const Colour>(kInFront) : std::span<const Colour>(kBehind),
+      place(group.rank, n));
 }
 
 bool is_dark(std::string_view colour) {

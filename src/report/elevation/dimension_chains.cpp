@@ -38,16 +38,18 @@ std::vector<Interval> clear_of_each_other(std::vector<Interval> intervals) {
                    [](const Interval& a, const Interval& b) { return a.count > b.count; });
   std::vector<Interval> out;
   for (const Interval& i : intervals) {
-    const bool is_clear = std::none_of(out.begin(), out.end(),
-                                       [&](const Interval& o) { return i.from < o.to && o.from < i.to; });
+    const bool is_clear = std::none_of(
+        out.begin(), out.end(), [&](const Interval& o) { return i.from < o.to && o.from < i.to; });
     if (is_clear) out.push_back(i);
   }
-  std::sort(out.begin(), out.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  std::sort(out.begin(), out.end(),
+            [](const Interval& a, const Interval& b) { return a.from < b.from; });
   return out;
 }
 
 // Ascending places without those that fall on their neighbour.
-std::vector<double> between(double from, const std::vector<double>& inner, double to, double tolerance_m) {
+std::vector<double> between(double from, const std::vector<double>& inner, double to,
+                            double tolerance_m) {
   std::vector<double> out{from};
   for (const double at : inner)
     if (at - out.back() > tolerance_m && to - at > tolerance_m) out.push_back(at);
@@ -61,21 +63,23 @@ Interval upright(const OpeningBox& box) { return {box.low.v, box.high.v}; }
 // The lowest opening, and all that stand beside it rather than above it: their middles lie within its height.
 std::vector<bool> lowest_row(std::span<const OpeningBox> openings) {
   const auto middle = [](const OpeningBox& b) { return (b.low.v + b.high.v) / 2; };
-  const auto lowest = std::min_element(openings.begin(), openings.end(), [&](const OpeningBox& a, const OpeningBox& b) {
-    return middle(a) < middle(b);
-  });
+  const auto lowest = std::min_element(
+      openings.begin(), openings.end(),
+      [&](const OpeningBox& a, const OpeningBox& b) { return middle(a) < middle(b); });
   std::vector<bool> out;
   for (const OpeningBox& box : openings) out.push_back(middle(box) <= lowest->high.v);
   return out;
 }
 
 bool is_among(double at, const std::vector<double>& places, double tolerance_m) {
-  return std::any_of(places.begin(), places.end(), [&](double p) { return std::fabs(p - at) <= tolerance_m; });
+  return std::any_of(places.begin(), places.end(),
+                     [&](double p) { return std::fabs(p - at) <= tolerance_m; });
 }
 
 // The ground, the top, cornices, then the rows by their number of openings.
-std::vector<double> wanted_levels(const std::vector<Interval>& rows, std::span<const OpeningBox> long_boxes,
-                                  const OpeningBox& facade, double ground_m, double tolerance_m) {
+std::vector<double> wanted_levels(const std::vector<Interval>& rows,
+                                  std::span<const OpeningBox> long_boxes, const OpeningBox& facade,
+                                  double ground_m, double tolerance_m) {
   std::vector<double> out;
   const auto add = [&](double at) {
     if (!is_among(at, out, tolerance_m)) out.push_back(at);
@@ -106,13 +110,14 @@ std::vector<double> OpeningChain::axes() const {
 }
 
 void OpeningChain::drop_narrowest() {
-  openings.erase(std::min_element(openings.begin(), openings.end(), [](const Interval& a, const Interval& b) {
-    return a.to - a.from < b.to - b.from;
-  }));
+  openings.erase(std::min_element(
+      openings.begin(), openings.end(),
+      [](const Interval& a, const Interval& b) { return a.to - a.from < b.to - b.from; }));
 }
 
-Dimensions find_dimensions(std::span<const OpeningBox> openings, std::span<const OpeningBox> long_boxes,
-                           const OpeningBox& facade, double ground_m, double tolerance_m) {
+Dimensions find_dimensions(std::span<const OpeningBox> openings,
+                           std::span<const OpeningBox> long_boxes, const OpeningBox& facade,
+                           double ground_m, double tolerance_m) {
   Dimensions out;
   std::vector<Interval> upper, lower, heights;
   if (!openings.empty()) {
@@ -131,9 +136,11 @@ Dimensions find_dimensions(std::span<const OpeningBox> openings, std::span<const
   out.rows = chain(heights, facade.low.v, facade.high.v);
   const OpeningChain ground_floor = chain(is_one_row ? upper : lower, facade.low.u, facade.high.u);
   const auto sides = ground_floor.sides(), known = out.columns.sides();
-  if (std::any_of(sides.begin(), sides.end(), [&](double at) { return !is_among(at, known, tolerance_m); }))
+  if (std::any_of(sides.begin(), sides.end(),
+                  [&](double at) { return !is_among(at, known, tolerance_m); }))
     out.ground_floor = ground_floor;
-  out.levels = wanted_levels(alike_joined(heights, tolerance_m), long_boxes, facade, ground_m, tolerance_m);
+  out.levels =
+      wanted_levels(alike_joined(heights, tolerance_m), long_boxes, facade, ground_m, tolerance_m);
   return out;
 }
 

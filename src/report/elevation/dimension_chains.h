@@ -45,7 +45,8 @@ struct Dimensions {
 /// Openings that stand above or beside each other share a column or row when their sides agree within the tolerance:
 /// what repeats is written once, with its mean place. Where columns overlap (doors under windows of another width) the
 /// more frequent one counts. long_boxes: cornices and string courses, for the levels.
-Dimensions find_dimensions(std::span<const OpeningBox> openings, std::span<const OpeningBox> long_boxes,
-                           const OpeningBox& facade, double ground_m, double tolerance_m);
+Dimensions find_dimensions(std::span<const OpeningBox> openings,
+                           std::span<const OpeningBox> long_boxes, const OpeningBox& facade,
+                           double ground_m, double tolerance_m);
 
 }  // namespace jalon

@@ -27,8 +27,9 @@ struct Place {
 // the line. False when one fits nowhere.
 bool place_numbers(const DimensionLine& line, std::vector<Place>& out) {
   const size_t pieces = line.at_mm.size() < 2 ? 0 : line.at_mm.size() - 1;
-  const double way = pieces > 0 && line.at_mm.front() > line.at_mm.back() ? -1 : 1;  // heights grow up the paper
-  double below_end = -INFINITY;  // along the way
+  const double way =
+      pieces > 0 && line.at_mm.front() > line.at_mm.back() ? -1 : 1;  // heights grow up the paper
+  double below_end = -INFINITY;                                       // along the way
   for (size_t i = 0; i < pieces; ++i) {
     const double from = way * line.at_mm[i], to = way * line.at_mm[i + 1];
     Place place{(from + to) / 2, text_of(line.values_m[i], 2), false};
@@ -69,30 +70,36 @@ bool has_room(const DimensionLine& line) {
 void draw_dimension_line(SvgWriter& svg, const DimensionLine& line) {
   if (line.at_mm.size() < 2) return;
   const auto [low, high] = std::minmax_element(line.at_mm.begin(), line.at_mm.end());
-  svg_line(svg, turned(line, *low - kEnd, line.line_mm), turned(line, *high + kEnd, line.line_mm), kInk, kThin);
+  svg_line(svg, turned(line, *low - kEnd, line.line_mm), turned(line, *high + kEnd, line.line_mm),
+           kInk, kThin);
   const double beyond = line.line_mm > line.from_mm ? 1.5 : -1.5;
   for (const double at : line.at_mm) {
-    svg_line(svg, turned(line, at, line.from_mm), turned(line, at, line.line_mm + beyond), kGrey, 0.1);
+    svg_line(svg, turned(line, at, line.from_mm), turned(line, at, line.line_mm + beyond), kGrey,
+             0.1);
     draw_tick(svg, turned(line, at, line.line_mm));
   }
   std::vector<Place> places;
   place_numbers(line, places);
   for (const Place& place : places)
-    svg_text(svg, turned(line, place.middle_mm, line.line_mm + (place.is_below ? kBelow : -kAbove)), kDimensionLinesText,
-             Anchor::kMiddle, place.text, false, line.is_upright);
+    svg_text(svg, turned(line, place.middle_mm, line.line_mm + (place.is_below ? kBelow : -kAbove)),
+             kDimensionLinesText, Anchor::kMiddle, place.text, false, line.is_upright);
 }
 
 void draw_level_marks(SvgWriter& svg, const LevelMarks& marks) {
   std::vector<double> taken;
   for (size_t i = 0; i < marks.at_mm.size(); ++i) {
     const double y = marks.at_mm[i], x = marks.x_mm;
-    if (std::any_of(taken.begin(), taken.end(), [&](double t) { return std::fabs(t - y) < kLevelGap; })) continue;
+    if (std::any_of(taken.begin(), taken.end(),
+                    [&](double t) { return std::fabs(t - y) < kLevelGap; }))
+      continue;
     taken.push_back(y);
     const std::string number = text_of(marks.values_m[i], 2);
     const bool is_zero = number == "0.00";
     svg_line(svg, {x, y}, {x + kLevelMark_mm - 1.5, y}, kInk, kThin);
     const std::vector<Vec2> triangle{{x + 1.6, y}, {x + 0.6, y - 1.7}, {x + 2.6, y - 1.7}};
-    svg.leaf("path", {{"d", svg_polyline(triangle) + "Z"}, {"fill", is_zero ? kInk : "#ffffff"}, {"stroke", kInk},
+    svg.leaf("path", {{"d", svg_polyline(triangle) + "Z"},
+                      {"fill", is_zero ? kInk : "#ffffff"},
+                      {"stroke", kInk},
                       {"stroke-width", kThin}});
     const std::string sign = is_zero ? "\xC2\xB1" : number.front() == '-' ? "" : "+";
     svg_text(svg, {x + 3.2, y - 0.7}, kDimensionLinesText, Anchor::kStart, sign + number);

@@ -14,8 +14,8 @@ namespace jalon {
 struct DimensionLine {
   std::vector<double> at_mm;
   std::vector<double> values_m;
-  double line_mm = 0;    ///< where the line lies: y of a level one, x of an upright one
-  double from_mm = 0;    ///< where extension lines begin
+  double line_mm = 0;  ///< where the line lies: y of a level one, x of an upright one
+  double from_mm = 0;  ///< where extension lines begin
   bool is_upright = false;
 };
 
@@ -33,7 +33,8 @@ struct LevelMarks {
 };
 void draw_level_marks(SvgWriter& svg, const LevelMarks& marks);
 
-constexpr double kDimensionStep_mm = 7.5;  ///< from one dimension line to the next: a number on either side
-constexpr double kLevelMark_mm = 13;       ///< width of a level mark
+constexpr double kDimensionStep_mm =
+    7.5;  ///< from one dimension line to the next: a number on either side
+constexpr double kLevelMark_mm = 13;  ///< width of a level mark
 
 }  // namespace jalon

@@ -10,20 +10,21 @@ namespace jalon {
 
 namespace {
 
-constexpr double kFirst_mm = 5;       // from the window to the first dimension line
-constexpr double kMarkRoom_mm = 1;    // between window and level marks
-constexpr double kBelowLine_mm = 5;   // a number below its line, and air
-constexpr double kLongShare = 0.5;    // of the facade's width: a cornice or string course
-constexpr size_t kFewest = 3;         // places of a chain that tells more than the overall dimension
+constexpr double kFirst_mm = 5;      // from the window to the first dimension line
+constexpr double kMarkRoom_mm = 1;   // between window and level marks
+constexpr double kBelowLine_mm = 5;  // a number below its line, and air
+constexpr double kLongShare = 0.5;   // of the facade's width: a cornice or string course
+constexpr size_t kFewest = 3;        // places of a chain that tells more than the overall dimension
 
-DimensionLine line_of(const std::vector<double>& at, const ElevationDrawing& drawing, double line_mm, double from_mm,
-                      bool is_upright) {
+DimensionLine line_of(const std::vector<double>& at, const ElevationDrawing& drawing,
+                      double line_mm, double from_mm, bool is_upright) {
   DimensionLine line;
   line.line_mm = line_mm;
   line.from_mm = from_mm;
   line.is_upright = is_upright;
   for (size_t i = 0; i < at.size(); ++i) {
-    line.at_mm.push_back(is_upright ? drawing.on_paper({0, at[i]}).v : drawing.on_paper({at[i], 0}).u);
+    line.at_mm.push_back(is_upright ? drawing.on_paper({0, at[i]}).v
+                                    : drawing.on_paper({at[i], 0}).u);
     if (i > 0) line.values_m.push_back(at[i] - at[i - 1]);
   }
   return line;
@@ -62,7 +63,8 @@ void draw_right(SvgWriter& svg, const ElevationDrawing& drawing) {
     draw_dimension_line(svg, line_of(rows, drawing, x, from, true));
     x += kDimensionStep_mm;
   }
-  draw_dimension_line(svg, line_of({drawing.faces.low.v, drawing.faces.high.v}, drawing, x, from, true));
+  draw_dimension_line(svg,
+                      line_of({drawing.faces.low.v, drawing.faces.high.v}, drawing, x, from, true));
 }
 
 }  // namespace
@@ -78,7 +80,8 @@ Dimensions dimensions_of(const ElevationFaces& faces, const ElevationContent& co
       box.low = {std::min(box.low.u, p.u), std::min(box.low.v, p.v)};
       box.high = {std::max(box.high.u, p.u), std::max(box.high.v, p.v)};
     }
-    if (box.high.u - box.low.u >= kLongShare * (faces.high.u - faces.low.u)) long_boxes.push_back(box);
+    if (box.high.u - box.low.u >= kLongShare * (faces.high.u - faces.low.u))
+      long_boxes.push_back(box);
   }
   // Across, the walls are measured, without the cornices that stand out beside them.
   const OpeningBox facade{{faces.wall_low.u, faces.low.v}, {faces.wall_high.u, faces.high.v}};
@@ -88,7 +91,9 @@ Dimensions dimensions_of(const ElevationFaces& faces, const ElevationContent& co
 Margins_mm margins_for(const Dimensions& d) {
   Margins_mm out;
   if (d.levels.empty()) return out;
-  const auto steps = [](const std::vector<double>& chain) { return tells_more(chain) ? kDimensionStep_mm : 0; };
+  const auto steps = [](const std::vector<double>& chain) {
+    return tells_more(chain) ? kDimensionStep_mm : 0;
+  };
   out.above += steps(d.columns.sides()) + steps(d.axes);
   out.right += kMarkRoom_mm + kLevelMark_mm + steps(d.rows.sides());
   if (tells_more(d.ground_floor.sides())) out.below += kFirst_mm + kBelowLine_mm;
@@ -114,7 +119,8 @@ void draw_dimensions(SvgWriter& svg, const ElevationDrawing& drawing) {
   draw_right(svg, drawing);
   const double bottom = drawing.sheet.view.bottom();
   const auto chain = drawing.dimensions.ground_floor.sides();
-  if (tells_more(chain)) draw_dimension_line(svg, line_of(chain, drawing, bottom + kFirst_mm, bottom + 0.5, false));
+  if (tells_more(chain))
+    draw_dimension_line(svg, line_of(chain, drawing, bottom + kFirst_mm, bottom + 0.5, false));
 }
 
 }  // namespace jalon

@@ -21,7 +21,8 @@ DrawnArc drawn_arc(const Vec2& a, const Vec2& b, double sagitta_m, const Vec3& n
   out.flat_m = arc.radius * std::fabs(normal.y);
   out.flat_direction_rad = std::atan2(normal.z, normal.x);
   out.is_large = std::fabs(arc.bulge) > 1;
-  out.is_anticlockwise = (sagitta_m > 0) == (normal.y < 0);  // seen against a normal that points at the eye
+  out.is_anticlockwise =
+      (sagitta_m > 0) == (normal.y < 0);  // seen against a normal that points at the eye
   return out;
 }
 
@@ -56,15 +57,15 @@ void append_ring(std::string& d, const DrawnRing& ring, const OnPaper& on_paper)
     const Vec2 to = on_paper(ring.corners[next]);
     if (!ring.arcs.empty() && ring.arcs[i].radius_m > 0)
       append_arc_command(d, ring.arcs[i], to, on_paper.mm_per_m);
-    else if (next != 0)
-      append_corner(d, 'L', to);
+    else if (next != 0) append_corner(d, 'L', to);
   }
   d += 'Z';
 }
 
 }  // namespace
 
-DrawnRing drawn_ring(const Model& model, const Face& face, uint64_t ring, const ElevationView& view) {
+DrawnRing drawn_ring(const Model& model, const Face& face, uint64_t ring,
+                     const ElevationView& view) {
   DrawnRing out;
   out.ring = ring;
   const Ring& from = model.rings[ring];
@@ -72,7 +73,8 @@ DrawnRing drawn_ring(const Model& model, const Face& face, uint64_t ring, const 
     const Vec3 q = view(p);
     return Vec2{q.x, q.z};
   };
-  for (uint64_t i = 0; i < from.count; ++i) out.corners.push_back(seen(model.vertices[model.corners[from.first + i]]));
+  for (uint64_t i = 0; i < from.count; ++i)
+    out.corners.push_back(seen(model.vertices[model.corners[from.first + i]]));
   if (!has_arc(model, from)) {
     out.polygon = out.corners;
     return out;

@@ -11,8 +11,8 @@ namespace jalon {
 
 /// An arc as the drawing shows it: part of a circle seen at an angle, which is an ellipse.
 struct DrawnArc {
-  double radius_m = 0;  ///< 0: a straight edge
-  double flat_m = 0;    ///< the short half axis
+  double radius_m = 0;            ///< 0: a straight edge
+  double flat_m = 0;              ///< the short half axis
   double flat_direction_rad = 0;  ///< of the short half axis, anticlockwise from x
   bool is_large = false;          ///< more than half the circle
   bool is_anticlockwise = false;  ///< on the drawing
@@ -21,12 +21,13 @@ struct DrawnArc {
 /// A ring of a face on the drawing: (x, z) in facade metres.
 struct DrawnRing {
   std::vector<Vec2> corners;
-  std::vector<DrawnArc> arcs;   ///< of the edge from each corner to the next; empty: all straight
-  std::vector<Vec2> polygon;    ///< the same with arcs as chords, for boxes and tests
-  uint64_t ring = 0;            ///< of the model
+  std::vector<DrawnArc> arcs;  ///< of the edge from each corner to the next; empty: all straight
+  std::vector<Vec2> polygon;   ///< the same with arcs as chords, for boxes and tests
+  uint64_t ring = 0;           ///< of the model
 };
 
-DrawnRing drawn_ring(const Model& model, const Face& face, uint64_t ring, const ElevationView& view);
+DrawnRing drawn_ring(const Model& model, const Face& face, uint64_t ring,
+                     const ElevationView& view);
 
 /// Scale and place of a drawing on paper.
 struct OnPaper {

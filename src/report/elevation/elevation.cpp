@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kElevationText = 2.5;
 
-void define_hatching(SvgWriter& svg, const std::string& id, double spacing, const char* colour, double width) {
+void define_hatching(SvgWriter& svg, const std::string& id, double spacing, const char* colour,
+                     double width) {
   svg.open("pattern", {{"id", id},
                        {"width", spacing},
                        {"height", spacing},
@@ -27,7 +28,9 @@ void define_hatching(SvgWriter& svg, const std::string& id, double spacing, cons
 void define_patterns(SvgWriter& svg, const Sheet& sheet, const std::string& id) {
   svg.open("defs");
   svg.open("clipPath", {{"id", "window" + id}});
-  svg.leaf("rect", {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width},
+  svg.leaf("rect", {{"x", sheet.view.x},
+                    {"y", sheet.view.y},
+                    {"width", sheet.view.width},
                     {"height", sheet.view.height}});
   svg.close();
   define_hatching(svg, "unknown" + id, 2.2, "#555555", 0.2);
@@ -40,7 +43,8 @@ void draw_axes(SvgWriter& svg, const ElevationDrawing& drawing) {
   const Sheet& sheet = drawing.sheet;
   const Window& w = drawing.window;
   const double mm = sheet.mm_of(1);
-  const Ticks x = make_ticks(w.low.u - drawing.faces.wall_low.u, w.high.u - drawing.faces.wall_low.u, 12 / mm);
+  const Ticks x =
+      make_ticks(w.low.u - drawing.faces.wall_low.u, w.high.u - drawing.faces.wall_low.u, 12 / mm);
   const Ticks z = make_ticks(w.low.v, w.high.v, 8 / mm);
   const Box_mm& v = sheet.view;
   const double axis = v.bottom() + margins_for(drawing.dimensions).below - Margins_mm{}.below;
@@ -57,8 +61,10 @@ void draw_axes(SvgWriter& svg, const ElevationDrawing& drawing) {
     svg_line(svg, {v.x - 1.5, at}, {v.x, at}, kInk, 0.18);
     svg_text(svg, {v.x - 2.3, at + 0.9}, kElevationText, Anchor::kEnd, z.label(value));
   }
-  svg_text(svg, {v.x + v.width / 2, axis + 9.5}, 2.8, Anchor::kMiddle, "Distance along the facade (m)");
-  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, 2.8, Anchor::kMiddle, "Height Z (m)", false, true);
+  svg_text(svg, {v.x + v.width / 2, axis + 9.5}, 2.8, Anchor::kMiddle,
+           "Distance along the facade (m)");
+  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, 2.8, Anchor::kMiddle, "Height Z (m)", false,
+           true);
 }
 
 void draw_border(SvgWriter& svg, const Box_mm& box, double width) {
@@ -76,7 +82,8 @@ void draw_border(SvgWriter& svg, const Box_mm& box, double width) {
 Window window_of(const ElevationFaces& faces) {
   constexpr double kRim = 0.02, kSmallest_m = 0.01;
   if (faces.empty) return {{0, 0}, {1, 1}};
-  const double size = std::max({faces.high.u - faces.low.u, faces.high.v - faces.low.v, kSmallest_m});
+  const double size =
+      std::max({faces.high.u - faces.low.u, faces.high.v - faces.low.v, kSmallest_m});
   const Vec2 rim{kRim * size, kRim * size};
   return {Vec2{faces.low.u, std::min(faces.low.v, faces.ground_m)} - rim, faces.high + rim};
 }
@@ -94,8 +101,8 @@ std::string draw_elevation(const ElevationDrawing& drawing) {
   svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
   define_patterns(svg, sheet, drawing.content.id);
   if (drawing.faces.empty) {
-    svg_text(svg, {sheet.view.x + sheet.view.width / 2, sheet.view.y + sheet.view.height / 2}, 4, Anchor::kMiddle,
-             "no planes to draw");
+    svg_text(svg, {sheet.view.x + sheet.view.width / 2, sheet.view.y + sheet.view.height / 2}, 4,
+             Anchor::kMiddle, "no planes to draw");
   } else {
     draw_axes(svg, drawing);
     draw_body(svg, drawing);

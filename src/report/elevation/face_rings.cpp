@@ -33,7 +33,9 @@ std::vector<Vec2> ring_polygon(const Model& model, const Ring& ring, const Plane
 
 RingBox ring_box(const Model& model, const FaceRing& at) {
   RingBox box;
-  for (const Vec2& p : ring_polygon(model, model.rings[at.ring], frame_of(model, model.faces[at.face]))) box.add(p);
+  for (const Vec2& p :
+       ring_polygon(model, model.rings[at.ring], frame_of(model, model.faces[at.face])))
+    box.add(p);
   return box;
 }
 

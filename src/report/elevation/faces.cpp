@@ -40,11 +40,14 @@ DrawnFace::Kind kind_of(const Face& face, const ElevationView& view, double fron
   if (facing >= std::cos(front_angle_rad)) return DrawnFace::Kind::kFront;
   if (facing < kEdgeOnCosine) return DrawnFace::Kind::kEdgeOn;
   const auto orientation = static_cast<Orientation>(face.face_class);
-  return orientation == Orientation::kVertical || orientation == Orientation::kHorizontal ? DrawnFace::Kind::kEdgeOn
-                                                                                          : DrawnFace::Kind::kSlanted;
+  return orientation == Orientation::kVertical || orientation == Orientation::kHorizontal
+             ? DrawnFace::Kind::kEdgeOn
+             : DrawnFace::Kind::kSlanted;
 }
 
-bool is_hole_class(const Model& model, uint32_t part) { return is_opening_class(model.parts[part].part_class); }
+bool is_hole_class(const Model& model, uint32_t part) {
+  return is_opening_class(model.parts[part].part_class);
+}
 
 DrawnFace::Role role_of(const Model& model, const PartTree& tree, const Face& face) {
   if (face.part >= model.parts.size()) return DrawnFace::Role::kElement;
@@ -52,7 +55,8 @@ DrawnFace::Role role_of(const Model& model, const PartTree& tree, const Face& fa
   if (c == part_class::kNoData) return DrawnFace::Role::kNoData;
   if (c == part_class::kGround) return DrawnFace::Role::kGround;
   if (c == part_class::kWall) return DrawnFace::Role::kWall;
-  const bool is_inside = tree.nearest(face.part, [&](uint32_t p) { return is_hole_class(model, p); }) != kNoPart;
+  const bool is_inside =
+      tree.nearest(face.part, [&](uint32_t p) { return is_hole_class(model, p); }) != kNoPart;
   return is_inside ? DrawnFace::Role::kInside : DrawnFace::Role::kElement;
 }
 
@@ -70,13 +74,14 @@ bool is_reveal(const Model& model, const Face& face) {
 // A face seen edge-on is a line: level for horizontal planes, upright for the others.
 void set_edge(DrawnFace& out, const Face& face, const ElevationView& view, const Extent& extent) {
   const Vec3 mean = extent.mean();
-  const bool is_level = std::fabs(view.T_view_world.direction(face.plane.normal).z) > std::sqrt(0.5);
+  const bool is_level =
+      std::fabs(view.T_view_world.direction(face.plane.normal).z) > std::sqrt(0.5);
   out.edge[0] = is_level ? Vec2{extent.low.x, mean.z} : Vec2{mean.x, extent.low.z};
   out.edge[1] = is_level ? Vec2{extent.high.x, mean.z} : Vec2{mean.x, extent.high.z};
 }
 
-DrawnFace draw_face(const Model& model, const PartTree& tree, size_t index, const ElevationView& view,
-                    double front_angle_rad) {
+DrawnFace draw_face(const Model& model, const PartTree& tree, size_t index,
+                    const ElevationView& view, double front_angle_rad) {
   const Face& face = model.faces[index];
   DrawnFace out;
   out.face = index;
@@ -89,7 +94,8 @@ DrawnFace draw_face(const Model& model, const PartTree& tree, size_t index, cons
   Extent extent;
   if (face.ring_count > 0) {
     const Ring& ring = model.rings[face.first_ring];
-    for (uint64_t i = 0; i < ring.count; ++i) extent.add(view(model.vertices[model.corners[ring.first + i]]));
+    for (uint64_t i = 0; i < ring.count; ++i)
+      extent.add(view(model.vertices[model.corners[ring.first + i]]));
   }
   if (extent.n == 0) return out;
   out.depth_m = extent.mean().y;
@@ -111,7 +117,8 @@ void rank_groups(std::vector<DepthGroup>& groups) {
 std::vector<DepthGroup> group_depths(std::vector<DrawnFace>& faces) {
   std::vector<DrawnFace*> front;
   for (DrawnFace& face : faces)
-    if (face.kind == DrawnFace::Kind::kFront && face.role != DrawnFace::Role::kNoData) front.push_back(&face);
+    if (face.kind == DrawnFace::Kind::kFront && face.role != DrawnFace::Role::kNoData)
+      front.push_back(&face);
   std::stable_sort(front.begin(), front.end(),
                    [](const DrawnFace* a, const DrawnFace* b) { return a->depth_m < b->depth_m; });
   std::vector<DepthGroup> groups;
@@ -120,7 +127,8 @@ std::vector<DepthGroup> group_depths(std::vector<DrawnFace>& faces) {
     for (DrawnFace* face : front) {
       const double depth = face->depth_m;
       const int side = std::fabs(depth) <= step / 2 ? 0 : depth < 0 ? -1 : 1;
-      if (groups.empty() || side != groups.back().side || (side != 0 && depth - groups.back().from_m > step))
+      if (groups.empty() || side != groups.back().side ||
+          (side != 0 && depth - groups.back().from_m > step))
         groups.push_back({depth, depth, 0, side, 0});
       groups.back().to_m = depth;
       ++groups.back().faces;
@@ -154,7 +162,8 @@ void set_box(ElevationFaces& out) {
   out.wall_high = {body.high.x, body.high.z};
   out.ground_m = out.low.v;
   // Ground far below is another level (a river, a basement area), and no foot of this facade.
-  if (ground.n > 0 && std::fabs(ground.low.z - out.low.v) < (out.high.v - out.low.v) / 2) out.ground_m = ground.low.z;
+  if (ground.n > 0 && std::fabs(ground.low.z - out.low.v) < (out.high.v - out.low.v) / 2)
+    out.ground_m = ground.low.z;
 }
 
 // The front face of the largest area that is a wall; of any role where none is.
@@ -189,15 +198,18 @@ void leave_out(std::vector<DrawnFace>& faces, const ViewLimits& limits) {
 
 }  // namespace
 
-ElevationFaces elevation_faces(const Model& model, const ElevationView& view, const ViewLimits& limits, Task& task) {
+ElevationFaces elevation_faces(const Model& model, const ElevationView& view,
+                               const ViewLimits& limits, Task& task) {
   ElevationFaces out;
   const PartTree tree(model);
   for (size_t i = 0; i < model.faces.size(); ++i) {
-    if (i % 64 == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(model.faces.size()));
+    if (i % 64 == 0)
+      task.checkpoint(static_cast<double>(i) / static_cast<double>(model.faces.size()));
     if (!view.shows(i)) continue;
     DrawnFace drawn = draw_face(model, tree, i, view, limits.front_angle_rad);
     if (drawn.rings.empty() || drawn.rings.front().corners.size() < 2) continue;
-    if (drawn.kind == DrawnFace::Kind::kEdgeOn && is_reveal(model, model.faces[i])) continue;  // the contour itself
+    if (drawn.kind == DrawnFace::Kind::kEdgeOn && is_reveal(model, model.faces[i]))
+      continue;  // the contour itself
     out.faces.push_back(std::move(drawn));
   }
   const size_t main = main_face(out, model);
@@ -218,7 +230,8 @@ ElevationFaces elevation_faces(const Model& model, const ElevationView& view, co
   set_box(out);
   if (!out.empty)
     out.corner_world =
-        inverse(view.T_view_world).point({out.wall_low.u, main_depth, out.low.v + view.T_view_world.m[11]});
+        inverse(view.T_view_world)
+            .point({out.wall_low.u, main_depth, out.low.v + view.T_view_world.m[11]});
   return out;
 }
 

@@ -15,7 +15,13 @@ namespace jalon {
 /// A face as the drawing shows it, in view coordinates: x to the right along the facade, z up, depth away from the eye.
 struct DrawnFace {
   enum class Kind : uint8_t { kFront, kEdgeOn, kSlanted };
-  enum class Role : uint8_t { kWall, kElement, kInside, kGround, kNoData };  ///< kInside: seen in an opening
+  enum class Role : uint8_t {
+    kWall,
+    kElement,
+    kInside,
+    kGround,
+    kNoData
+  };  ///< kInside: seen in an opening
   Kind kind = Kind::kFront;
   Role role = Role::kElement;
   bool is_copy = false;
@@ -29,11 +35,11 @@ struct DrawnFace {
 
 /// An opening as the drawing shows it.
 struct DrawnOpening {
-  size_t row = 0;                  ///< of the list
-  double depth_m = 0;              ///< of the wall around it
+  size_t row = 0;      ///< of the list
+  double depth_m = 0;  ///< of the wall around it
   std::vector<DrawnRing> contour;
   Vec2 low, high;
-  bool is_empty = false;           ///< nothing was seen in it: drawn with the cross of an open hole
+  bool is_empty = false;  ///< nothing was seen in it: drawn with the cross of an open hole
 };
 
 /// Front faces of about one depth: one colour.
@@ -45,9 +51,9 @@ struct DepthGroup {
 };
 
 struct ElevationFaces {
-  std::vector<DrawnFace> faces;        ///< farthest first
-  std::vector<DepthGroup> groups;      ///< nearest to the eye first
-  OpeningList list;                    ///< of the whole model
+  std::vector<DrawnFace> faces;    ///< farthest first
+  std::vector<DepthGroup> groups;  ///< nearest to the eye first
+  OpeningList list;                ///< of the whole model
   bool has_named_openings = false;
   std::vector<DrawnOpening> openings;  ///< of the faces shown, farthest first
   std::vector<DrawnRing> unknown;      ///< holes of walls without knowledge of what is there
@@ -56,13 +62,14 @@ struct ElevationFaces {
   double ground_m = 0;                 ///< lowest ground, else the lowest point of the box
   double main_sigma_m = 0;             ///< of the main plane
   bool empty = true;
-  Vec3 corner_world;                   ///< of the main plane: left end of the walls, lowest height of the box
+  Vec3 corner_world;  ///< of the main plane: left end of the walls, lowest height of the box
 };
 
 constexpr size_t kMaxDepthGroups = 8;
 
 /// The model's faces and openings within these limits.
-ElevationFaces elevation_faces(const Model& model, const ElevationView& view, const ViewLimits& limits, Task& task);
+ElevationFaces elevation_faces(const Model& model, const ElevationView& view,
+                               const ViewLimits& limits, Task& task);
 
 /// Adds what is shown of the openings; the faces must be there.
 void add_openings(ElevationFaces& out, const Model& model, const ElevationView& view);

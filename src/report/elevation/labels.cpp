@@ -20,7 +20,8 @@ bool overlap(const Box_mm& a, const Box_mm& b) {
 class Taken {
  public:
   bool take(const Box_mm& box) {
-    if (std::any_of(boxes_.begin(), boxes_.end(), [&](const Box_mm& b) { return overlap(box, b); })) return false;
+    if (std::any_of(boxes_.begin(), boxes_.end(), [&](const Box_mm& b) { return overlap(box, b); }))
+      return false;
     boxes_.push_back(box);
     return true;
   }
@@ -37,9 +38,11 @@ bool is_inside(const DrawnFace& face, const Vec2& p) {
 
 // Is a point at this depth hidden by a nearer front face?
 bool is_covered(const Vec2& p, const ElevationFaces& faces, double depth_m) {
-  return std::any_of(faces.faces.rbegin(), faces.faces.rend(), [&](const DrawnFace& face) {  // the nearest come last
-    return face.depth_m < depth_m && face.kind == DrawnFace::Kind::kFront && is_inside(face, p);
-  });
+  return std::any_of(faces.faces.rbegin(), faces.faces.rend(),
+                     [&](const DrawnFace& face) {  // the nearest come last
+                       return face.depth_m < depth_m && face.kind == DrawnFace::Kind::kFront &&
+                              is_inside(face, p);
+                     });
 }
 
 // The point of a face farthest from its borders, on a coarse raster: where a label has most room. Returns the room.
@@ -71,7 +74,8 @@ double roomiest_point(const DrawnFace& face, Vec2& best) {
 }
 
 // Types stand in a white field at the middle of their openings.
-void draw_type(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnOpening& opening, Taken& taken) {
+void draw_type(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnOpening& opening,
+               Taken& taken) {
   const ElevationFaces& faces = drawing.faces;
   const OpeningRow& row = faces.list.rows[opening.row];
   const Vec2 middle = (opening.low + opening.high) * 0.5;
@@ -83,21 +87,31 @@ void draw_type(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnOpeni
   const Vec2 p = drawing.on_paper(middle);
   const Box_mm box{p.u - width / 2, p.v - 0.62 * size, width, 1.24 * size};
   if (!taken.take(box)) return;
-  svg.leaf("rect", {{"x", box.x}, {"y", box.y}, {"width", box.width}, {"height", box.height}, {"rx", 0.5},
-                    {"fill", "#ffffff"}, {"fill-opacity", 0.85}});
-  svg_text(svg, {p.u, p.v + 0.36 * size}, size, Anchor::kMiddle, tag, true, false, opening_colour(row.part_class));
+  svg.leaf("rect", {{"x", box.x},
+                    {"y", box.y},
+                    {"width", box.width},
+                    {"height", box.height},
+                    {"rx", 0.5},
+                    {"fill", "#ffffff"},
+                    {"fill-opacity", 0.85}});
+  svg_text(svg, {p.u, p.v + 0.36 * size}, size, Anchor::kMiddle, tag, true, false,
+           opening_colour(row.part_class));
 }
 
 // The plane's number, as in the report's table, where there is room for it.
-void draw_number(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnFace& face, Taken& taken) {
+void draw_number(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnFace& face,
+                 Taken& taken) {
   Vec2 at;
   const std::string text = std::to_string(face.label);
-  const double room = drawing.sheet.mm_of(roomiest_point(face, at)), width = text_width(text, kLabelsText);
-  if (room < std::max(kLabelsText, width) * 0.6 || is_covered(at, drawing.faces, face.depth_m)) return;
+  const double room = drawing.sheet.mm_of(roomiest_point(face, at)),
+               width = text_width(text, kLabelsText);
+  if (room < std::max(kLabelsText, width) * 0.6 || is_covered(at, drawing.faces, face.depth_m))
+    return;
   const Vec2 p = drawing.on_paper(at);
   if (!taken.take({p.u - width / 2, p.v - kLabelsText, width, 2 * kLabelsText})) return;
   const std::string fill = group_colour(drawing.faces, face.group, drawing.content.colours);
-  svg_text(svg, {p.u, p.v + 0.9}, kLabelsText, Anchor::kMiddle, text, true, false, is_dark(fill) ? "#ffffff" : kInk);
+  svg_text(svg, {p.u, p.v + 0.9}, kLabelsText, Anchor::kMiddle, text, true, false,
+           is_dark(fill) ? "#ffffff" : kInk);
 }
 
 }  // namespace
@@ -109,7 +123,8 @@ void draw_labels(SvgWriter& svg, const ElevationDrawing& drawing) {
     for (const DrawnOpening& opening : faces.openings) draw_type(svg, drawing, opening, taken);
   else
     for (size_t i = faces.faces.size(); i-- > 0;)
-      if (faces.faces[i].kind == DrawnFace::Kind::kFront) draw_number(svg, drawing, faces.faces[i], taken);
+      if (faces.faces[i].kind == DrawnFace::Kind::kFront)
+        draw_number(svg, drawing, faces.faces[i], taken);
 }
 
 }  // namespace jalon

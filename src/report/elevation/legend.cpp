@@ -23,7 +23,8 @@ std::string depth_text(double depth_m) {
 
 std::string group_text(const DepthGroup& group) {
   const std::string from = depth_text(group.from_m), to = depth_text(group.to_m);
-  return (from == to ? from : from + " to " + to) + (group.faces > 1 ? " (" + std::to_string(group.faces) + ")" : "");
+  return (from == to ? from : from + " to " + to) +
+         (group.faces > 1 ? " (" + std::to_string(group.faces) + ")" : "");
 }
 
 void add_depths(std::vector<LegendItem>& items, const ElevationFaces& faces,
@@ -42,7 +43,9 @@ void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces,
   const auto add = [&](bool occurs, Sign sign, const std::string& colour, const char* text) {
     if (occurs) items.push_back({sign, colour, text, "", ""});
   };
-  const auto any_face = [&](auto test) { return std::any_of(faces.faces.begin(), faces.faces.end(), test); };
+  const auto any_face = [&](auto test) {
+    return std::any_of(faces.faces.begin(), faces.faces.end(), test);
+  };
   const auto any_opening = [&](auto test) {
     return std::any_of(faces.openings.begin(), faces.openings.end(),
                        [&](const DrawnOpening& o) { return test(o, faces.list.rows[o.row]); });
@@ -53,12 +56,13 @@ void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces,
   };
   add(has_class(part_class::kWindow), Sign::kLine, opening_colour(part_class::kWindow), "window");
   add(has_class(part_class::kDoor), Sign::kLine, opening_colour(part_class::kDoor), "door");
-  add(has_class(part_class::kOpening), Sign::kLine, opening_colour(part_class::kOpening), "other opening");
+  add(has_class(part_class::kOpening), Sign::kLine, opening_colour(part_class::kOpening),
+      "other opening");
   add(any_opening([](const DrawnOpening&, const OpeningRow& r) { return r.is_copy(); }) ||
           any_face([](const DrawnFace& f) { return f.is_copy; }),
       Sign::kDashes, kInk, "copied: not measured here");
-  add(any_opening([](const DrawnOpening& o, const OpeningRow&) { return o.is_empty; }), Sign::kCross, kGrey,
-      "nothing seen in it");
+  add(any_opening([](const DrawnOpening& o, const OpeningRow&) { return o.is_empty; }),
+      Sign::kCross, kGrey, "nothing seen in it");
   add(any_face([](const DrawnFace& f) {
         return f.kind == DrawnFace::Kind::kEdgeOn && f.role != DrawnFace::Role::kGround;
       }),
@@ -67,8 +71,8 @@ void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces,
         return f.kind == DrawnFace::Kind::kEdgeOn && f.role == DrawnFace::Role::kGround;
       }),
       Sign::kLine, kInk, "ground");
-  add(any_face([](const DrawnFace& f) { return f.kind == DrawnFace::Kind::kSlanted; }), Sign::kSwatch,
-      kSlantedFill, "plane seen at an angle");
+  add(any_face([](const DrawnFace& f) { return f.kind == DrawnFace::Kind::kSlanted; }),
+      Sign::kSwatch, kSlantedFill, "plane seen at an angle");
   add(!faces.unknown.empty() ||
           any_face([](const DrawnFace& f) { return f.role == DrawnFace::Role::kNoData; }),
       Sign::kSwatch, "url(#unknown" + content.id + ")", "no data");
@@ -85,7 +89,8 @@ void add_types(std::vector<LegendItem>& items, const ElevationFaces& faces) {
     const OpeningType& type = faces.list.types[i];
     if (shown[i] == 0) continue;
     items.push_back({Sign::kType, opening_colour(type.part_class),
-                     text_of(type.width_m, 2) + " x " + text_of(type.height_m, 2) + (type.arched ? " arch" : ""),
+                     text_of(type.width_m, 2) + " x " + text_of(type.height_m, 2) +
+                         (type.arched ? " arch" : ""),
                      type.tag, std::to_string(shown[i])});
   }
 }
@@ -99,8 +104,12 @@ void draw_sign(SvgWriter& svg, const LegendItem& item, double x, double y) {
   switch (item.sign) {
     case Sign::kSwatch:
     case Sign::kCross:
-      svg.leaf("rect", {{"x", x}, {"y", y}, {"width", kSwatch}, {"height", kSwatchHeight},
-                        {"fill", item.sign == Sign::kCross ? "#ffffff" : item.colour}, {"stroke", kInk},
+      svg.leaf("rect", {{"x", x},
+                        {"y", y},
+                        {"width", kSwatch},
+                        {"height", kSwatchHeight},
+                        {"fill", item.sign == Sign::kCross ? "#ffffff" : item.colour},
+                        {"stroke", kInk},
                         {"stroke-width", 0.18}});
       if (item.sign == Sign::kSwatch) break;
       svg_line(svg, {x, y}, {x + kSwatch, y + kSwatchHeight}, kGrey, 0.13);
@@ -108,24 +117,35 @@ void draw_sign(SvgWriter& svg, const LegendItem& item, double x, double y) {
       break;
     case Sign::kLine:
     case Sign::kDashes:
-      svg.leaf("line", {{"x1", x}, {"y1", middle}, {"x2", x + kSwatch}, {"y2", middle}, {"stroke", item.colour},
-                        {"stroke-width", 0.4}, {"stroke-dasharray", item.sign == Sign::kDashes ? "1.4 0.8" : "none"}});
+      svg.leaf("line", {{"x1", x},
+                        {"y1", middle},
+                        {"x2", x + kSwatch},
+                        {"y2", middle},
+                        {"stroke", item.colour},
+                        {"stroke-width", 0.4},
+                        {"stroke-dasharray", item.sign == Sign::kDashes ? "1.4 0.8" : "none"}});
       break;
-    default: break;
+    default:
+      break;
   }
 }
 
 void draw_item(SvgWriter& svg, const LegendItem& item, double x, double y, double width) {
   const double base = y + 2.6;
   switch (item.sign) {
-    case Sign::kGap: return;
-    case Sign::kHeading: return svg_text(svg, {x, base}, 2.8, Anchor::kStart, item.text, true);
-    case Sign::kNote: return svg_text(svg, {x, y + 1.6}, 2, Anchor::kStart, item.text, false, false, kGrey);
+    case Sign::kGap:
+      return;
+    case Sign::kHeading:
+      return svg_text(svg, {x, base}, 2.8, Anchor::kStart, item.text, true);
+    case Sign::kNote:
+      return svg_text(svg, {x, y + 1.6}, 2, Anchor::kStart, item.text, false, false, kGrey);
     case Sign::kType:
-      svg_text(svg, {x, base}, kLegendText, Anchor::kStart, item.tag, true, false, item.colour.c_str());
+      svg_text(svg, {x, base}, kLegendText, Anchor::kStart, item.tag, true, false,
+               item.colour.c_str());
       svg_text(svg, {x + kSwatch + 2, base}, kLegendText, Anchor::kStart, item.text);
       return svg_text(svg, {x + width, base}, kLegendText, Anchor::kEnd, item.count);
-    default: break;
+    default:
+      break;
   }
   draw_sign(svg, item, x, y);
   svg_text(svg, {x + kSwatch + 2, base}, kLegendText, Anchor::kStart, item.text);
@@ -154,7 +174,8 @@ void draw_legend(SvgWriter& svg, const std::vector<LegendItem>& items, const She
   for (size_t i = 0; i < items.size(); ++i) {
     const bool is_last = i + 1 == items.size();
     if (y + kRow * (is_last ? 1 : 2) > sheet.legend.bottom()) {
-      svg_text(svg, {x, y + 2.6}, kLegendText, Anchor::kStart, "and " + std::to_string(items.size() - i) + " more lines");
+      svg_text(svg, {x, y + 2.6}, kLegendText, Anchor::kStart,
+               "and " + std::to_string(items.size() - i) + " more lines");
       return;
     }
     draw_item(svg, items[i], x, y, width);

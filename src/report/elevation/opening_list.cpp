@@ -48,15 +48,15 @@ std::vector<std::vector<size_t>> faces_inside(const Model& model, const PartTree
     const Face& face = model.faces[f];
     if (face.part >= model.parts.size() || face.ring_count == 0) continue;
     if (model.parts[face.part].part_class == part_class::kReveal) continue;
-    const uint32_t opening =
-        tree.nearest(face.part, [&](uint32_t p) { return is_opening_class(model.parts[p].part_class); });
+    const uint32_t opening = tree.nearest(
+        face.part, [&](uint32_t p) { return is_opening_class(model.parts[p].part_class); });
     if (opening != kNoPart) out[opening].push_back(f);
   }
   return out;
 }
 
-OpeningRow row_of(const Model& model, const PartTree& tree, uint32_t part, std::vector<FaceRing> holes,
-                  std::vector<size_t> inside) {
+OpeningRow row_of(const Model& model, const PartTree& tree, uint32_t part,
+                  std::vector<FaceRing> holes, std::vector<size_t> inside) {
   const Part& p = model.parts[part];
   OpeningRow row;
   row.part = part;
@@ -67,10 +67,12 @@ OpeningRow row_of(const Model& model, const PartTree& tree, uint32_t part, std::
   row.depth_m = p.depth_m;
   row.contour = std::move(holes);
   row.joinery = std::move(inside);
-  if (row.contour.empty())  // a door that reaches the ground is a notch of the wall's outline, and no hole
+  if (row.contour
+          .empty())  // a door that reaches the ground is a notch of the wall's outline, and no hole
     for (const size_t f : row.joinery) row.contour.push_back({f, model.faces[f].first_ring});
   if (!row.contour.empty()) row.wall = row.contour.front().face;
-  const bool is_notch = !row.contour.empty() && row.contour.front().ring == model.faces[row.wall].first_ring;
+  const bool is_notch =
+      !row.contour.empty() && row.contour.front().ring == model.faces[row.wall].first_ring;
   if (is_notch && p.parent < model.parts.size() && !tree.faces()[p.parent].empty())
     row.wall = tree.faces()[p.parent].front();
   measure(row, model);
@@ -108,11 +110,14 @@ std::vector<OpeningRow> unnamed_holes(const Model& model) {
   return rows;
 }
 
-int class_rank(std::string_view c) { return c == part_class::kWindow ? 0 : c == part_class::kDoor ? 1 : 2; }
+int class_rank(std::string_view c) {
+  return c == part_class::kWindow ? 0 : c == part_class::kDoor ? 1 : 2;
+}
 
 bool is_alike(const OpeningType& type, const OpeningRow& row, double tolerance_m) {
   return class_rank(type.part_class) == class_rank(row.part_class) && type.arched == row.arched &&
-         std::fabs(type.width_m - row.width_m) <= tolerance_m && std::fabs(type.height_m - row.height_m) <= tolerance_m;
+         std::fabs(type.width_m - row.width_m) <= tolerance_m &&
+         std::fabs(type.height_m - row.height_m) <= tolerance_m;
 }
 
 // The first type that the row fits joins it; its means follow.
@@ -120,7 +125,8 @@ void sort_into_types(OpeningList& list, double tolerance_m) {
   for (OpeningRow& row : list.rows) {
     auto type = std::find_if(list.types.begin(), list.types.end(),
                              [&](const OpeningType& t) { return is_alike(t, row, tolerance_m); });
-    if (type == list.types.end()) type = list.types.insert(type, {"", row.part_class, 0, 0, row.arched, 0, 0});
+    if (type == list.types.end())
+      type = list.types.insert(type, {"", row.part_class, 0, 0, row.arched, 0, 0});
     const auto n = static_cast<double>(++type->count);
     type->copies += row.is_copy();
     type->width_m += (row.width_m - type->width_m) / n;

@@ -29,9 +29,10 @@ struct OpeningRow {
   double sigma_height_m = kNaN;
   double sigma_depth_m = kNaN;
   bool arched = false;  ///< its contour has an arc
-  std::vector<FaceRing> contour;  ///< holes of the wall, or the outlines of its own faces where it is no hole
-  std::vector<size_t> joinery;    ///< faces seen in it
-  size_t wall = 0;                ///< face of the wall around it; where none is known that of its own contour
+  std::vector<FaceRing>
+      contour;  ///< holes of the wall, or the outlines of its own faces where it is no hole
+  std::vector<size_t> joinery;  ///< faces seen in it
+  size_t wall = 0;  ///< face of the wall around it; where none is known that of its own contour
   size_t type = 0;
 
   bool is_copy() const { return evidence == Evidence::kCopied || copied_from != kNoParent; }
@@ -39,7 +40,8 @@ struct OpeningRow {
 
 /// Openings of one class, form and size.
 struct OpeningType {
-  std::string tag;  ///< W1, W2 ... windows; D1 ... doors; O1 ... other openings: by falling number, then falling size
+  std::string
+      tag;  ///< W1, W2 ... windows; D1 ... doors; O1 ... other openings: by falling number, then falling size
   std::string part_class;
   double width_m = 0, height_m = 0;  ///< means
   bool arched = false;

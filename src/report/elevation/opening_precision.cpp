@@ -31,7 +31,8 @@ struct Corner {
 };
 
 // Of the corners farthest along d: mean of their variances along the axis, of those that have one; NaN for none.
-double side_variance(const Model& model, const std::vector<Corner>& corners, const Vec3& axis, const Vec2& d) {
+double side_variance(const Model& model, const std::vector<Corner>& corners, const Vec3& axis,
+                     const Vec2& d) {
   double most = -INFINITY;
   for (const Corner& c : corners) most = std::max(most, dot(c.at, d));
   double sum = 0;
@@ -45,7 +46,8 @@ double side_variance(const Model& model, const std::vector<Corner>& corners, con
   return sum / static_cast<double>(n);
 }
 
-void append_corners(std::vector<Corner>& out, const Model& model, const Ring& ring, const PlaneFrame& frame) {
+void append_corners(std::vector<Corner>& out, const Model& model, const Ring& ring,
+                    const PlaneFrame& frame) {
   for (uint64_t i = 0; i < ring.count; ++i) {
     const uint32_t vertex = model.corners[ring.first + i];
     out.push_back({frame.project(model.vertices[vertex]), vertex});
@@ -53,32 +55,38 @@ void append_corners(std::vector<Corner>& out, const Model& model, const Ring& ri
 }
 
 // What closes a notch of the wall has its corners behind those of the wall, and these are the ones that were measured.
-void move_to_wall(std::vector<Corner>& corners, const OpeningRow& row, const Model& model, const PlaneFrame& frame) {
+void move_to_wall(std::vector<Corner>& corners, const OpeningRow& row, const Model& model,
+                  const PlaneFrame& frame) {
   std::vector<Corner> outline;
   append_corners(outline, model, model.rings[model.faces[row.wall].first_ring], frame);
   for (Corner& corner : corners) {
-    const auto nearest = std::min_element(outline.begin(), outline.end(), [&](const Corner& a, const Corner& b) {
-      return norm(a.at - corner.at) < norm(b.at - corner.at);
-    });
-    if (nearest != outline.end() && norm(nearest->at - corner.at) <= kSameCorner_m) corner = *nearest;
+    const auto nearest =
+        std::min_element(outline.begin(), outline.end(), [&](const Corner& a, const Corner& b) {
+          return norm(a.at - corner.at) < norm(b.at - corner.at);
+        });
+    if (nearest != outline.end() && norm(nearest->at - corner.at) <= kSameCorner_m)
+      corner = *nearest;
   }
 }
 
 void set_box_precision(OpeningRow& row, const Model& model) {
   const PlaneFrame frame = frame_of(model, model.faces[row.wall]);
   std::vector<Corner> corners;
-  for (const FaceRing& at : row.contour) append_corners(corners, model, model.rings[at.ring], frame);
+  for (const FaceRing& at : row.contour)
+    append_corners(corners, model, model.rings[at.ring], frame);
   if (row.wall != row.contour.front().face && model.faces[row.wall].ring_count > 0)
     move_to_wall(corners, row, model, frame);
   const auto sigma_across = [&](const Vec3& axis, const Vec2& d) {
-    return std::sqrt(side_variance(model, corners, axis, d) + side_variance(model, corners, axis, d * -1.0));
+    return std::sqrt(side_variance(model, corners, axis, d) +
+                     side_variance(model, corners, axis, d * -1.0));
   };
   row.sigma_width_m = sigma_across(frame.axis_u, {1, 0});
   row.sigma_height_m = sigma_across(frame.axis_v, {0, 1});
 }
 
 bool has_covariance(const Face& face) {
-  return std::any_of(face.covariance.begin(), face.covariance.end(), [](double c) { return c != 0; });
+  return std::any_of(face.covariance.begin(), face.covariance.end(),
+                     [](double c) { return c != 0; });
 }
 
 // Joinery is the face behind the wall, not the outline itself.
@@ -91,7 +99,8 @@ void set_depth_precision(OpeningRow& row, const Model& model) {
   Vec3 middle;
   for (uint64_t i = 0; i < ring.count; ++i)
     middle += model.vertices[model.corners[ring.first + i]] / static_cast<double>(ring.count);
-  row.sigma_depth_m = std::hypot(sigma_at(wall.covariance, middle), sigma_at(pane.covariance, middle));
+  row.sigma_depth_m =
+      std::hypot(sigma_at(wall.covariance, middle), sigma_at(pane.covariance, middle));
 }
 
 }  // namespace

@@ -26,15 +26,16 @@ double wall_depth(const OpeningRow& row, const DrawnFace& face) {
   return is_hole || !std::isfinite(row.depth_m) ? face.depth_m : face.depth_m - row.depth_m;
 }
 
-bool draw_opening(DrawnOpening& out, const OpeningRow& row, const Model& model, const ElevationView& view,
-                  const Shown& shown) {
+bool draw_opening(DrawnOpening& out, const OpeningRow& row, const Model& model,
+                  const ElevationView& view, const Shown& shown) {
   out.low = {INFINITY, INFINITY};
   out.high = {-INFINITY, -INFINITY};
   for (const FaceRing& at : row.contour) {
     const auto face = shown.find(at.face);
     if (face == shown.end()) continue;
     if (out.contour.empty()) out.depth_m = wall_depth(row, *face->second);
-    const DrawnRing& ring = out.contour.emplace_back(drawn_ring(model, model.faces[at.face], at.ring, view));
+    const DrawnRing& ring =
+        out.contour.emplace_back(drawn_ring(model, model.faces[at.face], at.ring, view));
     for (const Vec2& p : ring.polygon) {
       out.low = {std::min(out.low.u, p.u), std::min(out.low.v, p.v)};
       out.high = {std::max(out.high.u, p.u), std::max(out.high.v, p.v)};
@@ -52,10 +53,12 @@ void add_openings(ElevationFaces& out, const Model& model, const ElevationView& 
   for (size_t i = 0; i < out.list.rows.size(); ++i) {
     DrawnOpening opening;
     opening.row = i;
-    if (draw_opening(opening, out.list.rows[i], model, view, shown)) out.openings.push_back(std::move(opening));
+    if (draw_opening(opening, out.list.rows[i], model, view, shown))
+      out.openings.push_back(std::move(opening));
   }
-  std::stable_sort(out.openings.begin(), out.openings.end(),
-                   [](const DrawnOpening& a, const DrawnOpening& b) { return a.depth_m > b.depth_m; });
+  std::stable_sort(
+      out.openings.begin(), out.openings.end(),
+      [](const DrawnOpening& a, const DrawnOpening& b) { return a.depth_m > b.depth_m; });
   for (const DrawnFace& face : out.faces)
     if (face.kind == DrawnFace::Kind::kFront && face.role != DrawnFace::Role::kInside)
       for (size_t r = 1; r < face.rings.size(); ++r)

@@ -82,7 +82,11 @@ void draw_view_plan(SvgWriter& svg, const Vec2& centre, const ElevationContent& 
   constexpr double kRadius = 8;
   const Vec2 look{std::sin(content.view_azimuth_rad), -std::cos(content.view_azimuth_rad)};
   const Vec2 along{-look.v, look.u};
-  svg.leaf("circle", {{"cx", centre.u}, {"cy", centre.v}, {"r", kRadius}, {"fill", "none"}, {"stroke", kFaint},
+  svg.leaf("circle", {{"cx", centre.u},
+                      {"cy", centre.v},
+                      {"r", kRadius},
+                      {"fill", "none"},
+                      {"stroke", kFaint},
                       {"stroke-width", 0.18}});
   svg_line(svg, centre - along * (kRadius * 0.8), centre + along * (kRadius * 0.8), kInk, 0.7);
   draw_arrow(svg, centre - look * kRadius, centre - look * 0.6, "#b3472f");
@@ -110,30 +114,41 @@ void draw_scale_bar(SvgWriter& svg, const Sheet& sheet) {
                       {"stroke", kInk},
                       {"stroke-width", 0.18}});
   for (int i = 0; i <= fields; ++i)
-    svg_text(svg, {x + i * field, y + height + 3.2}, kTitleBlockText, Anchor::kMiddle, text_of(i * field_m, decimals));
+    svg_text(svg, {x + i * field, y + height + 3.2}, kTitleBlockText, Anchor::kMiddle,
+             text_of(i * field_m, decimals));
   svg_text(svg, {x + fields * field + 4, y + height + 3.2}, kTitleBlockText, Anchor::kStart, "m");
   if (sheet.frame.width > 0)
-    svg_text(svg, {x, y - 3}, 3, Anchor::kStart, "Scale 1:" + std::to_string(sheet.denominator), true);
+    svg_text(svg, {x, y - 3}, 3, Anchor::kStart, "Scale 1:" + std::to_string(sheet.denominator),
+             true);
 }
 
 void draw_title_block(SvgWriter& svg, const ElevationDrawing& drawing) {
   const Sheet& sheet = drawing.sheet;
   const ElevationContent& s = drawing.content;
-  const double width = std::min(kBlockWidth, sheet.strip.width * kBlockShare), x = sheet.strip.right() - width;
+  const double width = std::min(kBlockWidth, sheet.strip.width * kBlockShare),
+               x = sheet.strip.right() - width;
   const double y = sheet.strip.y, row = sheet.strip.height / 3;
   svg_line(svg, {sheet.strip.x, y}, {sheet.strip.right(), y}, kInk, 0.35);
   if (x - sheet.strip.x > kScaleBarRoom + 30)
     draw_view_plan(svg, {sheet.strip.x + kScaleBarRoom + 14, y + sheet.strip.height / 2}, s);
-  const std::string ground = drawing.faces.empty ? "" : "\xC2\xB1" "0.00 = Z " + text_of(drawing.faces.ground_m, 2);
+  const std::string ground = drawing.faces.empty ? ""
+                                                 : "\xC2\xB1"
+                                                   "0.00 = Z " +
+                                                       text_of(drawing.faces.ground_m, 2);
   const std::string azimuth = text_of(degrees(s.view_azimuth_rad), 1) + "\xC2\xB0";
-  draw_row(svg, {x, y, width, row}, {{"Title", s.title, 4.2, 0.7}, {"Date", s.date, 2.6, 0.15, true}});
+  draw_row(svg, {x, y, width, row},
+           {{"Title", s.title, 4.2, 0.7}, {"Date", s.date, 2.6, 0.15, true}});
   draw_row(svg, {x, y + row, width, row},
-           {{"Source", s.source, 2.3, 0.24, true}, {"Contents", contents(drawing), 2.3, 0.42},
+           {{"Source", s.source, 2.3, 0.24, true},
+            {"Contents", contents(drawing), 2.3, 0.42},
             {"Left lower corner, main plane: X, Y, Z (m)", corner(drawing.faces), 2.3, 0.34}});
-  draw_row(svg, {x, y + 2 * row, width, row},
-           {{"Scale", "1:" + std::to_string(sheet.denominator) + "  (" + sheet.paper + ")", 3.2, 0.22},
-            {s.has_north ? "Direction of view from north" : "Direction of view from +Y", azimuth, 2.5, 0.24},
-            {"Level of the ground (m)", ground, 2.5, 0.24, true}, {"Units; drawn by", "metres; Jalon", 2.5, 0.22}});
+  draw_row(
+      svg, {x, y + 2 * row, width, row},
+      {{"Scale", "1:" + std::to_string(sheet.denominator) + "  (" + sheet.paper + ")", 3.2, 0.22},
+       {s.has_north ? "Direction of view from north" : "Direction of view from +Y", azimuth, 2.5,
+        0.24},
+       {"Level of the ground (m)", ground, 2.5, 0.24, true},
+       {"Units; drawn by", "metres; Jalon", 2.5, 0.22}});
 }
 
 }  // namespace jalon

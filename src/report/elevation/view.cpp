@@ -18,7 +18,8 @@ Transform view_against(const Vec3& outward, const Vec3& origin) {
   const Vec3 away = normalized(Vec3{-outward.x, -outward.y, 0});
   const Vec3 along{away.y, -away.x, 0};  // to the right of an eye that looks along `away`
   Transform t;
-  t.m = {along.x, along.y, 0, -dot(along, origin), away.x, away.y, 0, -dot(away, origin), 0, 0, 1, 0};
+  t.m = {along.x, along.y, 0, -dot(along, origin), away.x, away.y, 0, -dot(away, origin), 0,
+         0,       1,       0};
   return t;
 }
 
@@ -58,11 +59,14 @@ constexpr double kSameWay = 0.7;
 
 // How many more openings of the walls shown have their joinery behind the wall, when seen against this normal, than
 // before it.
-int64_t front_votes(const Model& model, const ElevationView& view, const OpeningList& openings, const Vec3& outward) {
+int64_t front_votes(const Model& model, const ElevationView& view, const OpeningList& openings,
+                    const Vec3& outward) {
   int64_t votes = 0;
   for (const OpeningRow& row : openings.rows) {
-    if (row.contour.empty() || row.joinery.empty() || !view.shows(row.contour.front().face)) continue;
-    if (std::fabs(dot(model.faces[row.wall].plane.normal, normalized(outward))) < kSameWay) continue;
+    if (row.contour.empty() || row.joinery.empty() || !view.shows(row.contour.front().face))
+      continue;
+    if (std::fabs(dot(model.faces[row.wall].plane.normal, normalized(outward))) < kSameWay)
+      continue;
     const Vec3 inward = middle_of(model, model.faces[row.joinery.front()].first_ring) -
                         middle_of(model, row.contour.front().ring);
     const double behind = -dot(inward, outward);
@@ -85,17 +89,20 @@ Vec3 front_of(const Segmentation& segmentation, const Model& model, const Elevat
 }
 
 // The facade frame of a segmentation without stations may look at the back of its main facade.
-Transform whole_view(const Segmentation& segmentation, const Model& model, const ElevationView& view,
-                     const OpeningList& openings) {
+Transform whole_view(const Segmentation& segmentation, const Model& model,
+                     const ElevationView& view, const OpeningList& openings) {
   const Transform& frame = segmentation.T_facade_world;
   const Vec3 outward{-frame.m[4], -frame.m[5], -frame.m[6]};
-  const bool is_front = has_station_poses(segmentation) || front_votes(model, view, openings, outward) >= 0;
+  const bool is_front =
+      has_station_poses(segmentation) || front_votes(model, view, openings, outward) >= 0;
   return is_front ? frame : Transform{{-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0}} * frame;
 }
 
 }  // namespace
 
-double ElevationView::azimuth_rad() const { return std::atan2(T_view_world.m[4], T_view_world.m[5]); }
+double ElevationView::azimuth_rad() const {
+  return std::atan2(T_view_world.m[4], T_view_world.m[5]);
+}
 
 std::vector<uint32_t> facade_parts(const Model& model) {
   std::vector<uint32_t> out;
@@ -104,15 +111,15 @@ std::vector<uint32_t> facade_parts(const Model& model) {
   return out;
 }
 
-ElevationView elevation_view(const Segmentation& segmentation, const Model& model, const OpeningList& openings,
-                             int64_t facade) {
+ElevationView elevation_view(const Segmentation& segmentation, const Model& model,
+                             const OpeningList& openings, int64_t facade) {
   ElevationView view;
   view.T_view_world = whole_view(segmentation, model, view, openings);
   if (facade == 0) return view;
   const auto facades = facade_parts(model);
   if (facade < 0 || static_cast<uint64_t>(facade) > facades.size())
-    fail(Status::kInvalidArgument, "facade %lld of a model that has %zu", static_cast<long long>(facade),
-         facades.size());
+    fail(Status::kInvalidArgument, "facade %lld of a model that has %zu",
+         static_cast<long long>(facade), facades.size());
   const uint32_t chosen = facades[static_cast<size_t>(facade - 1)];
   view.name = part_label(model, chosen);
   const PartTree tree(model);
@@ -122,7 +129,8 @@ ElevationView elevation_view(const Segmentation& segmentation, const Model& mode
     });
   };
   view.shown.resize(model.faces.size());
-  for (size_t f = 0; f < model.faces.size(); ++f) view.shown[f] = facade_of(model.faces[f]) == chosen;
+  for (size_t f = 0; f < model.faces.size(); ++f)
+    view.shown[f] = facade_of(model.faces[f]) == chosen;
   WallSum sum = sum_walls(model, view, true);
   if (!sum.found) sum = sum_walls(model, view, false);
   if (std::hypot(sum.normal.x, sum.normal.y) > 0)

@@ -22,7 +22,8 @@ struct ElevationView {
   /// View coordinates: x to the right, y away from the eye, z world height.
   Vec3 operator()(const Vec3& p) const {
     Vec3 q = T_view_world.point(p);
-    q.z -= T_view_world.m[11];  // the frame turns about Z: what it adds to the height is taken off again
+    q.z -= T_view_world
+               .m[11];  // the frame turns about Z: what it adds to the height is taken off again
     return q;
   }
   /// The eye's direction, clockwise from +Y (grid north).
@@ -36,7 +37,7 @@ std::vector<uint32_t> facade_parts(const Model& model);
 /// what belongs to no facade, against the mean normal of its walls. Where no station is known normals may point either
 /// way: then most joinery lies behind its walls; a facade without is seen from where the main facade is. Throws
 /// kInvalidArgument when there are fewer facades.
-ElevationView elevation_view(const Segmentation& segmentation, const Model& model, const OpeningList& openings,
-                             int64_t facade);
+ElevationView elevation_view(const Segmentation& segmentation, const Model& model,
+                             const OpeningList& openings, int64_t facade);
 
 }  // namespace jalon

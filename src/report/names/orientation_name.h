@@ -8,11 +8,16 @@ namespace jalon {
 
 inline const char* orientation_name(Orientation orientation) {
   switch (orientation) {
-    case Orientation::kParallel: return "parallel";
-    case Orientation::kVertical: return "vertical";
-    case Orientation::kHorizontal: return "horizontal";
-    case Orientation::kInclined: return "inclined";
-    case Orientation::kNone: break;
+    case Orientation::kParallel:
+      return "parallel";
+    case Orientation::kVertical:
+      return "vertical";
+    case Orientation::kHorizontal:
+      return "horizontal";
+    case Orientation::kInclined:
+      return "inclined";
+    case Orientation::kNone:
+      break;
   }
   return "none";
 }

@@ -32,7 +32,8 @@ PartTree::PartTree(const Model& model) : faces_(model.parts.size()) {
 }
 
 bool is_opening_class(std::string_view part_class) {
-  return part_class == part_class::kWindow || part_class == part_class::kDoor || part_class == part_class::kOpening;
+  return part_class == part_class::kWindow || part_class == part_class::kDoor ||
+         part_class == part_class::kOpening;
 }
 
 std::string part_label(const Model& model, uint64_t part) {

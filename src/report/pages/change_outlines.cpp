@@ -32,12 +32,16 @@ constexpr double kGapCells = 2;
 
 const char* class_of(ChangeClass change) {
   switch (change) {
-    case ChangeClass::kAppearance: return part_class::kAppearance;
-    case ChangeClass::kDisappearance: return part_class::kDisappearance;
+    case ChangeClass::kAppearance:
+      return part_class::kAppearance;
+    case ChangeClass::kDisappearance:
+      return part_class::kDisappearance;
     case ChangeClass::kDisplacement:
-    case ChangeClass::kDisplacementOverlap: return part_class::kDisplacement;
+    case ChangeClass::kDisplacementOverlap:
+      return part_class::kDisplacement;
     case ChangeClass::kDeformation:
-    case ChangeClass::kDeformationOverlap: return part_class::kDeformation;
+    case ChangeClass::kDeformationOverlap:
+      return part_class::kDeformation;
   }
   return part_class::kRegion;
 }
@@ -51,17 +55,21 @@ struct Outlined {
 std::span<const uint32_t> numbers_of(const FieldTable& table, const char* name, size_t rows) {
   const Column* column = table.find(name);
   if (column == nullptr) return {};
-  if (column->info().type != ElementType::kUint32 || column->info().components != 1 || column->count() != rows)
-    fail(Status::kInvalidArgument, "column \"%s\" does not fit the comparison: %zu numbers of type uint32 are needed",
-         name, rows);
+  if (column->info().type != ElementType::kUint32 || column->info().components != 1 ||
+      column->count() != rows)
+    fail(Status::kInvalidArgument,
+         "column \"%s\" does not fit the comparison: %zu numbers of type uint32 are needed", name,
+         rows);
   return column->values<uint32_t>();
 }
 
 std::vector<Outlined> regions_of(const ChangedCloud& epoch) {
   const size_t n = epoch.comparison->cloud->size();
-  const auto labels = numbers_of(*epoch.points, "region", n), changes = numbers_of(*epoch.points, "change", n);
+  const auto labels = numbers_of(*epoch.points, "region", n),
+             changes = numbers_of(*epoch.points, "change", n);
   if (labels.size() != n)
-    fail(Status::kInvalidArgument, "the points have no column \"region\": hand over those of the regions or diagnosis");
+    fail(Status::kInvalidArgument,
+         "the points have no column \"region\": hand over those of the regions or diagnosis");
   uint32_t most = 0;
   for (const uint32_t label : labels) most = std::max(most, label);
   if (most > n) fail(Status::kInvalidArgument, "region %u of a comparison of %zu points", most, n);
@@ -131,7 +139,8 @@ class Outliner {
     made.part_class = part_class;
     made.parent = 0;
     made.evidence = Evidence::kMeasured;
-    for (const ContourPiece& piece : pieces_of(region, flat)) add_face(piece, frame, fit, part, region);
+    for (const ContourPiece& piece : pieces_of(region, flat))
+      add_face(piece, frame, fit, part, region);
   }
 
  private:
@@ -143,14 +152,16 @@ class Outliner {
     setting.min_area_m2 = 0;
     setting.min_opening_width_m = 0;
     setting.min_opening_area_m2 = settings_.min_opening_area_m2;
-    if (!(setting.min_opening_area_m2 > 0)) setting.min_opening_area_m2 = setting.max_edge_m * setting.max_edge_m;
+    if (!(setting.min_opening_area_m2 > 0))
+      setting.min_opening_area_m2 = setting.max_edge_m * setting.max_edge_m;
     std::vector<ContourPiece> pieces = extract_contour(flat, setting, task_).pieces;
-    if (pieces.empty()) pieces.push_back(box_around(flat, std::max(radius_quantile(discs, 0.5), 1e-6)));
+    if (pieces.empty())
+      pieces.push_back(box_around(flat, std::max(radius_quantile(discs, 0.5), 1e-6)));
     return pieces;
   }
 
-  void add_face(const ContourPiece& piece, const PlaneFrame& frame, const PlaneFit& fit, uint32_t part,
-                const Outlined& region) {
+  void add_face(const ContourPiece& piece, const PlaneFrame& frame, const PlaneFit& fit,
+                uint32_t part, const Outlined& region) {
     Face face;
     face.part = part;
     face.id = region.change > 0 ? region.change : region.region;
@@ -182,7 +193,8 @@ class Outliner {
 std::string class_in(const Outlined& region, const FieldTable* changes, bool is_before) {
   if (changes == nullptr || region.change == 0) return part_class::kRegion;
   const Column& column = changes->require("class");
-  if (region.change > column.count()) fail(Status::kInvalidArgument, "the changes have no row %u", region.change);
+  if (region.change > column.count())
+    fail(Status::kInvalidArgument, "the changes have no row %u", region.change);
   const auto change = static_cast<ChangeClass>(column.number(region.change - 1));
   const std::string name = class_of(change);
   const bool is_both = change >= ChangeClass::kDisplacement;
@@ -208,7 +220,8 @@ Model change_outlines(const ChangedCloud& after, const ChangedCloud& before,
     const std::vector<Outlined> regions = regions_of(*epoch);
     Outliner outliner(*epoch->comparison->cloud, origin, settings, model, task);
     for (size_t i = 0; i < regions.size(); ++i) {
-      std::string name = regions[i].change > 0 ? "change " + std::to_string(regions[i].change) + " " : "";
+      std::string name =
+          regions[i].change > 0 ? "change " + std::to_string(regions[i].change) + " " : "";
       name += "region " + std::to_string(regions[i].region);
       if (before.comparison != nullptr) name += is_before ? " before" : " after";
       outliner.add(regions[i], name, class_in(regions[i], changes, is_before).c_str());

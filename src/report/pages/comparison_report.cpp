@@ -19,23 +19,30 @@ namespace jalon {
 
 namespace {
 
-
 constexpr auto kComparisonReportRows = setting_rows(
     integer_row<&ComparisonReportSettings::bins>("bins", 5, 400, "1", "", "Bins of the histograms"),
     number_row<&ComparisonReportSettings::threshold_m>(
         "threshold_m", 0, 1e9, "m", "",
         "Distance marked in the histograms, up to which they are noise; 0 = none"),
-    number_row<&ComparisonReportSettings::limit_m>("limit_m", 0, 1e9, "m", "",
-                            "Distance at the end of the colour scale; 0 = 98 % lie within"),
+    number_row<&ComparisonReportSettings::limit_m>(
+        "limit_m", 0, 1e9, "m", "", "Distance at the end of the colour scale; 0 = 98 % lie within"),
     bool_row<&ComparisonReportSettings::picture>("picture", "", "With the pictures of the points"));
 
 constexpr size_t kMostRows = 500;  // of changes in the page; the CSV has them all
-constexpr const char* kClasses[] = {"", "appearance", "disappearance", "displacement", "displacement with overlap",
-                                    "deformation", "deformation with overlap"};
-constexpr const char* kComparisonReportSideBySide = "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
+constexpr const char* kClasses[] = {"",
+                                    "appearance",
+                                    "disappearance",
+                                    "displacement",
+                                    "displacement with overlap",
+                                    "deformation",
+                                    "deformation with overlap"};
+constexpr const char* kComparisonReportSideBySide =
+    "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
 
 std::string mm(double metres) { return std::isfinite(metres) ? text_of(1000 * metres, 2) : "-"; }
-std::string metres_of_comparison_report(double value, int decimals = 3) { return std::isfinite(value) ? text_of(value, decimals) : "-"; }
+std::string metres_of_comparison_report(double value, int decimals = 3) {
+  return std::isfinite(value) ? text_of(value, decimals) : "-";
+}
 
 std::vector<double> finite_distances(const Comparison& comparison) {
   std::vector<double> out;
@@ -50,7 +57,8 @@ struct Fitted {
 };
 
 // The law is that of the distances below the threshold: what has changed is no noise.
-Fitted fit(const Comparison& comparison, const DeviationScale& scale, double threshold_m, int64_t bins, Task& task) {
+Fitted fit(const Comparison& comparison, const DeviationScale& scale, double threshold_m,
+           int64_t bins, Task& task) {
   Fitted out;
   const std::vector<double> values = finite_distances(comparison);
   std::vector<double> quiet;
@@ -73,15 +81,19 @@ Fitted fit(const Comparison& comparison, const DeviationScale& scale, double thr
 void add_summary(Page& page, const Comparison& forward, const Comparison* reverse) {
   page.heading("Summary");
   auto& html = page.html();
-  page.open_table({"direction", "points", "compared", "hidden", "out of range", "out of field", "nothing near",
-                   "mean (mm)", "rms (mm)", "\xCF\x83 (mm)", "least (m)", "largest (m)"});
+  page.open_table({"direction", "points", "compared", "hidden", "out of range", "out of field",
+                   "nothing near", "mean (mm)", "rms (mm)", "\xCF\x83 (mm)", "least (m)",
+                   "largest (m)"});
   const auto row = [&](const char* name, const Comparison& c) {
     html.open("tr");
     html.element("td", {}, name);
-    for (const char* count : {"points", "compared", "hidden", "out_of_range", "out_of_field", "nothing_near"})
+    for (const char* count :
+         {"points", "compared", "hidden", "out_of_range", "out_of_field", "nothing_near"})
       page.number(grouped(static_cast<uint64_t>(c.summary.require(count).number(0))));
-    for (const char* value : {"mean", "rms", "sigma"}) page.number(mm(c.summary.require(value).number(0)));
-    for (const char* value : {"minimum", "maximum"}) page.number(metres_of_comparison_report(c.summary.require(value).number(0)));
+    for (const char* value : {"mean", "rms", "sigma"})
+      page.number(mm(c.summary.require(value).number(0)));
+    for (const char* value : {"minimum", "maximum"})
+      page.number(metres_of_comparison_report(c.summary.require(value).number(0)));
     html.close();
   };
   row("compared with the reference", forward);
@@ -92,18 +104,22 @@ void add_summary(Page& page, const Comparison& forward, const Comparison* revers
 
 // What else the method summed up: sampling error, levels of detection, tolerances ...
 void add_more(Page& page, const Comparison& comparison) {
-  constexpr const char* kTold[] = {"points", "compared", "hidden", "out_of_range", "out_of_field", "nothing_near",
-                                   "too_few_points", "mean", "rms", "sigma", "minimum", "maximum"};
+  constexpr const char* kTold[] = {"points",       "compared",     "hidden",         "out_of_range",
+                                   "out_of_field", "nothing_near", "too_few_points", "mean",
+                                   "rms",          "sigma",        "minimum",        "maximum"};
   std::vector<std::pair<std::string, std::string>> pairs;
   for (const ColumnPtr& column : comparison.summary) {
     const FieldInfo& info = column->info();
-    const bool is_told = std::any_of(std::begin(kTold), std::end(kTold), [&](const char* n) { return info.name == n; });
+    const bool is_told = std::any_of(std::begin(kTold), std::end(kTold),
+                                     [&](const char* n) { return info.name == n; });
     if (is_told || info.components != 1 || column->count() != 1) continue;
     const bool in_mm = info.unit == "m";
     const double value = column->number(0);
-    pairs.emplace_back(info.meaning.empty() ? info.name : info.name + ": " + info.meaning,
-                       is_floating(info.type) ? (in_mm ? mm(value) + " mm" : metres_of_comparison_report(value, 4) + " " + info.unit)
-                                              : grouped(static_cast<uint64_t>(std::max(0.0, value))));
+    pairs.emplace_back(
+        info.meaning.empty() ? info.name : info.name + ": " + info.meaning,
+        is_floating(info.type)
+            ? (in_mm ? mm(value) + " mm" : metres_of_comparison_report(value, 4) + " " + info.unit)
+            : grouped(static_cast<uint64_t>(std::max(0.0, value))));
   }
   if (pairs.empty()) return;
   page.heading("Precision and detection");
@@ -124,17 +140,20 @@ void add_changes(Page& page, const FieldTable& changes) {
   if (rows == 0) return page.note("Nothing has changed by more than the threshold.");
   auto& html = page.html();
   if (has_classes)
-    page.open_table({"No", "class", "confidence", "area before (m\xC2\xB2)", "area after (m\xC2\xB2)",
-                     "volume before (m\xC2\xB3)", "volume after (m\xC2\xB3)", "centroid before (m)",
-                     "centroid after (m)", "displacement (m)", "its \xCF\x83 (mm)"});
+    page.open_table({"No", "class", "confidence", "area before (m\xC2\xB2)",
+                     "area after (m\xC2\xB2)", "volume before (m\xC2\xB3)",
+                     "volume after (m\xC2\xB3)", "centroid before (m)", "centroid after (m)",
+                     "displacement (m)", "its \xCF\x83 (mm)"});
   else
-    page.open_table({"No", "points", "area (m\xC2\xB2)", "volume (m\xC2\xB3)", "mean (mm)", "largest (mm)",
-                     "centroid (m)"});
+    page.open_table({"No", "points", "area (m\xC2\xB2)", "volume (m\xC2\xB3)", "mean (mm)",
+                     "largest (mm)", "centroid (m)"});
   for (size_t i = 0; i < std::min(rows, kMostRows); ++i) {
     html.open("tr");
     page.number(std::to_string(i + 1));
     if (has_classes) {
-      html.element("td", {}, kClasses[std::min<size_t>(6, static_cast<size_t>(changes.require("class").number(i)))]);
+      html.element(
+          "td", {},
+          kClasses[std::min<size_t>(6, static_cast<size_t>(changes.require("class").number(i)))]);
       page.number(text_of(changes.require("confidence").number(i), 2));
       for (const char* name : {"area_before", "area_after", "volume_before", "volume_after"})
         page.number(metres_of_comparison_report(changes.require(name).number(i)));
@@ -142,11 +161,13 @@ void add_changes(Page& page, const FieldTable& changes) {
         page.number(vector_text(changes.require(name), i, 3));
       const Column& covariance = changes.require("covariance");
       std::string sigma;
-      for (const uint32_t k : {21u, 28u, 35u}) sigma += (k > 21 ? ", " : "") + mm(std::sqrt(covariance.number(i, k)));
+      for (const uint32_t k : {21u, 28u, 35u})
+        sigma += (k > 21 ? ", " : "") + mm(std::sqrt(covariance.number(i, k)));
       page.number(sigma);
     } else {
       page.number(grouped(static_cast<uint64_t>(changes.require("points").number(i))));
-      for (const char* name : {"area", "volume"}) page.number(metres_of_comparison_report(changes.require(name).number(i)));
+      for (const char* name : {"area", "volume"})
+        page.number(metres_of_comparison_report(changes.require(name).number(i)));
       page.number(mm(changes.require("mean").number(i)));
       page.number(mm(changes.require("extreme").number(i)));
       page.number(vector_text(changes.require("centroid"), i, 2));
@@ -154,11 +175,12 @@ void add_changes(Page& page, const FieldTable& changes) {
     html.close();
   }
   page.close_table();
-  if (rows > kMostRows) page.note("The first " + std::to_string(kMostRows) + " of " + std::to_string(rows) + ".");
+  if (rows > kMostRows)
+    page.note("The first " + std::to_string(kMostRows) + " of " + std::to_string(rows) + ".");
 }
 
-void add_pictures(Page& page, const Comparison& forward, const Comparison* reverse, const DeviationScale& scale,
-                  Task& task) {
+void add_pictures(Page& page, const Comparison& forward, const Comparison* reverse,
+                  const DeviationScale& scale, Task& task) {
   page.heading("Where");
   DeviationPictureSettings settings;
   page.html().open("div", {{"style", kComparisonReportSideBySide}});
@@ -169,7 +191,9 @@ void add_pictures(Page& page, const Comparison& forward, const Comparison* rever
     page.html().raw(deviation_svg(*reverse, scale, settings, task));
   }
   page.html().close();
-  page.note("Points of the first-named cloud, coloured by their distance from the other; both on one scale.");
+  page.note(
+      "Points of the first-named cloud, coloured by their distance from the other; both on one "
+      "scale.");
 }
 
 void add_histograms(Page& page, const Comparison& forward, const Comparison* reverse,
@@ -187,8 +211,10 @@ void add_histograms(Page& page, const Comparison& forward, const Comparison* rev
     page.html().raw(distance_chart(fitted.histogram, fitted.law ? &*fitted.law : nullptr, marks));
   }
   page.html().close();
-  page.note("The curve is the noise law fitted to the distances below the threshold; what rises above it to the right "
-            "is change. Distances beyond the colour scale are not drawn.");
+  page.note(
+      "The curve is the noise law fitted to the distances below the threshold; what rises above it "
+      "to the right "
+      "is change. Distances beyond the colour scale are not drawn.");
 }
 
 }  // namespace

@@ -42,26 +42,31 @@ std::string model_text(const Model& model, const OpeningList& openings) {
     windows += row.part_class == part_class::kWindow;
     doors += row.part_class == part_class::kDoor;
   }
-  const auto counted = [](size_t n, const char* one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); };
+  const auto counted = [](size_t n, const char* one) {
+    return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+  };
   std::string text = " The model has " + counted(model.faces.size(), "face");
   if (openings.rows.empty()) return text + ".";
   return text + ", " + counted(windows, "window") + ", " + counted(doors, "door") + " and " +
          counted(openings.rows.size() - windows - doors, "other opening") + ".";
 }
 
-void add_summary(Page& page, const Segmentation& segmentation, const Notes& notes, const Residuals& residuals,
-                 const std::string& model_text) {
+void add_summary(Page& page, const Segmentation& segmentation, const Notes& notes,
+                 const Residuals& residuals, const std::string& model_text) {
   auto& html = page.html();
   html.open("h1").element("bdi", {}, notes.title).close();
   const uint64_t points = segmentation.cloud->size();
   const uint64_t used = residuals.count != 0 ? residuals.count : labelled(segmentation);
-  const double share = points != 0 ? 100 * static_cast<double>(used) / static_cast<double>(points) : 0;
-  const size_t planes = plane_count(segmentation.segments), curved = segmentation.segments.size() - planes;
-  const std::string found = std::to_string(planes) + " planes" +
-                            (curved != 0 ? " and " + std::to_string(curved) + " spheres and cylinders" : "");
+  const double share =
+      points != 0 ? 100 * static_cast<double>(used) / static_cast<double>(points) : 0;
+  const size_t planes = plane_count(segmentation.segments),
+               curved = segmentation.segments.size() - planes;
+  const std::string found =
+      std::to_string(planes) + " planes" +
+      (curved != 0 ? " and " + std::to_string(curved) + " spheres and cylinders" : "");
   html.element("p", {{"class", "lead"}},
-               found + " from " + std::to_string(points) + " points; " +
-                   text_of(share, 1) + " % of the points lie on them, with a standard deviation of " +
+               found + " from " + std::to_string(points) + " points; " + text_of(share, 1) +
+                   " % of the points lie on them, with a standard deviation of " +
                    text_of(1000 * residuals.sigma_m, 2) + " mm." + model_text);
 }
 
@@ -69,7 +74,8 @@ void add_input(Page& page, const Segmentation& segmentation, const Notes& notes)
   page.heading("Input");
   auto pairs = notes.input;
   pairs.emplace_back("points", std::to_string(segmentation.cloud->size()));
-  if (!segmentation.cloud->crs.empty()) pairs.emplace_back("coordinate system", segmentation.cloud->crs);
+  if (!segmentation.cloud->crs.empty())
+    pairs.emplace_back("coordinate system", segmentation.cloud->crs);
   add_pairs(page, pairs);
 }
 
@@ -77,8 +83,8 @@ void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
   page.heading("Planes");
   auto& html = page.html();
   if (plane_count(segmentation.segments) == 0) return page.note("No plane was found.");
-  page.open_table({"No", "orientation", "size (m)", "area (m\xC2\xB2)", "normal", "offset (m)", "\xCF\x83 (mm)",
-                   "points"});
+  page.open_table({"No", "orientation", "size (m)", "area (m\xC2\xB2)", "normal", "offset (m)",
+                   "\xCF\x83 (mm)", "points"});
   for (size_t i = 0; i < segmentation.segments.size(); ++i) {
     if (i % 256 == 0) task.checkpoint(0);
     const Segment& s = segmentation.segments[i];
@@ -96,17 +102,18 @@ void add_planes(Page& page, const Segmentation& segmentation, Task& task) {
     html.close();
   }
   page.close_table();
-  page.note("normal . p = offset for a point p of the plane. Orientation is relative to the main facade. "
-            "\xCF\x83 is the standard "
-            "deviation of the points from their plane.");
+  page.note(
+      "normal . p = offset for a point p of the plane. Orientation is relative to the main facade. "
+      "\xCF\x83 is the standard "
+      "deviation of the points from their plane.");
 }
 
 void add_curved(Page& page, const Segmentation& segmentation, Task& task) {
   if (plane_count(segmentation.segments) == segmentation.segments.size()) return;
   page.heading("Spheres and cylinders");
   auto& html = page.html();
-  page.open_table({"No", "type", "radius (m)", "\xCF\x83 radius (mm)", "centre or axis point (m)", "axis",
-                   "length (m)", "area (m\xC2\xB2)", "\xCF\x83 (mm)", "points"});
+  page.open_table({"No", "type", "radius (m)", "\xCF\x83 radius (mm)", "centre or axis point (m)",
+                   "axis", "length (m)", "area (m\xC2\xB2)", "\xCF\x83 (mm)", "points"});
   for (size_t i = 0; i < segmentation.segments.size(); ++i) {
     if (i % 256 == 0) task.checkpoint(0);
     const Segment& s = segmentation.segments[i];
@@ -118,9 +125,11 @@ void add_curved(Page& page, const Segmentation& segmentation, Task& task) {
     page.number(std::to_string(s.label));
     html.element("td", {}, sphere ? "sphere" : "cylinder");
     page.number(text_of(sphere ? s.sphere.sphere.radius : s.cylinder.cylinder.radius, 4));
-    page.number(text_of(1000 * std::sqrt(sphere ? s.sphere.covariance[15] : s.cylinder.covariance[48]), 2));
+    page.number(
+        text_of(1000 * std::sqrt(sphere ? s.sphere.covariance[15] : s.cylinder.covariance[48]), 2));
     page.number(text_of(place.x, 3) + ", " + text_of(place.y, 3) + ", " + text_of(place.z, 3));
-    page.number(sphere ? "" : text_of(axis.x, 5) + ", " + text_of(axis.y, 5) + ", " + text_of(axis.z, 5));
+    page.number(
+        sphere ? "" : text_of(axis.x, 5) + ", " + text_of(axis.y, 5) + ", " + text_of(axis.z, 5));
     page.number(sphere ? "" : text_of(s.length_u_m, 2));
     page.number(text_of(s.area_m2, 2));
     page.number(text_of(1000 * s.sigma_m(), 2));
@@ -128,12 +137,15 @@ void add_curved(Page& page, const Segmentation& segmentation, Task& task) {
     html.close();
   }
   page.close_table();
-  page.note("The axis point is the one at mid height. \xCF\x83 radius is the standard deviation of the radius, "
-            "\xCF\x83 that of the points from their surface.");
+  page.note(
+      "The axis point is the one at mid height. \xCF\x83 radius is the standard deviation of the "
+      "radius, "
+      "\xCF\x83 that of the points from their surface.");
 }
 
 // The whole model, then each facade alone where there are several.
-void add_drawings(Page& page, const Segmentation& segmentation, const Model& model, const Notes& notes, Task& task) {
+void add_drawings(Page& page, const Segmentation& segmentation, const Model& model,
+                  const Notes& notes, Task& task) {
   const size_t facades = std::min(facade_parts(model).size(), kMostDrawings);
   page.heading(facades > 1 ? "Elevations" : "Elevation");
   ElevationSettings settings;
@@ -144,25 +156,28 @@ void add_drawings(Page& page, const Segmentation& segmentation, const Model& mod
     settings.facade = static_cast<int64_t>(k);
     page.html().raw(elevation_svg(segmentation, model, settings, task));
   }
-  page.note("Numbers on planes are those of the table of planes, W1, D1 ... types of openings of their table. Drawings "
-            "to scale for printing are the files elevation*.svg.");
+  page.note(
+      "Numbers on planes are those of the table of planes, W1, D1 ... types of openings of their "
+      "table. Drawings "
+      "to scale for printing are the files elevation*.svg.");
 }
 
 void add_picture(Page& page, const Segmentation& segmentation, Task& task) {
   page.heading("Labelled points");
   page.html().raw(picture_svg(segmentation, {}, task));
-  page.note("Front view, from the station side. Segments that meet have different colours; "
-            "the numbers are those of the table of "
-            "planes. Noise, in grey, is shown only where no segment lies.");
+  page.note(
+      "Front view, from the station side. Segments that meet have different colours; "
+      "the numbers are those of the table of "
+      "planes. Noise, in grey, is shown only where no segment lies.");
 }
 
 void add_residuals(Page& page, const Residuals& r) {
   page.heading("Residuals");
   if (r.count == 0) return page.note("No point lies on a plane.");
   page.html().raw(residual_chart(r));
-  page.note(std::to_string(r.count) + " points, mean " + text_of(1000 * r.mean_m, 3) + " mm, standard deviation " +
-            text_of(1000 * r.sigma_m, 3) + " mm; " + std::to_string(r.below + r.above) +
-            " points lie outside the range shown.");
+  page.note(std::to_string(r.count) + " points, mean " + text_of(1000 * r.mean_m, 3) +
+            " mm, standard deviation " + text_of(1000 * r.sigma_m, 3) + " mm; " +
+            std::to_string(r.below + r.above) + " points lie outside the range shown.");
 }
 
 }  // namespace

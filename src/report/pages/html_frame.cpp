@@ -13,14 +13,17 @@ namespace {
 
 // Dark on white, one column, prints without surprises. No scripts, no fonts or pictures from elsewhere.
 constexpr const char* kStyle =
-    "body{font-family:Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:64rem;margin:2rem auto;"
+    "body{font-family:Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:64rem;"
+    "margin:2rem auto;"
     "padding:0 1rem;"
     "line-height:1.4}"
-    "h1{font-size:1.7rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2rem 0 .5rem;border-bottom:1px solid #bbb;"
+    "h1{font-size:1.7rem;margin:0 0 .3rem}h2{font-size:1.15rem;margin:2rem 0 "
+    ".5rem;border-bottom:1px solid #bbb;"
     "padding-bottom:.2rem}"
     ".lead{font-size:1.05rem;color:#333}"
     ".scroll{overflow-x:auto;margin:0 0 1rem}"
-    "table{border-collapse:collapse;font-size:.88rem}th,td{padding:.22rem .6rem;text-align:left;vertical-align:top;"
+    "table{border-collapse:collapse;font-size:.88rem}th,td{padding:.22rem "
+    ".6rem;text-align:left;vertical-align:top;"
     "border-bottom:1px solid #e2e2e2}"
     "thead th{border-bottom:2px solid #777;white-space:nowrap}"
     ".n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}"
@@ -67,8 +70,9 @@ void add_parameters(Page& page, std::string_view json) {
   std::vector<std::pair<std::string, std::string>> pairs;
   const std::vector<JsonValue> parameters = read_json(json);
   for (const JsonValue& value : JsonChildren(parameters[0]))
-    pairs.emplace_back(value.name,
-                       value.kind == JsonValue::Kind::kText ? value.text : JsonWriter().value(value).take());
+    pairs.emplace_back(value.name, value.kind == JsonValue::Kind::kText
+                                       ? value.text
+                                       : JsonWriter().value(value).take());
   if (pairs.empty()) return;
   page.heading("Parameters");
   add_pairs(page, pairs);

@@ -18,10 +18,13 @@ namespace {
 std::string metres_of_html_model(double value_m, int decimals = 2) {
   return std::isfinite(value_m) ? text_of(value_m, decimals) : std::string();
 }
-std::string millimetres(double value_m) { return std::isfinite(value_m) ? text_of(1000 * value_m, 2) : std::string(); }
+std::string millimetres(double value_m) {
+  return std::isfinite(value_m) ? text_of(1000 * value_m, 2) : std::string();
+}
 
 void add_types(Page& page, const OpeningList& openings) {
-  page.open_table({"type", "class", "width (m)", "height (m)", "form", "number", "of these copied"});
+  page.open_table(
+      {"type", "class", "width (m)", "height (m)", "form", "number", "of these copied"});
   for (const OpeningType& type : openings.types) {
     page.html().open("tr");
     page.html().element("td", {}, type.tag);
@@ -42,8 +45,8 @@ bool is_known(const OpeningList& openings, double OpeningRow::*value) {
 }
 
 void add_each(Page& page, const Model& model, const OpeningList& openings) {
-  page.open_table({"opening", "type", "width (m)", "\xCF\x83 (mm)", "height (m)", "\xCF\x83 (mm)", "depth (m)",
-                   "\xCF\x83 (mm)", "known from"});
+  page.open_table({"opening", "type", "width (m)", "\xCF\x83 (mm)", "height (m)", "\xCF\x83 (mm)",
+                   "depth (m)", "\xCF\x83 (mm)", "known from"});
   for (const OpeningRow& row : openings.rows) {
     page.html().open("tr");
     page.foreign("td", row.name);
@@ -54,8 +57,9 @@ void add_each(Page& page, const Model& model, const OpeningList& openings) {
     page.number(millimetres(row.sigma_height_m));
     page.number(metres_of_html_model(row.depth_m, 3));
     page.number(millimetres(row.sigma_depth_m));
-    page.foreign("td", row.copied_from != kNoParent ? "copy of " + part_label(model, row.copied_from)
-                                                    : std::string(evidence_name(row.evidence)));
+    page.foreign("td", row.copied_from != kNoParent
+                           ? "copy of " + part_label(model, row.copied_from)
+                           : std::string(evidence_name(row.evidence)));
     page.html().close();
   }
   page.close_table();
@@ -80,18 +84,25 @@ void add_openings(Page& page, const Model& model, const OpeningList& openings) {
   page.heading("Openings");
   add_types(page, openings);
   add_each(page, model, openings);
-  page.note("Width and height of the upright box in the plane of the wall, depth behind it. Openings of one type agree "
-            "within " + text_of(1000 * kTypeTolerance_m, 0) + " mm.");
-  if (is_known(openings, &OpeningRow::sigma_width_m) || is_known(openings, &OpeningRow::sigma_depth_m))
-    page.note("\xCF\x83: standard deviation by propagation from the covariances of corners and planes; that of a side "
-              "counts once, however many corners hold it.");
+  page.note(
+      "Width and height of the upright box in the plane of the wall, depth behind it. Openings of "
+      "one type agree "
+      "within " +
+      text_of(1000 * kTypeTolerance_m, 0) + " mm.");
+  if (is_known(openings, &OpeningRow::sigma_width_m) ||
+      is_known(openings, &OpeningRow::sigma_depth_m))
+    page.note(
+        "\xCF\x83: standard deviation by propagation from the covariances of corners and planes; "
+        "that of a side "
+        "counts once, however many corners hold it.");
 }
 
 void add_parts(Page& page, const Model& model) {
   if (model.parts.empty()) return;
   const PartTree tree(model);
   page.heading("Parts");
-  page.open_table({"part", "class", "faces", "area (m\xC2\xB2)", "width (m)", "height (m)", "depth (m)", "known from"});
+  page.open_table({"part", "class", "faces", "area (m\xC2\xB2)", "width (m)", "height (m)",
+                   "depth (m)", "known from"});
   size_t reveals = 0;
   for (const PartTree::Step& step : tree.walk()) {
     const Part& part = model.parts[step.part];
@@ -103,7 +114,9 @@ void add_parts(Page& page, const Model& model) {
     for (const size_t f : tree.faces()[step.part]) area_m2 += model.faces[f].area_m2;
     const size_t faces = tree.faces()[step.part].size();
     page.html().open("tr");
-    page.html().open("td", {{"style", "padding-left:" + text_of(0.6 + 1.2 * std::min(step.depth, 12u), 1) + "rem"}});
+    page.html().open(
+        "td",
+        {{"style", "padding-left:" + text_of(0.6 + 1.2 * std::min(step.depth, 12u), 1) + "rem"}});
     page.html().element("bdi", {}, part_label(model, step.part)).close();
     page.foreign("td", part.part_class);
     page.number(faces > 0 ? std::to_string(faces) : "");
@@ -111,12 +124,14 @@ void add_parts(Page& page, const Model& model) {
     page.number(metres_of_html_model(part.width_m, 3));
     page.number(metres_of_html_model(part.height_m, 3));
     page.number(metres_of_html_model(part.depth_m, 3));
-    page.foreign("td", part.copied_from != kNoParent ? "copy of " + part_label(model, part.copied_from)
-                                                     : std::string(evidence_name(part.evidence)));
+    page.foreign("td", part.copied_from != kNoParent
+                           ? "copy of " + part_label(model, part.copied_from)
+                           : std::string(evidence_name(part.evidence)));
     page.html().close();
   }
   page.close_table();
-  if (reveals > 0) page.note("And " + std::to_string(reveals) + " reveals, each below its opening.");
+  if (reveals > 0)
+    page.note("And " + std::to_string(reveals) + " reveals, each below its opening.");
 }
 
 }  // namespace jalon

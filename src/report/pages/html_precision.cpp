@@ -44,8 +44,8 @@ void add_precision(Page& page, const Segmentation& segmentation, const Notes& no
   const std::vector<PropagatedPlane> scanner = scanner_planes(segmentation, notes, task);
   page.heading("Precision");
   if (!scanner.empty()) add_scanner(page, notes);
-  std::vector<const char*> names{"plane", "points", "\xCF\x83 of a point (mm)", "\xCF\x83 of the normal (mrad)",
-                                 "\xCF\x83 of the place (mm)"};
+  std::vector<const char*> names{"plane", "points", "\xCF\x83 of a point (mm)",
+                                 "\xCF\x83 of the normal (mrad)", "\xCF\x83 of the place (mm)"};
   if (!scanner.empty())
     names.insert(names.end(), {"\xCF\x83 of a point by the scanner (mm)", "variance factor"});
   page.open_table(names);
@@ -55,13 +55,20 @@ void add_precision(Page& page, const Segmentation& segmentation, const Notes& no
     if (s.has_plane()) add_row(page, s, scanner.empty() ? nullptr : &scanner[i]);
   }
   page.close_table();
-  page.note("From the least-squares adjustment of each plane. \xCF\x83 of a point: distance from the plane; of the "
-            "normal: in the direction in which it is least certain; of the place: along the normal, at the middle of "
-            "the points. Errors common to all points (registration, scanner constants) are not in these figures.");
+  page.note(
+      "From the least-squares adjustment of each plane. \xCF\x83 of a point: distance from the "
+      "plane; of the "
+      "normal: in the direction in which it is least certain; of the place: along the normal, at "
+      "the middle of "
+      "the points. Errors common to all points (registration, scanner constants) are not in these "
+      "figures.");
   if (!scanner.empty())
-    page.note("By the scanner: what its ranges and angles make of a point along the normal. Variance factor: squared "
-              "distances of the points from the plane over their variances by the scanner; 1 where both agree, more "
-              "where the surface is rougher than the scanner's noise.");
+    page.note(
+        "By the scanner: what its ranges and angles make of a point along the normal. Variance "
+        "factor: squared "
+        "distances of the points from the plane over their variances by the scanner; 1 where both "
+        "agree, more "
+        "where the surface is rougher than the scanner's noise.");
 }
 
 }  // namespace jalon

@@ -64,7 +64,8 @@ void write_curved(JsonWriter& json, const Segment& s) {
   json.name("label").value(s.label);
   json.name("inliers").value(s.point_count());
   json.name("radius_m").value(sphere ? s.sphere.sphere.radius : s.cylinder.cylinder.radius);
-  json.name("sigma_radius_m").value(std::sqrt(sphere ? s.sphere.covariance[15] : s.cylinder.covariance[48]));
+  json.name("sigma_radius_m")
+      .value(std::sqrt(sphere ? s.sphere.covariance[15] : s.cylinder.covariance[48]));
   if (sphere) {
     write_vector(json, "centre", s.sphere.sphere.centre);
   } else {
@@ -77,7 +78,8 @@ void write_curved(JsonWriter& json, const Segment& s) {
   json.end_object();
 }
 
-void write_all_curved(JsonWriter& json, const char* name, const Segmentation& segmentation, PrimitiveType type) {
+void write_all_curved(JsonWriter& json, const char* name, const Segmentation& segmentation,
+                      PrimitiveType type) {
   json.name(name).begin_array();
   for (const Segment& segment : segmentation.segments)
     if (segment.type == type) write_curved(json, segment);
@@ -107,7 +109,8 @@ void write_residuals(JsonWriter& json, const Residuals& r) {
 
 }  // namespace
 
-std::string report_json(const Segmentation& segmentation, const Model& model, std::string_view notes_json, Task& task) {
+std::string report_json(const Segmentation& segmentation, const Model& model,
+                        std::string_view notes_json, Task& task) {
   const ProgressSpan span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
   const std::string& parameters = segmentation.parameters_json;
@@ -119,7 +122,8 @@ std::string report_json(const Segmentation& segmentation, const Model& model, st
   write_pairs(json, "input", notes.input);
   if (!notes.scanner_json.empty()) json.name("scanner").value(read_json(notes.scanner_json)[0]);
   write_pairs(json, "times_s", notes.times_s);
-  json.name("parameters").value(read_json(parameters.empty() ? "{}" : std::string_view(parameters))[0]);
+  json.name("parameters")
+      .value(read_json(parameters.empty() ? "{}" : std::string_view(parameters))[0]);
   write_array(json, "T_facade_world", segmentation.T_facade_world.m);
   json.name("planes").begin_array();
   const std::vector<PropagatedPlane> scanner = scanner_planes(segmentation, notes, task);

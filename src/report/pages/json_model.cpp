@@ -15,10 +15,8 @@ namespace {
 // A place in the list of parts, or null.
 void write_place(JsonWriter& json, const char* name, uint64_t part, const Model& model) {
   json.name(name);
-  if (part < model.parts.size())
-    json.value(part);
-  else
-    json.value(kNaN);
+  if (part < model.parts.size()) json.value(part);
+  else json.value(kNaN);
 }
 
 void write_type(JsonWriter& json, const OpeningType& type) {
@@ -33,7 +31,8 @@ void write_type(JsonWriter& json, const OpeningType& type) {
   json.end_object();
 }
 
-void write_opening(JsonWriter& json, const OpeningRow& row, const OpeningList& openings, const Model& model) {
+void write_opening(JsonWriter& json, const OpeningRow& row, const OpeningList& openings,
+                   const Model& model) {
   json.begin_object();
   json.name("name").value(row.name);
   json.name("class").value(row.part_class);
@@ -77,7 +76,8 @@ void write_model_parts(JsonWriter& json, const Model& model) {
   json.end_array();
   const PartTree tree(model);
   json.name("parts").begin_array();
-  for (size_t i = 0; i < model.parts.size(); ++i) write_part(json, model.parts[i], model, tree.faces()[i].size());
+  for (size_t i = 0; i < model.parts.size(); ++i)
+    write_part(json, model.parts[i], model, tree.faces()[i].size());
   json.end_array();
 }
 

@@ -15,7 +15,8 @@ PlanePrecision plane_precision(const PlaneFit& fit) {
   return {std::sqrt(std::max(mean + spread, 0.0)), std::sqrt(std::max(c[5], 0.0))};
 }
 
-std::vector<PropagatedPlane> scanner_planes(const Segmentation& segmentation, const Notes& notes, Task& task) {
+std::vector<PropagatedPlane> scanner_planes(const Segmentation& segmentation, const Notes& notes,
+                                            Task& task) {
   if (notes.scanner_json.empty()) return {};
   ParamSet params("precision", precision_rows());
   params.from_json(notes.scanner_json);

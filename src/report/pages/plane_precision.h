@@ -20,6 +20,7 @@ PlanePrecision plane_precision(const PlaneFit& fit);
 
 /// What the scanner's precision makes of the planes, one a segment; empty when the notes do not tell it. Throws
 /// kInvalidArgument when a point has no station.
-std::vector<PropagatedPlane> scanner_planes(const Segmentation& segmentation, const Notes& notes, Task& task);
+std::vector<PropagatedPlane> scanner_planes(const Segmentation& segmentation, const Notes& notes,
+                                            Task& task);
 
 }  // namespace jalon

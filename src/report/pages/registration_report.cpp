@@ -23,13 +23,14 @@ namespace jalon {
 
 namespace {
 
+constexpr auto kRegistrationReportRows = setting_rows(
+    integer_row<&RegistrationReportSettings::bins>("bins", 5, 400, "1", "",
+                                                   "Bins of the histograms"),
+    integer_row<&RegistrationReportSettings::sample>(
+        "sample", 1, 1e9, "points", "", "Most points of the moving cloud in the histograms"));
 
-constexpr auto kRegistrationReportRows =
-    setting_rows(integer_row<&RegistrationReportSettings::bins>("bins", 5, 400, "1", "", "Bins of the histograms"),
-                 integer_row<&RegistrationReportSettings::sample>("sample", 1, 1e9, "points", "",
-                                         "Most points of the moving cloud in the histograms"));
-
-constexpr const char* kRegistrationReportSideBySide = "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
+constexpr const char* kRegistrationReportSideBySide =
+    "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
 
 // Every nth point, so that at most this many are left.
 Cloud sample_of(const Cloud& cloud, size_t most, Task& task) {
@@ -43,7 +44,8 @@ Cloud sample_of(const Cloud& cloud, size_t most, Task& task) {
 CloudPtr as_registered(const CloudPtr& reference, const Registration& r, Task& task) {
   const Column* cell = r.summary.find("thinning_cell");
   if (cell == nullptr || !(cell->number(0) > 0)) return reference;
-  return std::make_shared<const Cloud>(one_per_voxel(*reference, cell->number(0), Keep::kCentroid, task));
+  return std::make_shared<const Cloud>(
+      one_per_voxel(*reference, cell->number(0), Keep::kCentroid, task));
 }
 
 // Distances from local planes of the reference: the spacing of its points is no part of them.
@@ -60,15 +62,18 @@ std::vector<double> distances(const CloudPtr& reference, Cloud cloud, Task& task
 }
 
 double share_below(const std::vector<double>& sorted, double share) {
-  return sorted[std::min(sorted.size() - 1, static_cast<size_t>(share * static_cast<double>(sorted.size())))];
+  return sorted[std::min(sorted.size() - 1,
+                         static_cast<size_t>(share * static_cast<double>(sorted.size())))];
 }
 
-void add_histogram(Page& page, const char* title, const std::vector<double>& sorted, int64_t bins, Task& task) {
+void add_histogram(Page& page, const char* title, const std::vector<double>& sorted, int64_t bins,
+                   Task& task) {
   page.html().open("div").element("h3", {}, title);
   if (sorted.empty()) {
     page.note("No point of the moving cloud has a distance.");
   } else {
-    constexpr double kShown = 0.98;  // of the points; the far ones would press the others into one bin
+    constexpr double kShown =
+        0.98;  // of the points; the far ones would press the others into one bin
     const HistogramSettings bounds{
         .bins = static_cast<uint64_t>(bins),
         .maximum = round_up_125(std::max(share_below(sorted, kShown), 1e-6))};
@@ -93,8 +98,10 @@ void add_before_after(Page& page, const Registration& r, const CloudPtr& referen
   add_histogram(page, "Before", distances(surface, sample, task), settings.bins, task);
   add_histogram(page, "After", distances(surface, moved, task), settings.bins, task);
   page.html().close();
-  page.note("Distances of " + std::to_string(sample.size()) + " evenly taken points of the moving cloud from local "
-            "planes of the reference; points that the reference does not have are in them. Axes differ.");
+  page.note(
+      "Distances of " + std::to_string(sample.size()) +
+      " evenly taken points of the moving cloud from local "
+      "planes of the reference; points that the reference does not have are in them. Axes differ.");
 }
 
 }  // namespace

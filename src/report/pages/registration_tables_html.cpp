@@ -18,10 +18,13 @@ namespace {
 constexpr size_t kMostPairs = 1000;  // that a reader looks at; the CSV has them all
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-std::string known(double value, int decimals) { return std::isfinite(value) ? text_of(value, decimals) : "-"; }
+std::string known(double value, int decimals) {
+  return std::isfinite(value) ? text_of(value, decimals) : "-";
+}
 
 std::string vector_text(const Vec3& v, int decimals) {
-  return "(" + known(v.x, decimals) + ", " + known(v.y, decimals) + ", " + known(v.z, decimals) + ")";
+  return "(" + known(v.x, decimals) + ", " + known(v.y, decimals) + ", " + known(v.z, decimals) +
+         ")";
 }
 
 // Lengths in millimetres, other numbers with the digits that tell them apart.
@@ -47,7 +50,8 @@ std::string direction_text(const Column& directions, size_t row, double extent_m
   constexpr double kSlight = 0.3;  // of the unit vector: a tenth of its square
   std::string out;
   if (shifted > kSlight) out = "shift along " + vector_text(shift / shifted, 2);
-  if (turned > kSlight) out += (out.empty() ? "" : " with ") + ("turn about " + vector_text(turn / turned, 2));
+  if (turned > kSlight)
+    out += (out.empty() ? "" : " with ") + ("turn about " + vector_text(turn / turned, 2));
   return out;
 }
 
@@ -57,14 +61,20 @@ std::string outcome_text(const Registration& r) {
   const std::string after = " after " + grouped(r.iterations) + " iterations";
   switch (r.stopped) {
     case StopReason::kConverged: {
-      const std::string open = " " + std::to_string(r.unobservable) + " of six directions are not fixed by the data.";
+      const std::string open =
+          " " + std::to_string(r.unobservable) + " of six directions are not fixed by the data.";
       return "Converged" + (r.iterations > 0 ? after : std::string()) + " on " + grouped(r.pairs) +
-             " pairs; rms of their residuals " + known(1000 * r.rms_m, 3) + " mm." + (r.unobservable > 0 ? open : "");
+             " pairs; rms of their residuals " + known(1000 * r.rms_m, 3) + " mm." +
+             (r.unobservable > 0 ? open : "");
     }
-    case StopReason::kIterationLimit: return "Not converged" + after + ": the limit of iterations.";
-    case StopReason::kTooFewPairs: return "Stopped" + after + ": what both have in common does not carry the pose.";
-    case StopReason::kAmbiguous: return "Ambiguous: a clearly different pose fits about as well.";
-    case StopReason::kNothingFound: break;
+    case StopReason::kIterationLimit:
+      return "Not converged" + after + ": the limit of iterations.";
+    case StopReason::kTooFewPairs:
+      return "Stopped" + after + ": what both have in common does not carry the pose.";
+    case StopReason::kAmbiguous:
+      return "Ambiguous: a clearly different pose fits about as well.";
+    case StopReason::kNothingFound:
+      break;
   }
   return "Nothing found: no pose explains both.";
 }
@@ -84,12 +94,14 @@ void add_pose(Page& page, const Registration& r) {
   const double angle = norm(turn);
   const auto sigma = [&](size_t k) { return std::sqrt(r.covariance[7 * k]); };
   std::vector<std::pair<std::string, std::string>> pairs{
-      {"turn", known(kDegrees * angle, 6) + "\xC2\xB0 about " + vector_text(angle > 0 ? turn / angle : turn, 4)},
+      {"turn", known(kDegrees * angle, 6) + "\xC2\xB0 about " +
+                   vector_text(angle > 0 ? turn / angle : turn, 4)},
       {"shift of the centre (m)", vector_text(r.centre - inverse(r.pose).point(r.centre), 5)},
       {"centre, in the reference (m)", vector_text(r.centre, 3)},
       {"\xCF\x83 of the turn about x, y, z (\xC2\xB0)",
        vector_text({kDegrees * sigma(0), kDegrees * sigma(1), kDegrees * sigma(2)}, 6)},
-      {"\xCF\x83 of the centre in x, y, z (mm)", vector_text({1000 * sigma(3), 1000 * sigma(4), 1000 * sigma(5)}, 3)}};
+      {"\xCF\x83 of the centre in x, y, z (mm)",
+       vector_text({1000 * sigma(3), 1000 * sigma(4), 1000 * sigma(5)}, 3)}};
   if (r.scale != 1) pairs.emplace_back("scale", known(r.scale, 9));
   add_pairs(page, pairs);
   page.note("Maps coordinates of the moving into the reference's (4 x 4, metres).");
@@ -106,7 +118,9 @@ void add_search(Page& page, const Registration& r) {
                    {"share of the moving surface on the reference", percent("overlap_moving")},
                    {"share of the reference's on the moving one", percent("overlap_reference")},
                    {"salient places in common that look alike", percent("likeness")}});
-  page.note("Score: overlap of both times likeness. The more the second one falls behind, the surer the pose.");
+  page.note(
+      "Score: overlap of both times likeness. The more the second one falls behind, the surer the "
+      "pose.");
 }
 
 void add_directions(Page& page, const Registration& r) {
@@ -119,12 +133,15 @@ void add_directions(Page& page, const Registration& r) {
     html.open("tr");
     html.element("td", {}, direction_text(*directions, i, r.extent_m));
     page.number(known(1000 * r.directions.require("sigma").number(i), 3));
-    html.element("td", {}, r.directions.require("observable").number(i) != 0 ? "yes" : "no: as at the start");
+    html.element("td", {},
+                 r.directions.require("observable").number(i) != 0 ? "yes" : "no: as at the start");
     html.close();
   }
   page.close_table();
-  page.note("Principal directions of the pose, the weakest first; turns about the centre count as what they move at " +
-            known(r.extent_m, 2) + " m from it.");
+  page.note(
+      "Principal directions of the pose, the weakest first; turns about the centre count as what "
+      "they move at " +
+      known(r.extent_m, 2) + " m from it.");
 }
 
 void add_pairs_table(Page& page, const Registration& r) {
@@ -141,7 +158,8 @@ void add_pairs_table(Page& page, const Registration& r) {
   page.open_table(heads);
   for (size_t i = 0; i < rows; ++i) {
     page.html().open("tr");
-    page.foreign("td", i < r.pair_names.size() && !r.pair_names[i].empty() ? r.pair_names[i] : std::to_string(i + 1));
+    page.foreign("td", i < r.pair_names.size() && !r.pair_names[i].empty() ? r.pair_names[i]
+                                                                           : std::to_string(i + 1));
     for (const ColumnPtr& column : r.residuals) page.number(cell_text(*column, i));
     page.html().close();
   }

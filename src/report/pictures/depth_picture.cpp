@@ -45,10 +45,12 @@ std::string depth_png(const DepthMap& map) {
       const float range = map.cells()[row * grid.columns + column].range_m;
       const double part = span > 0 ? std::log(std::max(range, near) / near) / span : 0;
       image.pixels[(grid.rows - 1 - row) * grid.columns + column] =
-          range > 0 ? static_cast<uint8_t>(std::lround(255 - part * (255 - kFarthestGrey))) : uint8_t{0};
+          range > 0 ? static_cast<uint8_t>(std::lround(255 - part * (255 - kFarthestGrey)))
+                    : uint8_t{0};
     }
-  image.description = "Depth map: grey 255 = " + text_of(double{near}) + " m, " + std::to_string(kFarthestGrey) +
-                      " = " + text_of(double{far}) + " m, even in the logarithm of the range; blue = empty";
+  image.description = "Depth map: grey 255 = " + text_of(double{near}) + " m, " +
+                      std::to_string(kFarthestGrey) + " = " + text_of(double{far}) +
+                      " m, even in the logarithm of the range; blue = empty";
   return png_of(image);
 }
 

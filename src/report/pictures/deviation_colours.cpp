@@ -23,16 +23,21 @@ constexpr std::array<Rgb, 7> kDiverging = {{{0x21, 0x66, 0xac},
                                             {0xfd, 0xdb, 0xc7},
                                             {0xef, 0x8a, 0x62},
                                             {0xb2, 0x18, 0x2b}}};
-constexpr std::array<Rgb, 6> kSequential = {
-    {{0xe8, 0xec, 0xd2}, {0xfe, 0xd9, 0x76}, {0xfd, 0x8d, 0x3c}, {0xf0, 0x3b, 0x20}, {0xbd, 0x00, 0x26},
-     {0x5a, 0x00, 0x1c}}};
+constexpr std::array<Rgb, 6> kSequential = {{{0xe8, 0xec, 0xd2},
+                                             {0xfe, 0xd9, 0x76},
+                                             {0xfd, 0x8d, 0x3c},
+                                             {0xf0, 0x3b, 0x20},
+                                             {0xbd, 0x00, 0x26},
+                                             {0x5a, 0x00, 0x1c}}};
 
 template <size_t N>
 Rgb between(const std::array<Rgb, N>& stops, double t) {
   const double at = t * static_cast<double>(N - 1);
   const size_t i = std::min(static_cast<size_t>(at), N - 2);
   const double f = at - static_cast<double>(i);
-  const auto mix = [&](uint8_t a, uint8_t b) { return static_cast<uint8_t>(std::lround(a + f * (b - a))); };
+  const auto mix = [&](uint8_t a, uint8_t b) {
+    return static_cast<uint8_t>(std::lround(a + f * (b - a)));
+  };
   return {mix(stops[i].red, stops[i + 1].red), mix(stops[i].green, stops[i + 1].green),
           mix(stops[i].blue, stops[i + 1].blue)};
 }
@@ -65,7 +70,8 @@ DeviationScale deviation_scale(std::span<const Comparison* const> comparisons, d
   if (limit_m > 0) return out;
   out.limit_m = 1;
   if (sizes.empty()) return out;
-  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(sizes.size() - 1));
+  const auto at =
+      sizes.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), at, sizes.end());
   out.limit_m = round_up_125(std::max(*at, kLeastLimit_m));
   return out;

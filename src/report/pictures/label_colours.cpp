@@ -10,14 +10,29 @@ namespace jalon {
 
 namespace {
 
-constexpr std::array<Rgb, 18> kPalette = {
-    {{0xa6, 0xbd, 0xd7}, {0xce, 0xa2, 0x62}, {0x00, 0x7d, 0x34}, {0xff, 0xb3, 0x00}, {0x80, 0x3e, 0x75},
-     {0xf6, 0x76, 0x8e}, {0x00, 0x53, 0x8a}, {0xff, 0x68, 0x00}, {0x93, 0xaa, 0x00}, {0xc1, 0x00, 0x20},
-     {0x53, 0x37, 0x7a}, {0xf4, 0xc8, 0x00}, {0xff, 0x7a, 0x5c}, {0x7f, 0x18, 0x0d}, {0x59, 0x33, 0x15},
-     {0xb3, 0x28, 0x51}, {0xf1, 0x3a, 0x13}, {0x23, 0x2c, 0x16}}};
+constexpr std::array<Rgb, 18> kPalette = {{{0xa6, 0xbd, 0xd7},
+                                           {0xce, 0xa2, 0x62},
+                                           {0x00, 0x7d, 0x34},
+                                           {0xff, 0xb3, 0x00},
+                                           {0x80, 0x3e, 0x75},
+                                           {0xf6, 0x76, 0x8e},
+                                           {0x00, 0x53, 0x8a},
+                                           {0xff, 0x68, 0x00},
+                                           {0x93, 0xaa, 0x00},
+                                           {0xc1, 0x00, 0x20},
+                                           {0x53, 0x37, 0x7a},
+                                           {0xf4, 0xc8, 0x00},
+                                           {0xff, 0x7a, 0x5c},
+                                           {0x7f, 0x18, 0x0d},
+                                           {0x59, 0x33, 0x15},
+                                           {0xb3, 0x28, 0x51},
+                                           {0xf1, 0x3a, 0x13},
+                                           {0x23, 0x2c, 0x16}}};
 constexpr size_t kReach = 3;  // pixels: segments with a narrow gap between them count as neighbours
 
-bool is_segment(uint32_t label) { return label != LabelRaster::kEmpty && label != LabelRaster::kNoise; }
+bool is_segment(uint32_t label) {
+  return label != LabelRaster::kEmpty && label != LabelRaster::kNoise;
+}
 
 using Pair = std::pair<uint32_t, uint32_t>;
 
@@ -79,9 +94,10 @@ IndexedImage image_of(const LabelRaster& raster, std::span<const uint8_t> colour
   image.palette.insert(image.palette.end(), kPalette.begin(), kPalette.end());
   image.pixels.reserve(raster.labels.size());
   for (const uint32_t label : raster.labels)
-    image.pixels.push_back(label == LabelRaster::kEmpty   ? uint8_t{0}
-                           : label == LabelRaster::kNoise ? uint8_t{1}
-                                                          : static_cast<uint8_t>(2 + colours[label - 1]));
+    image.pixels.push_back(label == LabelRaster::kEmpty ? uint8_t{0}
+                           : label == LabelRaster::kNoise
+                               ? uint8_t{1}
+                               : static_cast<uint8_t>(2 + colours[label - 1]));
   return image;
 }
 

@@ -25,14 +25,16 @@ std::vector<uint16_t> distances_to_border(const LabelRaster& raster) {
     for (size_t x = 1; x + 1 < columns; ++x) {
       const size_t at = y * columns + x;
       uint16_t least = UINT16_MAX - 1;
-      for (const size_t other : {at - columns - 1, at - columns, at - columns + 1, at - 1}) step(at, other, least);
+      for (const size_t other : {at - columns - 1, at - columns, at - columns + 1, at - 1})
+        step(at, other, least);
       out[at] = static_cast<uint16_t>(least + 1);
     }
   for (size_t y = rows - 1; y-- > 1;)
     for (size_t x = columns - 1; x-- > 1;) {
       const size_t at = y * columns + x;
       uint16_t least = static_cast<uint16_t>(out[at] - 1);
-      for (const size_t other : {at + columns + 1, at + columns, at + columns - 1, at + 1}) step(at, other, least);
+      for (const size_t other : {at + columns + 1, at + columns, at + columns - 1, at + 1})
+        step(at, other, least);
       out[at] = static_cast<uint16_t>(least + 1);
     }
   return out;

@@ -13,11 +13,13 @@ namespace jalon {
 namespace {
 
 constexpr size_t kPointsPerChunk = 1 << 16;
-constexpr double kCoarseCells = 256;       // at most, along the longer side, to see how much of the picture is covered
-constexpr double kPointsPerCell = 9;       // so that surfaces have no empty cells (e^-9)
-constexpr double kPixelsPerSpacing = 2;    // a point is 3 pixels wide then: surfaces close, edges swell by 3/4 spacing
+constexpr double kCoarseCells =
+    256;  // at most, along the longer side, to see how much of the picture is covered
+constexpr double kPointsPerCell = 9;  // so that surfaces have no empty cells (e^-9)
+constexpr double kPixelsPerSpacing =
+    2;  // a point is 3 pixels wide then: surfaces close, edges swell by 3/4 spacing
 constexpr double kLeastExtent_m = 0.01;
-constexpr int kClosingNeighbours = 5;      // of 8: a hole of one pixel in a surface
+constexpr int kClosingNeighbours = 5;  // of 8: a hole of one pixel in a surface
 
 using Labels = std::span<const uint32_t>;
 
@@ -46,13 +48,16 @@ struct Extent {
   }
 };
 
-Extent extent_of(const Cloud& cloud, Labels labels, const Projection& projection, bool noise_too, Task& task) {
-  return parallel_reduce(task, labels.size(), kPointsPerChunk, Extent{}, [&](size_t begin, size_t end) {
-    Extent part;
-    for (size_t i = begin; i < end; ++i)
-      if (noise_too || labels[i] != 0) part.add(projection.flat(cloud.point(i)));
-    return part;
-  });
+Extent extent_of(const Cloud& cloud, Labels labels, const Projection& projection, bool noise_too,
+                 Task& task) {
+  return parallel_reduce(task, labels.size(), kPointsPerChunk, Extent{},
+                         [&](size_t begin, size_t end) {
+                           Extent part;
+                           for (size_t i = begin; i < end; ++i)
+                             if (noise_too || labels[i] != 0)
+                               part.add(projection.flat(cloud.point(i)));
+                           return part;
+                         });
 }
 
 // Spacing of the points on the picture, from the part of it that they cover.
@@ -64,7 +69,8 @@ double spacing_of(const Cloud& cloud, const Projection& projection, const Extent
   const auto side = static_cast<size_t>(kCoarseCells) + 1;
   std::vector<uint8_t> covered(side * side, 0);
   for (size_t i = 0; i < cloud.size(); ++i) {
-    if (i % kPointsPerChunk == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(cloud.size()));
+    if (i % kPointsPerChunk == 0)
+      task.checkpoint(static_cast<double>(i) / static_cast<double>(cloud.size()));
     const Vec2 p = projection.flat(cloud.point(i));
     const double u = (p.u - box.low.u) / cell, v = (p.v - box.low.v) / cell;
     if (u >= 0 && v >= 0 && u < static_cast<double>(side) && v < static_cast<double>(side))
@@ -79,7 +85,8 @@ LabelRaster frame(const Extent& box, double spacing) {
   LabelRaster out;
   const double width = std::max(kLeastExtent_m, box.high.u - box.low.u) + 2 * spacing;
   const double height = std::max(kLeastExtent_m, box.high.v - box.low.v) + 2 * spacing;
-  out.pixel_m = std::max(spacing / kPixelsPerSpacing, std::sqrt(width * height / kMaxPicturePixels));
+  out.pixel_m =
+      std::max(spacing / kPixelsPerSpacing, std::sqrt(width * height / kMaxPicturePixels));
   // Long and thin: the sides have a bound too, so that rounding up cannot pass the limit by much.
   out.pixel_m = std::max(out.pixel_m, std::max(width, height) / std::sqrt(kMaxPicturePixels) / 16);
   out.columns = static_cast<uint32_t>(width / out.pixel_m) + 1;
@@ -90,20 +97,23 @@ LabelRaster frame(const Extent& box, double spacing) {
 }
 
 // Every point as a square of (2 radius + 1) pixels; the nearest one stays, noise goes where no segment is.
-void draw_points(const Cloud& cloud, Labels labels, const Projection& projection, int64_t radius, LabelRaster& out,
-                 Task& task) {
+void draw_points(const Cloud& cloud, Labels labels, const Projection& projection, int64_t radius,
+                 LabelRaster& out, Task& task) {
   std::vector<float> nearest(out.labels.size(), INFINITY);
   const int64_t columns = out.columns, rows = out.rows;
   for (size_t i = 0; i < labels.size(); ++i) {
-    if (i % kPointsPerChunk == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(labels.size()));
+    if (i % kPointsPerChunk == 0)
+      task.checkpoint(static_cast<double>(i) / static_cast<double>(labels.size()));
     const Vec3 p = cloud.point(i);
     const Vec2 flat = projection.flat(p);
     const double u = (flat.u - out.low.u) / out.pixel_m, v = (flat.v - out.low.v) / out.pixel_m;
-    if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns) && v < static_cast<double>(rows))) continue;
+    if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns) && v < static_cast<double>(rows)))
+      continue;
     const int64_t column = static_cast<int64_t>(u), row = rows - 1 - static_cast<int64_t>(v);
     const auto depth = static_cast<float>(projection.depth(p));
     for (int64_t y = std::max<int64_t>(0, row - radius); y <= std::min(rows - 1, row + radius); ++y)
-      for (int64_t x = std::max<int64_t>(0, column - radius); x <= std::min(columns - 1, column + radius); ++x) {
+      for (int64_t x = std::max<int64_t>(0, column - radius);
+           x <= std::min(columns - 1, column + radius); ++x) {
         const auto pixel = static_cast<size_t>(y * columns + x);
         if (labels[i] == 0) {
           if (out.labels[pixel] == LabelRaster::kEmpty) out.labels[pixel] = LabelRaster::kNoise;
@@ -124,21 +134,26 @@ void close_holes(LabelRaster& raster) {
       const size_t at = y * columns + x;
       if (before[at] != LabelRaster::kEmpty && before[at] != LabelRaster::kNoise) continue;
       const size_t above = at - columns, below = at + columns;
-      const uint32_t around[8] = {before[above - 1], before[above],     before[above + 1], before[at - 1],
-                                  before[at + 1],    before[below - 1], before[below],     before[below + 1]};
+      const uint32_t around[8] = {before[above - 1], before[above],    before[above + 1],
+                                  before[at - 1],    before[at + 1],   before[below - 1],
+                                  before[below],     before[below + 1]};
       for (const uint32_t label : around)
-        if (label != LabelRaster::kEmpty && std::count(around, around + 8, label) >= kClosingNeighbours)
+        if (label != LabelRaster::kEmpty &&
+            std::count(around, around + 8, label) >= kClosingNeighbours)
           raster.labels[at] = label;
     }
 }
 
 }  // namespace
 
-LabelRaster rasterise_points(const Cloud& cloud, Labels labels, const Projection& projection, Task& task) {
+LabelRaster rasterise_points(const Cloud& cloud, Labels labels, const Projection& projection,
+                             Task& task) {
   Extent box = extent_of(cloud, labels, projection, false, task);
   if (box.n == 0) box = extent_of(cloud, labels, projection, true, task);
   LabelRaster out;
-  if (box.n == 0 || !std::isfinite(box.high.u - box.low.u) || !std::isfinite(box.high.v - box.low.v)) return out;
+  if (box.n == 0 || !std::isfinite(box.high.u - box.low.u) ||
+      !std::isfinite(box.high.v - box.low.v))
+    return out;
   const double spacing = [&] {
     ProgressSpan span(task, 0, 0.3);
     return spacing_of(cloud, projection, box, task);
@@ -151,7 +166,8 @@ LabelRaster rasterise_points(const Cloud& cloud, Labels labels, const Projection
 }
 
 LabelRaster rasterise_labels(const Segmentation& s, PictureView view, Task& task) {
-  return rasterise_points(*s.cloud, s.labels->values<uint32_t>(), projection_of(s, view, task), task);
+  return rasterise_points(*s.cloud, s.labels->values<uint32_t>(), projection_of(s, view, task),
+                          task);
 }
 
 }  // namespace jalon

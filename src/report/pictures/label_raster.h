@@ -19,7 +19,9 @@ enum class PictureView { kFront, kPlan };
 struct Projection {
   Vec3 origin, right, up, into;
   Vec2 shift;  ///< picture coordinates of the origin
-  Vec2 flat(const Vec3& p) const { return {dot(p - origin, right) + shift.u, dot(p - origin, up) + shift.v}; }
+  Vec2 flat(const Vec3& p) const {
+    return {dot(p - origin, right) + shift.u, dot(p - origin, up) + shift.v};
+  }
   double depth(const Vec3& p) const { return dot(p - origin, into); }
 };
 
@@ -28,7 +30,7 @@ struct LabelRaster {
   static constexpr uint32_t kEmpty = 0, kNoise = ~uint32_t{0};
   uint32_t columns = 0, rows = 0;
   double pixel_m = 1;
-  Vec2 low;  ///< left lower corner: along the facade or X; Z or Y
+  Vec2 low;                      ///< left lower corner: along the facade or X; Z or Y
   std::vector<uint32_t> labels;  ///< a segment's, kNoise or kEmpty
 
   double width_m() const { return columns * pixel_m; }
@@ -41,8 +43,8 @@ struct LabelRaster {
 LabelRaster rasterise_labels(const Segmentation& segmentation, PictureView view, Task& task);
 
 /// The same of any cloud and labels, one a point; label 0 is what noise is.
-LabelRaster rasterise_points(const Cloud& cloud, std::span<const uint32_t> labels, const Projection& projection,
-                             Task& task);
+LabelRaster rasterise_points(const Cloud& cloud, std::span<const uint32_t> labels,
+                             const Projection& projection, Task& task);
 
 constexpr double kMaxPicturePixels = 1e6;  // worst case 9 bits each: with base64 below 1.6 MB
 

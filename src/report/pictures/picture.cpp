@@ -37,20 +37,22 @@ struct Picture {
 
 void draw_image(SvgWriter& svg, const Picture& picture) {
   const Box_mm& v = picture.sheet.view;
-  svg.leaf("image", {{"x", v.x},
-                     {"y", v.y},
-                     {"width", v.width},
-                     {"height", v.height},
-                     {"preserveAspectRatio", "none"},
-                     {"style", "image-rendering:pixelated"},
-                     {"xlink:href",
-                      "data:image/png;base64," + base64_of(png_of(image_of(picture.raster, picture.colours)))}});
+  svg.leaf("image",
+           {{"x", v.x},
+            {"y", v.y},
+            {"width", v.width},
+            {"height", v.height},
+            {"preserveAspectRatio", "none"},
+            {"style", "image-rendering:pixelated"},
+            {"xlink:href", "data:image/png;base64," +
+                               base64_of(png_of(image_of(picture.raster, picture.colours)))}});
 }
 
 // Front: x counts from the left end of the picture, as on the elevation; plan: X and Y of the data.
 PictureAxes axes_of(const Picture& picture) {
   if (picture.view == PictureView::kFront)
-    return {"Distance along the facade (m)", "Height Z (m)", picture.raster.low.u, 12, kPictureText};
+    return {"Distance along the facade (m)", "Height Z (m)", picture.raster.low.u, 12,
+            kPictureText};
   return {"X (m)", "Y (m)"};
 }
 
@@ -59,17 +61,31 @@ void draw_numbers(SvgWriter& svg, const Picture& picture) {
   const double mm = picture.sheet.mm_of(picture.raster.pixel_m);
   for (const LabelNumber& number : place_numbers(picture.raster, kPictureText / mm)) {
     const Box_mm& v = picture.sheet.view;
-    const Vec2 at{v.x + mm * (number.column + 0.5), v.y + mm * (number.row + 0.5) + 0.36 * kPictureText};
+    const Vec2 at{v.x + mm * (number.column + 0.5),
+                  v.y + mm * (number.row + 0.5) + 0.36 * kPictureText};
     const std::string text = std::to_string(number.label);
-    svg.element("text", {{"x", at.u}, {"y", at.v}, {"font-size", kPictureText}, {"text-anchor", "middle"}, {"fill", "#ffffff"},
-                         {"stroke", "#ffffff"}, {"stroke-width", 0.7}, {"stroke-linejoin", "round"}}, text);
+    svg.element("text",
+                {{"x", at.u},
+                 {"y", at.v},
+                 {"font-size", kPictureText},
+                 {"text-anchor", "middle"},
+                 {"fill", "#ffffff"},
+                 {"stroke", "#ffffff"},
+                 {"stroke-width", 0.7},
+                 {"stroke-linejoin", "round"}},
+                text);
     svg_text(svg, at, kPictureText, Anchor::kMiddle, text);
   }
 }
 
 void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const std::string& text) {
-  svg.leaf("rect", {{"x", x}, {"y", y}, {"width", kSwatch}, {"height", 3}, {"fill", hex_of(colour)},
-                    {"stroke", kInk}, {"stroke-width", 0.18}});
+  svg.leaf("rect", {{"x", x},
+                    {"y", y},
+                    {"width", kSwatch},
+                    {"height", 3},
+                    {"fill", hex_of(colour)},
+                    {"stroke", kInk},
+                    {"stroke-width", 0.18}});
   svg_text(svg, {x + kSwatch + 2, y + 2.5}, kPictureText, Anchor::kStart, text);
 }
 
@@ -84,8 +100,9 @@ void draw_legend(SvgWriter& svg, const Picture& picture) {
   y += 4.5;
   const size_t rows = static_cast<size_t>(std::max(1.0, (box.bottom() - 14 - y) / kRow - 2));
   for (size_t i = 0; i < std::min(rows, s.segments.size()); ++i, y += kRow)
-    swatch(svg, x, y, segment_palette()[picture.colours[i]],
-           std::to_string(s.segments[i].label) + "  (" + grouped(s.segments[i].point_count()) + ")");
+    swatch(
+        svg, x, y, segment_palette()[picture.colours[i]],
+        std::to_string(s.segments[i].label) + "  (" + grouped(s.segments[i].point_count()) + ")");
   if (s.segments.size() > rows) {
     svg_text(svg, {x, y + 2.5}, kPictureText, Anchor::kStart,
              "and " + std::to_string(s.segments.size() - rows) + " smaller ones");
@@ -97,8 +114,9 @@ void draw_legend(SvgWriter& svg, const Picture& picture) {
 std::string title_of(const Picture& picture, const PictureSettings& settings) {
   const std::string& title = settings.title;
   const char* kind = picture.view == PictureView::kFront ? "front view" : "plan view";
-  return (title.empty() ? "" : title + ": ") + kind + ", " + grouped(picture.segmentation.segments.size()) +
-         " segments of " + grouped(picture.segmentation.cloud->size()) + " points";
+  return (title.empty() ? "" : title + ": ") + kind + ", " +
+         grouped(picture.segmentation.segments.size()) + " segments of " +
+         grouped(picture.segmentation.cloud->size()) + " points";
 }
 
 }  // namespace
@@ -132,9 +150,13 @@ std::string picture_svg(const Segmentation& segmentation, const PictureSettings&
     return svg.take();
   }
   draw_image(svg, picture);
-  svg.leaf("rect",
-           {{"x", sheet.view.x}, {"y", sheet.view.y}, {"width", sheet.view.width}, {"height", sheet.view.height},
-                    {"fill", "none"}, {"stroke", kInk}, {"stroke-width", 0.25}});
+  svg.leaf("rect", {{"x", sheet.view.x},
+                    {"y", sheet.view.y},
+                    {"width", sheet.view.width},
+                    {"height", sheet.view.height},
+                    {"fill", "none"},
+                    {"stroke", kInk},
+                    {"stroke-width", 0.25}});
   draw_axes(svg, picture.raster, picture.sheet, axes_of(picture));
   if (settings.numbers) draw_numbers(svg, picture);
   draw_legend(svg, picture);

@@ -12,7 +12,8 @@ constexpr double kPictureAxesText = 2.5, kNameText = 2.8, kUpApart_mm = 8;
 
 }  // namespace
 
-void draw_axes(SvgWriter& svg, const LabelRaster& raster, const Sheet& sheet, const PictureAxes& axes) {
+void draw_axes(SvgWriter& svg, const LabelRaster& raster, const Sheet& sheet,
+               const PictureAxes& axes) {
   const Box_mm& v = sheet.view;
   const double mm = sheet.mm_of(1), low = raster.low.u - axes.right_zero;
   const Ticks right = make_ticks(low, low + raster.width_m(), axes.right_apart_mm / mm);
@@ -28,7 +29,8 @@ void draw_axes(SvgWriter& svg, const LabelRaster& raster, const Sheet& sheet, co
     svg_text(svg, {v.x - 2.3, at + 0.9}, axes.up_text_mm, Anchor::kEnd, up.label(value));
   }
   svg_text(svg, {v.x + v.width / 2, v.bottom() + 9.5}, kNameText, Anchor::kMiddle, axes.right_name);
-  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, kNameText, Anchor::kMiddle, axes.up_name, false, true);
+  svg_text(svg, {v.x - 12.5, v.y + v.height / 2}, kNameText, Anchor::kMiddle, axes.up_name, false,
+           true);
 }
 
 }  // namespace jalon

@@ -17,6 +17,7 @@ struct PictureAxes {
 };
 
 /// Tick marks, labels and names below and to the left of the picture.
-void draw_axes(SvgWriter& svg, const LabelRaster& raster, const Sheet& sheet, const PictureAxes& axes);
+void draw_axes(SvgWriter& svg, const LabelRaster& raster, const Sheet& sheet,
+               const PictureAxes& axes);
 
 }  // namespace jalon

@@ -15,7 +15,9 @@ class Page {
   void heading(std::string_view text) { svg_.element("h2", {}, text); }
   void note(std::string_view text) { svg_.element("p", {{"class", "note"}}, text); }
   // Text from outside stands in <bdi>, so that marks for writing direction stay inside.
-  void foreign(const char* tag, std::string_view text) { svg_.open(tag).element("bdi", {}, text).close(); }
+  void foreign(const char* tag, std::string_view text) {
+    svg_.open(tag).element("bdi", {}, text).close();
+  }
   /// Opens a table with this heading, in a field that scrolls where it is wide; close_table() closes it.
   void open_table(const std::vector<const char*>& names) {
     svg_.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");

@@ -19,9 +19,9 @@ struct Paper {
 };
 // Small before large, landscape before upright. An upright A4 has no room for the title block.
 constexpr Paper kPapers[] = {
-    {"A4", "A4", 297, 210},   {"A3", "A3", 420, 297}, {"A3", "A3 upright", 297, 420},
-    {"A2", "A2", 594, 420},   {"A2", "A2 upright", 420, 594}, {"A1", "A1", 841, 594},
-    {"A1", "A1 upright", 594, 841}, {"A0", "A0", 1189, 841}, {"A0", "A0 upright", 841, 1189},
+    {"A4", "A4", 297, 210},         {"A3", "A3", 420, 297},         {"A3", "A3 upright", 297, 420},
+    {"A2", "A2", 594, 420},         {"A2", "A2 upright", 420, 594}, {"A1", "A1", 841, 594},
+    {"A1", "A1 upright", 594, 841}, {"A0", "A0", 1189, 841},        {"A0", "A0 upright", 841, 1189},
 };
 constexpr std::string_view kOfficePaper = "A3";  // the largest that an office printer takes
 
@@ -36,7 +36,8 @@ constexpr int kScales = 4 * 10;
 
 Box_mm free_box(double width, double height, const Margins_mm& m) {
   const double left = kMargin + m.left, top = kMargin + m.above;
-  return {left, top, width - left - m.right - kLegend - kMargin, height - top - m.below - kStrip - kMargin};
+  return {left, top, width - left - m.right - kLegend - kMargin,
+          height - top - m.below - kStrip - kMargin};
 }
 
 // What the drawing asks of a sheet.
@@ -57,7 +58,8 @@ int64_t largest_scale(const Paper& paper, const Need& need) {
   return usual_scale(kScales - 1);
 }
 
-Sheet place(double width, double height, const std::string& name, int64_t denominator, const Need& need) {
+Sheet place(double width, double height, const std::string& name, int64_t denominator,
+            const Need& need) {
   Sheet s;
   s.paper = name;
   s.denominator = denominator;
@@ -99,7 +101,8 @@ Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, i
   return place(width, height, "own size", denominator, need);
 }
 
-Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins, double legend_height) {
+Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins,
+                     double legend_height) {
   Sheet s;
   s.denominator = 1;
   for (int i = 0; i < kScales; ++i) {

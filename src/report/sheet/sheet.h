@@ -15,12 +15,12 @@ struct Box_mm {
 
 /// Layout of a drawing sheet; everything in millimetres from the top left corner of the paper.
 struct Sheet {
-  std::string paper;      ///< "A3", "A3 upright", or "" for a drawing embedded in a page
+  std::string paper;          ///< "A3", "A3 upright", or "" for a drawing embedded in a page
   int64_t denominator = 100;  ///< scale 1 : denominator
   double width = 0, height = 0;
-  Box_mm frame;           ///< border line
-  Box_mm view;            ///< the drawing's window, to scale
-  Box_mm legend, strip;   ///< right column; bottom strip with scale bar and title block
+  Box_mm frame;          ///< border line
+  Box_mm view;           ///< the drawing's window, to scale
+  Box_mm legend, strip;  ///< right column; bottom strip with scale bar and title block
   double mm_of(double metres) const { return metres * 1000 / static_cast<double>(denominator); }
 };
 
@@ -38,6 +38,7 @@ Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, i
 
 /// The same without border and title block, as small as its content: at most about 250 mm wide.
 /// legend_height: room that the legend needs, mm.
-Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins = {}, double legend_height = 75);
+Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins = {},
+                     double legend_height = 75);
 
 }  // namespace jalon

@@ -31,12 +31,18 @@ void append_point(std::string& d, char command, const Vec2& p) {
 }  // namespace
 
 void svg_line(SvgWriter& svg, const Vec2& a, const Vec2& b, const char* colour, double width) {
-  svg.leaf("line", {{"x1", a.u}, {"y1", a.v}, {"x2", b.u}, {"y2", b.v}, {"stroke", colour}, {"stroke-width", width}});
+  svg.leaf("line", {{"x1", a.u},
+                    {"y1", a.v},
+                    {"x2", b.u},
+                    {"y2", b.v},
+                    {"stroke", colour},
+                    {"stroke-width", width}});
 }
 
-void svg_text(SvgWriter& svg, const Vec2& at, double size, Anchor anchor, std::string_view text, bool bold,
-              bool upright, const char* colour) {
-  const std::string turn = upright ? "rotate(-90 " + svg_number(at.u) + " " + svg_number(at.v) + ")" : "rotate(0)";
+void svg_text(SvgWriter& svg, const Vec2& at, double size, Anchor anchor, std::string_view text,
+              bool bold, bool upright, const char* colour) {
+  const std::string turn =
+      upright ? "rotate(-90 " + svg_number(at.u) + " " + svg_number(at.v) + ")" : "rotate(0)";
   svg.element("text",
               {{"x", at.u},
                {"y", at.v},

@@ -22,8 +22,8 @@ enum class Anchor { kStart, kMiddle, kEnd };
 
 void svg_line(SvgWriter& svg, const Vec2& a, const Vec2& b, const char* colour, double width);
 /// Text on a base line; turned 90 degrees to the left when upright. size is the height of the font.
-void svg_text(SvgWriter& svg, const Vec2& at, double size, Anchor anchor, std::string_view text, bool bold = false,
-              bool upright = false, const char* colour = kInk);
+void svg_text(SvgWriter& svg, const Vec2& at, double size, Anchor anchor, std::string_view text,
+              bool bold = false, bool upright = false, const char* colour = kInk);
 /// d of a <path>: closed rings.
 std::string svg_rings(std::span<const std::vector<Vec2>> rings);
 /// d of a <path>: an open line.

@@ -28,7 +28,8 @@ double round_up_125(double value) {
 Ticks make_ticks(double from, double to, double min_step) {
   Ticks ticks;
   if (!(to >= from) || !std::isfinite(to - from)) return ticks;
-  const double floor_step = std::max({min_step, (to - from) / static_cast<double>(kMaxTicks), 1e-12});
+  const double floor_step =
+      std::max({min_step, (to - from) / static_cast<double>(kMaxTicks), 1e-12});
   ticks.step = round_up_125(floor_step);
   ticks.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(ticks.step) - kSlack)), 0, 12);
   const double first = std::ceil(from / ticks.step - kSlack);

@@ -10,8 +10,8 @@ namespace jalon {
 /// Marks of an axis: multiples of 1, 2 or 5 times a power of ten.
 struct Ticks {
   double step = 1;
-  int decimals = 0;             ///< that tell the marks apart
-  std::vector<double> values;   ///< within [from, to], ascending; at most 1000
+  int decimals = 0;            ///< that tell the marks apart
+  std::vector<double> values;  ///< within [from, to], ascending; at most 1000
   std::string label(double value) const;
 };
 

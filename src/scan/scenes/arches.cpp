@@ -51,7 +51,8 @@ std::vector<Window> lycee_windows() {
   for (size_t j = 0; j < 2; ++j)
     for (int i = 0; i < 4; ++i) {
       const double u = kBay_m * (i + 0.5) - kWidth_m / 2;
-      out.push_back({{u, u + kWidth_m, kSill_m[j], kSill_m[j] + kHeight_m}, kRise_m[j], kDepth_m[j]});
+      out.push_back(
+          {{u, u + kWidth_m, kSill_m[j], kSill_m[j] + kHeight_m}, kRise_m[j], kDepth_m[j]});
     }
   return out;
 }
@@ -67,12 +68,14 @@ void build_lycee(const SceneSettings& settings, SceneBuilder& out) {
   for (size_t i = 0; i < 6; ++i) {
     const Vec3 along{std::cos(kTurn * kHeading[i]), std::sin(kTurn * kHeading[i]), 0};
     const Frame frame{corner, along, kArchesZ};
-    const uint32_t wall = out.part("wall", "wall", out.part("facade " + std::to_string(i + 1), "facade"));
+    const uint32_t wall =
+        out.part("wall", "wall", out.part("facade " + std::to_string(i + 1), "facade"));
     const std::vector<Window> windows = i == 0 ? lycee_windows() : std::vector<Window>{};
     add_wall(out, wall, frame, kWidth_m[i], kHeight_m, windows);
     for (size_t w = 0; w < windows.size(); ++w) {
       const uint32_t window = out.part("window " + std::to_string(w + 1), "window", wall);
-      out.arched_recess(window, frame, windows[w].rect, windows[w].rise_m, windows[w].depth_m, true);
+      out.arched_recess(window, frame, windows[w].rect, windows[w].rise_m, windows[w].depth_m,
+                        true);
       add_sill(out, window, frame, windows[w].rect);
     }
     corner += along * kWidth_m[i];
@@ -93,12 +96,18 @@ void build_arches(const SceneSettings&, SceneBuilder& out) {
     double width_m, height_m;
     std::vector<Window> windows;
   };
-  const auto square = [](double u, double v) { return Window{{u, u + 1.6, v, v + 1.6}, 0, kDepth_m}; };
-  const auto arched = [](double u, double v) { return Window{{u, u + 1.2, v, v + 2.2}, 0.6, kDepth_m}; };
-  const Wall kWalls[] = {
-      {{0, 0, 0}, 8, 12, {square(1.5, 1.2), square(4.9, 1.2), square(1.5, 4.8), square(4.9, 4.8), arched(1.7, 8.4),
-                          arched(5.1, 8.4)}},
-      {{9, 0.4, 0}, 4.2, 8, {square(1.3, 1.2), arched(1.5, 4.8)}}};
+  const auto square = [](double u, double v) {
+    return Window{{u, u + 1.6, v, v + 1.6}, 0, kDepth_m};
+  };
+  const auto arched = [](double u, double v) {
+    return Window{{u, u + 1.2, v, v + 2.2}, 0.6, kDepth_m};
+  };
+  const Wall kWalls[] = {{{0, 0, 0},
+                          8,
+                          12,
+                          {square(1.5, 1.2), square(4.9, 1.2), square(1.5, 4.8), square(4.9, 4.8),
+                           arched(1.7, 8.4), arched(5.1, 8.4)}},
+                         {{9, 0.4, 0}, 4.2, 8, {square(1.3, 1.2), arched(1.5, 4.8)}}};
   for (const Wall& w : kWalls) {
     const uint32_t wall = out.part("wall", "wall", out.part("facade", "facade"));
     const Frame frame{w.corner, kArchesX, kArchesZ};
@@ -108,8 +117,7 @@ void build_arches(const SceneSettings&, SceneBuilder& out) {
       const uint32_t window = out.part("window " + std::to_string(i + 1), "window", wall);
       if (opening.rise_m > 0)
         out.arched_recess(window, frame, opening.rect, opening.rise_m, opening.depth_m, false);
-      else
-        out.recess(window, frame, opening.rect, opening.depth_m, true, 0);
+      else out.recess(window, frame, opening.rect, opening.depth_m, true, 0);
     }
   }
 }

@@ -17,7 +17,8 @@ struct Cells {
   size_t columns() const { return u.size() - 1; }
   size_t rows() const { return v.size() - 1; }
   bool has(ptrdiff_t i, ptrdiff_t j) const {
-    return i >= 0 && j >= 0 && i < static_cast<ptrdiff_t>(columns()) && j < static_cast<ptrdiff_t>(rows()) &&
+    return i >= 0 && j >= 0 && i < static_cast<ptrdiff_t>(columns()) &&
+           j < static_cast<ptrdiff_t>(rows()) &&
            inside[static_cast<size_t>(j) * columns() + static_cast<size_t>(i)] != 0;
   }
 };
@@ -41,7 +42,8 @@ Cells cells_of(const Rect& outline, std::span<const Rect> openings) {
   for (size_t j = 0; j < cells.rows(); ++j)
     for (size_t i = 0; i < cells.columns(); ++i) {
       const bool open = std::any_of(openings.begin(), openings.end(), [&](const Rect& o) {
-        return cells.u[i] >= o.u0 && cells.u[i + 1] <= o.u1 && cells.v[j] >= o.v0 && cells.v[j + 1] <= o.v1;
+        return cells.u[i] >= o.u0 && cells.u[i + 1] <= o.u1 && cells.v[j] >= o.v0 &&
+               cells.v[j + 1] <= o.v1;
       });
       cells.inside.push_back(open ? 0 : 1);
     }
@@ -66,7 +68,8 @@ bool is_border(const Cells& cells, ptrdiff_t i, ptrdiff_t j, int d) {
 /// Rings around the inside cells, corners only: counter-clockwise outside, clockwise around openings. The ring that
 /// starts at the lowest border edge comes first; of a connected piece that is the outline.
 std::vector<Outline> rings_of(const Cells& cells) {
-  const auto columns = static_cast<ptrdiff_t>(cells.u.size()), rows = static_cast<ptrdiff_t>(cells.v.size());
+  const auto columns = static_cast<ptrdiff_t>(cells.u.size()),
+             rows = static_cast<ptrdiff_t>(cells.v.size());
   std::vector<char> used(static_cast<size_t>(columns * rows * 4), 0);
   const auto mark = [&](ptrdiff_t i, ptrdiff_t j, int d) -> char& {
     return used[static_cast<size_t>((j * columns + i) * 4 + d)];
@@ -87,7 +90,8 @@ std::vector<Outline> rings_of(const Cells& cells) {
         // Left turns first: pieces that touch in a corner only stay apart.
         int next = (d + 1) % 4;
         if (!is_border(cells, x, y, next)) next = is_border(cells, x, y, d) ? d : (d + 3) % 4;
-        if (next != d) ring.push_back({cells.u[static_cast<size_t>(x)], cells.v[static_cast<size_t>(y)]});
+        if (next != d)
+          ring.push_back({cells.u[static_cast<size_t>(x)], cells.v[static_cast<size_t>(y)]});
         d = next;
       } while (!(x == i && y == j && d == 0));
       rings.push_back(std::move(ring));
@@ -113,8 +117,8 @@ void SceneBuilder::quad(uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_t
   model_.triangle_faces.insert(model_.triangle_faces.end(), 2, id);
 }
 
-uint32_t SceneBuilder::record(uint32_t part, const Frame& frame, const std::vector<Outline>& rings, double area_m2,
-                              uint32_t id) {
+uint32_t SceneBuilder::record(uint32_t part, const Frame& frame, const std::vector<Outline>& rings,
+                              double area_m2, uint32_t id) {
   Face face;
   face.part = part;
   face.id = id == 0 ? new_id() : id;
@@ -124,14 +128,15 @@ uint32_t SceneBuilder::record(uint32_t part, const Frame& frame, const std::vect
   std::vector<std::vector<Vec3>> corners;
   for (const Outline& ring : rings) {
     corners.emplace_back();
-    for (const Vec2& c : ring) corners.back().push_back(T_world_scene_.point(frame.point(c.u, c.v)));
+    for (const Vec2& c : ring)
+      corners.back().push_back(T_world_scene_.point(frame.point(c.u, c.v)));
   }
   model_.add_face(face, corners);
   return face.id;
 }
 
-uint32_t SceneBuilder::face(uint32_t part, const Frame& frame, const Rect& outline, std::span<const Rect> openings,
-                            uint32_t id) {
+uint32_t SceneBuilder::face(uint32_t part, const Frame& frame, const Rect& outline,
+                            std::span<const Rect> openings, uint32_t id) {
   const Cells cells = cells_of(outline, openings);
 
   // 1. The true plane, the rings and the area.

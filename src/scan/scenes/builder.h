@@ -16,7 +16,9 @@ namespace jalon {
 struct Frame {
   Vec3 origin, u, v;
   Vec3 normal() const { return cross(u, v); }
-  Vec3 point(double s, double t, double height = 0) const { return origin + u * s + v * t + normal() * height; }
+  Vec3 point(double s, double t, double height = 0) const {
+    return origin + u * s + v * t + normal() * height;
+  }
   /// The parallel frame this far along the normal.
   Frame raised(double height) const { return {origin + normal() * height, u, v}; }
 };
@@ -47,8 +49,8 @@ class SceneBuilder {
 
   /// The rectangle without the openings, which may touch its border but must leave one connected piece. id 0 = a new
   /// one. Gives the id back. Neighbouring triangles share whole edges.
-  uint32_t face(uint32_t part, const Frame& frame, const Rect& outline, std::span<const Rect> openings = {},
-                uint32_t id = 0);
+  uint32_t face(uint32_t part, const Frame& frame, const Rect& outline,
+                std::span<const Rect> openings = {}, uint32_t id = 0);
 
   /// Any outline, counter-clockwise, without the openings, which lie inside it and apart from each other.
   uint32_t polygon_face(uint32_t part, const Frame& frame, const Outline& outline,
@@ -56,13 +58,13 @@ class SceneBuilder {
 
   /// What lies behind an opening of the frame's plane: a pane at this depth, and the four reveals (three without a
   /// sill).
-  void recess(uint32_t part, const Frame& frame, const Rect& opening, double depth_m, bool has_sill, double frame_m,
-              uint32_t pane_id = 0);
+  void recess(uint32_t part, const Frame& frame, const Rect& opening, double depth_m, bool has_sill,
+              double frame_m, uint32_t pane_id = 0);
 
   /// The same with a round head: at the depth a joinery frame of 8 cm with glass 2 cm behind it, or one closed pane;
   /// sill, jambs, and the curved reveal of the head, which is no plane.
-  void arched_recess(uint32_t part, const Frame& frame, const Rect& opening, double rise_m, double depth_m,
-                     bool has_joinery);
+  void arched_recess(uint32_t part, const Frame& frame, const Rect& opening, double rise_m,
+                     double depth_m, bool has_joinery);
 
   /// Upright or lying box seen from outside; without its bottom where it stands on something.
   void box(uint32_t part, const Vec3& corner, const Vec3& size, bool has_bottom);
@@ -71,7 +73,8 @@ class SceneBuilder {
   void cylinder(const Vec3& foot, double radius_m, double height_m, int facets);
   void sphere(const Vec3& centre, double radius_m, int facets);
   /// A ground: two triangles a cell of columns x rows, with the corner (i, j) and the id of cell (i, j) as told.
-  void relief(uint32_t columns, uint32_t rows, const std::function<Vec3(uint32_t, uint32_t)>& corner,
+  void relief(uint32_t columns, uint32_t rows,
+              const std::function<Vec3(uint32_t, uint32_t)>& corner,
               const std::function<uint32_t(uint32_t, uint32_t)>& cell_id);
   /// A ball of loose triangular leaves: light gets through, in part.
   void crown(const Vec3& centre, double radius_m, int leaves, double leaf_m, RandomStream random);
@@ -81,7 +84,8 @@ class SceneBuilder {
  private:
   uint32_t vertex(const Vec3& p);
   void triangle(const Vec3& a, const Vec3& b, const Vec3& c, uint32_t id);
-  uint32_t record(uint32_t part, const Frame& frame, const std::vector<Outline>& rings, double area_m2, uint32_t id);
+  uint32_t record(uint32_t part, const Frame& frame, const std::vector<Outline>& rings,
+                  double area_m2, uint32_t id);
   void arched_joinery(uint32_t part, const Frame& back, const Rect& opening, double rise_m);
   void quad(uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_t id);
   void grid(int nu, int nv, uint32_t id, auto&& point);

@@ -10,9 +10,11 @@
 namespace jalon {
 
 void SceneBuilder::grid(int nu, int nv, uint32_t id, auto&& point) {
-  const auto first = static_cast<uint32_t>(model_.vertices.size()), width = static_cast<uint32_t>(nu);
+  const auto first = static_cast<uint32_t>(model_.vertices.size()),
+             width = static_cast<uint32_t>(nu);
   for (int j = 0; j <= nv; ++j)
-    for (int i = 0; i < nu; ++i) vertex(point(2 * std::numbers::pi * i / nu, static_cast<double>(j) / nv));
+    for (int i = 0; i < nu; ++i)
+      vertex(point(2 * std::numbers::pi * i / nu, static_cast<double>(j) / nv));
   for (uint32_t j = 0; j < static_cast<uint32_t>(nv); ++j)
     for (uint32_t i = 0; i < width; ++i) {
       const uint32_t a = first + j * width + i, b = first + j * width + (i + 1) % width;
@@ -33,7 +35,8 @@ void SceneBuilder::sphere(const Vec3& centre, double radius_m, int facets) {
   });
 }
 
-void SceneBuilder::relief(uint32_t columns, uint32_t rows, const std::function<Vec3(uint32_t, uint32_t)>& corner,
+void SceneBuilder::relief(uint32_t columns, uint32_t rows,
+                          const std::function<Vec3(uint32_t, uint32_t)>& corner,
                           const std::function<uint32_t(uint32_t, uint32_t)>& cell_id) {
   const auto first = static_cast<uint32_t>(model_.vertices.size()), width = columns + 1;
   for (uint32_t j = 0; j <= rows; ++j)
@@ -53,7 +56,8 @@ void SceneBuilder::triangle(const Vec3& a, const Vec3& b, const Vec3& c, uint32_
   model_.triangle_faces.push_back(id);
 }
 
-void SceneBuilder::crown(const Vec3& centre, double radius_m, int leaves, double leaf_m, RandomStream random) {
+void SceneBuilder::crown(const Vec3& centre, double radius_m, int leaves, double leaf_m,
+                         RandomStream random) {
   const uint32_t id = new_id();
   const auto in_ball = [&] {
     Vec3 p;

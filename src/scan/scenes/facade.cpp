@@ -40,11 +40,13 @@ std::vector<Opening> openings_of(const SceneSettings& settings) {
   const double reveal = settings.reveal_m;
   const int64_t bays = settings.bays, storeys = settings.storeys;
   const int64_t doors = std::min(settings.doors, bays);
-  const double bay_width = width / static_cast<double>(bays), storey = height / static_cast<double>(storeys);
+  const double bay_width = width / static_cast<double>(bays),
+               storey = height / static_cast<double>(storeys);
   if (bay_width < kLeastBay_m)
     fail(Status::kInvalidArgument, "%d bays are too many for the width", static_cast<int>(bays));
   if (storey < kLeastStorey_m)
-    fail(Status::kInvalidArgument, "%d storeys are too many for the height", static_cast<int>(storeys));
+    fail(Status::kInvalidArgument, "%d storeys are too many for the height",
+         static_cast<int>(storeys));
   std::vector<Opening> out;
   for (int64_t s = 0; s < storeys; ++s)
     for (int64_t b = 0; b < bays; ++b) {
@@ -54,14 +56,15 @@ std::vector<Opening> openings_of(const SceneSettings& settings) {
       const double floor = storey * static_cast<double>(s);
       const double sill = door ? 0 : std::max(floor + kSillShare * storey, kPlinthHeight_m);
       const double depth = reveal * (door ? kDoorReveal : kStoreyReveals[s % 3]);
-      out.push_back({{middle - half, middle + half, sill, floor + kLintelShare * storey}, depth, door, s, b});
+      out.push_back(
+          {{middle - half, middle + half, sill, floor + kLintelShare * storey}, depth, door, s, b});
     }
   return out;
 }
 
 /// Pieces of the plinth between the doors, with their tops and the ends at the doors.
-void add_plinth(SceneBuilder& out, uint32_t house, double width, const std::vector<Opening>& openings,
-                std::vector<Rect>& pieces) {
+void add_plinth(SceneBuilder& out, uint32_t house, double width,
+                const std::vector<Opening>& openings, std::vector<Rect>& pieces) {
   const Vec3 x{1, 0, 0}, z{0, 0, 1};
   const uint32_t plinth = out.part("plinth", "plinth", house);
   const Frame front = Frame{{0, 0, 0}, x, z}.raised(kPlinthDepth_m);
@@ -106,8 +109,8 @@ void add_ground(SceneBuilder& out, double width, double depth, const std::vector
     taken.push_back({piece.u0 > 0 ? piece.u0 : -kGroundBeside_m,
                      piece.u1 < width ? piece.u1 : width + kGroundBeside_m, -kPlinthDepth_m, back});
   const uint32_t ground = out.part("ground", "ground");
-  out.face(ground, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {-kGroundBeside_m, width + kGroundBeside_m, -depth, back},
-           taken);
+  out.face(ground, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+           {-kGroundBeside_m, width + kGroundBeside_m, -depth, back}, taken);
 }
 
 std::string number_text(int64_t storey, int64_t bay) {
@@ -127,7 +130,8 @@ void build_facade(const SceneSettings& settings, SceneBuilder& out) {
   const uint32_t wall = out.part("wall", "wall", house);
   std::vector<Rect> holes;
   for (const Opening& o : openings) holes.push_back(o.rect);
-  out.face(wall, front, {0, width, kPlinthHeight_m, cornice > 0 ? height - kCorniceHeight_m : height}, holes);
+  out.face(wall, front,
+           {0, width, kPlinthHeight_m, cornice > 0 ? height - kCorniceHeight_m : height}, holes);
 
   // 2. What projects from it.
   std::vector<Rect> plinth;
@@ -137,8 +141,8 @@ void build_facade(const SceneSettings& settings, SceneBuilder& out) {
   // 3. What lies behind its openings.
   for (const Opening& o : openings) {
     const std::string number = number_text(o.storey, o.bay);
-    const uint32_t part =
-        o.is_door ? out.part("door " + number, "door", wall) : out.part("window " + number, "window", wall);
+    const uint32_t part = o.is_door ? out.part("door " + number, "door", wall)
+                                    : out.part("window " + number, "window", wall);
     out.recess(part, front, o.rect, o.depth_m, !o.is_door, o.is_door ? 0 : settings.frame_m);
   }
 

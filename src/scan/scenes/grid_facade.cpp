@@ -22,7 +22,8 @@ Frame looking_down(double z) { return {kGridFacadeZ * z, kGridFacadeY, kGridFaca
 
 class Builder {
  public:
-  Builder(const GridFacade& facade, RandomStream random, SceneBuilder& out) : f_(facade), random_(random), out_(out) {}
+  Builder(const GridFacade& facade, RandomStream random, SceneBuilder& out)
+      : f_(facade), random_(random), out_(out) {}
 
   uint32_t build() {
     house_ = out_.part("facade", "facade");
@@ -63,14 +64,16 @@ class Builder {
         openings.push_back({left(i), right(i), floor(k), floor(k) + f_.clear_height()});
       openings.push_back({left(i), right(i), attic(), f_.cornice_z});
     }
-    out_.face(posts_, upright(f_.front_y), {f_.wall_width_m, f_.width(), 0, f_.cornice_z}, openings);
+    out_.face(posts_, upright(f_.front_y), {f_.wall_width_m, f_.width(), 0, f_.cornice_z},
+              openings);
   }
 
   /// Sides reach back to what stands between the posts: breast wall, glass, lintel, or the wall above.
   void add_post_sides(int i) {
     const double x0 = f_.post_x(i), x1 = x0 + f_.post_width_m;
     if (i == 0) out_.face(posts_, looking_left(x0), {0, f_.cornice_z, f_.front_y, f_.wall_y});
-    if (i == f_.bays) out_.face(posts_, looking_right(x1), {f_.front_y, f_.glass_y, 0, f_.cornice_z});
+    if (i == f_.bays)
+      out_.face(posts_, looking_right(x1), {f_.front_y, f_.glass_y, 0, f_.cornice_z});
     for (int k = 0; k < f_.storeys; ++k) {
       const double z0 = floor(k), z1 = z0 + f_.clear_height();
       const double sill = z0 + f_.breast_height_m, head = z0 + window_top();
@@ -86,15 +89,18 @@ class Builder {
       }
     }
     if (i > 0) out_.face(posts_, looking_left(x0), {attic(), f_.cornice_z, f_.front_y, f_.wall_y});
-    if (i < f_.bays) out_.face(posts_, looking_right(x1), {f_.front_y, f_.wall_y, attic(), f_.cornice_z});
+    if (i < f_.bays)
+      out_.face(posts_, looking_right(x1), {f_.front_y, f_.wall_y, attic(), f_.cornice_z});
   }
 
   /// What fills one bay of one storey.
   void add_cell(int i, int k) {
-    const double x0 = left(i), x1 = right(i), z0 = floor(k), sill = z0 + f_.breast_height_m, head = z0 + window_top();
+    const double x0 = left(i), x1 = right(i), z0 = floor(k), sill = z0 + f_.breast_height_m,
+                 head = z0 + window_top();
     // 1. Breast wall, and the same above the windows where the storey is higher than they reach.
     out_.face(breasts_, upright(f_.breast_y), {x0, x1, z0, sill});
-    if (has_lintel()) out_.face(breasts_, upright(f_.breast_y), {x0, x1, head, z0 + f_.clear_height()});
+    if (has_lintel())
+      out_.face(breasts_, upright(f_.breast_y), {x0, x1, head, z0 + f_.clear_height()});
     // 2. The band above: its soffit, back to the lintel or the glass, and its top.
     out_.face(slabs_, looking_down(z0 + f_.clear_height()),
               {f_.front_y, has_lintel() ? f_.breast_y : f_.glass_y, x0, x1});
@@ -103,7 +109,8 @@ class Builder {
     // 3. Mullions, and the windows between them.
     double from = x0;
     for (int m = 1; m <= f_.mullions; ++m) {
-      const double middle = f_.wall_width_m + i * f_.bay_width_m + m * f_.bay_width_m / (f_.mullions + 1);
+      const double middle =
+          f_.wall_width_m + i * f_.bay_width_m + m * f_.bay_width_m / (f_.mullions + 1);
       const double to = middle - f_.mullion_width_m / 2;
       add_window(from, to, sill, head);
       add_mullion(to, to + f_.mullion_width_m, sill, head);
@@ -117,7 +124,8 @@ class Builder {
     out_.face(mullions_, upright(f_.mullion_y), {x0, x1, sill, head});
     out_.face(mullions_, looking_left(x0), {sill, head, f_.mullion_y, f_.glass_y});
     out_.face(mullions_, looking_right(x1), {f_.mullion_y, f_.glass_y, sill, head});
-    if (f_.mullion_y < f_.breast_y) out_.face(mullions_, looking_down(sill), {f_.mullion_y, f_.breast_y, x0, x1});
+    if (f_.mullion_y < f_.breast_y)
+      out_.face(mullions_, looking_down(sill), {f_.mullion_y, f_.breast_y, x0, x1});
     if (f_.mullion_y < f_.breast_y && has_lintel())
       out_.face(mullions_, looking_up(head), {x0, x1, f_.mullion_y, f_.breast_y});
   }
@@ -125,9 +133,11 @@ class Builder {
   /// Sill and head, the glass unless the window is open, and perhaps a curtain behind it.
   void add_window(double x0, double x1, double sill, double head) {
     const uint32_t window = out_.part("window", "window", house_);
-    out_.face(out_.part("sill", "sill", window), looking_up(sill), {x0, x1, f_.breast_y, f_.glass_y});
+    out_.face(out_.part("sill", "sill", window), looking_up(sill),
+              {x0, x1, f_.breast_y, f_.glass_y});
     if (has_lintel())
-      out_.face(out_.part("head", "reveal", window), looking_down(head), {f_.breast_y, f_.glass_y, x0, x1});
+      out_.face(out_.part("head", "reveal", window), looking_down(head),
+                {f_.breast_y, f_.glass_y, x0, x1});
     const double drawn = random_.uniform(), depth = random_.uniform();
     if (drawn < f_.open_share) return;
     out_.face(out_.part("glass", "glass", window), upright(f_.glass_y), {x0, x1, sill, head});
@@ -139,8 +149,10 @@ class Builder {
   /// A tray before the front: slab and solid parapet, 10 cm thick, 1 m high, as wide as half the bay.
   void add_balcony(double bay_left, double bay_right, double z) {
     constexpr double kThick = 0.10, kParapet = 1.0;
-    const double quarter = (bay_right - bay_left) / 4, x0 = bay_left + quarter, x1 = bay_right - quarter;
-    const double y0 = f_.front_y - f_.balcony_depth_m, y1 = f_.front_y, bottom = z - kThick, top = z + kParapet;
+    const double quarter = (bay_right - bay_left) / 4, x0 = bay_left + quarter,
+                 x1 = bay_right - quarter;
+    const double y0 = f_.front_y - f_.balcony_depth_m, y1 = f_.front_y, bottom = z - kThick,
+                 top = z + kParapet;
     const uint32_t balcony = out_.part("balcony", "balcony", house_);
     out_.face(balcony, upright(y0), {x0, x1, bottom, top});
     out_.face(balcony, looking_left(x0), {bottom, top, y0, y1});

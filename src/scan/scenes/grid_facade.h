@@ -18,14 +18,16 @@ struct GridFacade {
   double breast_height_m, window_height_m, mullion_width_m;
   int mullions;  ///< of a bay
   double cornice_z, cornice_height_m, cornice_y;
-  double curtain_share, open_share;             ///< of the windows
+  double curtain_share, open_share;  ///< of the windows
   double curtain_nearest_y, curtain_farthest_y;
   double balcony_depth_m;  ///< before the front, in every second bay of the upper storeys; 0: none
 
   double width() const { return wall_width_m + bays * bay_width_m; }
   double clear_height() const { return storey_height_m - band_height_m; }
   /// Start of bay i's post; the last one ends with the facade.
-  double post_x(int i) const { return i < bays ? wall_width_m + i * bay_width_m : width() - post_width_m; }
+  double post_x(int i) const {
+    return i < bays ? wall_width_m + i * bay_width_m : width() - post_width_m;
+  }
 };
 
 /// Builds it and gives the part of the house; the stream says which windows are open and which have curtains.

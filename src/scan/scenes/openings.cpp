@@ -12,10 +12,10 @@ namespace jalon {
 
 namespace {
 
-constexpr double kJoineryWidth_m = 0.08;  // of a window frame (as in the scene surrounds)
-constexpr double kOpeningsGlassBehind_m = 0.02;   // behind it (same place)
-constexpr double kChord_m = 1e-4;         // of an arc from its chords
-constexpr double kSameLevel_m = 1e-9;     // corners that rounding alone sets apart
+constexpr double kJoineryWidth_m = 0.08;         // of a window frame (as in the scene surrounds)
+constexpr double kOpeningsGlassBehind_m = 0.02;  // behind it (same place)
+constexpr double kChord_m = 1e-4;                // of an arc from its chords
+constexpr double kSameLevel_m = 1e-9;            // corners that rounding alone sets apart
 
 Outline reversed(Outline ring) {
   std::reverse(ring.begin(), ring.end());
@@ -37,7 +37,9 @@ std::vector<Side> sides_between(const std::vector<Outline>& rings, double low, d
       Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
       if (a.v > b.v) std::swap(a, b);
       if (a.v > low + kSameLevel_m || b.v < high - kSameLevel_m) continue;
-      const auto at = [&](double v) { return a.u + (b.u - a.u) * std::clamp((v - a.v) / (b.v - a.v), 0.0, 1.0); };
+      const auto at = [&](double v) {
+        return a.u + (b.u - a.u) * std::clamp((v - a.v) / (b.v - a.v), 0.0, 1.0);
+      };
       sides.push_back({at(low), at(high)});
     }
   std::sort(sides.begin(), sides.end(),
@@ -47,11 +49,14 @@ std::vector<Side> sides_between(const std::vector<Outline>& rings, double low, d
 
 }  // namespace
 
-Outline outline_of(const Rect& r) { return {{r.u0, r.v0}, {r.u1, r.v0}, {r.u1, r.v1}, {r.u0, r.v1}}; }
+Outline outline_of(const Rect& r) {
+  return {{r.u0, r.v0}, {r.u1, r.v0}, {r.u1, r.v1}, {r.u0, r.v1}};
+}
 
 Outline arched_outline(const Rect& rect, double rise_m) {
   const double half = rect.width() / 2, radius = (half * half + rise_m * rise_m) / (2 * rise_m);
-  const double half_angle = 2 * std::atan(rise_m / half), middle = rect.u0 + half, centre_v = rect.v1 - radius;
+  const double half_angle = 2 * std::atan(rise_m / half), middle = rect.u0 + half,
+               centre_v = rect.v1 - radius;
   const auto chords = static_cast<int>(std::ceil(half_angle / std::sqrt(2 * kChord_m / radius)));
   Outline ring{{rect.u0, rect.v0}, {rect.u1, rect.v0}, {rect.u1, rect.v1 - rise_m}};
   for (int i = 1; i < chords; ++i) {
@@ -92,16 +97,16 @@ uint32_t SceneBuilder::polygon_face(uint32_t part, const Frame& frame, const Out
   return id;
 }
 
-void SceneBuilder::recess(uint32_t part, const Frame& frame, const Rect& opening, double depth_m, bool has_sill,
-                          double frame_m, uint32_t pane_id) {
+void SceneBuilder::recess(uint32_t part, const Frame& frame, const Rect& opening, double depth_m,
+                          bool has_sill, double frame_m, uint32_t pane_id) {
   const Vec3 n = frame.normal();
   const Vec3 corner = frame.point(opening.u0, opening.v0, -depth_m);
   const double width = opening.width(), height = opening.height();
   const uint32_t pane = this->part("pane", "pane", part);
   const Frame back = frame.raised(-depth_m);
   if (frame_m > 0 && width > 3 * kJoineryWidth_m && height > 3 * kJoineryWidth_m) {
-    const Rect glass{opening.u0 + kJoineryWidth_m, opening.u1 - kJoineryWidth_m, opening.v0 + kJoineryWidth_m,
-                     opening.v1 - kJoineryWidth_m};
+    const Rect glass{opening.u0 + kJoineryWidth_m, opening.u1 - kJoineryWidth_m,
+                     opening.v0 + kJoineryWidth_m, opening.v1 - kJoineryWidth_m};
     face(this->part("joinery", "joinery", part), back, opening, {&glass, 1});
     face(pane, back.raised(-frame_m), glass, {}, pane_id);
   } else {
@@ -109,34 +114,36 @@ void SceneBuilder::recess(uint32_t part, const Frame& frame, const Rect& opening
   }
   if (!(depth_m > 0)) return;
   const uint32_t reveals = this->part("reveals", "reveal", part);
-  face(reveals, {corner, frame.v, n}, {0, height, 0, depth_m});                    // left, looks along +u
+  face(reveals, {corner, frame.v, n}, {0, height, 0, depth_m});  // left, looks along +u
   face(reveals, {corner + frame.u * width, n, frame.v}, {0, depth_m, 0, height});  // right
   face(reveals, {corner + frame.v * height, frame.u, n}, {0, width, 0, depth_m});  // lintel
   if (has_sill) face(reveals, {corner, n, frame.u}, {0, depth_m, 0, width});
 }
 
-void SceneBuilder::arched_joinery(uint32_t part, const Frame& back, const Rect& opening, double rise_m) {
+void SceneBuilder::arched_joinery(uint32_t part, const Frame& back, const Rect& opening,
+                                  double rise_m) {
   // The inner arc is concentric with the outer one.
   const double width = opening.width();
-  const double radius = (width * width / 4 + rise_m * rise_m) / (2 * rise_m), inner_radius = radius - kJoineryWidth_m;
+  const double radius = (width * width / 4 + rise_m * rise_m) / (2 * rise_m),
+               inner_radius = radius - kJoineryWidth_m;
   const Rect inner = shrunk(opening, kJoineryWidth_m);
   const double half = inner.width() / 2;
-  const double inner_rise = inner_radius - std::sqrt(std::max(0.0, inner_radius * inner_radius - half * half));
+  const double inner_rise =
+      inner_radius - std::sqrt(std::max(0.0, inner_radius * inner_radius - half * half));
   const Outline glass = arched_outline(inner, inner_rise);
-  polygon_face(this->part("joinery", "joinery", part), back, arched_outline(opening, rise_m), {glass});
+  polygon_face(this->part("joinery", "joinery", part), back, arched_outline(opening, rise_m),
+               {glass});
   polygon_face(this->part("glass", "glass", part), back.raised(-kOpeningsGlassBehind_m), glass);
 }
 
-void SceneBuilder::arched_recess(uint32_t part, const Frame& frame, const Rect& opening, double rise_m,
-                                 double depth_m, bool has_joinery) {
+void SceneBuilder::arched_recess(uint32_t part, const Frame& frame, const Rect& opening,
+                                 double rise_m, double depth_m, bool has_joinery) {
   const Vec3 n = frame.normal();
   const Frame back = frame.raised(-depth_m);
   const double width = opening.width(), springing = opening.height() - rise_m;
   // 1. What fills it.
-  if (has_joinery)
-    arched_joinery(part, back, opening, rise_m);
-  else
-    polygon_face(this->part("pane", "pane", part), back, arched_outline(opening, rise_m));
+  if (has_joinery) arched_joinery(part, back, opening, rise_m);
+  else polygon_face(this->part("pane", "pane", part), back, arched_outline(opening, rise_m));
   // 2. Jambs and sill.
   const Vec3 corner = back.point(opening.u0, opening.v0);
   const uint32_t reveals = this->part("reveals", "reveal", part);

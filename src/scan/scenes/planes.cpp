@@ -23,14 +23,20 @@ void build_std(const SceneSettings&, SceneBuilder& out) {
     Frame frame;
     double width_m, height_m;
   };
-  const Piece kPieces[] = {{{{0, 0, 0}, kPlanesX, kPlanesZ}, 6, 4},      {{{7, 0.3, 0}, kPlanesX, kPlanesZ}, 4, 4},
-                           {{{12, 0.6, 0}, kPlanesX, kPlanesZ}, 3, 3},   {{{16, 0.9, 0}, kPlanesX, kPlanesZ}, 2, 3.5},
-                           {{{0, 1.2, 5}, kPlanesX, kPlanesZ}, 5, 1},    {{{6, 1.5, 5}, kPlanesX, kPlanesZ}, 1, 1},
-                           {{{20, -3, 0}, kPlanesZ, kPlanesY}, 4, 2},    {{{22, -3, 0}, kPlanesZ, kPlanesY}, 2, 1},
-                           {{{8, -4, -1}, kPlanesX, kPlanesY}, 4, 2.5},  {{{14, -4, -0.5}, kPlanesX, kPlanesY}, 1.5, 1.5}};
+  const Piece kPieces[] = {{{{0, 0, 0}, kPlanesX, kPlanesZ}, 6, 4},
+                           {{{7, 0.3, 0}, kPlanesX, kPlanesZ}, 4, 4},
+                           {{{12, 0.6, 0}, kPlanesX, kPlanesZ}, 3, 3},
+                           {{{16, 0.9, 0}, kPlanesX, kPlanesZ}, 2, 3.5},
+                           {{{0, 1.2, 5}, kPlanesX, kPlanesZ}, 5, 1},
+                           {{{6, 1.5, 5}, kPlanesX, kPlanesZ}, 1, 1},
+                           {{{20, -3, 0}, kPlanesZ, kPlanesY}, 4, 2},
+                           {{{22, -3, 0}, kPlanesZ, kPlanesY}, 2, 1},
+                           {{{8, -4, -1}, kPlanesX, kPlanesY}, 4, 2.5},
+                           {{{14, -4, -0.5}, kPlanesX, kPlanesY}, 1.5, 1.5}};
   int number = 0;
   for (const Piece& p : kPieces)
-    out.face(out.part("plane " + std::to_string(++number), "wall"), p.frame, {0, p.width_m, 0, p.height_m});
+    out.face(out.part("plane " + std::to_string(++number), "wall"), p.frame,
+             {0, p.width_m, 0, p.height_m});
 }
 
 void build_normal(const SceneSettings&, SceneBuilder& out) {
@@ -39,7 +45,8 @@ void build_normal(const SceneSettings&, SceneBuilder& out) {
 
 void build_patches(const SceneSettings&, SceneBuilder& out) {
   for (int k = 0; k < 2; ++k)
-    out.face(out.part("patch " + std::to_string(k + 1), "wall"), kPlanesFront, {4.0 * k, 4.0 * k + 3, 0, 3});
+    out.face(out.part("patch " + std::to_string(k + 1), "wall"), kPlanesFront,
+             {4.0 * k, 4.0 * k + 3, 0, 3});
 }
 
 void build_sills(const SceneSettings& settings, SceneBuilder& out) {

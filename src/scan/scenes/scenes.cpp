@@ -120,7 +120,8 @@ Model build_scene(const SceneSettings& settings, Task& task) {
     T_world_scene.m = {c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0};
   }
   for (int a = 0; a < 3; ++a)
-    T_world_scene.m[static_cast<size_t>(4 * a + 3)] = scene.shift[a] + shift[static_cast<size_t>(a)];
+    T_world_scene.m[static_cast<size_t>(4 * a + 3)] =
+        scene.shift[a] + shift[static_cast<size_t>(a)];
   SceneBuilder builder(T_world_scene);
   scene.build(settings, builder);
   return builder.take();

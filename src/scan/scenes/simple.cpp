@@ -10,7 +10,8 @@ void build_room(const SceneSettings&, SceneBuilder& out) {
   constexpr double kLength = 6, kWidth = 5, kHeight = 2.8;
   const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const uint32_t room = out.part("room", "room");
-  const uint32_t floor = out.part("floor", "floor", room), ceiling = out.part("ceiling", "ceiling", room);
+  const uint32_t floor = out.part("floor", "floor", room),
+                 ceiling = out.part("ceiling", "ceiling", room);
   const uint32_t walls = out.part("walls", "wall", room);
   out.face(floor, {{}, x, y}, {0, kLength, 0, kWidth});
   out.face(ceiling, {z * kHeight, y, x}, {0, kWidth, 0, kLength});
@@ -32,8 +33,8 @@ void build_box(const SceneSettings&, SceneBuilder& out) {
 void build_strips(const SceneSettings&, SceneBuilder& out) {
   constexpr double kWidth = 1.5, kHeight = 8, kStep = 0.10;
   for (int k = 0; k < 6; ++k)
-    out.face(out.part("strip " + std::to_string(k + 1), "wall"), {{kWidth * k, kStep * k, 0}, {1, 0, 0}, {0, 0, 1}},
-             {0, kWidth, 0, kHeight});
+    out.face(out.part("strip " + std::to_string(k + 1), "wall"),
+             {{kWidth * k, kStep * k, 0}, {1, 0, 0}, {0, 0, 1}}, {0, kWidth, 0, kHeight});
 }
 
 }  // namespace jalon

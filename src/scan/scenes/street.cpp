@@ -44,10 +44,23 @@ std::vector<StreetFacade> facades() {
     const bool north = i < 3;
     const int rows = kHeight_m[i] < 13 ? 3 : 4;
     if (north)
-      out.push_back({{20.0 * i, 8 + kOffset_m[i], 0}, {1, 0, 0}, kHeight_m[i], 6, rows, 1.2, 1.6, kDepth_m[i]});
+      out.push_back({{20.0 * i, 8 + kOffset_m[i], 0},
+                     {1, 0, 0},
+                     kHeight_m[i],
+                     6,
+                     rows,
+                     1.2,
+                     1.6,
+                     kDepth_m[i]});
     else
-      out.push_back(
-          {{20.0 * (i - 3) + 20, -8 - kOffset_m[i], 0}, {-1, 0, 0}, kHeight_m[i], 7, rows, 1.1, 1.7, kDepth_m[i]});
+      out.push_back({{20.0 * (i - 3) + 20, -8 - kOffset_m[i], 0},
+                     {-1, 0, 0},
+                     kHeight_m[i],
+                     7,
+                     rows,
+                     1.1,
+                     1.7,
+                     kDepth_m[i]});
   }
   return out;
 }
@@ -62,7 +75,8 @@ void add_facade(SceneBuilder& out, size_t number, const StreetFacade& f, bool se
   std::vector<Rect> windows;
   for (int k = 0; k < f.rows; ++k)
     for (int i = 0; i < f.columns; ++i) {
-      const double u = gap_u + i * (gap_u + f.window_width_m), v = kSillHeight_m + k * (f.window_height_m + gap_v);
+      const double u = gap_u + i * (gap_u + f.window_width_m),
+                   v = kSillHeight_m + k * (f.window_height_m + gap_v);
       windows.push_back({u, u + f.window_width_m, v, v + f.window_height_m});
     }
   std::vector<Rect> holes = windows;
@@ -71,8 +85,8 @@ void add_facade(SceneBuilder& out, size_t number, const StreetFacade& f, bool se
   out.face(wall, frame, {0, kFacadeWidth_m, 0, f.height_m}, holes);
   const uint32_t glass = out.new_id();  // one plane of glass a facade, as in the measurements
   for (size_t w = 0; w < windows.size(); ++w)
-    out.recess(out.part("window " + std::to_string(w + 1), "window", wall), frame, windows[w], f.depth_m, true, 0,
-               glass);
+    out.recess(out.part("window " + std::to_string(w + 1), "window", wall), frame, windows[w],
+               f.depth_m, true, 0, glass);
   for (const Patch& patch : kPatches)
     if (second_epoch && patch.facade == number)
       out.face(out.part("patch", "change", wall), frame.raised(patch.moved_m), patch.rect);

@@ -16,7 +16,8 @@ namespace {
 constexpr double kSurroundsWidth_m = 12, kHeight_m = 9;
 constexpr int kColumns = 4, kRows = 3;
 constexpr double kSurroundsWindowWidth_m = 1.2, kWindowHeight_m = 1.8;
-constexpr double kSurround_m = 0.15, kSurroundOut_m = 0.06;  // width, and how far it stands before the wall
+constexpr double kSurround_m = 0.15,
+                 kSurroundOut_m = 0.06;  // width, and how far it stands before the wall
 constexpr double kJoinery_m = 0.08, kJoineryIn_m = 0.20;
 constexpr double kSurroundsGlassBehind_m = 0.02;  // behind the joinery, of S3
 const Frame kSurroundsFront{{}, {1, 0, 0}, {0, 0, 1}};
@@ -43,11 +44,13 @@ void add_house(SceneBuilder& out, double glass_behind_m) {
   out.face(wall, kSurroundsFront, {0, kSurroundsWidth_m, 0, kHeight_m}, holes);
   for (size_t w = 0; w < list.size(); ++w) {
     const uint32_t window = out.part("window " + std::to_string(w + 1), "window", wall);
-    out.face(out.part("surround", "surround", window), kSurroundsFront.raised(kSurroundOut_m), holes[w], {&list[w], 1});
+    out.face(out.part("surround", "surround", window), kSurroundsFront.raised(kSurroundOut_m),
+             holes[w], {&list[w], 1});
     const Rect inner = grown(list[w], -kJoinery_m);
     const Frame back = kSurroundsFront.raised(-kJoineryIn_m);
     out.face(out.part("joinery", "joinery", window), back, list[w], {&inner, 1});
-    if (glass_behind_m > 0) out.face(out.part("glass", "glass", window), back.raised(-glass_behind_m), inner);
+    if (glass_behind_m > 0)
+      out.face(out.part("glass", "glass", window), back.raised(-glass_behind_m), inner);
   }
 }
 
@@ -64,7 +67,8 @@ void add_ghosts(SceneBuilder& out, uint32_t parent, uint64_t seed) {
       const double u = window.u0 + window.width() / 2 + kAside_m * (2 * random.uniform() - 1);
       const double width = 0.4 + 0.8 * random.uniform(), height = 0.5 + random.uniform();
       const double v = std::min(window.v0 + window.height() * random.uniform(), kHeight_m - height);
-      out.face(ghosts, kSurroundsFront.raised(-behind), {u - width / 2, u + width / 2, v, v + height});
+      out.face(ghosts, kSurroundsFront.raised(-behind),
+               {u - width / 2, u + width / 2, v, v + height});
     }
   }
 }

@@ -18,14 +18,18 @@ namespace {
 constexpr size_t kMaxClasses = 1024;  // a matrix of 8 MiB; more are no classes but instances
 
 double ratio_of_confusion(double a, double b) { return b > 0 ? a / b : kNaN; }
-double ratio_of_confusion(uint64_t a, uint64_t b) { return ratio_of_confusion(static_cast<double>(a), static_cast<double>(b)); }
+double ratio_of_confusion(uint64_t a, uint64_t b) {
+  return ratio_of_confusion(static_cast<double>(a), static_cast<double>(b));
+}
 
 // Row, column and diagonal sums of one class.
 struct ClassCounts {
   uint64_t support = 0, predicted = 0, correct = 0;
   double precision() const { return ratio_of_confusion(correct, predicted); }
   double recall() const { return ratio_of_confusion(correct, support); }
-  double f1() const { return ratio_of_confusion(2 * correct, support + predicted); }  // 2 TP / (2 TP + FP + FN)
+  double f1() const {
+    return ratio_of_confusion(2 * correct, support + predicted);
+  }  // 2 TP / (2 TP + FP + FN)
   double iou() const { return ratio_of_confusion(correct, support + predicted - correct); }
 };
 
@@ -41,31 +45,34 @@ std::vector<ClassCounts> counts_of(const Confusion& c) {
 }
 
 // The classes that the points counted have in either field, as keys.
-std::vector<uint64_t> classes_of(const WholeNumbers& a, const WholeNumbers& b, size_t n, Task& task) {
+std::vector<uint64_t> classes_of(const WholeNumbers& a, const WholeNumbers& b, size_t n,
+                                 Task& task) {
   std::vector<uint64_t> out;
   for (const auto& [field, other, from] : {std::tuple{&a, &b, 0.0}, std::tuple{&b, &a, 0.5}}) {
     ProgressSpan span(task, from, from + 0.5);
-    const auto counts = count_keys(task, n, [f = field, o = other](size_t begin, size_t end, uint64_t* keys) {
-      std::vector<uint64_t> others(end - begin);
-      f->keys(begin, end, keys);
-      o->keys(begin, end, others.data());
-      for (size_t i = 0; i < others.size(); ++i)
-        if (others[i] == kNoKey) keys[i] = kNoKey;
-    });
+    const auto counts =
+        count_keys(task, n, [f = field, o = other](size_t begin, size_t end, uint64_t* keys) {
+          std::vector<uint64_t> others(end - begin);
+          f->keys(begin, end, keys);
+          o->keys(begin, end, others.data());
+          for (size_t i = 0; i < others.size(); ++i)
+            if (others[i] == kNoKey) keys[i] = kNoKey;
+        });
     for (const KeyCount& c : counts) out.push_back(c.key);
   }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   if (out.size() > kMaxClasses)
-    fail(Status::kLimit, "%zu classes; at most %zu are told apart: are these numbers of instances?", out.size(),
-         kMaxClasses);
+    fail(Status::kLimit, "%zu classes; at most %zu are told apart: are these numbers of instances?",
+         out.size(), kMaxClasses);
   return out;
 }
 
 template <class T, class F>
-void add(FieldTable& table, size_t rows, uint32_t components, const char* name, const char* unit, const char* meaning,
-         F&& value) {
-  auto column = std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), components, unit, meaning}, rows);
+void add(FieldTable& table, size_t rows, uint32_t components, const char* name, const char* unit,
+         const char* meaning, F&& value) {
+  auto column = std::make_shared<Column>(
+      FieldInfo{name, element_type_of<T>(), components, unit, meaning}, rows);
   const auto out = column->template values<T>();
   for (size_t i = 0; i < rows; ++i)
     for (uint32_t k = 0; k < components; ++k) out[i * components + k] = static_cast<T>(value(i, k));
@@ -90,7 +97,8 @@ Confusion confusion_of(const Cloud& cloud, std::string_view predicted, std::stri
     return classes_of(found, truth, n, task);
   }();
   const auto index_of = [&](uint64_t key) {
-    return static_cast<uint64_t>(std::lower_bound(classes.begin(), classes.end(), key) - classes.begin());
+    return static_cast<uint64_t>(std::lower_bound(classes.begin(), classes.end(), key) -
+                                 classes.begin());
   };
   Confusion out;
   for (const uint64_t key : classes) out.classes.push_back(WholeNumbers::value_of(key));
@@ -116,15 +124,19 @@ FieldTable class_table(const Confusion& c) {
   const std::vector<ClassCounts> counts = counts_of(c);
   const size_t n = counts.size();
   FieldTable t;
-  const auto rate = [&](const char* name, const char* meaning, double (ClassCounts::*value)() const) {
-    add<double>(t, n, 1, name, "1", meaning, [&](size_t i, uint32_t) { return (counts[i].*value)(); });
+  const auto rate = [&](const char* name, const char* meaning,
+                        double (ClassCounts::*value)() const) {
+    add<double>(t, n, 1, name, "1", meaning,
+                [&](size_t i, uint32_t) { return (counts[i].*value)(); });
   };
-  add<int64_t>(t, n, 1, "class", "", "value of the class fields", [&](size_t i, uint32_t) { return c.classes[i]; });
+  add<int64_t>(t, n, 1, "class", "", "value of the class fields",
+               [&](size_t i, uint32_t) { return c.classes[i]; });
   add<uint64_t>(t, n, 1, "reference", "points", "points of the class in the reference",
                 [&](size_t i, uint32_t) { return counts[i].support; });
   add<uint64_t>(t, n, 1, "predicted", "points", "points given the class",
                 [&](size_t i, uint32_t) { return counts[i].predicted; });
-  add<uint64_t>(t, n, 1, "correct", "points", "points of both", [&](size_t i, uint32_t) { return counts[i].correct; });
+  add<uint64_t>(t, n, 1, "correct", "points", "points of both",
+                [&](size_t i, uint32_t) { return counts[i].correct; });
   rate("precision", "correct / predicted", &ClassCounts::precision);
   rate("recall", "correct / reference", &ClassCounts::recall);
   rate("f1", "harmonic mean of precision and recall", &ClassCounts::f1);
@@ -147,19 +159,24 @@ FieldTable agreement_table(const Confusion& c) {
     recall += k.recall();
     f1 += k.f1();
   }
-  const double n = static_cast<double>(c.points), by_chance = ratio_of_confusion(chance, n * n), accuracy = ratio_of_confusion(correct, c.points);
+  const double n = static_cast<double>(c.points), by_chance = ratio_of_confusion(chance, n * n),
+               accuracy = ratio_of_confusion(correct, c.points);
   FieldTable t;
   const auto number = [&](const char* name, const char* meaning, double value) {
     add<double>(t, 1, 1, name, "1", meaning, [&](size_t, uint32_t) { return value; });
   };
-  add<uint64_t>(t, 1, 1, "points", "points", "points compared", [&](size_t, uint32_t) { return c.points; });
-  add<uint64_t>(t, 1, 1, "correct", "points", "points of equal class", [&](size_t, uint32_t) { return correct; });
+  add<uint64_t>(t, 1, 1, "points", "points", "points compared",
+                [&](size_t, uint32_t) { return c.points; });
+  add<uint64_t>(t, 1, 1, "correct", "points", "points of equal class",
+                [&](size_t, uint32_t) { return correct; });
   number("accuracy", "correct / points; also precision, recall and F1 over all points", accuracy);
-  number("mean_precision", "mean over the reference's classes; a class that was never given counts 0",
+  number("mean_precision",
+         "mean over the reference's classes; a class that was never given counts 0",
          ratio_of_confusion(precision, present));
   number("mean_recall", "mean over the reference's classes", ratio_of_confusion(recall, present));
   number("mean_f1", "mean over the reference's classes", ratio_of_confusion(f1, present));
-  number("kappa", "agreement beyond chance (Cohen 1960)", ratio_of_confusion(accuracy - by_chance, 1 - by_chance));
+  number("kappa", "agreement beyond chance (Cohen 1960)",
+         ratio_of_confusion(accuracy - by_chance, 1 - by_chance));
   return t;
 }
 

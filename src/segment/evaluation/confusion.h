@@ -12,12 +12,15 @@ namespace jalon {
 
 /// How a class field agrees with a reference class field.
 struct Confusion {
-  std::vector<int64_t> classes;  ///< ascending: all values that either field has among the points counted
+  std::vector<int64_t>
+      classes;  ///< ascending: all values that either field has among the points counted
   std::vector<uint64_t> counts;  ///< [reference * classes + predicted]
   uint64_t points = 0;
 
   size_t size() const { return classes.size(); }
-  uint64_t count(size_t reference, size_t predicted) const { return counts[reference * size() + predicted]; }
+  uint64_t count(size_t reference, size_t predicted) const {
+    return counts[reference * size() + predicted];
+  }
 };
 
 /// The parameters of operation "confusion".

@@ -33,14 +33,17 @@ void require_same_points(const Cloud& a, const Cloud& b, double tolerance_m, Tas
          "the automatic segmentation has %zu points, the reference %zu: both must be of one cloud",
          a.size(), b.size());
   const FirstIndex none;
-  const FirstIndex first = parallel_reduce(task, a.size(), kEvaluationPointsPerChunk, none, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i)
-      if (!(norm(a.point(i) - b.point(i)) <= tolerance_m)) return FirstIndex{i};
-    return none;
-  });
+  const FirstIndex first = parallel_reduce(task, a.size(), kEvaluationPointsPerChunk, none,
+                                           [&](size_t begin, size_t end) {
+                                             for (size_t i = begin; i < end; ++i)
+                                               if (!(norm(a.point(i) - b.point(i)) <= tolerance_m))
+                                                 return FirstIndex{i};
+                                             return none;
+                                           });
   if (first.index != kNone)
     fail(Status::kInvalidArgument,
-         "point %zu of the automatic segmentation is not point %zu of the reference: both must be of one cloud",
+         "point %zu of the automatic segmentation is not point %zu of the reference: both must be "
+         "of one cloud",
          first.index, first.index);
 }
 
@@ -61,7 +64,8 @@ std::vector<SegmentVerdict> judge_sizes(const Segmentation& s, const EvaluationS
 // Which points are found on the other side at all, and which segments are parts of which.
 void judge_overlaps(std::span<const Overlap> overlaps, double part_share, Evaluation& out) {
   for (const Overlap& overlap : overlaps) {
-    SegmentVerdict &a = out.automatic[overlap.automatic - 1], &r = out.reference[overlap.reference - 1];
+    SegmentVerdict &a = out.automatic[overlap.automatic - 1],
+                   &r = out.reference[overlap.reference - 1];
     a.covered += overlap.points;
     r.covered += overlap.points;
     const double points = static_cast<double>(overlap.points);

@@ -14,26 +14,31 @@ namespace jalon {
 struct SegmentPair {
   uint32_t automatic = 0, reference = 0;  ///< labels
   uint64_t card_automatic = 0, card_reference = 0, intersection = 0;
-  double angle_rad = kNaN;     ///< between the normals, 0 ... pi / 2 (5.11)
-  double distance_m = kNaN;    ///< mean distance of A's points from SR's plane
-  double offset_m = kNaN;      ///< A's plane beyond SR's along SR's normal, at A's centroid
+  double angle_rad = kNaN;   ///< between the normals, 0 ... pi / 2 (5.11)
+  double distance_m = kNaN;  ///< mean distance of A's points from SR's plane
+  double offset_m = kNaN;    ///< A's plane beyond SR's along SR's normal, at A's centroid
 
   uint64_t commission() const { return card_automatic - intersection; }  ///< D+
   uint64_t omission() const { return card_reference - intersection; }    ///< D-
-  double tdr() const { return static_cast<double>(intersection) / static_cast<double>(card_reference); }  ///< (5.10)
-  double tda() const { return static_cast<double>(intersection) / static_cast<double>(card_automatic); }  ///< (5.9)
+  double tdr() const {
+    return static_cast<double>(intersection) / static_cast<double>(card_reference);
+  }  ///< (5.10)
+  double tda() const {
+    return static_cast<double>(intersection) / static_cast<double>(card_automatic);
+  }  ///< (5.9)
   double iou() const {
-    return static_cast<double>(intersection) / static_cast<double>(card_automatic + card_reference - intersection);
+    return static_cast<double>(intersection) /
+           static_cast<double>(card_automatic + card_reference - intersection);
   }
 };
 
 /// A segment of one side as the other side sees it.
 struct SegmentVerdict {
   uint64_t points = 0;
-  bool kept = true;       ///< not below min_points or min_area_m2
-  uint32_t partner = 0;   ///< label on the other side; 0 = unmatched
-  uint32_t parts = 0;     ///< segments of the other side that lie mostly in it
-  uint64_t covered = 0;   ///< its points that any kept segment of the other side holds
+  bool kept = true;      ///< not below min_points or min_area_m2
+  uint32_t partner = 0;  ///< label on the other side; 0 = unmatched
+  uint32_t parts = 0;    ///< segments of the other side that lie mostly in it
+  uint64_t covered = 0;  ///< its points that any kept segment of the other side holds
 };
 
 struct MeanAndDeviation {
@@ -45,18 +50,19 @@ struct EvaluationTotals {
   uint64_t left_out_automatic = 0, left_out_reference = 0;
   uint64_t over_segmented = 0, under_segmented = 0, non_segmented = 0;
   uint64_t card_automatic = 0, card_reference = 0, intersection = 0;  ///< sums over the pairs
-  double global_tdr = kNaN, global_tda = kNaN, global_iou = kNaN;  ///< of those sums
-  double mean_tdr = kNaN, mean_tda = kNaN, mean_iou = kNaN;        ///< over the pairs
-  double detection = kNaN;   ///< mean TDR over all kept reference segments, unmatched ones as 0
-  double accuracy = kNaN;    ///< mean TDA over all kept automatic segments, unmatched ones as 0
+  double global_tdr = kNaN, global_tda = kNaN, global_iou = kNaN;     ///< of those sums
+  double mean_tdr = kNaN, mean_tda = kNaN, mean_iou = kNaN;           ///< over the pairs
+  double detection = kNaN;  ///< mean TDR over all kept reference segments, unmatched ones as 0
+  double accuracy = kNaN;   ///< mean TDA over all kept automatic segments, unmatched ones as 0
   MeanAndDeviation angle_rad, distance_m, offset_m;
 };
 
 /// What evaluate_segmentation finds; immutable.
 struct Evaluation {
-  std::vector<SegmentPair> pairs;  ///< ascending by reference label
+  std::vector<SegmentPair> pairs;                    ///< ascending by reference label
   std::vector<SegmentVerdict> automatic, reference;  ///< row s is label s + 1
-  std::vector<int64_t> automatic_source, reference_source;  ///< their labels in the fields they were made from
+  std::vector<int64_t> automatic_source,
+      reference_source;  ///< their labels in the fields they were made from
   EvaluationTotals totals;
 };
 

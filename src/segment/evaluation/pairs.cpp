@@ -26,21 +26,25 @@ SegmentPair make_pair(const Overlap& overlap, const Evaluation& verdicts) {
 }
 
 // Angle between lines: exact for small angles too, where the arc cosine of 5.11 has lost all digits.
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), std::fabs(dot(a, b))); }
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(norm(cross(a, b)), std::fabs(dot(a, b)));
+}
 
 }  // namespace
 
 std::vector<Overlap> count_overlaps(const Segmentation& automatic, const Segmentation& reference,
                                     const Evaluation& verdicts, Task& task) {
   const auto a = automatic.labels->values<uint32_t>(), r = reference.labels->values<uint32_t>();
-  const std::vector<KeyCount> counts = count_keys(task, a.size(), [&](size_t begin, size_t end, uint64_t* keys) {
-    for (size_t i = begin; i < end; ++i) {
-      const bool on_both = a[i] != 0 && r[i] != 0;
-      keys[i - begin] = on_both && verdicts.automatic[a[i] - 1].kept && verdicts.reference[r[i] - 1].kept
-                            ? uint64_t{r[i]} << 32 | a[i]
-                            : kNoKey;
-    }
-  });
+  const std::vector<KeyCount> counts =
+      count_keys(task, a.size(), [&](size_t begin, size_t end, uint64_t* keys) {
+        for (size_t i = begin; i < end; ++i) {
+          const bool on_both = a[i] != 0 && r[i] != 0;
+          keys[i - begin] =
+              on_both && verdicts.automatic[a[i] - 1].kept && verdicts.reference[r[i] - 1].kept
+                  ? uint64_t{r[i]} << 32 | a[i]
+                  : kNoKey;
+        }
+      });
   std::vector<Overlap> out;
   out.reserve(counts.size());
   for (const KeyCount& c : counts)
@@ -53,10 +57,12 @@ void pair_segments(std::span<const Overlap> overlaps, double min_iou, Evaluation
   std::vector<const Overlap*> chosen;  // of each edge
   for (const Overlap& overlap : overlaps) {
     if (make_pair(overlap, out).iou() < min_iou) continue;
-    edges.push_back({overlap.reference - 1, overlap.automatic - 1, static_cast<int64_t>(overlap.points)});
+    edges.push_back(
+        {overlap.reference - 1, overlap.automatic - 1, static_cast<int64_t>(overlap.points)});
     chosen.push_back(&overlap);
   }
-  const auto rows = static_cast<uint32_t>(out.reference.size()), columns = static_cast<uint32_t>(out.automatic.size());
+  const auto rows = static_cast<uint32_t>(out.reference.size()),
+             columns = static_cast<uint32_t>(out.automatic.size());
   const std::vector<uint32_t> partners = assign_sparse(rows, columns, edges, task);
   for (size_t e = 0; e < edges.size(); ++e) {
     if (partners[edges[e].row] != edges[e].column) continue;
@@ -66,8 +72,8 @@ void pair_segments(std::span<const Overlap> overlaps, double min_iou, Evaluation
   }
 }
 
-void compare_planes(const Segmentation& automatic, const Segmentation& reference, std::vector<SegmentPair>& pairs,
-                    Task& task) {
+void compare_planes(const Segmentation& automatic, const Segmentation& reference,
+                    std::vector<SegmentPair>& pairs, Task& task) {
   std::vector<SegmentPair*> pair_of(automatic.segments.size() + 1, nullptr);
   for (SegmentPair& pair : pairs)
     if (reference.segments[pair.reference - 1].has_plane()) pair_of[pair.automatic] = &pair;
@@ -83,12 +89,13 @@ void compare_planes(const Segmentation& automatic, const Segmentation& reference
     const auto points = groups.of(label);
     const PlaneFit& plane = reference.segments[pair->reference - 1].fit;
     // From the plane's centroid, so that national coordinates cancel before they are multiplied.
-    const double sum = parallel_reduce(task, points.size(), kPairsPointsPerChunk, 0.0, [&](size_t begin, size_t end) {
-      double part = 0;
-      for (size_t i = begin; i < end; ++i)
-        part += std::fabs(dot(plane.plane.normal, cloud.point(points[i]) - plane.centroid));
-      return part;
-    });
+    const double sum = parallel_reduce(
+        task, points.size(), kPairsPointsPerChunk, 0.0, [&](size_t begin, size_t end) {
+          double part = 0;
+          for (size_t i = begin; i < end; ++i)
+            part += std::fabs(dot(plane.plane.normal, cloud.point(points[i]) - plane.centroid));
+          return part;
+        });
     pair->distance_m = sum / static_cast<double>(points.size());
     const Segment& own = automatic.segments[label - 1];
     if (!own.has_plane()) return;

@@ -20,8 +20,8 @@ std::vector<Overlap> count_overlaps(const Segmentation& automatic, const Segment
 /// Pairs of the largest total overlap among those of at least min_iou; fills pairs and partners.
 void pair_segments(std::span<const Overlap> overlaps, double min_iou, Evaluation& out, Task& task);
 /// Angle, mean distance and offset of each pair; NaN where a side has no plane.
-void compare_planes(const Segmentation& automatic, const Segmentation& reference, std::vector<SegmentPair>& pairs,
-                    Task& task);
+void compare_planes(const Segmentation& automatic, const Segmentation& reference,
+                    std::vector<SegmentPair>& pairs, Task& task);
 /// Sums, means and counts over everything found.
 EvaluationTotals total_up(const Evaluation& evaluation, double covered_share);
 

@@ -20,8 +20,14 @@ constexpr uint32_t kRowsPerCheckpoint = 64;
 class Assignment {
  public:
   Assignment(uint32_t rows, uint32_t columns, std::span<const WeightedEdge> edges)
-      : edges_(edges), first_(rows + size_t{1}, 0), column_of_(rows, kUnassigned), weight_of_(rows, 0),
-        row_of_(columns, kUnassigned), price_(columns, 0), distance_(columns, kFar), from_(columns, 0),
+      : edges_(edges),
+        first_(rows + size_t{1}, 0),
+        column_of_(rows, kUnassigned),
+        weight_of_(rows, 0),
+        row_of_(columns, kUnassigned),
+        price_(columns, 0),
+        distance_(columns, kFar),
+        from_(columns, 0),
         done_(columns, 0) {
     for (const WeightedEdge& edge : edges) ++first_[edge.row + size_t{1}];
     for (size_t r = 1; r < first_.size(); ++r) first_[r] += first_[r - 1];
@@ -119,7 +125,8 @@ class Assignment {
 
 }  // namespace
 
-std::vector<uint32_t> assign_sparse(uint32_t rows, uint32_t columns, std::span<const WeightedEdge> edges, Task& task) {
+std::vector<uint32_t> assign_sparse(uint32_t rows, uint32_t columns,
+                                    std::span<const WeightedEdge> edges, Task& task) {
   Assignment assignment(rows, columns, edges);
   for (uint32_t row = 0; row < rows; ++row) {
     if (row % kRowsPerCheckpoint == 0) task.checkpoint(static_cast<double>(row) / rows);

@@ -21,6 +21,7 @@ constexpr uint32_t kUnassigned = ~uint32_t{0};
 /// column of each row, or kUnassigned. edges: ascending by row. Successive shortest paths with potentials on the sparse
 /// graph (Kuhn 1955; Jonker & Volgenant 1987), exact in integers; a search stays inside its connected component. O(rows
 /// x edges log edges) at worst. Ties: the smaller column.
-std::vector<uint32_t> assign_sparse(uint32_t rows, uint32_t columns, std::span<const WeightedEdge> edges, Task& task);
+std::vector<uint32_t> assign_sparse(uint32_t rows, uint32_t columns,
+                                    std::span<const WeightedEdge> edges, Task& task);
 
 }  // namespace jalon

@@ -10,7 +10,9 @@ namespace jalon {
 namespace {
 
 double ratio_of_totals(double a, double b) { return b > 0 ? a / b : kNaN; }
-double ratio_of_totals(uint64_t a, uint64_t b) { return ratio_of_totals(static_cast<double>(a), static_cast<double>(b)); }
+double ratio_of_totals(uint64_t a, uint64_t b) {
+  return ratio_of_totals(static_cast<double>(a), static_cast<double>(b));
+}
 
 // Mean and deviation of what value(pair) gives, NaN left out.
 template <class F>
@@ -28,8 +30,8 @@ MeanAndDeviation spread(const std::vector<SegmentPair>& pairs, F&& value) {
   return out;
 }
 
-void count_verdicts(const std::vector<SegmentVerdict>& side, uint64_t& left_out, uint64_t& unmatched,
-                    uint64_t& in_parts) {
+void count_verdicts(const std::vector<SegmentVerdict>& side, uint64_t& left_out,
+                    uint64_t& unmatched, uint64_t& in_parts) {
   for (const SegmentVerdict& verdict : side) {
     if (!verdict.kept) {
       ++left_out;
@@ -48,7 +50,8 @@ EvaluationTotals total_up(const Evaluation& e, double covered_share) {
   count_verdicts(e.automatic, t.left_out_automatic, t.unmatched_automatic, t.under_segmented);
   count_verdicts(e.reference, t.left_out_reference, t.unmatched_reference, t.over_segmented);
   for (const SegmentVerdict& r : e.reference)
-    if (r.kept && static_cast<double>(r.covered) < covered_share * static_cast<double>(r.points)) ++t.non_segmented;
+    if (r.kept && static_cast<double>(r.covered) < covered_share * static_cast<double>(r.points))
+      ++t.non_segmented;
   double tdr = 0, tda = 0, iou = 0;
   for (const SegmentPair& pair : e.pairs) {
     t.card_automatic += pair.card_automatic;
@@ -60,7 +63,8 @@ EvaluationTotals total_up(const Evaluation& e, double covered_share) {
   }
   t.global_tdr = ratio_of_totals(t.intersection, t.card_reference);
   t.global_tda = ratio_of_totals(t.intersection, t.card_automatic);
-  t.global_iou = ratio_of_totals(t.intersection, t.card_automatic + t.card_reference - t.intersection);
+  t.global_iou =
+      ratio_of_totals(t.intersection, t.card_automatic + t.card_reference - t.intersection);
   const double pairs = static_cast<double>(t.pairs);
   t.mean_tdr = ratio_of_totals(tdr, pairs);
   t.mean_tda = ratio_of_totals(tda, pairs);

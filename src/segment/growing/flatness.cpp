@@ -17,13 +17,14 @@ constexpr uint64_t kLeastSeedPoints = 12;  // fewer say little of a sigma (as in
 constexpr uint64_t kLeastOwnPoints = 5;    // of the leaf: at least two more than any plane fits
 constexpr double kMaxThickness = 0.5;      // sigma of a seed, in tolerances
 constexpr double kMaxFlatness = 0.05;      // smallest against middle eigenvalue of a seed
-constexpr size_t kMaxSample = 2000;        // fixes the curvature of a piece of a column to a few percent
+constexpr size_t kMaxSample = 2000;  // fixes the curvature of a piece of a column to a few percent
 constexpr double kLargestTurn_rad = 0.35;
 constexpr size_t kFlatnessLeavesPerChunk = 512;
 
 }  // namespace
 
-bool seed_plane(const SegmentScene& scene, const GrowingPoints& points, size_t leaf, PlaneFit& fit) {
+bool seed_plane(const SegmentScene& scene, const GrowingPoints& points, size_t leaf,
+                PlaneFit& fit) {
   if (points.leaf_spacing[leaf] < 0) return false;
   const double tolerance = scene.settings.distance_tolerance_m, cosine = scene.min_cosine();
   const auto first = points.leaf_first();
@@ -55,7 +56,8 @@ bool seed_plane(const SegmentScene& scene, const GrowingPoints& points, size_t l
   return moments.n >= kLeastSeedPoints && flat();
 }
 
-std::vector<uint32_t> seeds_by_flatness(const SegmentScene& scene, const GrowingPoints& points, Task& task) {
+std::vector<uint32_t> seeds_by_flatness(const SegmentScene& scene, const GrowingPoints& points,
+                                        Task& task) {
   const size_t leaves = points.leaves();
   std::vector<float> sigma(leaves, INFINITY);
   parallel_for(task, leaves, kFlatnessLeavesPerChunk, [&](size_t begin, size_t end) {
@@ -66,11 +68,13 @@ std::vector<uint32_t> seeds_by_flatness(const SegmentScene& scene, const Growing
   std::vector<uint32_t> seeds;
   for (size_t leaf = 0; leaf < leaves; ++leaf)
     if (sigma[leaf] < INFINITY) seeds.push_back(static_cast<uint32_t>(leaf));
-  std::stable_sort(seeds.begin(), seeds.end(), [&](uint32_t a, uint32_t b) { return sigma[a] < sigma[b]; });
+  std::stable_sort(seeds.begin(), seeds.end(),
+                   [&](uint32_t a, uint32_t b) { return sigma[a] < sigma[b]; });
   return seeds;
 }
 
-bool is_bent(const PlaneFit& fit, const GrowingPoints& points, const std::vector<uint32_t>& members) {
+bool is_bent(const PlaneFit& fit, const GrowingPoints& points,
+             const std::vector<uint32_t>& members) {
   const size_t step = (members.size() + kMaxSample - 1) / kMaxSample;
   std::vector<Vec3> sample;
   double u = 0, v = 0;  // half extents
@@ -83,8 +87,8 @@ bool is_bent(const PlaneFit& fit, const GrowingPoints& points, const std::vector
   Quadric q;
   if (!fit_quadric(sample, std::max(u, v), q)) return false;
   // Slopes at the ends less those at the other ends: 2 a times the length, and so on.
-  return std::max({4 * std::fabs(q.a) * u, 4 * std::fabs(q.e) * v, 2 * std::fabs(q.c) * std::max(u, v)}) >
-         kLargestTurn_rad;
+  return std::max({4 * std::fabs(q.a) * u, 4 * std::fabs(q.e) * v,
+                   2 * std::fabs(q.c) * std::max(u, v)}) > kLargestTurn_rad;
 }
 
 }  // namespace jalon

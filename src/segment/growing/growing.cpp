@@ -12,11 +12,15 @@ namespace jalon {
 
 namespace {
 
-constexpr double kRefitGrowth = 1.1;     // growth of the number of points after which the plane is fitted anew
-constexpr float kSparser = 2;            // a region goes on into places at most so much sparser than where it stands
-constexpr size_t kLeastToGoOn = 3;       // points of a leaf
-constexpr double kMaxRoughness = 0.5;    // rms, in tolerances, of a region that is a plane (as in extraction.cpp)
-constexpr double kPieceShare = 0.25;     // of the least surface: pieces this large may be joined to their neighbours
+constexpr double kRefitGrowth =
+    1.1;  // growth of the number of points after which the plane is fitted anew
+constexpr float kSparser =
+    2;  // a region goes on into places at most so much sparser than where it stands
+constexpr size_t kLeastToGoOn = 3;  // points of a leaf
+constexpr double kMaxRoughness =
+    0.5;  // rms, in tolerances, of a region that is a plane (as in extraction.cpp)
+constexpr double kPieceShare =
+    0.25;  // of the least surface: pieces this large may be joined to their neighbours
 constexpr size_t kLeavesPerCheckpoint = 4096;
 
 // A region while it grows.
@@ -24,9 +28,9 @@ struct GrowingRegion {
   uint32_t id = 0;
   Plane plane;
   Moments moments;
-  uint64_t fitted = 0;                ///< points at the last fit
-  std::vector<uint32_t> leaves;       ///< in the order of their discovery
-  std::vector<uint32_t> members;      ///< points of the tree
+  uint64_t fitted = 0;            ///< points at the last fit
+  std::vector<uint32_t> leaves;   ///< in the order of their discovery
+  std::vector<uint32_t> members;  ///< points of the tree
 
   bool refit() {
     PlaneFit fit;
@@ -40,8 +44,14 @@ struct GrowingRegion {
 class Grower {
  public:
   Grower(SegmentScene& scene, const GrowingPoints& points, uint32_t first_id, Task& task)
-      : scene_(scene), points_(points), task_(task), next_id_(first_id), first_(points.leaf_first()),
-        visited_(points.leaves(), 0), spent_(points.leaves(), 0), cosine_(scene.min_cosine()) {}
+      : scene_(scene),
+        points_(points),
+        task_(task),
+        next_id_(first_id),
+        first_(points.leaf_first()),
+        visited_(points.leaves(), 0),
+        spent_(points.leaves(), 0),
+        cosine_(scene.min_cosine()) {}
 
   std::vector<Surface> run() {
     const std::vector<uint32_t> seeds = seeds_by_flatness(scene_, points_, task_);
@@ -106,16 +116,20 @@ class Grower {
     }
     const size_t taken = region.members.size() - before;
     if (taken >= kLeastToGoOn && 2 * taken >= free) region.leaves.push_back(leaf);
-    if (static_cast<double>(region.moments.n) >= kRefitGrowth * static_cast<double>(region.fitted)) region.refit();
+    if (static_cast<double>(region.moments.n) >= kRefitGrowth * static_cast<double>(region.fitted))
+      region.refit();
   }
 
   // The finished region as a surface; false when it is too small, too rough or bent.
   bool settle(GrowingRegion& region, Surface& surface) const {
     const SurfaceSettings& settings = scene_.settings;
     PlaneFit fit;
-    const double least = std::max(3.0, kPieceShare * settings.min_points / points_.points_per_member);
-    if (static_cast<double>(region.members.size()) < least || !fit_plane(region.moments, fit)) return false;
-    if (fit.sigma > kMaxRoughness * settings.distance_tolerance_m || !wide_enough(settings, fit)) return false;
+    const double least =
+        std::max(3.0, kPieceShare * settings.min_points / points_.points_per_member);
+    if (static_cast<double>(region.members.size()) < least || !fit_plane(region.moments, fit))
+      return false;
+    if (fit.sigma > kMaxRoughness * settings.distance_tolerance_m || !wide_enough(settings, fit))
+      return false;
     if (is_bent(fit, points_, region.members)) return false;
     surface.plane = fit.plane;
     surface.sigma_m = fit.sigma;
@@ -148,7 +162,8 @@ class Grower {
 
 }  // namespace
 
-std::vector<Surface> grow_surfaces(SegmentScene& scene, const GrowingPoints& points, uint32_t first_id, Task& task) {
+std::vector<Surface> grow_surfaces(SegmentScene& scene, const GrowingPoints& points,
+                                   uint32_t first_id, Task& task) {
   return Grower(scene, points, first_id, task).run();
 }
 

@@ -20,7 +20,8 @@ constexpr double kThinnedShare = 0.7;
 // The centroid of a half disc of neighbours, at a straight edge, lies 0.42 radii from its centre, that of a quarter at
 // a corner 0.6; an outlier lies almost a whole radius from all of its neighbours.
 constexpr double kIsolated = 0.75;
-constexpr double kReachInSpacings = 2;  // of gap_m = 0: neighbouring leaves touch but for the widest chance gaps
+constexpr double kReachInSpacings =
+    2;  // of gap_m = 0: neighbouring leaves touch but for the widest chance gaps
 // 16 points of one octree cell on a surface span 4 to 5 spacings. A leaf that is wider holds an outlier or bits of two
 // surfaces with a gap between: nothing may grow through it.
 constexpr double kLooseInSpacings = 7;
@@ -97,15 +98,18 @@ constexpr double kLeastWidthInTolerances = 0.5;  // 1.5 sigma, as in extraction.
 double width_of(const NeighbourPlane& plane) {
   const Symmetric3& m = *plane.scatter;
   const double trace = m[0] + m[3] + m[5], smallest = plane.variation * trace;
-  const double minors = (m[0] * m[3] - m[1] * m[1]) + (m[0] * m[5] - m[2] * m[2]) + (m[3] * m[5] - m[4] * m[4]);
-  const double sum = trace - smallest, product = minors - smallest * sum;  // of the other two eigenvalues
+  const double minors =
+      (m[0] * m[3] - m[1] * m[1]) + (m[0] * m[5] - m[2] * m[2]) + (m[3] * m[5] - m[4] * m[4]);
+  const double sum = trace - smallest,
+               product = minors - smallest * sum;  // of the other two eigenvalues
   const double middle = sum / 2 - std::sqrt(std::max(0.0, sum * sum / 4 - product));
   return std::sqrt(std::max(0.0, middle) / static_cast<double>(plane.count));
 }
 
 // Normals of the planes through the k nearest points (Hoppe et al. 1992), spacing as that of k points evenly spread
 // over the disc that holds them, and which points are isolated.
-void look_around(SegmentScene& scene, GrowingPoints& points, const GrowingSettings& settings, Task& task) {
+void look_around(SegmentScene& scene, GrowingPoints& points, const GrowingSettings& settings,
+                 Task& task) {
   const Octree& tree = *points.tree;
   const size_t k = std::min<size_t>(settings.k, tree.size());
   const double step = tree.grid_step();
@@ -115,7 +119,8 @@ void look_around(SegmentScene& scene, GrowingPoints& points, const GrowingSettin
     NeighbourPlanes planes(tree, [&](const NeighbourPlane& plane) {
       const double squared_radius = b.squared[(plane.position - b.first) * k + k - 1];
       const size_t position = points.position(plane.position);
-      scene.spacing[position] = static_cast<float>(std::sqrt(std::numbers::pi * squared_radius / static_cast<double>(k)));
+      scene.spacing[position] =
+          static_cast<float>(std::sqrt(std::numbers::pi * squared_radius / static_cast<double>(k)));
       points.isolated[plane.position] =
           plane.squared_offset * step * step > kIsolated * kIsolated * squared_radius ? 1 : 0;
       if (settings.field_normals()) return;
@@ -137,7 +142,8 @@ void spread_to_cells(SegmentScene& scene, const Representatives& cells, bool nor
       for (size_t p = from; p < to; ++p) {
         if (scene.owner[p] != 0) continue;
         scene.spacing[p] = scene.spacing[own];
-        for (size_t c = 0; normals && c < 3; ++c) scene.normals[3 * p + c] = scene.normals[3 * own + c];
+        for (size_t c = 0; normals && c < 3; ++c)
+          scene.normals[3 * p + c] = scene.normals[3 * own + c];
       }
     }
   });
@@ -152,7 +158,8 @@ double extent_of(const Octree& tree, size_t first, size_t last) {
 }
 
 // Median spacing of the points that are not isolated; -1 when there are none, or when the leaf is too wide for it.
-float spacing_of_leaf(const SegmentScene& scene, const GrowingPoints& points, size_t first, size_t last) {
+float spacing_of_leaf(const SegmentScene& scene, const GrowingPoints& points, size_t first,
+                      size_t last) {
   std::array<float, kMostLeafPoints> spacings;
   size_t count = 0;
   for (size_t i = first; i < last; ++i)
@@ -163,7 +170,8 @@ float spacing_of_leaf(const SegmentScene& scene, const GrowingPoints& points, si
   return extent_of(*points.tree, first, last) > kLooseInSpacings * middle ? -1 : middle;
 }
 
-void connect_leaves(const SegmentScene& scene, GrowingPoints& points, const GrowingSettings& settings, Task& task) {
+void connect_leaves(const SegmentScene& scene, GrowingPoints& points,
+                    const GrowingSettings& settings, Task& task) {
   const auto first = points.leaf_first();
   points.leaf_spacing = Buffer<float>(points.leaves());
   std::vector<float> reach(points.leaves());
@@ -171,7 +179,7 @@ void connect_leaves(const SegmentScene& scene, GrowingPoints& points, const Grow
     for (size_t leaf = begin; leaf < end; ++leaf) {
       const float spacing = spacing_of_leaf(scene, points, first[leaf], first[leaf + 1]);
       points.leaf_spacing[leaf] = spacing;
-      reach[leaf] = spacing < 0           ? -1
+      reach[leaf] = spacing < 0          ? -1
                     : settings.gap_m > 0 ? static_cast<float>(settings.gap_m)
                                          : static_cast<float>(kReachInSpacings) * spacing;
     }
@@ -183,11 +191,13 @@ void connect_leaves(const SegmentScene& scene, GrowingPoints& points, const Grow
 
 GrowingPoints points_to_grow(SegmentScene& scene, const GrowingSettings& settings, Task& task) {
   const Representatives cells = one_per_cell(scene, task);
-  const bool thin = static_cast<double>(cells.points.size()) < kThinnedShare * static_cast<double>(cells.free);
+  const bool thin =
+      static_cast<double>(cells.points.size()) < kThinnedShare * static_cast<double>(cells.free);
   GrowingPoints points = thin                         ? subset(scene, cells.points, task)
                          : cells.free == scene.size() ? GrowingPoints{.tree = scene.tree}
                                                       : subset(scene, free_points(scene), task);
-  points.points_per_member = static_cast<double>(cells.free) / static_cast<double>(points.tree->size());
+  points.points_per_member =
+      static_cast<double>(cells.free) / static_cast<double>(points.tree->size());
   look_around(scene, points, settings, task);
   if (thin) spread_to_cells(scene, cells, !settings.field_normals(), task);
   connect_leaves(scene, points, settings, task);

@@ -17,11 +17,13 @@ namespace jalon {
 /// that of the leaves takes 4.
 struct GrowingPoints {
   std::shared_ptr<const Octree> tree;
-  Buffer<double> xyz = {};                ///< the tree's, when it is not the scene's
-  std::vector<uint32_t> positions = {};   ///< in the scene of the tree's points; empty: the same
-  double points_per_member = 1;           ///< free points of the scene for one of the tree's
-  Buffer<uint8_t> isolated = {};          ///< 1: the point lies off its neighbours, no surface goes through it
-  Buffer<float> leaf_spacing = {};        ///< median of its points; negative: nothing grows through this leaf
+  Buffer<double> xyz = {};               ///< the tree's, when it is not the scene's
+  std::vector<uint32_t> positions = {};  ///< in the scene of the tree's points; empty: the same
+  double points_per_member = 1;          ///< free points of the scene for one of the tree's
+  Buffer<uint8_t> isolated =
+      {};  ///< 1: the point lies off its neighbours, no surface goes through it
+  Buffer<float> leaf_spacing =
+      {};  ///< median of its points; negative: nothing grows through this leaf
   LeafGraph graph = {};
 
   std::span<const uint32_t> leaf_first() const { return leaf_firsts(*tree); }

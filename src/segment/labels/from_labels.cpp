@@ -22,7 +22,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kNearPlane_m = 0.025;     // the segmenter's default tolerance: tells front from back of the facade
+constexpr double kNearPlane_m =
+    0.025;  // the segmenter's default tolerance: tells front from back of the facade
 constexpr size_t kFromLabelsPointsPerChunk = 1 << 15;
 
 // Which row (1-based) a key has: by falling number of points, ties by value.
@@ -31,7 +32,8 @@ class Rows {
   explicit Rows(std::vector<KeyCount> counts)
       : counts_(std::move(counts)), row_(counts_.size()), by_row_(counts_.size()) {
     if (counts_.size() >= std::numeric_limits<uint32_t>::max())
-      fail(Status::kLimit, "%zu different labels; a segmentation has at most 4294967294", counts_.size());
+      fail(Status::kLimit, "%zu different labels; a segmentation has at most 4294967294",
+           counts_.size());
     for (size_t i = 0; i < by_row_.size(); ++i) by_row_[i] = static_cast<uint32_t>(i);
     std::stable_sort(by_row_.begin(), by_row_.end(),
                      [&](uint32_t a, uint32_t b) { return counts_[a].count > counts_[b].count; });
@@ -50,7 +52,8 @@ class Rows {
   std::vector<uint32_t> row_, by_row_;
 };
 
-std::shared_ptr<Column> label_column(const WholeNumbers& field, const Rows& rows, size_t n, Task& task) {
+std::shared_ptr<Column> label_column(const WholeNumbers& field, const Rows& rows, size_t n,
+                                     Task& task) {
   auto column = make_label_column(n);
   const auto labels = column->values<uint32_t>();
   parallel_for(task, n, kFromLabelsPointsPerChunk, [&](size_t begin, size_t end) {
@@ -106,7 +109,8 @@ Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view fi
   const size_t n = cloud->size();
   const Rows rows = [&] {
     ProgressSpan span(task, 0, 0.2, "counting labels");
-    return Rows(count_keys(task, n, [&](size_t begin, size_t end, uint64_t* keys) { labels.keys(begin, end, keys); }));
+    return Rows(count_keys(
+        task, n, [&](size_t begin, size_t end, uint64_t* keys) { labels.keys(begin, end, keys); }));
   }();
   ProgressSpan span(task, 0.2, 1, "fitting planes");
   {

@@ -14,9 +14,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGivenSegmentPointsPerChunk = 1 << 15;
-constexpr double kPointsPerPixel = 4;    // connectivity.cpp: pixels of twice the spacing
+constexpr double kPointsPerPixel = 4;  // connectivity.cpp: pixels of twice the spacing
 constexpr int kPixelRounds = 6;
-constexpr double kPixelSettled = 0.05;   // relative change that ends the rounds
+constexpr double kPixelSettled = 0.05;  // relative change that ends the rounds
 
 Segment without_plane(uint64_t n) {
   Segment segment;
@@ -32,7 +32,8 @@ Segment without_plane(uint64_t n) {
 }
 
 double occupied_m2(const Raster& raster) {
-  const auto occupied = std::count_if(raster.pixels.begin(), raster.pixels.end(), [](uint8_t p) { return p != 0; });
+  const auto occupied =
+      std::count_if(raster.pixels.begin(), raster.pixels.end(), [](uint8_t p) { return p != 0; });
   return static_cast<double>(occupied) * raster.pixel_m * raster.pixel_m;
 }
 
@@ -59,11 +60,12 @@ Segment describe_given(const GivenPoints& points, double pixel_m, Task& task) {
   if (n == 0) return segment;
   Moments zero;
   zero.reference = points.local(0);
-  const Moments moments = parallel_reduce(task, n, kGivenSegmentPointsPerChunk, zero, [&](size_t begin, size_t end) {
-    Moments part = zero;
-    for (size_t i = begin; i < end; ++i) part.add(points.local(i));
-    return part;
-  });
+  const Moments moments =
+      parallel_reduce(task, n, kGivenSegmentPointsPerChunk, zero, [&](size_t begin, size_t end) {
+        Moments part = zero;
+        for (size_t i = begin; i < end; ++i) part.add(points.local(i));
+        return part;
+      });
   if (!fit_plane(moments, segment.fit)) return segment;
   const PlaneFit& fit = segment.fit;
   std::vector<Vec2> flat(n);

@@ -19,7 +19,8 @@ constexpr uint64_t kNoKey = ~uint64_t{0};
 
 /// Sorts by key and adds up equal ones.
 inline void combine(std::vector<KeyCount>& counts) {
-  std::sort(counts.begin(), counts.end(), [](const KeyCount& a, const KeyCount& b) { return a.key < b.key; });
+  std::sort(counts.begin(), counts.end(),
+            [](const KeyCount& a, const KeyCount& b) { return a.key < b.key; });
   size_t kept = 0;
   for (const KeyCount& c : counts) {
     if (kept > 0 && counts[kept - 1].key == c.key) counts[kept - 1].count += c.count;

@@ -23,9 +23,11 @@ void walk(size_t n, Task& task, F&& f) {
 
 }  // namespace
 
-LabelGroups::LabelGroups(std::span<const uint32_t> labels, size_t count, Task& task) : first_(count + 1, 0) {
+LabelGroups::LabelGroups(std::span<const uint32_t> labels, size_t count, Task& task)
+    : first_(count + 1, 0) {
   if (labels.size() > std::numeric_limits<uint32_t>::max())
-    fail(Status::kLimit, "%zu points; segments can be told apart in at most 4294967295", labels.size());
+    fail(Status::kLimit, "%zu points; segments can be told apart in at most 4294967295",
+         labels.size());
   {
     ProgressSpan span(task, 0, 0.3);
     walk(labels.size(), task, [&](size_t i) {

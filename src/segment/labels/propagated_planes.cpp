@@ -41,7 +41,8 @@ struct NormalEquations {
     return *this;
   }
   Square<3> square() const {
-    return {matrix[0], matrix[1], matrix[2], matrix[1], matrix[3], matrix[4], matrix[2], matrix[4], matrix[5]};
+    return {matrix[0], matrix[1], matrix[2], matrix[1], matrix[3],
+            matrix[4], matrix[2], matrix[4], matrix[5]};
   }
 };
 
@@ -54,18 +55,21 @@ ScannerPrecision without_common_errors(ScannerPrecision p) {
 
 class Adjustment {
  public:
-  Adjustment(const Cloud& cloud, const ScannerPrecision& precision) : cloud_(cloud), precision_(precision) {}
+  Adjustment(const Cloud& cloud, const ScannerPrecision& precision)
+      : cloud_(cloud), precision_(precision) {}
 
   NormalEquations sums(std::span<const uint32_t> points, const PlaneFit& start, Task& task) const {
-    return parallel_reduce(task, points.size(), kPropagatedPlanesPointsPerChunk, NormalEquations{}, [&](size_t begin, size_t end) {
-      NormalEquations part;
-      for (size_t i = begin; i < end; ++i) {
-        const Vec3 p = cloud_.point(points[i]), d = p - start.centroid;
-        part.add({dot(d, start.axis_u), dot(d, start.axis_v), dot(d, start.plane.normal)},
-                 variance_of(points[i], p, start.plane.normal));
-      }
-      return part;
-    });
+    return parallel_reduce(
+        task, points.size(), kPropagatedPlanesPointsPerChunk, NormalEquations{},
+        [&](size_t begin, size_t end) {
+          NormalEquations part;
+          for (size_t i = begin; i < end; ++i) {
+            const Vec3 p = cloud_.point(points[i]), d = p - start.centroid;
+            part.add({dot(d, start.axis_u), dot(d, start.axis_v), dot(d, start.plane.normal)},
+                     variance_of(points[i], p, start.plane.normal));
+          }
+          return part;
+        });
   }
 
  private:
@@ -79,7 +83,8 @@ class Adjustment {
     const PointBudget budget =
         point_budget(precision_, ray, normalized(station->pose.direction({0, 0, 1})), incidence);
     const double variance = variance_along(budget.covariance, normal);
-    if (!(variance > 0)) fail(Status::kDegenerate, "point %u has no uncertainty: give the scanner one", i);
+    if (!(variance > 0))
+      fail(Status::kDegenerate, "point %u has no uncertainty: give the scanner one", i);
     return variance;
   }
 
@@ -141,18 +146,23 @@ std::vector<PropagatedPlane> propagate_planes(const Segmentation& segmentation,
 FieldTable propagated_plane_table(const std::vector<PropagatedPlane>& planes) {
   using P = PropagatedPlane;
   FieldTable t;
-  add_column<uint32_t>(t, planes, "label", "", "of the segment", [](const P& p) { return p.label; });
+  add_column<uint32_t>(t, planes, "label", "", "of the segment",
+                       [](const P& p) { return p.label; });
   add_columns<double, 3>(t, planes, "normal", "1", "unit normal", [](const P& p, double* o) {
     o[0] = p.plane.normal.x, o[1] = p.plane.normal.y, o[2] = p.plane.normal.z;
   });
-  add_column<double>(t, planes, "offset", "m", "normal . p = offset", [](const P& p) { return p.plane.offset; });
-  add_columns<double, 16>(t, planes, "covariance", "", "of normal and offset, row-major",
-                          [](const P& p, double* o) { std::copy(p.covariance.begin(), p.covariance.end(), o); });
-  add_column<double>(t, planes, "sigma_prior", "m", "of the points along the normal, from the scanner",
+  add_column<double>(t, planes, "offset", "m", "normal . p = offset",
+                     [](const P& p) { return p.plane.offset; });
+  add_columns<double, 16>(
+      t, planes, "covariance", "", "of normal and offset, row-major",
+      [](const P& p, double* o) { std::copy(p.covariance.begin(), p.covariance.end(), o); });
+  add_column<double>(t, planes, "sigma_prior", "m",
+                     "of the points along the normal, from the scanner",
                      [](const P& p) { return p.sigma_prior_m; });
   add_column<double>(t, planes, "sigma", "m", "of the points from the plane, as measured",
                      [](const P& p) { return p.sigma_m; });
-  add_column<double>(t, planes, "variance_factor", "1", "of the residuals against the scanner's sigmas",
+  add_column<double>(t, planes, "variance_factor", "1",
+                     "of the residuals against the scanner's sigmas",
                      [](const P& p) { return p.variance_factor; });
   return t;
 }

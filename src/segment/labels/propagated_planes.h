@@ -17,10 +17,12 @@ namespace jalon {
 struct PropagatedPlane {
   uint32_t label = 0;
   Plane plane{{kNaN, kNaN, kNaN}, kNaN};
-  std::array<double, 16> covariance = filled();  ///< of (normal, offset), from the points' covariances
-  double sigma_prior_m = kNaN;    ///< of the points along the normal, root of their mean variance
-  double sigma_m = kNaN;          ///< of their residuals, n - 3
-  double variance_factor = kNaN;  ///< residuals against their own sigmas, n - 3: 1 where the budget is right
+  std::array<double, 16> covariance =
+      filled();                 ///< of (normal, offset), from the points' covariances
+  double sigma_prior_m = kNaN;  ///< of the points along the normal, root of their mean variance
+  double sigma_m = kNaN;        ///< of their residuals, n - 3
+  double variance_factor =
+      kNaN;  ///< residuals against their own sigmas, n - 3: 1 where the budget is right
 
   static constexpr std::array<double, 16> filled() {
     std::array<double, 16> out{};

@@ -14,18 +14,22 @@ namespace jalon {
 
 namespace {
 
-bool is_whole(double value) { return std::fabs(value) <= kWholeDoubles && value == std::trunc(value); }
+bool is_whole(double value) {
+  return std::fabs(value) <= kWholeDoubles && value == std::trunc(value);
+}
 
 }  // namespace
 
-WholeNumbers::WholeNumbers(const Column& column, std::span<const double> left_out) : column_(column) {
+WholeNumbers::WholeNumbers(const Column& column, std::span<const double> left_out)
+    : column_(column) {
   const FieldInfo& info = column.info();
   if (info.components != 1)
-    fail(Status::kInvalidArgument, "field \"%.100s\" has %u components; one number a point is needed",
-         info.name.c_str(),
+    fail(Status::kInvalidArgument,
+         "field \"%.100s\" has %u components; one number a point is needed", info.name.c_str(),
          info.components);
   for (const double value : left_out) {
-    if (!is_whole(value)) fail(Status::kInvalidArgument, "the values to leave out must be whole numbers");
+    if (!is_whole(value))
+      fail(Status::kInvalidArgument, "the values to leave out must be whole numbers");
     left_out_.push_back(key_of(static_cast<int64_t>(value)));
   }
 }
@@ -43,14 +47,16 @@ uint64_t WholeNumbers::key(T value, size_t i) const {
     if (std::isnan(value)) return kNoKey;
     if (!is_whole(static_cast<double>(value))) refuse(i, "no whole number");
   } else if constexpr (sizeof(T) == 8) {
-    if (std::cmp_greater_equal(value, std::numeric_limits<int64_t>::max())) refuse(i, "too large a number");
+    if (std::cmp_greater_equal(value, std::numeric_limits<int64_t>::max()))
+      refuse(i, "too large a number");
   }
   const uint64_t found = key_of(static_cast<int64_t>(value));
   return std::find(left_out_.begin(), left_out_.end(), found) == left_out_.end() ? found : kNoKey;
 }
 
 void WholeNumbers::refuse(size_t i, const char* why) const {
-  fail(Status::kInvalidArgument, "field \"%.100s\" of point %zu is %s", column_.info().name.c_str(), i, why);
+  fail(Status::kInvalidArgument, "field \"%.100s\" of point %zu is %s", column_.info().name.c_str(),
+       i, why);
 }
 
 }  // namespace jalon

@@ -23,7 +23,7 @@ constexpr double kReachGrowth = 2;
 constexpr uint32_t kMaxGapPixels = 256;
 constexpr double kSpacingsPerPixel = 2;
 constexpr uint32_t kSpacingNeighbours = 8;
-constexpr int kMillimetreDigits = 4;    // of lengths in messages
+constexpr int kMillimetreDigits = 4;  // of lengths in messages
 
 // Free points that `takes` takes, ascending.
 template <class F>
@@ -56,13 +56,15 @@ double pixel_of(const PickScene& scene, Task& task) {
     if (tree->knn(pick + scene.origin, 1, near) == 0) continue;  // a pick may lie beside the points
     const size_t n = tree->knn(scene.cloud.point(near[0].index), kSpacingNeighbours, near);
     // k points in a disc of radius r: a spacing of r sqrt(pi / k).
-    if (n > 0) widest = std::max(widest, std::sqrt(near[n - 1].squared_distance * std::numbers::pi / static_cast<double>(n)));
+    if (n > 0)
+      widest = std::max(widest, std::sqrt(near[n - 1].squared_distance * std::numbers::pi /
+                                          static_cast<double>(n)));
   }
   return std::max(scene.setting.primitive.tolerance_m, kSpacingsPerPixel * widest);
 }
 
-std::vector<Vec2> flattened(const Segment& segment, std::span<const Vec3> points, std::span<const Vec3> also,
-                            std::vector<Vec2>& also_flat) {
+std::vector<Vec2> flattened(const Segment& segment, std::span<const Vec3> points,
+                            std::span<const Vec3> also, std::vector<Vec2>& also_flat) {
   const SurfaceMap map = SurfaceMap::of(segment, points);
   std::vector<Vec2> uv(points.size());
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = map(points[i]);
@@ -71,16 +73,19 @@ std::vector<Vec2> flattened(const Segment& segment, std::span<const Vec3> points
 }
 
 // Keeps the members connected, over gaps of at most gap_m, with the place of a pick.
-void keep_connected(const PickScene& scene, const Segment& segment, double pixel_m, std::vector<uint32_t>& members) {
+void keep_connected(const PickScene& scene, const Segment& segment, double pixel_m,
+                    std::vector<uint32_t>& members) {
   if (members.empty()) return;
   std::vector<Vec2> seeds;
   const std::vector<Vec2> uv = flattened(segment, points_of(scene, members), scene.picks, seeds);
   const double gap = scene.setting.gap_m;
-  const auto margin = static_cast<uint32_t>(std::min<double>(kMaxGapPixels, std::floor(gap / (2 * pixel_m))));
+  const auto margin =
+      static_cast<uint32_t>(std::min<double>(kMaxGapPixels, std::floor(gap / (2 * pixel_m))));
   const Raster raster = bounded_raster(uv, pixel_m, margin + 1);
   const Regions regions = label_regions(margin > 0 ? dilated(raster, margin) : raster);
   std::vector<uint8_t> wanted(regions.count() + 1, 0);
-  for (const Vec2& seed : seeds) {  // the region nearest to the pick: noise may put it into an empty pixel
+  for (const Vec2& seed :
+       seeds) {  // the region nearest to the pick: noise may put it into an empty pixel
     double nearest = INFINITY;
     uint32_t label = 0;
     for (const Vec2& p : uv)
@@ -98,7 +103,8 @@ void keep_connected(const PickScene& scene, const Segment& segment, double pixel
 }
 
 // Minimal-surface filter: pieces below the smallest area that means something are left to the remaining points.
-void drop_small_pieces(const PickScene& scene, const Segment& segment, double pixel_m, std::vector<uint32_t>& members) {
+void drop_small_pieces(const PickScene& scene, const Segment& segment, double pixel_m,
+                       std::vector<uint32_t>& members) {
   if (members.empty()) return;
   std::vector<Vec2> unused;
   const std::vector<Vec2> uv = flattened(segment, points_of(scene, members), {}, unused);
@@ -112,13 +118,15 @@ void drop_small_pieces(const PickScene& scene, const Segment& segment, double pi
   members.resize(kept);
 }
 
-bool refit(const PickScene& scene, std::span<const uint32_t> members, const Vec3* direction, Task& task, Segment& segment) {
+bool refit(const PickScene& scene, std::span<const uint32_t> members, const Vec3* direction,
+           Task& task, Segment& segment) {
   const std::vector<Vec3> points = points_of(scene, members);
   const PrimitiveSetting& setting = scene.setting.primitive;
   if (segment.type == PrimitiveType::kPlane) return fit_plane(points, segment.fit);
   if (segment.type == PrimitiveType::kSphere)
     return adjust_sphere(points, segment.sphere.sphere, setting, task, segment.sphere);
-  if (direction != nullptr) return fit_cylinder_along(*direction, points, setting, task, segment.cylinder);
+  if (direction != nullptr)
+    return fit_cylinder_along(*direction, points, setting, task, segment.cylinder);
   return adjust_cylinder(points, segment.cylinder.cylinder, setting, task, segment.cylinder);
 }
 
@@ -142,8 +150,8 @@ struct SeedReach {
 // Rounds of members - connection - fit, from the surface of the picks until the points stay the same; then the small
 // pieces are left out and the last fit is made.
 template <class F>
-Picked grow(const PickScene& scene, Segment start, const Vec3* direction, bool connected, SeedReach reach, F&& bounds,
-            Task& task) {
+Picked grow(const PickScene& scene, Segment start, const Vec3* direction, bool connected,
+            SeedReach reach, F&& bounds, Task& task) {
   const double tolerance = scene.setting.primitive.tolerance_m, pixel = pixel_of(scene, task);
   Picked out;
   out.segment = start;
@@ -162,10 +170,12 @@ Picked grow(const PickScene& scene, Segment start, const Vec3* direction, bool c
     ++round;
   }
   if (!out.members.empty()) drop_small_pieces(scene, out.segment, pixel, out.members);
-  if (out.members.size() < scene.setting.min_points || !refit(scene, out.members, direction, task, out.segment))
+  if (out.members.size() < scene.setting.min_points ||
+      !refit(scene, out.members, direction, task, out.segment))
     fail(Status::kInsufficientData,
-         "the picks gather %zu free points within %s m of their surface in pieces of %s m2 or more", out.members.size(),
-         text_of(tolerance).c_str(), text_of(scene.setting.min_area_m2).c_str());
+         "the picks gather %zu free points within %s m of their surface in pieces of %s m2 or more",
+         out.members.size(), text_of(tolerance).c_str(),
+         text_of(scene.setting.min_area_m2).c_str());
   if (!out.segment.is_plane()) describe_curved(points_of(scene, out.members), pixel, out.segment);
   return out;
 }
@@ -201,23 +211,29 @@ PlaneFit seed_plane(const PickScene& scene, Task& task, SeedReach& reach) {
   }
   const double away_m = near.empty() ? INFINITY : std::sqrt(near[0].squared_distance);
   if (!(away_m <= scene.setting.gap_m + scene.setting.primitive.tolerance_m))
-    fail(Status::kInsufficientData, "the nearest point lies %s m from the seed", text_of(away_m, kMillimetreDigits).c_str());
+    fail(Status::kInsufficientData, "the nearest point lies %s m from the seed",
+         text_of(away_m, kMillimetreDigits).c_str());
   PlaneFit fit;
   if (points.size() < 3 || 2 * points.size() < near.size())  // what others left is no surface
-    fail(Status::kInsufficientData, "%zu of the %zu points around the seed are free; a plane needs 3 and half of them",
+    fail(Status::kInsufficientData,
+         "%zu of the %zu points around the seed are free; a plane needs 3 and half of them",
          points.size(), near.size());
   if (!fit_plane(points, fit))
-    fail(Status::kDegenerate, "the %zu free points around the seed are equal or on one line", points.size());
+    fail(Status::kDegenerate, "the %zu free points around the seed are equal or on one line",
+         points.size());
   if (fit.sigma > scene.setting.primitive.tolerance_m)
-    fail(Status::kDegenerate, "the points around the seed lie %s m from a plane; the tolerance is %s m",
-         text_of(fit.sigma, kMillimetreDigits).c_str(), text_of(scene.setting.primitive.tolerance_m).c_str());
+    fail(Status::kDegenerate,
+         "the points around the seed lie %s m from a plane; the tolerance is %s m",
+         text_of(fit.sigma, kMillimetreDigits).c_str(),
+         text_of(scene.setting.primitive.tolerance_m).c_str());
   return fit;
 }
 
 // The picks as a polygon on their plane: in their order when that is a simple polygon, else their convex hull.
 std::vector<Vec2> pick_polygon(const PickScene& scene, const PlaneFit& fit) {
   std::vector<Vec2> uv;
-  for (const Vec3& p : scene.picks) uv.push_back({dot(p - fit.centroid, fit.axis_u), dot(p - fit.centroid, fit.axis_v)});
+  for (const Vec3& p : scene.picks)
+    uv.push_back({dot(p - fit.centroid, fit.axis_u), dot(p - fit.centroid, fit.axis_v)});
   if (is_simple(uv)) return uv;
   std::vector<Vec2> hull;
   for (const uint32_t i : convex_hull(uv)) hull.push_back(uv[i]);
@@ -226,20 +242,25 @@ std::vector<Vec2> pick_polygon(const PickScene& scene, const PlaneFit& fit) {
 
 Vec3 pick_normal(const PickScene& scene, size_t i, Task& task) {
   if (scene.cloud.size() < 3)
-    fail(Status::kInsufficientData, "the cloud has %zu points; a normal needs 3", scene.cloud.size());
-  const Vec3 n = normal_near(scene.cloud, *scene.cloud.octree(task), scene.picks[i] + scene.origin, scene.setting.k);
-  if (!is_finite(n)) fail(Status::kDegenerate, "the points around pick %zu are equal or on one line: no normal", i);
+    fail(Status::kInsufficientData, "the cloud has %zu points; a normal needs 3",
+         scene.cloud.size());
+  const Vec3 n = normal_near(scene.cloud, *scene.cloud.octree(task), scene.picks[i] + scene.origin,
+                             scene.setting.k);
+  if (!is_finite(n))
+    fail(Status::kDegenerate, "the points around pick %zu are equal or on one line: no normal", i);
   return n;
 }
 
 void require_radius(const PickScene& scene, bool found, double radius_m) {
   if (!found)
-    fail(Status::kDegenerate, "the %zu picks fix no such surface: they are flat, on one line or too close together",
+    fail(Status::kDegenerate,
+         "the %zu picks fix no such surface: they are flat, on one line or too close together",
          scene.picks.size());
   const PrimitiveSetting& s = scene.setting.primitive;
   if (!s.allows(radius_m))
     fail(Status::kDegenerate, "the picks give a radius of %s m; the limits are %s and %s m",
-         text_of(radius_m, kMillimetreDigits).c_str(), text_of(s.min_radius_m).c_str(), text_of(s.max_radius_m).c_str());
+         text_of(radius_m, kMillimetreDigits).c_str(), text_of(s.min_radius_m).c_str(),
+         text_of(s.max_radius_m).c_str());
 }
 
 constexpr auto kEverywhere = [](const Vec3&) { return true; };
@@ -258,7 +279,8 @@ Picked pick_plane(const PickScene& scene, Task& task) {
   } else {
     const size_t n = scene.picks.size();
     if (n < 3) fail(Status::kInsufficientData, "%zu picks; a plane needs 3, or one seed", n);
-    if (!fit_plane(scene.picks, start.fit)) fail(Status::kDegenerate, "the %zu picks are on one line", n);
+    if (!fit_plane(scene.picks, start.fit))
+      fail(Status::kDegenerate, "the %zu picks are on one line", n);
     const PlaneFit frame = start.fit;
     const std::vector<Vec2> polygon = pick_polygon(scene, frame);
     const auto inside = [&](const Vec3& p) {
@@ -278,13 +300,14 @@ Picked pick_sphere(const PickScene& scene, Task& task) {
   const auto& picks = scene.picks;
   bool found = false;
   if (picks.size() == 2)
-    found = sphere_from_normals(picks[0], pick_normal(scene, 0, task), picks[1], pick_normal(scene, 1, task), sphere);
+    found = sphere_from_normals(picks[0], pick_normal(scene, 0, task), picks[1],
+                                pick_normal(scene, 1, task), sphere);
   else if (picks.size() == 4)
     found = sphere_through({picks[0], picks[1], picks[2], picks[3]}, sphere);
-  else if (picks.size() > 4)
-    found = sphere_linear(picks, sphere);
+  else if (picks.size() > 4) found = sphere_linear(picks, sphere);
   else
-    fail(Status::kInsufficientData, "%zu picks; a sphere needs 4, or 2 where the points around give normals", picks.size());
+    fail(Status::kInsufficientData,
+         "%zu picks; a sphere needs 4, or 2 where the points around give normals", picks.size());
   require_radius(scene, found, sphere.radius);
   return grow(scene, start, nullptr, true, {}, kEverywhere, task);
 }
@@ -297,11 +320,13 @@ Picked pick_cylinder(const PickScene& scene, Task& task) {
   const auto& picks = scene.picks;
   if (picks.size() < 2)
     fail(Status::kInsufficientData,
-         "%zu picks; a vertical cylinder needs 3, any other 2 where the points around give normals", picks.size());
+         "%zu picks; a vertical cylinder needs 3, any other 2 where the points around give normals",
+         picks.size());
   const bool vertical = picks.size() >= 3;
-  const bool found = vertical ? cylinder_along(kUp, picks, cylinder)
-                              : cylinder_from_normals(picks[0], pick_normal(scene, 0, task), picks[1],
-                                                      pick_normal(scene, 1, task), cylinder);
+  const bool found = vertical
+                         ? cylinder_along(kUp, picks, cylinder)
+                         : cylinder_from_normals(picks[0], pick_normal(scene, 0, task), picks[1],
+                                                 pick_normal(scene, 1, task), cylinder);
   require_radius(scene, found, cylinder.radius);
   return grow(scene, start, vertical ? &kUp : nullptr, true, {}, kEverywhere, task);
 }

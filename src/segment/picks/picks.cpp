@@ -22,21 +22,23 @@ constexpr double kMostlyHorizontal = 0.985;  // |nz| within 10 degrees of the ve
 
 // Toward the station that saw most of the points; without stations upward, or toward the middle of the cloud.
 // The segment is relative to the origin.
-void face_the_station(const Cloud& cloud, const Vec3& origin, std::span<const uint32_t> members, Segment& segment,
-                      Task& task) {
+void face_the_station(const Cloud& cloud, const Vec3& origin, std::span<const uint32_t> members,
+                      Segment& segment, Task& task) {
   const Plane& plane = segment.fit.plane;
   int64_t votes = 0;
   for (const Station& station : cloud.stations) {
     if (!station.has_pose) continue;
     const auto first = std::lower_bound(members.begin(), members.end(), station.first);
-    const auto end = std::lower_bound(members.begin(), members.end(), station.first + station.count);
+    const auto end =
+        std::lower_bound(members.begin(), members.end(), station.first + station.count);
     votes += (plane.distance(station.pose.translation() - origin) >= 0 ? 1 : -1) * (end - first);
   }
   bool away = votes < 0;
   if (votes == 0) {
     const Box3 box = bounds(cloud, task);
-    away = std::fabs(plane.normal.z) > kMostlyHorizontal ? plane.normal.z < 0
-                                                         : plane.distance(0.5 * (box.min + box.max) - origin) < 0;
+    away = std::fabs(plane.normal.z) > kMostlyHorizontal
+               ? plane.normal.z < 0
+               : plane.distance(0.5 * (box.min + box.max) - origin) < 0;
   }
   if (away) turn_over(segment.fit);
 }
@@ -51,14 +53,16 @@ std::shared_ptr<Column> copy_of(const Column& column) {
 
 // The points' columns of before, with the new segment's points filled in; their distances come from the segment as it
 // is relative to the origin, so that large coordinates lose nothing.
-void add_members(const Segmentation& before, const Vec3& origin, const Picked& picked, Segmentation& out) {
+void add_members(const Segmentation& before, const Vec3& origin, const Picked& picked,
+                 Segmentation& out) {
   auto labels = copy_of<uint32_t>(*before.labels);
   auto residuals = copy_of<float>(*before.residuals);
   auto orientations = copy_of<uint8_t>(*before.orientations);
   const Segment& segment = out.segments.back();
   for (const uint32_t i : picked.members) {
     labels->values<uint32_t>()[i] = segment.label;
-    residuals->values<float>()[i] = static_cast<float>(picked.segment.distance(out.cloud->point(i) - origin));
+    residuals->values<float>()[i] =
+        static_cast<float>(picked.segment.distance(out.cloud->point(i) - origin));
     orientations->values<uint8_t>()[i] = static_cast<uint8_t>(segment.orientation);
   }
   out.labels = labels;
@@ -73,7 +77,8 @@ void orient(const Segmentation& before, const PickSettings& settings, Segmentati
   std::vector<Segment> classed = out.segments;
   classify(context, classed);
   if (main_facade(out.segments) == main_facade(before.segments)) {
-    if (out.segments.back().is_plane()) out.segments.back().orientation = classed.back().orientation;
+    if (out.segments.back().is_plane())
+      out.segments.back().orientation = classed.back().orientation;
     return;
   }
   out.segments = std::move(classed);
@@ -136,7 +141,8 @@ Segmentation with_pick(const Segmentation& before, PrimitiveType type, std::span
   Picked picked = type == PrimitiveType::kPlane    ? pick_plane(scene, task)
                   : type == PrimitiveType::kSphere ? pick_sphere(scene, task)
                                                    : pick_cylinder(scene, task);
-  if (picked.segment.is_plane()) face_the_station(*before.cloud, origin, picked.members, picked.segment, task);
+  if (picked.segment.is_plane())
+    face_the_station(*before.cloud, origin, picked.members, picked.segment, task);
   picked.segment.label = static_cast<uint32_t>(before.segments.size() + 1);
   Segmentation out = before;
   out.segments.push_back(picked.segment);
@@ -148,7 +154,8 @@ Segmentation with_pick(const Segmentation& before, PrimitiveType type, std::span
     const auto labels = out.labels->values<uint32_t>();
     const auto values = orientations->values<uint8_t>();
     for (size_t i = 0; i < labels.size(); ++i)
-      values[i] = labels[i] == 0 ? uint8_t{0} : static_cast<uint8_t>(out.segments[labels[i] - 1].orientation);
+      values[i] = labels[i] == 0 ? uint8_t{0}
+                                 : static_cast<uint8_t>(out.segments[labels[i] - 1].orientation);
     out.orientations = orientations;
   }
   return out;
@@ -171,12 +178,10 @@ std::string primitive_text(const Segmentation& segmentation) {
     out += std::to_string(static_cast<int>(s.type));
     const Vec3 &n = s.fit.plane.normal, &c = s.sphere.sphere.centre, &a = s.cylinder.cylinder.point,
                &d = s.cylinder.cylinder.direction;
-    if (s.type == PrimitiveType::kSphere)
-      add({c.x, c.y, c.z, s.sphere.sphere.radius});
+    if (s.type == PrimitiveType::kSphere) add({c.x, c.y, c.z, s.sphere.sphere.radius});
     else if (s.type == PrimitiveType::kCylinder)
       add({a.x, a.y, a.z, d.x, d.y, d.z, s.cylinder.cylinder.radius});
-    else
-      add({n.x, n.y, n.z, s.fit.plane.offset});
+    else add({n.x, n.y, n.z, s.fit.plane.offset});
   }
   return out;
 }

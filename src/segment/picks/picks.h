@@ -32,7 +32,8 @@ Segmentation with_pick(const Segmentation& before, PrimitiveType type, std::span
 /// The points of label 0, with their fields.
 Cloud remaining_points(const Segmentation& segmentation, Task& task);
 
-/// The parameter file of Boulaassal 2010, 5.5.2: a row a segment, its type code first; plane: normal, offset; sphere: centre,
+/// The parameter file of Boulaassal 2010, 5.5.2: a row a segment, its type code first; plane:
+/// normal, offset; sphere: centre,
 /// radius; cylinder: axis point, direction, radius.
 std::string primitive_text(const Segmentation& segmentation);
 

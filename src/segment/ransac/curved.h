@@ -15,7 +15,8 @@ struct Curved {
   double radius = 0;
 
   Curved() = default;
-  explicit Curved(const Sphere& s) : type(PrimitiveType::kSphere), centre(s.centre), radius(s.radius) {}
+  explicit Curved(const Sphere& s)
+      : type(PrimitiveType::kSphere), centre(s.centre), radius(s.radius) {}
   explicit Curved(const Cylinder& c)
       : type(PrimitiveType::kCylinder), centre(c.point), axis(c.direction), radius(c.radius) {}
 
@@ -32,13 +33,14 @@ struct Curved {
   Cylinder cylinder() const { return {centre, axis, radius}; }
   /// Points near it to metres on a flat map.
   SurfaceMap map(std::span<const Vec3> points) const {
-    return is_sphere() ? SurfaceMap::of_sphere(sphere(), points) : SurfaceMap::of_cylinder(cylinder(), points);
+    return is_sphere() ? SurfaceMap::of_sphere(sphere(), points)
+                       : SurfaceMap::of_cylinder(cylinder(), points);
   }
 };
 
 /// Adjusts a curved surface to points from a start: type, sphere or cylinder of `out`. False when they do not fix it.
-bool adjust_curved(std::span<const Vec3> points, const Curved& start, const PrimitiveSetting& setting, Task& task,
-                   Segment& out);
+bool adjust_curved(std::span<const Vec3> points, const Curved& start,
+                   const PrimitiveSetting& setting, Task& task, Segment& out);
 /// The surface of a segment that is no plane.
 Curved curved_of(const Segment& segment);
 

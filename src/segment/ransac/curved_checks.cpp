@@ -13,11 +13,12 @@ namespace jalon {
 
 namespace {
 
-constexpr double kCurvedChecksLeastGain = 2;     // rms about the best plane against the own sigma
+constexpr double kCurvedChecksLeastGain = 2;  // rms about the best plane against the own sigma
 // A bar has four faces, and five where the map is cut amid one; octagons count as round.
 constexpr size_t kMostFacets = 5;
-constexpr size_t kArcs = 24;         // places along the arc where an edge may be
-constexpr double kMostBeside = 0.5;  // points beside the surface against those on it; clutter has as many
+constexpr size_t kArcs = 24;  // places along the arc where an edge may be
+constexpr double kMostBeside =
+    0.5;  // points beside the surface against those on it; clutter has as many
 
 // Angle over which the normals of the surface's points spread.
 double turn_rad(const Curved& curved, std::span<const Vec3> points) {
@@ -30,17 +31,20 @@ double turn_rad(const Curved& curved, std::span<const Vec3> points) {
     farthest = std::max(farthest, norm(q));
   }
   if (!curved.is_sphere()) return (high - low) / curved.radius;
-  return 4 * std::asin(std::min(1.0, farthest / (2 * curved.radius)));  // on Lambert's map 2 r sin(angle / 2)
+  return 4 * std::asin(std::min(
+                 1.0, farthest / (2 * curved.radius)));  // on Lambert's map 2 r sin(angle / 2)
 }
 
 // Sum of the squared distances of points from their least-squares plane.
 double squares_about_plane(const Moments& moments) {
   if (moments.n < 4) return 0;
-  return std::max(0.0, symmetric_eigen(moments.covariance()).values[0]) * static_cast<double>(moments.n);
+  return std::max(0.0, symmetric_eigen(moments.covariance()).values[0]) *
+         static_cast<double>(moments.n);
 }
 
 // Sums of the points by their place along the arc, and the sum of their squared distances from the surface.
-std::array<Moments, kArcs> moments_of_arcs(const Surface& surface, std::span<const Vec3> points, double& squares) {
+std::array<Moments, kArcs> moments_of_arcs(const Surface& surface, std::span<const Vec3> points,
+                                           double& squares) {
   const SurfaceMap map = surface.curved.map(points);
   std::vector<double> u(points.size());
   std::transform(points.begin(), points.end(), u.begin(), [&](const Vec3& p) { return map(p).u; });
@@ -88,8 +92,8 @@ bool is_faceted(const Surface& surface, std::span<const Vec3> points) {
   return false;
 }
 
-bool stands_out(const SegmentScene& scene, const PointPool& pool, const Surface& surface, std::span<const Vec3> points,
-                Task& task) {
+bool stands_out(const SegmentScene& scene, const PointPool& pool, const Surface& surface,
+                std::span<const Vec3> points, Task& task) {
   const double tolerance = scene.settings.distance_tolerance_m;
   const SurfaceMap map = surface.curved.map(points);
   std::vector<Vec2> uv(points.size());
@@ -106,14 +110,15 @@ bool stands_out(const SegmentScene& scene, const PointPool& pool, const Surface&
   return static_cast<double>(beside) <= kMostBeside * static_cast<double>(points.size());
 }
 
-bool better_as_cylinder(const Surface& sphere, std::span<const Vec3> points, const PrimitiveSetting& setting,
-                        Task& task, Curved& out) {
+bool better_as_cylinder(const Surface& sphere, std::span<const Vec3> points,
+                        const PrimitiveSetting& setting, Task& task, Curved& out) {
   Moments normals;  // those of a cylinder are all across its axis
   for (const Vec3& p : points) normals.add(normalized(sphere.curved.outward(p)));
   const Eigen3 spread = symmetric_eigen(normals.products);
   Segment fitted;
   const Curved start(Cylinder{sphere.curved.centre, spread.vectors[0], sphere.curved.radius});
-  if (!adjust_curved(points, start, setting, task, fitted) || fitted.sigma_m() >= sphere.sigma_m) return false;
+  if (!adjust_curved(points, start, setting, task, fitted) || fitted.sigma_m() >= sphere.sigma_m)
+    return false;
   out = curved_of(fitted);
   return true;
 }

@@ -15,12 +15,12 @@ bool is_faceted(const Surface& surface, std::span<const Vec3> points);
 
 /// False when the free points beside the surface, one to two tolerances off it, are as many as clutter has: it cuts
 /// through a crown or a crowd rather than being anything.
-bool stands_out(const SegmentScene& scene, const PointPool& pool, const Surface& surface, std::span<const Vec3> points,
-                Task& task);
+bool stands_out(const SegmentScene& scene, const PointPool& pool, const Surface& surface,
+                std::span<const Vec3> points, Task& task);
 
 /// A band of a cylinder, such as the soffit of an arch, is nearly one of a sphere too. True when a cylinder fits the
 /// points of a sphere better; it is then given.
-bool better_as_cylinder(const Surface& sphere, std::span<const Vec3> points, const PrimitiveSetting& setting,
-                        Task& task, Curved& out);
+bool better_as_cylinder(const Surface& sphere, std::span<const Vec3> points,
+                        const PrimitiveSetting& setting, Task& task, Curved& out);
 
 }  // namespace jalon

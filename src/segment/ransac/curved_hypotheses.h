@@ -13,7 +13,8 @@ bool draw_curved(const RansacScene& scene, const PointPool& pool, uint64_t draw,
 
 /// The inlier test of a curved surface; a cell's normal turns by edge / (2 r) from its middle to its side, which the
 /// test allows for.
-CurvedTest curved_test(const SegmentScene& scene, const Curved& curved, double cell_edge_m, double tolerance_m);
+CurvedTest curved_test(const SegmentScene& scene, const Curved& curved, double cell_edge_m,
+                       double tolerance_m);
 
 /// True when the normal of the point disagrees with the surface's.
 bool curved_inconsistent(const SegmentScene& scene, const Curved& curved, size_t position);

@@ -10,7 +10,8 @@ uint32_t count_curved_baseline(const PointColumns& points, const CurvedTest& tes
   return count_curved(points, test);
 }
 
-uint32_t mark_curved(const PointColumns& points, const CurvedTest& t, uint32_t mask[kBlockPoints / 32]) {
+uint32_t mark_curved(const PointColumns& points, const CurvedTest& t,
+                     uint32_t mask[kBlockPoints / 32]) {
   uint32_t sum = 0;
   for (size_t word = 0; word < kBlockPoints / 32; ++word) {
     uint32_t bits = 0;
@@ -23,7 +24,8 @@ uint32_t mark_curved(const PointColumns& points, const CurvedTest& t, uint32_t m
       z -= along * t.az;
       const float squared = x * x + y * y + z * z;
       const float cosine = points.nx[i] * x + points.ny[i] * y + points.nz[i] * z;
-      const bool inlier = squared >= t.inner2 && squared <= t.outer2 && !(cosine * cosine < t.cosine2 * squared);
+      const bool inlier =
+          squared >= t.inner2 && squared <= t.outer2 && !(cosine * cosine < t.cosine2 * squared);
       bits |= static_cast<uint32_t>(inlier) << k;
       sum += inlier;
     }

@@ -16,6 +16,7 @@ struct CurvedTest {
 uint32_t count_curved_baseline(const PointColumns& points, const CurvedTest& test);
 uint32_t count_curved_avx2(const PointColumns& points, const CurvedTest& test);
 /// The same; bit i % 32 of mask[i / 32] tells whether point i is an inlier.
-uint32_t mark_curved(const PointColumns& points, const CurvedTest& test, uint32_t mask[kBlockPoints / 32]);
+uint32_t mark_curved(const PointColumns& points, const CurvedTest& test,
+                     uint32_t mask[kBlockPoints / 32]);
 
 }  // namespace jalon

@@ -6,6 +6,8 @@
 
 namespace jalon {
 
-uint32_t count_curved_avx2(const PointColumns& points, const CurvedTest& test) { return count_curved(points, test); }
+uint32_t count_curved_avx2(const PointColumns& points, const CurvedTest& test) {
+  return count_curved(points, test);
+}
 
 }  // namespace jalon

@@ -11,10 +11,11 @@ namespace jalon {
 
 namespace {
 
-constexpr int kExtractionMaxRounds = 12;          // a plane from a 0.2 m cell reaches a 20 m wall in 3-5
-constexpr double kExtractionStable = 0.001;       // change of the number of points that ends the rounds
+constexpr int kExtractionMaxRounds = 12;     // a plane from a 0.2 m cell reaches a 20 m wall in 3-5
+constexpr double kExtractionStable = 0.001;  // change of the number of points that ends the rounds
 constexpr double kSigmas = 3;
-constexpr double kLeastReach = 0.1;     // of the tolerance: keeps noise-free planes from reaching nothing
+constexpr double kLeastReach =
+    0.1;  // of the tolerance: keeps noise-free planes from reaching nothing
 // A strip of n points with rms width s fixes the plane's turn about its long side to sigma / (s sqrt(n)) (fit_plane's
 // covariance). Sigma is that of a scan for which the tolerance was chosen, 3 sigma, not the fit's own: least squares
 // through a single column finds hardly any residual. Twice the usual tolerance of 1 degree for orientations.
@@ -24,7 +25,7 @@ constexpr double kLeastWidthInSigmas = 1.5;
 constexpr size_t kExtractionPointsPerChunk = 1 << 14;
 // The surface is followed from the candidate's cell outward: looking at a whole infinite plane for each small surface
 // would cost far more than the surface.
-constexpr double kFirstWindow = 4;      // half side, in edges of the cell
+constexpr double kFirstWindow = 4;  // half side, in edges of the cell
 constexpr double kWindowGrowth = 3;
 
 struct ExtractionMembers {
@@ -33,8 +34,8 @@ struct ExtractionMembers {
 };
 
 // Millions of points: each loop over them looks at the cancel.
-void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane, Task& task,
-                         ExtractionMembers& members) {
+void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane,
+                         Task& task, ExtractionMembers& members) {
   std::vector<float> spacings(members.slots.size());
   std::vector<Vec2> uv(members.slots.size());
   const PlaneFrame frame = plane_frame(plane, pool.point(members.slots[0]));
@@ -51,22 +52,26 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
     return;
   }
   const SurfaceSettings& settings = scene.settings;
-  const RegionRule rule{members.pixel_m, settings.gap_m, settings.min_area_m2, settings.strip_width_m};
+  const RegionRule rule{members.pixel_m, settings.gap_m, settings.min_area_m2,
+                        settings.strip_width_m};
   const Region region = largest_region(uv, rule);
   members.area_m2 = region.area_m2;
-  for (size_t i = 0; i < region.members.size(); ++i) members.slots[i] = members.slots[region.members[i]];
+  for (size_t i = 0; i < region.members.size(); ++i)
+    members.slots[i] = members.slots[region.members[i]];
   members.slots.resize(region.members.size());
 }
 
-bool fit_members(const PointPool& pool, const ExtractionMembers& members, Task& task, PlaneFit& fit) {
+bool fit_members(const PointPool& pool, const ExtractionMembers& members, Task& task,
+                 PlaneFit& fit) {
   Moments zero;
   zero.reference = pool.point(members.slots[0]);
-  const Moments moments =
-      parallel_reduce(task, members.slots.size(), kExtractionPointsPerChunk, zero, [&](size_t begin, size_t end) {
-        Moments part = zero;
-        for (size_t i = begin; i < end; ++i) part.add(pool.point(members.slots[i]));
-        return part;
-      });
+  const Moments moments = parallel_reduce(task, members.slots.size(), kExtractionPointsPerChunk,
+                                          zero, [&](size_t begin, size_t end) {
+                                            Moments part = zero;
+                                            for (size_t i = begin; i < end; ++i)
+                                              part.add(pool.point(members.slots[i]));
+                                            return part;
+                                          });
   return fit_plane(moments, fit);
 }
 
@@ -104,7 +109,8 @@ struct Window {
 
 Window first_window(const SegmentScene& scene, const Candidate& candidate) {
   const double edge = scene.tree->cube().edge;
-  Window window{scene.local(candidate.seed), std::ldexp(kFirstWindow * edge, -scene.level[candidate.seed]), edge};
+  Window window{scene.local(candidate.seed),
+                std::ldexp(kFirstWindow * edge, -scene.level[candidate.seed]), edge};
   if (!scene.settings.connectivity) window.half_m = edge;
   return window;
 }
@@ -121,7 +127,8 @@ bool settle_plane(const RansacScene& scene, const PointPool& pool, Task& task, S
   double reach = settings.distance_tolerance_m;
   size_t previous = 0;
   for (int round = 0; round < kExtractionMaxRounds; ++round) {
-    members.slots = pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
+    members.slots =
+        pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
     if (members.slots.empty()) return false;
     keep_largest_region(scene, pool, surface.plane, task, members);
     PlaneFit fit;
@@ -130,9 +137,11 @@ bool settle_plane(const RansacScene& scene, const PointPool& pool, Task& task, S
     surface.sigma_m = fit.sigma;
     reach = core_reach(settings, fit.sigma);
     const bool grown = window.grow_if_touched(pool, members, settings.gap_m + 2 * members.pixel_m);
-    if (!grown && (!large_enough_of_extraction(settings, members) || !wide_enough(settings, fit))) return false;
+    if (!grown && (!large_enough_of_extraction(settings, members) || !wide_enough(settings, fit)))
+      return false;
     if (too_rough(settings, fit.sigma)) return false;
-    const double change = std::fabs(static_cast<double>(members.slots.size()) - static_cast<double>(previous));
+    const double change =
+        std::fabs(static_cast<double>(members.slots.size()) - static_cast<double>(previous));
     if (!grown && round > 1 && change <= kExtractionStable * static_cast<double>(previous)) break;
     previous = members.slots.size();
   }
@@ -140,8 +149,8 @@ bool settle_plane(const RansacScene& scene, const PointPool& pool, Task& task, S
 }
 
 // The points of the settled plane: all within its core, and out to the tolerance those whose normals agree.
-ExtractionMembers members_of(const SegmentScene& scene, const PointPool& pool, const Surface& surface, const Window& window,
-                   Task& task) {
+ExtractionMembers members_of(const SegmentScene& scene, const PointPool& pool,
+                             const Surface& surface, const Window& window, Task& task) {
   ExtractionMembers members;
   const PlaneTest test = scene.test(surface.plane, scene.settings.distance_tolerance_m, 0);
   members.slots = pool.collect(test, window.box(), task);
@@ -155,7 +164,8 @@ ExtractionMembers members_of(const SegmentScene& scene, const PointPool& pool, c
 }
 
 // Notes on the points of a surface that it was none, so that they do not lead to it for ever.
-void reject_of_extraction(SegmentScene& scene, const PointPool& pool, const Candidate& candidate, const ExtractionMembers& members) {
+void reject_of_extraction(SegmentScene& scene, const PointPool& pool, const Candidate& candidate,
+                          const ExtractionMembers& members) {
   const auto note = [&](uint32_t position) {
     if (position != kNoPoint && scene.rejections[position] < 255) ++scene.rejections[position];
   };
@@ -206,7 +216,8 @@ bool too_rough(const SurfaceSettings& settings, double sigma_m) {
 
 double core_reach(const SurfaceSettings& settings, double sigma_m) {
   const double tolerance = settings.distance_tolerance_m;
-  if (!settings.uses_normals()) return tolerance;  // the plain method of Boulaassal 2010: the buffer zone alone decides
+  if (!settings.uses_normals())
+    return tolerance;  // the plain method of Boulaassal 2010: the buffer zone alone decides
   return std::clamp(kSigmas * sigma_m, kLeastReach * tolerance, tolerance);
 }
 
@@ -225,7 +236,8 @@ bool extract_surface(RansacScene& scene, PointPool& pool, const OrientationPass&
   surface.plane = candidate.plane;
   Window window = first_window(scene, candidate);
   ExtractionMembers members;
-  const bool settled = settle_plane(scene, pool, task, surface, window, members) && pass.accepts(surface.plane.normal);
+  const bool settled = settle_plane(scene, pool, task, surface, window, members) &&
+                       pass.accepts(surface.plane.normal);
   if (settled) members = members_of(scene, pool, surface, window, task);
   if (!settled || !large_enough_of_extraction(scene.settings, members)) {
     reject_of_extraction(scene, pool, candidate, members);
@@ -234,12 +246,13 @@ bool extract_surface(RansacScene& scene, PointPool& pool, const OrientationPass&
   surface.area_m2 = members.area_m2;
   surface.pixel_m = members.pixel_m;
   surface.positions.resize(members.slots.size());
-  parallel_for(task, members.slots.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      surface.positions[i] = pool.position(members.slots[i]);
-      scene.owner[surface.positions[i]] = owner_id;
-    }
-  });
+  parallel_for(task, members.slots.size(), kExtractionPointsPerChunk,
+               [&](size_t begin, size_t end) {
+                 for (size_t i = begin; i < end; ++i) {
+                   surface.positions[i] = pool.position(members.slots[i]);
+                   scene.owner[surface.positions[i]] = owner_id;
+                 }
+               });
   for (const uint32_t slot : members.slots) pool.remove(slot);
   sort_runs(surface.positions);
   out = std::move(surface);

@@ -19,7 +19,8 @@ namespace {
 constexpr size_t kFacadeDirectionPointsPerChunk = 1 << 15;
 constexpr double kUpright = 0.1736;  // |nz| within 10 degrees of the vertical: walls lean
 constexpr size_t kBins = 180;        // one degree each; normals have no sign
-constexpr double kHalfWindows_rad[] = {0.087, 0.052, 0.035};  // 5, 3, 2 degrees about the direction so far
+constexpr double kHalfWindows_rad[] = {0.087, 0.052,
+                                       0.035};  // 5, 3, 2 degrees about the direction so far
 
 struct Votes {
   std::array<uint64_t, kBins> bins{};
@@ -53,18 +54,22 @@ double turn_between(double a, double b) { return std::remainder(a - b, std::numb
 
 double busiest_azimuth(const SegmentScene& scene, Task& task) {
   constexpr double kBinsPerRad = kBins / std::numbers::pi;
-  const Votes votes = parallel_reduce(task, scene.size(), kFacadeDirectionPointsPerChunk, Votes{}, [&](size_t begin, size_t end) {
-    Votes part;
-    for (size_t i = begin; i < end; ++i) {
-      const double a = azimuth(scene, i);
-      if (!std::isnan(a)) ++part.bins[std::min(kBins - 1, static_cast<size_t>(a * kBinsPerRad))];
-    }
-    return part;
-  });
+  const Votes votes = parallel_reduce(
+      task, scene.size(), kFacadeDirectionPointsPerChunk, Votes{}, [&](size_t begin, size_t end) {
+        Votes part;
+        for (size_t i = begin; i < end; ++i) {
+          const double a = azimuth(scene, i);
+          if (!std::isnan(a))
+            ++part.bins[std::min(kBins - 1, static_cast<size_t>(a * kBinsPerRad))];
+        }
+        return part;
+      });
   size_t best = 0;
   uint64_t most = 0;
-  for (size_t i = 0; i < kBins; ++i) {  // a bin with its neighbours: the direction may lie on a border
-    const uint64_t sum = votes.bins[(i + kBins - 1) % kBins] + votes.bins[i] + votes.bins[(i + 1) % kBins];
+  for (size_t i = 0; i < kBins;
+       ++i) {  // a bin with its neighbours: the direction may lie on a border
+    const uint64_t sum =
+        votes.bins[(i + kBins - 1) % kBins] + votes.bins[i] + votes.bins[(i + 1) % kBins];
     if (sum > most) {
       most = sum;
       best = i;
@@ -78,14 +83,15 @@ double busiest_azimuth(const SegmentScene& scene, Task& task) {
 FacadeAxes facade_axes(const SegmentScene& scene, Task& task) {
   double direction = busiest_azimuth(scene, task);
   for (const double window : kHalfWindows_rad) {
-    const Mean mean = parallel_reduce(task, scene.size(), kFacadeDirectionPointsPerChunk, Mean{}, [&](size_t begin, size_t end) {
-      Mean part;
-      for (size_t i = begin; i < end; ++i) {
-        const double turn = turn_between(azimuth(scene, i), direction);
-        if (std::fabs(turn) <= window) part += Mean{turn, 1};
-      }
-      return part;
-    });
+    const Mean mean = parallel_reduce(
+        task, scene.size(), kFacadeDirectionPointsPerChunk, Mean{}, [&](size_t begin, size_t end) {
+          Mean part;
+          for (size_t i = begin; i < end; ++i) {
+            const double turn = turn_between(azimuth(scene, i), direction);
+            if (std::fabs(turn) <= window) part += Mean{turn, 1};
+          }
+          return part;
+        });
     if (mean.count != 0) direction += mean.sum / static_cast<double>(mean.count);
   }
   return FacadeAxes::of({std::cos(direction), std::sin(direction), 0});

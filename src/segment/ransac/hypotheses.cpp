@@ -11,15 +11,17 @@ namespace jalon {
 
 namespace {
 
-constexpr int kHypothesesTries = 8;                 // for a free point in a cell
-constexpr int kHypothesesLevelsUp = 3;              // cells drawn from: the point's own level and up to two above
-constexpr size_t kLocalSample = 48;       // points of the cell that test and refine a hypothesis
+constexpr int kHypothesesTries = 8;  // for a free point in a cell
+constexpr int kHypothesesLevelsUp =
+    3;                               // cells drawn from: the point's own level and up to two above
+constexpr size_t kLocalSample = 48;  // points of the cell that test and refine a hypothesis
 constexpr double kMinLocalSupport = 0.5;  // share of them that must lie on the plane
 constexpr double kMinSpread = 2;          // distance of the three points, in tolerances
-constexpr double kNarrow = 0.2;           // width of the bounds, relative, at which scoring may stop
+constexpr double kNarrow = 0.2;  // width of the bounds, relative, at which scoring may stop
 constexpr int kHypothesesSeedTries = 32;
 
-bool pick_seed_of_hypotheses(const SegmentScene& scene, const PointPool& pool, RandomStream& random, uint32_t& seed) {
+bool pick_seed_of_hypotheses(const SegmentScene& scene, const PointPool& pool, RandomStream& random,
+                             uint32_t& seed) {
   for (int i = 0; i < kHypothesesSeedTries; ++i) {
     seed = pool.position(static_cast<uint32_t>(random.below(pool.slots())));
     if (seed != kNoPoint && scene.may_seed(seed)) return true;
@@ -29,12 +31,13 @@ bool pick_seed_of_hypotheses(const SegmentScene& scene, const PointPool& pool, R
 
 Octree::Cell pick_cell(const SegmentScene& scene, uint32_t seed, RandomStream& random) {
   const int own = scene.level[seed];
-  const int level = std::max(scene.coarse_level, own - static_cast<int>(random.below(kHypothesesLevelsUp)));
+  const int level =
+      std::max(scene.coarse_level, own - static_cast<int>(random.below(kHypothesesLevelsUp)));
   return scene.tree->cell(level, scene.tree->code(seed) >> (3 * (kMaxLevel - level)));
 }
 
-bool pick_partner(const SegmentScene& scene, const Octree::Cell& cell, const Vec3& away_from, RandomStream& random,
-                  Vec3& out) {
+bool pick_partner(const SegmentScene& scene, const Octree::Cell& cell, const Vec3& away_from,
+                  RandomStream& random, Vec3& out) {
   const double spread = kMinSpread * scene.settings.distance_tolerance_m;
   for (int i = 0; i < kHypothesesTries; ++i) {
     const size_t p = cell.first + random.below(cell.count);
@@ -46,8 +49,8 @@ bool pick_partner(const SegmentScene& scene, const Octree::Cell& cell, const Vec
 }
 
 // Share of the cell's free points on the plane, from an even sample, and the least-squares plane of those.
-bool local_support(const SegmentScene& scene, const Octree::Cell& cell, const Vec3& reference, bool refine,
-                   Plane& plane) {
+bool local_support(const SegmentScene& scene, const Octree::Cell& cell, const Vec3& reference,
+                   bool refine, Plane& plane) {
   const double tolerance = scene.settings.distance_tolerance_m;
   Moments moments;
   moments.reference = reference;
@@ -66,7 +69,8 @@ bool local_support(const SegmentScene& scene, const Octree::Cell& cell, const Ve
 }
 
 // Any three free points (Boulaassal 2010, 3.4.3.3).
-bool draw_globally(const SegmentScene& scene, const PointPool& pool, RandomStream& random, Candidate& candidate) {
+bool draw_globally(const SegmentScene& scene, const PointPool& pool, RandomStream& random,
+                   Candidate& candidate) {
   const double spread = kMinSpread * scene.settings.distance_tolerance_m;
   Vec3 points[3];
   for (Vec3& point : points) {
@@ -80,9 +84,11 @@ bool draw_globally(const SegmentScene& scene, const PointPool& pool, RandomStrea
   return plane_through(points[0], points[1], points[2], candidate.plane);
 }
 
-uint32_t inliers(const SegmentScene& scene, const PointPool& pool, const Candidate& c, size_t piece) {
+uint32_t inliers(const SegmentScene& scene, const PointPool& pool, const Candidate& c,
+                 size_t piece) {
   const double tolerance = scene.settings.distance_tolerance_m;
-  if (!c.curved.exists()) return pool.count(piece, scene.test(c.plane, tolerance, scene.min_cosine()));
+  if (!c.curved.exists())
+    return pool.count(piece, scene.test(c.plane, tolerance, scene.min_cosine()));
   return pool.count(piece, curved_test(scene, c.curved, scene.cell_edge_m(c.seed), tolerance));
 }
 
@@ -98,7 +104,8 @@ bool draw_candidate(const RansacScene& scene, const PointPool& pool, const Orien
   if (scene.draw.sampling == Sampling::kGlobal) {
     if (!draw_globally(scene, pool, random, candidate)) return false;
     if (!pass.shape(candidate.plane, scene.local(candidate.seed))) return false;
-    if (scene.inconsistent(candidate.seed, candidate.plane.normal, scene.min_cosine())) return false;
+    if (scene.inconsistent(candidate.seed, candidate.plane.normal, scene.min_cosine()))
+      return false;
     out = candidate;
     return true;
   }
@@ -106,7 +113,8 @@ bool draw_candidate(const RansacScene& scene, const PointPool& pool, const Orien
   const Octree::Cell cell = pick_cell(scene, candidate.seed, random);
   const Vec3 a = scene.local(candidate.seed);
   Vec3 b, c;
-  if (!pick_partner(scene, cell, a, random, b) || !pick_partner(scene, cell, a, random, c)) return false;
+  if (!pick_partner(scene, cell, a, random, b) || !pick_partner(scene, cell, a, random, c))
+    return false;
   if (!plane_through(a, b, c, candidate.plane)) return false;
   if (scene.inconsistent(candidate.seed, candidate.plane.normal, scene.min_cosine())) return false;
   if (!local_support(scene, cell, a, true, candidate.plane)) return false;

@@ -13,12 +13,12 @@ namespace jalon {
 /// A surface that a few points suggest and their surroundings support, with what is known of its score (its number of
 /// inliers).
 struct Candidate {
-  Plane plane;             ///< local frame
-  Curved curved;           ///< a sphere or cylinder instead of the plane, where it exists
-  uint32_t seed = 0;       ///< position of the first point drawn
-  uint32_t found = 0;      ///< inliers in the pieces looked at
-  uint32_t pieces = 0;     ///< pieces looked at
-  uint32_t epoch = 0;      ///< state of the pool when it was scored
+  Plane plane;          ///< local frame
+  Curved curved;        ///< a sphere or cylinder instead of the plane, where it exists
+  uint32_t seed = 0;    ///< position of the first point drawn
+  uint32_t found = 0;   ///< inliers in the pieces looked at
+  uint32_t pieces = 0;  ///< pieces looked at
+  uint32_t epoch = 0;   ///< state of the pool when it was scored
   double lower = 0, upper = 0, estimate = 0;  ///< of the score
 };
 

@@ -20,7 +20,8 @@ struct OrientationPass {
   /// (a base of 0.3 m and 8 mm of noise: 3 degrees), so a hypothesis within draw_tolerance_rad of the class's axis is
   /// turned onto it about the point; least squares finds the rest.
   bool shape(Plane& plane, const Vec3& about) const;
-  /// The test after least squares. Wider than the class: as long as the other planes are not known, the strip of a wall in
+  /// The test after least squares. Wider than the class: as long as the other planes are not known,
+  /// the strip of a wall in
   /// front of a sill of 0.2 m turns it by a degree.
   bool accepts(const Vec3& normal) const;
 };

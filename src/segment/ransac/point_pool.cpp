@@ -15,7 +15,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kSmallPool = 8192;    // below, one piece: the whole is counted at once
+constexpr size_t kSmallPool = 8192;  // below, one piece: the whole is counted at once
 constexpr size_t kBlocksPerChunk = 256;
 constexpr uint64_t kPieceStream = 0x70696563;  // keeps this choice apart from the draws
 
@@ -29,7 +29,8 @@ uint8_t random_piece(uint64_t seed, uint32_t position) {
 uint32_t mark(const PointColumns& points, const PlaneTest& test, uint32_t mask[kBlockPoints / 32]) {
   return mark_block(points, test, mask);
 }
-uint32_t mark(const PointColumns& points, const CurvedTest& test, uint32_t mask[kBlockPoints / 32]) {
+uint32_t mark(const PointColumns& points, const CurvedTest& test,
+              uint32_t mask[kBlockPoints / 32]) {
   return mark_curved(points, test, mask);
 }
 
@@ -91,9 +92,11 @@ size_t PointPool::points_upto(size_t last) const {
 bool PointPool::may_touch(size_t block, const PlaneTest& t) const {
   const float* b = &boxes_[6 * block];
   const float distance = b[0] * t.nx + b[1] * t.ny + b[2] * t.nz - t.offset;
-  const float reach = b[3] * std::fabs(t.nx) + b[4] * std::fabs(t.ny) + b[5] * std::fabs(t.nz) + t.tolerance;
+  const float reach =
+      b[3] * std::fabs(t.nx) + b[4] * std::fabs(t.ny) + b[5] * std::fabs(t.nz) + t.tolerance;
   // A few roundings of the terms above, so that pruning never loses a point that the kernel would count.
-  const float slack = 1e-6f * (std::fabs(b[0]) + std::fabs(b[1]) + std::fabs(b[2]) + std::fabs(t.offset) + reach);
+  const float slack =
+      1e-6f * (std::fabs(b[0]) + std::fabs(b[1]) + std::fabs(b[2]) + std::fabs(t.offset) + reach);
   return std::fabs(distance) <= reach + slack;
 }
 
@@ -105,7 +108,8 @@ bool PointPool::may_touch(size_t block, const CurvedTest& t) const {
   const double far = norm(d), half = norm(Vec3{b[3], b[4], b[5]});
   d -= dot(d, axis) * axis;
   const double inner = std::sqrt(double{t.inner2}), outer = std::sqrt(double{t.outer2});
-  const double distance = norm(d), reach = half + 1e-6 * (far + half + outer);  // with a few roundings of the kernel
+  const double distance = norm(d),
+               reach = half + 1e-6 * (far + half + outer);  // with a few roundings of the kernel
   return distance + reach >= inner && distance - reach <= outer;
 }
 
@@ -125,11 +129,13 @@ template uint32_t PointPool::count_of(size_t, const PlaneTest&) const;
 template uint32_t PointPool::count_of(size_t, const CurvedTest&) const;
 
 uint32_t PointPool::count_in_block(size_t block, const PlaneTest& test) const {
-  return avx2_ ? count_block_avx2(columns(block), test) : count_block_baseline(columns(block), test);
+  return avx2_ ? count_block_avx2(columns(block), test)
+               : count_block_baseline(columns(block), test);
 }
 
 uint32_t PointPool::count_in_block(size_t block, const CurvedTest& test) const {
-  return avx2_ ? count_curved_avx2(columns(block), test) : count_curved_baseline(columns(block), test);
+  return avx2_ ? count_curved_avx2(columns(block), test)
+               : count_curved_baseline(columns(block), test);
 }
 
 bool PointPool::overlaps(size_t block, const Box3& box) const {
@@ -140,14 +146,16 @@ bool PointPool::overlaps(size_t block, const Box3& box) const {
 }
 
 template <class Test>
-uint32_t PointPool::write_inliers(size_t block, const Test& test, const Box3& box, uint32_t* out) const {
+uint32_t PointPool::write_inliers(size_t block, const Test& test, const Box3& box,
+                                  uint32_t* out) const {
   uint32_t mask[kBlockPoints / 32], written = 0;
   const PointColumns c = columns(block);
   mark(c, test, mask);
   for (size_t word = 0; word < kBlockPoints / 32; ++word)
     for (uint32_t bits = mask[word]; bits != 0; bits &= bits - 1) {
       const size_t i = 32 * word + static_cast<size_t>(std::countr_zero(bits));
-      if (box.contains({c.x[i], c.y[i], c.z[i]})) out[written++] = static_cast<uint32_t>(block * kBlockPoints + i);
+      if (box.contains({c.x[i], c.y[i], c.z[i]}))
+        out[written++] = static_cast<uint32_t>(block * kBlockPoints + i);
     }
   return written;
 }
@@ -159,13 +167,15 @@ std::vector<uint32_t> PointPool::slots_of(const Test& test, const Box3& box, Tas
   std::vector<uint32_t> counts(first_block_[kPieces]), firsts(counts.size());
   parallel_for(task, counts.size(), kBlocksPerChunk, [&](size_t begin, size_t end) {
     for (size_t block = begin; block < end; ++block)
-      counts[block] = overlaps(block, box) && may_touch(block, test) ? count_in_block(block, test) : 0;
+      counts[block] =
+          overlaps(block, box) && may_touch(block, test) ? count_in_block(block, test) : 0;
   });
   std::exclusive_scan(counts.begin(), counts.end(), firsts.begin(), 0u);
   std::vector<uint32_t> slots(counts.empty() ? 0 : firsts.back() + counts.back());
   parallel_for(task, counts.size(), kBlocksPerChunk, [&](size_t begin, size_t end) {
     for (size_t block = begin; block < end; ++block)
-      if (counts[block] != 0) counts[block] = write_inliers(block, test, box, &slots[firsts[block]]);
+      if (counts[block] != 0)
+        counts[block] = write_inliers(block, test, box, &slots[firsts[block]]);
   });
   auto out = slots.begin();
   for (size_t block = 0; block < counts.size(); ++block)

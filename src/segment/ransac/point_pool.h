@@ -38,7 +38,9 @@ class PointPool {
   /// Slots hold a position each, or kNoPoint.
   size_t slots() const { return slots_; }
   uint32_t position(uint32_t slot) const { return positions_[slot]; }
-  Vec3 point(uint32_t slot) const { return {values_[slot], values_[slots_ + slot], values_[2 * slots_ + slot]}; }
+  Vec3 point(uint32_t slot) const {
+    return {values_[slot], values_[slots_ + slot], values_[2 * slots_ + slot]};
+  }
   void remove(uint32_t slot);
 
  private:
@@ -61,9 +63,9 @@ class PointPool {
   bool avx2_ = false;
   std::array<size_t, kPieces + 1> first_block_{};
   std::array<size_t, kPieces> piece_free_{};
-  Buffer<float> values_;          ///< six columns
-  Buffer<uint32_t> positions_;    ///< kNoPoint fills up
-  Buffer<float> boxes_;           ///< centre and half sides, 6 a block
+  Buffer<float> values_;        ///< six columns
+  Buffer<uint32_t> positions_;  ///< kNoPoint fills up
+  Buffer<float> boxes_;         ///< centre and half sides, 6 a block
   size_t slots_ = 0;
 };
 

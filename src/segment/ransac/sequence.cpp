@@ -16,7 +16,7 @@ namespace {
 
 constexpr size_t kDrawsPerBatch = 256;
 constexpr size_t kDrawsPerChunk = 8;
-constexpr double kCompactBelow = 0.7;   // free share of the pool at which it is built anew
+constexpr double kCompactBelow = 0.7;  // free share of the pool at which it is built anew
 // A draw that starts on a plane succeeds with probability >= 1/4: the two partners must lie on it as well, each with
 // about 1/2 (Schnabel et al. 2007, 4.3, with the level of the cell chosen by the point's surroundings instead of at
 // random).
@@ -44,14 +44,16 @@ class Sequence {
   std::vector<Surface> run() {
     const std::vector<OrientationPass> passes = orientation_passes(scene_, task_);
     for (int round = 0; round < kMostRounds; ++round) {
-      const ProgressSpan span(task_, round / double{kMostRounds}, (round + 1) / double{kMostRounds}, nullptr);
+      const ProgressSpan span(task_, round / double{kMostRounds}, (round + 1) / double{kMostRounds},
+                              nullptr);
       const size_t before = surfaces_.size();
       if (round > 0) renew_pool();
       run_passes(passes);
       if (passes.size() == 1 || surfaces_.size() == before) break;
     }
     task_.log(Task::kDebug, "ransac: %llu draws, %zu surfaces tried, %zu kept, %zu points left",
-              static_cast<unsigned long long>(draws_), tried_, surfaces_.size(), pool_.free_points());
+              static_cast<unsigned long long>(draws_), tried_, surfaces_.size(),
+              pool_.free_points());
     return std::move(surfaces_);
   }
 
@@ -59,7 +61,8 @@ class Sequence {
   void run_passes(const std::vector<OrientationPass>& passes) {
     const auto part = static_cast<double>(passes.size());
     for (size_t i = 0; i < passes.size(); ++i) {
-      const ProgressSpan span(task_, static_cast<double>(i) / part, static_cast<double>(i + 1) / part, nullptr);
+      const ProgressSpan span(task_, static_cast<double>(i) / part,
+                              static_cast<double>(i + 1) / part, nullptr);
       run_pass(passes[i]);
     }
   }
@@ -103,15 +106,19 @@ class Sequence {
     return std::clamp(-needed_ / std::log1p(-w * w * w), kLeastGlobalDraws, kMostGlobalDraws);
   }
   double progress() const {
-    const double taken = 1 - static_cast<double>(pool_.free_points()) / static_cast<double>(scene_.size());
-    return std::max(0.7 * taken, std::min(1.0, hits(static_cast<double>(least_points())) / needed_));
+    const double taken =
+        1 - static_cast<double>(pool_.free_points()) / static_cast<double>(scene_.size());
+    return std::max(0.7 * taken,
+                    std::min(1.0, hits(static_cast<double>(least_points())) / needed_));
   }
 
   void draw_batch() {
     const uint64_t left =
         scene_.draw.draws != 0 ? scene_.draw.draws - fruitless_draws_ : kDrawsPerBatch;
     const size_t draws = std::min<size_t>(kDrawsPerBatch, left);
-    add_drawn(draws, [&](size_t i, Candidate& c) { return draw_candidate(scene_, pool_, pass_, draws_ + i, c); });
+    add_drawn(draws, [&](size_t i, Candidate& c) {
+      return draw_candidate(scene_, pool_, pass_, draws_ + i, c);
+    });
     if (scene_.settings.curved())
       add_drawn(kCurvedDraws * draws, [&](size_t i, Candidate& c) {
         return draw_curved(scene_, pool_, kCurvedDraws * draws_ + i, task_, c);
@@ -198,7 +205,8 @@ class Sequence {
   }
 
   bool extract(const Candidate& candidate, uint32_t id, Surface& surface) {
-    if (candidate.curved.exists()) return extract_curved(scene_, pool_, candidate, id, task_, surface);
+    if (candidate.curved.exists())
+      return extract_curved(scene_, pool_, candidate, id, task_, surface);
     return extract_surface(scene_, pool_, pass_, candidate, id, task_, surface);
   }
 
@@ -239,7 +247,8 @@ class Sequence {
     const auto built = static_cast<double>(pool_.built_points());
     if (static_cast<double>(pool_.free_points()) >= kCompactBelow * built) return;
     renew_pool();
-    for (Candidate& c : candidates_) c.epoch = epoch_ - 1;  // their pieces were those of the old pool
+    for (Candidate& c : candidates_)
+      c.epoch = epoch_ - 1;  // their pieces were those of the old pool
   }
 
   RansacScene& scene_;

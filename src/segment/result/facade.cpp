@@ -11,9 +11,11 @@ namespace jalon {
 
 namespace {
 
-constexpr double kVerticalSine = 0.1736;  // |nz| of a plane within 10 degrees of the vertical: walls lean
-constexpr double kNearFacade_m = 1;       // depth of what tells a facade's back from its front
-constexpr double kFoot = 0.1;             // part of the height left out of that: ground and plants lie in front
+constexpr double kVerticalSine =
+    0.1736;  // |nz| of a plane within 10 degrees of the vertical: walls lean
+constexpr double kNearFacade_m = 1;  // depth of what tells a facade's back from its front
+constexpr double kFoot =
+    0.1;  // part of the height left out of that: ground and plants lie in front
 constexpr double kSameDirection = 0.985;  // 10 degrees
 constexpr size_t kFacadePointsPerChunk = 1 << 15;
 
@@ -27,7 +29,8 @@ struct Sides {
 };
 
 // Points in front of and behind a facade, within its outline's box and beyond the tolerance.
-Sides count_sides(const FacadeContext& c, const Segment& facade, std::span<const uint32_t> labels, Task& task) {
+Sides count_sides(const FacadeContext& c, const Segment& facade, std::span<const uint32_t> labels,
+                  Task& task) {
   struct Extent {
     double low = INFINITY, high = -INFINITY, left = INFINITY, right = -INFINITY;
     Extent& operator+=(const Extent& b) {
@@ -41,15 +44,16 @@ Sides count_sides(const FacadeContext& c, const Segment& facade, std::span<const
   const Plane& plane = facade.fit.plane;
   const Vec3 along = normalized(cross({0, 0, 1}, plane.normal));
   const size_t n = c.cloud.size();
-  const Extent extent = parallel_reduce(task, n, kFacadePointsPerChunk, Extent{}, [&](size_t begin, size_t end) {
-    Extent e;
-    for (size_t i = begin; i < end; ++i) {
-      if (labels[i] != facade.label) continue;
-      const Vec3 p = c.cloud.point(i) - c.origin;
-      e += Extent{p.z, p.z, dot(p, along), dot(p, along)};
-    }
-    return e;
-  });
+  const Extent extent =
+      parallel_reduce(task, n, kFacadePointsPerChunk, Extent{}, [&](size_t begin, size_t end) {
+        Extent e;
+        for (size_t i = begin; i < end; ++i) {
+          if (labels[i] != facade.label) continue;
+          const Vec3 p = c.cloud.point(i) - c.origin;
+          e += Extent{p.z, p.z, dot(p, along), dot(p, along)};
+        }
+        return e;
+      });
   const double low = extent.low + kFoot * (extent.high - extent.low);
   return parallel_reduce(task, n, kFacadePointsPerChunk, Sides{}, [&](size_t begin, size_t end) {
     Sides sides;
@@ -65,7 +69,8 @@ Sides count_sides(const FacadeContext& c, const Segment& facade, std::span<const
 }
 
 bool has_poses(const Cloud& cloud) {
-  return std::any_of(cloud.stations.begin(), cloud.stations.end(), [](const Station& s) { return s.has_pose; });
+  return std::any_of(cloud.stations.begin(), cloud.stations.end(),
+                     [](const Station& s) { return s.has_pose; });
 }
 
 // For each segment: points seen from its front minus those seen from behind.
@@ -80,17 +85,20 @@ std::vector<int64_t> station_votes(const FacadeContext& c, std::span<const uint3
       if (labels[i] != 0) ++seen[labels[i] - 1];
     const Vec3 eye = station.pose.translation() - c.origin;
     for (size_t s = 0; s < segments.size(); ++s)
-      if (segments[s].is_plane()) votes[s] += segments[s].fit.plane.distance(eye) >= 0 ? seen[s] : -seen[s];
+      if (segments[s].is_plane())
+        votes[s] += segments[s].fit.plane.distance(eye) >= 0 ? seen[s] : -seen[s];
   }
   return votes;
 }
 
 Vec3 middle_of(const FacadeContext& c, Task& task) {
-  const Vec3 sum = parallel_reduce(task, c.cloud.size(), kFacadePointsPerChunk, Vec3{}, [&](size_t begin, size_t end) {
-    Vec3 part;
-    for (size_t i = begin; i < end; ++i) part += c.cloud.point(i) - c.origin;
-    return part;
-  });
+  const Vec3 sum = parallel_reduce(task, c.cloud.size(), kFacadePointsPerChunk, Vec3{},
+                                   [&](size_t begin, size_t end) {
+                                     Vec3 part;
+                                     for (size_t i = begin; i < end; ++i)
+                                       part += c.cloud.point(i) - c.origin;
+                                     return part;
+                                   });
   return sum / static_cast<double>(c.cloud.size());
 }
 
@@ -102,7 +110,8 @@ void turn_without_stations(const FacadeContext& c, std::span<const uint32_t> lab
   for (Segment& segment : segments) {
     if (!segment.is_plane()) continue;
     const Vec3& n = segment.fit.plane.normal;
-    if (std::fabs(n.z) > kSameDirection ? n.z < 0 : segment.fit.plane.distance(middle) < 0) turn_over(segment.fit);
+    if (std::fabs(n.z) > kSameDirection ? n.z < 0 : segment.fit.plane.distance(middle) < 0)
+      turn_over(segment.fit);
   }
   if (facade < 0) return;
   Segment& main = segments[static_cast<size_t>(facade)];
@@ -112,7 +121,8 @@ void turn_without_stations(const FacadeContext& c, std::span<const uint32_t> lab
   for (Segment& segment : segments) {
     if (!segment.is_plane()) continue;
     const double cosine = dot(segment.fit.plane.normal, front);
-    if (cosine < -kSameDirection && std::fabs(main.fit.plane.distance(segment.fit.centroid)) < kNearFacade_m)
+    if (cosine < -kSameDirection &&
+        std::fabs(main.fit.plane.distance(segment.fit.centroid)) < kNearFacade_m)
       turn_over(segment.fit);
   }
 }
@@ -131,8 +141,8 @@ int main_facade(const std::vector<Segment>& segments) {
   return best;
 }
 
-void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels, std::vector<Segment>& segments,
-                  Task& task) {
+void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels,
+                  std::vector<Segment>& segments, Task& task) {
   if (!has_poses(c.cloud)) {
     turn_without_stations(c, labels, segments, task);
     return;
@@ -145,8 +155,7 @@ void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels, std:
 void classify(const FacadeContext& c, std::vector<Segment>& segments) {
   const int facade = main_facade(segments);
   FacadeAxes axes;  // no facade: those of the coordinates
-  if (c.axes != nullptr)
-    axes = *c.axes;
+  if (c.axes != nullptr) axes = *c.axes;
   else if (facade >= 0)
     axes = FacadeAxes::of(segments[static_cast<size_t>(facade)].fit.plane.normal);
   for (Segment& segment : segments)
@@ -164,7 +173,9 @@ Transform facade_transform(const FacadeContext& c, const std::vector<Segment>& s
   const Vec3 x{-m.y, m.x, 0}, y{-m.x, -m.y, 0};
   const Vec3 world = fit.centroid + c.origin;
   const Vec3 foot{std::floor(world.x), std::floor(world.y), std::floor(world.z)};
-  out.m = {x.x, x.y, 0, -(x.x * foot.x + x.y * foot.y), y.x, y.y, 0, -(y.x * foot.x + y.y * foot.y), 0, 0, 1, -foot.z};
+  out.m = {x.x, x.y, 0, -(x.x * foot.x + x.y * foot.y),
+           y.x, y.y, 0, -(y.x * foot.x + y.y * foot.y),
+           0,   0,   1, -foot.z};
   return out;
 }
 

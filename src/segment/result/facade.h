@@ -24,8 +24,8 @@ int main_facade(const std::vector<Segment>& segments);
 /// Turns normals toward the station that saw most of the segment's points. Without stations: horizontal planes
 /// upward; the main facade and planes parallel to it away from what lies behind it (panes, recesses, rooms: ghosts
 /// lie behind a facade, not in front); others toward the middle of the cloud.
-void turn_normals(const FacadeContext& context, std::span<const uint32_t> labels, std::vector<Segment>& segments,
-                  Task& task);
+void turn_normals(const FacadeContext& context, std::span<const uint32_t> labels,
+                  std::vector<Segment>& segments, Task& task);
 
 /// Orientation class of each segment relative to the main facade, within the tolerance (Boulaassal 2010, 3.22-3.25).
 void classify(const FacadeContext& context, std::vector<Segment>& segments);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr size_t kPointColumnsPointsPerChunk = 1 << 15;
 
-std::shared_ptr<Column> point_column(const char* name, ElementType type, const char* unit, const char* meaning,
-                                     size_t n) {
+std::shared_ptr<Column> point_column(const char* name, ElementType type, const char* unit,
+                                     const char* meaning, size_t n) {
   return std::make_shared<Column>(FieldInfo{name, type, 1, unit, meaning}, n);
 }
 
@@ -24,9 +24,11 @@ std::shared_ptr<Column> make_label_column(size_t n) {
 
 void add_point_columns(Segmentation& s, const Vec3& origin, Task& task) {
   const size_t n = s.cloud->size();
-  auto residuals = point_column("residual", ElementType::kFloat32, "m", "signed distance to the own surface", n);
-  auto orientations = point_column("orientation", ElementType::kUint8, "",
-                                   "0 noise, 1 parallel to the facade, 2 vertical, 3 horizontal, 4 inclined", n);
+  auto residuals =
+      point_column("residual", ElementType::kFloat32, "m", "signed distance to the own surface", n);
+  auto orientations =
+      point_column("orientation", ElementType::kUint8, "",
+                   "0 noise, 1 parallel to the facade, 2 vertical, 3 horizontal, 4 inclined", n);
   const auto labels = s.labels->values<uint32_t>();
   const auto residual = residuals->values<float>();
   const auto orientation = orientations->values<uint8_t>();

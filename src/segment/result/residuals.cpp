@@ -116,23 +116,22 @@ Residuals bin_residuals(const Segmentation& segmentation, uint32_t label, size_t
   out.bins.assign(bins, 0);
   fit_normal(selection, out, task);
   if (out.count == 0) return out;
-  out.half_range_m = round_range(std::max(kRangeInSigmas * out.sigma_m + std::fabs(out.mean_m), kSmallestRange_m));
+  out.half_range_m =
+      round_range(std::max(kRangeInSigmas * out.sigma_m + std::fabs(out.mean_m), kSmallestRange_m));
   const double scale = static_cast<double>(bins) / (2 * out.half_range_m);
   Counts zero;
   zero.bins.assign(bins, 0);
-  const Counts counts = parallel_reduce(task, selection.size(), kGrain, zero, [&](size_t begin, size_t end) {
-    Counts c = zero;
-    selection.for_each(begin, end, [&](double r) {
-      const double at = std::floor((r + out.half_range_m) * scale);
-      if (at < 0)
-        ++c.below;
-      else if (at >= static_cast<double>(bins))
-        ++c.above;
-      else
-        ++c.bins[static_cast<size_t>(at)];
-    });
-    return c;
-  });
+  const Counts counts =
+      parallel_reduce(task, selection.size(), kGrain, zero, [&](size_t begin, size_t end) {
+        Counts c = zero;
+        selection.for_each(begin, end, [&](double r) {
+          const double at = std::floor((r + out.half_range_m) * scale);
+          if (at < 0) ++c.below;
+          else if (at >= static_cast<double>(bins)) ++c.above;
+          else ++c.bins[static_cast<size_t>(at)];
+        });
+        return c;
+      });
   out.below = counts.below;
   out.above = counts.above;
   out.bins = counts.bins;
@@ -152,7 +151,8 @@ FieldTable residual_bins_table(const Residuals& r) {
   add_column<double>(table, lower, "lower", "m", "lower limit of the bin", same);
   add_column<double>(table, upper, "upper", "m", "upper limit of the bin", same);
   add_column<uint64_t>(table, r.bins, "count", "points", "points in the bin", same);
-  add_column<double>(table, expected, "expected", "points", "the same if the distances were normal", same);
+  add_column<double>(table, expected, "expected", "points", "the same if the distances were normal",
+                     same);
   return table;
 }
 

@@ -14,10 +14,10 @@ namespace jalon {
 /// 2010, 3.4.3.6 and fig. 3.9). Noise points (NaN) are left out.
 struct Residuals {
   uint64_t count = 0;
-  double mean_m = 0, sigma_m = 0;             ///< sigma: unbiased, about the mean (3.17)
-  double skewness = 0, excess_kurtosis = 0;   ///< 0 for a normal distribution; -1.2 is flat
-  double half_range_m = 0.001;                ///< bins cover [-half_range, half_range]
-  uint64_t below = 0, above = 0;              ///< outside the bins
+  double mean_m = 0, sigma_m = 0;            ///< sigma: unbiased, about the mean (3.17)
+  double skewness = 0, excess_kurtosis = 0;  ///< 0 for a normal distribution; -1.2 is flat
+  double half_range_m = 0.001;               ///< bins cover [-half_range, half_range]
+  uint64_t below = 0, above = 0;             ///< outside the bins
   std::vector<uint64_t> bins;
 
   double bin_width_m() const { return 2 * half_range_m / static_cast<double>(bins.size()); }

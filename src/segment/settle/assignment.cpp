@@ -14,7 +14,8 @@ namespace {
 
 constexpr size_t kAssignmentPointsPerChunk = 1 << 14;
 constexpr size_t kPointsPerBlock = 64;
-constexpr double kLeastSigma = 0.04;      // of the tolerance: noise-free planes do not pull points from noisy ones
+constexpr double kLeastSigma =
+    0.04;  // of the tolerance: noise-free planes do not pull points from noisy ones
 constexpr double kLeastArea_m2 = 1e-6;
 
 struct Patch {
@@ -25,14 +26,16 @@ struct Patch {
   double evidence = 0;  ///< 2 ln(sigma / density)
   PlaneFrame frame;
   SurfaceMap map;  ///< instead of the frame, for a curved surface
-  Raster mask;  ///< the surface's pixels and their neighbours; empty without connectivity
+  Raster mask;     ///< the surface's pixels and their neighbours; empty without connectivity
   Box3 box;
 
   bool reaches(const Vec3& p) const {
     if (mask.size() == 0) return true;
     return mask.holds(curved.exists() ? map(p) : frame(p));
   }
-  double distance(const Vec3& p) const { return curved.exists() ? curved.distance(p) : plane.distance(p); }
+  double distance(const Vec3& p) const {
+    return curved.exists() ? curved.distance(p) : plane.distance(p);
+  }
   bool inconsistent(const SegmentScene& scene, size_t position, double min_cosine) const {
     return curved.exists() ? curved_inconsistent(scene, curved, position)
                            : scene.inconsistent(position, plane.normal, min_cosine);
@@ -47,7 +50,8 @@ Patch patch_of(const SegmentScene& scene, const Surface& surface) {
   patch.core_m = core_reach(scene.settings, surface.sigma_m);
   const double sigma = std::max(surface.sigma_m, kLeastSigma * tolerance);
   patch.weight = 1 / (sigma * sigma);
-  const double density = static_cast<double>(surface.positions.size()) / std::max(surface.area_m2, kLeastArea_m2);
+  const double density =
+      static_cast<double>(surface.positions.size()) / std::max(surface.area_m2, kLeastArea_m2);
   patch.evidence = 2 * std::log(sigma / density);
   std::vector<Vec3> points(surface.positions.size());
   for (size_t i = 0; i < points.size(); ++i) {
@@ -55,20 +59,17 @@ Patch patch_of(const SegmentScene& scene, const Surface& surface) {
     patch.box.add(points[i]);
   }
   std::vector<Vec2> uv(points.size());
-  if (surface.is_plane())
-    patch.frame = plane_frame(surface.plane, points[0]);
-  else
-    patch.map = surface.curved.map(points);
-  for (size_t i = 0; i < uv.size(); ++i) uv[i] = surface.is_plane() ? patch.frame(points[i]) : patch.map(points[i]);
+  if (surface.is_plane()) patch.frame = plane_frame(surface.plane, points[0]);
+  else patch.map = surface.curved.map(points);
+  for (size_t i = 0; i < uv.size(); ++i)
+    uv[i] = surface.is_plane() ? patch.frame(points[i]) : patch.map(points[i]);
   const double margin = 2 * surface.pixel_m + tolerance;
   for (int k = 0; k < 3; ++k) {
     patch.box.min[k] -= margin;
     patch.box.max[k] += margin;
   }
-  if (scene.settings.connectivity)
-    patch.mask = dilated(bounded_raster(uv, surface.pixel_m, 1), 1);
-  else
-    patch.box = Box3{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+  if (scene.settings.connectivity) patch.mask = dilated(bounded_raster(uv, surface.pixel_m, 1), 1);
+  else patch.box = Box3{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
   return patch;
 }
 
@@ -82,8 +83,8 @@ bool overlap(const Box3& a, const Box3& b) {
 // of surfaces, density / sigma exp(-d^2 / (2 sigma^2)): where a thin cloud of clutter cuts a wall, the points there
 // are the wall's. Within the core of a plane the normal has no say: it is that of a cell, and at an edge of two
 // surfaces the cell holds both, so that a column of the wall beside a reveal would become the reveal's.
-uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches, std::span<const uint32_t> near,
-                size_t position, double min_cosine) {
+uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches,
+                std::span<const uint32_t> near, size_t position, double min_cosine) {
   const Vec3 p = scene.local(position);
   uint32_t best = 0;
   double best_cost = INFINITY;
@@ -105,24 +106,29 @@ uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches, st
 
 void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
   std::vector<Patch> patches(surfaces.size());
-  parallel_for(task, surfaces.size(), 1, [&](size_t i, size_t) { patches[i] = patch_of(scene, surfaces[i]); });
+  parallel_for(task, surfaces.size(), 1,
+               [&](size_t i, size_t) { patches[i] = patch_of(scene, surfaces[i]); });
   const double min_cosine = scene.min_cosine();
   const size_t blocks = (scene.size() + kPointsPerBlock - 1) / kPointsPerBlock;
-  parallel_for(task, blocks, kAssignmentPointsPerChunk / kPointsPerBlock, [&](size_t begin, size_t end) {
-    std::vector<uint32_t> near;
-    for (size_t block = begin; block < end; ++block) {
-      const size_t first = block * kPointsPerBlock, last = std::min(scene.size(), first + kPointsPerBlock);
-      Box3 box;
-      for (size_t i = first; i < last; ++i) box.add(scene.local(i));
-      near.clear();
-      for (uint32_t k = 0; k < patches.size(); ++k)
-        if (overlap(box, patches[k].box)) near.push_back(k);
-      for (size_t i = first; i < last; ++i) scene.owner[i] = choose(scene, patches, near, i, min_cosine);
-    }
-  });
+  parallel_for(task, blocks, kAssignmentPointsPerChunk / kPointsPerBlock,
+               [&](size_t begin, size_t end) {
+                 std::vector<uint32_t> near;
+                 for (size_t block = begin; block < end; ++block) {
+                   const size_t first = block * kPointsPerBlock,
+                                last = std::min(scene.size(), first + kPointsPerBlock);
+                   Box3 box;
+                   for (size_t i = first; i < last; ++i) box.add(scene.local(i));
+                   near.clear();
+                   for (uint32_t k = 0; k < patches.size(); ++k)
+                     if (overlap(box, patches[k].box)) near.push_back(k);
+                   for (size_t i = first; i < last; ++i)
+                     scene.owner[i] = choose(scene, patches, near, i, min_cosine);
+                 }
+               });
   for (Surface& surface : surfaces) surface.positions.clear();
   for (size_t i = 0; i < scene.size(); ++i)
-    if (scene.owner[i] != 0) surfaces[scene.owner[i] - 1].positions.push_back(static_cast<uint32_t>(i));
+    if (scene.owner[i] != 0)
+      surfaces[scene.owner[i] - 1].positions.push_back(static_cast<uint32_t>(i));
 }
 
 }  // namespace jalon

@@ -24,7 +24,8 @@ constexpr int kAssignmentRounds = 3;
 constexpr int kFitRounds = 3;
 
 // A plane that was looked for as one of an orientation class stays in it: the points are few that leave it.
-void settle_within_class(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
+void settle_within_class(const SegmentScene& scene, const Surface& surface, Task& task,
+                         PlaneFit& fit) {
   PlaneFit settled = fit;
   if (!settle_surface(scene, surface, task, settled)) return;
   const auto class_of = [&](const PlaneFit& f) {
@@ -35,8 +36,10 @@ void settle_within_class(const SegmentScene& scene, const Surface& surface, Task
 
 void fit_plane_segment(const SegmentScene& scene, Surface& surface, Task& task, Segment& segment) {
   segment.area_m2 = surface.area_m2;
-  for (int round = 0; round < kFitRounds; ++round) {  // the core depends on the plane: to a fixed point
-    if (!fit_core(scene, surface, task, segment.fit)) fail(Status::kInternal, "a segment lost its plane");
+  for (int round = 0; round < kFitRounds;
+       ++round) {  // the core depends on the plane: to a fixed point
+    if (!fit_core(scene, surface, task, segment.fit))
+      fail(Status::kInternal, "a segment lost its plane");
     surface.plane = segment.fit.plane;
     surface.sigma_m = segment.fit.sigma;
   }
@@ -55,7 +58,8 @@ void fit_plane_segment(const SegmentScene& scene, Surface& surface, Task& task, 
 }
 
 // Rows of the surfaces, largest first, fits in the local frame.
-std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surface>& surfaces,
+                                   Task& task) {
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) {
     return a.positions.size() > b.positions.size();
   });
@@ -63,8 +67,7 @@ std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surfac
   for (size_t s = 0; s < surfaces.size(); ++s) {
     Segment& segment = segments[s];
     segment.label = static_cast<uint32_t>(s + 1);
-    if (surfaces[s].is_plane())
-      fit_plane_segment(scene, surfaces[s], task, segment);
+    if (surfaces[s].is_plane()) fit_plane_segment(scene, surfaces[s], task, segment);
     else if (!fit_curved_core(scene, surfaces[s], true, task, segment) &&
              !fit_curved_core(scene, surfaces[s], false, task, segment))
       fail(Status::kInternal, "a segment lost its sphere or cylinder");
@@ -72,12 +75,14 @@ std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surfac
   return segments;
 }
 
-std::shared_ptr<Column> label_points(const SegmentScene& scene, const std::vector<Surface>& surfaces) {
+std::shared_ptr<Column> label_points(const SegmentScene& scene,
+                                     const std::vector<Surface>& surfaces) {
   auto column = make_label_column(scene.size());
   const auto labels = column->values<uint32_t>();
   std::fill(labels.begin(), labels.end(), 0u);
   for (size_t s = 0; s < surfaces.size(); ++s)
-    for (const uint32_t position : surfaces[s].positions) labels[scene.order[position]] = static_cast<uint32_t>(s + 1);
+    for (const uint32_t position : surfaces[s].positions)
+      labels[scene.order[position]] = static_cast<uint32_t>(s + 1);
   return column;
 }
 
@@ -89,11 +94,13 @@ void require_area(const Cloud& cloud, Task& task) {
     fail(Status::kInsufficientData, "the cloud has %zu points; a plane needs 3", cloud.size());
   Moments zero;
   zero.reference = cloud.point(0);
-  const Moments moments = parallel_reduce(task, cloud.size(), kEndingPointsPerChunk, zero, [&](size_t begin, size_t end) {
-    Moments part = zero;
-    for (size_t i = begin; i < end; ++i) part.add(cloud.point(i));
-    return part;
-  });
+  const Moments moments = parallel_reduce(task, cloud.size(), kEndingPointsPerChunk, zero,
+                                          [&](size_t begin, size_t end) {
+                                            Moments part = zero;
+                                            for (size_t i = begin; i < end; ++i)
+                                              part.add(cloud.point(i));
+                                            return part;
+                                          });
   PlaneFit fit;
   if (!fit_plane(moments, fit))
     fail(Status::kDegenerate, "all %zu points are equal or on one line", cloud.size());
@@ -122,8 +129,12 @@ Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scen
   const auto label_column = label_points(scene, surfaces);
   const auto labels = label_column->values<uint32_t>();
   out.labels = label_column;
-  const FacadeContext context{*cloud, scene.origin, settings.orientation_tolerance_rad, settings.distance_tolerance_m,
-                              settings.facade_frame, scene.axes ? &*scene.axes : nullptr};
+  const FacadeContext context{*cloud,
+                              scene.origin,
+                              settings.orientation_tolerance_rad,
+                              settings.distance_tolerance_m,
+                              settings.facade_frame,
+                              scene.axes ? &*scene.axes : nullptr};
   turn_normals(context, labels, out.segments, task);
   classify(context, out.segments);
   out.T_facade_world = facade_transform(context, out.segments);

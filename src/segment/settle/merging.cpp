@@ -37,15 +37,16 @@ MergingPart part_of(const SegmentScene& scene, const Surface& surface, Task& tas
   const double half = scene.tree->cube().edge / 2;
   zero.moments.reference = {half, half, half};
   const auto& positions = surface.positions;
-  const Sums sums = parallel_reduce(task, positions.size(), kMergingPointsPerChunk, zero, [&](size_t begin, size_t end) {
-    Sums part = zero;
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 p = scene.local(positions[i]);
-      part.moments.add(p);
-      part.box.add(p);
-    }
-    return part;
-  });
+  const Sums sums = parallel_reduce(task, positions.size(), kMergingPointsPerChunk, zero,
+                                    [&](size_t begin, size_t end) {
+                                      Sums part = zero;
+                                      for (size_t i = begin; i < end; ++i) {
+                                        const Vec3 p = scene.local(positions[i]);
+                                        part.moments.add(p);
+                                        part.box.add(p);
+                                      }
+                                      return part;
+                                    });
   MergingPart part;
   part.moments = sums.moments;
   part.box = sums.box;
@@ -88,7 +89,8 @@ bool lies_over(const SegmentScene& scene, const Surface& small, const Surface& l
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(large.positions[i]));
   const Raster raster = bounded_raster(uv, large.pixel_m, 0);
   size_t over = 0;
-  for (const uint32_t position : small.positions) over += raster.holds(frame(scene.local(position)));
+  for (const uint32_t position : small.positions)
+    over += raster.holds(frame(scene.local(position)));
   return static_cast<double>(over) >= kOverlap * static_cast<double>(small.positions.size());
 }
 
@@ -137,8 +139,11 @@ void merge_coplanar(const SegmentScene& scene, std::vector<Surface>& surfaces, T
     for (size_t i = 0; i < surfaces.size(); ++i) {
       task.checkpoint(static_cast<double>(i) / static_cast<double>(surfaces.size()));
       for (size_t j = i + 1; j < surfaces.size() && parts[i].alive; ++j) {
-        if (!parts[j].alive || !boxes_near(parts[i].box, parts[j].box, scene.settings.merge_gap_m)) continue;
-        if (!one_plane_fits(scene, parts[i], parts[j]) || !pixels_near(scene, surfaces[i], surfaces[j])) continue;
+        if (!parts[j].alive || !boxes_near(parts[i].box, parts[j].box, scene.settings.merge_gap_m))
+          continue;
+        if (!one_plane_fits(scene, parts[i], parts[j]) ||
+            !pixels_near(scene, surfaces[i], surfaces[j]))
+          continue;
         absorb(surfaces[i], parts[i], surfaces[j], parts[j]);
         merged = true;
       }

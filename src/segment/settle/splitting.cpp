@@ -20,11 +20,13 @@ struct SplittingPart {
 };
 
 /// The connected parts of a surface, the one of most pixels first.
-std::vector<SplittingPart> parts_of(const SegmentScene& scene, const Surface& surface, double& pixel_area_m2) {
+std::vector<SplittingPart> parts_of(const SegmentScene& scene, const Surface& surface,
+                                    double& pixel_area_m2) {
   const std::vector<Vec2> uv = flat_points(scene, surface);
   // Dilation by r joins what is up to 2 r empty pixels apart: no less than connectivity and merging have joined.
   const double gap = std::max(scene.settings.gap_m, scene.settings.merge_gap_m);
-  const auto reach = static_cast<uint32_t>(std::min(kMostReach, std::ceil(gap / (2 * surface.pixel_m))));
+  const auto reach =
+      static_cast<uint32_t>(std::min(kMostReach, std::ceil(gap / (2 * surface.pixel_m))));
   const Raster raster = bounded_raster(uv, surface.pixel_m, reach);
   const Regions regions = label_regions(dilated(raster, reach));
   pixel_area_m2 = raster.pixel_m * raster.pixel_m;
@@ -33,7 +35,9 @@ std::vector<SplittingPart> parts_of(const SegmentScene& scene, const Surface& su
     if (raster.pixels[p] != 0) ++parts[regions.labels[p] - 1].pixels;
   for (size_t i = 0; i < uv.size(); ++i)
     parts[regions.labels[raster.pixel_of(uv[i])] - 1].positions.push_back(surface.positions[i]);
-  std::stable_sort(parts.begin(), parts.end(), [](const SplittingPart& a, const SplittingPart& b) { return a.pixels > b.pixels; });
+  std::stable_sort(parts.begin(), parts.end(), [](const SplittingPart& a, const SplittingPart& b) {
+    return a.pixels > b.pixels;
+  });
   return parts;
 }
 

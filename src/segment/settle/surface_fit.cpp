@@ -21,10 +21,11 @@ constexpr size_t kSurfaceFitPointsPerChunk = 1 << 14;
 constexpr double kLeastInner = 0.3;
 // And their number: the shift is a tenth of sigma at most, which fewer do not know to a third.
 constexpr size_t kLeastInnerPoints = 1000;
-constexpr double kBendSigmas = 4;         // beyond doubt: 1 in 30 000 flat surfaces is taken for a curved one
-constexpr double kCoreSigmas = 4;         // rejection of outliers in the last fit: biases sigma by 0.05 %
-constexpr uint32_t kLeftOut = 2;          // zone of a point that is no sample
-constexpr double kBorderReach = 3;        // spacings within which a point has neighbours on all sides
+constexpr double kBendSigmas =
+    4;  // beyond doubt: 1 in 30 000 flat surfaces is taken for a curved one
+constexpr double kCoreSigmas = 4;   // rejection of outliers in the last fit: biases sigma by 0.05 %
+constexpr uint32_t kLeftOut = 2;    // zone of a point that is no sample
+constexpr double kBorderReach = 3;  // spacings within which a point has neighbours on all sides
 constexpr size_t kMostForBorder = 50000;  // larger surfaces tell their border by pixels
 
 // For each point of the surface, 1 when it lies away from the surface's border. Where another surface meets this one at
@@ -87,14 +88,17 @@ bool border_shifts(const PlaneFit& all, const PlaneFit& inner) {
   const double n_all = static_cast<double>(all.n), n_inner = static_cast<double>(inner.n);
   const double squared = inner.sigma * inner.sigma;
   const auto term = [&](double difference, double inner_weight, double all_weight) {
-    const double variance = squared * std::max(1 / inner_weight - 1 / all_weight, 0.1 / inner_weight);
+    const double variance =
+        squared * std::max(1 / inner_weight - 1 / all_weight, 0.1 / inner_weight);
     return difference * difference / variance;
   };
   const double sign = dot(all.plane.normal, inner.plane.normal) < 0 ? -1 : 1;
   const Vec3 turn = sign * all.plane.normal - inner.plane.normal;
   const double height = term(all.plane.distance(inner.centroid), n_inner, n_all);
-  const double slope_u = term(dot(turn, inner.axis_u), n_inner * inner.eigenvalues[2], n_all * all.eigenvalues[2]);
-  const double slope_v = term(dot(turn, inner.axis_v), n_inner * inner.eigenvalues[1], n_all * all.eigenvalues[1]);
+  const double slope_u =
+      term(dot(turn, inner.axis_u), n_inner * inner.eigenvalues[2], n_all * all.eigenvalues[2]);
+  const double slope_v =
+      term(dot(turn, inner.axis_v), n_inner * inner.eigenvalues[1], n_all * all.eigenvalues[1]);
   return height + slope_u + slope_v > kHeightAndSlopes99;
 }
 
@@ -107,7 +111,8 @@ bool fit_core(const SegmentScene& scene, const Surface& surface, Task& task, Pla
   PlaneFit inner;
   const auto share = static_cast<double>(core.inner.n) / static_cast<double>(core.all.n);
   if (core.inner.n < kLeastInnerPoints || share < kLeastInner) return true;
-  if (!fit_plane(core.inner, inner) || inner.eigenvalues[1] < kLeastInner * fit.eigenvalues[1]) return true;
+  if (!fit_plane(core.inner, inner) || inner.eigenvalues[1] < kLeastInner * fit.eigenvalues[1])
+    return true;
   if (!border_shifts(fit, inner)) return true;
   fit = inner;
   fit.sigma = rms_about(core.all, fit.plane);
@@ -117,8 +122,8 @@ bool fit_core(const SegmentScene& scene, const Surface& surface, Task& task, Pla
 namespace {
 
 // The points of a surface as seen from its plane, each with its zone: its normal must agree, as in the core.
-std::vector<PlaneSample> samples_of(const SegmentScene& scene, const Surface& surface, const PlaneFit& fit,
-                                    Task& task) {
+std::vector<PlaneSample> samples_of(const SegmentScene& scene, const Surface& surface,
+                                    const PlaneFit& fit, Task& task) {
   const double tolerance = scene.settings.distance_tolerance_m, min_cosine = scene.min_cosine();
   const bool by_pixels = surface.positions.size() > kMostForBorder;
   std::vector<uint8_t> zones(surface.positions.size(), 1);
@@ -140,8 +145,10 @@ std::vector<PlaneSample> samples_of(const SegmentScene& scene, const Surface& su
   // the tolerance of it.
   const double spacing = std::sqrt(surface.area_m2 / static_cast<double>(surface.positions.size()));
   std::vector<Vec2> uv;
-  for (const PlaneSample& s : samples) uv.push_back({static_cast<double>(s.u), static_cast<double>(s.v)});
-  const auto border = border_points(uv, tolerance, std::max(kBorderReach * spacing, 2 * tolerance), task);
+  for (const PlaneSample& s : samples)
+    uv.push_back({static_cast<double>(s.u), static_cast<double>(s.v)});
+  const auto border =
+      border_points(uv, tolerance, std::max(kBorderReach * spacing, 2 * tolerance), task);
   for (size_t i = 0; i < samples.size(); ++i) samples[i].zone = 1u - border[i];
   return samples;
 }
@@ -168,14 +175,17 @@ bool bends(const SegmentScene& scene, const Surface& surface, const PlaneFit& fi
     BendSums part;
     for (size_t i = begin; i < end; ++i) {
       const Vec3 d = scene.exact(surface.positions[i]) - fit.centroid;
-      part.add(dot(d, fit.axis_u) / long_m, dot(d, fit.axis_v) / across_m, dot(d, fit.plane.normal));
+      part.add(dot(d, fit.axis_u) / long_m, dot(d, fit.axis_v) / across_m,
+               dot(d, fit.plane.normal));
     }
     return part;
   };
-  const BendSums sums = parallel_reduce(task, surface.positions.size(), kSurfaceFitPointsPerChunk, BendSums{}, sums_of);
+  const BendSums sums = parallel_reduce(task, surface.positions.size(), kSurfaceFitPointsPerChunk,
+                                        BendSums{}, sums_of);
   Bend bend;
   if (!largest_bend(sums, long_m, across_m, bend)) return false;
-  return std::fabs(bend.curvature) > 1 / radius && std::fabs(bend.curvature) - 1 / radius > kBendSigmas * bend.sigma;
+  return std::fabs(bend.curvature) > 1 / radius &&
+         std::fabs(bend.curvature) - 1 / radius > kBendSigmas * bend.sigma;
 }
 
 // The plane, its sigma and its area anew from the surface's points; false when it is none any more.
@@ -188,7 +198,8 @@ bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
   if (!good) return false;
   surface.plane = fit.plane;
   surface.sigma_m = fit.sigma;
-  surface.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, surface), surface.pixel_m, 0));
+  surface.area_m2 =
+      occupied_area_m2(bounded_raster(flat_points(scene, surface), surface.pixel_m, 0));
   return surface.area_m2 >= settings.min_area_m2;
 }
 
@@ -197,7 +208,8 @@ bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
 bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
   bool dropped = false;
   for (Surface& surface : surfaces) {
-    if (surface.is_plane() ? refit_plane(scene, surface, task) : refit_curved(scene, surface, task)) continue;
+    if (surface.is_plane() ? refit_plane(scene, surface, task) : refit_curved(scene, surface, task))
+      continue;
     for (const uint32_t position : surface.positions) scene.owner[position] = 0;
     surface.positions.clear();
     dropped = true;

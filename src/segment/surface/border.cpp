@@ -55,14 +55,19 @@ class Grid {
   void near(const Vec2& p, F&& f) const {
     const size_t c = column(p.u), r = row(p.v);
     for (size_t j = r == 0 ? 0 : r - 1; j <= std::min(r + 1, rows_ - 1); ++j) {
-      const size_t first = j * columns_ + (c == 0 ? 0 : c - 1), last = j * columns_ + std::min(c + 1, columns_ - 1);
+      const size_t first = j * columns_ + (c == 0 ? 0 : c - 1),
+                   last = j * columns_ + std::min(c + 1, columns_ - 1);
       for (uint32_t i = starts_[first]; i < starts_[last + 1]; ++i) f(sorted_[i]);
     }
   }
 
  private:
-  size_t column(double u) const { return std::min(columns_ - 1, static_cast<size_t>((u - low_.u) / cell_m_)); }
-  size_t row(double v) const { return std::min(rows_ - 1, static_cast<size_t>((v - low_.v) / cell_m_)); }
+  size_t column(double u) const {
+    return std::min(columns_ - 1, static_cast<size_t>((u - low_.u) / cell_m_));
+  }
+  size_t row(double v) const {
+    return std::min(rows_ - 1, static_cast<size_t>((v - low_.v) / cell_m_));
+  }
   Vec2 low_;
   double cell_m_ = 0;
   size_t columns_ = 0, rows_ = 0;
@@ -72,7 +77,8 @@ class Grid {
 
 }  // namespace
 
-std::vector<uint8_t> border_points(std::span<const Vec2> points, double margin_m, double reach_m, Task& task) {
+std::vector<uint8_t> border_points(std::span<const Vec2> points, double margin_m, double reach_m,
+                                   Task& task) {
   std::vector<uint8_t> out(points.size(), 0);
   if (points.empty()) return out;
   const Grid grid(points, reach_m);

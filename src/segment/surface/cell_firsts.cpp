@@ -24,11 +24,12 @@ uint8_t first_level(const Octree& tree, size_t position) {
 
 }  // namespace
 
-std::vector<std::vector<uint32_t>> cell_firsts(const Octree& tree, int coarse, int fine, Buffer<uint8_t>& scratch,
-                                               Task& task) {
+std::vector<std::vector<uint32_t>> cell_firsts(const Octree& tree, int coarse, int fine,
+                                               Buffer<uint8_t>& scratch, Task& task) {
   const size_t levels = static_cast<size_t>(fine - coarse) + 1, n = tree.size();
   // 1. At which level each position begins a cell, and how many do so in each chunk.
-  std::vector<std::vector<uint32_t>> room((n + kCellFirstsPointsPerChunk - 1) / kCellFirstsPointsPerChunk);
+  std::vector<std::vector<uint32_t>> room((n + kCellFirstsPointsPerChunk - 1) /
+                                          kCellFirstsPointsPerChunk);
   parallel_for(task, n, kCellFirstsPointsPerChunk, [&](size_t begin, size_t end) {
     std::vector<uint32_t> counts(levels, 0);
     for (size_t i = begin; i < end; ++i) {

@@ -9,9 +9,10 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSpacingsPerPixel = 2;       // 4 points a pixel on average: 2 % of the pixels of a surface stay empty
+constexpr double kSpacingsPerPixel =
+    2;  // 4 points a pixel on average: 2 % of the pixels of a surface stay empty
 constexpr double kSpacingPercentile = 0.8;
-constexpr double kMaxPixels = 1 << 24;        // 16 MiB; longer scenes get coarser pixels
+constexpr double kMaxPixels = 1 << 24;  // 16 MiB; longer scenes get coarser pixels
 constexpr uint32_t kMaxGapPixels = 256;
 
 // Keeps the regions of at least `least` pixels, and the largest one in any case.
@@ -26,7 +27,8 @@ void drop_small(Raster& raster, const Regions& regions, uint64_t least) {
 // first so that they do not eat the surface.
 void cut_strips(Raster& raster, double width_m) {
   const double pixels = std::ceil(width_m / raster.pixel_m);
-  const auto radius = static_cast<uint32_t>(std::clamp(std::floor(pixels / 2), 1.0, static_cast<double>(kMaxGapPixels)));
+  const auto radius = static_cast<uint32_t>(
+      std::clamp(std::floor(pixels / 2), 1.0, static_cast<double>(kMaxGapPixels)));
   const Raster kept = opened(closed(raster, 1), radius);
   for (size_t i = 0; i < raster.size(); ++i) raster.pixels[i] &= kept.pixels[i];
 }
@@ -56,7 +58,8 @@ PlaneFrame plane_frame(const Plane& plane, const Vec3& near) {
 double connectivity_pixel(const SurfaceSettings& settings, std::vector<float> spacings) {
   if (settings.pixel_m > 0) return settings.pixel_m;
   if (spacings.empty()) return settings.distance_tolerance_m;
-  const auto at = static_cast<ptrdiff_t>(kSpacingPercentile * static_cast<double>(spacings.size() - 1));
+  const auto at =
+      static_cast<ptrdiff_t>(kSpacingPercentile * static_cast<double>(spacings.size() - 1));
   std::nth_element(spacings.begin(), spacings.begin() + at, spacings.end());
   const double spacing = spacings[static_cast<size_t>(at)];
   return std::max(settings.distance_tolerance_m, kSpacingsPerPixel * spacing);
@@ -87,9 +90,10 @@ Region largest_region(std::span<const Vec2> points, const RegionRule& rule) {
   Region region;
   if (points.empty()) return region;
   // Square dilation by r joins pieces up to 2 r empty pixels apart.
-  const auto margin =
-      static_cast<uint32_t>(std::min<double>(kMaxGapPixels, std::floor(rule.gap_m / (2 * rule.pixel_m))));
-  Raster raster = bounded_raster(points, rule.pixel_m, std::max(margin, rule.strip_width_m > 0 ? 1u : 0u));
+  const auto margin = static_cast<uint32_t>(
+      std::min<double>(kMaxGapPixels, std::floor(rule.gap_m / (2 * rule.pixel_m))));
+  Raster raster =
+      bounded_raster(points, rule.pixel_m, std::max(margin, rule.strip_width_m > 0 ? 1u : 0u));
   if (rule.strip_width_m > 0) cut_strips(raster, rule.strip_width_m);
   const double pixel_area = raster.pixel_m * raster.pixel_m;
   Regions regions = label_regions(raster);
@@ -102,7 +106,8 @@ Region largest_region(std::span<const Vec2> points, const RegionRule& rule) {
   region.area_m2 = static_cast<double>(pixels) * pixel_area;
   for (size_t i = 0; i < points.size(); ++i) {
     const size_t pixel = raster.pixel_of(points[i]);
-    if (raster.pixels[pixel] != 0 && regions.labels[pixel] == best) region.members.push_back(static_cast<uint32_t>(i));
+    if (raster.pixels[pixel] != 0 && regions.labels[pixel] == best)
+      region.members.push_back(static_cast<uint32_t>(i));
   }
   return region;
 }

@@ -15,10 +15,12 @@ namespace jalon {
 namespace {
 
 constexpr uint8_t kUndecided = 0xff;
-constexpr size_t kMinCellPoints = 12;   // fewer say little: the angle error passes 5 degrees at 3 mm noise
-constexpr size_t kMaxCellSample = 48;   // more do not better a normal that is only compared with 25 degrees
-constexpr double kMaxThickness = 0.5;   // rms of a planar cell, in tolerances
-constexpr double kMaxFlatness = 0.05;   // smallest against middle eigenvalue of a planar cell
+constexpr size_t kMinCellPoints =
+    12;  // fewer say little: the angle error passes 5 degrees at 3 mm noise
+constexpr size_t kMaxCellSample =
+    48;  // more do not better a normal that is only compared with 25 degrees
+constexpr double kMaxThickness = 0.5;  // rms of a planar cell, in tolerances
+constexpr double kMaxFlatness = 0.05;  // smallest against middle eigenvalue of a planar cell
 constexpr size_t kCellsPerChunk = 256;
 
 struct PointRange {
@@ -53,7 +55,8 @@ Vec3 cell_normal(const SegmentScene& scene, const PointRange& cell, size_t free_
   if (moments.n < 3) return none;
   const Eigen3 eigen = symmetric_eigen(moments.covariance());
   const double thickness = kMaxThickness * scene.settings.distance_tolerance_m;
-  const bool flat = eigen.values[0] <= thickness * thickness && eigen.values[0] <= kMaxFlatness * eigen.values[1];
+  const bool flat =
+      eigen.values[0] <= thickness * thickness && eigen.values[0] <= kMaxFlatness * eigen.values[1];
   return flat && eigen.values[1] > 0 ? eigen.vectors[0] : none;
 }
 
@@ -70,7 +73,8 @@ void decide_cell(SegmentScene& scene, const PointRange& cell, int level, bool ke
     scene.level[i] = static_cast<uint8_t>(level);
     scene.spacing[i] = static_cast<float>(spacing);
     if (keep_normals) continue;
-    for (int k = 0; k < 3; ++k) scene.normals[3 * i + static_cast<size_t>(k)] = static_cast<float>(normal[k]);
+    for (int k = 0; k < 3; ++k)
+      scene.normals[3 * i + static_cast<size_t>(k)] = static_cast<float>(normal[k]);
   }
 }
 
@@ -86,7 +90,8 @@ void take_field_normals(SegmentScene& scene, Task& task) {
       const Vec3 m = normalized({column.number(p, 0), column.number(p, 1), column.number(p, 2)});
       const bool known = is_finite(m) && squared_norm(m) > 0;
       for (int k = 0; k < 3; ++k)
-        scene.normals[3 * i + static_cast<size_t>(k)] = known ? static_cast<float>(m[k]) : kFloatNaN;
+        scene.normals[3 * i + static_cast<size_t>(k)] =
+            known ? static_cast<float>(m[k]) : kFloatNaN;
     }
   });
 }
@@ -101,7 +106,8 @@ void estimate_local_surface(SegmentScene& scene, Task& task) {
   for (int level = scene.fine_level; level >= scene.coarse_level; --level) {
     const auto& firsts = scene.cell_firsts[static_cast<size_t>(level - scene.coarse_level)];
     parallel_for(task, firsts.size() - 1, kCellsPerChunk, [&](size_t begin, size_t end) {
-      for (size_t c = begin; c < end; ++c) decide_cell(scene, {firsts[c], firsts[c + 1]}, level, keep_normals);
+      for (size_t c = begin; c < end; ++c)
+        decide_cell(scene, {firsts[c], firsts[c + 1]}, level, keep_normals);
     });
   }
 }

@@ -6,6 +6,8 @@
 
 namespace jalon {
 
-uint32_t count_block_avx2(const PointColumns& points, const PlaneTest& test) { return count_block(points, test); }
+uint32_t count_block_avx2(const PointColumns& points, const PlaneTest& test) {
+  return count_block(points, test);
+}
 
 }  // namespace jalon

@@ -30,21 +30,25 @@ void require_points(const PointList& list, size_t least, const char* what) {
 
 [[noreturn]] void refuse(const PointList& list, const char* what, const PrimitiveSetting& setting) {
   fail(Status::kDegenerate,
-       "%zu points fix no %s with a radius of %s to %s m within %s m: they are flat or straight, of another shape, or the "
+       "%zu points fix no %s with a radius of %s to %s m within %s m: they are flat or straight, "
+       "of another shape, or the "
        "limits are too narrow",
-       list.points.size(), what, text_of(setting.min_radius_m).c_str(), text_of(setting.max_radius_m).c_str(),
-       text_of(setting.tolerance_m).c_str());
+       list.points.size(), what, text_of(setting.min_radius_m).c_str(),
+       text_of(setting.max_radius_m).c_str(), text_of(setting.tolerance_m).c_str());
 }
 
 // Area and extents of what lies within the tolerance; outliers have no part in them.
 void describe_members(const PointList& list, const PrimitiveSetting& setting, Segment& segment) {
   std::vector<Vec3> members;
   for (const Vec3& p : list.points)
-    if (!setting.robust || std::fabs(segment.distance(p)) <= setting.tolerance_m) members.push_back(p);
+    if (!setting.robust || std::fabs(segment.distance(p)) <= setting.tolerance_m)
+      members.push_back(p);
   describe_curved(members, 0, segment);
 }
 
-uint64_t point_index(std::span<const uint64_t> indices, size_t i) { return indices.empty() ? i : indices[i]; }
+uint64_t point_index(std::span<const uint64_t> indices, size_t i) {
+  return indices.empty() ? i : indices[i];
+}
 
 double occupied_area(std::span<const Vec2> uv, double pixel_m) {
   const Raster raster = bounded_raster(uv, pixel_m, 0);
@@ -81,14 +85,16 @@ PointList listed_points(const Cloud& cloud, std::span<const uint64_t> indices, T
   const size_t n = indices.empty() ? cloud.size() : indices.size();
   for (const uint64_t i : indices)
     if (i >= cloud.size())
-      fail(Status::kInvalidArgument, "point %llu; the cloud has %zu", static_cast<unsigned long long>(i), cloud.size());
+      fail(Status::kInvalidArgument, "point %llu; the cloud has %zu",
+           static_cast<unsigned long long>(i), cloud.size());
   PointList out;
   if (n == 0) return out;
   const Vec3 first = cloud.point(point_index(indices, 0));
   out.origin = {std::floor(first.x), std::floor(first.y), std::floor(first.z)};
   out.points.resize(n);
   parallel_for(task, n, kPrimitiveFitsPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) out.points[i] = cloud.point(point_index(indices, i)) - out.origin;
+    for (size_t i = begin; i < end; ++i)
+      out.points[i] = cloud.point(point_index(indices, i)) - out.origin;
   });
   return out;
 }
@@ -104,7 +110,8 @@ Vec3 normal_near(const Cloud& cloud, const Octree& tree, const Vec3& place, uint
   return fit.plane.normal;
 }
 
-std::vector<Vec3> listed_normals(const Cloud& cloud, std::span<const uint64_t> indices, uint32_t k, Task& task) {
+std::vector<Vec3> listed_normals(const Cloud& cloud, std::span<const uint64_t> indices, uint32_t k,
+                                 Task& task) {
   const size_t n = indices.empty() ? cloud.size() : indices.size();
   std::vector<Vec3> out(n);
   const Column* field = cloud.fields.find("normal");
@@ -117,7 +124,8 @@ std::vector<Vec3> listed_normals(const Cloud& cloud, std::span<const uint64_t> i
   }
   const auto tree = cloud.octree(task);
   parallel_for(task, n, kNormalsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) out[i] = normal_near(cloud, *tree, cloud.point(point_index(indices, i)), k);
+    for (size_t i = begin; i < end; ++i)
+      out[i] = normal_near(cloud, *tree, cloud.point(point_index(indices, i)), k);
   });
   return out;
 }
@@ -172,7 +180,8 @@ Segment cylinder_segment(const Cloud& cloud, std::span<const uint64_t> indices,
   out.type = PrimitiveType::kCylinder;
   bool found = false;
   if (direction != nullptr) {
-    if (!(squared_norm(*direction) > 0)) fail(Status::kInvalidArgument, "the direction of the axis has no length");
+    if (!(squared_norm(*direction) > 0))
+      fail(Status::kInvalidArgument, "the direction of the axis has no length");
     require_points(list, 3, "a cylinder of a given direction");
     found = fit_cylinder_along(normalized(*direction), list.points, setting, task, out.cylinder);
   } else {
@@ -195,7 +204,8 @@ FieldTable circle_table(const Cloud& cloud, std::span<const uint64_t> indices,
   CircleFit fit;
   if (!fit_plane(list.points, plane)) refuse(list, "circle", setting);
   std::vector<Vec2> uv;
-  for (const Vec3& p : list.points) uv.push_back({dot(p - plane.centroid, plane.axis_u), dot(p - plane.centroid, plane.axis_v)});
+  for (const Vec3& p : list.points)
+    uv.push_back({dot(p - plane.centroid, plane.axis_u), dot(p - plane.centroid, plane.axis_v)});
   if (!fit_circle(uv, setting, task, fit)) refuse(list, "circle", setting);
   const Vec2 c = fit.circle.centre;
   const Vec3 centre = list.origin + plane.centroid + c.u * plane.axis_u + c.v * plane.axis_v;
@@ -212,11 +222,15 @@ FieldTable circle_table(const Cloud& cloud, std::span<const uint64_t> indices,
   const double radius[1] = {fit.circle.radius}, sigma[1] = {fit.sigma};
   FieldTable table;
   table.set(make_column<double>({"centre", ElementType::kFloat64, 3, "m", "centre"}, centre_xyz));
-  table.set(make_column<double>({"normal", ElementType::kFloat64, 3, "", "of the plane of the circle"}, normal_xyz));
+  table.set(make_column<double>(
+      {"normal", ElementType::kFloat64, 3, "", "of the plane of the circle"}, normal_xyz));
   table.set(make_column<double>({"radius", ElementType::kFloat64, 1, "m", "radius"}, radius));
-  table.set(make_column<double>({"sigma", ElementType::kFloat64, 1, "m", "standard deviation in the plane"}, sigma));
-  table.set(make_column<uint64_t>({"inliers", ElementType::kUint64, 1, "points", "points that carry it"}, inliers));
-  table.set(make_column<double>({"covariance", ElementType::kFloat64, 16, "", "of centre and radius, rank 3"}, covariance));
+  table.set(make_column<double>(
+      {"sigma", ElementType::kFloat64, 1, "m", "standard deviation in the plane"}, sigma));
+  table.set(make_column<uint64_t>(
+      {"inliers", ElementType::kUint64, 1, "points", "points that carry it"}, inliers));
+  table.set(make_column<double>(
+      {"covariance", ElementType::kFloat64, 16, "", "of centre and radius, rank 3"}, covariance));
   return table;
 }
 

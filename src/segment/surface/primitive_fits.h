@@ -15,7 +15,8 @@ struct PointList {
 };
 PointList listed_points(const Cloud& cloud, std::span<const uint64_t> indices, Task& task);
 /// Normals of the listed points: the field "normal" where the cloud has it, else planes through the k nearest points.
-std::vector<Vec3> listed_normals(const Cloud& cloud, std::span<const uint64_t> indices, uint32_t k, Task& task);
+std::vector<Vec3> listed_normals(const Cloud& cloud, std::span<const uint64_t> indices, uint32_t k,
+                                 Task& task);
 /// Normal of the least-squares plane through the k points nearest to a place; NaN when they have none.
 Vec3 normal_near(const Cloud& cloud, const Octree& tree, const Vec3& place, uint32_t k);
 
@@ -26,7 +27,8 @@ struct PrimitiveFitSettings {
 };
 std::span<const ParamRow> primitive_rows();
 
-/// One segment, in world coordinates; Error(kInsufficientData) for too few points, Error(kDegenerate) when they do not fix
+/// One segment, in world coordinates; Error(kInsufficientData) for too few points,
+/// Error(kDegenerate) when they do not fix
 /// the primitive.
 Segment sphere_segment(const Cloud& cloud, std::span<const uint64_t> indices,
                        const PrimitiveFitSettings& settings, Task& task);

@@ -46,11 +46,13 @@ SegmentScene indexed_scene(const Cloud& cloud, const SurfaceSettings& settings, 
 
 void look_at_cells(SegmentScene& scene, Task& task) {
   const Cube& cube = scene.tree->cube();
-  const double finest = std::log2(cube.edge / (kFineCellTolerances * scene.settings.distance_tolerance_m));
+  const double finest =
+      std::log2(cube.edge / (kFineCellTolerances * scene.settings.distance_tolerance_m));
   scene.fine_level = std::clamp(static_cast<int>(std::floor(finest)), 0, kMaxLevel);
   scene.coarse_level = std::max(0, scene.fine_level - kLevels);
   scene.level = Buffer<uint8_t>(scene.size());
-  scene.cell_firsts = cell_firsts(*scene.tree, scene.coarse_level, scene.fine_level, scene.level, task);
+  scene.cell_firsts =
+      cell_firsts(*scene.tree, scene.coarse_level, scene.fine_level, scene.level, task);
   estimate_local_surface(scene, task);
 }
 

@@ -29,37 +29,46 @@ struct SegmentScene {
   SurfaceSettings settings;
   std::shared_ptr<const Octree> tree;
   std::span<const uint32_t> order = {};
-  Vec3 origin = {};                      ///< of the local frame
+  Vec3 origin = {};  ///< of the local frame
   int fine_level = 0, coarse_level = 0;
-  std::vector<std::vector<uint32_t>> cell_firsts = {};  ///< of levels coarse_level ... fine_level, with the end behind
+  std::vector<std::vector<uint32_t>> cell_firsts =
+      {};  ///< of levels coarse_level ... fine_level, with the end behind
 
-  std::vector<uint32_t> owner = {};   ///< segment that took the point, 0 = free
-  std::vector<uint8_t> rejections = {};  ///< surfaces with the point that were no planes, since the last that was
-  std::vector<uint8_t> curved_rejections = {};  ///< the same of spheres and cylinders; empty when none are looked for
-  Buffer<float> normals = {};       ///< 3 a point, NaN = unknown
-  Buffer<float> spacing = {};       ///< local point spacing, m
-  Buffer<uint8_t> level = {};            ///< level of the cell that gave normal and spacing
+  std::vector<uint32_t> owner = {};  ///< segment that took the point, 0 = free
+  std::vector<uint8_t> rejections =
+      {};  ///< surfaces with the point that were no planes, since the last that was
+  std::vector<uint8_t> curved_rejections =
+      {};  ///< the same of spheres and cylinders; empty when none are looked for
+  Buffer<float> normals = {};  ///< 3 a point, NaN = unknown
+  Buffer<float> spacing = {};  ///< local point spacing, m
+  Buffer<uint8_t> level = {};  ///< level of the cell that gave normal and spacing
 
   std::optional<FacadeAxes> axes = {};  ///< when orientation classes were extracted one by one
 
   size_t size() const { return order.size(); }
   /// A free point that a draw may start from: not where draw after draw has led to the same surface and that was none.
-  bool may_seed(size_t position) const { return owner[position] == 0 && rejections[position] < kMostRejections; }
+  bool may_seed(size_t position) const {
+    return owner[position] == 0 && rejections[position] < kMostRejections;
+  }
   bool may_seed_curved(size_t position) const {
     return owner[position] == 0 && curved_rejections[position] < kMostRejections;
   }
   /// Edge of the cell that gave normal and spacing of the point.
-  double cell_edge_m(size_t position) const { return std::ldexp(tree->cube().edge, -level[position]); }
+  double cell_edge_m(size_t position) const {
+    return std::ldexp(tree->cube().edge, -level[position]);
+  }
   /// From the octree's grid: right to edge / 2^32.
   Vec3 local(size_t position) const { return tree->local(position); }
   /// From the caller's doubles.
   Vec3 exact(size_t position) const { return cloud.point(order[position]) - origin; }
   /// Tolerance of the normal test as a cosine; 0 switches it off.
-  double min_cosine() const { return settings.uses_normals() ? std::cos(settings.normal_tolerance_rad) : 0.0; }
+  double min_cosine() const {
+    return settings.uses_normals() ? std::cos(settings.normal_tolerance_rad) : 0.0;
+  }
   PlaneTest test(const Plane& plane, double tolerance_m, double cosine) const {
     return {static_cast<float>(plane.normal.x), static_cast<float>(plane.normal.y),
             static_cast<float>(plane.normal.z), static_cast<float>(plane.offset),
-            static_cast<float>(tolerance_m), static_cast<float>(cosine)};
+            static_cast<float>(tolerance_m),    static_cast<float>(cosine)};
   }
   /// True when the point has a normal that disagrees with the plane's.
   bool inconsistent(size_t position, const Vec3& normal, double cosine) const {

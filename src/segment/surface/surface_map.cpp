@@ -12,7 +12,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kSurfaceMapSectors = 180;  // of 2 degrees: wider gaps than those between points of a scan
+constexpr size_t kSurfaceMapSectors =
+    180;  // of 2 degrees: wider gaps than those between points of a scan
 
 // Middle of the longest run of empty sectors, as an angle; half a turn when none is empty.
 double widest_gap(const std::array<bool, kSurfaceMapSectors>& occupied) {
@@ -51,7 +52,8 @@ SurfaceMap SurfaceMap::of_cylinder(const Cylinder& cylinder, std::span<const Vec
   for (const Vec3& p : points) {
     const Vec3 d = p - cylinder.point;
     const double turn = std::atan2(dot(d, e[1]), dot(d, e[0])) / (2 * std::numbers::pi);
-    occupied[static_cast<size_t>((turn - std::floor(turn)) * kSurfaceMapSectors) % kSurfaceMapSectors] = true;
+    occupied[static_cast<size_t>((turn - std::floor(turn)) * kSurfaceMapSectors) %
+             kSurfaceMapSectors] = true;
   }
   const double cut = widest_gap(occupied);  // the map begins and ends where u_ points away from
   map.u_ = -(std::cos(cut) * e[0] + std::sin(cut) * e[1]);
@@ -75,14 +77,16 @@ SurfaceMap SurfaceMap::of_sphere(const Sphere& sphere, std::span<const Vec3> poi
 
 SurfaceMap SurfaceMap::of(const Segment& segment, std::span<const Vec3> points) {
   if (segment.type == PrimitiveType::kSphere) return of_sphere(segment.sphere.sphere, points);
-  if (segment.type == PrimitiveType::kCylinder) return of_cylinder(segment.cylinder.cylinder, points);
+  if (segment.type == PrimitiveType::kCylinder)
+    return of_cylinder(segment.cylinder.cylinder, points);
   return of_plane(segment.fit.plane, segment.fit.centroid);
 }
 
 Vec2 SurfaceMap::operator()(const Vec3& p) const {
   const Vec3 d = p - centre_;
   if (type_ == PrimitiveType::kPlane) return {dot(d, u_), dot(d, v_)};
-  if (type_ == PrimitiveType::kCylinder) return {radius_ * std::atan2(dot(d, v_), dot(d, u_)), dot(d, w_)};
+  if (type_ == PrimitiveType::kCylinder)
+    return {radius_ * std::atan2(dot(d, v_), dot(d, u_)), dot(d, w_)};
   constexpr double kFarSide = 1e-6;  // the point opposite the middle is a whole circle on the map
   const Vec3 n = normalized(d);
   const double scale = radius_ * std::sqrt(2 / std::max(kFarSide, 1 + dot(n, w_)));

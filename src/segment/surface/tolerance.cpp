@@ -15,7 +15,8 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kSamples = 8192;        // the median of a scene with half its points on planes is right to 2 %
+constexpr size_t kSamples =
+    8192;  // the median of a scene with half its points on planes is right to 2 %
 constexpr size_t kSamplesPerChunk = 128;
 constexpr uint32_t kLeastNeighbours = 32, kMostNeighbours = 256;
 // The neighbourhood's rms width against the noise: at 8, the plane follows the noise by 1 / (2 x 8^2), under 1 %.

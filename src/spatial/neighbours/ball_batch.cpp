@@ -21,8 +21,9 @@ namespace jalon {
 namespace {
 
 constexpr int64_t kBallBatchWholeCube = int64_t{1} << 31;
-constexpr double kBallBatchSqrt3 = 1.7320508075688773;  // a distance on the grid is less than that wrong, in steps
-constexpr size_t kVector = 16;                 // room that the kernels may write beyond the end
+constexpr double kBallBatchSqrt3 =
+    1.7320508075688773;         // a distance on the grid is less than that wrong, in steps
+constexpr size_t kVector = 16;  // room that the kernels may write beyond the end
 // Neighbours that are handed on at once, at least those of one point.
 constexpr size_t kMostNeighbours = size_t{1} << 21;
 
@@ -36,7 +37,8 @@ class BallSearch {
   BallSearch(const Octree::Impl& tree, double radius_m, const BallBatchKernels& kernels)
       : tree_(tree), radius_m_(radius_m), radius_(radius_m * tree.inverse_step), kernels_(kernels) {
     constexpr double kRounding = 1 + 0x1p-20;  // of a squared distance in floats
-    const double inner = std::max(0.0, radius_ - kBallBatchSqrt3), outer = radius_ + kBallBatchSqrt3;
+    const double inner = std::max(0.0, radius_ - kBallBatchSqrt3),
+                 outer = radius_ + kBallBatchSqrt3;
     surely_ = static_cast<float>(std::min(inner * inner / kRounding / kRounding, 0x1p100));
     perhaps_ = static_cast<float>(std::min(outer * outer * kRounding * kRounding, 0x1p101));
     if (radius_ < kBallBatchSqrt3) surely_ = -1;
@@ -46,7 +48,8 @@ class BallSearch {
   /// Gathers what the points of a leaf need.
   void enter(size_t leaf) {
     const size_t first = tree_.leaf_first[leaf], last = tree_.leaf_first[leaf + 1];
-    const auto reach = static_cast<int64_t>(std::min(radius_ + 2, static_cast<double>(kBallBatchWholeCube)));
+    const auto reach =
+        static_cast<int64_t>(std::min(radius_ + 2, static_cast<double>(kBallBatchWholeCube)));
     const int32_t* axes[3] = {tree_.x.data(), tree_.y.data(), tree_.z.data()};
     GridBox box;
     for (int axis = 0; axis < 3; ++axis) {
@@ -86,7 +89,8 @@ class BallSearch {
     const Vec3 centre = tree_.exact_point(point);
     size_t kept = 0;
     for (size_t j = 0; j < count; ++j) {
-      if (squared[j] > surely_ && !(squared_norm(tree_.exact_point(neighbours[j]) - centre) <= radius_m_ * radius_m_))
+      if (squared[j] > surely_ &&
+          !(squared_norm(tree_.exact_point(neighbours[j]) - centre) <= radius_m_ * radius_m_))
         continue;
       neighbours[kept] = neighbours[j];
       squared[kept++] = squared[j];
@@ -124,18 +128,20 @@ struct Found {
 
 }  // namespace
 
-void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, const BallBatch&), void* context) const {
+void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, const BallBatch&),
+                          void* context) const {
   if (!(radius_m >= 0)) fail(Status::kInvalidArgument, "the radius is negative");
-  const BallBatchKernels kernels = use_avx2() ? BallBatchKernels{gather_ball_candidates_avx2, points_in_ball_avx2}
-                                     : BallBatchKernels{gather_ball_candidates_baseline, points_in_ball_baseline};
+  const BallBatchKernels kernels =
+      use_avx2() ? BallBatchKernels{gather_ball_candidates_avx2, points_in_ball_avx2}
+                 : BallBatchKernels{gather_ball_candidates_baseline, points_in_ball_baseline};
   constexpr size_t kLeavesAtOnce = 32;
   parallel_for(task, impl_->leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
     BallSearch search(*impl_, radius_m, kernels);
     Found found;
     size_t first = impl_->leaf_first[begin];
     const auto hand_on = [&] {
-      visit(context, {first, found.offsets.size() - 1, found.offsets.data(), found.neighbours.data(),
-                      found.squared.data()});
+      visit(context, {first, found.offsets.size() - 1, found.offsets.data(),
+                      found.neighbours.data(), found.squared.data()});
       first += found.offsets.size() - 1;
       found.offsets.assign(1, 0);
     };
@@ -144,7 +150,8 @@ void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, cons
       for (size_t point = impl_->leaf_first[leaf]; point < impl_->leaf_first[leaf + 1]; ++point) {
         found.reserve(search.candidates());
         const size_t at = found.count();
-        const size_t more = search.pick(point, found.neighbours.data() + at, found.squared.data() + at);
+        const size_t more =
+            search.pick(point, found.neighbours.data() + at, found.squared.data() + at);
         found.offsets.push_back(static_cast<uint32_t>(at + more));
         if (found.count() >= kMostNeighbours) hand_on();
       }

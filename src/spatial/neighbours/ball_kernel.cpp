@@ -5,11 +5,12 @@
 
 namespace jalon {
 
-bool gather_ball_candidates_baseline(const OctreeView& tree, const GridBox& box, BallCandidates& out) {
+bool gather_ball_candidates_baseline(const OctreeView& tree, const GridBox& box,
+                                     BallCandidates& out) {
   return gather_ball_candidates(tree, box, out);
 }
-size_t points_in_ball_baseline(const BallCandidates& candidates, const Ball& ball, uint32_t* position, float* squared,
-                         size_t& unsure) {
+size_t points_in_ball_baseline(const BallCandidates& candidates, const Ball& ball,
+                               uint32_t* position, float* squared, size_t& unsure) {
   return points_in_ball(candidates, ball, position, squared, unsure);
 }
 

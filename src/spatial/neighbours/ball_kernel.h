@@ -29,13 +29,14 @@ struct Ball {
 };
 
 /// Appends the points of the box; false when there is no room.
-bool gather_ball_candidates_baseline(const OctreeView& tree, const GridBox& box, BallCandidates& out);
+bool gather_ball_candidates_baseline(const OctreeView& tree, const GridBox& box,
+                                     BallCandidates& out);
 bool gather_ball_candidates_avx2(const OctreeView& tree, const GridBox& box, BallCandidates& out);
 /// Writes positions and squared distances of the candidates up to ball.perhaps, both with room for a vector more than
 /// all of them; returns how many. unsure: how many of them are beyond ball.surely.
-size_t points_in_ball_baseline(const BallCandidates& candidates, const Ball& ball, uint32_t* position, float* squared,
-                               size_t& unsure);
-size_t points_in_ball_avx2(const BallCandidates& candidates, const Ball& ball, uint32_t* position, float* squared,
-                           size_t& unsure);
+size_t points_in_ball_baseline(const BallCandidates& candidates, const Ball& ball,
+                               uint32_t* position, float* squared, size_t& unsure);
+size_t points_in_ball_avx2(const BallCandidates& candidates, const Ball& ball, uint32_t* position,
+                           float* squared, size_t& unsure);
 
 }  // namespace jalon

@@ -8,8 +8,8 @@ namespace jalon {
 bool gather_ball_candidates_avx2(const OctreeView& tree, const GridBox& box, BallCandidates& out) {
   return gather_ball_candidates(tree, box, out);
 }
-size_t points_in_ball_avx2(const BallCandidates& candidates, const Ball& ball, uint32_t* position, float* squared,
-                         size_t& unsure) {
+size_t points_in_ball_avx2(const BallCandidates& candidates, const Ball& ball, uint32_t* position,
+                           float* squared, size_t& unsure) {
   return points_in_ball(candidates, ball, position, squared, unsure);
 }
 

@@ -34,7 +34,8 @@ constexpr double kKnnBatchFarOff = 2.5;
 struct KnnBatchKernels {
   bool (*gather)(const OctreeView&, const GridBox&, Candidates&);
   void (*search)(const Candidates&, KnnGroup&);
-  void (*nearest)(const OctreeView&, const int32_t* query, uint32_t size, float* squared, uint32_t* position);
+  void (*nearest)(const OctreeView&, const int32_t* query, uint32_t size, float* squared,
+                  uint32_t* position);
 };
 
 class BatchSearch {
@@ -69,7 +70,8 @@ class BatchSearch {
         reach_ = std::max<int64_t>(4, static_cast<int64_t>(kKnnBatchGuess * largest_));
         return;
       }
-      const bool far_off = static_cast<double>(needed) > kKnnBatchFarOff * static_cast<double>(reach_);
+      const bool far_off =
+          static_cast<double>(needed) > kKnnBatchFarOff * static_cast<double>(reach_);
       if ((attempt != 0 && far_off) || attempt == 8 || group_.count <= 2) {
         one_by_one(first, pending, neighbours, squared);
         return;
@@ -84,7 +86,8 @@ class BatchSearch {
     group_.k = k_;
     group_.keys = keys_.data();
     int32_t* axes[3] = {group_.x, group_.y, group_.z};
-    const int32_t* from[3] = {tree_.x.data() + first, tree_.y.data() + first, tree_.z.data() + first};
+    const int32_t* from[3] = {tree_.x.data() + first, tree_.y.data() + first,
+                              tree_.z.data() + first};
     for (int axis = 0; axis < 3; ++axis) {
       int32_t lo = from[axis][0], hi = lo;
       for (size_t i = 0; i < count; ++i) {
@@ -118,7 +121,8 @@ class BatchSearch {
 
   int64_t first_reach() const {
     int64_t side = 16;
-    for (int axis = 0; axis < 3; ++axis) side = std::max<int64_t>(side, box_.hi[axis] - box_.lo[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+      side = std::max<int64_t>(side, box_.hi[axis] - box_.lo[axis]);
     return side;
   }
 
@@ -127,7 +131,8 @@ class BatchSearch {
     GridBox wide;
     for (int axis = 0; axis < 3; ++axis) {
       wide.lo[axis] = static_cast<int32_t>(std::max<int64_t>(0, box_.lo[axis] - reach_));
-      wide.hi[axis] = static_cast<int32_t>(std::min<int64_t>(kKnnBatchWholeCube - 1, box_.hi[axis] + reach_));
+      wide.hi[axis] =
+          static_cast<int32_t>(std::min<int64_t>(kKnnBatchWholeCube - 1, box_.hi[axis] + reach_));
     }
     if (!kernels_.gather(tree_.view, wide, candidates_)) return 0;
     if (candidates_.count < k_ && candidates_.count < tree_.count) {
@@ -140,18 +145,20 @@ class BatchSearch {
     largest_ = 0;
     double needed = 0;
     for (uint32_t q = 0; q < group_.count; ++q) {
-      const double d = std::sqrt(static_cast<double>(squared_of(keys_[(k_ - 1) * size_t{kMostQueries} + q])));
-      if (group_.incomplete >> q & 1)
-        needed = std::max(needed, d);
-      else if (candidates_.count >= k_)
-        largest_ = std::max(largest_, d);
+      const double d =
+          std::sqrt(static_cast<double>(squared_of(keys_[(k_ - 1) * size_t{kMostQueries} + q])));
+      if (group_.incomplete >> q & 1) needed = std::max(needed, d);
+      else if (candidates_.count >= k_) largest_ = std::max(largest_, d);
     }
     // More candidates may mean fewer bits next time: allow for the coarsest keys.
     constexpr double kCoarsest = 0x1p-12;
-    return static_cast<int64_t>(std::min(needed * (1 + 4 * kCoarsest) + 8, static_cast<double>(kKnnBatchWholeCube)));
+    return static_cast<int64_t>(
+        std::min(needed * (1 + 4 * kCoarsest) + 8, static_cast<double>(kKnnBatchWholeCube)));
   }
 
-  double truncation() const { return std::ldexp(1.0, static_cast<int>(group_.index_bits) - 23) + 0x1p-20; }
+  double truncation() const {
+    return std::ldexp(1.0, static_cast<int>(group_.index_bits) - 23) + 0x1p-20;
+  }
   float squared_of(uint32_t key) const {
     return std::bit_cast<float>(key & ~((1u << group_.index_bits) - 1));
   }
@@ -169,7 +176,8 @@ class BatchSearch {
 
   // The float distance that is handed out: a function of the two grid points alone.
   float squared_metres(size_t a, size_t b) const {
-    const auto dx = static_cast<float>(tree_.x[a] - tree_.x[b]), dy = static_cast<float>(tree_.y[a] - tree_.y[b]),
+    const auto dx = static_cast<float>(tree_.x[a] - tree_.x[b]),
+               dy = static_cast<float>(tree_.y[a] - tree_.y[b]),
                dz = static_cast<float>(tree_.z[a] - tree_.z[b]);
     return (dx * dx + dy * dy + dz * dz) * static_cast<float>(tree_.step * tree_.step);
   }
@@ -188,7 +196,8 @@ class BatchSearch {
         const uint32_t key = keys_[j * size_t{kMostQueries} + q];
         const uint32_t c = key & mask;
         to[j] = key == kNoKey ? kNoPoint : candidates_.position[c];
-        to_squared[j] = key == kNoKey ? std::numeric_limits<float>::infinity() : squared_metres(first + q, to[j]);
+        to_squared[j] = key == kNoKey ? std::numeric_limits<float>::infinity()
+                                      : squared_metres(first + q, to[j]);
       }
     }
   }
@@ -202,9 +211,11 @@ class BatchSearch {
   // coordinates.
   void settle(size_t position, uint32_t q, uint32_t* to, float* to_squared) {
     const double slack = tree_.on_grid ? 0 : 2 * kKnnBatchSqrt3 + 1e-3;
-    const float kth = squared_of(keys_[(k_ - 1) * size_t{kMostQueries} + q]);  // not a number: fewer than k candidates
+    const float kth = squared_of(
+        keys_[(k_ - 1) * size_t{kMostQueries} + q]);  // not a number: fewer than k candidates
     const double reach = std::sqrt(static_cast<double>(kth) * (1 + 2 * truncation())) + slack;
-    const double limit = kth == kth ? reach * reach * (1 + 1e-12) : std::numeric_limits<double>::infinity();
+    const double limit =
+        kth == kth ? reach * reach * (1 + 1e-12) : std::numeric_limits<double>::infinity();
     close_.clear();
     for (uint32_t c = 0; c < candidates_.count; ++c) {
       const double dx = group_.x[q] - candidates_.x[c], dy = group_.y[q] - candidates_.y[c],
@@ -214,8 +225,8 @@ class BatchSearch {
     }
     const auto by_distance = [&](const Close& a, const Close& b) {
       return a.squared < b.squared ||
-             (a.squared == b.squared &&
-              tree_.order[candidates_.position[a.candidate]] < tree_.order[candidates_.position[b.candidate]]);
+             (a.squared == b.squared && tree_.order[candidates_.position[a.candidate]] <
+                                            tree_.order[candidates_.position[b.candidate]]);
     };
     std::sort(close_.begin(), close_.end(), by_distance);
     if (!tree_.on_grid) {
@@ -226,15 +237,17 @@ class BatchSearch {
         if (begin >= k_) break;
         if (end - begin == 1) continue;
         for (size_t i = begin; i < end; ++i)
-          close_[i].squared = squared_norm(tree_.exact_point(candidates_.position[close_[i].candidate]) - query);
-        std::sort(close_.begin() + static_cast<ptrdiff_t>(begin), close_.begin() + static_cast<ptrdiff_t>(end),
-                  by_distance);
+          close_[i].squared =
+              squared_norm(tree_.exact_point(candidates_.position[close_[i].candidate]) - query);
+        std::sort(close_.begin() + static_cast<ptrdiff_t>(begin),
+                  close_.begin() + static_cast<ptrdiff_t>(end), by_distance);
       }
     }
     for (uint32_t j = 0; j < k_; ++j) {
       const bool there = j < close_.size();
       to[j] = there ? candidates_.position[close_[j].candidate] : kNoPoint;
-      to_squared[j] = there ? squared_metres(position, to[j]) : std::numeric_limits<float>::infinity();
+      to_squared[j] =
+          there ? squared_metres(position, to[j]) : std::numeric_limits<float>::infinity();
     }
   }
 
@@ -244,7 +257,8 @@ class BatchSearch {
     uint32_t found[257];
     const int32_t query[3] = {tree_.x[position], tree_.y[position], tree_.z[position]};
     kernels_.nearest(tree_.view, query, k_ + 1, squared, found);
-    const float floor = tree_.on_grid ? 0 : 7 * std::sqrt(squared[k_ - 1]) + 13;  // as in set_tolerances
+    const float floor =
+        tree_.on_grid ? 0 : 7 * std::sqrt(squared[k_ - 1]) + 13;  // as in set_tolerances
     for (uint32_t j = 0; j < k_; ++j)
       if (!(squared[j + 1] - squared[j] > squared[j + 1] * 0x1p-20f + floor)) return false;
     std::copy_n(found, k_, to);
@@ -257,8 +271,8 @@ class BatchSearch {
       uint32_t* to = neighbours + q * k_;
       if (!nearest_by_grid(first + q, to)) tree_.nearest_of_point(first + q, k_, to);
       for (uint32_t j = 0; j < k_; ++j)
-        squared[q * k_ + j] =
-            to[j] == kNoPoint ? std::numeric_limits<float>::infinity() : squared_metres(first + q, to[j]);
+        squared[q * k_ + j] = to[j] == kNoPoint ? std::numeric_limits<float>::infinity()
+                                                : squared_metres(first + q, to[j]);
     }
     reach_ = 0;
   }
@@ -267,9 +281,9 @@ class BatchSearch {
   const uint32_t k_;
   const KnnBatchKernels kernels_;
   GridBox box_{};
-  int64_t reach_ = 0;     // grid units; 0 = no guess
+  int64_t reach_ = 0;                   // grid units; 0 = no guess
   size_t run_begin_ = 0, run_end_ = 0;  // a run of points with the same coordinates
-  double largest_ = 0;    // k-th distance of the completed queries of the last attempt
+  double largest_ = 0;  // k-th distance of the completed queries of the last attempt
   KnnGroup group_;
   Candidates candidates_;
   Buffer<uint32_t> keys_;
@@ -278,11 +292,13 @@ class BatchSearch {
 
 }  // namespace
 
-void Octree::knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batch&), void* context) const {
+void Octree::knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batch&),
+                         void* context) const {
   if (k < 1 || k > 256) fail(Status::kInvalidArgument, "k is %u; 1 ... 256 are possible", k);
-  const KnnBatchKernels kernels = use_avx2() ? KnnBatchKernels{gather_candidates_avx2, knn_group_avx2, nearest_on_grid_avx2}
-                                     : KnnBatchKernels{gather_candidates_baseline, knn_group_baseline,
-                                               nearest_on_grid_baseline};
+  const KnnBatchKernels kernels =
+      use_avx2() ? KnnBatchKernels{gather_candidates_avx2, knn_group_avx2, nearest_on_grid_avx2}
+                 : KnnBatchKernels{gather_candidates_baseline, knn_group_baseline,
+                                   nearest_on_grid_baseline};
   constexpr size_t kLeavesAtOnce = 128;
   parallel_for(task, impl_->leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
     const size_t first = impl_->leaf_first[begin], count = impl_->leaf_first[end] - first;

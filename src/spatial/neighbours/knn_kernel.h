@@ -11,7 +11,8 @@
 
 namespace jalon {
 
-constexpr uint32_t kMostQueries = 16;       ///< queries that share their candidates; at least kLeafPoints
+constexpr uint32_t kMostQueries =
+    16;  ///< queries that share their candidates; at least kLeafPoints
 constexpr uint32_t kMostCandidates = 2048;  ///< more: the queries are answered one by one
 
 /// Candidates of a group of queries, grid coordinates; room for a vector more than kMostCandidates.
@@ -29,13 +30,14 @@ struct GridBox {
 /// The queries of a group and what comes out for each of them.
 struct alignas(64) KnnGroup {
   int32_t x[kMostQueries], y[kMostQueries], z[kMostQueries];
-  uint32_t count = 0;      ///< queries; the lanes behind them repeat the last one
+  uint32_t count = 0;  ///< queries; the lanes behind them repeat the last one
   uint32_t k = 0;
-  float covered = 0;       ///< squared distance up to which no candidate is missing
-  float tie_slope = 0;     ///< two distances closer than far * tie_slope + tie_root * root of the k-th + tie_floor
-  float tie_root = 0;      ///< cannot be told apart: they are settled in doubles
+  float covered = 0;  ///< squared distance up to which no candidate is missing
+  float tie_slope =
+      0;  ///< two distances closer than far * tie_slope + tie_root * root of the k-th + tie_floor
+  float tie_root = 0;  ///< cannot be told apart: they are settled in doubles
   float tie_floor = 0;
-  uint32_t index_bits = 0; ///< low bits of a key that hold the candidate
+  uint32_t index_bits = 0;  ///< low bits of a key that hold the candidate
   // Results: bit q for query q.
   uint32_t incomplete = 0, ambiguous = 0;
   uint32_t* keys = nullptr;  ///< [k + 1][kMostQueries], ascending; see knn_kernel.inc
@@ -51,9 +53,9 @@ void knn_group_baseline(const Candidates& candidates, KnnGroup& group);
 void knn_group_avx2(const Candidates& candidates, KnnGroup& group);
 /// The size points nearest to a grid point by their distance on the grid, ascending; room for size in both. Places that
 /// stay empty keep infinity.
-void nearest_on_grid_baseline(const OctreeView& tree, const int32_t* query, uint32_t size, float* squared,
-                              uint32_t* position);
-void nearest_on_grid_avx2(const OctreeView& tree, const int32_t* query, uint32_t size, float* squared,
-                          uint32_t* position);
+void nearest_on_grid_baseline(const OctreeView& tree, const int32_t* query, uint32_t size,
+                              float* squared, uint32_t* position);
+void nearest_on_grid_avx2(const OctreeView& tree, const int32_t* query, uint32_t size,
+                          float* squared, uint32_t* position);
 
 }  // namespace jalon

@@ -9,8 +9,8 @@ bool gather_candidates_avx2(const OctreeView& tree, const GridBox& box, Candidat
   return gather(tree, box, out);
 }
 void knn_group_avx2(const Candidates& candidates, KnnGroup& group) { search(candidates, group); }
-void nearest_on_grid_avx2(const OctreeView& tree, const int32_t* query, uint32_t size, float* squared,
-                          uint32_t* position) {
+void nearest_on_grid_avx2(const OctreeView& tree, const int32_t* query, uint32_t size,
+                          float* squared, uint32_t* position) {
   for (uint32_t j = 0; j < size; ++j) squared[j] = __builtin_inff();
   NearestList list{squared, position, size};
   nearest(tree, query, list);

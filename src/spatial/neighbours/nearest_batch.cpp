@@ -38,19 +38,21 @@ constexpr double kNearestBatchGridError = 3.4642;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct NearestBatchKernels {
-  bool (*gather)(const OctreeView&, const GridMap&, const GridBox&, const int32_t*, NearCandidates&);
+  bool (*gather)(const OctreeView&, const GridMap&, const GridBox&, const int32_t*,
+                 NearCandidates&);
   void (*of_group)(const NearCandidates&, NearestGroup&);
   void (*of_one)(const OctreeView&, const GridMap&, const int32_t*, float, NearestOne&);
 };
 
 class LeafSearch {
  public:
-  LeafSearch(const Octree& reference, const Octree& compared, const SearchFrame& frame, double max_distance_m,
-             const NearestBatchKernels& kernels)
+  LeafSearch(const Octree& reference, const Octree& compared, const SearchFrame& frame,
+             double max_distance_m, const NearestBatchKernels& kernels)
       : reference_(reference.impl()),
         compared_(compared.impl()),
         frame_(frame),
-        max_reach_(std::min(max_distance_m / frame.step + 2 * kNearestBatchGridError, static_cast<double>(2 * kWholeFrame))),
+        max_reach_(std::min(max_distance_m / frame.step + 2 * kNearestBatchGridError,
+                            static_cast<double>(2 * kWholeFrame))),
         kernels_(kernels) {}
 
   /// Sorted positions in the reference for the points of one leaf.
@@ -67,7 +69,8 @@ class LeafSearch {
         reach_ = std::min(max_reach_, kNearestBatchGuess * largest_ + 2 * kNearestBatchGridError);
         return;
       }
-      if (attempt != 0 || needed > kNearestBatchFarOff * std::max(reach_, side_)) return one_by_one(pending, nearest);
+      if (attempt != 0 || needed > kNearestBatchFarOff * std::max(reach_, side_))
+        return one_by_one(pending, nearest);
       reach_ = std::min(max_reach_, needed + 4 * kNearestBatchGridError);
     }
   }
@@ -76,7 +79,8 @@ class LeafSearch {
   void load_queries(size_t first, size_t count) {
     first_ = first;
     group_.count = static_cast<uint32_t>(count);
-    const int32_t* from[3] = {compared_.x.data() + first, compared_.y.data() + first, compared_.z.data() + first};
+    const int32_t* from[3] = {compared_.x.data() + first, compared_.y.data() + first,
+                              compared_.z.data() + first};
     float* to[3] = {group_.x, group_.y, group_.z};
     side_ = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -103,7 +107,8 @@ class LeafSearch {
     known_[0] = last_ = nearest[0];
     const double distance = std::sqrt(static_cast<double>(squared_on_grid(0, nearest[0])));
     if (distance > kNearestBatchFarOff * side_) return false;
-    reach_ = std::min(max_reach_, std::max(kNearestBatchGuess * distance, side_ / 2) + 2 * kNearestBatchGridError);
+    reach_ = std::min(max_reach_, std::max(kNearestBatchGuess * distance, side_ / 2) +
+                                      2 * kNearestBatchGridError);
     return true;
   }
 
@@ -117,7 +122,8 @@ class LeafSearch {
       wide.lo[axis] = on_grid(from);
       wide.hi[axis] = on_grid(to);
     }
-    if (!kernels_.gather(reference_.view, frame_.reference, wide, anchor_, candidates_)) return false;
+    if (!kernels_.gather(reference_.view, frame_.reference, wide, anchor_, candidates_))
+      return false;
     if (candidates_.count == 0 && reach_ < max_reach_) return false;
     kernels_.of_group(candidates_, group_);
     // Offsets from the anchor are rounded to 24 bits.
@@ -143,7 +149,8 @@ class LeafSearch {
   // A coordinate of the frame, relative to the reference's offset, on the reference's own grid.
   int32_t on_grid(int64_t v) const {
     const int64_t limit = (kWholeFrame >> frame_.reference.shift) + 1;
-    const int64_t scaled = std::clamp<int64_t>(v, -1, limit) * (int64_t{1} << frame_.reference.shift);
+    const int64_t scaled =
+        std::clamp<int64_t>(v, -1, limit) * (int64_t{1} << frame_.reference.shift);
     return static_cast<int32_t>(std::clamp<int64_t>(scaled, 0, kWholeFrame - 1));
   }
 
@@ -158,7 +165,8 @@ class LeafSearch {
         known_[q] = position;
         continue;
       }
-      if (there && group_.second[q] <= limit(group_.best[q])) position = settle(q, limit(group_.best[q]));
+      if (there && group_.second[q] <= limit(group_.best[q]))
+        position = settle(q, limit(group_.best[q]));
       nearest[q] = position;
       if (there) last_ = position;
     }
@@ -183,7 +191,8 @@ class LeafSearch {
       if (dx * dx + dy * dy + dz * dz > limit) continue;
       const uint32_t at = candidates_.position[c];
       const double squared = squared_norm(reference_.exact_point(at) - query);
-      if (squared < best || (squared == best && reference_.order[at] < reference_.order[position])) {
+      if (squared < best ||
+          (squared == best && reference_.order[at] < reference_.order[position])) {
         best = squared;
         position = at;
       }
@@ -206,14 +215,16 @@ class LeafSearch {
   uint32_t search_one(uint32_t q, uint32_t start) const {
     const auto error = static_cast<float>(2 * kNearestBatchGridError);
     const auto limit = static_cast<float>(max_reach_ * max_reach_ * (1 + 0x1p-20));
-    NearestOne one{max_reach_ < static_cast<double>(kWholeFrame) * 2 ? limit : kInfinity, kInfinity, kNoPoint};
+    NearestOne one{max_reach_ < static_cast<double>(kWholeFrame) * 2 ? limit : kInfinity, kInfinity,
+                   kNoPoint};
     if (start != kNoPoint) {
       const float squared = squared_on_grid(q, start);
       if (squared < one.best) one = {squared, kInfinity, start};
     }
     const int32_t query[3] = {query_[0][q], query_[1][q], query_[2][q]};
     kernels_.of_one(reference_.view, frame_.reference, query, error, one);
-    if (one.position == kNoPoint || !(one.second <= NearLimit{error}(one.best))) return one.position;
+    if (one.position == kNoPoint || !(one.second <= NearLimit{error}(one.best)))
+      return one.position;
     return reference_.nearest_position(compared_.exact_point(first_ + q));
   }
 
@@ -229,14 +240,14 @@ class LeafSearch {
   const Octree::Impl& reference_;
   const Octree::Impl& compared_;
   const SearchFrame& frame_;
-  const double max_reach_;   // steps
+  const double max_reach_;  // steps
   const NearestBatchKernels kernels_;
-  double reach_ = 0;         // steps; 0 = no guess
-  double side_ = 0;          // of the leaf's box
-  double largest_ = 0;       // distance of the complete queries of the last attempt
-  float error_ = 0;          // of the difference of two distances
-  uint32_t complete_ = 0;    // bit q: the answer of query q is certain
-  uint32_t last_ = kNoPoint; // the answer before
+  double reach_ = 0;          // steps; 0 = no guess
+  double side_ = 0;           // of the leaf's box
+  double largest_ = 0;        // distance of the complete queries of the last attempt
+  float error_ = 0;           // of the difference of two distances
+  uint32_t complete_ = 0;     // bit q: the answer of query q is certain
+  uint32_t last_ = kNoPoint;  // the answer before
   size_t first_ = 0;
   int32_t anchor_[3] = {}, top_[3] = {};
   int32_t query_[3][kMostQueries];
@@ -246,50 +257,55 @@ class LeafSearch {
 };
 
 // Exact distances of a chunk; what is beyond the greatest one is taken back.
-void measure(const Octree::Impl& reference, const Octree::Impl& compared, size_t first, size_t count,
-             double max_distance_m, uint32_t* nearest, double* squared) {
-  constexpr size_t kAhead = 16;  // queries: their coordinates lie in the caller's order, anywhere in memory
+void measure(const Octree::Impl& reference, const Octree::Impl& compared, size_t first,
+             size_t count, double max_distance_m, uint32_t* nearest, double* squared) {
+  constexpr size_t kAhead =
+      16;  // queries: their coordinates lie in the caller's order, anywhere in memory
   const double most = max_distance_m * max_distance_m;
   for (size_t i = 0; i < count; ++i) {
     if (i + kAhead < count) {
-      if (!compared.on_grid) __builtin_prefetch(compared.xyz.data() + 3 * size_t{compared.order[first + i + kAhead]});
+      if (!compared.on_grid)
+        __builtin_prefetch(compared.xyz.data() + 3 * size_t{compared.order[first + i + kAhead]});
       const uint32_t next = nearest[i + kAhead];
       if (!reference.on_grid && next != kNoPoint)
         __builtin_prefetch(reference.xyz.data() + 3 * size_t{reference.order[next]});
     }
     squared[i] = std::numeric_limits<double>::infinity();
     if (nearest[i] == kNoPoint) continue;
-    const double d = squared_norm(reference.exact_point(nearest[i]) - compared.exact_point(first + i));
-    if (d <= most)
-      squared[i] = d;
-    else
-      nearest[i] = kNoPoint;
+    const double d =
+        squared_norm(reference.exact_point(nearest[i]) - compared.exact_point(first + i));
+    if (d <= most) squared[i] = d;
+    else nearest[i] = kNoPoint;
   }
 }
 
 }  // namespace
 
-void nearest_batches(const Octree& reference, const Octree& compared, double max_distance_m, Task& task,
-                     void (*visit)(void*, const NearestBatch&), void* context) {
+void nearest_batches(const Octree& reference, const Octree& compared, double max_distance_m,
+                     Task& task, void (*visit)(void*, const NearestBatch&), void* context) {
   if (!(max_distance_m >= 0)) fail(Status::kInvalidArgument, "the greatest distance is negative");
   if (compared.size() == 0) return;
   if (reference.size() == 0) fail(Status::kInvalidArgument, "the reference has no points");
-  const NearestBatchKernels kernels = use_avx2() ? NearestBatchKernels{gather_near_avx2, nearest_of_group_avx2, nearest_of_one_avx2}
-                                     : NearestBatchKernels{gather_near_baseline, nearest_of_group_baseline,
-                                               nearest_of_one_baseline};
+  const NearestBatchKernels kernels =
+      use_avx2() ? NearestBatchKernels{gather_near_avx2, nearest_of_group_avx2, nearest_of_one_avx2}
+                 : NearestBatchKernels{gather_near_baseline, nearest_of_group_baseline,
+                                       nearest_of_one_baseline};
   const DistinctPoints distinct(reference, task);
   const SearchFrame frame(reference.cube(), compared.cube());
   const Octree::Impl& queries = compared.impl();
   constexpr size_t kLeavesAtOnce = 256;
   parallel_for(task, queries.leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
     const size_t first = queries.leaf_first[begin], count = queries.leaf_first[end] - first;
-    const auto search = std::make_unique<LeafSearch>(distinct.tree(), compared, frame, max_distance_m, kernels);
+    const auto search =
+        std::make_unique<LeafSearch>(distinct.tree(), compared, frame, max_distance_m, kernels);
     Buffer<uint32_t> nearest(count);
     Buffer<double> squared(count);
-    for (size_t leaf = begin; leaf < end; ++leaf) search->leaf(leaf, nearest.data() + queries.leaf_first[leaf] - first);
+    for (size_t leaf = begin; leaf < end; ++leaf)
+      search->leaf(leaf, nearest.data() + queries.leaf_first[leaf] - first);
     for (uint32_t& position : std::span(nearest.data(), count))
       if (position != kNoPoint) position = distinct.position(position);
-    measure(reference.impl(), queries, first, count, max_distance_m, nearest.data(), squared.data());
+    measure(reference.impl(), queries, first, count, max_distance_m, nearest.data(),
+            squared.data());
     visit(context, {first, count, nearest.data(), squared.data()});
   });
 }

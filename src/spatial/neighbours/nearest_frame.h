@@ -36,7 +36,8 @@ struct SearchFrame {
     constexpr int kAllBits = 31;  // more would shift out nothing more
     GridMap map;
     map.shift = std::min(kAllBits, std::ilogb(step) - std::ilogb(grid_step));
-    for (int i = 0; i < 3; ++i) map.offset[i] = static_cast<int32_t>((cube.origin[i] - origin[i]) / step);
+    for (int i = 0; i < 3; ++i)
+      map.offset[i] = static_cast<int32_t>((cube.origin[i] - origin[i]) / step);
     return map;
   }
 };

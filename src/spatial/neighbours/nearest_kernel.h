@@ -15,7 +15,8 @@
 
 namespace jalon {
 
-constexpr uint32_t kMostNear = 512;  ///< candidates of a group; more: the queries are answered one by one
+constexpr uint32_t kMostNear =
+    512;  ///< candidates of a group; more: the queries are answered one by one
 
 /// How a tree's grid lies in the frame of a search: coordinate = (grid >> shift) + offset.
 struct GridMap {
@@ -33,7 +34,8 @@ struct alignas(64) NearCandidates {
 /// Queries of a group, relative to its anchor, and for each the squared distances of the nearest and the second nearest
 /// candidate (infinity where there are none) and the number of the nearest, the first of equal ones.
 struct alignas(64) NearestGroup {
-  float x[kMostQueries], y[kMostQueries], z[kMostQueries];  ///< the lanes behind count repeat the last query
+  float x[kMostQueries], y[kMostQueries],
+      z[kMostQueries];  ///< the lanes behind count repeat the last query
   uint32_t count = 0;
   float best[kMostQueries], second[kMostQueries];
   uint32_t candidate[kMostQueries];
@@ -46,17 +48,17 @@ struct NearestOne {
 };
 
 /// Appends the points of the box (in the tree's own grid); false when there are more than kMostNear.
-bool gather_near_baseline(const OctreeView& tree, const GridMap& map, const GridBox& box, const int32_t* anchor,
-                          NearCandidates& out);
-bool gather_near_avx2(const OctreeView& tree, const GridMap& map, const GridBox& box, const int32_t* anchor,
-                      NearCandidates& out);
+bool gather_near_baseline(const OctreeView& tree, const GridMap& map, const GridBox& box,
+                          const int32_t* anchor, NearCandidates& out);
+bool gather_near_avx2(const OctreeView& tree, const GridMap& map, const GridBox& box,
+                      const int32_t* anchor, NearCandidates& out);
 void nearest_of_group_baseline(const NearCandidates& candidates, NearestGroup& group);
 void nearest_of_group_avx2(const NearCandidates& candidates, NearestGroup& group);
 /// The nearest point of one query (frame of the search), if it is nearer than one.best; the second is right where it is
 /// within error (steps) of the best.
-void nearest_of_one_baseline(const OctreeView& tree, const GridMap& map, const int32_t* query, float error,
-                             NearestOne& one);
-void nearest_of_one_avx2(const OctreeView& tree, const GridMap& map, const int32_t* query, float error,
-                         NearestOne& one);
+void nearest_of_one_baseline(const OctreeView& tree, const GridMap& map, const int32_t* query,
+                             float error, NearestOne& one);
+void nearest_of_one_avx2(const OctreeView& tree, const GridMap& map, const int32_t* query,
+                         float error, NearestOne& one);
 
 }  // namespace jalon

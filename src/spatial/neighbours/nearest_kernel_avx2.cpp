@@ -5,15 +5,15 @@
 
 namespace jalon {
 
-bool gather_near_avx2(const OctreeView& tree, const GridMap& map, const GridBox& box, const int32_t* anchor,
-                 NearCandidates& out) {
+bool gather_near_avx2(const OctreeView& tree, const GridMap& map, const GridBox& box,
+                      const int32_t* anchor, NearCandidates& out) {
   return gather_near(tree, map, box, anchor, out);
 }
 void nearest_of_group_avx2(const NearCandidates& candidates, NearestGroup& group) {
   nearest_of_group(candidates, group);
 }
-void nearest_of_one_avx2(const OctreeView& tree, const GridMap& map, const int32_t* query, float error,
-                    NearestOne& one) {
+void nearest_of_one_avx2(const OctreeView& tree, const GridMap& map, const int32_t* query,
+                         float error, NearestOne& one) {
   nearest_of_one(tree, map, query, error, one);
 }
 

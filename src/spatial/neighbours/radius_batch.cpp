@@ -15,7 +15,8 @@ namespace {
 constexpr size_t kGrain = 256;  // queries a chunk
 
 template <class T>
-std::shared_ptr<Column> column_of(const char* name, const char* unit, const char* meaning, size_t count) {
+std::shared_ptr<Column> column_of(const char* name, const char* unit, const char* meaning,
+                                  size_t count) {
   return std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), 1, unit, meaning}, count);
 }
 
@@ -41,10 +42,12 @@ FieldTable joined(std::vector<std::vector<Neighbour>>& chunks, size_t total) {
 
 }  // namespace
 
-RadiusNeighbours radius_neighbours(const Octree& tree, std::span<const Vec3> queries, double radius_m, Task& task) {
+RadiusNeighbours radius_neighbours(const Octree& tree, std::span<const Vec3> queries,
+                                   double radius_m, Task& task) {
   const size_t count = queries.size();
   std::vector<std::vector<Neighbour>> chunks((count + kGrain - 1) / kGrain);
-  auto first = column_of<uint64_t>("first", "", "where the neighbours of each query begin", count + 1);
+  auto first =
+      column_of<uint64_t>("first", "", "where the neighbours of each query begin", count + 1);
   const auto firsts = first->values<uint64_t>();
   // 1. Search: the number of each query's neighbours stands one row behind it.
   parallel_for(task, count, kGrain, [&](size_t begin, size_t end) {

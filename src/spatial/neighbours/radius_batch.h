@@ -18,6 +18,7 @@ struct RadiusNeighbours {
 };
 
 /// The points within the closed ball of radius_m around each query. Parallel.
-RadiusNeighbours radius_neighbours(const Octree& tree, std::span<const Vec3> queries, double radius_m, Task& task);
+RadiusNeighbours radius_neighbours(const Octree& tree, std::span<const Vec3> queries,
+                                   double radius_m, Task& task);
 
 }  // namespace jalon

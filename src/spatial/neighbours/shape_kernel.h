@@ -13,10 +13,11 @@ namespace jalon {
 
 /// A ball or a cylinder in grid units. Limits are widened by the caller so that rounding loses no point.
 struct GridShape {
-  int32_t base[3];      ///< the grid point nearest to the centre
-  float offset[3];      ///< from the middle of base's cell, where its points are taken to lie, to the centre
-  float axis[3];        ///< unit; not read for a ball
-  float half_length;    ///< of the cylinder; not read for a ball
+  int32_t base[3];  ///< the grid point nearest to the centre
+  float offset
+      [3];  ///< from the middle of base's cell, where its points are taken to lie, to the centre
+  float axis[3];      ///< unit; not read for a ball
+  float half_length;  ///< of the cylinder; not read for a ball
   float radius;
   bool is_ball;
 };

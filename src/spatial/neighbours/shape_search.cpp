@@ -42,7 +42,8 @@ GridShape ShapeSearch::grid_shape(const Shape& shape) const {
     out.offset[c] = static_cast<float>(grid[c] - 0.5 - base);
     out.axis[c] = static_cast<float>(shape.axis[c]);
   }
-  const double radius = shape.radius_m * tree.inverse_step, half_length = shape.half_length_m * tree.inverse_step;
+  const double radius = shape.radius_m * tree.inverse_step,
+               half_length = shape.half_length_m * tree.inverse_step;
   out.radius = widened(radius, radius + half_length);
   out.half_length = widened(half_length, radius + half_length);
   out.is_ball = shape.is_ball;
@@ -78,8 +79,12 @@ void ShapeSearch::take(const Shape& shape) {
     coordinates_.resize(3 * capacity);
     positions_.resize(capacity);
     candidates_.resize(capacity);
-    points_ = {coordinates_.data(), coordinates_.data() + capacity, coordinates_.data() + 2 * capacity,
-               positions_.data(),   capacity,                      0};
+    points_ = {coordinates_.data(),
+               coordinates_.data() + capacity,
+               coordinates_.data() + 2 * capacity,
+               positions_.data(),
+               capacity,
+               0};
     if (kernel(tree_.impl().view, grid, points_)) break;
     positions_.resize(2 * capacity);
   }
@@ -111,8 +116,8 @@ std::span<const Vec3> ShapeSearch::ball(const Vec3& centre, double radius_m) {
   return offsets_;
 }
 
-std::span<const ShapeSearch::Along> ShapeSearch::cylinder(const Vec3& centre, const Vec3& axis, double radius_m,
-                                                          double half_length_m) {
+std::span<const ShapeSearch::Along> ShapeSearch::cylinder(const Vec3& centre, const Vec3& axis,
+                                                          double radius_m, double half_length_m) {
   const Octree::Impl& tree = tree_.impl();
   const size_t candidates = search({centre, axis, radius_m, half_length_m, false});
   const double squared_radius = radius_m * radius_m;

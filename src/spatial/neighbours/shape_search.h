@@ -33,7 +33,8 @@ class ShapeSearch {
   };
   /// Points at most radius_m from the axis through the centre and half_length_m from it along the axis (a unit vector),
   /// closed, in curve order. Valid until the next search.
-  std::span<const Along> cylinder(const Vec3& centre, const Vec3& axis, double radius_m, double half_length_m);
+  std::span<const Along> cylinder(const Vec3& centre, const Vec3& axis, double radius_m,
+                                  double half_length_m);
 
   /// Sorted positions of what ball() gave last, in the same order.
   std::span<const uint32_t> ball_positions() const { return {candidates_.data(), offsets_.size()}; }
@@ -52,7 +53,7 @@ class ShapeSearch {
   const Octree& tree_;
   bool avx2_;
   bool taken_ = false;
-  Shape wide_;           ///< whose points stand in taken_points_
+  Shape wide_;  ///< whose points stand in taken_points_
   ShapePoints points_{};
   std::vector<int32_t> coordinates_;
   std::vector<uint32_t> positions_, candidates_;

@@ -13,7 +13,8 @@ namespace jalon {
 
 namespace {
 
-constexpr int32_t kHigh = std::numeric_limits<int32_t>::max(), kLow = std::numeric_limits<int32_t>::min();
+constexpr int32_t kHigh = std::numeric_limits<int32_t>::max(),
+                  kLow = std::numeric_limits<int32_t>::min();
 
 void clear(BoxBlock& block, size_t slot) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -57,8 +58,10 @@ void Octree::Impl::build_boxes(Task& task) {
       clear(block, slot);
       if (child >= children) continue;
       for (int axis = 0; axis < 3; ++axis) {
-        block.lo[axis][slot] = *std::min_element(below[child].lo[axis], below[child].lo[axis] + kBoxes);
-        block.hi[axis][slot] = *std::max_element(below[child].hi[axis], below[child].hi[axis] + kBoxes);
+        block.lo[axis][slot] =
+            *std::min_element(below[child].lo[axis], below[child].lo[axis] + kBoxes);
+        block.hi[axis][slot] =
+            *std::max_element(below[child].hi[axis], below[child].hi[axis] + kBoxes);
       }
     }
     levels.push_back(std::move(above));

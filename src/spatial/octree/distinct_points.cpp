@@ -22,7 +22,8 @@ bool one_node(const BoxBlock& block, size_t slot) {
 
 // All points of the leaf equal the first of the leaf before.
 bool repeats(const Octree::Impl& tree, size_t leaf) {
-  const BoxBlock &here = tree.levels[0][leaf / kBoxes], &before = tree.levels[0][(leaf - 1) / kBoxes];
+  const BoxBlock &here = tree.levels[0][leaf / kBoxes],
+                 &before = tree.levels[0][(leaf - 1) / kBoxes];
   const size_t slot = leaf % kBoxes, slot_before = (leaf - 1) % kBoxes;
   if (!one_node(here, slot) || !one_node(before, slot_before)) return false;
   const Vec3 first = tree.exact_point(tree.leaf_first[leaf - 1]);
@@ -59,7 +60,8 @@ void DistinctPoints::thin(const std::vector<uint32_t>& leaves, Task& task) {
   for (size_t p = 0; p < tree.count; ++p) position[tree.order[p]] = static_cast<uint32_t>(p);
   size_t kept = tree.count;
   for (const uint32_t leaf : leaves) {
-    for (size_t p = tree.leaf_first[leaf]; p < tree.leaf_first[leaf + 1]; ++p) position[tree.order[p]] = kNoPoint;
+    for (size_t p = tree.leaf_first[leaf]; p < tree.leaf_first[leaf + 1]; ++p)
+      position[tree.order[p]] = kNoPoint;
     kept -= tree.leaf_first[leaf + 1] - tree.leaf_first[leaf];
   }
   task.checkpoint(0);

@@ -14,8 +14,9 @@
 
 namespace jalon {
 
-constexpr int kGridBits = 31;             ///< bits of a fixed-point coordinate; the top 21 make the code
-constexpr uint32_t kLeafPoints = 16;      ///< most points of a leaf, and so queries of a group (kMostQueries)
+constexpr int kGridBits = 31;  ///< bits of a fixed-point coordinate; the top 21 make the code
+constexpr uint32_t kLeafPoints =
+    16;  ///< most points of a leaf, and so queries of a group (kMostQueries)
 /// A point on the grid, with the caller's index: what the sort moves.
 struct alignas(16) GridPoint {
   int32_t x, y, z;
@@ -35,7 +36,8 @@ struct Octree::Impl {
   std::span<const double> xyz;
   Cube cube;
   double step = 1, inverse_step = 1;
-  bool on_grid = true;  ///< every coordinate equals origin + grid * step: the doubles need not be read
+  bool on_grid =
+      true;  ///< every coordinate equals origin + grid * step: the doubles need not be read
   size_t count = 0;
   Buffer<int32_t> x, y, z;
   Buffer<uint32_t> order;
@@ -50,7 +52,8 @@ struct Octree::Impl {
   /// The caller's coordinates, bit for bit.
   Vec3 exact_point(size_t i) const {
     if (on_grid) {
-      return {cube.origin.x + x[i] * step, cube.origin.y + y[i] * step, cube.origin.z + z[i] * step};
+      return {cube.origin.x + x[i] * step, cube.origin.y + y[i] * step,
+              cube.origin.z + z[i] * step};
     }
     const double* p = xyz.data() + 3 * static_cast<size_t>(order[i]);
     return {p[0], p[1], p[2]};
@@ -59,10 +62,8 @@ struct Octree::Impl {
   size_t lower_bound(uint64_t prefix, int shift, size_t from, size_t to) const {
     while (from < to) {
       const size_t middle = from + (to - from) / 2;
-      if (code_of(x[middle], y[middle], z[middle]) >> shift < prefix)
-        from = middle + 1;
-      else
-        to = middle;
+      if (code_of(x[middle], y[middle], z[middle]) >> shift < prefix) from = middle + 1;
+      else to = middle;
     }
     return from;
   }
@@ -73,8 +74,8 @@ struct Octree::Impl {
   /// The sorted position of the point nearest to a place, of equally near ones that of the smallest index.
   uint32_t nearest_position(const Vec3& q) const;
 
-  void sort_points(Task& task);             ///< fills x, y, z, order, leaf_first (octree_sort.cpp)
-  void build_boxes(Task& task);             ///< fills levels (octree_boxes.cpp)
+  void sort_points(Task& task);  ///< fills x, y, z, order, leaf_first (octree_sort.cpp)
+  void build_boxes(Task& task);  ///< fills levels (octree_boxes.cpp)
 };
 
 }  // namespace jalon

@@ -22,7 +22,8 @@ struct Window {
 
   bool meets(const BoxBlock& block, size_t slot) const {
     bool outside = false;
-    for (int axis = 0; axis < 3; ++axis) outside |= block.lo[axis][slot] > hi[axis] || block.hi[axis][slot] < lo[axis];
+    for (int axis = 0; axis < 3; ++axis)
+      outside |= block.lo[axis][slot] > hi[axis] || block.hi[axis][slot] < lo[axis];
     return !outside;
   }
 };
@@ -35,22 +36,21 @@ Window window_of(const OctreeView& view, size_t leaf, double reach) {
   Window window;
   for (int axis = 0; axis < 3; ++axis) {
     window.lo[axis] = static_cast<int32_t>(std::max<int64_t>(0, block.lo[axis][slot] - margin));
-    window.hi[axis] = static_cast<int32_t>(std::min<int64_t>(kLastOfGrid, block.hi[axis][slot] + margin));
+    window.hi[axis] =
+        static_cast<int32_t>(std::min<int64_t>(kLastOfGrid, block.hi[axis][slot] + margin));
   }
   return window;
 }
 
 // Depth first below one block, in the order of the curve, so that the leaves come out ascending.
-void collect(const OctreeView& view, int level, size_t block, const Window& window, size_t self, size_t most,
-             std::vector<uint32_t>& out) {
+void collect(const OctreeView& view, int level, size_t block, const Window& window, size_t self,
+             size_t most, std::vector<uint32_t>& out) {
   const BoxBlock& boxes = view.blocks[level][block];
   for (size_t slot = 0; slot < kBoxes && out.size() < most; ++slot) {
     if (!window.meets(boxes, slot)) continue;
     const size_t child = block * kBoxes + slot;
-    if (level > 0)
-      collect(view, level - 1, child, window, self, most, out);
-    else if (child != self)
-      out.push_back(static_cast<uint32_t>(child));
+    if (level > 0) collect(view, level - 1, child, window, self, most, out);
+    else if (child != self) out.push_back(static_cast<uint32_t>(child));
   }
 }
 
@@ -81,8 +81,9 @@ LeafGraph leaf_graph(const Octree& tree, std::span<const float> reach_m, Task& t
   graph.neighbours.resize(graph.first[leaves]);
   parallel_for(task, parts.size(), 8, [&](size_t begin, size_t end) {
     for (size_t p = begin; p < end; ++p)
-      std::copy(parts[p].begin(), parts[p].end(),
-                graph.neighbours.begin() + static_cast<ptrdiff_t>(graph.first[p * kLeavesPerChunk]));
+      std::copy(
+          parts[p].begin(), parts[p].end(),
+          graph.neighbours.begin() + static_cast<ptrdiff_t>(graph.first[p * kLeavesPerChunk]));
   });
   return graph;
 }

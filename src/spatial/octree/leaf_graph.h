@@ -19,8 +19,9 @@ std::span<const uint32_t> leaf_firsts(const Octree& tree);
 
 /// Which leaves lie near each other, as adjacency lists one after the other.
 struct LeafGraph {
-  std::vector<size_t> first;         ///< leaves + 1
-  std::vector<uint32_t> neighbours;  ///< of leaf i: neighbours[first[i]] ... neighbours[first[i + 1] - 1], ascending
+  std::vector<size_t> first;  ///< leaves + 1
+  std::vector<uint32_t>
+      neighbours;  ///< of leaf i: neighbours[first[i]] ... neighbours[first[i + 1] - 1], ascending
 
   std::span<const uint32_t> of(size_t leaf) const {
     return {neighbours.data() + first[leaf], first[leaf + 1] - first[leaf]};

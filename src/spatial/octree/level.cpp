@@ -28,13 +28,15 @@ constexpr double kLevelRounding = 1 + 1e-12;
 constexpr int64_t kEverything = int64_t{1} << 32;  // a Chebyshev distance beyond all cells
 
 bool nearer(const Neighbour& a, const Neighbour& b) {
-  return a.squared_distance < b.squared_distance || (a.squared_distance == b.squared_distance && a.index < b.index);
+  return a.squared_distance < b.squared_distance ||
+         (a.squared_distance == b.squared_distance && a.index < b.index);
 }
 
 // The occupied cells of one level, and what lies at which Chebyshev distance of a cell.
 class LevelCells {
  public:
-  LevelCells(const Octree& tree, int level, Task& task) : level_(level), cells_(tree.cells(level, task)) {}
+  LevelCells(const Octree& tree, int level, Task& task)
+      : level_(level), cells_(tree.cells(level, task)) {}
 
   // Smallest Chebyshev distance > inner at which there are points; kEverything when there are none.
   int64_t next_shell(const CellNumbers& c, int64_t inner) const {
@@ -43,14 +45,16 @@ class LevelCells {
     return best;
   }
   // Appends the sorted positions of the points in shells (inner, outer].
-  void gather(const CellNumbers& c, int64_t inner, int64_t outer, std::vector<uint32_t>& points) const {
+  void gather(const CellNumbers& c, int64_t inner, int64_t outer,
+              std::vector<uint32_t>& points) const {
     const double side = 2.0 * static_cast<double>(outer) + 1;
     if (side * side * side <= 27) {  // few cells: look each up
       for (int64_t p = c.p - outer; p <= c.p + outer; ++p)
         for (int64_t q = c.q - outer; q <= c.q + outer; ++q)
           for (int64_t r = c.r - outer; r <= c.r + outer; ++r)
             if (inside(p) && inside(q) && inside(r) && distance(c, p, q, r) > inner)
-              look_up(morton_code(static_cast<uint32_t>(p), static_cast<uint32_t>(q), static_cast<uint32_t>(r)),
+              look_up(morton_code(static_cast<uint32_t>(p), static_cast<uint32_t>(q),
+                                  static_cast<uint32_t>(r)),
                       points);
     } else {
       descend(c, inner, outer, 0, 0, 0, cells_.size(), points);
@@ -65,11 +69,13 @@ class LevelCells {
   void take(const Octree::Cell& cell, std::vector<uint32_t>& points) const {
     const size_t at = points.size();
     points.resize(at + cell.count);
-    std::iota(points.begin() + static_cast<ptrdiff_t>(at), points.end(), static_cast<uint32_t>(cell.first));
+    std::iota(points.begin() + static_cast<ptrdiff_t>(at), points.end(),
+              static_cast<uint32_t>(cell.first));
   }
   void look_up(uint64_t code, std::vector<uint32_t>& points) const {
-    const auto at = std::lower_bound(cells_.begin(), cells_.end(), code,
-                                     [](const Octree::Cell& cell, uint64_t wanted) { return cell.code < wanted; });
+    const auto at = std::lower_bound(
+        cells_.begin(), cells_.end(), code,
+        [](const Octree::Cell& cell, uint64_t wanted) { return cell.code < wanted; });
     if (at != cells_.end() && at->code == code) take(*at, points);
   }
   // Least and greatest Chebyshev distance between cell c and the cells below a prefix.
@@ -91,16 +97,17 @@ class LevelCells {
     const int shift = 3 * (level_ - level - 1);
     while (begin < end) {
       const uint64_t prefix = cells_[begin].code >> shift;
-      const auto next = std::lower_bound(cells_.begin() + static_cast<ptrdiff_t>(begin) + 1,
-                                         cells_.begin() + static_cast<ptrdiff_t>(end), (prefix + 1) << shift,
-                                         [](const Octree::Cell& cell, uint64_t code) { return cell.code < code; });
+      const auto next = std::lower_bound(
+          cells_.begin() + static_cast<ptrdiff_t>(begin) + 1,
+          cells_.begin() + static_cast<ptrdiff_t>(end), (prefix + 1) << shift,
+          [](const Octree::Cell& cell, uint64_t code) { return cell.code < code; });
       const auto to = static_cast<size_t>(next - cells_.begin());
       f(prefix, begin, to);
       begin = to;
     }
   }
-  void descend(const CellNumbers& c, int64_t inner, int64_t outer, int level, uint64_t prefix, size_t begin, size_t end,
-               std::vector<uint32_t>& points) const {
+  void descend(const CellNumbers& c, int64_t inner, int64_t outer, int level, uint64_t prefix,
+               size_t begin, size_t end, std::vector<uint32_t>& points) const {
     const auto [least, greatest] = reach(c, level, prefix);
     if (least > outer || greatest <= inner) return;
     if (level == level_ || (least > inner && greatest <= outer)) {
@@ -111,8 +118,8 @@ class LevelCells {
       descend(c, inner, outer, level + 1, child, from, to, points);
     });
   }
-  void descend_nearest(const CellNumbers& c, int64_t inner, int level, uint64_t prefix, size_t begin, size_t end,
-                       int64_t& best) const {
+  void descend_nearest(const CellNumbers& c, int64_t inner, int level, uint64_t prefix,
+                       size_t begin, size_t end, int64_t& best) const {
     if (begin == end) return;
     const auto [least, greatest] = reach(c, level, prefix);
     if (greatest <= inner || std::max(least, inner + 1) >= best) return;
@@ -120,10 +127,9 @@ class LevelCells {
       best = least;
       return;
     }
-    for_children(level, begin, end,
-                 [&](uint64_t child, size_t from, size_t to) {
-                   descend_nearest(c, inner, level + 1, child, from, to, best);
-                 });
+    for_children(level, begin, end, [&](uint64_t child, size_t from, size_t to) {
+      descend_nearest(c, inner, level + 1, child, from, to, best);
+    });
   }
 
   int level_;
@@ -134,7 +140,10 @@ class LevelCells {
 class CellSearch {
  public:
   CellSearch(const Octree::Impl& tree, const LevelCells& cells, int level, uint32_t k)
-      : tree_(tree), cells_(cells), k_(std::min<size_t>(k, tree.count)), edge_(std::ldexp(1.0, kGridBits - level)) {}
+      : tree_(tree),
+        cells_(cells),
+        k_(std::min<size_t>(k, tree.count)),
+        edge_(std::ldexp(1.0, kGridBits - level)) {}
 
   void enter(const CellNumbers& cell) {
     cell_ = cell;
@@ -154,8 +163,10 @@ class CellSearch {
     // Steps 3 to 5.
     while (!complete_) {
       const double covered =
-          (r0 + static_cast<double>(std::max<int64_t>(shell_, 0)) * edge_) * (1 - 1e-12) - kLevelGridError;
-      if (shell_ >= 0 && heap_.size() == k_ && std::sqrt(heap_[0].squared_distance) * tree_.inverse_step < covered)
+          (r0 + static_cast<double>(std::max<int64_t>(shell_, 0)) * edge_) * (1 - 1e-12) -
+          kLevelGridError;
+      if (shell_ >= 0 && heap_.size() == k_ &&
+          std::sqrt(heap_[0].squared_distance) * tree_.inverse_step < covered)
         break;
       const size_t known = points_.size();
       extend(r0);
@@ -180,9 +191,11 @@ class CellSearch {
   void extend(double r0) {
     int64_t outer;
     if (heap_.size() == k_) {
-      const double d = std::sqrt(heap_[0].squared_distance) * tree_.inverse_step * kLevelRounding + 4 * kLevelGridError;
+      const double d = std::sqrt(heap_[0].squared_distance) * tree_.inverse_step * kLevelRounding +
+                       4 * kLevelGridError;
       const double j = std::ceil((d - r0) / edge_);
-      outer = j < static_cast<double>(kEverything) ? std::max(static_cast<int64_t>(j), shell_ + 1) : kEverything;
+      outer = j < static_cast<double>(kEverything) ? std::max(static_cast<int64_t>(j), shell_ + 1)
+                                                   : kEverything;
     } else {
       outer = shell_ < 0 ? 0 : cells_.next_shell(cell_, shell_);
     }
@@ -207,7 +220,9 @@ class CellSearch {
       }
       std::push_heap(heap_.begin(), heap_.end(), nearer);
       if (heap_.size() < k_) continue;
-      const double reach = std::sqrt(heap_[0].squared_distance) * tree_.inverse_step * kLevelRounding + kLevelGridError;
+      const double reach =
+          std::sqrt(heap_[0].squared_distance) * tree_.inverse_step * kLevelRounding +
+          kLevelGridError;
       limit_ = reach * reach * kLevelRounding;
     }
   }
@@ -217,8 +232,8 @@ class CellSearch {
   size_t k_;
   double edge_, limit_ = 0;
   CellNumbers cell_{};
-  int64_t shell_ = -1;      // shells 0 ... shell_ are gathered
-  bool complete_ = false;   // all points are
+  int64_t shell_ = -1;     // shells 0 ... shell_ are gathered
+  bool complete_ = false;  // all points are
   std::vector<uint32_t> points_;
   std::vector<Neighbour> heap_;
 };
@@ -228,15 +243,17 @@ uint64_t query_code(const Octree::Impl& tree, const Vec3& query, int level) {
   const Vec3 q = (query - tree.cube.origin) * tree.inverse_step;
   uint32_t number[3];
   for (int axis = 0; axis < 3; ++axis)
-    number[axis] = static_cast<uint32_t>(std::clamp(q[axis], 0.0, 0x1p31 - 1)) >> (kGridBits - level);
+    number[axis] =
+        static_cast<uint32_t>(std::clamp(q[axis], 0.0, 0x1p31 - 1)) >> (kGridBits - level);
   return morton_code(number[0], number[1], number[2]);
 }
 
 }  // namespace
 
-void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32_t k, int level, Task& task,
-                  std::span<Neighbour> out) {
-  if (level < 1 || level > kMaxLevel) fail(Status::kInvalidArgument, "level %d is outside 1 ... %d", level, kMaxLevel);
+void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32_t k, int level,
+                  Task& task, std::span<Neighbour> out) {
+  if (level < 1 || level > kMaxLevel)
+    fail(Status::kInvalidArgument, "level %d is outside 1 ... %d", level, kMaxLevel);
   const Octree::Impl& tree = reference.impl();
   if (tree.count == 0 || k == 0) {
     std::fill(out.begin(), out.end(), Neighbour{std::numeric_limits<double>::infinity(), kNoPoint});
@@ -254,9 +271,11 @@ void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32
   constexpr int kDigitBits = 12;
   const int shift = std::max(0, 3 * level - kDigitBits);
   const auto begins = partition(
-      queries.size(), size_t{1} << std::min(3 * level, kDigitBits), [shift](const Query& q) { return q.code >> shift; },
-      task,
-      sorted.data(), [&](size_t i) { return Query{query_code(tree, queries[i], level), i}; });
+      queries.size(), size_t{1} << std::min(3 * level, kDigitBits),
+      [shift](const Query& q) { return q.code >> shift; }, task, sorted.data(),
+      [&](size_t i) {
+        return Query{query_code(tree, queries[i], level), i};
+      });
   const auto groups = groups_of(begins.size() - 1, size_t{1} << 14,
                                 [&](size_t b) { return begins[b + 1] - begins[b]; });
   parallel_chunks(task, groups.size() - 1, [&](size_t g) {
@@ -269,7 +288,8 @@ void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32
   parallel_for(task, sorted.size(), kGrain, [&](size_t begin, size_t end) {
     CellSearch search(tree, cells, level, k);
     for (size_t i = begin; i < end; ++i) {
-      if (i == begin || sorted[i].code != sorted[i - 1].code) search.enter(cell_numbers(sorted[i].code));
+      if (i == begin || sorted[i].code != sorted[i - 1].code)
+        search.enter(cell_numbers(sorted[i].code));
       search.find(queries[sorted[i].index], out.subspan(sorted[i].index * k, k));
     }
   });
@@ -284,7 +304,8 @@ int best_level(const Octree& reference, const Octree& compared, uint32_t k, Task
   if (reference.size() == 0 || compared.size() == 0) return best_level;
   for (int level = 1; level <= kMaxLevel; ++level) {
     const auto cells1 = compared.cells(level, task), cells2 = reference.cells(level, task);
-    size_t alone = 0, at = 0;  // cells of the compared cloud without a homologue of at least k points
+    size_t alone = 0,
+           at = 0;  // cells of the compared cloud without a homologue of at least k points
     for (const auto& cell : cells1) {
       while (at < cells2.size() && cells2[at].code < cell.code) ++at;
       alone += at == cells2.size() || cells2[at].code != cell.code || cells2[at].count < k;

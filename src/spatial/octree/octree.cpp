@@ -14,8 +14,9 @@ namespace jalon {
 
 namespace {
 
-constexpr int kSmallestEdge = -20;  // 2^-20 m: squared steps stay normal numbers in single precision
-constexpr int kLargestEdge = 60;    // squared distances likewise stay finite
+constexpr int kSmallestEdge =
+    -20;                          // 2^-20 m: squared steps stay normal numbers in single precision
+constexpr int kLargestEdge = 60;  // squared distances likewise stay finite
 
 }  // namespace
 
@@ -44,7 +45,8 @@ Cube enclosing_cube(const Box3& box) {
 Octree::Octree() : impl_(std::make_unique<Impl>()) {}
 Octree::~Octree() = default;
 
-std::shared_ptr<const Octree> Octree::build(std::span<const double> xyz, const Cube& cube, Task& task) {
+std::shared_ptr<const Octree> Octree::build(std::span<const double> xyz, const Cube& cube,
+                                            Task& task) {
   std::shared_ptr<Octree> tree(new Octree());
   Impl& impl = *tree->impl_;
   impl.xyz = xyz;
@@ -66,7 +68,9 @@ std::shared_ptr<const Octree> Octree::build(std::span<const double> xyz, const C
 
 size_t Octree::size() const { return impl_->count; }
 const Cube& Octree::cube() const { return impl_->cube; }
-std::span<const uint32_t> Octree::order() const { return {impl_->order.data(), impl_->order.size()}; }
+std::span<const uint32_t> Octree::order() const {
+  return {impl_->order.data(), impl_->order.size()};
+}
 uint64_t Octree::code(size_t i) const { return code_of(impl_->x[i], impl_->y[i], impl_->z[i]); }
 const int32_t* Octree::grid_x() const { return impl_->x.data(); }
 const int32_t* Octree::grid_y() const { return impl_->y.data(); }
@@ -82,7 +86,8 @@ size_t Octree::memory_bytes() const {
 
 std::vector<uint64_t> Octree::cell_counts(Task& task) const {
   struct Counts {
-    std::array<uint64_t, kMaxLevel + 1> begins{};  // cells that begin at this level and, so, at all deeper ones
+    std::array<uint64_t, kMaxLevel + 1>
+        begins{};  // cells that begin at this level and, so, at all deeper ones
     Counts& operator+=(const Counts& b) {
       for (size_t i = 0; i < begins.size(); ++i) begins[i] += b.begins[i];
       return *this;
@@ -94,9 +99,9 @@ std::vector<uint64_t> Octree::cell_counts(Task& task) const {
     uint64_t before = begin == 0 ? 0 : code(begin - 1);
     for (size_t i = begin; i < end; ++i) {
       const uint64_t here = code(i), differing = here ^ before;
-      if (i == 0)
-        ++counts.begins[0];
-      else if (differing != 0)  // 2.1 step 5: highest differing bit b: new cells from level N - b / 3 on
+      if (i == 0) ++counts.begins[0];
+      else if (differing !=
+               0)  // 2.1 step 5: highest differing bit b: new cells from level N - b / 3 on
         ++counts.begins[static_cast<size_t>(kMaxLevel - (63 - std::countl_zero(differing)) / 3)];
       before = here;
     }
@@ -152,14 +157,15 @@ Octree::Cell Octree::cell(int level, uint64_t wanted) const {
 std::vector<uint64_t> Octree::neighbour_cells(int level, uint64_t centre, uint32_t reach) const {
   require_level(level);
   if (centre >> 3 * level != 0)
-    fail(Status::kInvalidArgument, "code %llu has more than %d bits", static_cast<unsigned long long>(centre),
-         3 * level);
+    fail(Status::kInvalidArgument, "code %llu has more than %d bits",
+         static_cast<unsigned long long>(centre), 3 * level);
   const CellNumbers c = cell_numbers(centre);
   const int64_t side = int64_t{1} << level;
   const auto low = [&](uint32_t v) { return std::max<int64_t>(0, int64_t{v} - reach); };
   const auto high = [&](uint32_t v) { return std::min<int64_t>(side - 1, int64_t{v} + reach); };
   std::vector<uint64_t> out;
-  const double volume = static_cast<double>(high(c.p) - low(c.p) + 1) * static_cast<double>(high(c.q) - low(c.q) + 1) *
+  const double volume = static_cast<double>(high(c.p) - low(c.p) + 1) *
+                        static_cast<double>(high(c.q) - low(c.q) + 1) *
                         static_cast<double>(high(c.r) - low(c.r) + 1);
   const int shift = 3 * (kMaxLevel - level);
   if (volume > static_cast<double>(size())) {  // wide reach: look at the occupied cells instead
@@ -169,8 +175,8 @@ std::vector<uint64_t> Octree::neighbour_cells(int level, uint64_t centre, uint32
       if (here == before) continue;
       before = here;
       const CellNumbers n = cell_numbers(here);
-      if (here != centre && n.p >= low(c.p) && n.p <= high(c.p) && n.q >= low(c.q) && n.q <= high(c.q) &&
-          n.r >= low(c.r) && n.r <= high(c.r))
+      if (here != centre && n.p >= low(c.p) && n.p <= high(c.p) && n.q >= low(c.q) &&
+          n.q <= high(c.q) && n.r >= low(c.r) && n.r <= high(c.r))
         out.push_back(here);
     }
     return out;
@@ -178,7 +184,8 @@ std::vector<uint64_t> Octree::neighbour_cells(int level, uint64_t centre, uint32
   for (int64_t p = low(c.p); p <= high(c.p); ++p)
     for (int64_t q = low(c.q); q <= high(c.q); ++q)
       for (int64_t r = low(c.r); r <= high(c.r); ++r) {
-        const uint64_t code = morton_code(static_cast<uint32_t>(p), static_cast<uint32_t>(q), static_cast<uint32_t>(r));
+        const uint64_t code = morton_code(static_cast<uint32_t>(p), static_cast<uint32_t>(q),
+                                          static_cast<uint32_t>(r));
         if (code != centre && cell(level, code).count != 0) out.push_back(code);
       }
   std::sort(out.begin(), out.end());

@@ -43,17 +43,18 @@ struct Neighbour {
 class Octree {
  public:
   /// xyz: 3n doubles, finite. Throws kLimit above 2^32 - 2 points. Parallel; the same bits for any number of threads.
-  static std::shared_ptr<const Octree> build(std::span<const double> xyz, const Cube& cube, Task& task);
+  static std::shared_ptr<const Octree> build(std::span<const double> xyz, const Cube& cube,
+                                             Task& task);
   ~Octree();
 
   size_t size() const;
   const Cube& cube() const;
-  std::span<const uint32_t> order() const;        ///< sorted position -> caller's index
-  uint64_t code(size_t sorted_position) const;    ///< 63-bit Morton code at level 21
+  std::span<const uint32_t> order() const;      ///< sorted position -> caller's index
+  uint64_t code(size_t sorted_position) const;  ///< 63-bit Morton code at level 21
   size_t memory_bytes() const;
 
   struct Cell {
-    uint64_t code;     ///< 3 * level bits
+    uint64_t code;        ///< 3 * level bits
     size_t first, count;  ///< in sorted positions
   };
   /// Occupied cells of a level, in code order.
@@ -79,14 +80,16 @@ class Octree {
   /// For every point in sorted order its k nearest (itself included) by the fast batch path: visit(chunk, Batch),
   /// chunks of consecutive sorted positions, in parallel. k <= 256. Fewer than k points in the tree: kNoPoint fills up.
   struct Batch {
-    size_t first, count;          ///< sorted positions [first, first + count)
-    const uint32_t* neighbours;   ///< count * k sorted positions (not caller's indices)
-    const float* squared;         ///< count * k squared distances, m^2
+    size_t first, count;         ///< sorted positions [first, first + count)
+    const uint32_t* neighbours;  ///< count * k sorted positions (not caller's indices)
+    const float* squared;        ///< count * k squared distances, m^2
     uint32_t k;
   };
   template <class F>
   void for_each_knn(uint32_t k, Task& task, F&& visit) const {
-    knn_batches(k, task, [](void* p, const Batch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); }, &visit);
+    knn_batches(
+        k, task, [](void* p, const Batch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
+        &visit);
   }
   /// The same for all points within radius of each point (itself included).
   struct BallBatch {
@@ -97,8 +100,10 @@ class Octree {
   };
   template <class F>
   void for_each_ball(double radius, Task& task, F&& visit) const {
-    ball_batches(radius, task, [](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
-                 &visit);
+    ball_batches(
+        radius, task,
+        [](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
+        &visit);
   }
   /// Coordinates of a sorted position relative to the cube's origin, in metres, from the 31-bit grid (rounded down,
   /// error < edge / 2^31): enough for normals and features, and the same bits wherever the cloud lies.
@@ -115,15 +120,16 @@ class Octree {
  private:
   Octree();
   void knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batch&), void* context) const;
-  void ball_batches(double radius, Task& task, void (*visit)(void*, const BallBatch&), void* context) const;
+  void ball_batches(double radius, Task& task, void (*visit)(void*, const BallBatch&),
+                    void* context) const;
   std::unique_ptr<Impl> impl_;
 };
 
 /// Constant-level k nearest neighbours (2.3, formula 4.1), cell-batched: queries are grouped by their cell, and each
 /// group shares the points gathered around it. Queries may lie anywhere, in any order; the level (1 ... 21) changes the
 /// time, never the answer, which is that of Octree::knn. out: queries * k, filled up with kNoPoint at infinity.
-void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32_t k, int level, Task& task,
-                  std::span<Neighbour> out);
+void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32_t k, int level,
+                  Task& task, std::span<Neighbour> out);
 /// Formula 4.2: the level expected to be fastest for k neighbours in reference of all points of compared. Both on one
 /// cube.
 int best_level(const Octree& reference, const Octree& compared, uint32_t k, Task& task);

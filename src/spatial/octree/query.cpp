@@ -60,7 +60,8 @@ void walk(const Octree::Impl& tree, const Vec3& q, Bound bound, Scan scan) {
       for (size_t i = 0; i < count; ++i)
         if (children[i].squared <= bound()) scan(children[i].block);
     } else {
-      for (size_t i = count; i-- > 0;) stack[depth++] = {children[i].squared, visit.level - 1, children[i].block};
+      for (size_t i = count; i-- > 0;)
+        stack[depth++] = {children[i].squared, visit.level - 1, children[i].block};
     }
   }
 }
@@ -68,7 +69,8 @@ void walk(const Octree::Impl& tree, const Vec3& q, Bound bound, Scan scan) {
 // Calls found(position, exact squared distance) for the points of a leaf that are not certainly beyond limit (grid
 // units).
 template <class Limit, class Found>
-void scan_leaf(const Octree::Impl& tree, size_t leaf, const Vec3& q_world, const Vec3& q, Limit limit, Found found) {
+void scan_leaf(const Octree::Impl& tree, size_t leaf, const Vec3& q_world, const Vec3& q,
+               Limit limit, Found found) {
   for (size_t i = tree.leaf_first[leaf]; i < tree.leaf_first[leaf + 1]; ++i) {
     const double dx = tree.x[i] + 0.5 - q.x, dy = tree.y[i] + 0.5 - q.y, dz = tree.z[i] + 0.5 - q.z;
     if (dx * dx + dy * dy + dz * dz > limit()) continue;
@@ -76,7 +78,9 @@ void scan_leaf(const Octree::Impl& tree, size_t leaf, const Vec3& q_world, const
   }
 }
 
-Vec3 to_grid(const Octree::Impl& tree, const Vec3& q) { return (q - tree.cube.origin) * tree.inverse_step; }
+Vec3 to_grid(const Octree::Impl& tree, const Vec3& q) {
+  return (q - tree.cube.origin) * tree.inverse_step;
+}
 
 // Largest squared grid distance of a grid centre whose point can be within sqrt(squared_m2) of the query.
 double limit_of(const Octree::Impl& tree, double squared_m2) {
@@ -87,7 +91,9 @@ double limit_of(const Octree::Impl& tree, double squared_m2) {
 struct Found {
   double squared;  // exact, m^2
   uint32_t index, position;
-  bool operator<(const Found& b) const { return squared < b.squared || (squared == b.squared && index < b.index); }
+  bool operator<(const Found& b) const {
+    return squared < b.squared || (squared == b.squared && index < b.index);
+  }
 };
 
 // The k nearest points of q, nearest first; heap has room for k. Returns how many there are.
@@ -160,32 +166,38 @@ void for_each_in_ball(const Octree::Impl& tree, const Vec3& q, double radius, Ta
 }
 
 void sort_by_index(std::vector<Neighbour>& points) {
-  std::sort(points.begin(), points.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
+  std::sort(points.begin(), points.end(),
+            [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
 }
 
 }  // namespace
 
 size_t Octree::knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
-  return for_each_of_nearest(*impl_, q, k,
-                             [&](size_t j, const Found& f) { out[j] = {f.squared, f.index}; });
+  return for_each_of_nearest(*impl_, q, k, [&](size_t j, const Found& f) {
+    out[j] = {f.squared, f.index};
+  });
 }
 
 bool Octree::nearest_within(const Vec3& q, double radius, Neighbour& out) const {
   Found found;
-  if (!(radius >= 0) || nearest(*impl_, q, 1, &found, radius) == 0 || found.squared > radius * radius) return false;
+  if (!(radius >= 0) || nearest(*impl_, q, 1, &found, radius) == 0 ||
+      found.squared > radius * radius)
+    return false;
   out = {found.squared, found.index};
   return true;
 }
 
 size_t Octree::knn_positions(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
-  return for_each_of_nearest(*impl_, q, k,
-                             [&](size_t j, const Found& f) { out[j] = {f.squared, f.position}; });
+  return for_each_of_nearest(*impl_, q, k, [&](size_t j, const Found& f) {
+    out[j] = {f.squared, f.position};
+  });
 }
 
 void Octree::radius(const Vec3& q, double radius, std::vector<Neighbour>& out) const {
   out.clear();
-  for_each_in_ball(*impl_, q, radius,
-                   [&](size_t position, double squared) { out.push_back({squared, impl_->order[position]}); });
+  for_each_in_ball(*impl_, q, radius, [&](size_t position, double squared) {
+    out.push_back({squared, impl_->order[position]});
+  });
   sort_by_index(out);
 }
 

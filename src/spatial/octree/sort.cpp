@@ -52,9 +52,11 @@ struct Bucket {
   bool in_second;  // which of the two record arrays holds it
 };
 
-void append_buckets(const std::vector<size_t>& begins, size_t offset, bool in_second, std::vector<Bucket>& buckets) {
+void append_buckets(const std::vector<size_t>& begins, size_t offset, bool in_second,
+                    std::vector<Bucket>& buckets) {
   for (size_t b = 0; b + 1 < begins.size(); ++b)
-    if (begins[b + 1] > begins[b]) buckets.push_back({offset + begins[b], begins[b + 1] - begins[b], in_second});
+    if (begins[b + 1] > begins[b])
+      buckets.push_back({offset + begins[b], begins[b + 1] - begins[b], in_second});
 }
 
 // First level at which points of the bucket differ, minus one; kMaxLevel when all share their code.
@@ -67,17 +69,20 @@ int common_levels(const GridPoint* points, size_t n, Task& task) {
     }
   };
   const GridPoint p = points[0];
-  const Bits bits = parallel_reduce(task, n, partition_grain(n), Bits{}, [&](size_t begin, size_t end) {
-    uint32_t all = 0;
-    for (size_t i = begin; i < end; ++i)
-      all |= static_cast<uint32_t>((points[i].x ^ p.x) | (points[i].y ^ p.y) | (points[i].z ^ p.z));
-    return Bits{all};
-  });
+  const Bits bits =
+      parallel_reduce(task, n, partition_grain(n), Bits{}, [&](size_t begin, size_t end) {
+        uint32_t all = 0;
+        for (size_t i = begin; i < end; ++i)
+          all |= static_cast<uint32_t>((points[i].x ^ p.x) | (points[i].y ^ p.y) |
+                                       (points[i].z ^ p.z));
+        return Bits{all};
+      });
   return std::min(kMaxLevel, kGridBits - (32 - std::countl_zero(bits.x)));
 }
 
 // Step 2: splits buckets larger than limit until none is left, in code order.
-std::vector<Bucket> split_large(std::vector<Bucket> buckets, size_t limit, GridPoint* arrays[2], Task& task) {
+std::vector<Bucket> split_large(std::vector<Bucket> buckets, size_t limit, GridPoint* arrays[2],
+                                Task& task) {
   for (bool again = true; again;) {
     again = false;
     std::vector<Bucket> split;
@@ -89,8 +94,9 @@ std::vector<Bucket> split_large(std::vector<Bucket> buckets, size_t limit, GridP
         continue;
       }
       const Digit digit{level, std::min(4, kMaxLevel - level)};
-      const auto begins = partition(bucket.count, digit.bins(), digit, task, arrays[!bucket.in_second] + bucket.first,
-                                    [from](size_t i) { return from[i]; });
+      const auto begins =
+          partition(bucket.count, digit.bins(), digit, task,
+                    arrays[!bucket.in_second] + bucket.first, [from](size_t i) { return from[i]; });
       append_buckets(begins, bucket.first, !bucket.in_second, split);
       again = true;
     }
@@ -102,17 +108,20 @@ std::vector<Bucket> split_large(std::vector<Bucket> buckets, size_t limit, GridP
 // Cuts sorted codes into leaves: runs of at most kLeafPoints points that never leave a cell which is too large for one
 // leaf. Neighbouring children of such a cell share a leaf while they fit; many points of one deepest cell are cut into
 // equal pieces.
-void cut_leaves(const uint64_t* codes, size_t first, size_t last, size_t offset, std::vector<uint32_t>& leaves) {
+void cut_leaves(const uint64_t* codes, size_t first, size_t last, size_t offset,
+                std::vector<uint32_t>& leaves) {
   const uint64_t differing = codes[first] ^ codes[last - 1];
   if (last - first <= kLeafPoints || differing == 0) {
-    for (size_t i = first; i < last; i += kLeafPoints) leaves.push_back(static_cast<uint32_t>(offset + i));
+    for (size_t i = first; i < last; i += kLeafPoints)
+      leaves.push_back(static_cast<uint32_t>(offset + i));
     return;
   }
   const int shift = (63 - std::countl_zero(differing)) / 3 * 3;
   size_t open = first;  // where the leaf begins that still takes children
   for (size_t begin = first; begin < last;) {
     const uint64_t next = ((codes[begin] >> shift) + 1) << shift;
-    const size_t end = static_cast<size_t>(std::lower_bound(codes + begin, codes + last, next) - codes);
+    const size_t end =
+        static_cast<size_t>(std::lower_bound(codes + begin, codes + last, next) - codes);
     if (end - begin > kLeafPoints) {
       if (open < begin) leaves.push_back(static_cast<uint32_t>(offset + open));
       cut_leaves(codes, begin, end, offset, leaves);
@@ -130,7 +139,8 @@ void cut_leaves(const uint64_t* codes, size_t first, size_t last, size_t offset,
 
 void Octree::Impl::sort_points(Task& task) {
   // Steps 1: buckets of some thousand points for a surface that fills the cube.
-  constexpr size_t kBucketGoal = 512;  // most cells of a surface's cube are empty, so the occupied ones hold far more
+  constexpr size_t kBucketGoal =
+      512;  // most cells of a surface's cube are empty, so the occupied ones hold far more
   int depth = 1;
   while (depth < 5 && (count >> 3 * depth) > kBucketGoal / 2) ++depth;
   Buffer<GridPoint> first_half(count), second_half(count);
@@ -147,10 +157,12 @@ void Octree::Impl::sort_points(Task& task) {
       constexpr double top = 0x1p31 - 1;
       return GridPoint{static_cast<int32_t>(std::min((q[0] - o.x) * inverse, top)),
                        static_cast<int32_t>(std::min((q[1] - o.y) * inverse, top)),
-                       static_cast<int32_t>(std::min((q[2] - o.z) * inverse, top)), static_cast<uint32_t>(i)};
+                       static_cast<int32_t>(std::min((q[2] - o.z) * inverse, top)),
+                       static_cast<uint32_t>(i)};
     };
     const Digit digit{0, depth};
-    append_buckets(partition(count, digit.bins(), digit, task, arrays[0], to_grid), 0, false, buckets);
+    append_buckets(partition(count, digit.bins(), digit, task, arrays[0], to_grid), 0, false,
+                   buckets);
     parallel_for(task, count, partition_grain(count), [&](size_t begin, size_t end) {
       bool exact = true;
       for (size_t i = begin; i < end; ++i) {
@@ -165,10 +177,12 @@ void Octree::Impl::sort_points(Task& task) {
   on_grid = all_on_grid;
   ProgressSpan rest(task, 0.5, 1);
   constexpr size_t kTaskPoints = size_t{1} << 15;
-  constexpr size_t kMostSerial = size_t{1} << 19;  // points of a bucket: a cancel has to wait for its sort
+  constexpr size_t kMostSerial = size_t{1}
+                                 << 19;  // points of a bucket: a cancel has to wait for its sort
   {
     ProgressSpan span(task, 0, 0.3);
-    buckets = split_large(std::move(buckets), std::clamp(count / 16, 4 * kTaskPoints, kMostSerial), arrays, task);
+    buckets = split_large(std::move(buckets), std::clamp(count / 16, 4 * kTaskPoints, kMostSerial),
+                          arrays, task);
   }
 
   // Step 3, in groups of buckets worth a hand-over.
@@ -176,7 +190,8 @@ void Octree::Impl::sort_points(Task& task) {
   y = Buffer<int32_t>(count);
   z = Buffer<int32_t>(count);
   order = Buffer<uint32_t>(count);
-  const auto groups = groups_of(buckets.size(), kTaskPoints, [&](size_t b) { return buckets[b].count; });
+  const auto groups =
+      groups_of(buckets.size(), kTaskPoints, [&](size_t b) { return buckets[b].count; });
   std::vector<std::vector<uint32_t>> leaves_of(groups.size() - 1);
   ProgressSpan span(task, 0.3, 1);
   parallel_chunks(task, groups.size() - 1, [&](size_t g) {
@@ -191,7 +206,8 @@ void Octree::Impl::sort_points(Task& task) {
         keys[i] = code_of(from[i].x, from[i].y, from[i].z);
         values[i] = static_cast<uint32_t>(i);
       }
-      sort_pairs({keys.data(), values.data()}, {keys.data() + most, values.data() + most}, bucket.count);
+      sort_pairs({keys.data(), values.data()}, {keys.data() + most, values.data() + most},
+                 bucket.count);
       for (size_t i = 0; i < bucket.count; ++i) {
         const GridPoint& q = from[values[i]];
         x[bucket.first + i] = q.x;

@@ -22,7 +22,7 @@ struct OctreeView {
   const uint32_t* leaf_first;  ///< leaf i holds the points leaf_first[i] ... leaf_first[i + 1] - 1
   /// By level, leaves first; block b of level i + 1 bounds the blocks 8 b ... 8 b + 7 of level i
   const BoxBlock* blocks[12];
-  int top;                     ///< the level of one block
+  int top;  ///< the level of one block
 };
 
 }  // namespace jalon

@@ -50,7 +50,8 @@ void walk_octree(const Octree& octree, Enter&& enter, Points&& points) {
   while (depth != 0) {
     const Visit visit = stack[--depth];
     if (visit.level == 0) {
-      points(static_cast<size_t>(tree.leaf_first[visit.block]), static_cast<size_t>(tree.leaf_first[visit.block + 1]));
+      points(static_cast<size_t>(tree.leaf_first[visit.block]),
+             static_cast<size_t>(tree.leaf_first[visit.block + 1]));
       continue;
     }
     const BoxBlock& block = tree.levels[visit.level - 1][visit.block];

@@ -30,7 +30,8 @@ template <class V>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class M, class V>
-[[gnu::always_inline]] inline Vector<V> choose(const M& mask, const Vector<V>& yes, const Vector<V>& no) {
+[[gnu::always_inline]] inline Vector<V> choose(const M& mask, const Vector<V>& yes,
+                                               const Vector<V>& no) {
   return {mask ? yes.x : no.x, mask ? yes.y : no.y, mask ? yes.z : no.z};
 }
 
@@ -45,7 +46,8 @@ struct SideResult {
 
 /// to_from, to_to: from either corner to the point.
 template <class V>
-[[gnu::always_inline]] inline SideResult<V> closest_on_side(const Vector<V>& side, const Vector<V>& to_from,
+[[gnu::always_inline]] inline SideResult<V> closest_on_side(const Vector<V>& side,
+                                                            const Vector<V>& to_from,
                                                             const Vector<V>& to_to) {
   SideResult<V> out;
   const V along = scalar(to_from, side);
@@ -53,7 +55,8 @@ template <class V>
   out.at_from = along <= V{};
   out.at_to = along >= out.length2;  // with at_from too: a side without length
   const V t = along / out.length2;
-  const Vector<V> between = {to_from.x - t * side.x, to_from.y - t * side.y, to_from.z - t * side.z};
+  const Vector<V> between = {to_from.x - t * side.x, to_from.y - t * side.y,
+                             to_from.z - t * side.z};
   out.rest = choose(out.at_from, to_from, choose(out.at_to, to_to, between));
   out.squared = scalar(out.rest, out.rest);
   return out;
@@ -62,12 +65,13 @@ template <class V>
 template <class V>
 struct ClosestResult {
   V squared;
-  Vector<V> rest;                       ///< from the closest point of the nearest side to the point
-  Vector<V> normal;                     ///< of the corners in their order, not normalised
-  V height;                             ///< of the point above the plane, times the normal's length
+  Vector<V> rest;    ///< from the closest point of the nearest side to the point
+  Vector<V> normal;  ///< of the corners in their order, not normalised
+  V height;          ///< of the point above the plane, times the normal's length
   V normal2;
-  decltype(V{} > V{}) on_face;          ///< it lies inside; else it is the closest point of the nearest side
-  decltype(V{} > V{}) use_ab, use_ac;   ///< the nearest side; neither: bc
+  decltype(V{} >
+           V{}) on_face;  ///< it lies inside; else it is the closest point of the nearest side
+  decltype(V{} > V{}) use_ab, use_ac;  ///< the nearest side; neither: bc
   SideResult<V> ab, ac, bc;
 };
 
@@ -77,8 +81,10 @@ struct ClosestResult {
 /// no farther from the foot than the triangle's least height. Corners must come in one order whatever triangle they
 /// belong to: then triangles that share a side or a corner find the same distance to it, bit by bit.
 template <class V>
-[[gnu::always_inline]] inline ClosestResult<V> closest_on_triangle(const Vector<V>& p, const Vector<V>& a,
-                                                                   const Vector<V>& b, const Vector<V>& c) {
+[[gnu::always_inline]] inline ClosestResult<V> closest_on_triangle(const Vector<V>& p,
+                                                                   const Vector<V>& a,
+                                                                   const Vector<V>& b,
+                                                                   const Vector<V>& c) {
   ClosestResult<V> out;
   const Vector<V> ab = minus(b, a), ac = minus(c, a), bc = minus(c, b);
   const Vector<V> ap = minus(p, a), bp = minus(p, b), cp = minus(p, c);
@@ -93,19 +99,22 @@ template <class V>
   out.use_ab = (out.ab.squared <= out.ac.squared) & (out.ab.squared <= out.bc.squared);
   out.use_ac = ac_wins & (out.ac.squared <= out.bc.squared);
   out.rest = choose(bc_wins, out.bc.rest, choose(ac_wins, out.ac.rest, out.ab.rest));
-  const auto at_corner = bc_wins ? out.bc.at_from | out.bc.at_to
-                                 : (ac_wins ? out.ac.at_from | out.ac.at_to : out.ab.at_from | out.ab.at_to);
+  const auto at_corner =
+      bc_wins ? out.bc.at_from | out.bc.at_to
+              : (ac_wins ? out.ac.at_from | out.ac.at_to : out.ab.at_from | out.ab.at_to);
   // 2. The plane, for a point above the face.
   out.normal = normal_to(ab, ac);
   out.normal2 = scalar(out.normal, out.normal);
   V longest2 = out.ab.length2 > out.ac.length2 ? out.ab.length2 : out.ac.length2;
   longest2 = longest2 > out.bc.length2 ? longest2 : out.bc.length2;
   out.height = scalar(out.normal, out.rest);
-  const V above2 = out.height * out.height / out.normal2, least2 = nearest2 - out.normal2 / longest2;
+  const V above2 = out.height * out.height / out.normal2,
+          least2 = nearest2 - out.normal2 / longest2;
   const V face2 = above2 > least2 ? above2 : least2;
-  out.on_face = (out.normal2 > longest2 * longest2 * kFlattest2) & (scalar(normal_to(ab, ap), out.normal) > V{}) &
-                (scalar(normal_to(bc, bp), out.normal) > V{}) & (scalar(normal_to(ac, cp), out.normal) < V{}) &
-                (face2 < nearest2) & ~at_corner;
+  out.on_face = (out.normal2 > longest2 * longest2 * kFlattest2) &
+                (scalar(normal_to(ab, ap), out.normal) > V{}) &
+                (scalar(normal_to(bc, bp), out.normal) > V{}) &
+                (scalar(normal_to(ac, cp), out.normal) < V{}) & (face2 < nearest2) & ~at_corner;
   out.squared = out.on_face ? face2 : nearest2;
   return out;
 }

@@ -38,7 +38,9 @@ struct FloatPoint {
 
 #if defined(__SSE2__)
 inline Float4 larger(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
-inline uint32_t less_equal(Float4 a, Float4 b) { return static_cast<uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a, b))); }
+inline uint32_t less_equal(Float4 a, Float4 b) {
+  return static_cast<uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a, b)));
+}
 #else
 inline Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
 inline uint32_t less_equal(Float4 a, Float4 b) {
@@ -64,11 +66,14 @@ struct PendingBox {
 };
 
 /// A float that no squared distance of a box up to the limit exceeds.
-inline float box_limit(double squared) { return static_cast<float>(squared) * (kRounding * kRounding) + kLeast; }
+inline float box_limit(double squared) {
+  return static_cast<float>(squared) * (kRounding * kRounding) + kLeast;
+}
 
 /// leaf(child) for the leaves whose box is no farther than limit, the nearest first; it gives the new limit.
 template <class F>
-[[gnu::always_inline]] inline void descend(const Node* nodes, const double* p, double limit2, F&& leaf) {
+[[gnu::always_inline]] inline void descend(const Node* nodes, const double* p, double limit2,
+                                           F&& leaf) {
   const FloatPoint point(p);
   PendingBox stack[kStackSize];
   size_t size = 0;

@@ -25,8 +25,8 @@ using triangle_tree::Node;
 constexpr double kNearestMaxSpan_m = 1e9;   // as of TriangleTree
 constexpr size_t kNearestBoxGrain = 65536;  // triangles a chunk, about 1 ms
 constexpr size_t kNodeGrain = 8192;
-constexpr size_t kAskGrain = 2048;   // points a chunk, about 1 ms
-constexpr size_t kRun = 256;         // points answered before they are looked at: they stay in the cache
+constexpr size_t kAskGrain = 2048;  // points a chunk, about 1 ms
+constexpr size_t kRun = 256;  // points answered before they are looked at: they stay in the cache
 
 constexpr size_t kMostDoubles = 3 * 3 * kWidth;  // corners of a leaf whose triangles share none
 
@@ -38,17 +38,18 @@ double limit_of(double max_distance) { return max_distance * max_distance * (1 +
 /// The box of the triangles' corners; throws when one is not finite.
 Box3 box_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles, Task& task) {
   std::atomic<bool> all_finite{true};
-  const Box3 box = parallel_reduce(task, triangles.size(), kNearestBoxGrain, Box3{}, [&](size_t begin, size_t end) {
-    Box3 part;
-    bool good = true;
-    for (size_t i = begin; i < end; ++i)
-      for (const uint32_t v : triangles[i]) {
-        good &= is_finite(vertices[v]);
-        part.add(vertices[v]);
-      }
-    if (!good) all_finite.store(false, std::memory_order_relaxed);
-    return part;
-  });
+  const Box3 box = parallel_reduce(task, triangles.size(), kNearestBoxGrain, Box3{},
+                                   [&](size_t begin, size_t end) {
+                                     Box3 part;
+                                     bool good = true;
+                                     for (size_t i = begin; i < end; ++i)
+                                       for (const uint32_t v : triangles[i]) {
+                                         good &= is_finite(vertices[v]);
+                                         part.add(vertices[v]);
+                                       }
+                                     if (!good) all_finite.store(false, std::memory_order_relaxed);
+                                     return part;
+                                   });
   if (all_finite.load()) return box;
   uint32_t first = ~uint32_t{0};
   for (const Triangle& t : triangles)
@@ -110,23 +111,26 @@ struct NearestTriangles::Impl {
 
   TriangleBlocks view() const { return {nodes.data(), blocks.data()}; }
   /// Fills a block but for where its corners are; gives how many doubles, up to kMostDoubles, of corners it has.
-  size_t fill_block(TriangleBlock& block, std::span<const Vec3> vertices, std::span<const Triangle> all,
-                    std::span<const uint32_t> order, double* found) const;
+  size_t fill_block(TriangleBlock& block, std::span<const Vec3> vertices,
+                    std::span<const Triangle> all, std::span<const uint32_t> order,
+                    double* found) const;
   /// Gives the order of the triangles in the tree.
-  std::vector<uint32_t> make_nodes(std::span<const Vec3> vertices, std::span<const Triangle> all, Task& task);
-  void make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all, std::span<const uint32_t> order,
-                   Task& task);
+  std::vector<uint32_t> make_nodes(std::span<const Vec3> vertices, std::span<const Triangle> all,
+                                   Task& task);
+  void make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all,
+                   std::span<const uint32_t> order, Task& task);
   TriangleAnswer answer_of(const NearestOfBlocks& found, const Vec3& local, double max_distance,
                            const TriangleQuestions& questions) const;
 };
 
 size_t NearestTriangles::Impl::fill_block(TriangleBlock& block, std::span<const Vec3> vertices,
-                                          std::span<const Triangle> all, std::span<const uint32_t> order,
-                                          double* found) const {
+                                          std::span<const Triangle> all,
+                                          std::span<const uint32_t> order, double* found) const {
   size_t used = 0;
   const auto place_of = [&](const Vec3& corner) {
     size_t at = 0;
-    while (at < used && !(found[at] == corner.x && found[at + 1] == corner.y && found[at + 2] == corner.z))
+    while (at < used &&
+           !(found[at] == corner.x && found[at + 1] == corner.y && found[at + 2] == corner.z))
       at += 3;
     if (at == used) {
       for (int axis = 0; axis < 3; ++axis) found[used++] = corner[axis];
@@ -148,7 +152,8 @@ size_t NearestTriangles::Impl::fill_block(TriangleBlock& block, std::span<const 
   return used;
 }
 
-std::vector<uint32_t> NearestTriangles::Impl::make_nodes(std::span<const Vec3> vertices, std::span<const Triangle> all,
+std::vector<uint32_t> NearestTriangles::Impl::make_nodes(std::span<const Vec3> vertices,
+                                                         std::span<const Triangle> all,
                                                          Task& task) {
   Buffer<FloatBox> boxes(all.size());
   parallel_for(task, all.size(), kNearestBoxGrain, [&](size_t begin, size_t end) {
@@ -159,12 +164,14 @@ std::vector<uint32_t> NearestTriangles::Impl::make_nodes(std::span<const Vec3> v
     }
   });
   const ProgressSpan span(task, 0.1, 0.8);
-  triangle_tree::Nodes tree = triangle_tree::build_nodes({boxes.data(), boxes.size()}, kWidth, kWidth, task);
+  triangle_tree::Nodes tree =
+      triangle_tree::build_nodes({boxes.data(), boxes.size()}, kWidth, kWidth, task);
   nodes = std::move(tree.nodes);
   return std::move(tree.order);
 }
 
-void NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all,
+void NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices,
+                                         std::span<const Triangle> all,
                                          std::span<const uint32_t> order, Task& task) {
   const std::vector<uint32_t> firsts = count_leaves(nodes, task);
   blocks = Buffer<TriangleBlock>(firsts.back());
@@ -178,15 +185,16 @@ void NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices, std::sp
       for (uint32_t i = 0; i < kWidth; ++i) {
         if (nodes[n].count[i] == 0) continue;
         double own[kMostDoubles];
-        const size_t used =
-            fill_block(blocks[leaf], vertices, all, order.subspan(nodes[n].child[i], nodes[n].count[i]), own);
+        const size_t used = fill_block(blocks[leaf], vertices, all,
+                                       order.subspan(nodes[n].child[i], nodes[n].count[i]), own);
         begins.push_back(found.size());
         found.insert(found.end(), own, own + used);
         nodes[n].child[i] = leaf++;
       }
     corners[chunk] = Buffer<double>(found.size());
     std::copy(found.begin(), found.end(), corners[chunk].data());
-    for (size_t b = 0; b < begins.size(); ++b) blocks[firsts[chunk] + b].corners = corners[chunk].data() + begins[b];
+    for (size_t b = 0; b < begins.size(); ++b)
+      blocks[firsts[chunk] + b].corners = corners[chunk].data() + begins[b];
   });
 }
 
@@ -194,16 +202,19 @@ NearestTriangles::NearestTriangles() : impl_(std::make_unique<Impl>()) {}
 NearestTriangles::~NearestTriangles() = default;
 size_t NearestTriangles::size() const { return impl_->triangles; }
 size_t NearestTriangles::memory_bytes() const {
-  size_t bytes = sizeof(Impl) + impl_->nodes.capacity() * sizeof(Node) + impl_->blocks.size() * sizeof(TriangleBlock);
+  size_t bytes = sizeof(Impl) + impl_->nodes.capacity() * sizeof(Node) +
+                 impl_->blocks.size() * sizeof(TriangleBlock);
   for (const Buffer<double>& chunk : impl_->corners) bytes += chunk.size() * sizeof(double);
   return bytes;
 }
 
 std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const Vec3> vertices,
-                                                                std::span<const Triangle> triangles, Task& task) {
+                                                                std::span<const Triangle> triangles,
+                                                                Task& task) {
   std::shared_ptr<NearestTriangles> out(new NearestTriangles);
   Impl& impl = *out->impl_;
-  if (triangles.size() >= ~uint32_t{0} / kWidth) fail(Status::kLimit, "a mesh holds at most 2^30 - 2 triangles");
+  if (triangles.size() >= ~uint32_t{0} / kWidth)
+    fail(Status::kLimit, "a mesh holds at most 2^30 - 2 triangles");
   if (triangles.empty()) return out;
   impl.triangles = triangles.size();
   // 1. The local frame: whole metres.
@@ -218,7 +229,8 @@ std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const 
 }
 
 TriangleAnswer NearestTriangles::Impl::answer_of(const NearestOfBlocks& found, const Vec3& local,
-                                                 double max_distance, const TriangleQuestions& questions) const {
+                                                 double max_distance,
+                                                 const TriangleQuestions& questions) const {
   TriangleAnswer answer;
   if (found.triangle == kNoTriangle) return answer;
   const double distance = std::sqrt(found.squared);
@@ -228,7 +240,8 @@ TriangleAnswer NearestTriangles::Impl::answer_of(const NearestOfBlocks& found, c
   const TriangleBlock& block = blocks[found.place / kWidth];
   const uint32_t lane = found.place % kWidth;
   // Above a face, as most points are, the search has seen the side already.
-  answer.is_behind = questions.sides && found.height != 0 && (found.height < 0) != ((block.turned >> lane & 1) != 0);
+  answer.is_behind = questions.sides && found.height != 0 &&
+                     (found.height < 0) != ((block.turned >> lane & 1) != 0);
   if (!questions.feet && (found.height != 0 || !questions.sides)) return answer;
   const ClosestOfTriangle closest = closest_of(block, lane, local);
   answer.feature = closest.feature;
@@ -241,8 +254,9 @@ TriangleAnswer NearestTriangles::Impl::answer_of(const NearestOfBlocks& found, c
   return answer;
 }
 
-void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance,
-                           const TriangleQuestions& questions, Task& task, Visit visit, void* context) const {
+void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t> order,
+                           double max_distance, const TriangleQuestions& questions, Task& task,
+                           Visit visit, void* context) const {
   const Impl& impl = *impl_;
   const TriangleBlocks tree = impl.view();
   const auto search = use_avx2() ? nearest_triangles_avx2 : nearest_triangles_baseline;
@@ -254,14 +268,15 @@ void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t
       const size_t count = std::min(kRun, end - first);
       for (size_t i = 0; i < count; ++i) {
         const double* p = xyz.data() + 3 * size_t{order[first + i]};
-        for (int axis = 0; axis < 3; ++axis) local[3 * i + static_cast<size_t>(axis)] = p[axis] - impl.origin[axis];
+        for (int axis = 0; axis < 3; ++axis)
+          local[3 * i + static_cast<size_t>(axis)] = p[axis] - impl.origin[axis];
         found[i] = {limit2, kNoTriangle, 0, 0};
       }
       if (impl.triangles > 0) search(tree, local, count, found);
       for (size_t i = 0; i < count; ++i)
         visit(context, order[first + i],
-              impl.answer_of(found[i], {local[3 * i], local[3 * i + 1], local[3 * i + 2]}, max_distance,
-                             questions));
+              impl.answer_of(found[i], {local[3 * i], local[3 * i + 1], local[3 * i + 2]},
+                             max_distance, questions));
     }
   });
 }

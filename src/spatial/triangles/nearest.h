@@ -19,9 +19,10 @@ enum class TriangleFeature : uint8_t { kFace, kSide, kCorner };
 
 /// What the surface is like at the closest point, as far as its side is concerned.
 enum class TriangleSide : uint8_t {
-  kCertain = 0,      ///< inside a triangle, or all around it triangles that run one way around
-  kBorder = 1,       ///< at a border of the surface: the side is that of the surface as continued
-  kInconsistent = 2  ///< triangles beside each other run opposite ways around: the side of the nearest one
+  kCertain = 0,  ///< inside a triangle, or all around it triangles that run one way around
+  kBorder = 1,   ///< at a border of the surface: the side is that of the surface as continued
+  kInconsistent =
+      2  ///< triangles beside each other run opposite ways around: the side of the nearest one
 };
 
 /// What is asked besides distance and triangle; either costs some time.
@@ -32,13 +33,13 @@ struct TriangleQuestions {
 
 /// The triangle nearest to a point.
 struct TriangleAnswer {
-  double distance = kNaN;  ///< not negative
-  uint32_t triangle = ~uint32_t{0};                            ///< caller's number
+  double distance = kNaN;            ///< not negative
+  uint32_t triangle = ~uint32_t{0};  ///< caller's number
   TriangleFeature feature = TriangleFeature::kFace;
   bool is_behind = false;  ///< on the side from which the surface's corners run clockwise
   TriangleSide side = TriangleSide::kCertain;
-  Vec3 foot;               ///< the closest point
-  Vec3 from_foot;          ///< from there to the point
+  Vec3 foot;       ///< the closest point
+  Vec3 from_foot;  ///< from there to the point
 };
 
 /// Nearest triangle of a set, exact in doubles: the least distance, then the least number; triangles that share a side
@@ -56,8 +57,9 @@ struct TriangleAnswer {
 class NearestTriangles {
  public:
   /// vertices and indices as of TriangleTree. kInvalidArgument names the first vertex in use that is not finite.
-  static std::shared_ptr<const NearestTriangles> build(std::span<const Vec3> vertices,
-                                                       std::span<const std::array<uint32_t, 3>> triangles, Task& task);
+  static std::shared_ptr<const NearestTriangles> build(
+      std::span<const Vec3> vertices, std::span<const std::array<uint32_t, 3>> triangles,
+      Task& task);
   ~NearestTriangles();
 
   size_t size() const;
@@ -69,14 +71,16 @@ class NearestTriangles {
   template <class F>
   void for_each(std::span<const double> xyz, std::span<const uint32_t> order, double max_distance,
                 const TriangleQuestions& questions, Task& task, F&& visit) const {
-    ask(xyz, order, max_distance, questions, task,
+    ask(
+        xyz, order, max_distance, questions, task,
         [](void* p, uint32_t item, const TriangleAnswer& answer) {
           (*static_cast<std::remove_reference_t<F>*>(p))(item, answer);
         },
         &visit);
   }
   /// All of it for one point.
-  TriangleAnswer nearest(const Vec3& point, double max_distance = std::numeric_limits<double>::infinity()) const;
+  TriangleAnswer nearest(const Vec3& point,
+                         double max_distance = std::numeric_limits<double>::infinity()) const;
 
  private:
   using Visit = void (*)(void* context, uint32_t item, const TriangleAnswer& answer);

@@ -18,7 +18,8 @@ struct TriangleBlock {
   uint8_t a[triangle_tree::kWidth], b[triangle_tree::kWidth], c[triangle_tree::kWidth];
   uint32_t triangle[triangle_tree::kWidth];  ///< caller's number
   uint32_t count;                            ///< of them
-  uint32_t turned;  ///< bit i: triangle i runs clockwise where its corners in their order run anticlockwise
+  uint32_t
+      turned;  ///< bit i: triangle i runs clockwise where its corners in their order run anticlockwise
 };
 
 struct TriangleBlocks {
@@ -39,7 +40,9 @@ constexpr uint32_t kNoTriangle = ~uint32_t{0};
 /// The nearest triangle of each of count points (3 doubles each, relative to the tree's origin), of those no farther
 /// than out[i].squared on entry; kNoTriangle where there is none. Ties go to the least number. Points that
 /// follow each other should lie near each other: the answer of one bounds the search of the next.
-void nearest_triangles_baseline(const TriangleBlocks& tree, const double* points, size_t count, NearestOfBlocks* out);
-void nearest_triangles_avx2(const TriangleBlocks& tree, const double* points, size_t count, NearestOfBlocks* out);
+void nearest_triangles_baseline(const TriangleBlocks& tree, const double* points, size_t count,
+                                NearestOfBlocks* out);
+void nearest_triangles_avx2(const TriangleBlocks& tree, const double* points, size_t count,
+                            NearestOfBlocks* out);
 
 }  // namespace jalon

@@ -5,7 +5,8 @@
 
 namespace jalon {
 
-void nearest_triangles_avx2(const TriangleBlocks& tree, const double* points, size_t count, NearestOfBlocks* out) {
+void nearest_triangles_avx2(const TriangleBlocks& tree, const double* points, size_t count,
+                            NearestOfBlocks* out) {
   nearest_all(tree, points, count, out);
 }
 

@@ -11,10 +11,12 @@ namespace jalon::triangle_tree {
 
 namespace {
 
-constexpr int kBins = 16;                 // Wald 2007: more gain nothing that can be measured
-constexpr uint32_t kSubtreeSize = 16384;  // below it a subtree is the work of one thread (about 10 ms)
+constexpr int kBins = 16;  // Wald 2007: more gain nothing that can be measured
+constexpr uint32_t kSubtreeSize =
+    16384;  // below it a subtree is the work of one thread (about 10 ms)
 constexpr size_t kBinningGrain = 16384;
-constexpr uint32_t kSubtreeMark = ~uint32_t{0};  // count of a child that stands for a subtree still to be built
+constexpr uint32_t kSubtreeMark =
+    ~uint32_t{0};  // count of a child that stands for a subtree still to be built
 
 /// Triangles order[first, first + count) and their box.
 struct Range {
@@ -62,8 +64,8 @@ struct Split {
 
 class Builder {
  public:
-  Builder(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t at_once, std::vector<uint32_t>& order,
-          Task& task)
+  Builder(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t at_once,
+          std::vector<uint32_t>& order, Task& task)
       : boxes_(boxes), leaf_size_(leaf_size), at_once_(at_once), order_(order), task_(task) {}
 
   /// Node of a range of more than a leaf's triangles with all below it; gives its index in nodes. With jobs, ranges
@@ -158,7 +160,9 @@ class Builder {
     return b < kBins - 1 ? static_cast<int>(b) : kBins - 1;
   }
 
-  float tests(uint32_t count) const { return static_cast<float>((count + at_once_ - 1) / at_once_); }
+  float tests(uint32_t count) const {
+    return static_cast<float>((count + at_once_ - 1) / at_once_);
+  }
 
   /// Least sum of (half area x tests of triangles) of both sides; ties go to the lower axis and bin.
   Split best_split(const Range& range, const FloatBox& centres) {
@@ -225,10 +229,12 @@ class Builder {
 };
 
 /// Builds the subtrees in parallel and puts them behind the top nodes, in the order of the jobs.
-void build_subtrees(Builder& builder, std::vector<Node>& nodes, std::span<const Job> jobs, Task& task) {
+void build_subtrees(Builder& builder, std::vector<Node>& nodes, std::span<const Job> jobs,
+                    Task& task) {
   std::vector<std::vector<Node>> built(jobs.size());
-  parallel_chunks(task, jobs.size(),
-                  [&](size_t j) { builder.build(jobs[j].range, jobs[j].depth, built[j], nullptr); });
+  parallel_chunks(task, jobs.size(), [&](size_t j) {
+    builder.build(jobs[j].range, jobs[j].depth, built[j], nullptr);
+  });
   std::vector<uint32_t> base(jobs.size());
   size_t total = nodes.size();
   for (size_t j = 0; j < jobs.size(); ++j) {
@@ -254,7 +260,8 @@ void build_subtrees(Builder& builder, std::vector<Node>& nodes, std::span<const 
 
 }  // namespace
 
-Nodes build_nodes(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t at_once, Task& task) {
+Nodes build_nodes(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t at_once,
+                  Task& task) {
   Nodes out;
   if (boxes.empty()) return out;
   const auto n = static_cast<uint32_t>(boxes.size());

@@ -61,6 +61,7 @@ struct Nodes {
 /// Top-down, splits by the binned surface area heuristic (Wald 2007). Depends on the boxes only, not on the threads.
 /// Leaves hold leaf_size triangles at most; a split counts the tests of at_once triangles each, so that leaves of lanes
 /// come out full (Wald, Benthin & Boulos 2008, Getting rid of packets).
-Nodes build_nodes(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t at_once, Task& task);
+Nodes build_nodes(std::span<const FloatBox> boxes, uint32_t leaf_size, uint32_t at_once,
+                  Task& task);
 
 }  // namespace jalon::triangle_tree

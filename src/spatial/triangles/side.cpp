@@ -21,20 +21,23 @@ constexpr double kGapShare = 0x1p-18;
 using SideCorners = std::array<Vec3, 3>;
 
 SideCorners corners_of(const TriangleBlock& block, uint32_t lane) {
-  const auto corner = [&](uint8_t at) { return Vec3{block.corners[at], block.corners[at + 1], block.corners[at + 2]}; };
+  const auto corner = [&](uint8_t at) {
+    return Vec3{block.corners[at], block.corners[at + 1], block.corners[at + 2]};
+  };
   return {corner(block.a[lane]), corner(block.b[lane]), corner(block.c[lane])};
 }
 
 ClosestResult<double> closest_to(const SideCorners& k, const Vec3& p) {
-  return closest_on_triangle<double>({p.x, p.y, p.z}, {k[0].x, k[0].y, k[0].z}, {k[1].x, k[1].y, k[1].z},
-                                     {k[2].x, k[2].y, k[2].z});
+  return closest_on_triangle<double>({p.x, p.y, p.z}, {k[0].x, k[0].y, k[0].z},
+                                     {k[1].x, k[1].y, k[1].z}, {k[2].x, k[2].y, k[2].z});
 }
 
 /// The normal against which the triangle runs anticlockwise; zero for one that has no plane.
 Vec3 unit_normal(const SideCorners& corners, bool is_turned) {
   const Vec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]);
   double longest2 = 0;
-  for (size_t k = 0; k < 3; ++k) longest2 = std::max(longest2, squared_norm(corners[(k + 1) % 3] - corners[k]));
+  for (size_t k = 0; k < 3; ++k)
+    longest2 = std::max(longest2, squared_norm(corners[(k + 1) % 3] - corners[k]));
   if (!(squared_norm(n) > longest2 * longest2 * kFlattest2)) return {};
   return normalized(is_turned ? -n : n);
 }
@@ -59,7 +62,8 @@ class Surroundings {
     }
     // 2. On a side, which leaves it both ways.
     for (size_t k = 0; k < 3; ++k) {
-      const Vec3 a = corners[k] - at_, b = corners[(k + 1) % 3] - at_, along = corners[(k + 1) % 3] - corners[k];
+      const Vec3 a = corners[k] - at_, b = corners[(k + 1) % 3] - at_,
+                 along = corners[(k + 1) % 3] - corners[k];
       if (!(norm(cross(a, along)) <= tolerance_ * norm(along))) continue;
       normals_ += normal * std::numbers::pi;
       add_spoke(b, is_turned ? -1 : 1);
@@ -74,10 +78,8 @@ class Surroundings {
   TriangleSide basis() const {
     bool has_border = false;
     for (size_t i = 0; i < spokes_; ++i) {
-      if (spoke_[i].triangles % 2 != 0)
-        has_border = true;
-      else if (spoke_[i].balance != 0)
-        return TriangleSide::kInconsistent;
+      if (spoke_[i].triangles % 2 != 0) has_border = true;
+      else if (spoke_[i].balance != 0) return TriangleSide::kInconsistent;
     }
     return has_border ? TriangleSide::kBorder : TriangleSide::kCertain;
   }
@@ -117,7 +119,8 @@ Surroundings surroundings(const TriangleBlocks& tree, const Vec3& at, double tol
     const TriangleBlock& block = tree.blocks[child];
     for (uint32_t lane = 0; lane < block.count; ++lane) {
       const SideCorners corners = corners_of(block, lane);
-      if (closest_to(corners, at).squared <= limit2) found.add(corners, (block.turned >> lane & 1) != 0);
+      if (closest_to(corners, at).squared <= limit2)
+        found.add(corners, (block.turned >> lane & 1) != 0);
     }
     return limit2;
   });
@@ -125,7 +128,8 @@ Surroundings surroundings(const TriangleBlocks& tree, const Vec3& at, double tol
 }
 
 double longest_side(const SideCorners& corners) {
-  return std::max({norm(corners[1] - corners[0]), norm(corners[2] - corners[1]), norm(corners[0] - corners[2])});
+  return std::max({norm(corners[1] - corners[0]), norm(corners[2] - corners[1]),
+                   norm(corners[0] - corners[2])});
 }
 
 }  // namespace
@@ -138,7 +142,9 @@ ClosestOfTriangle closest_of(const TriangleBlock& block, uint32_t lane, const Ve
     const Vec3 above = Vec3{closest.normal.x, closest.normal.y, closest.normal.z} * share;
     return {TriangleFeature::kFace, point - above, above};
   }
-  const SideResult<double>& side = closest.use_ab ? closest.ab : closest.use_ac ? closest.ac : closest.bc;
+  const SideResult<double>& side = closest.use_ab   ? closest.ab
+                                   : closest.use_ac ? closest.ac
+                                                    : closest.bc;
   const Vec3 above = {side.rest.x, side.rest.y, side.rest.z};
   if (!side.at_from && !side.at_to) return {TriangleFeature::kSide, point - above, above};
   const size_t from = closest.use_ab || closest.use_ac ? 0 : 1, to = closest.use_ab ? 1 : 2;
@@ -148,7 +154,8 @@ ClosestOfTriangle closest_of(const TriangleBlock& block, uint32_t lane, const Ve
 SideOfSurface side_of_surface(const TriangleBlocks& tree, const TriangleBlock& block, uint32_t lane,
                               const ClosestOfTriangle& closest, double span_m) {
   const SideCorners corners = corners_of(block, lane);
-  const bool behind_own = dot(closest.above, unit_normal(corners, (block.turned >> lane & 1) != 0)) < 0;
+  const bool behind_own =
+      dot(closest.above, unit_normal(corners, (block.turned >> lane & 1) != 0)) < 0;
   if (closest.feature == TriangleFeature::kFace) return {behind_own, TriangleSide::kCertain};
   const double gap = kGapShare * std::min(longest_side(corners), norm(closest.above));
   const Surroundings found = surroundings(tree, closest.foot, gap + kRoundingShare * span_m);

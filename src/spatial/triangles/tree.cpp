@@ -59,10 +59,14 @@ struct WoopRay {
   /// t of the triangle's plane where the ray meets the triangle. The edge functions of a shared edge are exact
   /// negatives of each other, and 0 counts as inside for both sides: no gap.
   bool meets(const TreeCorners& triangle, double& t) const {
-    const double az = triangle.a[kz] - origin[kz], bz = triangle.b[kz] - origin[kz], cz = triangle.c[kz] - origin[kz];
-    const double ax = triangle.a[kx] - origin[kx] - sx * az, ay = triangle.a[ky] - origin[ky] - sy * az;
-    const double bx = triangle.b[kx] - origin[kx] - sx * bz, by = triangle.b[ky] - origin[ky] - sy * bz;
-    const double cx = triangle.c[kx] - origin[kx] - sx * cz, cy = triangle.c[ky] - origin[ky] - sy * cz;
+    const double az = triangle.a[kz] - origin[kz], bz = triangle.b[kz] - origin[kz],
+                 cz = triangle.c[kz] - origin[kz];
+    const double ax = triangle.a[kx] - origin[kx] - sx * az,
+                 ay = triangle.a[ky] - origin[ky] - sy * az;
+    const double bx = triangle.b[kx] - origin[kx] - sx * bz,
+                 by = triangle.b[ky] - origin[ky] - sy * bz;
+    const double cx = triangle.c[kx] - origin[kx] - sx * cz,
+                 cy = triangle.c[ky] - origin[ky] - sy * cz;
     const double u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
     const double determinant = u + v + w;
@@ -81,7 +85,8 @@ struct SlabRay {
   double t_end = 0;  ///< where it leaves the box
 
   bool enter(const Ray& ray, const Vec3& local_origin, const Box3& box) {
-    scale = std::max({std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)});
+    scale =
+        std::max({std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)});
     double from = ray.t_min, to = ray.t_max;
     for (int i = 0; i < 3; ++i) {
       double d = ray.direction[i] / scale;
@@ -98,18 +103,23 @@ struct SlabRay {
     if (!(from <= to)) return false;
     t_entry = from;
     t_end = to;
-    for (int i = 0; i < 3; ++i) origin[i] = static_cast<float>(local_origin[i] + ray.direction[i] * t_entry);
+    for (int i = 0; i < 3; ++i)
+      origin[i] = static_cast<float>(local_origin[i] + ray.direction[i] * t_entry);
     return true;
   }
   /// A float not less than the t given, as the boxes count it.
-  float reach(double t) const { return static_cast<float>((t - t_entry) * scale) * (1 + 4 * kSlabSlack) + 1e-30f; }
+  float reach(double t) const {
+    return static_cast<float>((t - t_entry) * scale) * (1 + 4 * kSlabSlack) + 1e-30f;
+  }
 };
 
 // Four lanes at once; the portable forms are what the SSE instructions do, lane by lane.
 #if defined(__SSE__)
 inline Float4 max4(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 inline Float4 min4(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
-inline uint32_t tree_less_equal(Float4 a, Float4 b) { return static_cast<uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a, b))); }
+inline uint32_t tree_less_equal(Float4 a, Float4 b) {
+  return static_cast<uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a, b)));
+}
 #else
 inline Float4 max4(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 min4(Float4 a, Float4 b) { return a < b ? a : b; }
@@ -199,7 +209,8 @@ const Vec3& TriangleTree::origin() const { return impl_->origin; }
 const Box3& TriangleTree::local_bounds() const { return impl_->bounds; }
 size_t TriangleTree::memory_bytes() const {
   return sizeof(Impl) + impl_->tree.nodes.capacity() * sizeof(Node) +
-         impl_->tree.order.capacity() * sizeof(uint32_t) + impl_->corners.size() * sizeof(TreeCorners);
+         impl_->tree.order.capacity() * sizeof(uint32_t) +
+         impl_->corners.size() * sizeof(TreeCorners);
 }
 
 bool TriangleTree::nearest(const Ray& ray, RayHit& hit) const {
@@ -221,21 +232,23 @@ bool TriangleTree::occluded(const Ray& ray) const {
   return found;
 }
 
-std::shared_ptr<const TriangleTree> TriangleTree::build(std::span<const Vec3> vertices,
-                                                        std::span<const std::array<uint32_t, 3>> triangles,
-                                                        Task& task) {
+std::shared_ptr<const TriangleTree> TriangleTree::build(
+    std::span<const Vec3> vertices, std::span<const std::array<uint32_t, 3>> triangles,
+    Task& task) {
   std::shared_ptr<TriangleTree> out(new TriangleTree);
   Impl& impl = *out->impl_;
-  if (triangles.size() >= ~uint32_t{0}) fail(Status::kLimit, "a mesh holds at most 2^32 - 2 triangles");
+  if (triangles.size() >= ~uint32_t{0})
+    fail(Status::kLimit, "a mesh holds at most 2^32 - 2 triangles");
   if (triangles.empty()) return out;
 
   // 1. The local frame: whole metres, so that a shift by whole metres shifts it and changes no bit.
-  const Box3 world = parallel_reduce(task, triangles.size(), kTreeBoxGrain, Box3{}, [&](size_t begin, size_t end) {
-    Box3 box;
-    for (size_t i = begin; i < end; ++i)
-      for (const uint32_t v : triangles[i]) box.add(vertices[v]);
-    return box;
-  });
+  const Box3 world =
+      parallel_reduce(task, triangles.size(), kTreeBoxGrain, Box3{}, [&](size_t begin, size_t end) {
+        Box3 box;
+        for (size_t i = begin; i < end; ++i)
+          for (const uint32_t v : triangles[i]) box.add(vertices[v]);
+        return box;
+      });
   impl.origin = {std::floor(world.min.x), std::floor(world.min.y), std::floor(world.min.z)};
   impl.bounds = {world.min - impl.origin, world.max - impl.origin};
   const double span = std::max({impl.bounds.max.x, impl.bounds.max.y, impl.bounds.max.z});
@@ -258,12 +271,14 @@ std::shared_ptr<const TriangleTree> TriangleTree::build(std::span<const Vec3> ve
   });
 
   // 3. The nodes, and the corners in their order.
-  impl.tree = triangle_tree::build_nodes({boxes.data(), boxes.size()}, triangle_tree::kLeafSize, 1, task);
+  impl.tree =
+      triangle_tree::build_nodes({boxes.data(), boxes.size()}, triangle_tree::kLeafSize, 1, task);
   impl.corners = Buffer<TreeCorners>(triangles.size());
   parallel_for(task, triangles.size(), kTreeBoxGrain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       const auto& t = triangles[impl.tree.order[k]];
-      const Vec3 a = vertices[t[0]] - impl.origin, b = vertices[t[1]] - impl.origin, c = vertices[t[2]] - impl.origin;
+      const Vec3 a = vertices[t[0]] - impl.origin, b = vertices[t[1]] - impl.origin,
+                 c = vertices[t[2]] - impl.origin;
       impl.corners[k] = {{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
     }
   });

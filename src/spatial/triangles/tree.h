@@ -35,8 +35,9 @@ class TriangleTree {
  public:
   /// vertices must be finite and the indices in range (see validate in model/). Throws kLimit above 2^32 - 2
   /// triangles or when the mesh spans more than 1e9 m. Parallel; the same bits for any number of threads.
-  static std::shared_ptr<const TriangleTree> build(std::span<const Vec3> vertices,
-                                                   std::span<const std::array<uint32_t, 3>> triangles, Task& task);
+  static std::shared_ptr<const TriangleTree> build(
+      std::span<const Vec3> vertices, std::span<const std::array<uint32_t, 3>> triangles,
+      Task& task);
   ~TriangleTree();
 
   size_t size() const;

@@ -24,8 +24,8 @@ struct CellNumber {
   CellNumber operator+(const CellNumber& b) const { return {z + b.z, y + b.y, x + b.x}; }
 };
 
-std::vector<CellNumber> cell_numbers_of(const VoxelGrid& grid, std::span<const double> xyz, const Vec3& origin,
-                                        double cell_m, Task& task) {
+std::vector<CellNumber> cell_numbers_of(const VoxelGrid& grid, std::span<const double> xyz,
+                                        const Vec3& origin, double cell_m, Task& task) {
   std::vector<CellNumber> cells(grid.size());
   parallel_for(task, grid.size(), kCellGrain, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
@@ -41,22 +41,27 @@ std::vector<CellNumber> cell_numbers_of(const VoxelGrid& grid, std::span<const d
 
 /// Half of the neighbours, those that come later in cell order; the other half finds itself.
 std::vector<CellNumber> forward_steps(Connectivity3 connectivity) {
-  const int64_t most = connectivity == Connectivity3::k6 ? 1 : connectivity == Connectivity3::k18 ? 2 : 3;
+  const int64_t most = connectivity == Connectivity3::k6    ? 1
+                       : connectivity == Connectivity3::k18 ? 2
+                                                            : 3;
   std::vector<CellNumber> steps;
   for (int64_t z = 0; z <= 1; ++z)
     for (int64_t y = -1; y <= 1; ++y)
       for (int64_t x = -1; x <= 1; ++x) {
         const CellNumber step{z, y, x};
-        if (step > CellNumber{0, 0, 0} && std::abs(z) + std::abs(y) + std::abs(x) <= most) steps.push_back(step);
+        if (step > CellNumber{0, 0, 0} && std::abs(z) + std::abs(y) + std::abs(x) <= most)
+          steps.push_back(step);
       }
   return steps;
 }
 
 /// The neighbours of ascending cells in one direction ascend too: two fingers walk the list once.
-void join_along(const std::vector<CellNumber>& cells, const CellNumber& step, UnionFind& sets, Task& task) {
+void join_along(const std::vector<CellNumber>& cells, const CellNumber& step, UnionFind& sets,
+                Task& task) {
   size_t j = 0;
   for (size_t i = 0; i < cells.size(); ++i) {
-    if (i % kCellGrain == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(cells.size()));
+    if (i % kCellGrain == 0)
+      task.checkpoint(static_cast<double>(i) / static_cast<double>(cells.size()));
     const CellNumber wanted = cells[i] + step;
     while (j < cells.size() && cells[j] < wanted) ++j;
     if (j == cells.size()) return;
@@ -72,7 +77,8 @@ struct Component {
 /// Label of every cell.
 std::vector<uint32_t> number_components(const VoxelGrid& grid, UnionFind& sets, uint64_t min_points,
                                         std::vector<uint64_t>& point_counts) {
-  std::vector<uint32_t> label(grid.size());  // the number of its component in order of cells at first
+  std::vector<uint32_t> label(
+      grid.size());  // the number of its component in order of cells at first
   std::vector<Component> components;
   for (uint32_t v = 0; v < grid.size(); ++v) {
     const uint32_t root = sets.find(v);  // the component's first cell, so already numbered
@@ -134,7 +140,8 @@ Components connected_components(std::span<const double> xyz, const Vec3& origin,
   const std::vector<uint32_t> label = number_components(grid, sets, min_points, out.point_counts);
   parallel_for(task, grid.size(), kCellGrain, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v)
-      for (uint32_t i = grid.first[v]; i < grid.first[v + 1]; ++i) out.labels[grid.order[i]] = label[v];
+      for (uint32_t i = grid.first[v]; i < grid.first[v + 1]; ++i)
+        out.labels[grid.order[i]] = label[v];
   });
   return out;
 }

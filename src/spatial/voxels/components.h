@@ -19,8 +19,9 @@ enum class Connectivity3 { k6, k18, k26 };
 /// falling number of points, ties by smallest point index; components of fewer than min_points get
 /// 0.
 struct Components {
-  std::vector<uint32_t> labels;        ///< one a point
-  std::vector<uint64_t> point_counts;  ///< [0] = points of the small ones, [label] = points of that component
+  std::vector<uint32_t> labels;  ///< one a point
+  std::vector<uint64_t>
+      point_counts;  ///< [0] = points of the small ones, [label] = points of that component
   size_t count() const { return point_counts.empty() ? 0 : point_counts.size() - 1; }
 };
 

@@ -25,15 +25,17 @@ namespace jalon {
 namespace {
 
 constexpr size_t kVoxelCentroidsGrain = size_t{1} << 15;
-constexpr int kDigitBits = 10;                     // 1024 open write streams
-constexpr size_t kMostSerial = size_t{1} << 19;  // points of a bucket: a cancel has to wait for its sort
+constexpr int kDigitBits = 10;  // 1024 open write streams
+constexpr size_t kMostSerial = size_t{1}
+                               << 19;  // points of a bucket: a cancel has to wait for its sort
 
 /// A point with its cell; coordinates relative to the origin.
 struct alignas(32) Record {
   uint64_t key;
   double x, y, z;
 };
-static_assert(sizeof(Record) >= 3 * sizeof(double));  // step 3 writes a centroid in place of a record
+static_assert(sizeof(Record) >=
+              3 * sizeof(double));  // step 3 writes a centroid in place of a record
 
 struct Bucket {
   size_t first, count;
@@ -48,14 +50,17 @@ struct KeyBits {
   }
 };
 
-void append_buckets(const std::vector<size_t>& begins, size_t offset, bool in_second, std::vector<Bucket>& buckets) {
+void append_buckets(const std::vector<size_t>& begins, size_t offset, bool in_second,
+                    std::vector<Bucket>& buckets) {
   for (size_t b = 0; b + 1 < begins.size(); ++b)
-    if (begins[b + 1] > begins[b]) buckets.push_back({offset + begins[b], begins[b + 1] - begins[b], in_second});
+    if (begins[b + 1] > begins[b])
+      buckets.push_back({offset + begins[b], begins[b + 1] - begins[b], in_second});
 }
 
 class Centroids {
  public:
-  Centroids(std::span<const double> xyz, const Vec3& origin) : xyz_(xyz), origin_(origin), count_(xyz.size() / 3) {}
+  Centroids(std::span<const double> xyz, const Vec3& origin)
+      : xyz_(xyz), origin_(origin), count_(xyz.size() / 3) {}
 
   Buffer<double> find(const VoxelNumbers& numbers, Task& task) {
     {
@@ -86,20 +91,22 @@ class Centroids {
     }
     ProgressSpan span(task, 0.4, 1);
     const int key_bits = numbers.key_bits();
-    const int digit_bits = std::min({kDigitBits, key_bits, static_cast<int>(std::bit_width(count_ >> 10))});
+    const int digit_bits =
+        std::min({kDigitBits, key_bits, static_cast<int>(std::bit_width(count_ >> 10))});
     const int shift = digit_bits == 0 ? 0 : key_bits - digit_bits;
     const uint64_t mask = (uint64_t{1} << digit_bits) - 1;
     records_[0] = Buffer<Record>(count_);
     const double* xyz = xyz_.data();
     const Vec3 o = origin_;
-    append_buckets(partition(
-                       count_, size_t{1} << digit_bits, [=](const Record& r) { return r.key >> shift & mask; }, task,
-                       records_[0].data(),
-                       [xyz, o, from = keys.data()](size_t i) {
-                         const double* p = xyz + 3 * i;
-                         return Record{from[i], p[0] - o.x, p[1] - o.y, p[2] - o.z};
-                       }),
-                   0, false, buckets_);
+    append_buckets(
+        partition(
+            count_, size_t{1} << digit_bits, [=](const Record& r) { return r.key >> shift & mask; },
+            task, records_[0].data(),
+            [xyz, o, from = keys.data()](size_t i) {
+              const double* p = xyz + 3 * i;
+              return Record{from[i], p[0] - o.x, p[1] - o.y, p[2] - o.z};
+            }),
+        0, false, buckets_);
   }
 
   void split_large(Task& task) {
@@ -120,8 +127,8 @@ class Centroids {
         const uint64_t mask = (uint64_t{1} << digit_bits) - 1;
         append_buckets(partition(
                            bucket.count, size_t{1} << digit_bits,
-                           [=](const Record& r) { return r.key >> shift & mask; }, task, to.data() + bucket.first,
-                           [from](size_t i) { return from[i]; }),
+                           [=](const Record& r) { return r.key >> shift & mask; }, task,
+                           to.data() + bucket.first, [from](size_t i) { return from[i]; }),
                        bucket.first, !bucket.in_second, split);
         again = true;
       }
@@ -132,17 +139,20 @@ class Centroids {
   // How many low bits of the keys differ in the bucket.
   int differing_bits(const Bucket& bucket, Task& task) const {
     const Record* from = records_[bucket.in_second].data() + bucket.first;
-    const KeyBits all = parallel_reduce(task, bucket.count, kVoxelCentroidsGrain, KeyBits{}, [&](size_t begin, size_t end) {
-      KeyBits part;
-      for (size_t i = begin; i < end; ++i) part.bits |= from[i].key ^ from[0].key;
-      return part;
-    });
+    const KeyBits all = parallel_reduce(task, bucket.count, kVoxelCentroidsGrain, KeyBits{},
+                                        [&](size_t begin, size_t end) {
+                                          KeyBits part;
+                                          for (size_t i = begin; i < end; ++i)
+                                            part.bits |= from[i].key ^ from[0].key;
+                                          return part;
+                                        });
     return static_cast<int>(std::bit_width(all.bits));
   }
 
   // Step 3, in groups of buckets worth a hand-over.
   void reduce_buckets(Task& task) {
-    const auto groups = groups_of(buckets_.size(), kVoxelCentroidsGrain / 2, [&](size_t b) { return buckets_[b].count; });
+    const auto groups = groups_of(buckets_.size(), kVoxelCentroidsGrain / 2,
+                                  [&](size_t b) { return buckets_[b].count; });
     cells_.assign(buckets_.size(), 0);
     parallel_chunks(task, groups.size() - 1, [&](size_t g) {
       size_t most = 0;
@@ -164,7 +174,8 @@ class Centroids {
     });
   }
 
-  size_t add_up(const Record* records, const uint64_t* keys, const uint32_t* order, size_t n, double* out) const {
+  size_t add_up(const Record* records, const uint64_t* keys, const uint32_t* order, size_t n,
+                double* out) const {
     size_t cells = 0;
     for (size_t begin = 0, end; begin < n; begin = end, ++cells) {
       Vec3 sum;
@@ -183,10 +194,12 @@ class Centroids {
     std::vector<size_t> first(buckets_.size() + 1, 0);
     for (size_t b = 0; b < buckets_.size(); ++b) first[b + 1] = first[b] + cells_[b];
     Buffer<double> out(3 * first.back());
-    const auto groups = groups_of(buckets_.size(), kVoxelCentroidsGrain, [&](size_t b) { return cells_[b]; });
+    const auto groups =
+        groups_of(buckets_.size(), kVoxelCentroidsGrain, [&](size_t b) { return cells_[b]; });
     parallel_chunks(task, groups.size() - 1, [&](size_t g) {
       for (size_t b = groups[g]; b < groups[g + 1]; ++b)
-        std::memcpy(out.data() + 3 * first[b], records_[buckets_[b].in_second].data() + buckets_[b].first,
+        std::memcpy(out.data() + 3 * first[b],
+                    records_[buckets_[b].in_second].data() + buckets_[b].first,
                     3 * sizeof(double) * cells_[b]);
     });
     return out;
@@ -202,8 +215,8 @@ class Centroids {
 
 }  // namespace
 
-Buffer<double> voxel_centroids(std::span<const double> xyz, const Box3& box, const Vec3& origin, double cell_m,
-                               Task& task) {
+Buffer<double> voxel_centroids(std::span<const double> xyz, const Box3& box, const Vec3& origin,
+                               double cell_m, Task& task) {
   require_voxels(xyz.size() / 3, cell_m);
   if (xyz.empty()) return {};
   const VoxelNumbers numbers(xyz, box, origin, cell_m, task);

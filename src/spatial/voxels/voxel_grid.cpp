@@ -22,11 +22,13 @@ namespace {
 constexpr size_t kVoxelGridGrain = size_t{1} << 15;
 
 Box3 range_of(std::span<const double> xyz, Task& task) {
-  return parallel_reduce(task, xyz.size() / 3, kVoxelGridGrain, Box3{}, [&](size_t begin, size_t end) {
-    Box3 part;
-    for (size_t i = begin; i < end; ++i) part.add({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
-    return part;
-  });
+  return parallel_reduce(task, xyz.size() / 3, kVoxelGridGrain, Box3{},
+                         [&](size_t begin, size_t end) {
+                           Box3 part;
+                           for (size_t i = begin; i < end; ++i)
+                             part.add({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
+                           return part;
+                         });
 }
 
 struct KeyedIndex {
@@ -35,8 +37,8 @@ struct KeyedIndex {
 };
 
 // Sorts one part; out takes the indices, ends the places (in the part) where a cell begins.
-void sort_part(const KeyedIndex* part, size_t n, KeyedRange keys, KeyedRange scratch, uint32_t* out, size_t offset,
-               std::vector<uint32_t>& firsts) {
+void sort_part(const KeyedIndex* part, size_t n, KeyedRange keys, KeyedRange scratch, uint32_t* out,
+               size_t offset, std::vector<uint32_t>& firsts) {
   for (size_t i = 0; i < n; ++i) {
     keys.keys[i] = part[i].key;
     keys.values[i] = part[i].index;
@@ -44,7 +46,8 @@ void sort_part(const KeyedIndex* part, size_t n, KeyedRange keys, KeyedRange scr
   sort_pairs(keys, scratch, n);
   for (size_t i = 0; i < n; ++i) {
     out[i] = keys.values[i];
-    if (i == 0 || keys.keys[i] != keys.keys[i - 1]) firsts.push_back(static_cast<uint32_t>(offset + i));
+    if (i == 0 || keys.keys[i] != keys.keys[i - 1])
+      firsts.push_back(static_cast<uint32_t>(offset + i));
   }
 }
 
@@ -85,25 +88,33 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
       for (size_t i = begin; i < end; ++i) keys[i] = numbering.key(i);
     });
     // Parts of about a thousand points, at most 4096 of them.
-    const int digit_bits = std::min({12, numbering.key_bits(), static_cast<int>(std::bit_width(n >> 10))});
+    const int digit_bits =
+        std::min({12, numbering.key_bits(), static_cast<int>(std::bit_width(n >> 10))});
     const int shift = numbering.key_bits() - digit_bits;
     begins = partition(
-        n, size_t{1} << digit_bits, [=](const KeyedIndex& r) { return digit_bits == 0 ? 0 : r.key >> shift; }, task,
-        records.data(), [&](size_t i) { return KeyedIndex{keys[i], static_cast<uint32_t>(i)}; });
+        n, size_t{1} << digit_bits,
+        [=](const KeyedIndex& r) { return digit_bits == 0 ? 0 : r.key >> shift; }, task,
+        records.data(),
+        [&](size_t i) {
+          return KeyedIndex{keys[i], static_cast<uint32_t>(i)};
+        });
   }
   grid.order = Buffer<uint32_t>(n);
-  const auto groups = groups_of(begins.size() - 1, kVoxelGridGrain, [&](size_t b) { return begins[b + 1] - begins[b]; });
+  const auto groups = groups_of(begins.size() - 1, kVoxelGridGrain,
+                                [&](size_t b) { return begins[b + 1] - begins[b]; });
   std::vector<std::vector<uint32_t>> firsts(groups.size() - 1);
   {
     ProgressSpan span(task, 0.5, 0.8);
     parallel_chunks(task, firsts.size(), [&](size_t g) {
       size_t most = 0;
-      for (size_t b = groups[g]; b < groups[g + 1]; ++b) most = std::max(most, begins[b + 1] - begins[b]);
+      for (size_t b = groups[g]; b < groups[g + 1]; ++b)
+        most = std::max(most, begins[b + 1] - begins[b]);
       Buffer<uint64_t> keys(2 * most);
       Buffer<uint32_t> values(2 * most);
       for (size_t b = groups[g]; b < groups[g + 1]; ++b)
-        sort_part(records.data() + begins[b], begins[b + 1] - begins[b], {keys.data(), values.data()},
-                  {keys.data() + most, values.data() + most}, grid.order.data() + begins[b], begins[b], firsts[g]);
+        sort_part(records.data() + begins[b], begins[b + 1] - begins[b],
+                  {keys.data(), values.data()}, {keys.data() + most, values.data() + most},
+                  grid.order.data() + begins[b], begins[b], firsts[g]);
     });
   }
   size_t cells = 0;

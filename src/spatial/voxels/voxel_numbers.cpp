@@ -17,24 +17,29 @@ constexpr double kMostCells = 0x1p41;  // either side of the origin
 }  // namespace
 
 void require_voxels(size_t points, double cell_m) {
-  if (!(cell_m > 0) || !std::isfinite(cell_m)) fail(Status::kInvalidArgument, "the cell size must be positive");
-  if (points >= 0xffffffffu) fail(Status::kLimit, "a grid holds at most 2^32 - 2 points; there are %zu", points);
+  if (!(cell_m > 0) || !std::isfinite(cell_m))
+    fail(Status::kInvalidArgument, "the cell size must be positive");
+  if (points >= 0xffffffffu)
+    fail(Status::kLimit, "a grid holds at most 2^32 - 2 points; there are %zu", points);
 }
 
-VoxelNumbers::VoxelNumbers(std::span<const double> xyz, const Box3& box, const Vec3& origin, double cell_m, Task& task)
+VoxelNumbers::VoxelNumbers(std::span<const double> xyz, const Box3& box, const Vec3& origin,
+                           double cell_m, Task& task)
     : xyz_(xyz.data()), origin_{origin.x, origin.y, origin.z}, cell_m_(cell_m) {
   for (size_t axis = 0; axis < 3; ++axis) {
     // Cell numbers rise with the coordinates, so the outermost points have the outermost ones.
     lowest_[axis] = std::floor(scaled(box.min[static_cast<int>(axis)], axis));
     const double highest = std::floor(scaled(box.max[static_cast<int>(axis)], axis));
     if (!(lowest_[axis] > -kMostCells && highest < kMostCells))
-      fail(Status::kLimit, "the cells are too small for the extent of the cloud: more than 2^42 along an axis");
+      fail(Status::kLimit,
+           "the cells are too small for the extent of the cloud: more than 2^42 along an axis");
     bits_[axis] = static_cast<int>(std::bit_width(static_cast<uint64_t>(highest - lowest_[axis])));
   }
   if (key_bits() <= 64) return;
   for (size_t axis = 0; axis < 3; ++axis) renumber(xyz.size() / 3, axis, task);
   if (key_bits() > 64)
-    fail(Status::kLimit, "the cells are too small for so many points: their numbers need more than 64 bits");
+    fail(Status::kLimit,
+         "the cells are too small for so many points: their numbers need more than 64 bits");
 }
 
 // Keeps the order: the numbers in use get the places they have among themselves.

@@ -31,7 +31,8 @@ TEST_CASE("quantiles invert their distributions") {
 
 TEST_CASE("student_quantile__agrees_with_the_tables_and_tends_to_the_normal_distribution") {
   // Abramowitz & Stegun (1964), table 26.10; one degree of freedom is Cauchy's distribution, two have a closed form.
-  CHECK(student_quantile(1, 0.975) == doctest::Approx(std::tan(0.475 * 3.14159265358979324)).epsilon(1e-12));
+  CHECK(student_quantile(1, 0.975) ==
+        doctest::Approx(std::tan(0.475 * 3.14159265358979324)).epsilon(1e-12));
   CHECK(student_quantile(2, 0.975) == doctest::Approx(0.95 * std::sqrt(2 / 0.0975)).epsilon(1e-12));
   CHECK(student_quantile(1, 0.9999) == doctest::Approx(3183.0987570987).epsilon(1e-9));
   CHECK(std::fabs(student_quantile(10, 0.975) - 2.228139) < 5e-7);

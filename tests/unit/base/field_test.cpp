@@ -35,7 +35,8 @@ TEST_CASE("values convert between all types when they fit, and are refused when 
   store_converted(narrow, 0, wide, ElementType::kFloat64, 3, sizeof(double));
   CHECK(narrow.values<int8_t>()[1] == 127);
   CHECK(narrow.values<int8_t>()[2] == -128);
-  CHECK_THROWS_AS(store_converted(narrow, 3, wide + 3, ElementType::kFloat64, 1, sizeof(double)), Error);
+  CHECK_THROWS_AS(store_converted(narrow, 3, wide + 3, ElementType::kFloat64, 1, sizeof(double)),
+                  Error);
   const double nan[] = {std::nan("")};
   CHECK_THROWS_AS(store_converted(narrow, 3, nan, ElementType::kFloat64, 1, sizeof(double)), Error);
   const double edge[] = {0x1p63, -0x1p63, 0x1.fffffffffffffp62};

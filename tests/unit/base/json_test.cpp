@@ -49,7 +49,8 @@ TEST_CASE("read_json: a tree lies flat in the order of the text, each value know
 }
 
 TEST_CASE("read_json: whole numbers keep 64 bits, others and larger ones are doubles") {
-  const auto v = read_json("[9223372036854775807, -9223372036854775808, 9223372036854775808, 1.0, 1e3, -0, 0.1]");
+  const auto v = read_json(
+      "[9223372036854775807, -9223372036854775808, 9223372036854775808, 1.0, 1e3, -0, 0.1]");
   CHECK(v[1].integer == INT64_MAX);
   CHECK(v[2].integer == INT64_MIN);
   CHECK(v[3].kind == Kind::kNumber);
@@ -70,12 +71,58 @@ TEST_CASE("read_json: escapes and surrogate pairs become UTF-8") {
 }
 
 TEST_CASE("read_json: what RFC 8259 does not allow is refused") {
-  for (const char* text :
-       {"", " ", "{", "}", "[", "[1", "[1,", "[1,]", "[,1]", "{\"a\"}", "{\"a\":}", "{\"a\":1,}", "{a:1}", "{1:1}",
-        "{'a':1}", "01", "-", "+1", ".5", "1.", "1e", "1e+", "0x1", "NaN", "Infinity", "-Infinity", "nul", "nullx",
-        "truefalse", "TRUE", "1 2", "[] []", "\"", "\"a", "\"\\\"", "\"\\x\"", "\"\\u12\"", "\"\\u12G4\"",
-        "\"\\ud800\"", "\"\\ud800\\u0041\"", "\"\\udc00\"", "\"\n\"", "\"\t\"", "\"\xff\"", "\"\xc0\xaf\"",
-        "\"\xed\xa0\x80\"", "\"\xf4\x90\x80\x80\"", "\"\xe2\x82\"", "// x\n1", "1e999", "-1e999", "[1]]"}) {
+  for (const char* text : {"",
+                           " ",
+                           "{",
+                           "}",
+                           "[",
+                           "[1",
+                           "[1,",
+                           "[1,]",
+                           "[,1]",
+                           "{\"a\"}",
+                           "{\"a\":}",
+                           "{\"a\":1,}",
+                           "{a:1}",
+                           "{1:1}",
+                           "{'a':1}",
+                           "01",
+                           "-",
+                           "+1",
+                           ".5",
+                           "1.",
+                           "1e",
+                           "1e+",
+                           "0x1",
+                           "NaN",
+                           "Infinity",
+                           "-Infinity",
+                           "nul",
+                           "nullx",
+                           "truefalse",
+                           "TRUE",
+                           "1 2",
+                           "[] []",
+                           "\"",
+                           "\"a",
+                           "\"\\\"",
+                           "\"\\x\"",
+                           "\"\\u12\"",
+                           "\"\\u12G4\"",
+                           "\"\\ud800\"",
+                           "\"\\ud800\\u0041\"",
+                           "\"\\udc00\"",
+                           "\"\n\"",
+                           "\"\t\"",
+                           "\"\xff\"",
+                           "\"\xc0\xaf\"",
+                           "\"\xed\xa0\x80\"",
+                           "\"\xf4\x90\x80\x80\"",
+                           "\"\xe2\x82\"",
+                           "// x\n1",
+                           "1e999",
+                           "-1e999",
+                           "[1]]"}) {
     CAPTURE(text);
     CHECK(refused(text));
   }
@@ -92,7 +139,8 @@ TEST_CASE("read_json: 64 levels are read, more and endless nesting are refused")
 }
 
 TEST_CASE("JsonWriter: numbers read back the same and are finite") {
-  for (const double number : {0.1, 1.0 / 3, -0.0, 1.0, 1e300, 5e-324, 652000.123, 9007199254740993.0, 1e5}) {
+  for (const double number :
+       {0.1, 1.0 / 3, -0.0, 1.0, 1e300, 5e-324, 652000.123, 9007199254740993.0, 1e5}) {
     CAPTURE(number);
     const auto read = read_json(JsonWriter().value(number).take());
     CHECK(read[0].kind == Kind::kNumber);
@@ -111,14 +159,17 @@ TEST_CASE("JsonWriter: any bytes become one valid text; valid UTF-8 comes back a
   const std::string text = read_json(JsonWriter().value(all).take())[0].text;
   CHECK(text.substr(0, 128) == all.substr(0, 128));
   CHECK(text.size() == 128 + 128 * 3);  // each lone byte above 0x7F is U+FFFD
-  for (const std::string good : {"Fa\xC3\xA7" "ade \"A\"\\ \n", "\xF0\x9F\x98\x80", ""})
+  for (const std::string good : {"Fa\xC3\xA7"
+                                 "ade \"A\"\\ \n",
+                                 "\xF0\x9F\x98\x80", ""})
     CHECK(read_json(JsonWriter().value(good).take())[0].text == good);
 }
 
 TEST_CASE("JsonWriter: layout of objects and arrays, on one line and indented") {
   const std::string compact = R"({"a":[1,{"b":null},"x"],"c":{},"d":[],"e":true})";
   CHECK(rewritten(compact) == compact);
-  CHECK(rewritten(R"({"a": [1, 2.50], "c": {}})", 1) == "{\n \"a\": [\n  1,\n  2.50\n ],\n \"c\": {}\n}");
+  CHECK(rewritten(R"({"a": [1, 2.50], "c": {}})", 1) ==
+        "{\n \"a\": [\n  1,\n  2.50\n ],\n \"c\": {}\n}");
   CHECK(rewritten("[]", 2) == "[]");
   CHECK(rewritten("[[]]", 2) == "[\n  []\n]");
 }

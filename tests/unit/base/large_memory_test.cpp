@@ -13,14 +13,16 @@
 using namespace jalon;
 
 TEST_CASE("large_memory__copies_the_bits_and_finds_every_number_that_is_not_finite") {
-  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity(),
+               nan = std::numeric_limits<double>::quiet_NaN();
   for (const size_t n : {size_t{1}, size_t{2}, size_t{3}, size_t{1001}}) {
     std::vector<double> from(n + 1);
     for (size_t i = 0; i < n; ++i) from[i] = i % 2 == 0 ? -1.7e308 : 5e-324;
     Buffer<double> to(n);
     CHECK(copy_finite(from.data(), n, to.data()));
     CHECK(std::memcmp(from.data(), to.data(), n * sizeof(double)) == 0);
-    for (const double wrong : {inf, -inf, nan, -nan, std::numeric_limits<double>::signaling_NaN()}) {
+    for (const double wrong :
+         {inf, -inf, nan, -nan, std::numeric_limits<double>::signaling_NaN()}) {
       for (const size_t at : {size_t{0}, n / 2, n - 1}) {
         const double kept = from[at];
         from[at] = wrong;

@@ -46,11 +46,12 @@ TEST_CASE("parallel_reduce gives the same bits for 1, 2 and 7 threads") {
   double first = 0;
   for (const unsigned threads : {1u, 2u, 7u}) {
     Task task(with_threads(threads));
-    const double sum = parallel_reduce(task, values.size(), 777, 0.0, [&](size_t begin, size_t end) {
-      double s = 0;
-      for (size_t i = begin; i < end; ++i) s += values[i];
-      return s;
-    });
+    const double sum =
+        parallel_reduce(task, values.size(), 777, 0.0, [&](size_t begin, size_t end) {
+          double s = 0;
+          for (size_t i = begin; i < end; ++i) s += values[i];
+          return s;
+        });
     if (threads == 1) first = sum;
     CHECK(sum == first);
   }
@@ -59,9 +60,11 @@ TEST_CASE("parallel_reduce gives the same bits for 1, 2 and 7 threads") {
 TEST_CASE("an exception in a worker reaches the caller, and the pool works on afterwards") {
   Task task(with_threads(4));
   for (int round = 0; round < 50; ++round) {
-    CHECK_THROWS_AS(parallel_for(task, 1000, 1, [](size_t begin, size_t) {
-      if (begin == 500) throw std::runtime_error("chunk 500");
-    }), std::runtime_error);
+    CHECK_THROWS_AS(parallel_for(task, 1000, 1,
+                                 [](size_t begin, size_t) {
+                                   if (begin == 500) throw std::runtime_error("chunk 500");
+                                 }),
+                    std::runtime_error);
     std::atomic<size_t> n{0};
     parallel_for(task, 1000, 1, [&](size_t, size_t) { ++n; });
     CHECK(n == 1000);
@@ -71,8 +74,9 @@ TEST_CASE("an exception in a worker reaches the caller, and the pool works on af
 TEST_CASE("nested loops run inline") {
   Task task(with_threads(3));
   std::atomic<size_t> n{0};
-  parallel_for(task, 20, 1,
-               [&](size_t, size_t) { parallel_for(task, 100, 10, [&](size_t b, size_t e) { n += e - b; }); });
+  parallel_for(task, 20, 1, [&](size_t, size_t) {
+    parallel_for(task, 100, 10, [&](size_t b, size_t e) { n += e - b; });
+  });
   CHECK(n == 2000);
 }
 
@@ -95,7 +99,9 @@ TEST_CASE("a cancel flag ends a loop with kCancelled") {
 }
 
 // The flag is the host's: it may go up and down at any moment, also between two looks of the pool at it.
-TEST_CASE("a cancel that is taken back at once ends a loop with kCancelled or leaves it whole, never half done") {
+TEST_CASE(
+    "a cancel that is taken back at once ends a loop with kCancelled or leaves it whole, never "
+    "half done") {
   std::atomic<bool> cancel{false}, over{false};
   Task::Hooks hooks = with_threads(4);
   hooks.cancel = &cancel;
@@ -128,8 +134,8 @@ TEST_CASE("a cancel that is taken back at once ends a loop with kCancelled or le
   std::atomic<size_t> done{0};
   parallel_for(task, 1000, 1, [&](size_t, size_t) { ++done; });
   CHECK(done == 1000);
-  MESSAGE("FIGURE loops under a flickering cancel: " << whole << " whole, " << cancelled << " cancelled, " << half
-                                                     << " half done");
+  MESSAGE("FIGURE loops under a flickering cancel: " << whole << " whole, " << cancelled
+                                                     << " cancelled, " << half << " half done");
 }
 
 TEST_CASE("progress grows monotonically on the calling thread and stays below 1 until finish") {
@@ -148,7 +154,8 @@ TEST_CASE("progress grows monotonically on the calling thread and stays below 1 
   };
   Task task(hooks);
   const auto work = [&] {
-    parallel_for(task, 200, 1, [](size_t, size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); });
+    parallel_for(task, 200, 1,
+                 [](size_t, size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); });
   };
   {
     ProgressSpan first(task, 0, 0.5, "first");

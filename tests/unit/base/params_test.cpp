@@ -66,10 +66,12 @@ TEST_CASE("an unknown name lists the names there are") {
   }
 }
 
-TEST_CASE("values out of range, of the wrong type and NaN are refused when set, and change nothing") {
+TEST_CASE(
+    "values out of range, of the wrong type and NaN are refused when set, and change nothing") {
   ParamSet set = make();
   CHECK(status_of([&] { set.set_number("tolerance", 0); }) == Status::kInvalidArgument);
-  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double value :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     CHECK(status_of([&] { set.set_number("tolerance", value); }) == Status::kInvalidArgument);
   CHECK(status_of([&] { set.set_number("seed", 1.5); }) == Status::kInvalidArgument);
   CHECK(status_of([&] { set.set_integer("adaptive", 1); }) == Status::kInvalidArgument);
@@ -106,7 +108,8 @@ TEST_CASE("JSON out and in gives the same values") {
 TEST_CASE("JSON with one bad value sets none of them") {
   ParamSet set = make();
   const std::string before = set.to_json();
-  CHECK(status_of([&] { set.from_json(R"({"tolerance": 0.5, "seed": -1})"); }) == Status::kInvalidArgument);
+  CHECK(status_of([&] { set.from_json(R"({"tolerance": 0.5, "seed": -1})"); }) ==
+        Status::kInvalidArgument);
   CHECK(status_of([&] { set.from_json(R"({"tolerance": 0.5, "nose": 1})"); }) == Status::kNotFound);
   CHECK(status_of([&] { set.from_json(R"({"tolerance": 0.5)"); }) == Status::kInvalidArgument);
   CHECK(status_of([&] { set.from_json("[1, 2]"); }) == Status::kInvalidArgument);

@@ -31,11 +31,12 @@ struct Other {
 
 constexpr auto kInner = setting_rows(number_row<&Inner::margin_m>("margin_m", 0, 10, "m", "", ""),
                                      doubles_row<&Inner::centre>("centre", 0, 9, "m", "", ""));
-constexpr auto kOuter = setting_rows(
-    number_row<&Outer::spacing_m>("spacing_m", 0, 1, "m", "", ""),
-    choice_row<&Outer::keep>("keep", "nearest|first|mean", "", ""),
-    integer_row<&Outer::most>("most", 0, 10, "1", "", ""), bool_row<&Outer::has_mean>("has_mean", "", ""),
-    string_row<&Outer::field>("field", "", ""), nested_rows<&Outer::inner, kInner>());
+constexpr auto kOuter =
+    setting_rows(number_row<&Outer::spacing_m>("spacing_m", 0, 1, "m", "", ""),
+                 choice_row<&Outer::keep>("keep", "nearest|first|mean", "", ""),
+                 integer_row<&Outer::most>("most", 0, 10, "1", "", ""),
+                 bool_row<&Outer::has_mean>("has_mean", "", ""),
+                 string_row<&Outer::field>("field", "", ""), nested_rows<&Outer::inner, kInner>());
 
 }  // namespace
 

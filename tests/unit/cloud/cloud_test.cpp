@@ -78,7 +78,9 @@ TEST_CASE("select__points_fields_and_whole_stations_follow") {
   CHECK(torn.stations[0].name == "A");
   CHECK(torn.stations[0].first == 1);
   CHECK(select(cloud, {}, task).size() == 0);
-  CHECK(status_of([&] { select(cloud, std::vector<uint64_t>{1, 6}, task); }) == Status::kInvalidArgument);
+  CHECK(status_of([&] {
+          select(cloud, std::vector<uint64_t>{1, 6}, task);
+        }) == Status::kInvalidArgument);
 }
 
 TEST_CASE("select_mask__both_parts_make_up_the_cloud_and_all_shares_it") {
@@ -95,7 +97,8 @@ TEST_CASE("append__fills_missing_fields_shifts_stations_and_checks_the_crs") {
   Task task;
   const Cloud a = two_stations();
   Cloud b = cloud_of({{9, 9, 9}});
-  b.fields.set(make_column<uint8_t>({"class", ElementType::kUint8, 1, "", ""}, std::vector<uint8_t>{7}));
+  b.fields.set(
+      make_column<uint8_t>({"class", ElementType::kUint8, 1, "", ""}, std::vector<uint8_t>{7}));
   b.stations.push_back({"C", false, Transform(), 0, 1});
   const Cloud both = append(a, b, task);
   REQUIRE(both.size() == 7);
@@ -112,20 +115,24 @@ TEST_CASE("append__fills_missing_fields_shifts_stations_and_checks_the_crs") {
 TEST_CASE("append__fields_of_other_type_widen_of_other_shape_are_refused") {
   Task task;
   Cloud a = cloud_of({{0, 0, 0}}), b = cloud_of({{1, 1, 1}});
-  a.fields.set(make_column<uint8_t>({"f", ElementType::kUint8, 1, "", ""}, std::vector<uint8_t>{200}));
-  b.fields.set(make_column<int16_t>({"f", ElementType::kInt16, 1, "", ""}, std::vector<int16_t>{-5}));
+  a.fields.set(
+      make_column<uint8_t>({"f", ElementType::kUint8, 1, "", ""}, std::vector<uint8_t>{200}));
+  b.fields.set(
+      make_column<int16_t>({"f", ElementType::kInt16, 1, "", ""}, std::vector<int16_t>{-5}));
   const Cloud both = append(a, b, task);
   CHECK(both.fields.require("f").number(0) == 200);
   CHECK(both.fields.require("f").number(1) == -5);
-  b.fields.set(make_column<int16_t>({"f", ElementType::kInt16, 2, "", ""}, std::vector<int16_t>{1, 2}));
+  b.fields.set(
+      make_column<int16_t>({"f", ElementType::kInt16, 2, "", ""}, std::vector<int16_t>{1, 2}));
   CHECK(status_of([&] { append(a, b, task); }) == Status::kInvalidArgument);
 }
 
 TEST_CASE("transformed__and_back__is_the_same_within_rounding_and_moves_poses_and_normals") {
   Task task;
   Cloud cloud = two_stations();
-  cloud.fields.set(make_column<float>({"normal", ElementType::kFloat32, 3, "", ""},
-                                      std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0}));
+  cloud.fields.set(
+      make_column<float>({"normal", ElementType::kFloat32, 3, "", ""},
+                         std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0}));
   const double c = std::cos(0.3), s = std::sin(0.3);
   const Transform turn{{c, -s, 0, 100, s, c, 0, 200, 0, 0, 1, 5}};
   const Cloud moved = transformed(cloud, turn, task);
@@ -133,8 +140,9 @@ TEST_CASE("transformed__and_back__is_the_same_within_rounding_and_moves_poses_an
   CHECK(moved.stations[1].pose.translation().x == doctest::Approx(turn.point({10, 20, 30}).x));
   const Cloud back = transformed(moved, inverse(turn), task);
   for (size_t i = 0; i < cloud.size(); ++i) CHECK(norm(back.point(i) - cloud.point(i)) < 1e-12);
-  CHECK(status_of([&] { transformed(cloud, Transform{{1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0}}, task); }) ==
-        Status::kInvalidArgument);
+  CHECK(status_of([&] {
+          transformed(cloud, Transform{{1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0}}, task);
+        }) == Status::kInvalidArgument);
 }
 
 TEST_CASE("index__many_threads_at_once__one_tree") {

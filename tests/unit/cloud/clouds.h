@@ -42,7 +42,8 @@ inline std::vector<Vec3> random_points(size_t n, double size, uint64_t seed) {
   RandomStream random(seed, 0);
   std::vector<Vec3> points(n);
   for (Vec3& p : points)
-    p = {snapped(size * random.uniform()), snapped(size * random.uniform()), snapped(size * random.uniform())};
+    p = {snapped(size * random.uniform()), snapped(size * random.uniform()),
+         snapped(size * random.uniform())};
   return points;
 }
 
@@ -59,7 +60,8 @@ inline std::vector<Vec3> sphere(size_t n, double radius = 1) {
   std::vector<Vec3> points;
   for (size_t i = 0; i < n; ++i) {
     const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(n);
-    const double a = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
+    const double a = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0)),
+                 r = std::sqrt(1 - z * z);
     points.push_back({radius * r * std::cos(a), radius * r * std::sin(a), radius * z});
   }
   return points;
@@ -81,7 +83,8 @@ inline bool same_bits(const Cloud& a, const Cloud& b) {
   for (const auto& column : a.fields) {
     const Column* other = b.fields.find(column->info().name);
     if (other == nullptr || other->bytes() != column->bytes()) return false;
-    if (column->bytes() != 0 && std::memcmp(other->raw(), column->raw(), column->bytes()) != 0) return false;
+    if (column->bytes() != 0 && std::memcmp(other->raw(), column->raw(), column->bytes()) != 0)
+      return false;
   }
   return a.size() == 0 || std::memcmp(a.xyz().data(), b.xyz().data(), a.xyz().size_bytes()) == 0;
 }

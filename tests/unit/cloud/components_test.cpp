@@ -13,16 +13,17 @@ namespace {
 
 using namespace test;
 
-std::vector<uint32_t> labels_of(const std::vector<Vec3>& points, double cell_m, Connectivity3 connectivity,
-                                uint64_t min_points = 1) {
+std::vector<uint32_t> labels_of(const std::vector<Vec3>& points, double cell_m,
+                                Connectivity3 connectivity, uint64_t min_points = 1) {
   Task task;
   const Cloud cloud = cloud_of(points);
-  return connected_components(cloud.xyz(), {0, 0, 0}, cell_m, connectivity, min_points, task).labels;
+  return connected_components(cloud.xyz(), {0, 0, 0}, cell_m, connectivity, min_points, task)
+      .labels;
 }
 
 TEST_CASE("components__face_edge_and_corner_neighbours__join_by_6_18_26") {
-  const std::vector<Vec3> face{{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}}, edge{{0.5, 0.5, 0.5}, {1.5, 1.5, 0.5}},
-      corner{{0.5, 1.5, 0.5}, {1.5, 0.5, 1.5}};
+  const std::vector<Vec3> face{{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}},
+      edge{{0.5, 0.5, 0.5}, {1.5, 1.5, 0.5}}, corner{{0.5, 1.5, 0.5}, {1.5, 0.5, 1.5}};
   const std::vector<uint32_t> one{1, 1}, two{1, 2};
   CHECK(labels_of(face, 1, Connectivity3::k6) == one);
   CHECK(labels_of(edge, 1, Connectivity3::k6) == two);
@@ -36,7 +37,9 @@ TEST_CASE("components__equal_a_flood_of_the_cells") {
     const auto points = random_points(600, 12, seed);
     for (const auto connectivity : {Connectivity3::k6, Connectivity3::k18, Connectivity3::k26}) {
       const auto labels = labels_of(points, 1, connectivity);
-      const int most = connectivity == Connectivity3::k6 ? 1 : connectivity == Connectivity3::k18 ? 2 : 3;
+      const int most = connectivity == Connectivity3::k6    ? 1
+                       : connectivity == Connectivity3::k18 ? 2
+                                                            : 3;
       // Brute force: grow sets of points whose cells touch, until nothing changes.
       std::vector<size_t> root(points.size());
       for (size_t i = 0; i < root.size(); ++i) root[i] = i;
@@ -83,12 +86,9 @@ TEST_CASE("components__a_million_points_of_a_street__figures") {
   std::vector<Vec3> points;
   for (size_t i = 0; i < 1000000; ++i) {
     const double u = 60 * random.uniform(), v = 12 * random.uniform();
-    if (i % 20 == 0)
-      points.push_back({u, v, 12 * random.uniform()});
-    else if (i % 2 == 0)
-      points.push_back({u, 0.003 * random.normal(), v});
-    else
-      points.push_back({u, v, 0.003 * random.normal()});
+    if (i % 20 == 0) points.push_back({u, v, 12 * random.uniform()});
+    else if (i % 2 == 0) points.push_back({u, 0.003 * random.normal(), v});
+    else points.push_back({u, v, 0.003 * random.normal()});
   }
   Cloud cloud = cloud_of(points);
   ComponentsSettings set;
@@ -98,7 +98,8 @@ TEST_CASE("components__a_million_points_of_a_street__figures") {
     Task task;
     const auto start = std::chrono::steady_clock::now();
     const Cloud out = with_components(cloud, set, task, count);
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(
+        best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   MESSAGE("components of 1 M points, 0.1 m, 26: ", best, " s, ", count, " components (goal 0.2 s)");
   CHECK(count >= 1);

@@ -20,10 +20,11 @@ struct Row {
 };
 constexpr double kHalfDigit = 0.005 + 1e-9;  // the table prints two decimals
 
-constexpr Row kTable[] = {{302069, 280044, 7.29},   {7306170, 6881147, 5.82}, {132477, 114827, 13.32},
-                          {654519, 554864, 15.23},  {1664481, 677387, 59.30}, {938493, 392517, 58.18},
-                          {706295, 587825, 16.77},  {8000000, 7845200, 1.94}, {530912, 445785, 16.03},
-                          {1163729, 1007644, 13.41}};
+constexpr Row kTable[] = {{302069, 280044, 7.29},   {7306170, 6881147, 5.82},
+                          {132477, 114827, 13.32},  {654519, 554864, 15.23},
+                          {1664481, 677387, 59.30}, {938493, 392517, 58.18},
+                          {706295, 587825, 16.77},  {8000000, 7845200, 1.94},
+                          {530912, 445785, 16.03},  {1163729, 1007644, 13.41}};
 
 /// Distinct points on the 0.1 mm grid, exact (or jittered) copies of some of them, shuffled;
 /// "source" tells which are equal.
@@ -35,8 +36,9 @@ Cloud scene(const Row& row, bool jitter, const Vec3& offset) {
     const uint64_t s = i < row.count_out ? i : random.below(row.count_out);
     source[i] = static_cast<uint32_t>(s);
     // Node s of a lattice of 400 x 200 x ... nodes, 1.3 mm apart: distinct by construction.
-    points[i] = Vec3{13e-4 * static_cast<double>(s % 400), 13e-4 * static_cast<double>(s / 400 % 200),
-                     13e-4 * static_cast<double>(s / 80000)};
+    points[i] =
+        Vec3{13e-4 * static_cast<double>(s % 400), 13e-4 * static_cast<double>(s / 400 % 200),
+             13e-4 * static_cast<double>(s / 80000)};
     if (jitter && i >= row.count_out)
       for (int c = 0; c < 3; ++c) points[i][c] += 0.8e-4 * (random.uniform() - 0.5);
     points[i] += offset;
@@ -59,10 +61,11 @@ TEST_CASE("duplicates__table_3_2__every_row_to_the_point") {
     const Cloud cloud = scene(row, false, {});
     const auto start = std::chrono::steady_clock::now();
     const Cloud unique = without_duplicates(cloud, 1e-4, task);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const Reduction r = reduction_of(cloud.size(), unique.size());
-    MESSAGE(r.count_in, " -> ", r.count_out, ", ", r.removed, " removed (", r.removed_percent, " %) in ", seconds,
-            " s");
+    MESSAGE(r.count_in, " -> ", r.count_out, ", ", r.removed, " removed (", r.removed_percent,
+            " %) in ", seconds, " s");
     CHECK(r.count_out == row.count_out);
     CHECK(r.removed == row.count_in - row.count_out);
     CHECK(std::fabs(r.removed_percent - row.percent) <= kHalfDigit);
@@ -117,7 +120,8 @@ TEST_CASE("duplicates__bad_tolerance__is_refused") {
   for (const double bad : {0.0, -1.0, double(NAN), double(INFINITY)})
     CHECK(status_of([&] { without_duplicates(cloud, bad, task); }) == Status::kInvalidArgument);
   CHECK(status_of([&] { without_duplicates(cloud, 1e-300, task); }) == Status::kLimit);
-  CHECK(without_duplicates(cloud_of(std::vector<Vec3>(1000, Vec3{1, 2, 3})), 1e-4, task).size() == 1);
+  CHECK(without_duplicates(cloud_of(std::vector<Vec3>(1000, Vec3{1, 2, 3})), 1e-4, task).size() ==
+        1);
 }
 
 }  // namespace

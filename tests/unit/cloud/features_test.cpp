@@ -25,7 +25,8 @@ Cloud features(const std::vector<Vec3>& points, const char* which, double radius
 double median(const Cloud& cloud, const char* name) {
   const auto values = cloud.fields.require(name).values<float>();
   std::vector<float> sorted(values.begin(), values.end());
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<ptrdiff_t>(sorted.size() / 2), sorted.end());
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
   return double{sorted[sorted.size() / 2]};
 }
 
@@ -49,7 +50,8 @@ TEST_CASE("features__wall_line_and_ball__shape_by_demantke") {
   CHECK(median(wall, "sphericity") < 0.05);
   CHECK(median(wall, "verticality") > 0.95);
   CHECK(median(wall, "surface_variation") < 0.01);
-  CHECK(median(wall, "roughness") == doctest::Approx(0.002 * 0.6745).epsilon(0.2));  // median of a normal distribution
+  CHECK(median(wall, "roughness") ==
+        doctest::Approx(0.002 * 0.6745).epsilon(0.2));  // median of a normal distribution
   RandomStream random(32, 0);
   std::vector<Vec3> wire;
   for (int i = 0; i < 2000; ++i)

@@ -27,12 +27,14 @@ struct Scene {
   void facade() {
     for (int i = 0; i < 60000; ++i) {
       const double x = between(0, 30), z = between(0.5, 12);
-      const bool window = std::fmod(x, 3) > 1 && std::fmod(x, 3) < 2.2 && std::fmod(z, 3) > 1 && std::fmod(z, 3) < 2.5;
+      const bool window = std::fmod(x, 3) > 1 && std::fmod(x, 3) < 2.2 && std::fmod(z, 3) > 1 &&
+                          std::fmod(z, 3) < 2.5;
       if (window && random.uniform() < 0.7) continue;
       add({x, window ? 0.25 : 0, z}, kFacade);
     }
     for (int i = 0; i < 3000; ++i) add({between(0, 30), between(-1.2, 0), 12}, kFacade);  // cornice
-    for (int i = 0; i < 2000; ++i) add({between(12, 16), between(-1.5, 0), 3}, kFacade);  // balcony floor
+    for (int i = 0; i < 2000; ++i)
+      add({between(12, 16), between(-1.5, 0), 3}, kFacade);  // balcony floor
   }
   void obstacles() {
     for (const double x : {4.0, 14.0, 25.0})
@@ -42,7 +44,8 @@ struct Scene {
         add({x + d.x, -5 + d.y, 4 + d.z}, kUnwanted);
       }
     for (const double x : {8.0, 20.0})
-      for (int i = 0; i < 3000; ++i) add({between(x, x + 4.2), between(-6, -4.2), between(0.3, 1.5)}, kUnwanted);
+      for (int i = 0; i < 3000; ++i)
+        add({between(x, x + 4.2), between(-6, -4.2), between(0.3, 1.5)}, kUnwanted);
   }
   void ghosts() {
     for (int i = 0; i < 4000; ++i) {
@@ -57,7 +60,8 @@ struct Scene {
   Cloud cloud() const {
     std::vector<Vec3> placed;
     const double c = std::cos(0.6458), s = std::sin(0.6458);
-    for (const Vec3& p : points) placed.push_back(Vec3{c * p.x - s * p.y, s * p.x + c * p.y, p.z} + kFar);
+    for (const Vec3& p : points)
+      placed.push_back(Vec3{c * p.x - s * p.y, s * p.x + c * p.y, p.z} + kFar);
     return cloud_of(placed);
   }
 };
@@ -82,7 +86,8 @@ TEST_CASE("interest__facade_with_trees_cars_and_ghosts__recall_99_and_95_percent
     InterestSettings set;
     set.seed = seed;
     const auto mask = points_of_interest(scene.cloud(), set, task);
-    const double recall = share_kept(scene, mask, kFacade), removed = 1 - share_kept(scene, mask, kUnwanted);
+    const double recall = share_kept(scene, mask, kFacade),
+                 removed = 1 - share_kept(scene, mask, kUnwanted);
     MESSAGE("seed ", seed, ": recall ", recall, ", unwanted removed ", removed);
     CHECK(recall >= 0.99);
     CHECK(removed >= 0.95);
@@ -131,11 +136,14 @@ TEST_CASE("interest__threads__the_same_choice_and_degenerate_input_a_status") {
   scene.obstacles();
   Task one(threads(1)), seven(threads(7));
   const InterestSettings set{};
-  CHECK(points_of_interest(scene.cloud(), set, one) == points_of_interest(scene.cloud(), set, seven));
-  CHECK(status_of([&] { points_of_interest(cloud_of({{1, 1, 1}, {2, 2, 2}}), set, one); }) ==
-        Status::kInsufficientData);
-  CHECK(status_of([&] { points_of_interest(cloud_of(std::vector<Vec3>(99, Vec3{1, 2, 3})), set, one); }) ==
-        Status::kDegenerate);
+  CHECK(points_of_interest(scene.cloud(), set, one) ==
+        points_of_interest(scene.cloud(), set, seven));
+  CHECK(status_of([&] {
+          points_of_interest(cloud_of({{1, 1, 1}, {2, 2, 2}}), set, one);
+        }) == Status::kInsufficientData);
+  CHECK(status_of([&] {
+          points_of_interest(cloud_of(std::vector<Vec3>(99, Vec3{1, 2, 3})), set, one);
+        }) == Status::kDegenerate);
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ std::vector<double> sheet(size_t n, double noise, const Vec3& at) {
   std::vector<double> xyz;
   for (size_t i = 0; i < n; ++i) {
     const double x = 5 * random.uniform(), y = 5 * random.uniform();
-    const double z = random.below(30) == 0 ? 3 * random.uniform() : 0.3 * std::sin(x) + noise * random.normal();
+    const double z =
+        random.below(30) == 0 ? 3 * random.uniform() : 0.3 * std::sin(x) + noise * random.normal();
     xyz.insert(xyz.end(), {at.x + x, at.y + y, at.z + z});
   }
   return xyz;
@@ -41,9 +42,11 @@ Eigen3 reference(const std::vector<double>& xyz, std::span<const Neighbour> neig
   Vec3 mean;
   const auto at = [&](size_t j) {
     const size_t i = neighbours[j].index, first = neighbours[0].index;
-    return Vec3{xyz[3 * i] - xyz[3 * first], xyz[3 * i + 1] - xyz[3 * first + 1], xyz[3 * i + 2] - xyz[3 * first + 2]};
+    return Vec3{xyz[3 * i] - xyz[3 * first], xyz[3 * i + 1] - xyz[3 * first + 1],
+                xyz[3 * i + 2] - xyz[3 * first + 2]};
   };
-  for (size_t j = 0; j < neighbours.size(); ++j) mean += at(j) / static_cast<double>(neighbours.size());
+  for (size_t j = 0; j < neighbours.size(); ++j)
+    mean += at(j) / static_cast<double>(neighbours.size());
   Symmetric3 m{};
   for (size_t j = 0; j < neighbours.size(); ++j) {
     const Vec3 d = at(j) - mean;
@@ -53,8 +56,8 @@ Eigen3 reference(const std::vector<double>& xyz, std::span<const Neighbour> neig
   return symmetric_eigen(m);
 }
 
-void check_against_reference(const std::vector<double>& xyz, const PcaNormals& normals, const Octree& tree, uint32_t k,
-                             double radius) {
+void check_against_reference(const std::vector<double>& xyz, const PcaNormals& normals,
+                             const Octree& tree, uint32_t k, double radius) {
   const auto normal = normals.normal->values<float>();
   const auto curvature = normals.curvature->values<float>();
   size_t compared = 0;
@@ -62,10 +65,8 @@ void check_against_reference(const std::vector<double>& xyz, const PcaNormals& n
   for (size_t i = 0; i < tree.size(); i += 3) {
     const Vec3 p{xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
     std::vector<Neighbour> found(k);
-    if (k != 0)
-      tree.knn(p, k, found);
-    else
-      tree.radius(p, radius, found);
+    if (k != 0) tree.knn(p, k, found);
+    else tree.radius(p, radius, found);
     if (found.size() < 3) {
       REQUIRE(std::isnan(normal[3 * i]));
       continue;
@@ -79,8 +80,8 @@ void check_against_reference(const std::vector<double>& xyz, const PcaNormals& n
     worst = std::max(worst, norm(cross(n, e.vectors[0])));
     ++compared;
   }
-  MESSAGE(compared << " normals: largest angle to the Jacobi solution " << worst << " rad, of the variation "
-          << worst_variation);
+  MESSAGE(compared << " normals: largest angle to the Jacobi solution " << worst
+                   << " rad, of the variation " << worst_variation);
   REQUIRE(compared > tree.size() / 6);
   CHECK(worst < 1e-5);
   CHECK(worst_variation < 1e-6);
@@ -102,13 +103,15 @@ TEST_CASE("pca_normals__are_the_same_for_any_number_of_threads_and_after_a_shift
   auto xyz = sheet(9000, 0.003, {0, 0, 0});
   for (double& v : xyz) v = std::round(v * 0x1p20) * 0x1p-20;
   auto shifted = xyz;
-  for (size_t i = 0; i < xyz.size(); ++i) shifted[i] += i % 3 == 0 ? 652000.0 : i % 3 == 1 ? 6861000.0 : 35.0;
+  for (size_t i = 0; i < xyz.size(); ++i)
+    shifted[i] += i % 3 == 0 ? 652000.0 : i % 3 == 1 ? 6861000.0 : 35.0;
   Task::Hooks hooks;
   hooks.threads = 1;
   Task one(hooks);
   hooks.threads = 7;
   Task seven(hooks);
-  const auto a = pca_normals(*build(xyz), 16, true, one), b = pca_normals(*build(shifted, 7), 16, true, seven);
+  const auto a = pca_normals(*build(xyz), 16, true, one),
+             b = pca_normals(*build(shifted, 7), 16, true, seven);
   CHECK(std::memcmp(a.normal->raw(), b.normal->raw(), a.normal->bytes()) == 0);
   CHECK(std::memcmp(a.curvature->raw(), b.curvature->raw(), a.curvature->bytes()) == 0);
 }
@@ -120,11 +123,14 @@ TEST_CASE("pca_normals__are_nan_where_the_points_span_no_plane") {
     line.insert(line.end(), {652000 + 0.1 * i, 6861000.0, 5.0});
     equal.insert(equal.end(), {1, 2, 3});
   }
-  for (const auto& xyz : {line, equal, std::vector<double>{0, 0, 0, 1, 1, 1}, std::vector<double>{4, 5, 6}}) {
+  for (const auto& xyz :
+       {line, equal, std::vector<double>{0, 0, 0, 1, 1, 1}, std::vector<double>{4, 5, 6}}) {
     const auto tree = build(xyz);
-    for (const auto& normals : {pca_normals(*tree, 8, false, task), pca_normals_radius(*tree, 1, false, task)})
+    for (const auto& normals :
+         {pca_normals(*tree, 8, false, task), pca_normals_radius(*tree, 1, false, task)})
       for (const float v : normals.normal->values<float>()) REQUIRE(std::isnan(v));
   }
   const auto plane = build({0, 0, 0, 1, 0, 0, 0, 1, 0});
-  CHECK(std::fabs(pca_normals(*plane, 8, false, task).normal->values<float>()[2]) == doctest::Approx(1));
+  CHECK(std::fabs(pca_normals(*plane, 8, false, task).normal->values<float>()[2]) ==
+        doctest::Approx(1));
 }

@@ -33,7 +33,8 @@ TEST_CASE("normals__curvature_is_kept_only_when_asked_for") {
     set.radius_m = radius_m;
     const Cloud both = with_normals(cloud, set, task);
     CHECK(both.fields.size() == 2);
-    for (const float v : both.fields.require("curvature").values<float>()) REQUIRE((v > 0 && v < 0.1f));  // of a ball
+    for (const float v : both.fields.require("curvature").values<float>())
+      REQUIRE((v > 0 && v < 0.1f));  // of a ball
   }
 }
 
@@ -60,14 +61,17 @@ Quality measure(const std::vector<Vec3>& points, const char* method) {
     Task task;
     const auto start = std::chrono::steady_clock::now();
     out = with_normals(cloud, set, task);
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(
+        best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   std::vector<double> angles;
   for (size_t i = 0; i < points.size(); ++i) {
     const Vec3 n = normal_at(out, i), truth = normalized(points[i]);
-    angles.push_back(std::atan2(norm(cross(n, truth)), std::fabs(dot(n, truth))) * 180 / std::numbers::pi);
+    angles.push_back(std::atan2(norm(cross(n, truth)), std::fabs(dot(n, truth))) * 180 /
+                     std::numbers::pi);
   }
-  std::nth_element(angles.begin(), angles.begin() + static_cast<ptrdiff_t>(angles.size() / 2), angles.end());
+  std::nth_element(angles.begin(), angles.begin() + static_cast<ptrdiff_t>(angles.size() / 2),
+                   angles.end());
   return {angles[angles.size() / 2], best};
 }
 
@@ -75,10 +79,11 @@ TEST_CASE("normals__sphere_with_noise_of_5_percent_of_the_spacing__9_11_with_fig
   const auto points = noisy_sphere(200000, 0.05);
   const Quality pca = measure(points, "pca"), quadric = measure(points, "quadric"),
                 triangulation = measure(points, "triangulation");
-  MESSAGE("median angle error (deg): pca ", pca.median_deg, ", quadric ", quadric.median_deg, ", triangulation ",
-          triangulation.median_deg);
-  MESSAGE("seconds for 200 000 points, index built: pca ", pca.seconds, ", quadric ", quadric.seconds,
-          ", triangulation ", triangulation.seconds, "; method 1 / method 2 = ", pca.seconds / triangulation.seconds);
+  MESSAGE("median angle error (deg): pca ", pca.median_deg, ", quadric ", quadric.median_deg,
+          ", triangulation ", triangulation.median_deg);
+  MESSAGE("seconds for 200 000 points, index built: pca ", pca.seconds, ", quadric ",
+          quadric.seconds, ", triangulation ", triangulation.seconds,
+          "; method 1 / method 2 = ", pca.seconds / triangulation.seconds);
   CHECK(pca.median_deg < triangulation.median_deg);
   CHECK(pca.median_deg < 10);
   CHECK(triangulation.median_deg < 10);
@@ -90,12 +95,14 @@ TEST_CASE("normals__exact_plane__every_method_gives_its_normal") {
   const Vec3 u = normalized(cross(truth, {0, 0, 1})), v = cross(truth, u);
   RandomStream random(22, 0);
   std::vector<Vec3> points;
-  for (int i = 0; i < 5000; ++i) points.push_back(u * (10 * random.uniform()) + v * (10 * random.uniform()));
+  for (int i = 0; i < 5000; ++i)
+    points.push_back(u * (10 * random.uniform()) + v * (10 * random.uniform()));
   Task task;
   for (const char* method : {"pca", "quadric", "triangulation"}) {
     const Cloud out = with_normals(cloud_of(points), normal_options(method), task);
     double worst = 0;
-    for (size_t i = 0; i < points.size(); ++i) worst = std::max(worst, norm(cross(normal_at(out, i), truth)));
+    for (size_t i = 0; i < points.size(); ++i)
+      worst = std::max(worst, norm(cross(normal_at(out, i), truth)));
     CAPTURE(method);
     CHECK(worst < 1e-5);
   }
@@ -143,12 +150,14 @@ TEST_CASE("normals__centroid_orientation_on_a_convex_solid__all_outward_9_12") {
       NormalsSettings set = normal_options(method, "centroid");
       const Cloud out = with_normals(cloud_of(shifted(solid, kFar)), set, task);
       size_t inward = 0;
-      for (size_t i = 0; i < solid.size(); ++i) inward += dot(normal_at(out, i), solid[i] - centre) < 0;
+      for (size_t i = 0; i < solid.size(); ++i)
+        inward += dot(normal_at(out, i), solid[i] - centre) < 0;
       CAPTURE(method);
       CHECK(inward == 0);
       set.outward = false;
       const Cloud turned = with_normals(cloud_of(shifted(solid, kFar)), set, task);
-      for (size_t i = 0; i < solid.size(); i += 97) CHECK(norm(normal_at(out, i) + normal_at(turned, i)) < 1e-6);
+      for (size_t i = 0; i < solid.size(); i += 97)
+        CHECK(norm(normal_at(out, i) + normal_at(turned, i)) < 1e-6);
     }
 }
 
@@ -163,11 +172,14 @@ TEST_CASE("normals__station_orientation__faces_each_point_s_own_station") {
   cloud.stations = {{"front", true, front, 0, 2000}, {"back", true, back, 2000, 2000}};
   Task task;
   const Cloud out = with_normals(cloud, normal_options("pca", "station"), task);
-  for (size_t i = 0; i < points.size(); ++i) CHECK(normal_at(out, i).y * (i < 2000 ? -1 : 1) > 0.99);
+  for (size_t i = 0; i < points.size(); ++i)
+    CHECK(normal_at(out, i).y * (i < 2000 ? -1 : 1) > 0.99);
   cloud.stations[1].has_pose = false;
-  CHECK(status_of([&] { with_normals(cloud, normal_options("pca", "station"), task); }) == Status::kInvalidArgument);
+  CHECK(status_of([&] { with_normals(cloud, normal_options("pca", "station"), task); }) ==
+        Status::kInvalidArgument);
   cloud.stations.clear();
-  CHECK(status_of([&] { with_normals(cloud, normal_options("pca", "station"), task); }) == Status::kInvalidArgument);
+  CHECK(status_of([&] { with_normals(cloud, normal_options("pca", "station"), task); }) ==
+        Status::kInvalidArgument);
   NormalsSettings set = normal_options("pca", "point");
   set.viewpoint = {0, -3, 0};
   const Cloud seen = with_normals(cloud, set, task);
@@ -182,7 +194,9 @@ TEST_CASE("normals__inverted_twice__are_the_same_bits_and_none_is_an_error") {
   const Cloud once = with_inverted_normals(cloud, task);
   CHECK(norm(normal_at(cloud, 5) + normal_at(once, 5)) == 0);
   CHECK(same_bits(with_inverted_normals(once, task), cloud));
-  CHECK(status_of([&] { with_inverted_normals(cloud_of({{0, 0, 0}}), task); }) == Status::kNotFound);
+  CHECK(status_of([&] {
+          with_inverted_normals(cloud_of({{0, 0, 0}}), task);
+        }) == Status::kNotFound);
 }
 
 TEST_CASE("normals__too_few_equal_or_collinear_points__nan") {
@@ -219,12 +233,14 @@ TEST_CASE("normals__by_radius__equal_those_by_k_where_the_ball_holds_k") {
   // A square grid: a ball of 1.1 spacings holds 5 points, the four direct neighbours and the point itself.
   std::vector<Vec3> points;
   for (int y = 0; y < 30; ++y)
-    for (int x = 0; x < 30; ++x) points.push_back({double(x), double(y), 0.25 * ((x * 7 + y * 3) % 5)});
+    for (int x = 0; x < 30; ++x)
+      points.push_back({double(x), double(y), 0.25 * ((x * 7 + y * 3) % 5)});
   NormalsSettings by_radius = normal_options("quadric");
   by_radius.radius_m = 3.0;
   Task task;
   const Cloud out = with_normals(cloud_of(points), by_radius, task);
-  for (size_t i = 0; i < points.size(); ++i) CHECK(norm(normal_at(out, i)) == doctest::Approx(1).epsilon(1e-5));
+  for (size_t i = 0; i < points.size(); ++i)
+    CHECK(norm(normal_at(out, i)) == doctest::Approx(1).epsilon(1e-5));
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST_CASE("outliers__both_methods__drop_isolated_points_and_keep_the_wall") {
   for (const char* method : {"statistical", "radius"}) {
     const auto set = settings_by<OutliersSettings>(outliers_rows(), {{"method", method}});
     const Outcome o = outcome(cloud, without_outliers(cloud, set, task));
-    MESSAGE(std::string(method), ": wall kept ", o.kept_wall, ", isolated removed ", o.removed_isolated);
+    MESSAGE(std::string(method), ": wall kept ", o.kept_wall, ", isolated removed ",
+            o.removed_isolated);
     CHECK(o.kept_wall > 0.995);
     CHECK(o.removed_isolated > 0.95);
   }
@@ -78,10 +79,10 @@ TEST_CASE("outliers__threads_and_shift__the_same_choice") {
   const Cloud near = without_outliers(cloud_of(points), set, one);
   CHECK(same_bits(near, without_outliers(cloud_of(points), set, seven)));
   CHECK(same_bits(cloud_of([&] {
-          std::vector<Vec3> moved;
-          for (size_t i = 0; i < near.size(); ++i) moved.push_back(near.point(i) + kFar);
-          return moved;
-        }()),
+                    std::vector<Vec3> moved;
+                    for (size_t i = 0; i < near.size(); ++i) moved.push_back(near.point(i) + kFar);
+                    return moved;
+                  }()),
                   without_outliers(cloud_of(shifted(points, kFar)), set, seven)));
 }
 

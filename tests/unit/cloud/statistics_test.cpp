@@ -13,7 +13,8 @@ using namespace test;
 
 TEST_CASE("covariance__of_a_known_set__is_exact") {
   Task task;
-  const CloudCovariance whole = covariance_of(cloud_of({{0, 0, 0}, {2, 0, 0}, {0, 4, 0}, {2, 4, 6}}), task);
+  const CloudCovariance whole =
+      covariance_of(cloud_of({{0, 0, 0}, {2, 0, 0}, {0, 4, 0}, {2, 4, 6}}), task);
   CHECK(whole.centroid == Vec3{1, 2, 1.5});
   CHECK(whole.covariance == Symmetric3{1, 0, 1.5, 4, 3, 6.75});
 }
@@ -25,7 +26,8 @@ TEST_CASE("covariance__uniform_box__is_size_squared_over_12_and_the_same_on_the_
                         far = covariance_of(cloud_of(shifted(points, kFar)), seven);
   for (const size_t i : {size_t{0}, size_t{3}, size_t{5}})
     CHECK(near.covariance[i] == doctest::Approx(12).epsilon(0.01));
-  for (const size_t i : {size_t{1}, size_t{2}, size_t{4}}) CHECK(std::fabs(near.covariance[i]) < 0.1);
+  for (const size_t i : {size_t{1}, size_t{2}, size_t{4}})
+    CHECK(std::fabs(near.covariance[i]) < 0.1);
   CHECK(near.covariance == far.covariance);
   CHECK(norm(far.centroid - (near.centroid + kFar)) < 1e-8);
 }

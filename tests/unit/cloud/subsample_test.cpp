@@ -28,7 +28,8 @@ Cloud numbered(const std::vector<Vec3>& points) {
 
 using Cell = std::array<int64_t, 3>;
 Cell cell_of(const Vec3& p, double size) {
-  return {static_cast<int64_t>(std::floor(p.x / size)), static_cast<int64_t>(std::floor(p.y / size)),
+  return {static_cast<int64_t>(std::floor(p.x / size)),
+          static_cast<int64_t>(std::floor(p.y / size)),
           static_cast<int64_t>(std::floor(p.z / size))};
 }
 
@@ -61,7 +62,8 @@ TEST_CASE("subsample__voxel__a_cloud_without_fields_gives_the_same_centroids") {
   Task task;
   const auto sorted = [](const Cloud& cloud) {
     std::set<std::array<double, 3>> out;
-    for (size_t i = 0; i < cloud.size(); ++i) out.insert({cloud.point(i).x, cloud.point(i).y, cloud.point(i).z});
+    for (size_t i = 0; i < cloud.size(); ++i)
+      out.insert({cloud.point(i).x, cloud.point(i).y, cloud.point(i).z});
     return out;
   };
   const Cloud bare = subsampled(cloud_of(points), set, task);
@@ -172,7 +174,8 @@ TEST_CASE("subsample__threads_and_shift__the_same_choice") {
     CHECK(same_bits(near, subsampled(numbered(points), set, seven)));
     const Cloud far = subsampled(numbered(shifted(points, kFar)), set, one);
     CHECK(same_fields(near, far));
-    for (size_t i = 0; i < near.size(); i += 101) CHECK(norm(near.point(i) + kFar - far.point(i)) < 1e-8);
+    for (size_t i = 0; i < near.size(); i += 101)
+      CHECK(norm(near.point(i) + kFar - far.point(i)) < 1e-8);
   }
 }
 

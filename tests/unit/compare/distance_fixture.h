@@ -31,7 +31,8 @@ inline double summary(const Comparison& comparison, const char* name) {
 }
 
 /// n random points of the square [0, side) x [0, side) at a height, each axis with normal noise.
-inline std::vector<double> random_square(size_t n, double side, double height, uint64_t seed, double noise = 0) {
+inline std::vector<double> random_square(size_t n, double side, double height, uint64_t seed,
+                                         double noise = 0) {
   RandomStream random(seed, 0);
   std::vector<double> xyz;
   for (size_t i = 0; i < n; ++i) {

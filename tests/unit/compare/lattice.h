@@ -24,15 +24,19 @@ inline Vec3 direction_of(double h, double v) {
 }
 
 /// A cloud of one station whose rays meet something at range(direction in the scanner's frame); 0: nothing.
-inline Cloud lattice(const Look& look, const Transform& pose, const std::function<double(const Vec3&)>& range) {
+inline Cloud lattice(const Look& look, const Transform& pose,
+                     const std::function<double(const Vec3&)>& range) {
   std::vector<double> xyz;
   RandomStream random(5, 1);
-  const auto columns = static_cast<int>(std::floor((look.right - look.left) / look.horizontal_step + 1e-9));
-  const auto rows = static_cast<int>(std::floor((look.high - look.low) / look.vertical_step + 1e-9));
+  const auto columns =
+      static_cast<int>(std::floor((look.right - look.left) / look.horizontal_step + 1e-9));
+  const auto rows =
+      static_cast<int>(std::floor((look.high - look.low) / look.vertical_step + 1e-9));
   for (int i = 0; i <= columns; ++i)
     for (int j = 0; j <= rows; ++j) {
-      const Vec3 d = direction_of(look.left + i * look.horizontal_step + look.angle_noise * random.normal(),
-                                  look.low + j * look.vertical_step + look.angle_noise * random.normal());
+      const Vec3 d =
+          direction_of(look.left + i * look.horizontal_step + look.angle_noise * random.normal(),
+                       look.low + j * look.vertical_step + look.angle_noise * random.normal());
       const double r = range(d);
       if (!(r > 0)) continue;
       const Vec3 p = pose.point(d * r);

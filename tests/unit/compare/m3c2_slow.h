@@ -25,7 +25,8 @@ struct SlowM3c2 {
 
   struct Result {
     Vec3 normal;
-    double flatness = 0;  ///< second eigenvalue over the first: near 0 the normal is a matter of rounding
+    double flatness =
+        0;  ///< second eigenvalue over the first: near 0 the normal is a matter of rounding
     bool compared = false;
     double distance_m = 0, lod_m = 0;
     size_t count[2] = {0, 0};
@@ -37,7 +38,8 @@ struct SlowM3c2 {
   void up_normal(const std::vector<Vec3>& points, const Vec3& centre, Result& out) const {
     std::vector<Eigen::Vector3d> near;
     for (const Vec3& p : points)
-      if (norm(p - centre) <= normal_radius_m) near.emplace_back(p.x - centre.x, p.y - centre.y, p.z - centre.z);
+      if (norm(p - centre) <= normal_radius_m)
+        near.emplace_back(p.x - centre.x, p.y - centre.y, p.z - centre.z);
     if (near.size() < 3) return;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const auto& p : near) mean += p / static_cast<double>(near.size());
@@ -50,12 +52,14 @@ struct SlowM3c2 {
     out.flatness = (solver.eigenvalues()[1] - solver.eigenvalues()[0]) / solver.eigenvalues()[2];
   }
 
-  std::vector<double> along(const std::vector<Vec3>& points, const Vec3& centre, const Vec3& normal) const {
+  std::vector<double> along(const std::vector<Vec3>& points, const Vec3& centre,
+                            const Vec3& normal) const {
     std::vector<double> out;
     for (const Vec3& p : points) {
       const Vec3 d = p - centre;
       const double t = dot(d, normal);
-      if (std::fabs(t) <= max_depth_m && norm(cross(d, normal)) <= cylinder_radius_m) out.push_back(t);
+      if (std::fabs(t) <= max_depth_m && norm(cross(d, normal)) <= cylinder_radius_m)
+        out.push_back(t);
     }
     std::sort(out.begin(), out.end());
     return out;
@@ -89,8 +93,10 @@ struct SlowM3c2 {
       if (group.size() > largest.size()) largest = group;
     double half = 1e300;
     const size_t h = largest.size() / 2;
-    for (size_t i = 0; i + h < largest.size(); ++i) half = std::min(half, largest[i + h] - largest[i]);
-    const double gap = 5 * half / (2 * quartile()) * (1 + 5 / static_cast<double>(largest.size() - 1));
+    for (size_t i = 0; i + h < largest.size(); ++i)
+      half = std::min(half, largest[i + h] - largest[i]);
+    const double gap =
+        5 * half / (2 * quartile()) * (1 + 5 / static_cast<double>(largest.size() - 1));
     return gap > gap_m ? groups(t, gap) : out;
   }
 
@@ -107,23 +113,25 @@ struct SlowM3c2 {
     if (!median) return {mean, squares / (n - 1) / n, n - 1};
     const double c = std::max(1.0, std::round((n + 1) / 2 - std::sqrt(n)));
     const double high = t[t.size() - static_cast<size_t>(c)], low = t[static_cast<size_t>(c) - 1];
-    const double expected = 2 * boost::math::quantile(boost::math::normal(), (n + 0.625 - c) / (n + 0.25));
-    const double of_median = std::sqrt(std::numbers::pi / 2 / (n + (t.size() % 2 == 1 ? 0.46 : 1.36)));
+    const double expected =
+        2 * boost::math::quantile(boost::math::normal(), (n + 0.625 - c) / (n + 0.25));
+    const double of_median =
+        std::sqrt(std::numbers::pi / 2 / (n + (t.size() % 2 == 1 ? 0.46 : 1.36)));
     const double dof = std::sqrt(n) + 2;
     return {middle(t), std::pow((high - low) / expected * of_median, 2) / (1 + 1 / (2 * dof)), dof};
   }
 
-  Result at(const std::vector<Vec3>& reference, const std::vector<Vec3>& compared, const Vec3& core) const {
+  Result at(const std::vector<Vec3>& reference, const std::vector<Vec3>& compared,
+            const Vec3& core) const {
     Result out;
     up_normal(reference, core, out);
     if (out.flatness == 0) return out;
-    const auto a = surfaces(along(reference, core, out.normal)), b = surfaces(along(compared, core, out.normal));
+    const auto a = surfaces(along(reference, core, out.normal)),
+               b = surfaces(along(compared, core, out.normal));
     if (a.empty() || b.empty()) return out;
     size_t i = nearest(a), j = nearest(b);
-    if (to_core(a[i]) <= to_core(b[j]))
-      j = nearest_to(b, middle(a[i]));
-    else
-      i = nearest_to(a, middle(b[j]));
+    if (to_core(a[i]) <= to_core(b[j])) j = nearest_to(b, middle(a[i]));
+    else i = nearest_to(a, middle(b[j]));
     const Position p = position(a[i]), q = position(b[j]);
     const double v = p.variance + q.variance;
     const double dof = v * v / (p.variance * p.variance / p.dof + q.variance * q.variance / q.dof);
@@ -136,7 +144,9 @@ struct SlowM3c2 {
     return out;
   }
 
-  static double to_core(const std::vector<double>& t) { return std::max({0.0, t.front(), -t.back()}); }
+  static double to_core(const std::vector<double>& t) {
+    return std::max({0.0, t.front(), -t.back()});
+  }
   static size_t nearest(const std::vector<std::vector<double>>& all) {
     size_t best = 0;
     for (size_t i = 0; i < all.size(); ++i)

@@ -38,7 +38,8 @@ inline Pebble pebble(double noise_m, uint64_t seed) {
   const double largest = kA * kB;
   const auto draws = static_cast<size_t>(2 * std::numbers::pi * largest * kDensity);
   for (size_t i = 0; i < draws; ++i) {
-    const double z = random.uniform(), phi = 2 * std::numbers::pi * random.uniform(), r = std::sqrt(1 - z * z);
+    const double z = random.uniform(), phi = 2 * std::numbers::pi * random.uniform(),
+                 r = std::sqrt(1 - z * z);
     const Vec3 s{r * std::cos(phi), r * std::sin(phi), z};
     const double growth = kA * kB * kC * norm(Vec3{s.x / kA, s.y / kB, s.z / kC});
     if (random.uniform() * largest < growth) add({kA * s.x, kB * s.y, kC * s.z}, true);

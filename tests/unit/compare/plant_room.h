@@ -16,16 +16,18 @@ namespace jalon::test {
 /// mm in a third of it, against its model, in which round things have 8 to 12 facets, five pipes are missing and one
 /// lies 30 mm beside its place. Distances are those of the nearest model surface, computed piece by piece.
 struct PlantRoom {
-  Cloud cloud;                     ///< field "distance"
-  std::vector<uint32_t> removed;   ///< a point: 1 ... 5 = on that missing pipe, 6 = on the shifted one, 0 = unchanged
-  std::vector<double> truth;       ///< distance of the point without noise from the model: what facets are off
+  Cloud cloud;  ///< field "distance"
+  std::vector<uint32_t>
+      removed;  ///< a point: 1 ... 5 = on that missing pipe, 6 = on the shifted one, 0 = unchanged
+  std::vector<double>
+      truth;  ///< distance of the point without noise from the model: what facets are off
 };
 
 /// A straight piece with a round or a square section, along an axis.
 struct Bar {
   Vec3 foot, along, u, v;  ///< u, v, along orthonormal
   double length = 1, radius = 0.1;
-  int facets = 0;          ///< 0 = round; else a polygon with its corners on the circle
+  int facets = 0;  ///< 0 = round; else a polygon with its corners on the circle
   /// Distance of a point from the mantle.
   double distance(const Vec3& p) const {
     const Vec3 d = p - foot;
@@ -35,7 +37,8 @@ struct Bar {
     if (facets > 0) {
       // To the edge of the sector that the point lies in.
       const double sector = 2 * std::numbers::pi / facets, apothem = radius * std::cos(sector / 2);
-      const double turn = std::atan2(y, x), rest = turn - sector * std::floor(turn / sector) - sector / 2;
+      const double turn = std::atan2(y, x),
+                   rest = turn - sector * std::floor(turn / sector) - sector / 2;
       const double height = r * std::cos(rest) - apothem, side = std::fabs(r * std::sin(rest));
       across = std::hypot(height, std::max(0.0, side - radius * std::sin(sector / 2)));
     }
@@ -46,7 +49,8 @@ struct Bar {
 class PlantRoomBuilder {
  public:
   PlantRoomBuilder(size_t points, uint64_t seed) : random_(seed, 0) {
-    for (int i = 0; i < 60; ++i) pipes_.push_back(bar(0.03 + 0.27 * random_.uniform() * random_.uniform(), 8 + i % 5));
+    for (int i = 0; i < 60; ++i)
+      pipes_.push_back(bar(0.03 + 0.27 * random_.uniform() * random_.uniform(), 8 + i % 5));
     for (int i = 0; i < 20; ++i) pipes_.push_back(bar(0.15, 4));
     for (int i = 0; i < 5; ++i) pipes_.push_back(tank(i));
     for (const Bar& b : pipes_) model_.push_back(b);
@@ -100,14 +104,18 @@ class PlantRoomBuilder {
       const Bar& b = pipes_[i];
       at -= 2 * std::numbers::pi * b.radius * b.length;
       if (at >= 0) continue;
-      const double turn = 2 * std::numbers::pi * random_.uniform(), along = b.length * random_.uniform();
+      const double turn = 2 * std::numbers::pi * random_.uniform(),
+                   along = b.length * random_.uniform();
       Vec3 out = b.u * std::cos(turn) + b.v * std::sin(turn);
       double r = b.radius;
       if (!is_round(i)) {  // beams are as square as in the model
-        const double sector = std::numbers::pi / 2, rest = turn - sector * std::floor(turn / sector) - sector / 2;
+        const double sector = std::numbers::pi / 2,
+                     rest = turn - sector * std::floor(turn / sector) - sector / 2;
         r = b.radius * std::cos(sector / 2) / std::cos(rest);
       }
-      const uint32_t label = is_missing(i) ? static_cast<uint32_t>(i - kFirstRemoved + 1) : i == kShifted ? 6 : 0;
+      const uint32_t label = is_missing(i)   ? static_cast<uint32_t>(i - kFirstRemoved + 1)
+                             : i == kShifted ? 6
+                                             : 0;
       finish(b.foot + b.along * along + out * r, out, label);
       return;
     }
@@ -129,8 +137,8 @@ class PlantRoomBuilder {
   }
 
   double distance(const Vec3& p) const {
-    double least = std::min({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(kX - p.x), std::fabs(kY - p.y),
-                             std::fabs(kZ - p.z)});
+    double least = std::min({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(kX - p.x),
+                             std::fabs(kY - p.y), std::fabs(kZ - p.z)});
     for (size_t i = 0; i < model_.size(); ++i) {
       if (is_missing(i)) continue;
       const Bar& b = model_[i];

@@ -31,7 +31,8 @@ TEST_CASE("chamfer__one_seed__the_weights_3_4_5_in_thirds_of_a_cell") {
     for (uint32_t y = 0; y < 41; ++y)
       for (uint32_t x = 0; x < 41; ++x) {
         // The cheapest path: corner steps first, then edges, then faces.
-        uint32_t a[3] = {x > 20 ? x - 20 : 20 - x, y > 20 ? y - 20 : 20 - y, z > 20 ? z - 20 : 20 - z};
+        uint32_t a[3] = {x > 20 ? x - 20 : 20 - x, y > 20 ? y - 20 : 20 - y,
+                         z > 20 ? z - 20 : 20 - z};
         std::sort(a, a + 3);
         const double thirds = 5 * a[0] + 4 * (a[1] - a[0]) + 3 * (a[2] - a[1]);
         const double found = double{d[grid.index(x, y, z)]};
@@ -72,7 +73,8 @@ TEST_CASE("map_distance__of_a_sphere__its_radius_off") {
   RandomStream random(5, 0);
   std::vector<Vec3> queries(20000);
   for (Vec3& q : queries)
-    q = {snapped(4 * random.uniform() - 2), snapped(4 * random.uniform() - 2), snapped(4 * random.uniform() - 2)};
+    q = {snapped(4 * random.uniform() - 2), snapped(4 * random.uniform() - 2),
+         snapped(4 * random.uniform() - 2)};
   for (const char* method : {"chamfer", "fast_marching"}) {
     auto set = settings_by<DistanceMapSettings>(distance_map_rows(), {{"method", method}});
     set.cell_m = 0.05;
@@ -86,8 +88,8 @@ TEST_CASE("map_distance__of_a_sphere__its_radius_off") {
       worst = std::max(worst, e - (method[0] == 'c' ? 0.12 * truth : 0));
     }
     rms = std::sqrt(rms / static_cast<double>(queries.size()));
-    MESSAGE("FIGURE distance map, ", std::string(method), ", cells of 50 mm: rms ", 1000 * rms, " mm, largest ",
-            1000 * worst, " mm (Chamfer: beyond 12 % of the distance)");
+    MESSAGE("FIGURE distance map, ", std::string(method), ", cells of 50 mm: rms ", 1000 * rms,
+            " mm, largest ", 1000 * worst, " mm (Chamfer: beyond 12 % of the distance)");
     CHECK(worst < 0.05 * (method[0] == 'c' ? std::sqrt(3.0) : 1.25));
   }
 }
@@ -109,7 +111,8 @@ TEST_CASE("distance_map__limits_statuses_and_bits") {
     CHECK(same_bits(a, with_map_distance(near, near, set, seven)));
     CHECK(same_fields(a, with_map_distance(far, far, set, one)));
   }
-  CHECK(status_of([&] { with_map_distance(near, Cloud(), set, one); }) == Status::kInsufficientData);
+  CHECK(status_of([&] { with_map_distance(near, Cloud(), set, one); }) ==
+        Status::kInsufficientData);
   set.cell_m = 1e-5;
   CHECK(status_of([&] { distance_map_cloud(near, set, one); }) == Status::kLimit);
   CHECK(with_map_distance(Cloud(), near, DistanceMapSettings{}, one).size() == 0);

@@ -38,7 +38,8 @@ Plate plate(size_t n, const NoiseLaw& law, double change, uint64_t seed) {
     p = {10 * random.uniform(), 10 * random.uniform(), 0};
     const bool moved = change > 0 && std::hypot(p.x - 5, p.y - 5) < 0.5;
     out.truth.push_back(moved);
-    out.values.push_back(moved ? change + 0.2 * law.quantile(random.uniform()) : law.quantile(random.uniform()));
+    out.values.push_back(moved ? change + 0.2 * law.quantile(random.uniform())
+                               : law.quantile(random.uniform()));
   }
   out.cloud = cloud_of(points);
   return out;
@@ -47,8 +48,9 @@ Plate plate(size_t n, const NoiseLaw& law, double change, uint64_t seed) {
 TEST_CASE("chi_square__thresholds__those_of_the_tables") {
   // Quantiles of chi-square: 5, 1 and 0.1 % at 2, 3, 4, 5, 6, 7 and 9 degrees of freedom.
   const uint32_t sizes[] = {9, 16, 25, 36, 49, 64, 100};
-  const double table[][3] = {{5.99, 9.21, 13.82},   {7.81, 11.34, 16.27},  {9.49, 13.28, 18.47}, {11.07, 15.09, 20.52},
-                             {12.59, 16.81, 22.46}, {14.07, 18.48, 24.32}, {16.92, 21.67, 27.88}};
+  const double table[][3] = {{5.99, 9.21, 13.82},   {7.81, 11.34, 16.27},  {9.49, 13.28, 18.47},
+                             {11.07, 15.09, 20.52}, {12.59, 16.81, 22.46}, {14.07, 18.48, 24.32},
+                             {16.92, 21.67, 27.88}};
   const double margins[] = {0.05, 0.01, 0.001};
   for (size_t row = 0; row < 7; ++row) {
     const uint32_t k = classes_for(sizes[row], 32);
@@ -59,7 +61,8 @@ TEST_CASE("chi_square__thresholds__those_of_the_tables") {
     }
   }
   CHECK(kolmogorov_threshold(100, 0, 0.05) == doctest::Approx(0.1358).epsilon(1e-3).scale(0));
-  CHECK(kolmogorov_threshold(100, 100, 0.01) == doctest::Approx(1.6276 * std::sqrt(0.02)).epsilon(1e-3).scale(0));
+  CHECK(kolmogorov_threshold(100, 100, 0.01) ==
+        doctest::Approx(1.6276 * std::sqrt(0.02)).epsilon(1e-3).scale(0));
 }
 
 TEST_CASE("chi_square__false_alarms_on_pure_noise__as_the_table_says") {
@@ -93,8 +96,8 @@ TEST_CASE("chi_square__false_alarms_on_pure_noise__as_the_table_says") {
       const double tolerance = 5 * 100 * std::sqrt(2 * row.rates[m] / 100 / kDraws);
       CHECK(std::fabs(rates[m] - row.rates[m]) < tolerance);
     }
-    MESSAGE("FIGURE T2, n = ", row.n, ": false alarms ", rates[0], " / ", rates[1], " / ", rates[2], " % (table: ",
-            row.rates[0], " / ", row.rates[1], " / ", row.rates[2], ")");
+    MESSAGE("FIGURE T2, n = ", row.n, ": false alarms ", rates[0], " / ", rates[1], " / ", rates[2],
+            " % (table: ", row.rates[0], " / ", row.rates[1], " / ", row.rates[2], ")");
   }
 }
 
@@ -109,7 +112,8 @@ TEST_CASE("chi_square__local_filter__rate_on_pure_noise_and_a_found_disc") {
     const Plate noise = plate(100000, law, 0, 1);
     const ChangeFilter quiet = filter_changes(noise.cloud, noise.values, law, set, task);
     const double rate = static_cast<double>(quiet.changed_count) / 1e5;
-    MESSAGE("FIGURE ", std::string(method), ": false alarms at 1 %, 16 neighbours: ", 100 * rate, " %");
+    MESSAGE("FIGURE ", std::string(method), ": false alarms at 1 %, 16 neighbours: ", 100 * rate,
+            " %");
     CHECK(rate < 0.013);
     set.passes = 2;
     set.one_sided = true;
@@ -122,8 +126,8 @@ TEST_CASE("chi_square__local_filter__rate_on_pure_noise_and_a_found_disc") {
       alarms += !changed.truth[i] && found.changed[i] &&
                 std::hypot(changed.cloud.point(i).x - 5, changed.cloud.point(i).y - 5) > 0.75;
     }
-    MESSAGE("FIGURE ", std::string(method), ", two passes: ", hits, " of ", planted, " changed points, ", alarms,
-            " false of 98000");
+    MESSAGE("FIGURE ", std::string(method), ", two passes: ", hits, " of ", planted,
+            " changed points, ", alarms, " false of 98000");
     CHECK(hits >= planted * 98 / 100);  // at the rim most neighbours are outside
     CHECK(alarms < 1300);
   }
@@ -167,9 +171,11 @@ TEST_CASE("chi_square__thresholds_by_choice") {
   const NoiseLaw law = fit_noise_law(noise.values, fit, task);
   ChiSquareSettings set;
   set.threshold = ChiSquareSettings::Threshold::kEmpirical;
-  CHECK(filter_changes(noise.cloud, noise.values, law, set, task).threshold == law.sample_chi_square);
+  CHECK(filter_changes(noise.cloud, noise.values, law, set, task).threshold ==
+        law.sample_chi_square);
   set.threshold = ChiSquareSettings::Threshold::kGiven;
-  CHECK(status_of([&] { filter_changes(noise.cloud, noise.values, law, set, task); }) == Status::kInvalidArgument);
+  CHECK(status_of([&] { filter_changes(noise.cloud, noise.values, law, set, task); }) ==
+        Status::kInvalidArgument);
   set.cut = 20;
   CHECK(filter_changes(noise.cloud, noise.values, law, set, task).threshold == 20);
   set.threshold = ChiSquareSettings::Threshold::kEmpirical;
@@ -196,10 +202,8 @@ TEST_CASE("chi_square__missing_values__not_tested_and_not_counted") {
   const ChangeFilter without = filter_changes(cloud_of(kept), kept_values, law, set, task);
   size_t at = 0;
   for (size_t i = 0; i < half.values.size(); ++i) {
-    if (i % 3 == 0)
-      CHECK(std::isnan(with.distance[i]));
-    else
-      CHECK(with.distance[i] == without.distance[at++]);
+    if (i % 3 == 0) CHECK(std::isnan(with.distance[i]));
+    else CHECK(with.distance[i] == without.distance[at++]);
   }
   CHECK(with.tested == kept.size());
 }
@@ -209,12 +213,14 @@ TEST_CASE("chi_square__too_little__a_status") {
   Task task;
   const ChiSquareSettings set{};
   const Plate few = plate(8, law, 0, 7);
-  CHECK(status_of([&] { filter_changes(few.cloud, few.values, law, set, task); }) == Status::kInsufficientData);
+  CHECK(status_of([&] { filter_changes(few.cloud, few.values, law, set, task); }) ==
+        Status::kInsufficientData);
   const Plate none = plate(100, law, 0, 7);
   CHECK(status_of([&] {
           filter_changes(none.cloud, std::vector<double>(100, std::nan("")), law, set, task);
         }) == Status::kInsufficientData);
-  CHECK(filter_changes(none.cloud, std::vector<double>(100, 1.0), law, set, task).changed_count == 100);
+  CHECK(filter_changes(none.cloud, std::vector<double>(100, 1.0), law, set, task).changed_count ==
+        100);
 }
 
 TEST_CASE("chi_square__second_pass__the_test_of_more_neighbours_on_the_scale_of_the_first") {
@@ -233,7 +239,8 @@ TEST_CASE("chi_square__second_pass__the_test_of_more_neighbours_on_the_scale_of_
     const ChangeFilter both = filter_changes(p.cloud, p.values, law, set, task);
     uint64_t again = 0;
     for (size_t i = 0; i < p.values.size(); ++i) {
-      const bool in_band = first.distance[i] >= band_low * first.threshold && first.distance[i] <= 3 * first.threshold;
+      const bool in_band = first.distance[i] >= band_low * first.threshold &&
+                           first.distance[i] <= 3 * first.threshold;
       again += in_band;
       CHECK(both.distance[i] == (in_band ? more.distance[i] * to_first : first.distance[i]));
     }

@@ -15,7 +15,8 @@ namespace {
 
 using namespace test;
 
-std::vector<double> geodesic(const Cloud& cloud, const std::vector<uint64_t>& seeds, double cell_m, double most = 0) {
+std::vector<double> geodesic(const Cloud& cloud, const std::vector<uint64_t>& seeds, double cell_m,
+                             double most = 0) {
   Task task;
   GeodesicSettings set;
   set.cell_m = cell_m;
@@ -67,12 +68,13 @@ TEST_CASE("geodesic__on_planes__the_straight_distance") {
     const Vec3 v = normalized(cross(tilt == 0 ? Vec3{0, 0, 1} : Vec3{0.3, -0.2, 1}, u));
     RandomStream random(1, static_cast<uint64_t>(tilt));
     std::vector<Vec3> points{u * 3.0 + v * 3.0};
-    for (size_t i = 0; i < 90000; ++i) points.push_back(u * (10 * random.uniform()) + v * (10 * random.uniform()));
+    for (size_t i = 0; i < 90000; ++i)
+      points.push_back(u * (10 * random.uniform()) + v * (10 * random.uniform()));
     for (const double cell_m : {0.2, 0.1}) {
       const auto found = geodesic(cloud_of(points), {0}, cell_m);
       const Error2 e = errors(found, cell_m, [&](size_t i) { return norm(points[i] - points[0]); });
-      MESSAGE("FIGURE geodesic, plane ", tilt, ", cell ", cell_m, ": largest error ", 100 * e.worst, " %, rms ",
-              100 * e.rms, " %");
+      MESSAGE("FIGURE geodesic, plane ", tilt, ", cell ", cell_m, ": largest error ", 100 * e.worst,
+              " %, rms ", 100 * e.rms, " %");
       CHECK(e.worst < 0.015);
       CHECK(e.rms < 0.006);
     }
@@ -86,15 +88,16 @@ TEST_CASE("geodesic__on_a_cylinder__the_helix") {
   for (size_t i = 0; i < 80000; ++i)
     flat.push_back({2 * std::numbers::pi * random.uniform(), kHeight * random.uniform()});
   std::vector<Vec3> points;
-  for (const Vec2& p : flat) points.push_back({kRadius * std::cos(p.u), kRadius * std::sin(p.u), p.v});
+  for (const Vec2& p : flat)
+    points.push_back({kRadius * std::cos(p.u), kRadius * std::sin(p.u), p.v});
   for (const double cell_m : {0.2, 0.1}) {
     const auto found = geodesic(cloud_of(points), {0}, cell_m);
     const Error2 e = errors(found, cell_m, [&](size_t i) {
       const double a = std::min(flat[i].u, 2 * std::numbers::pi - flat[i].u);
       return std::hypot(kRadius * a, flat[i].v - 1);
     });
-    MESSAGE("FIGURE geodesic, cylinder of radius 2 m, cell ", cell_m, ": largest error ", 100 * e.worst, " %, rms ",
-            100 * e.rms, " %");
+    MESSAGE("FIGURE geodesic, cylinder of radius 2 m, cell ", cell_m, ": largest error ",
+            100 * e.worst, " %, rms ", 100 * e.rms, " %");
     CHECK(e.worst < 0.015);
     CHECK(e.rms < 0.006);
   }

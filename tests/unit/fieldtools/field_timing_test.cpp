@@ -58,7 +58,9 @@ Hall hall(size_t n) {
 }
 
 /// Of the processor, of all threads together: what else the machine does is not counted.
-double seconds_of(std::clock_t start) { return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC; }
+double seconds_of(std::clock_t start) {
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
 
 struct Row {
   size_t points;
@@ -95,11 +97,12 @@ TEST_CASE("field_tools__tables_3_1_and_3_2__thirty_times_faster") {
         smooth, scalar_values(smooth, "distance", task), scalar_values(smooth, "filtered", task),
         PropagationSettings{}, task);
     const double propagation_s = seconds_of(start);
-    MESSAGE("FIGURE T6, ", row.points, " points: ", statistical_s, " CPU s (filter ", filter_s, "), ",
-            row.statistical_s / statistical_s, " x faster than printed; ", components, " components");
-    MESSAGE("FIGURE T7, ", row.points, " points: ", propagation_s, " CPU s (octree and gradient ", gradient_s,
-            ", blur ", blur_s, "), ", row.propagation_s / propagation_s, " x faster than printed; ",
-            regions.regions.at(0)->count(), " regions");
+    MESSAGE("FIGURE T6, ", row.points, " points: ", statistical_s, " CPU s (filter ", filter_s,
+            "), ", row.statistical_s / statistical_s, " x faster than printed; ", components,
+            " components");
+    MESSAGE("FIGURE T7, ", row.points, " points: ", propagation_s, " CPU s (octree and gradient ",
+            gradient_s, ", blur ", blur_s, "), ", row.propagation_s / propagation_s,
+            " x faster than printed; ", regions.regions.at(0)->count(), " regions");
     if (small) continue;
     CHECK(row.statistical_s / statistical_s > 30);
     CHECK(row.propagation_s / propagation_s > 30);

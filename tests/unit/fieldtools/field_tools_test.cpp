@@ -71,9 +71,11 @@ TEST_CASE("gradient__of_a_linear_field__half_of_it_by_the_thesis_and_all_of_it_c
         ++borders;
       }
     }
-    const double norm_mean = sum / static_cast<double>(n) / 0.6, mean = along / static_cast<double>(n) / 0.6;
-    MESSAGE("FIGURE gradient of a linear field, ", std::string(methods[m]), ": ", mean, " along it (", expected[m],
-            " +- 2 %), mean norm ", norm_mean, ", at the border ", border / static_cast<double>(borders) / 0.6);
+    const double norm_mean = sum / static_cast<double>(n) / 0.6,
+                 mean = along / static_cast<double>(n) / 0.6;
+    MESSAGE("FIGURE gradient of a linear field, ", std::string(methods[m]), ": ", mean,
+            " along it (", expected[m], " +- 2 %), mean norm ", norm_mean, ", at the border ",
+            border / static_cast<double>(borders) / 0.6);
     CHECK(std::fabs(mean / expected[m] - 1) < 0.02);
     if (m == 2) CHECK(std::fabs(border / static_cast<double>(borders) / 0.6 - 1) < 1e-5);
   }
@@ -94,15 +96,17 @@ TEST_CASE("gradient__pairs_that_no_distance_field_can_have__left_out") {
   for (size_t i = 0; i < f.size(); ++i) {
     if (i % 50 == 0) continue;
     worst = std::max(worst, std::fabs(double{floats(with, "gradient")[i]} - 0.6));
-    worst_without = std::max(worst_without, std::fabs(double{floats(without, "gradient")[i]} - 0.6));
+    worst_without =
+        std::max(worst_without, std::fabs(double{floats(without, "gradient")[i]} - 0.6));
   }
   CHECK(worst < 1e-4);
   CHECK(worst_without > 1);
 }
 
 TEST_CASE("gradient__lonely_points_and_missing_values__nan") {
-  const Cloud cloud = with_field<double>(cloud_of({{0, 0, 0}, {1, 0, 0}, {1.1, 0, 0}, {1.2, 0, 0}}), "f", "m", "",
-                                         std::vector<double>{1, 2, std::nan(""), 2.1});
+  const Cloud cloud =
+      with_field<double>(cloud_of({{0, 0, 0}, {1, 0, 0}, {1.1, 0, 0}, {1.2, 0, 0}}), "f", "m", "",
+                         std::vector<double>{1, 2, std::nan(""), 2.1});
   GradientSettings set;
   set.radius_m = 0.15;
   Task task;
@@ -147,7 +151,7 @@ TEST_CASE("field_filter__equals_brute_force") {
       const size_t n = around.size();
       const double total = std::accumulate(around.begin(), around.end(), 0.0);
       const std::string m = method;
-      const double expected = m == "gaussian" ? sum / weights
+      const double expected = m == "gaussian"  ? sum / weights
                               : m == "minimum" ? around.front()
                               : m == "maximum" ? around.back()
                               : m == "median"  ? 0.5 * (around[(n - 1) / 2] + around[n / 2])
@@ -172,7 +176,8 @@ TEST_CASE("field_filter__gaussian_of_a_linear_field__the_field_inside") {
 
 TEST_CASE("field_arithmetic__every_operation") {
   const std::vector<double> a{4, -1, 0, std::nan("")}, b{2, 0, 0, 1};
-  Cloud cloud = with_field<double>(cloud_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}), "a", "m", "", a);
+  Cloud cloud =
+      with_field<double>(cloud_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}), "a", "m", "", a);
   cloud = with_field<double>(cloud, "b", "m", "", b);
   Task task;
   const auto run = [&](const char* operation, const char* other) {

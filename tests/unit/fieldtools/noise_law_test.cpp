@@ -18,14 +18,16 @@ namespace {
 
 using namespace test;
 
-NoiseLaw fitted(const std::vector<double>& values, const char* law, bool shift = false, unsigned threads_ = 1) {
+NoiseLaw fitted(const std::vector<double>& values, const char* law, bool shift = false,
+                unsigned threads_ = 1) {
   Task task(threads(threads_));
   auto set = settings_by<NoiseLawSettings>(noise_law_rows(), {{"law", law}});
   set.shift = shift;
   return fit_noise_law(values, set, task);
 }
 
-std::vector<double> weibull_values(size_t n, double shape, double scale, double shift, uint64_t seed) {
+std::vector<double> weibull_values(size_t n, double shape, double scale, double shift,
+                                   uint64_t seed) {
   RandomStream random(seed, 0);
   std::vector<double> out(n);
   for (double& v : out) v = shift + scale * std::pow(-std::log1p(-random.uniform()), 1 / shape);
@@ -48,8 +50,10 @@ TEST_CASE("noise_law__nearest_neighbours_on_a_plane__rayleigh_of_the_density") {
       d = std::sqrt(nearest[0].squared_distance);
     }
     const NoiseLaw law = fitted(distances, "weibull");
-    const double lambda = static_cast<double>(n) / 1e4, b = 1 / std::sqrt(std::numbers::pi * lambda);
-    MESSAGE("FIGURE S1, N = ", n, ": Weibull a = ", law.shape, " (2.00 +- 0.03), b = ", law.scale, " mm (", b, ")");
+    const double lambda = static_cast<double>(n) / 1e4,
+                 b = 1 / std::sqrt(std::numbers::pi * lambda);
+    MESSAGE("FIGURE S1, N = ", n, ": Weibull a = ", law.shape, " (2.00 +- 0.03), b = ", law.scale,
+            " mm (", b, ")");
     CHECK(std::fabs(law.shape - 2) < 0.03);
     CHECK(std::fabs(law.scale / b - 1) < 0.015);
     CHECK(std::fabs(law.mean() * 2 * std::sqrt(lambda) - 1) < 0.015);
@@ -119,8 +123,8 @@ TEST_CASE("noise_law__weibull_beats_the_gaussian_on_folded_noise") {
   std::vector<double> values(2000);
   for (double& v : values) v = std::fabs(0.003 * random.normal());
   const NoiseLaw weibull = fitted(values, "weibull"), gauss = fitted(values, "gauss");
-  MESSAGE("FIGURE chi-square of folded noise: Gauss ", gauss.sample_chi_square, ", Weibull ", weibull.sample_chi_square,
-          " (fig 3.9: 4285 and 901)");
+  MESSAGE("FIGURE chi-square of folded noise: Gauss ", gauss.sample_chi_square, ", Weibull ",
+          weibull.sample_chi_square, " (fig 3.9: 4285 and 901)");
   CHECK(gauss.sample_chi_square > 3 * weibull.sample_chi_square);
 }
 
@@ -133,19 +137,24 @@ TEST_CASE("noise_law__json__reads_back_the_same_law") {
     CHECK(back.cumulative(0.4) == law.cumulative(0.4));
     CHECK(back.samples == 3000);
   }
-  for (const char* text : {R"({})", R"([])", R"({"law":"cauchy"})", R"({"law":"gauss","mean":0,"sigma":0})",
-                           R"({"law":"weibull","shape":-1,"scale":1})", R"({"law":"empirical","quantiles":[2,1]})",
-                           R"({"law":"empirical","quantiles":[1]})", R"({"law":"gauss","mean":"0","sigma":1})"})
+  for (const char* text :
+       {R"({})", R"([])", R"({"law":"cauchy"})", R"({"law":"gauss","mean":0,"sigma":0})",
+        R"({"law":"weibull","shape":-1,"scale":1})", R"({"law":"empirical","quantiles":[2,1]})",
+        R"({"law":"empirical","quantiles":[1]})", R"({"law":"gauss","mean":"0","sigma":1})"})
     CHECK(status_of([&] { noise_law_from_json(text); }) == Status::kInvalidArgument);
 }
 
 TEST_CASE("noise_law__too_little_to_fit__a_status") {
   const double nan = std::nan("");
-  CHECK(status_of([&] { fitted({1, 2, 3, 4, 5, 6, 7, 8}, "weibull"); }) == Status::kInsufficientData);
-  CHECK(status_of([&] { fitted(std::vector<double>(50, nan), "gauss"); }) == Status::kInsufficientData);
+  CHECK(status_of([&] {
+          fitted({1, 2, 3, 4, 5, 6, 7, 8}, "weibull");
+        }) == Status::kInsufficientData);
+  CHECK(status_of([&] { fitted(std::vector<double>(50, nan), "gauss"); }) ==
+        Status::kInsufficientData);
   for (const char* kind : {"weibull", "gauss", "empirical"})
     CHECK(status_of([&] { fitted(std::vector<double>(50, 3.0), kind); }) == Status::kDegenerate);
-  CHECK(status_of([&] { fitted(std::vector<double>(50, -1.0), "weibull"); }) == Status::kDegenerate);
+  CHECK(status_of([&] { fitted(std::vector<double>(50, -1.0), "weibull"); }) ==
+        Status::kDegenerate);
 }
 
 TEST_CASE("noise_law__threads__the_same_bits") {
@@ -179,8 +188,9 @@ TEST_CASE("histogram__counts_what_lies_in_the_bins_and_what_the_law_expects") {
   const Histogram one = field_histogram(equal, nullptr, HistogramSettings{}, task);
   CHECK(one.values == 5);
   CHECK(one.counts[one.counts.size() / 2] + one.counts[0] == 5);
-  CHECK(status_of([&] { field_histogram(std::vector<double>(5, std::nan("")), nullptr, set, task); }) ==
-        Status::kInsufficientData);
+  CHECK(status_of([&] {
+          field_histogram(std::vector<double>(5, std::nan("")), nullptr, set, task);
+        }) == Status::kInsufficientData);
 }
 
 TEST_CASE("two_means__equals_the_best_of_all_splits") {

@@ -22,17 +22,20 @@ std::vector<double> values(const Cloud& cloud, const char* name) {
 }
 
 /// Gradient and its Gaussian mean, as the source chains them.
-Cloud with_smooth_gradient(const Cloud& cloud, const char* method, double radius_m, double sigma_m, Task& task) {
+Cloud with_smooth_gradient(const Cloud& cloud, const char* method, double radius_m, double sigma_m,
+                           Task& task) {
   auto gradient = settings_by<GradientSettings>(gradient_rows(), {{"method", method}});
   gradient.radius_m = radius_m;
   FieldFilterSettings blur;
   blur.name = "smooth";
   blur.sigma_m = sigma_m;
-  return with_filtered_field(with_gradient(cloud, "distance", gradient, task), "gradient", blur, task);
+  return with_filtered_field(with_gradient(cloud, "distance", gradient, task), "gradient", blur,
+                             task);
 }
 
 PropagationResult segment(const Cloud& cloud, const PropagationSettings& set, Task& task) {
-  return segment_by_propagation(cloud, values(cloud, "distance"), values(cloud, "smooth"), set, task);
+  return segment_by_propagation(cloud, values(cloud, "distance"), values(cloud, "smooth"), set,
+                                task);
 }
 
 TEST_CASE("propagation__pebble__the_front_jumps_at_the_rim") {
@@ -72,8 +75,9 @@ TEST_CASE("propagation__pebble__the_front_jumps_at_the_rim") {
         largest_before = std::max(largest_before, step);
       }
     }
-    MESSAGE("FIGURE S5, alpha ", alpha, ": jump of ", leap, " cells at node ", jump, " of ", cells.size(),
-            " (about 600; cells with pebble points: ", pebble_cells, "); largest step before: ", largest_before);
+    MESSAGE("FIGURE S5, alpha ", alpha, ": jump of ", leap, " cells at node ", jump, " of ",
+            cells.size(), " (about 600; cells with pebble points: ", pebble_cells,
+            "); largest step before: ", largest_before);
     if (alpha > 0) {
       CHECK(jump > 540);
       CHECK(jump < 660);
@@ -101,8 +105,8 @@ TEST_CASE("propagation__pebble__one_region_that_is_the_pebble") {
         both += found.labels[i] == 1 && p.on_pebble[i];
       }
       MESSAGE("FIGURE S5, noise ", 1000 * noise_m, " mm, scope ", std::string(scope), ": ",
-              found.regions.at(0)->count(), " regions; the largest has ", region, " points, the pebble ", truth,
-              ", both ", both);
+              found.regions.at(0)->count(), " regions; the largest has ", region,
+              " points, the pebble ", truth, ", both ", both);
       // Gradients are means over balls: a region ends about one radius inside the rim.
       CHECK(static_cast<double>(both) > 0.85 * static_cast<double>(truth));
       CHECK(static_cast<double>(both) > 0.99 * static_cast<double>(region));
@@ -114,12 +118,16 @@ TEST_CASE("propagation__numbers_by_size_threads_and_shift__the_same_bits") {
   const Pebble p = pebble(0.0003, 3);
   std::vector<Vec3> far;
   for (size_t i = 0; i < p.cloud.size(); ++i) far.push_back(p.cloud.point(i) + kFar);
-  const Cloud moved = with_field<double>(cloud_of(far), "distance", "m", "", values(p.cloud, "distance"));
+  const Cloud moved =
+      with_field<double>(cloud_of(far), "distance", "m", "", values(p.cloud, "distance"));
   Task one(threads(1)), seven(threads(7));
   const PropagationSettings set{};
-  const PropagationResult a = segment(with_smooth_gradient(p.cloud, "corrected", 0, 0, one), set, one);
-  const PropagationResult b = segment(with_smooth_gradient(p.cloud, "corrected", 0, 0, seven), set, seven);
-  const PropagationResult c = segment(with_smooth_gradient(moved, "corrected", 0, 0, one), set, one);
+  const PropagationResult a =
+      segment(with_smooth_gradient(p.cloud, "corrected", 0, 0, one), set, one);
+  const PropagationResult b =
+      segment(with_smooth_gradient(p.cloud, "corrected", 0, 0, seven), set, seven);
+  const PropagationResult c =
+      segment(with_smooth_gradient(moved, "corrected", 0, 0, one), set, one);
   CHECK(a.labels == b.labels);
   CHECK(a.labels == c.labels);
   const auto points = a.regions.require("points").values<uint64_t>();
@@ -132,9 +140,12 @@ TEST_CASE("propagation__nothing_to_work_on__a_status") {
   const PropagationSettings set{};
   const Cloud cloud = cloud_of(random_points(100, 1, 5));
   const std::vector<double> nan(100, std::nan("")), flat(100, 1.0), none(100, 0.0);
-  CHECK(status_of([&] { segment_by_propagation(cloud, nan, flat, set, task); }) == Status::kInsufficientData);
-  CHECK(status_of([&] { segment_by_propagation(cloud, flat, nan, set, task); }) == Status::kInsufficientData);
-  CHECK(status_of([&] { segment_by_propagation(cloud, flat, none, set, task); }) == Status::kDegenerate);
+  CHECK(status_of([&] { segment_by_propagation(cloud, nan, flat, set, task); }) ==
+        Status::kInsufficientData);
+  CHECK(status_of([&] { segment_by_propagation(cloud, flat, nan, set, task); }) ==
+        Status::kInsufficientData);
+  CHECK(status_of([&] { segment_by_propagation(cloud, flat, none, set, task); }) ==
+        Status::kDegenerate);
   PropagationSettings high = set;
   high.minimum_seed = 5;
   CHECK(segment_by_propagation(cloud, flat, none, high, task).regions.at(0)->count() == 0);

@@ -41,7 +41,9 @@ class House {
   }
   Model model() const { return model_; }
 
-  static double arch_area() { return 1.2 * 1.5 + std::numbers::pi * kArchRadius_m * kArchRadius_m / 2; }
+  static double arch_area() {
+    return 1.2 * 1.5 + std::numbers::pi * kArchRadius_m * kArchRadius_m / 2;
+  }
   static double round_area() { return std::numbers::pi * kRoundRadius_m * kRoundRadius_m; }
   static double wall_area() { return 12 * 8 - 2 * arch_area() - 1.0 * 2.2 - round_area(); }
 
@@ -50,7 +52,8 @@ class House {
     double s, z, sagitta_m = 0;
   };
 
-  uint32_t add_part(const char* name, const char* part_class, uint64_t parent, Evidence evidence = Evidence::kNone) {
+  uint32_t add_part(const char* name, const char* part_class, uint64_t parent,
+                    Evidence evidence = Evidence::kNone) {
     Part part;
     part.name = name;
     part.part_class = part_class;
@@ -80,7 +83,8 @@ class House {
     face.first_ring = model_.rings.size();
     face.ring_count = rings.size();
     for (size_t r = 0; r < rings.size(); ++r) {
-      model_.rings.push_back({model_.corners.size(), rings[r].size(), r < ring_parts.size() ? ring_parts[r] : kNoPart});
+      model_.rings.push_back({model_.corners.size(), rings[r].size(),
+                              r < ring_parts.size() ? ring_parts[r] : kNoPart});
       for (const Corner& c : rings[r]) {
         model_.corners.push_back(static_cast<uint32_t>(model_.vertices.size()));
         model_.sagittas.push_back(c.sagitta_m);
@@ -108,12 +112,14 @@ class House {
              {box(0, 0, 12, 8), arch(1, 1), turned(box(4, 0.2, 1, 2.2)), arch(7, 1), circle}, 0,
              {kNoPart, window_, door_, copy_, round_});
     // The frame fills the arch of the first window 0.2 m behind the wall.
-    add_face(joinery_, 2, front(), arch_area(), {{{1, 1}, {2.2, 1}, {2.2, 2.5, kArchRadius_m}, {1, 2.5}}}, -0.2);
+    add_face(joinery_, 2, front(), arch_area(),
+             {{{1, 1}, {2.2, 1}, {2.2, 2.5, kArchRadius_m}, {1, 2.5}}}, -0.2);
     add_face(shadow_, 3, front(), 1.0, {box(10, 3, 1, 1)}, 0.001);
   }
 
   void add_others() {
-    const auto quad = [&](uint32_t part, uint32_t id, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const auto quad = [&](uint32_t part, uint32_t id, const Vec3& a, const Vec3& b, const Vec3& c,
+                          const Vec3& d) {
       Face face;
       face.part = part;
       face.id = id;
@@ -156,7 +162,8 @@ class House {
   }
 
   Model model_;
-  uint32_t building_, facade_, wall_, window_, joinery_, door_, copy_, round_, shadow_, sill_, ground_, roof_;
+  uint32_t building_, facade_, wall_, window_, joinery_, door_, copy_, round_, shadow_, sill_,
+      ground_, roof_;
 };
 
 /// Of all faces of a model, m2.

@@ -96,7 +96,8 @@ TEST_CASE("triangulate__openings_may_touch_the_outline_and_each_other_in_a_corne
     auto turned = rings;
     for (auto& ring : turned)
       for (Vec2& p : ring) p = {c * p.u - s * p.v, s * p.u + c * p.v};
-    CHECK(area(turned, triangulate(turned)) == doctest::Approx(90 - 3 - 2.5 - 2.5 - 2).epsilon(1e-9));
+    CHECK(area(turned, triangulate(turned)) ==
+          doctest::Approx(90 - 3 - 2.5 - 2.5 - 2).epsilon(1e-9));
   }
 }
 

@@ -53,7 +53,8 @@ bool settle(const Draw& draw, PlaneFit& fit) {
   std::vector<PlaneSample> samples;
   for (size_t i = 0; i < draw.points.size(); ++i) {
     const Vec3 d = draw.points[i] - fit.centroid;
-    samples.push_back({static_cast<float>(dot(d, fit.axis_u)), static_cast<float>(dot(d, fit.axis_v)),
+    samples.push_back({static_cast<float>(dot(d, fit.axis_u)),
+                       static_cast<float>(dot(d, fit.axis_v)),
                        static_cast<float>(dot(d, fit.plane.normal)), draw.zones[i]});
   }
   return settle_contaminated_plane(samples, kTolerance_m, task, fit);
@@ -66,7 +67,8 @@ double chi_square(const PlaneFit& fit) {
   const Symmetric3& c = fit.local_covariance;
   const Vec3 rows[3] = {{c[0], c[1], c[2]}, {c[1], c[3], c[4]}, {c[2], c[4], c[5]}};
   const double determinant = dot(rows[0], cross(rows[1], rows[2]));
-  const Vec3 x{dot(y, cross(rows[1], rows[2])), dot(y, cross(rows[2], rows[0])), dot(y, cross(rows[0], rows[1]))};
+  const Vec3 x{dot(y, cross(rows[1], rows[2])), dot(y, cross(rows[2], rows[0])),
+               dot(y, cross(rows[0], rows[1]))};
   return dot(x, y) / determinant;
 }
 
@@ -94,9 +96,9 @@ uint64_t draw_count() { return std::getenv("JALON_SANITIZED") != nullptr ? 100 :
 
 TEST_CASE("contaminated_plane__covariance_holds_where_a_second_surface_meets_the_first") {
   const Coverage many = coverage(400, 40, draw_count()), few = coverage(90, 12, draw_count());
-  MESSAGE("FIGURE contaminated plane, 99 %: 400 + 40 points " << many.settled << " (least squares "
-          << many.least_squares << "), 90 + 12 points " << few.settled << " (least squares " << few.least_squares
-          << ")");
+  MESSAGE("FIGURE contaminated plane, 99 %: 400 + 40 points "
+          << many.settled << " (least squares " << many.least_squares << "), 90 + 12 points "
+          << few.settled << " (least squares " << few.least_squares << ")");
   CHECK(many.settled >= 0.97);
   CHECK(many.least_squares <= 0.5);  // otherwise there was nothing to settle
   CHECK(few.settled >= 0.95);
@@ -104,7 +106,8 @@ TEST_CASE("contaminated_plane__covariance_holds_where_a_second_surface_meets_the
 
 TEST_CASE("contaminated_plane__is_least_squares_among_points_of_its_own") {
   const Coverage clean = coverage(400, 0, draw_count());
-  MESSAGE("FIGURE clean plane, 99 %: " << clean.settled << " (least squares " << clean.least_squares << ")");
+  MESSAGE("FIGURE clean plane, 99 %: " << clean.settled << " (least squares " << clean.least_squares
+                                       << ")");
   CHECK(clean.settled >= 0.97);
   double squares = 0, settled_squares = 0;
   for (uint64_t seed = 1; seed <= 100; ++seed) {
@@ -133,17 +136,22 @@ TEST_CASE("contaminated_plane__leaves_what_it_cannot_tell") {
 TEST_CASE("contamination_table__derivatives_are_those_of_its_log_density") {
   const Contamination c{kSigma_m, kTolerance_m, 0.1, 0.05};
   constexpr double kStep = 1e-4;
-  const auto density = [&](Contamination other, double r) { return ContaminationTable(other).weights(r).log_density; };
+  const auto density = [&](Contamination other, double r) {
+    return ContaminationTable(other).weights(r).log_density;
+  };
   const ContaminationTable table(c, true);
-  const double node_m = kTolerance_m / std::ceil(12 * kTolerance_m / kSigma_m);  // at a node nothing is interpolated
+  const double node_m =
+      kTolerance_m / std::ceil(12 * kTolerance_m / kSigma_m);  // at a node nothing is interpolated
   for (const double r : {-30 * node_m, -7 * node_m, 0.0, 12 * node_m, 40 * node_m}) {
     CAPTURE(r);
     const auto d = table.derivatives(r);
     Contamination front = c, behind = c;
     front.front += kStep;
     behind.behind += kStep;
-    CHECK((density(front, r) - density(c, r)) / kStep == doctest::Approx(d[ContaminationTable::kF]).epsilon(0.01));
-    CHECK((density(behind, r) - density(c, r)) / kStep == doctest::Approx(d[ContaminationTable::kB]).epsilon(0.01));
+    CHECK((density(front, r) - density(c, r)) / kStep ==
+          doctest::Approx(d[ContaminationTable::kF]).epsilon(0.01));
+    CHECK((density(behind, r) - density(c, r)) / kStep ==
+          doctest::Approx(d[ContaminationTable::kB]).epsilon(0.01));
     const auto sum = table.weights(r);
     CHECK(sum.core + sum.front + sum.behind == doctest::Approx(1));
   }

@@ -60,7 +60,8 @@ TEST_CASE("delaunay__random_points__no_point_in_any_circle_and_the_hull_is_cover
     const Triangles triangles = delaunay(points, 1.0);
     CHECK(circle_violations(points, triangles) == 0);
     CHECK(area_of(points, triangles) == doctest::Approx(hull_area(points)).epsilon(1e-12));
-    for (const auto& t : triangles) CHECK(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) > 0);
+    for (const auto& t : triangles)
+      CHECK(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) > 0);
   }
 }
 
@@ -109,7 +110,8 @@ TEST_CASE("delaunay__duplicates__the_first_point_of_a_node_takes_part_and_no_oth
 
 TEST_CASE("delaunay__whole_metre_shift__the_same_triangles") {
   std::vector<Vec2> points = random_points(3000, 20, 6);
-  for (Vec2& p : points) p = {std::floor(p.u * 0x1p20) * 0x1p-20, std::floor(p.v * 0x1p20) * 0x1p-20};
+  for (Vec2& p : points)
+    p = {std::floor(p.u * 0x1p20) * 0x1p-20, std::floor(p.v * 0x1p20) * 0x1p-20};
   const Triangles before = delaunay(points);
   for (Vec2& p : points) p = {p.u + 652000, p.v + 6861000};
   CHECK(delaunay(points) == before);
@@ -134,7 +136,8 @@ TEST_CASE("delaunay__a_million_points__figures") {
   const std::vector<Vec2> points = random_points(n, 100, 7);
   const auto start = std::chrono::steady_clock::now();
   const Triangles triangles = delaunay(points);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   MESSAGE("Delaunay of ", n, " points: ", seconds, " s, ", triangles.size(), " triangles");
   std::set<uint32_t> used;
   for (const auto& t : triangles) used.insert(t.begin(), t.end());

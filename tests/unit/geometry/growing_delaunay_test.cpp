@@ -23,7 +23,8 @@ using Triangle = std::array<uint32_t, 3>;
 std::vector<Vec2> random_nodes(size_t n, uint64_t side, uint64_t seed) {
   RandomStream random(seed, 0);
   std::vector<Vec2> points(n);
-  for (Vec2& p : points) p = {static_cast<double>(random.below(side)), static_cast<double>(random.below(side))};
+  for (Vec2& p : points)
+    p = {static_cast<double>(random.below(side)), static_cast<double>(random.below(side))};
   return points;
 }
 
@@ -66,7 +67,9 @@ TEST_CASE("growing_delaunay__about_one_point_and_all_of_it_are_the_same_as_made_
 }
 
 // A few nodes of a small grid, many doubled: squares and larger polygons on one circle everywhere.
-TEST_CASE("growing_delaunay__nodes_on_one_circle_are_split_without_overlap_and_the_same_from_everywhere") {
+TEST_CASE(
+    "growing_delaunay__nodes_on_one_circle_are_split_without_overlap_and_the_same_from_"
+    "everywhere") {
   for (uint64_t seed = 1; seed <= 200; ++seed) {
     const auto points = random_nodes(5 + seed % 60, 4 + seed % 5, seed);
     std::vector<Vec2> hull;
@@ -78,14 +81,17 @@ TEST_CASE("growing_delaunay__nodes_on_one_circle_are_split_without_overlap_and_t
       REQUIRE(twice > 0);
       area += twice / 2;
       for (const uint32_t i : t)
-        REQUIRE(std::ranges::find(points, points[i]) - points.begin() == i);  // the first on its node
+        REQUIRE(std::ranges::find(points, points[i]) - points.begin() ==
+                i);  // the first on its node
     }
     REQUIRE(area == signed_area(hull));
-    for (uint32_t centre = 1; centre < points.size(); ++centre) REQUIRE(grown(points, centre, seed + 1) == first);
+    for (uint32_t centre = 1; centre < points.size(); ++centre)
+      REQUIRE(grown(points, centre, seed + 1) == first);
   }
 }
 
-TEST_CASE("growing_delaunay__equal_or_collinear_points_have_no_triangles_and_wide_ones_are_refused") {
+TEST_CASE(
+    "growing_delaunay__equal_or_collinear_points_have_no_triangles_and_wide_ones_are_refused") {
   GrowingDelaunay delaunay;
   std::vector<Vec2> line;
   for (int i = 0; i < 20; ++i) line.push_back({3.0 * i, 2.0 * i});

@@ -32,8 +32,8 @@ TEST_CASE("contains__even_odd_with_the_border_inside") {
   CHECK(contains(kU, {0.5, 2}));
   CHECK_FALSE(contains(kU, {1.5, 2}));
   CHECK(contains(kU, {1.5, 0.5}));
-  CHECK(contains(kU, {1, 2}));      // on a side
-  CHECK(contains(kU, {2, 1}));      // on a corner
+  CHECK(contains(kU, {1, 2}));           // on a side
+  CHECK(contains(kU, {2, 1}));           // on a corner
   CHECK_FALSE(contains(kU, {-0.1, 0}));  // level with a side
   CHECK_FALSE(contains(kU, {3.5, 3}));
   // A self-crossing star: the middle is wound twice, so even-odd leaves it out.
@@ -69,7 +69,8 @@ TEST_CASE("segment_distance__foot_inside_and_beyond_the_ends") {
 TEST_CASE("simplified__dropped_corners_stay_within_the_tolerance") {
   RandomStream random(2, 0);
   std::vector<Vec2> line;
-  for (int i = 0; i < 500; ++i) line.push_back({0.02 * i, std::sin(0.05 * i) + 0.01 * random.normal()});
+  for (int i = 0; i < 500; ++i)
+    line.push_back({0.02 * i, std::sin(0.05 * i) + 0.01 * random.normal()});
   for (const double tolerance : {0.01, 0.05, 0.2}) {
     const auto kept = simplified(line, tolerance, false);
     CHECK(kept.front() == 0);
@@ -100,14 +101,16 @@ TEST_CASE("convex_hull__holds_all_points_and_drops_collinear_ones") {
   CHECK(convex_hull(points) == std::vector<uint32_t>{0, 2, 3, 4});
   CHECK(convex_hull(std::vector<Vec2>{}).empty());
   CHECK(convex_hull(std::vector<Vec2>(4, Vec2{1, 1})) == std::vector<uint32_t>{0});
-  CHECK(convex_hull(std::vector<Vec2>{{0, 0}, {1, 1}, {2, 2}, {0.5, 0.5}}) == std::vector<uint32_t>{0, 2});
+  CHECK(convex_hull(std::vector<Vec2>{{0, 0}, {1, 1}, {2, 2}, {0.5, 0.5}}) ==
+        std::vector<uint32_t>{0, 2});
 }
 
 TEST_CASE("is_simple__crossing_touching_and_folded_outlines_are_not") {
   CHECK(is_simple(kU));
-  CHECK_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {2, 2}, {2, 0}, {0, 2}}));           // bow tie
-  CHECK_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}));  // a corner on a side
-  CHECK_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {4, 0}, {2, 0}, {2, 2}}));          // folds back
+  CHECK_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {2, 2}, {2, 0}, {0, 2}}));  // bow tie
+  CHECK_FALSE(
+      is_simple(std::vector<Vec2>{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}));  // a corner on a side
+  CHECK_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {4, 0}, {2, 0}, {2, 2}}));  // folds back
   CHECK_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {1, 0}}));
   CHECK(segments_meet({0, 0}, {2, 0}, {1, 0}, {1, 5}));
   CHECK_FALSE(segments_meet({0, 0}, {2, 0}, {0, 1}, {2, 1}));

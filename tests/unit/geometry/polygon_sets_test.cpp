@@ -30,7 +30,9 @@ double area_of(const Polygons& polygons) {
   return sum;
 }
 
-double area(SetOperation operation, const Polygons& a, const Polygons& b) { return area_of(combined(operation, a, b)); }
+double area(SetOperation operation, const Polygons& a, const Polygons& b) {
+  return area_of(combined(operation, a, b));
+}
 
 bool covers(const Polygons& polygons, const Vec2& p) {
   for (const auto& polygon : polygons) {
@@ -53,7 +55,8 @@ bool near_border(const Polygons& polygons, const Vec2& p) {
 }
 
 // A star-shaped polygon, so that it is simple; holes inside it.
-PolygonWithHoles star(const Vec2& centre, double radius, int corners, bool with_hole, RandomStream& random) {
+PolygonWithHoles star(const Vec2& centre, double radius, int corners, bool with_hole,
+                      RandomStream& random) {
   PolygonWithHoles out;
   const auto ring = [&](double from, double to) {
     std::vector<Vec2> corners_of;
@@ -100,7 +103,10 @@ TEST_CASE("polygon_sets__take_degenerate_input") {
   CHECK(combined(SetOperation::kIntersection, none, square).empty());
   CHECK(area(SetOperation::kUnion, none, square) == doctest::Approx(1));
   CHECK(area(SetOperation::kDifference, square, none) == doctest::Approx(1));
-  const Polygons flat{{{{0, 0}, {1, 0}, {2, 0}}, {}}, {{{0, 0}, {1, 1}}, {}}, {{}, {}}, {{{5, 5}, {5, 5}, {5, 5}}, {}}};
+  const Polygons flat{{{{0, 0}, {1, 0}, {2, 0}}, {}},
+                      {{{0, 0}, {1, 1}}, {}},
+                      {{}, {}},
+                      {{{5, 5}, {5, 5}, {5, 5}}, {}}};
   CHECK(region_area(flat) == 0);
   CHECK(area(SetOperation::kUnion, flat, square) == doctest::Approx(1));
   // Sharing an edge, part of an edge, a corner.
@@ -113,7 +119,8 @@ TEST_CASE("polygon_sets__take_degenerate_input") {
   CHECK(combined(SetOperation::kXor, square, more).empty());
   // A hole that fills its outline, and one that touches it.
   CHECK(region_area(Polygons{{square[0].outline, {square[0].outline}}}) == 0);
-  CHECK(region_area(Polygons{{square[0].outline, {box(0, 0.5, 0.5, 1).outline}}}) == doctest::Approx(0.75));
+  CHECK(region_area(Polygons{{square[0].outline, {box(0, 0.5, 0.5, 1).outline}}}) ==
+        doctest::Approx(0.75));
 }
 
 TEST_CASE("polygon_sets__take_either_orientation_and_overlapping_polygons") {
@@ -126,7 +133,8 @@ TEST_CASE("polygon_sets__take_either_orientation_and_overlapping_polygons") {
   // A second polygon fills the hole of the first: its union has none.
   CHECK(region_area(Polygons{turned[0], box(0.5, 0.5, 2.5, 2.5)}) == doctest::Approx(16));
   CHECK(region_area(Polygons{box(0, 0, 2, 1), box(1, 0, 3, 1)}) == doctest::Approx(3));
-  const auto ring = combined(SetOperation::kDifference, Polygons{box(0, 0, 4, 4)}, Polygons{box(1, 1, 2, 2)});
+  const auto ring =
+      combined(SetOperation::kDifference, Polygons{box(0, 0, 4, 4)}, Polygons{box(1, 1, 2, 2)});
   REQUIRE(ring.size() == 1);
   REQUIRE(ring[0].holes.size() == 1);
   CHECK(signed_area(ring[0].outline) > 0);
@@ -135,7 +143,8 @@ TEST_CASE("polygon_sets__take_either_orientation_and_overlapping_polygons") {
 
 TEST_CASE("polygon_sets__give_simple_rings_where_polygons_touch") {
   // Two squares at a corner, a hole that touches its outline, two holes at a corner, a square in a hole.
-  const auto corner = combined(SetOperation::kUnion, Polygons{box(0, 0, 1, 1)}, Polygons{box(1, 1, 2, 2)});
+  const auto corner =
+      combined(SetOperation::kUnion, Polygons{box(0, 0, 1, 1)}, Polygons{box(1, 1, 2, 2)});
   CHECK(corner.size() == 2);
   const Polygons diamond{{{{0, 2}, {2, 1}, {4, 2}, {2, 3}}, {}}};
   const auto pinched = combined(SetOperation::kDifference, Polygons{box(0, 0, 6, 4)}, diamond);
@@ -159,13 +168,15 @@ TEST_CASE("polygon_sets__give_simple_rings_where_polygons_touch") {
 
 TEST_CASE("polygon_sets__agree_with_random_points") {
   RandomStream random(7, 7);
-  const SetOperation operations[] = {SetOperation::kIntersection, SetOperation::kUnion, SetOperation::kDifference,
-                                     SetOperation::kXor};
+  const SetOperation operations[] = {SetOperation::kIntersection, SetOperation::kUnion,
+                                     SetOperation::kDifference, SetOperation::kXor};
   double worst = 0;
   for (int round = 0; round < 25; ++round) {
     const int corners = 4 + static_cast<int>(random.below(12));
-    const Polygons a{star({0, 0}, 3, corners, true, random), star({5, 1}, 2, corners, false, random)};
-    const Polygons b{star({1, 0.5}, 3, corners, round % 2 == 0, random), star({4, -2}, 2.5, corners, true, random)};
+    const Polygons a{star({0, 0}, 3, corners, true, random),
+                     star({5, 1}, 2, corners, false, random)};
+    const Polygons b{star({1, 0.5}, 3, corners, round % 2 == 0, random),
+                     star({4, -2}, 2.5, corners, true, random)};
     Polygons made[4];
     for (size_t o = 0; o < 4; ++o) made[o] = combined(operations[o], a, b);
     int wrong = 0;
@@ -179,7 +190,8 @@ TEST_CASE("polygon_sets__agree_with_random_points") {
     }
     CHECK(wrong == 0);
     // Areas of the four agree among each other but for rounded crossings, half a step off along the edges.
-    const double i = area_of(made[0]), u = area_of(made[1]), d = area_of(made[2]), x = area_of(made[3]);
+    const double i = area_of(made[0]), u = area_of(made[1]), d = area_of(made[2]),
+                 x = area_of(made[3]);
     worst = std::max({worst, std::fabs(u - i - x), std::fabs(region_area(a) - i - d)});
   }
   MESSAGE("FIGURE areas of the operations agree within ", worst, " m2");

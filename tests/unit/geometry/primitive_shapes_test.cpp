@@ -14,7 +14,8 @@ using namespace test;
 std::vector<Vec3> flat_patch(size_t n, double noise_m) {
   RandomStream random(5, 0);
   std::vector<Vec3> out;
-  for (size_t i = 0; i < n; ++i) out.push_back({random.uniform(), random.uniform(), noise_m * random.normal()});
+  for (size_t i = 0; i < n; ++i)
+    out.push_back({random.uniform(), random.uniform(), noise_m * random.normal()});
   return out;
 }
 
@@ -22,7 +23,8 @@ TEST_CASE("sphere_through__four_points__both_ways_agree_far_from_the_origin") {
   const Sphere truth{{652000.4, 6861000.2, 40.5}, 0.9};
   std::array<Vec3, 4> points;
   const Vec3 directions[4] = {{1, 0, 0.1}, {0, 1, 0.3}, {-1, 0.2, 0}, {0.1, -0.3, 1}};
-  for (size_t i = 0; i < 4; ++i) points[i] = truth.centre + truth.radius * normalized(directions[i]);
+  for (size_t i = 0; i < 4; ++i)
+    points[i] = truth.centre + truth.radius * normalized(directions[i]);
   Sphere geometric, linear;
   REQUIRE(sphere_through(points, geometric));
   REQUIRE(sphere_linear(points, linear));
@@ -40,7 +42,8 @@ TEST_CASE("fit_sphere__too_few_or_flat_points__refused") {
   CHECK_FALSE(fit_sphere(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, task, fit));
   CHECK_FALSE(fit_sphere(std::vector<Vec3>(50, Vec3{1, 2, 3}), {}, task, fit));
   CHECK_FALSE(fit_sphere(flat_patch(500, 0), {}, task, fit));
-  CHECK_FALSE(fit_sphere(flat_patch(500, 0.003), {}, task, fit));  // a wall is no sphere of a kilometre
+  CHECK_FALSE(
+      fit_sphere(flat_patch(500, 0.003), {}, task, fit));  // a wall is no sphere of a kilometre
   std::vector<Vec3> line;
   for (int i = 0; i < 50; ++i) line.push_back({0.1 * i, 0.2 * i, 0.3 * i});
   CHECK_FALSE(fit_sphere(line, {}, task, fit));
@@ -72,12 +75,14 @@ TEST_CASE("fit_sphere__least_squares__covariance_is_sigma2_over_JtJ") {
   int covered = 0;
   for (int i = 0; i < draw_count(); ++i) {
     SphereFit fit;
-    REQUIRE(fit_sphere(sphere_draw(recipe, truth, static_cast<uint64_t>(i)).points, setting, task, fit));
+    REQUIRE(fit_sphere(sphere_draw(recipe, truth, static_cast<uint64_t>(i)).points, setting, task,
+                       fit));
     CHECK(fit.n == 100);
     covered += sphere_miss(fit, truth) <= kChiSquare4;
   }
   const double share = static_cast<double>(covered) / draw_count();
-  MESSAGE("FIGURE sphere, 100 points, least squares: 95 % ellipsoid covers " << 100 * share << " %");
+  MESSAGE("FIGURE sphere, 100 points, least squares: 95 % ellipsoid covers " << 100 * share
+                                                                             << " %");
   CHECK(share > 0.91);
   CHECK(share < 0.98);
 }
@@ -85,7 +90,8 @@ TEST_CASE("fit_sphere__least_squares__covariance_is_sigma2_over_JtJ") {
 TEST_CASE("fit_sphere__four_picks__exact_without_a_covariance") {
   Task task;
   SphereFit fit;
-  REQUIRE(fit_sphere(std::vector<Vec3>{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {}, task, fit));
+  REQUIRE(
+      fit_sphere(std::vector<Vec3>{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {}, task, fit));
   CHECK(norm(fit.sphere.centre) < 1e-9);
   CHECK(fit.sphere.radius == doctest::Approx(1));
   CHECK(fit.sigma == 0);
@@ -101,7 +107,8 @@ TEST_CASE("fit_circle__noise_and_outliers__ellipse_covers_the_truth") {
     for (int k = 0; k < 400; ++k) {
       const double angle = 3 * random.uniform(), r = 0.4 + 0.003 * random.normal();
       const bool gross = k % 20 == 0;
-      points.push_back(gross ? Vec2{random.uniform(), random.uniform()} : Vec2{r * std::cos(angle), r * std::sin(angle)});
+      points.push_back(gross ? Vec2{random.uniform(), random.uniform()}
+                             : Vec2{r * std::cos(angle), r * std::sin(angle)});
     }
     CircleFit fit;
     REQUIRE(fit_circle(points, {}, task, fit));
@@ -116,7 +123,8 @@ TEST_CASE("fit_circle__noise_and_outliers__ellipse_covers_the_truth") {
 
 TEST_CASE("cylinder_from_normals__two_points__axis_and_radius") {
   Cylinder c;
-  REQUIRE(cylinder_from_normals({2.3, 1, 5}, {1, 0, 0}, {2, 1.3, 7}, {0, -1, 0}, c));  // normals of either side
+  REQUIRE(cylinder_from_normals({2.3, 1, 5}, {1, 0, 0}, {2, 1.3, 7}, {0, -1, 0},
+                                c));  // normals of either side
   CHECK(std::fabs(c.direction.z) == doctest::Approx(1));
   CHECK(c.point.x == doctest::Approx(2));
   CHECK(c.point.y == doctest::Approx(1));
@@ -126,7 +134,8 @@ TEST_CASE("cylinder_from_normals__two_points__axis_and_radius") {
 
 TEST_CASE("cylinder_along__three_picks_at_any_height__vertical_cylinder") {
   Cylinder c;
-  REQUIRE(cylinder_along({0, 0, 1}, std::vector<Vec3>{{1.25, 2, 0}, {1, 2.25, 3}, {0.75, 2, 1}}, c));
+  REQUIRE(
+      cylinder_along({0, 0, 1}, std::vector<Vec3>{{1.25, 2, 0}, {1, 2.25, 3}, {0.75, 2, 1}}, c));
   CHECK(c.point.x == doctest::Approx(1));
   CHECK(c.point.y == doctest::Approx(2));
   CHECK(c.radius == doctest::Approx(0.25));
@@ -162,8 +171,10 @@ TEST_CASE("fit_cylinder__flat_or_few_points__refused") {
   setting.max_radius_m = 5;
   CHECK_FALSE(fit_cylinder(flat, normals, setting, task, fit));
   CHECK_FALSE(fit_cylinder(std::vector<Vec3>(4), std::vector<Vec3>(4), {}, task, fit));
-  CHECK_FALSE(fit_cylinder(std::vector<Vec3>(100), std::vector<Vec3>(100, Vec3{0, 0, 1}), {}, task, fit));
-  CHECK_FALSE(fit_cylinder(flat, std::vector<Vec3>(flat.size(), Vec3{kNaN, kNaN, kNaN}), {}, task, fit));
+  CHECK_FALSE(
+      fit_cylinder(std::vector<Vec3>(100), std::vector<Vec3>(100, Vec3{0, 0, 1}), {}, task, fit));
+  CHECK_FALSE(
+      fit_cylinder(flat, std::vector<Vec3>(flat.size(), Vec3{kNaN, kNaN, kNaN}), {}, task, fit));
 }
 
 TEST_CASE("fit_cylinder_along__noise_and_outliers__covers_the_truth") {
@@ -174,7 +185,9 @@ TEST_CASE("fit_cylinder_along__noise_and_outliers__covers_the_truth") {
   int covered = 0;
   for (int i = 0; i < draw_count(); ++i) {
     CylinderFit fit;
-    REQUIRE(fit_cylinder_along({0, 0, 1}, cylinder_draw(recipe, truth, 2.5, static_cast<uint64_t>(i)).points, {}, task, fit));
+    REQUIRE(fit_cylinder_along({0, 0, 1},
+                               cylinder_draw(recipe, truth, 2.5, static_cast<uint64_t>(i)).points,
+                               {}, task, fit));
     const Vec3 d = fit.cylinder.point - truth.point;
     Square<3> covariance;
     constexpr size_t kAt[3] = {0, 1, 6};
@@ -183,7 +196,8 @@ TEST_CASE("fit_cylinder_along__noise_and_outliers__covers_the_truth") {
     covered += mahalanobis<3>({d.x, d.y, fit.cylinder.radius - truth.radius}, covariance) <= 7.8147;
   }
   const double share = static_cast<double>(covered) / draw_count();
-  MESSAGE("FIGURE vertical cylinder r 0.2 m from one side: 95 % ellipsoid covers " << 100 * share << " %");
+  MESSAGE("FIGURE vertical cylinder r 0.2 m from one side: 95 % ellipsoid covers " << 100 * share
+                                                                                   << " %");
   CHECK(share >= 0.93);
   CHECK(share <= 0.97);
 }
@@ -191,7 +205,8 @@ TEST_CASE("fit_cylinder_along__noise_and_outliers__covers_the_truth") {
 TEST_CASE("fits__any_number_of_threads__same_bits") {
   Recipe recipe;
   recipe.n = 30000;
-  const Draw ball = sphere_draw(recipe, {{1, 2, 3}, 0.9}, 1), pipe = cylinder_draw(recipe, {{1, 2, 3}, {0, 0, 1}, 0.2}, 2, 1);
+  const Draw ball = sphere_draw(recipe, {{1, 2, 3}, 0.9}, 1),
+             pipe = cylinder_draw(recipe, {{1, 2, 3}, {0, 0, 1}, 0.2}, 2, 1);
   SphereFit s[3];
   CylinderFit c[3];
   constexpr unsigned kThreads[3] = {1, 2, 7};

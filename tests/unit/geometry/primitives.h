@@ -31,18 +31,22 @@ struct Recipe {
   double sigma_m = 0.003, outliers = 0.05;
   bool one_sided = false;
   Noise noise = Noise::kNormal;
-  bool near = false;  ///< outliers within 5 cm of the surface, where they do most harm; else all over the box
+  bool near =
+      false;  ///< outliers within 5 cm of the surface, where they do most harm; else all over the box
   Vec3 eye{-12, 4, 1.7};
 };
 
-inline Vec3 noise_of(const Recipe& recipe, const Vec3& p, const Vec3& normal, RandomStream& random) {
+inline Vec3 noise_of(const Recipe& recipe, const Vec3& p, const Vec3& normal,
+                     RandomStream& random) {
   if (recipe.noise == Noise::kNormal) return recipe.sigma_m * random.normal() * normal;
-  if (recipe.noise == Noise::kBeam) return recipe.sigma_m * random.normal() * normalized(p - recipe.eye);
+  if (recipe.noise == Noise::kBeam)
+    return recipe.sigma_m * random.normal() * normalized(p - recipe.eye);
   return recipe.sigma_m * Vec3{random.normal(), random.normal(), random.normal()};
 }
 
 /// Points that `place` puts on a surface with their normals, with noise, and outliers in the box of the points.
-inline Draw draw_of(const Recipe& recipe, uint64_t seed, const std::function<Vec3(RandomStream&, Vec3&)>& place) {
+inline Draw draw_of(const Recipe& recipe, uint64_t seed,
+                    const std::function<Vec3(RandomStream&, Vec3&)>& place) {
   RandomStream random(seed, 17);
   Draw out;
   Box3 box;
@@ -60,7 +64,8 @@ inline Draw draw_of(const Recipe& recipe, uint64_t seed, const std::function<Vec
   for (size_t i = 0; i < gross; ++i) {
     Vec3 normal;
     const Vec3 p = place(random, normal);
-    const Vec3 anywhere = low + Vec3{side.x * random.uniform(), side.y * random.uniform(), side.z * random.uniform()};
+    const Vec3 anywhere =
+        low + Vec3{side.x * random.uniform(), side.y * random.uniform(), side.z * random.uniform()};
     out.points[i] = recipe.near ? p + 0.1 * (random.uniform() - 0.5) * normal : anywhere;
     out.normals[i] = normalized(Vec3{random.normal(), random.normal(), random.normal()});
   }
@@ -74,10 +79,12 @@ inline Draw sphere_draw(const Recipe& recipe, const Sphere& truth, uint64_t seed
   });
 }
 
-inline Draw cylinder_draw(const Recipe& recipe, const Cylinder& truth, double length_m, uint64_t seed) {
+inline Draw cylinder_draw(const Recipe& recipe, const Cylinder& truth, double length_m,
+                          uint64_t seed) {
   const auto e = across(truth.direction);
   return draw_of(recipe, seed, [&](RandomStream& random, Vec3& normal) {
-    const double angle = 2 * std::numbers::pi * random.uniform(), h = length_m * (random.uniform() - 0.5);
+    const double angle = 2 * std::numbers::pi * random.uniform(),
+                 h = length_m * (random.uniform() - 0.5);
     normal = std::cos(angle) * e[0] + std::sin(angle) * e[1];
     return truth.point + h * truth.direction + truth.radius * normal;
   });
@@ -108,8 +115,8 @@ inline double cylinder_miss(const CylinderFit& fit, const Cylinder& truth) {
   // Where the true axis crosses the plane through the fitted point, and how it leans there.
   const Vec3 d = truth.point - fit.cylinder.point;
   const Vec3 foot = d - dot(d, a) / dot(b, a) * b;
-  const Coefficients<5> error{-dot(foot, e[0]), -dot(foot, e[1]), -dot(b, e[0]) / dot(b, a), -dot(b, e[1]) / dot(b, a),
-                     fit.cylinder.radius - truth.radius};
+  const Coefficients<5> error{-dot(foot, e[0]), -dot(foot, e[1]), -dot(b, e[0]) / dot(b, a),
+                              -dot(b, e[1]) / dot(b, a), fit.cylinder.radius - truth.radius};
   std::array<double, 35> j{};  // 5 x 7
   for (size_t k = 0; k < 2; ++k)
     for (size_t i = 0; i < 3; ++i) {

@@ -21,7 +21,8 @@ struct Coverage {
 
 std::string name_of(const Recipe& r) {
   const char* noise[] = {"normal", "isotropic", "beam"};
-  return std::string(r.one_sided ? "one-sided" : "all round") + ", " + noise[static_cast<int>(r.noise)] + " noise, " +
+  return std::string(r.one_sided ? "one-sided" : "all round") + ", " +
+         noise[static_cast<int>(r.noise)] + " noise, " +
          (r.near ? "outliers near" : "outliers anywhere");
 }
 
@@ -41,11 +42,14 @@ std::vector<Recipe> recipes() {
   return out;
 }
 
-uint64_t seed_of(size_t recipe, int draw) { return 100000 * (recipe + 1) + static_cast<uint64_t>(draw); }
+uint64_t seed_of(size_t recipe, int draw) {
+  return 100000 * (recipe + 1) + static_cast<uint64_t>(draw);
+}
 
 void check_coverage(const std::string& what, const Recipe& recipe, const Coverage& c) {
-  MESSAGE("FIGURE " << what << ", " << name_of(recipe) << ": 95 % ellipsoid covers " << 100 * c.share() << " % of " << c.all
-                    << " draws, " << c.failed << " failed, radius biased by " << 1e6 * c.radius_errors_m / c.all << " um");
+  MESSAGE("FIGURE " << what << ", " << name_of(recipe) << ": 95 % ellipsoid covers "
+                    << 100 * c.share() << " % of " << c.all << " draws, " << c.failed
+                    << " failed, radius biased by " << 1e6 * c.radius_errors_m / c.all << " um");
   CHECK(c.failed == 0);
   const double slack = c.all < 1000 ? 0.05 : 0;
   CHECK(c.share() >= 0.93 - slack);

@@ -36,7 +36,8 @@ TEST_CASE("fit_quadric__exact_samples__gives_the_coefficients_back") {
 
 TEST_CASE("quadric_curvature__sphere_cylinder_saddle__known_values") {
   // Osculating paraboloids at the origin of a sphere and a cylinder of radius 2, and of a saddle.
-  const Quadric sphere{0.25, 0, 0, 0, 0.25, 0}, cylinder{0.25, 0, 0, 0, 0, 0}, saddle{0.5, 0, 0, 0, -0.5, 0};
+  const Quadric sphere{0.25, 0, 0, 0, 0.25, 0}, cylinder{0.25, 0, 0, 0, 0, 0},
+      saddle{0.5, 0, 0, 0, -0.5, 0};
   CHECK(sphere.mean_curvature(0, 0) == doctest::Approx(0.5));
   CHECK(sphere.gaussian_curvature(0, 0) == doctest::Approx(0.25));
   CHECK(cylinder.mean_curvature(0, 0) == doctest::Approx(0.25));

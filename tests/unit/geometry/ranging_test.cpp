@@ -31,7 +31,8 @@ TEST_CASE("polar_covariance__gives_11_6_mm_at_100_m") {
     for (const double h : {0.0, 1.0, 2.5, -2.0}) {
       const double v = degrees[i] * std::numbers::pi / 180;
       const double found = 1000 * point_sigma(polar_covariance(polar_point(100, h, v), kUp, kGx));
-      if (h == 0) MESSAGE("FIGURE point precision at 100 m, ", degrees[i], " degrees up: ", found, " mm");
+      if (h == 0)
+        MESSAGE("FIGURE point precision at 100 m, ", degrees[i], " degrees up: ", found, " mm");
       CHECK(std::fabs(found - mm[i]) < 0.005);
     }
   // The printed third line of 5.5, cos v in place of sin v, would give 13.5 mm.
@@ -46,13 +47,15 @@ TEST_CASE("polar_covariance__is_that_of_drawn_observations") {
   constexpr int kDraws = 20000;
   Symmetric3 seen{};
   for (int k = 0; k < kDraws; ++k) {
-    const double range = d + sigmas.range_m * random.normal(), hor = h + sigmas.horizontal_rad * random.normal(),
+    const double range = d + sigmas.range_m * random.normal(),
+                 hor = h + sigmas.horizontal_rad * random.normal(),
                  ver = v + sigmas.vertical_rad * random.normal();
     const Vec3 e = polar_point(range, hor, ver) - polar_point(d, h, v);
     const double products[6] = {e.x * e.x, e.x * e.y, e.x * e.z, e.y * e.y, e.y * e.z, e.z * e.z};
     for (size_t i = 0; i < 6; ++i) seen[i] += products[i] / kDraws;
   }
-  for (size_t i = 0; i < 6; ++i) CHECK(std::fabs(seen[i] - told[i]) < 0.03 * (told[0] + told[3] + told[5]) / 3);
+  for (size_t i = 0; i < 6; ++i)
+    CHECK(std::fabs(seen[i] - told[i]) < 0.03 * (told[0] + told[3] + told[5]) / 3);
 }
 
 TEST_CASE("polar_covariance__holds_overhead_and_adds_beam_and_levelling") {
@@ -100,8 +103,10 @@ TEST_CASE("ranging__close_wavelengths_give_the_range_by_their_beats") {
   const std::vector<double> lambdas{kSpeedOfLight_m_s / 29.97e6, kSpeedOfLight_m_s / 30.04492e6,
                                     kSpeedOfLight_m_s / 31.4685e6};
   CHECK(lambdas[0] == doctest::Approx(10.003).epsilon(1e-4));
-  CHECK(lambdas[0] * lambdas[1] / (lambdas[0] - lambdas[1]) == doctest::Approx(4001.5).epsilon(1e-4));
-  CHECK(lambdas[0] * lambdas[2] / (lambdas[0] - lambdas[2]) == doctest::Approx(200.1).epsilon(1e-3));
+  CHECK(lambdas[0] * lambdas[1] / (lambdas[0] - lambdas[1]) ==
+        doctest::Approx(4001.5).epsilon(1e-4));
+  CHECK(lambdas[0] * lambdas[2] / (lambdas[0] - lambdas[2]) ==
+        doctest::Approx(200.1).epsilon(1e-3));
   RandomStream random(2, 2);
   double worst = 0;
   for (int k = 0; k < 1000; ++k) {
@@ -113,7 +118,8 @@ TEST_CASE("ranging__close_wavelengths_give_the_range_by_their_beats") {
     }
     worst = std::max(worst, std::fabs(phase_range_m(lambdas, remainders) - range));
   }
-  MESSAGE("FIGURE phase ranging with 2 mm of noise: largest error ", 1000 * worst, " mm up to 2 km");
+  MESSAGE("FIGURE phase ranging with 2 mm of noise: largest error ", 1000 * worst,
+          " mm up to 2 km");
   CHECK(worst < 0.005);
 }
 
@@ -149,10 +155,12 @@ TEST_CASE("ranging__a_baseline_of_ten_distances_gives_its_constant_within_half_a
     for (size_t i = 0; i < 10; ++i) measured[i] = truth[i] + 0.0078 + 0.0015 * random.normal();
     const BaselineConstant found = baseline_constant(measured, truth);
     within += std::fabs(found.constant_m - 0.0078) < 0.0005;
-    covered += std::fabs(found.constant_m - 0.0078) < 2.262 * found.sigma_constant_m;  // Student, 9 degrees of freedom
+    covered += std::fabs(found.constant_m - 0.0078) <
+               2.262 * found.sigma_constant_m;  // Student, 9 degrees of freedom
   }
-  MESSAGE("FIGURE baseline: ", within * 100.0 / kSurveys, " % of the constants within 0.5 mm, 95 % interval covers ",
-          covered * 100.0 / kSurveys, " %");
+  MESSAGE("FIGURE baseline: ", within * 100.0 / kSurveys,
+          " % of the constants within 0.5 mm, 95 % interval covers ", covered * 100.0 / kSurveys,
+          " %");
   CHECK(within > 0.67 * kSurveys);
   CHECK(covered > 0.935 * kSurveys);
   CHECK(covered < 0.965 * kSurveys);

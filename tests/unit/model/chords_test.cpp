@@ -19,9 +19,10 @@ Model arched_wall() {
   Model model;
   Face wall;
   wall.plane.normal = {0, -1, 0};
-  model.add_face(wall, {{kCorner, kCorner + Vec3{6, 0, 0}, kCorner + Vec3{6, 0, 5}, kCorner + Vec3{0, 0, 5}},
-                        {kCorner + Vec3{2, 0, 1}, kCorner + Vec3{2, 0, 3}, kCorner + Vec3{4, 0, 3},
-                         kCorner + Vec3{4, 0, 1}}});
+  model.add_face(
+      wall, {{kCorner, kCorner + Vec3{6, 0, 0}, kCorner + Vec3{6, 0, 5}, kCorner + Vec3{0, 0, 5}},
+             {kCorner + Vec3{2, 0, 1}, kCorner + Vec3{2, 0, 3}, kCorner + Vec3{4, 0, 3},
+              kCorner + Vec3{4, 0, 1}}});
   model.sagittas.assign(model.corners.size(), 0);
   model.sagittas[5] = -1;  // the head: clockwise along the hole, as all openings run
   Face pane;
@@ -39,7 +40,9 @@ double area_of(const Model& model, const Face& face) {
   Vec3 twice;
   for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
     for (uint64_t c = 1; c + 1 < model.rings[r].count; ++c) {
-      const auto corner = [&](uint64_t i) { return model.vertices[model.corners[model.rings[r].first + i]] - kCorner; };
+      const auto corner = [&](uint64_t i) {
+        return model.vertices[model.corners[model.rings[r].first + i]] - kCorner;
+      };
       twice += cross(corner(c) - corner(0), corner(c + 1) - corner(0));
     }
   return dot(twice, face.plane.normal) / 2;
@@ -85,7 +88,8 @@ TEST_CASE("chords: faces that share an arc share its new vertices") {
   CHECK(chords.rings[0].count == 4);
 }
 
-TEST_CASE("chords: a round window of two arcs becomes a polygon; arcs without a chord stay a corner") {
+TEST_CASE(
+    "chords: a round window of two arcs becomes a polygon; arcs without a chord stay a corner") {
   Model model;
   Face face;
   face.plane.normal = {0, 0, 1};

@@ -73,6 +73,7 @@ TEST_CASE("edit: the veto of a copy closes its hole and keeps all else") {
 
 TEST_CASE("edit: only copies can be vetoed") {
   const Model model = wall_with_copy();
-  for (const uint64_t part : {uint64_t{0}, uint64_t{1}, uint64_t{2}, uint64_t{3}, uint64_t{5}, uint64_t{6}, kNoParent})
+  for (const uint64_t part :
+       {uint64_t{0}, uint64_t{1}, uint64_t{2}, uint64_t{3}, uint64_t{5}, uint64_t{6}, kNoParent})
     CHECK_THROWS_AS(without_copy(model, part), Error);
 }

@@ -16,7 +16,8 @@ Model square_with_hole() {
   Face face;
   face.id = 4;
   model.parts.push_back({"facade", "facade", kNoParent});
-  model.add_face(face, {{{0, 0, 0}, {4, 0, 0}, {4, 0, 4}, {0, 0, 4}}, {{1, 0, 1}, {1, 0, 2}, {2, 0, 2}}});
+  model.add_face(face,
+                 {{{0, 0, 0}, {4, 0, 0}, {4, 0, 4}, {0, 0, 4}}, {{1, 0, 1}, {1, 0, 2}, {2, 0, 2}}});
   return model;
 }
 

@@ -26,7 +26,8 @@ Model two_squares(double sagitta_m) {
 
 }  // namespace
 
-TEST_CASE("topology: an edge of two faces is there once, with both faces and the sagitta of the first") {
+TEST_CASE(
+    "topology: an edge of two faces is there once, with both faces and the sagitta of the first") {
   const auto edges = find_edges(two_squares(0.1));
   REQUIRE(edges.size() == 7);
   const Edge& shared = edges[2];
@@ -39,7 +40,9 @@ TEST_CASE("topology: an edge of two faces is there once, with both faces and the
   CHECK(edges[0].second_face == kNoFace);
 }
 
-TEST_CASE("topology: an arc by end points and sagitta has its circle's centre and radius, right of the walk") {
+TEST_CASE(
+    "topology: an arc by end points and sagitta has its circle's centre and radius, right of the "
+    "walk") {
   const Arc2 half = arc_of({0, 0}, {2, 0}, 1);
   CHECK(half.radius == doctest::Approx(1));
   CHECK(half.bulge == doctest::Approx(1));

@@ -39,7 +39,8 @@ struct Scan {
   }
 };
 
-inline Model facade_of(const Segmentation& segmentation, const char* json = "{}", unsigned threads = 2) {
+inline Model facade_of(const Segmentation& segmentation, const char* json = "{}",
+                       unsigned threads = 2) {
   ParamSet params("modeller facade", facade_rows());
   params.from_json(json);
   Task::Hooks hooks;
@@ -63,7 +64,8 @@ inline Box3 box_of_part(const Model& model, size_t part) {
   for (const Face& face : model.faces)
     if (face.part == part)
       for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
-        for (uint64_t c = model.rings[r].first; c < model.rings[r].first + model.rings[r].count; ++c)
+        for (uint64_t c = model.rings[r].first; c < model.rings[r].first + model.rings[r].count;
+             ++c)
           box.add(model.vertices[model.corners[c]]);
   return box;
 }

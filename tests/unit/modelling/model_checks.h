@@ -26,7 +26,8 @@ inline double inner(const P3& a, const P3& b) { return a[0] * b[0] + a[1] * b[1]
 inline double length(const P3& a) { return std::sqrt(inner(a, a)); }
 
 /// Ring r in coordinates relative to a corner of the face.
-inline std::vector<P3> ring_points(const jalon::Model& m, const jalon::Ring& ring, const P3& origin) {
+inline std::vector<P3> ring_points(const jalon::Model& m, const jalon::Ring& ring,
+                                   const P3& origin) {
   std::vector<P3> out;
   for (uint64_t c = ring.first; c < ring.first + ring.count; ++c) {
     const auto& v = m.vertices[m.corners[c]];
@@ -96,7 +97,8 @@ inline std::vector<std::vector<P2>> flat_rings(const jalon::Model& m, const jalo
       const double radius = (c * c / 4 + s * s) / (2 * std::fabs(s)), side = s > 0 ? 1 : -1;
       const double ou = (a[0] + b[0]) / 2 + side * dv / c * (std::fabs(s) - radius);
       const double ov = (a[1] + b[1]) / 2 - side * du / c * (std::fabs(s) - radius);
-      const double whole = 4 * std::atan2(2 * std::fabs(s), c) * side, start = std::atan2(a[1] - ov, a[0] - ou);
+      const double whole = 4 * std::atan2(2 * std::fabs(s), c) * side,
+                   start = std::atan2(a[1] - ov, a[0] - ou);
       for (int k = 1; k < 24; ++k)
         flat.push_back({ou + radius * std::cos(start + whole * k / 24),
                         ov + radius * std::sin(start + whole * k / 24)});
@@ -109,22 +111,25 @@ inline double turn(const P2& a, const P2& b, const P2& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 inline bool between(const P2& a, const P2& b, const P2& p) {
-  return std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) && std::min(a[1], b[1]) <= p[1] &&
-         p[1] <= std::max(a[1], b[1]);
+  return std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
+         std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
 }
 /// Closed segments cross or touch.
 inline bool meet(const P2& a, const P2& b, const P2& c, const P2& d) {
   const double t1 = turn(a, b, c), t2 = turn(a, b, d), t3 = turn(c, d, a), t4 = turn(c, d, b);
-  if (((t1 > 0 && t2 < 0) || (t1 < 0 && t2 > 0)) && ((t3 > 0 && t4 < 0) || (t3 < 0 && t4 > 0))) return true;
-  return (t1 == 0 && between(a, b, c)) || (t2 == 0 && between(a, b, d)) || (t3 == 0 && between(c, d, a)) ||
-         (t4 == 0 && between(c, d, b));
+  if (((t1 > 0 && t2 < 0) || (t1 < 0 && t2 > 0)) && ((t3 > 0 && t4 < 0) || (t3 < 0 && t4 > 0)))
+    return true;
+  return (t1 == 0 && between(a, b, c)) || (t2 == 0 && between(a, b, d)) ||
+         (t3 == 0 && between(c, d, a)) || (t4 == 0 && between(c, d, b));
 }
 
 inline bool holds(const std::vector<P2>& ring, const P2& p) {
   bool inside = false;
   for (size_t i = 0; i < ring.size(); ++i) {
     const P2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1])) inside = !inside;
+    if ((a[1] > p[1]) != (b[1] > p[1]) &&
+        p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]))
+      inside = !inside;
   }
   return inside;
 }
@@ -151,14 +156,17 @@ inline std::string ring_fault(const jalon::Model& m, const jalon::Face& f) {
       for (size_t j = i + 1; j < n; ++j) {
         if (ring[i] == ring[(i + 1) % n]) return "edge without length";
         if (j == i + 1 || (i == 0 && j == n - 1)) continue;
-        if (meet(ring[i], ring[(i + 1) % n], ring[j], ring[(j + 1) % n])) return "ring meets itself";
+        if (meet(ring[i], ring[(i + 1) % n], ring[j], ring[(j + 1) % n]))
+          return "ring meets itself";
       }
     for (size_t q = 0; q < r; ++q) {
       const auto& other = rings[q];
       for (size_t i = 0; i < n; ++i)
         for (size_t j = 0; j < other.size(); ++j)
-          if (meet(ring[i], ring[(i + 1) % n], other[j], other[(j + 1) % other.size()])) return "rings meet";
-      if (holds(other, ring[0]) != (q == 0)) return q == 0 ? "opening outside its face" : "opening in an opening";
+          if (meet(ring[i], ring[(i + 1) % n], other[j], other[(j + 1) % other.size()]))
+            return "rings meet";
+      if (holds(other, ring[0]) != (q == 0))
+        return q == 0 ? "opening outside its face" : "opening in an opening";
       if (q > 0 && holds(ring, other[0])) return "opening around an opening";
     }
   }
@@ -185,7 +193,8 @@ inline std::string solid_fault(const jalon::Model& m, const jalon::Solid& solid)
   }
   for (const auto& [edge, count] : walks) {
     const auto back = walks.find({edge.second, edge.first});
-    if (count != 1 || back == walks.end() || back->second != 1) return "edge not shared by two faces";
+    if (count != 1 || back == walks.end() || back->second != 1)
+      return "edge not shared by two faces";
   }
   return volume > 0 ? "" : "solid turned inside out";
 }

@@ -18,20 +18,23 @@ namespace {
 std::vector<Rectangle> twelve_windows() {
   std::vector<Rectangle> out;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 3; ++j) out.push_back({1.003 + 2.7 * i, 1.007 + 2.6 * j, 2.203 + 2.7 * i, 2.807 + 2.6 * j});
+    for (int j = 0; j < 3; ++j)
+      out.push_back({1.003 + 2.7 * i, 1.007 + 2.6 * j, 2.203 + 2.7 * i, 2.807 + 2.6 * j});
   return out;
 }
 
 std::function<bool(double, double)> solid_but(const std::vector<Rectangle>& holes) {
   return [holes](double u, double v) {
-    return std::none_of(holes.begin(), holes.end(), [&](const Rectangle& r) { return r.contains(u, v); });
+    return std::none_of(holes.begin(), holes.end(),
+                        [&](const Rectangle& r) { return r.contains(u, v); });
   };
 }
 
 // Largest distance of a true corner to the nearest corner of the polygon.
 double corner_error(const std::vector<Vec2>& polygon, const Rectangle& r) {
   double worst = 0;
-  const Vec2 corners[] = {{r.left, r.bottom}, {r.right, r.bottom}, {r.right, r.top}, {r.left, r.top}};
+  const Vec2 corners[] = {
+      {r.left, r.bottom}, {r.right, r.bottom}, {r.right, r.top}, {r.left, r.top}};
   for (const Vec2 corner : corners) {
     double nearest = INFINITY;
     for (const Vec2& p : polygon) nearest = std::min(nearest, norm(p - corner));
@@ -52,9 +55,12 @@ const Rectangle* hole_around(const std::vector<Rectangle>& holes, const std::vec
 bool same_bits(const Model& a, const Model& b) {
   const auto equal = [](const auto& x, const auto& y) {
     using T = typename std::decay_t<decltype(x)>::value_type;
-    return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
+    return x.size() == y.size() &&
+           (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
   };
-  if (!equal(a.vertices, b.vertices) || !equal(a.corners, b.corners) || !equal(a.sagittas, b.sagittas)) return false;
+  if (!equal(a.vertices, b.vertices) || !equal(a.corners, b.corners) ||
+      !equal(a.sagittas, b.sagittas))
+    return false;
   if (a.rings.size() != b.rings.size()) return false;
   for (size_t i = 0; i < a.rings.size(); ++i)
     if (a.rings[i].first != b.rings[i].first || a.rings[i].count != b.rings[i].count) return false;
@@ -101,8 +107,9 @@ TEST_CASE("outlines: a wall with twelve windows comes out with its true corners 
         }
         CHECK(worst <= 2 * spacing);
         CHECK(std::fabs(face.area_m2 / truth - 1) <= 0.02);
-        MESSAGE("spacing " << spacing << " jitter " << jitter << " dropout " << dropout << ": worst corner "
-                           << 1000 * worst << " mm, area " << 100 * (face.area_m2 / truth - 1) << " %");
+        MESSAGE("spacing " << spacing << " jitter " << jitter << " dropout " << dropout
+                           << ": worst corner " << 1000 * worst << " mm, area "
+                           << 100 * (face.area_m2 / truth - 1) << " %");
       }
 }
 
@@ -130,7 +137,8 @@ TEST_CASE("outlines: an L-shaped wall has six corners") {
   REQUIRE(model.faces.size() == 1);
   const auto ring = ring_on_wall(model, model.faces[0], 0, wall);
   REQUIRE(ring.size() == 6);
-  for (const Vec2 corner : {Vec2{0, 0}, Vec2{6, 0}, Vec2{6, 2}, Vec2{2.5, 2}, Vec2{2.5, 5}, Vec2{0, 5}}) {
+  for (const Vec2 corner :
+       {Vec2{0, 0}, Vec2{6, 0}, Vec2{6, 2}, Vec2{2.5, 2}, Vec2{2.5, 5}, Vec2{0, 5}}) {
     double nearest = INFINITY;
     for (const Vec2& p : ring) nearest = std::min(nearest, norm(p - corner));
     CHECK(nearest <= 2 * wall.spacing);
@@ -184,7 +192,8 @@ TEST_CASE("outlines: vertices lie on the plane and the model is valid") {
   validate(model);
   REQUIRE(!model.vertices.empty());
   double worst = 0;
-  for (const Vec3& p : model.vertices) worst = std::max(worst, std::fabs(model.faces[0].plane.distance(p)));
+  for (const Vec3& p : model.vertices)
+    worst = std::max(worst, std::fabs(model.faces[0].plane.distance(p)));
   CHECK(worst < 1e-8);
   REQUIRE(model.parts.size() == 2);
   CHECK(model.parts[0].part_class == "facade");

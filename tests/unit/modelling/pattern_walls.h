@@ -25,7 +25,8 @@ struct Rectangle {
 
 inline VectorRing ring_of(const Rectangle& r, double sigma_m) {
   VectorRing ring;
-  ring.corners = {r.low, {r.low.u + r.size.u, r.low.v}, r.low + r.size, {r.low.u, r.low.v + r.size.v}};
+  ring.corners = {
+      r.low, {r.low.u + r.size.u, r.low.v}, r.low + r.size, {r.low.u, r.low.v + r.size.v}};
   ring.edges.assign(4, {});
   for (VectorEdge& e : ring.edges) e.sigma_m = sigma_m;
   return ring;
@@ -46,7 +47,9 @@ class DrawnWall {
   }
   void add_if_free(const Vec2& low, const Vec2& size) {
     const Rectangle r{low, size};
-    if (std::none_of(truth.begin(), truth.end(), [&](const Rectangle& o) { return r.meets(o, 0.3); })) add(low, size);
+    if (std::none_of(truth.begin(), truth.end(),
+                     [&](const Rectangle& o) { return r.meets(o, 0.3); }))
+      add(low, size);
   }
   /// Hides an opening altogether: nothing is found there, and nothing in its surroundings.
   Rectangle hide(size_t i) {
@@ -74,7 +77,8 @@ class DrawnWall {
 
  private:
   bool is_shaded(const Vec2& p) const {
-    return std::any_of(shadows_.begin(), shadows_.end(), [&](const Rectangle& s) { return s.holds(p); });
+    return std::any_of(shadows_.begin(), shadows_.end(),
+                       [&](const Rectangle& s) { return s.holds(p); });
   }
   bool is_open(const Vec2& p) const {
     return std::any_of(truth.begin(), truth.end(), [&](const Rectangle& t) { return t.holds(p); });
@@ -88,7 +92,9 @@ class DrawnWall {
     for (uint32_t r = 0; r < map.rows; ++r)
       for (uint32_t c = 0; c < map.columns; ++c) {
         const Vec2 p = Vec2{c + 0.5, r + 0.5} * map.cell_m;
-        map.cells.push_back(is_shaded(p) ? WallCell::kHidden : is_open(p) ? WallCell::kThrough : WallCell::kSolid);
+        map.cells.push_back(is_shaded(p) ? WallCell::kHidden
+                            : is_open(p) ? WallCell::kThrough
+                                         : WallCell::kSolid);
       }
     return map;
   }

@@ -35,7 +35,8 @@ class RandomFacade {
 
   Segmentation segmentation() {
     Segmentation out;
-    auto labels = std::make_shared<Column>(FieldInfo{"label", ElementType::kUint32, 1, "", ""}, points_.size());
+    auto labels = std::make_shared<Column>(FieldInfo{"label", ElementType::kUint32, 1, "", ""},
+                                           points_.size());
     Buffer<double> xyz(3 * points_.size());
     for (size_t i = 0; i < points_.size(); ++i) {
       for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = points_[i][k];
@@ -85,7 +86,8 @@ class RandomFacade {
     segments_.push_back(segment);
     VectorPlane out;
     out.label = segment.label;
-    out.frame = plane_frame(plane, {std::floor(origin.x), std::floor(origin.y), std::floor(origin.z)}, {1, 0, 0});
+    out.frame = plane_frame(
+        plane, {std::floor(origin.x), std::floor(origin.y), std::floor(origin.z)}, {1, 0, 0});
     out.spacing_m = 0.05;
     planes_.push_back(out);
     return planes_.size() - 1;
@@ -93,7 +95,8 @@ class RandomFacade {
 
   // A plane upright to the horizontal direction, leaning by up to half a degree.
   Plane leaning(const Vec3& outward, const Vec3& through) {
-    const Vec3 n = normalized(outward + Vec3{between(-0.009, 0.009), between(-0.009, 0.009), between(-0.009, 0.009)});
+    const Vec3 n = normalized(
+        outward + Vec3{between(-0.009, 0.009), between(-0.009, 0.009), between(-0.009, 0.009)});
     return {n, dot(n, through)};
   }
 
@@ -113,8 +116,8 @@ class RandomFacade {
     for (int i = 0; i < columns; ++i)
       for (int j = 0; j < rows; ++j) {
         if (random_.uniform() < 0.25 || (has_door_ && i == 0 && j == 0)) continue;
-        const VectorRing ring = hole(low.u + 0.5 + 2 * i + between(-0.15, 0.15), low.v + 0.7 + 2.7 * j,
-                                     between(0.5, 1.3), between(0.6, 1.25));
+        const VectorRing ring = hole(low.u + 0.5 + 2 * i + between(-0.15, 0.15),
+                                     low.v + 0.7 + 2.7 * j, between(0.5, 1.3), between(0.6, 1.25));
         face.openings.push_back(ring);
         fill(wall, ring, outward);
       }
@@ -160,7 +163,8 @@ class RandomFacade {
     if (kind > 0.9) return;
     for (double u = box.low.u + 0.02; u < box.high.u; u += 0.05)
       for (double v = box.low.v + 0.02; v < box.high.v; v += 0.05)
-        put(pane, frame.lift({u, v}) + frame.normal * w, pane < segments_.size() ? segments_[pane].label : 0);
+        put(pane, frame.lift({u, v}) + frame.normal * w,
+            pane < segments_.size() ? segments_[pane].label : 0);
   }
 
   void add_cornice(size_t wall, const Vec2& low, double width, double height, const Vec3& outward) {
@@ -183,7 +187,8 @@ class RandomFacade {
     const size_t ground = add_plane({{0, 0, 1}, near.z + between(-0.02, 0.02)}, near);
     const Vec2 p = planes_[ground].frame.project(near);
     planes_[ground].faces.push_back(
-        {ring_of({p + Vec2{-20, -20}, p + Vec2{20, -20}, p + Vec2{20, 20}, p + Vec2{-20, 20}}), {}});
+        {ring_of({p + Vec2{-20, -20}, p + Vec2{20, -20}, p + Vec2{20, 20}, p + Vec2{-20, 20}}),
+         {}});
   }
 
   RandomStream random_;

@@ -26,9 +26,9 @@ inline double snapped(double x) { return std::round(x * 0x1p20) * 0x1p-20; }
 /// along the normal.
 struct WallScan {
   double width = 12, height = 9, spacing = 0.015, noise = 0.004, azimuth = 0.3;
-  double jitter = 0.5;    ///< of the spacing; 1 = one point anywhere in each cell
-  double dropout = 0;     ///< share of points missing at random
-  Vec3 shift;             ///< whole metres
+  double jitter = 0.5;  ///< of the spacing; 1 = one point anywhere in each cell
+  double dropout = 0;   ///< share of points missing at random
+  Vec3 shift;           ///< whole metres
   uint64_t seed = 1;
   std::function<bool(double, double)> solid = [](double, double) { return true; };
 
@@ -42,7 +42,8 @@ struct WallScan {
         const double pv = v + spacing * (0.5 + jitter * (random.uniform() - 0.5));
         const double w = noise * random.normal();
         if (random.uniform() < dropout || pu > width || pv > height || !solid(pu, pv)) continue;
-        out.push_back({snapped(pu * c - w * s) + shift.x, snapped(pu * s + w * c) + shift.y, snapped(pv) + shift.z});
+        out.push_back({snapped(pu * c - w * s) + shift.x, snapped(pu * s + w * c) + shift.y,
+                       snapped(pv) + shift.z});
       }
     return out;
   }
@@ -56,8 +57,10 @@ inline Segmentation segmentation_of(const std::vector<std::vector<Vec3>>& parts,
   for (const auto& part : parts) n += part.size();
   Buffer<double> xyz(3 * n);
   auto labels = std::make_shared<Column>(FieldInfo{"label", ElementType::kUint32, 1, "", ""}, n);
-  auto residuals = std::make_shared<Column>(FieldInfo{"residual", ElementType::kFloat32, 1, "m", ""}, n);
-  auto orientations = std::make_shared<Column>(FieldInfo{"orientation", ElementType::kUint8, 1, "", ""}, n);
+  auto residuals =
+      std::make_shared<Column>(FieldInfo{"residual", ElementType::kFloat32, 1, "m", ""}, n);
+  auto orientations =
+      std::make_shared<Column>(FieldInfo{"orientation", ElementType::kUint8, 1, "", ""}, n);
   Segmentation out;
   size_t at = 0;
   for (const auto& part : parts) {
@@ -91,7 +94,8 @@ inline Segmentation segmentation_of(const std::vector<std::vector<Vec3>>& parts,
   return out;
 }
 
-inline Model outlines_of(const Segmentation& segmentation, const char* json = "{}", unsigned threads = 1) {
+inline Model outlines_of(const Segmentation& segmentation, const char* json = "{}",
+                         unsigned threads = 1) {
   ParamSet params("modeller outlines", outlines_rows());
   params.from_json(json);
   Task::Hooks hooks;
@@ -101,7 +105,8 @@ inline Model outlines_of(const Segmentation& segmentation, const char* json = "{
 }
 
 /// Ring k of a face in wall coordinates (u along the wall, v up), the wall's shift and turn taken off.
-inline std::vector<Vec2> ring_on_wall(const Model& model, const Face& face, size_t k, const WallScan& wall) {
+inline std::vector<Vec2> ring_on_wall(const Model& model, const Face& face, size_t k,
+                                      const WallScan& wall) {
   const Ring& ring = model.rings[face.first_ring + k];
   const double c = std::cos(wall.azimuth), s = std::sin(wall.azimuth);
   std::vector<Vec2> out;

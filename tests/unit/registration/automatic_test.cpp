@@ -42,12 +42,14 @@ TEST_CASE("automatic__lays_real_scans_onto_each_other_from_any_start") {
       const Registration r = register_automatic(target, moving, {}, as_published, task);
       const Transform off = r.pose * start * inverse(truth);
       CHECK(r.converged);
-      const double off_m = norm(off.point(r.centre) - r.centre), off_deg = norm(rotation_vector(off)) / kDegree;
+      const double off_m = norm(off.point(r.centre) - r.centre),
+                   off_deg = norm(rotation_vector(off)) / kDegree;
       most_m = std::max(most_m, off_m), most_deg = std::max(most_deg, off_deg);
     }
     const std::string about = any_axis ? "any axis" : "the vertical";
-    MESSAGE("FIGURE coarse, then ICP on real scans, " << draws << " starts turned about " << about << ": within "
-                                                     << 1000 * most_m << " mm, " << most_deg << " deg");
+    MESSAGE("FIGURE coarse, then ICP on real scans, " << draws << " starts turned about " << about
+                                                      << ": within " << 1000 * most_m << " mm, "
+                                                      << most_deg << " deg");
     CHECK(most_m < 0.01);
     CHECK(most_deg < 0.05);
   }

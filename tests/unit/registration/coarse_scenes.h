@@ -67,8 +67,10 @@ inline SampledScene furnished_room() {
 }
 /// 20 m of floor, ceiling and two walls without ends.
 inline SampledScene corridor() {
-  return SampledScene().box({0, 0, 0}, {20, 2, 2.5}, 0, false).add({0, 0, 0}, {20, 0, 0}, {0, 2, 0}).add(
-      {0, 0, 2.5}, {20, 0, 0}, {0, 2, 0});
+  return SampledScene()
+      .box({0, 0, 0}, {20, 2, 2.5}, 0, false)
+      .add({0, 0, 0}, {20, 0, 0}, {0, 2, 0})
+      .add({0, 0, 2.5}, {20, 0, 0}, {0, 2, 0});
 }
 inline SampledScene one_plane() { return SampledScene().add({0, 0, 0}, {10, 0, 0}, {0, 8, 0}); }
 /// A crossing: ground, two houses of unlike windows and bays, two cars, a post.
@@ -80,8 +82,10 @@ inline SampledScene street_corner() {
     s.box({-13.5 + 3.1 * i, 7.8, 1}, {1.2, 0.2, 1.6});
     s.box({7.5 + 3.6 * i, 5.7, 1.2}, {1.5, 0.3, 2});
   }
-  return s.box({12, 5, 4}, {3, 1, 3}).box({-6, 0, 0}, {4.2, 1.8, 1.5}, 0.2).box({3, -8, 0}, {4.4, 1.9, 1.6}, 1.3).box(
-      {0, 4, 0}, {0.3, 0.3, 5});
+  return s.box({12, 5, 4}, {3, 1, 3})
+      .box({-6, 0, 0}, {4.2, 1.8, 1.5}, 0.2)
+      .box({3, -8, 0}, {4.4, 1.9, 1.6}, 1.3)
+      .box({0, 4, 0}, {0.3, 0.3, 5});
 }
 
 /// Rolling ground of 60 x 60 m with boulders: no planes at all.
@@ -90,10 +94,12 @@ inline std::vector<Vec3> rolling_ground(size_t n, double noise_m, uint64_t seed)
   std::vector<Vec3> out(n);
   for (Vec3& p : out) {
     const double x = 60 * random.uniform(), y = 60 * random.uniform();
-    double z = 1.5 * std::sin(x / 9) * std::cos(y / 7) + 0.6 * std::sin(x / 2.3 + y / 3.1) + 0.05 * x;
+    double z =
+        1.5 * std::sin(x / 9) * std::cos(y / 7) + 0.6 * std::sin(x / 2.3 + y / 3.1) + 0.05 * x;
     for (uint64_t k = 0; k < 40; ++k) {
       RandomStream boulder(99, k);
-      const double bx = 60 * boulder.uniform(), by = 60 * boulder.uniform(), r = 0.6 + 1.4 * boulder.uniform();
+      const double bx = 60 * boulder.uniform(), by = 60 * boulder.uniform(),
+                   r = 0.6 + 1.4 * boulder.uniform();
       const double d2 = (x - bx) * (x - bx) + (y - by) * (y - by);
       if (d2 < r * r) z += 0.8 * std::sqrt(r * r - d2);
     }

@@ -23,8 +23,8 @@ struct Scene {
   std::vector<Patch> patches;
   double noise_m = 0.005;
   size_t points = 3000;
-  bool terrain = false;       ///< the patches are the plan of a slope with waves
-  size_t open_directions = 0; ///< that nothing fixes
+  bool terrain = false;        ///< the patches are the plan of a slope with waves
+  size_t open_directions = 0;  ///< that nothing fixes
 };
 
 /// Five faces of a box that stands on the ground.
@@ -38,7 +38,8 @@ inline void add_box(std::vector<Patch>& patches, const Vec3& o, double x, double
 
 inline Scene street_corner() {
   return {"street corner",
-          {{{0, 0, 0}, {14, 0, 0}, {0, 14, 0}}, {{4, 4, 0}, {10, 0, 0}, {0, 0, 7}},
+          {{{0, 0, 0}, {14, 0, 0}, {0, 14, 0}},
+           {{4, 4, 0}, {10, 0, 0}, {0, 0, 7}},
            {{4, 4, 0}, {0, 10, 0}, {0, 0, 7}}}};
 }
 inline Scene facade() {
@@ -48,8 +49,10 @@ inline Scene facade() {
 }
 inline Scene corridor() {
   Scene scene{"corridor",
-              {{{0, 0, 0}, {18, 0, 0}, {0, 2.4, 0}}, {{0, 0, 2.6}, {18, 0, 0}, {0, 2.4, 0}},
-               {{0, 0, 0}, {18, 0, 0}, {0, 0, 2.6}}, {{0, 2.4, 0}, {18, 0, 0}, {0, 0, 2.6}}}};
+              {{{0, 0, 0}, {18, 0, 0}, {0, 2.4, 0}},
+               {{0, 0, 2.6}, {18, 0, 0}, {0, 2.4, 0}},
+               {{0, 0, 0}, {18, 0, 0}, {0, 0, 2.6}},
+               {{0, 2.4, 0}, {18, 0, 0}, {0, 0, 2.6}}}};
   scene.open_directions = 1;
   return scene;
 }
@@ -60,9 +63,11 @@ inline Scene one_plane() {
 }
 inline Scene room() {
   Scene scene{"room",
-              {{{0, 0, 0}, {6, 0, 0}, {0, 5, 0}}, {{0, 0, 2.8}, {6, 0, 0}, {0, 5, 0}},
+              {{{0, 0, 0}, {6, 0, 0}, {0, 5, 0}},
+               {{0, 0, 2.8}, {6, 0, 0}, {0, 5, 0}},
                {{0, 0, 0}, {6, 0, 0}, {0, 0, 2.8}},
-               {{0, 5, 0}, {6, 0, 0}, {0, 0, 2.8}}, {{0, 0, 0}, {0, 5, 0}, {0, 0, 2.8}},
+               {{0, 5, 0}, {6, 0, 0}, {0, 0, 2.8}},
+               {{0, 0, 0}, {0, 5, 0}, {0, 0, 2.8}},
                {{6, 0, 0}, {0, 5, 0}, {0, 0, 2.8}}}};
   add_box(scene.patches, {2, 1.5, 0}, 1.6, 0.9, 0.75);  // a table
   return scene;
@@ -75,11 +80,13 @@ inline std::array<Scene, 6> all_scenes() {
 }
 
 inline double terrain_height_m(double x, double y) {
-  return 0.25 * x + 0.6 * std::sin(0.25 * x + 0.7) * std::cos(0.21 * y) + 0.4 * std::sin(0.17 * (x + 1.3 * y));
+  return 0.25 * x + 0.6 * std::sin(0.25 * x + 0.7) * std::cos(0.21 * y) +
+         0.4 * std::sin(0.17 * (x + 1.3 * y));
 }
 
 /// A sample of the scene, moved.
-inline Cloud sampled(const Scene& scene, uint64_t seed, const Transform& motion = {}, size_t points = 0) {
+inline Cloud sampled(const Scene& scene, uint64_t seed, const Transform& motion = {},
+                     size_t points = 0) {
   double total = 0;
   for (const Patch& patch : scene.patches) total += patch.area();
   RandomStream random(seed, 77);
@@ -88,7 +95,8 @@ inline Cloud sampled(const Scene& scene, uint64_t seed, const Transform& motion 
   for (size_t i = 0; i < n; ++i) {
     double at = random.uniform() * total;
     size_t k = 0;
-    while (k + 1 < scene.patches.size() && at > scene.patches[k].area()) at -= scene.patches[k++].area();
+    while (k + 1 < scene.patches.size() && at > scene.patches[k].area())
+      at -= scene.patches[k++].area();
     const double a = random.uniform(), b = random.uniform();
     Vec3 p = scene.patches[k].corner + scene.patches[k].u * a + scene.patches[k].v * b;
     if (scene.terrain) p.z = terrain_height_m(p.x, p.y);

@@ -15,7 +15,8 @@ namespace {
 
 using namespace test;
 
-std::vector<PointPair> noisy_pairs(size_t n, const Transform& truth, double noise_m, RandomStream& random) {
+std::vector<PointPair> noisy_pairs(size_t n, const Transform& truth, double noise_m,
+                                   RandomStream& random) {
   std::vector<PointPair> out;
   for (size_t i = 0; i < n; ++i) {
     const Vec3 m = within(10, random);
@@ -46,9 +47,12 @@ Transform by_quaternion(const std::vector<PointPair>& pairs, bool with_scale) {
   const double w = q(0), x = q(1), y = q(2), z = q(3);
   const double scale = with_scale ? solver.eigenvalues()(3) / moving : 1;
   Transform out;
-  out.m = {w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y), 0,
-           2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x), 0,
-           2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z, 0};
+  out.m = {w * w + x * x - y * y - z * z, 2 * (x * y - w * z),
+           2 * (x * z + w * y),           0,
+           2 * (x * y + w * z),           w * w - x * x + y * y - z * z,
+           2 * (y * z - w * x),           0,
+           2 * (x * z - w * y),           2 * (y * z + w * x),
+           w * w - x * x - y * y + z * z, 0};
   for (double& c : out.m) c *= scale;
   const Vec3 t = r - out.direction(m);
   out.m[3] = t.x, out.m[7] = t.y, out.m[11] = t.z;
@@ -59,7 +63,8 @@ double objective(std::span<const TargetPair> pairs, const Transform& pose) {
   double sum = 0;
   for (const TargetPair& p : pairs) {
     const auto& m = pose.m;
-    Square<3> c = propagated<3, 3>({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}, p.moving_covariance);
+    Square<3> c = propagated<3, 3>({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]},
+                                   p.moving_covariance);
     for (size_t i = 0; i < 9; ++i) c[i] += p.reference_covariance[i];
     const Vec3 e = pose.point(p.moving) - p.reference;
     sum += squared_length<3>(c, {e.x, e.y, e.z});
@@ -73,7 +78,8 @@ TEST_CASE("similarity__equals_horns_quaternions") {
   for (uint64_t draw = 0; draw < 200; ++draw) {
     RandomStream random(21, draw);
     const bool with_scale = draw % 2 == 1;
-    const auto pairs = noisy_pairs(3 + draw % 6, any_motion(random, with_scale ? 0.3 : 1), 0.05, random);
+    const auto pairs =
+        noisy_pairs(3 + draw % 6, any_motion(random, with_scale ? 0.3 : 1), 0.05, random);
     const auto found = fit_similarity(pairs, with_scale);
     REQUIRE(found);
     const SimilarityFit& fit = *found;

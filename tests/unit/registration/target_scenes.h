@@ -37,7 +37,8 @@ inline Square<3> along_ray(const Vec3& place, double along_m, double across_m) {
   Square<3> out{};
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j < 3; ++j)
-      out[3 * i + j] = (along_m * along_m - across_m * across_m) * u[static_cast<int>(i)] * u[static_cast<int>(j)] +
+      out[3 * i + j] = (along_m * along_m - across_m * across_m) * u[static_cast<int>(i)] *
+                           u[static_cast<int>(j)] +
                        (i == j ? across_m * across_m : 0);
   return out;
 }
@@ -65,7 +66,8 @@ struct TargetSides {
 };
 
 /// Both sides without noise; named by letters.
-inline TargetSides exact_sides(std::span<const Vec3> places, const Transform& truth, bool named = true) {
+inline TargetSides exact_sides(std::span<const Vec3> places, const Transform& truth,
+                               bool named = true) {
   TargetSides out;
   for (size_t i = 0; i < places.size(); ++i) {
     const std::string name = named ? "T" + std::to_string(i) : "";
@@ -76,7 +78,8 @@ inline TargetSides exact_sides(std::span<const Vec3> places, const Transform& tr
 }
 
 /// Both sides as measured; the covariances are told along with them.
-inline TargetSides measured_sides(const Layout& layout, const Transform& truth, RandomStream& random) {
+inline TargetSides measured_sides(const Layout& layout, const Transform& truth,
+                                  RandomStream& random) {
   TargetSides out = exact_sides(layout.places, truth);
   for (size_t i = 0; i < layout.places.size(); ++i) {
     out.moving[i].xyz += noise_of(layout.moving[i], random);

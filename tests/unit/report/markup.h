@@ -30,9 +30,12 @@ struct Tag {
 inline std::vector<Tag> tags(std::string_view s) {
   std::vector<Tag> out;
   size_t i = 0;
-  const auto space = [&] { while (i < s.size() && std::isspace(static_cast<unsigned char>(s[i]))) ++i; };
-  const auto is_name =
-      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == ':'; };
+  const auto space = [&] {
+    while (i < s.size() && std::isspace(static_cast<unsigned char>(s[i]))) ++i;
+  };
+  const auto is_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == ':';
+  };
   const auto broken = [&] {
     Tag tag;
     tag.name = "broken";
@@ -116,7 +119,8 @@ inline bool has_only_xml_characters(std::string_view s) {
   for (size_t i = 0; i < s.size(); ++i) {
     const auto c = static_cast<unsigned char>(s[i]);
     if (c < 0x20 && c != '\n' && c != '\t' && c != '\r') return false;
-    if (c == 0xEF && s.substr(i, 2) == "\xEF\xBF" && i + 2 < s.size() && static_cast<unsigned char>(s[i + 2]) >= 0xBE)
+    if (c == 0xEF && s.substr(i, 2) == "\xEF\xBF" && i + 2 < s.size() &&
+        static_cast<unsigned char>(s[i + 2]) >= 0xBE)
       return false;
   }
   return true;
@@ -132,14 +136,17 @@ inline double number(std::string_view s) {
 inline std::vector<double> path_x(const std::string& d) {
   std::vector<double> out;
   for (size_t i = 0; i < d.size(); ++i)
-    if (d[i] == 'M' || d[i] == 'L') out.push_back(number(std::string_view(d).substr(i + 1, d.find(' ', i) - i - 1)));
+    if (d[i] == 'M' || d[i] == 'L')
+      out.push_back(number(std::string_view(d).substr(i + 1, d.find(' ', i) - i - 1)));
   return out;
 }
 
 struct TextBox {
   std::string text;
   double left, top, right, bottom;
-  bool meets(const TextBox& b) const { return left < b.right && b.left < right && top < b.bottom && b.top < bottom; }
+  bool meets(const TextBox& b) const {
+    return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
+  }
 };
 
 /// Boxes of the texts, with letters 0.55 of the font size wide and 0.7 high.
@@ -148,7 +155,7 @@ inline std::vector<TextBox> text_boxes(std::string_view svg) {
   for (const Tag& tag : tags(svg)) {
     if (tag.name != "text") continue;
     const double x = number(tag.attribute("x")), y = number(tag.attribute("y")),
-        size = number(tag.attribute("font-size"));
+                 size = number(tag.attribute("font-size"));
     const double width = 0.55 * size * static_cast<double>(tag.text_after.size());
     const std::string anchor = tag.attribute("text-anchor");
     const double left = anchor == "middle" ? -width / 2 : anchor == "end" ? -width : 0;

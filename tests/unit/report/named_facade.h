@@ -26,8 +26,9 @@ struct Setting {
 };
 
 /// A vertical or level face from rings of points; sagittas one a corner of all rings, or empty.
-inline void add(Model& m, uint32_t part, const Plane& plane, const std::vector<std::vector<Vec3>>& rings,
-                const std::vector<double>& sagittas, double area, uint32_t id) {
+inline void add(Model& m, uint32_t part, const Plane& plane,
+                const std::vector<std::vector<Vec3>>& rings, const std::vector<double>& sagittas,
+                double area, uint32_t id) {
   if (m.sagittas.size() < m.corners.size()) m.sagittas.resize(m.corners.size(), 0);
   Face face;
   face.part = part;
@@ -67,17 +68,26 @@ inline std::vector<Vec3> lifted(const std::vector<Vec2>& ring, double y, bool re
 
 inline Model make(const Setting& s) {
   Model m;
-  const double width = s.pitch * static_cast<double>(s.columns), height = s.storey * static_cast<double>(s.rows) + 1;
+  const double width = s.pitch * static_cast<double>(s.columns),
+               height = s.storey * static_cast<double>(s.rows) + 1;
   const Plane front{{0, -1, 0}, 0}, behind{{0, -1, 0}, -0.15}, before{{0, -1, 0}, 0.3};
   m.parts = {part("facade 1", part_class::kFacade, kNoParent), part("wall 1", part_class::kWall, 0),
-             part("cornice 1", part_class::kCornice, 0), part("ground 1", part_class::kGround, kNoParent)};
+             part("cornice 1", part_class::kCornice, 0),
+             part("ground 1", part_class::kGround, kNoParent)};
   std::vector<std::vector<Vec3>> rings(1);
   std::vector<double> sagittas;
   std::vector<uint32_t> fillers{kNoPart};
   const double door_x = s.pitch / 2 - 0.55;
-  rings[0] = s.door ? std::vector<Vec3>{{0, 0, 0}, {door_x, 0, 0}, {door_x, 0, 2.3}, {door_x + 1.0, 0, 2.3},
-                                        {door_x + 1.0, 0, 0}, {width, 0, 0}, {width, 0, height}, {0, 0, height}}
-                    : std::vector<Vec3>{{0, 0, 0}, {width, 0, 0}, {width, 0, height}, {0, 0, height}};
+  rings[0] = s.door
+                 ? std::vector<Vec3>{{0, 0, 0},
+                                     {door_x, 0, 0},
+                                     {door_x, 0, 2.3},
+                                     {door_x + 1.0, 0, 2.3},
+                                     {door_x + 1.0, 0, 0},
+                                     {width, 0, 0},
+                                     {width, 0, height},
+                                     {0, 0, height}}
+                 : std::vector<Vec3>{{0, 0, 0}, {width, 0, 0}, {width, 0, height}, {0, 0, height}};
   sagittas.assign(rings[0].size(), 0);
   const auto first_window = static_cast<uint32_t>(m.parts.size());
   for (size_t row = 0, window = 0; row < s.rows; ++row)
@@ -88,7 +98,8 @@ inline Model make(const Setting& s) {
       const bool is_arched = s.arched_top_row && row + 1 == s.rows;
       rings.push_back(lifted(hole(x, z, s.window_width, s.window_height), 0));
       // The arc of a hole runs from its left spring to its right one: clockwise seen against the normal.
-      for (const double sagitta : {0.0, is_arched ? -s.window_width / 2 : 0.0, 0.0, 0.0}) sagittas.push_back(sagitta);
+      for (const double sagitta : {0.0, is_arched ? -s.window_width / 2 : 0.0, 0.0, 0.0})
+        sagittas.push_back(sagitta);
       fillers.push_back(static_cast<uint32_t>(m.parts.size()));
       const Evidence evidence = window == s.copied  ? Evidence::kCopied
                                 : window == s.empty ? Evidence::kShape
@@ -107,25 +118,37 @@ inline Model make(const Setting& s) {
     if (opening - first_window == s.empty) continue;
     const auto joinery = static_cast<uint32_t>(m.parts.size());
     m.parts.push_back(part("pane " + std::to_string(r), part_class::kJoinery, opening));
-    m.parts.push_back(part("reveal " + std::to_string(r), part_class::kReveal, opening, Evidence::kDerived));
+    m.parts.push_back(
+        part("reveal " + std::to_string(r), part_class::kReveal, opening, Evidence::kDerived));
     std::vector<Vec2> ring;
     for (const Vec3& p : rings[r]) ring.push_back({p.x, p.z});
     const double crown = -sagittas[rings[0].size() + 4 * (r - 1) + 1];
-    add(m, joinery, behind, {lifted(ring, 0.15, true)}, {0, 0, crown, 0}, s.window_width * s.window_height, 10);
+    add(m, joinery, behind, {lifted(ring, 0.15, true)}, {0, 0, crown, 0},
+        s.window_width * s.window_height, 10);
     add(m, joinery + 1, {{1, 0, 0}, ring[0].u},
-        {{{ring[0].u, 0, ring[0].v}, {ring[0].u, 0.15, ring[0].v}, {ring[0].u, 0.15, ring[1].v},
-          {ring[0].u, 0, ring[1].v}}}, {}, 0.15 * s.window_height, 0);
+        {{{ring[0].u, 0, ring[0].v},
+          {ring[0].u, 0.15, ring[0].v},
+          {ring[0].u, 0.15, ring[1].v},
+          {ring[0].u, 0, ring[1].v}}},
+        {}, 0.15 * s.window_height, 0);
   }
   if (s.door) {
     Part p = part("door 1", part_class::kDoor, 1, Evidence::kRevealed);
     p.depth_m = 0.25;
     m.parts.push_back(p);
     add(m, static_cast<uint32_t>(m.parts.size() - 1), {{0, -1, 0}, -0.25},
-        {lifted({{door_x, 0}, {door_x + 1.0, 0}, {door_x + 1.0, 2.3}, {door_x, 2.3}}, 0.25)}, {}, 2.3, 11);
+        {lifted({{door_x, 0}, {door_x + 1.0, 0}, {door_x + 1.0, 2.3}, {door_x, 2.3}}, 0.25)}, {},
+        2.3, 11);
   }
-  add(m, 2, before, {lifted({{-0.2, height - 0.4}, {width + 0.2, height - 0.4}, {width + 0.2, height},
-                             {-0.2, height}}, -0.3)}, {}, 0.4 * width, 2);
-  add(m, 3, {{0, 0, 1}, 0}, {{{-2, 0, 0}, {-2, -4, 0}, {width + 2, -4, 0}, {width + 2, 0, 0}}}, {}, 4 * width, 3);
+  add(m, 2, before,
+      {lifted({{-0.2, height - 0.4},
+               {width + 0.2, height - 0.4},
+               {width + 0.2, height},
+               {-0.2, height}},
+              -0.3)},
+      {}, 0.4 * width, 2);
+  add(m, 3, {{0, 0, 1}, 0}, {{{-2, 0, 0}, {-2, -4, 0}, {width + 2, -4, 0}, {width + 2, 0, 0}}}, {},
+      4 * width, 3);
   if (s.no_data) {
     m.parts.push_back(part("no data 1", part_class::kNoData, 1, Evidence::kNone));
     const double x = width - s.pitch / 2 + 0.75;
@@ -135,8 +158,8 @@ inline Model make(const Setting& s) {
   for (Vec3& p : m.vertices) p += s.shift;
   for (Face& face : m.faces) face.plane.offset += dot(face.plane.normal, s.shift);
   if (s.corner_variance > 0)
-    m.vertex_covariances.assign(m.vertices.size(), {s.corner_variance, 0, 0, 0, s.corner_variance, 0, 0, 0,
-                                                    s.corner_variance});
+    m.vertex_covariances.assign(m.vertices.size(), {s.corner_variance, 0, 0, 0, s.corner_variance,
+                                                    0, 0, 0, s.corner_variance});
   return m;
 }
 

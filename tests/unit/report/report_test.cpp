@@ -42,7 +42,8 @@ std::string elevation_of(const Segmentation& s, const Model& m, const char* json
   return elevation_svg(s, m, settings_from<ElevationSettings>(options), task);
 }
 
-std::string html_of(const Segmentation& s, const Model& m, std::string_view notes, unsigned threads = 1) {
+std::string html_of(const Segmentation& s, const Model& m, std::string_view notes,
+                    unsigned threads = 1) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
@@ -60,7 +61,8 @@ TEST_CASE("elevation: millimetres on paper follow the scale") {
   const Segmentation s = small_facade();
   const Model m = outlines_of(s);
   for (const int scale : {20, 50, 100}) {
-    const std::string json = "{\"paper\": \"A3\", \"labels\": false, \"scale\": " + std::to_string(scale) + "}";
+    const std::string json =
+        "{\"paper\": \"A3\", \"labels\": false, \"scale\": " + std::to_string(scale) + "}";
     const std::string svg = elevation_of(s, m, json.c_str());
     CAPTURE(scale);
     const auto tags = markup::tags(svg);
@@ -84,8 +86,8 @@ TEST_CASE("elevation: picks a usual scale and paper, well-formed, axes and scale
   const Segmentation s = small_facade();
   const std::string svg = elevation_of(s, outlines_of(s));
   CHECK(markup::well_formed(svg));
-  for (const char* text : {"Distance along the facade (m)", "Height Z (m)", "1:50", "Depth from main plane (m)",
-                           "+0.20", "Facade elevation"})
+  for (const char* text : {"Distance along the facade (m)", "Height Z (m)", "1:50",
+                           "Depth from main plane (m)", "+0.20", "Facade elevation"})
     CHECK_MESSAGE(svg.find(text) != std::string::npos, text);
 }
 
@@ -115,17 +117,18 @@ TEST_CASE("elevation: a national grid and heights are shown true") {
   wall.shift = {652000, 6861000, 137};
   const Segmentation s = segmentation_of({wall.points()});
   const std::string svg = elevation_of(s, outlines_of(s));
-  CHECK(svg.find(">140.0<") != std::string::npos);       // a height on the axis
-  CHECK(svg.find("652000.0") != std::string::npos);    // the corner in the title block
+  CHECK(svg.find(">140.0<") != std::string::npos);   // a height on the axis
+  CHECK(svg.find("652000.0") != std::string::npos);  // the corner in the title block
 }
 
 TEST_CASE("report_html: self-contained, with all its chapters") {
   const Segmentation s = small_facade();
   const std::string html =
-      html_of(s, outlines_of(s), R"({"title": "North wall", "input": {"file": "a.las"}, "times": {"read": 0.25}})");
+      html_of(s, outlines_of(s),
+              R"({"title": "North wall", "input": {"file": "a.las"}, "times": {"read": 0.25}})");
   CHECK(markup::well_formed(html));
-  for (const char* text : {"North wall", "a.las", "0.250 s", "Planes", "Residuals", "Parameters", "distance_tolerance",
-                           "Elevation", "Labelled points"})
+  for (const char* text : {"North wall", "a.las", "0.250 s", "Planes", "Residuals", "Parameters",
+                           "distance_tolerance", "Elevation", "Labelled points"})
     CHECK_MESSAGE(html.find(text) != std::string::npos, text);
   for (const char* text : {"<script", "<link", "src=", "@import", "url(http"})
     CHECK_MESSAGE(html.find(text) == std::string::npos, text);
@@ -143,16 +146,19 @@ TEST_CASE("report_html: the same bits for any number of threads") {
 
 TEST_CASE("report_json: the planes and residuals as numbers") {
   const Segmentation s = small_facade();
-  const auto json = nlohmann::json::parse(json_of(s, outlines_of(s), R"({"input": {"file": "a.las"}})"));
+  const auto json =
+      nlohmann::json::parse(json_of(s, outlines_of(s), R"({"input": {"file": "a.las"}})"));
   REQUIRE(json["planes"].size() == 2);
   CHECK(json["planes"][0]["inliers"] == s.segments[0].fit.n);
   CHECK(json["faces"][0]["openings"] == 1);
   CHECK(json["input"]["file"] == "a.las");
   CHECK(json["points"] == s.cloud->size());
-  uint64_t sum = json["residuals"]["below"].get<uint64_t>() + json["residuals"]["above"].get<uint64_t>();
+  uint64_t sum =
+      json["residuals"]["below"].get<uint64_t>() + json["residuals"]["above"].get<uint64_t>();
   for (const auto& n : json["residuals"]["bins"]) sum += n.get<uint64_t>();
   CHECK(sum == s.cloud->size());
-  CHECK(json["residuals"]["sigma_m"].get<double>() == doctest::Approx(0.004).epsilon(0.05).scale(0));
+  CHECK(json["residuals"]["sigma_m"].get<double>() ==
+        doctest::Approx(0.004).epsilon(0.05).scale(0));
 }
 
 TEST_CASE("reports: spheres and cylinders have a table of their own") {
@@ -171,8 +177,8 @@ TEST_CASE("reports: spheres and cylinders have a table of their own") {
   s.segments.push_back(column);
   const std::string html = html_of(s, Model{}, "");
   CHECK(markup::well_formed(html));
-  for (const char* text : {"2 planes and 2 spheres and cylinders", "Spheres and cylinders", "0.9125", ">0.10<",
-                           "0.2525", "3.25"})
+  for (const char* text : {"2 planes and 2 spheres and cylinders", "Spheres and cylinders",
+                           "0.9125", ">0.10<", "0.2525", "3.25"})
     CHECK_MESSAGE(html.find(text) != std::string::npos, text);
   const auto json = nlohmann::json::parse(json_of(s, Model{}, ""));
   CHECK(json["planes"].size() == 2);
@@ -186,19 +192,65 @@ TEST_CASE("reports: spheres and cylinders have a table of their own") {
 }
 
 TEST_CASE("reports: hostile names never alter structure") {
-  const std::vector<std::string> names{
-      "<script>alert(1)</script>", "</title><script>", "\"><img src=x onerror=alert(1)>", "'><svg/onload=alert(1)>",
-      "<!--", "-->", "<![CDATA[", "]]>", "&lt;script&gt;", "&#60;b&#62;", "&amp", "&", "<", ">", "\"", "'", "`",
-      "</style>", "</svg>", "</text></svg><script>", "<?xml version=\"1.0\"?>", "<!DOCTYPE x [<!ENTITY e \"v\">]>",
-      "&e;", "javascript:alert(1)", "=cmd|' /C calc'!A0", "+1+1", "-2", "@SUM(A1)", "../../etc/passwd", "C:\\nul",
-      "a/b\\c", "line\nbreak", "tab\there", "carriage\rreturn", std::string("nul\0byte", 8), "\x01\x02\x1b[31m", "\x7f",
-      "\xff\xfe", "\xc0\xaf", "\xed\xa0\x80", "\xef\xbf\xbe", "\xe2\x80\xae" "gnp.exe", "\xe2\x80\xa8", "%s%n%x",
-      "${jndi:ldap://x}", "{{7*7}}", "<a href=javascript:alert(1)>", "</bdi>", "\\u003cscript\\u003e",
-      std::string(5000, 'A'), std::string(2000, '<'), "]]></title>", ""};
+  const std::vector<std::string> names{"<script>alert(1)</script>",
+                                       "</title><script>",
+                                       "\"><img src=x onerror=alert(1)>",
+                                       "'><svg/onload=alert(1)>",
+                                       "<!--",
+                                       "-->",
+                                       "<![CDATA[",
+                                       "]]>",
+                                       "&lt;script&gt;",
+                                       "&#60;b&#62;",
+                                       "&amp",
+                                       "&",
+                                       "<",
+                                       ">",
+                                       "\"",
+                                       "'",
+                                       "`",
+                                       "</style>",
+                                       "</svg>",
+                                       "</text></svg><script>",
+                                       "<?xml version=\"1.0\"?>",
+                                       "<!DOCTYPE x [<!ENTITY e \"v\">]>",
+                                       "&e;",
+                                       "javascript:alert(1)",
+                                       "=cmd|' /C calc'!A0",
+                                       "+1+1",
+                                       "-2",
+                                       "@SUM(A1)",
+                                       "../../etc/passwd",
+                                       "C:\\nul",
+                                       "a/b\\c",
+                                       "line\nbreak",
+                                       "tab\there",
+                                       "carriage\rreturn",
+                                       std::string("nul\0byte", 8),
+                                       "\x01\x02\x1b[31m",
+                                       "\x7f",
+                                       "\xff\xfe",
+                                       "\xc0\xaf",
+                                       "\xed\xa0\x80",
+                                       "\xef\xbf\xbe",
+                                       "\xe2\x80\xae"
+                                       "gnp.exe",
+                                       "\xe2\x80\xa8",
+                                       "%s%n%x",
+                                       "${jndi:ldap://x}",
+                                       "{{7*7}}",
+                                       "<a href=javascript:alert(1)>",
+                                       "</bdi>",
+                                       "\\u003cscript\\u003e",
+                                       std::string(5000, 'A'),
+                                       std::string(2000, '<'),
+                                       "]]></title>",
+                                       ""};
   REQUIRE(names.size() >= 40);
   Segmentation s = small_facade();
   const Model m = outlines_of(s);
-  const auto with = [&](const std::string& name, std::string& svg, std::string& html, std::string& json) {
+  const auto with = [&](const std::string& name, std::string& svg, std::string& html,
+                        std::string& json) {
     const auto dumped = [](const nlohmann::ordered_json& j) {
       return j.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     };
@@ -242,8 +294,8 @@ TEST_CASE("reports: hostile names never alter structure") {
 
 TEST_CASE("read_notes: malformed notes are refused with a reason") {
   for (const char* text : {"{", "[]", "1", "null", "\"x\"", "{\"title\": 3}", "{\"input\": []}",
-                           "{\"input\": {\"a\": []}}", "{\"times\": {\"a\": \"b\"}}", "{\"times\": 1}",
-                           "{\"title\": \"a\"} x", "\xff"}) {
+                           "{\"input\": {\"a\": []}}", "{\"times\": {\"a\": \"b\"}}",
+                           "{\"times\": 1}", "{\"title\": \"a\"} x", "\xff"}) {
     CAPTURE(text);
     try {
       read_notes(text);
@@ -254,7 +306,8 @@ TEST_CASE("read_notes: malformed notes are refused with a reason") {
   }
   const std::string deep(200000, '[');
   CHECK_THROWS_AS(read_notes(deep), Error);
-  const Notes notes = read_notes(R"({"title": "T", "input": {"b": 1, "a": true}, "times": {"x": 2}, "more": []})");
+  const Notes notes =
+      read_notes(R"({"title": "T", "input": {"b": 1, "a": true}, "times": {"x": 2}, "more": []})");
   CHECK(notes.title == "T");
   REQUIRE(notes.input.size() == 2);
   CHECK(notes.input[0].first == "b");
@@ -266,7 +319,8 @@ TEST_CASE("bin_residuals: every finite residual is counted once") {
   Segmentation s = small_facade();
   auto residuals = std::make_shared<Column>(s.residuals->info(), s.cloud->size());
   const auto values = residuals->values<float>();
-  for (size_t i = 0; i < values.size(); ++i) values[i] = i % 3 == 0 ? NAN : 0.001f * static_cast<float>(i % 7) - 0.003f;
+  for (size_t i = 0; i < values.size(); ++i)
+    values[i] = i % 3 == 0 ? NAN : 0.001f * static_cast<float>(i % 7) - 0.003f;
   s.residuals = residuals;
   Task task;
   const Residuals r = bin_residuals(s, 0, 40, task);

@@ -21,7 +21,8 @@ TEST_CASE("automatic_stations__stand_in_front_of_a_facade") {
 }
 
 TEST_CASE("automatic_stations__stand_where_the_measured_street_was_scanned_from") {
-  const auto stations = automatic_stations(scene("street", {{"rotation_rad", -17 * 3.14159265358979323846 / 180}}));
+  const auto stations =
+      automatic_stations(scene("street", {{"rotation_rad", -17 * 3.14159265358979323846 / 180}}));
   REQUIRE(stations.size() == 2);
   std::vector<double> x;
   for (const ScanStation& station : stations) {
@@ -55,7 +56,9 @@ TEST_CASE("automatic_stations__shift_with_the_model_and_need_something_upright")
   const auto here = automatic_stations(model);
   const Vec3 shift{1024, -2048, 32};  // exact in the scene's doubles after the next line
   for (Vec3& v : model.vertices)
-    v = Vec3{std::nearbyint(v.x * 0x1p20), std::nearbyint(v.y * 0x1p20), std::nearbyint(v.z * 0x1p20)} * 0x1p-20;
+    v = Vec3{std::nearbyint(v.x * 0x1p20), std::nearbyint(v.y * 0x1p20),
+             std::nearbyint(v.z * 0x1p20)} *
+        0x1p-20;
   const auto snapped = automatic_stations(model);
   for (Vec3& v : model.vertices) v += shift;
   const auto there = automatic_stations(model);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-
 #include "base/error.h"
 #include "scan/pulse.h"
 #include "unit/scan/fixture.h"
@@ -19,7 +18,8 @@ Model panels() {
   Model model;
   const auto add = [&](double x0, double x1, double y, double z0, double z1, uint32_t id) {
     const auto first = static_cast<uint32_t>(model.vertices.size());
-    for (const auto& [x, z] : {std::pair{x0, z0}, {x1, z0}, {x1, z1}, {x0, z1}}) model.vertices.push_back({x, y, z});
+    for (const auto& [x, z] : {std::pair{x0, z0}, {x1, z0}, {x1, z1}, {x0, z1}})
+      model.vertices.push_back({x, y, z});
     model.triangles.push_back({first, first + 1, first + 2});
     model.triangles.push_back({first, first + 2, first + 3});
     model.triangle_faces.insert(model.triangle_faces.end(), 2, id);
@@ -52,10 +52,12 @@ StaticSettings beam_settings(double step_rad, const StaticSettings& more = {}) {
 /// Distance of a point, projected from the origin, to the nearest border of the wall or a panel.
 double to_border(const Vec3& p) {
   double nearest = 1e9;
-  for (const auto& [x0, x1, y, z] : {std::array{0.0, 2.0, 9.8, 1.0}, {-3.0, -1.0, 7.0, 1.0}, {-6.0, 6.0, 10.0, 4.0}}) {
+  for (const auto& [x0, x1, y, z] :
+       {std::array{0.0, 2.0, 9.8, 1.0}, {-3.0, -1.0, 7.0, 1.0}, {-6.0, 6.0, 10.0, 4.0}}) {
     const Vec3 q = p * (y / p.y);
     const double dx = std::max(x0 - q.x, q.x - x1), dz = std::max(-z - q.z, q.z - z);
-    const double d = std::max(dx, dz) <= 0 ? -std::max(dx, dz) : std::hypot(std::max(dx, 0.0), std::max(dz, 0.0));
+    const double d = std::max(dx, dz) <= 0 ? -std::max(dx, dz)
+                                           : std::hypot(std::max(dx, 0.0), std::max(dz, 0.0));
     nearest = std::min(nearest, d);
   }
   return nearest;
@@ -119,7 +121,8 @@ TEST_CASE("beam__mixes_in_a_strip_of_its_width_along_a_border") {
   const auto mixed = static_cast<double>(std::count(segments.begin(), segments.end(), kNoSegment));
   const double range = std::hypot(2.0, 9.8), strip = mixed / kRows * kStep * range;
   // Rims of the outermost sub-rays: root mean square radius of the outer ring, the nearest 15 degrees off the border.
-  const double width = 2 * (kBeam_m / 2 + range * kDivergence_rad / 2) * std::sqrt(13.0 / 19.0) * std::cos(0.2618);
+  const double width =
+      2 * (kBeam_m / 2 + range * kDivergence_rad / 2) * std::sqrt(13.0 / 19.0) * std::cos(0.2618);
   MESSAGE("FIGURE mixed strip " << 1000 * strip << " mm wide, the sub-rays " << 1000 * width);
   CHECK(std::abs(strip - width) < 0.01 * width);
 }
@@ -164,13 +167,15 @@ TEST_CASE("beam__of_a_scene_lies_on_its_faces_but_for_mixed_pixels") {
   const auto range = values<float>(cloud, "range");
   size_t mixed = 0;
   for (size_t i = 0; i < cloud.size(); ++i) {
-    const double distance = std::abs(faces.at(ids[i]).front()->plane.distance(true_point(cloud, i)));
-    if (segments[i] == kNoSegment)
-      ++mixed;
+    const double distance =
+        std::abs(faces.at(ids[i]).front()->plane.distance(true_point(cloud, i)));
+    if (segments[i] == kNoSegment) ++mixed;
     else
-      REQUIRE(distance < 30e-6 * static_cast<double>(range[i]));  // a beam cut by a border: within its radius
+      REQUIRE(distance <
+              30e-6 * static_cast<double>(range[i]));  // a beam cut by a border: within its radius
   }
-  MESSAGE("FIGURE gx on insa_surveyed: " << mixed << " of " << cloud.size() << " pixels are mixed or of small faces");
+  MESSAGE("FIGURE gx on insa_surveyed: " << mixed << " of " << cloud.size()
+                                         << " pixels are mixed or of small faces");
   CHECK(mixed > 0);
   CHECK(mixed < cloud.size() / 20);
 }

@@ -65,14 +65,18 @@ inline Cloud sampled(const Model& model, const SampleSettings& settings = {},
 }
 
 inline bool same_bits(std::span<const double> a, std::span<const double> b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
 inline bool same_clouds(const Cloud& a, const Cloud& b) {
-  if (a.size() != b.size() || a.fields.size() != b.fields.size() || !same_bits(a.xyz(), b.xyz())) return false;
+  if (a.size() != b.size() || a.fields.size() != b.fields.size() || !same_bits(a.xyz(), b.xyz()))
+    return false;
   for (const ColumnPtr& column : a.fields) {
     const Column& other = b.fields.require(column->info().name);
-    if (column->bytes() != other.bytes() || std::memcmp(column->raw(), other.raw(), other.bytes()) != 0) return false;
+    if (column->bytes() != other.bytes() ||
+        std::memcmp(column->raw(), other.raw(), other.bytes()) != 0)
+      return false;
   }
   return true;
 }
@@ -84,7 +88,9 @@ inline bool is_binomial(size_t k, size_t n, double p) {
 }
 
 /// Squares of n standard normal draws add up to n, within four standard deviations.
-inline bool is_chi_squared(double squares, double n) { return std::abs(squares - n) < 4 * std::sqrt(2 * n); }
+inline bool is_chi_squared(double squares, double n) {
+  return std::abs(squares - n) < 4 * std::sqrt(2 * n);
+}
 
 template <class T>
 std::span<const T> values(const Cloud& cloud, const char* name) {
@@ -106,7 +112,9 @@ inline std::map<uint32_t, std::vector<const Face*>> faces_by_id(const Model& mod
 /// Corners of a ring in the face's own plane.
 inline std::vector<Vec2> flat_ring(const Model& model, const Face& face, size_t ring) {
   const Vec3 n = face.plane.normal;
-  const Vec3 u = normalized(std::abs(n.z) < 0.9 ? cross(Vec3{0, 0, 1}, n) : cross(Vec3{0, 1, 0}, n)), v = cross(n, u);
+  const Vec3 u = normalized(std::abs(n.z) < 0.9 ? cross(Vec3{0, 0, 1}, n)
+                                                : cross(Vec3{0, 1, 0}, n)),
+             v = cross(n, u);
   const Ring& r = model.rings[face.first_ring + ring];
   std::vector<Vec2> out;
   for (uint64_t k = r.first; k < r.first + r.count; ++k) {
@@ -118,7 +126,9 @@ inline std::vector<Vec2> flat_ring(const Model& model, const Face& face, size_t 
 
 inline Vec2 flat_point(const Face& face, const Vec3& p) {
   const Vec3 n = face.plane.normal;
-  const Vec3 u = normalized(std::abs(n.z) < 0.9 ? cross(Vec3{0, 0, 1}, n) : cross(Vec3{0, 1, 0}, n)), v = cross(n, u);
+  const Vec3 u = normalized(std::abs(n.z) < 0.9 ? cross(Vec3{0, 0, 1}, n)
+                                                : cross(Vec3{0, 1, 0}, n)),
+             v = cross(n, u);
   return {dot(p, u), dot(p, v)};
 }
 
@@ -138,7 +148,8 @@ inline bool is_inside(const Model& model, const Face& face, const Vec3& p, doubl
       const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()], d = b - a;
       const double t = std::clamp(dot(q - a, d) / dot(d, d), 0.0, 1.0);
       if (norm(q - a - d * t) <= tolerance) return true;
-      if ((a.v > q.v) != (b.v > q.v) && q.u < a.u + (q.v - a.v) / (b.v - a.v) * (b.u - a.u)) inside = !inside;
+      if ((a.v > q.v) != (b.v > q.v) && q.u < a.u + (q.v - a.v) / (b.v - a.v) * (b.u - a.u))
+        inside = !inside;
     }
   }
   return inside;

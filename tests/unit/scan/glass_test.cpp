@@ -44,10 +44,8 @@ TEST_CASE("glass__returns_the_share_asked_for_and_lets_the_rest_through") {
   size_t of_panes = 0, returned = 0, seen_curtains = 0;
   for (const auto& [id, n] : all) {
     const size_t now = some.contains(id) ? some.at(id) : 0;
-    if (panes.contains(id))
-      of_panes += n, returned += now;
-    else
-      CHECK(now >= n);
+    if (panes.contains(id)) of_panes += n, returned += now;
+    else CHECK(now >= n);
   }
   CHECK(is_binomial(returned, of_panes, 0.3));
   for (const uint32_t id : curtains) {
@@ -55,8 +53,8 @@ TEST_CASE("glass__returns_the_share_asked_for_and_lets_the_rest_through") {
     seen_curtains += some.contains(id) ? some.at(id) : 0;
   }
   CHECK(seen_curtains > 1000);
-  MESSAGE("FIGURE glass: " << returned << " of " << of_panes << " pulses returned, " << seen_curtains
-                           << " on curtains behind");
+  MESSAGE("FIGURE glass: " << returned << " of " << of_panes << " pulses returned, "
+                           << seen_curtains << " on curtains behind");
 }
 
 TEST_CASE("glass__each_pane_has_its_own_share_between_the_limits") {
@@ -113,7 +111,8 @@ TEST_CASE("glass__ghosts_appear_behind_panes_and_trees_and_cars_throw_shadows") 
   const auto dark = points_of_faces(scanned(with, quiet_settings(0.003), stations));
   const auto light = points_of_faces(scanned(without, quiet_settings(0.003), stations));
   const double share = static_cast<double>(dark.at(1)) / static_cast<double>(light.at(1));
-  MESSAGE("FIGURE unwanted: " << behind << " ghosts, " << 100 * (1 - share) << " % of the wall in shadow");
+  MESSAGE("FIGURE unwanted: " << behind << " ghosts, " << 100 * (1 - share)
+                              << " % of the wall in shadow");
   CHECK(share > 0.5);
   CHECK(share < 0.95);
 }

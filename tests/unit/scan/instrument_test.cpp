@@ -110,7 +110,8 @@ TEST_CASE("instrument__gx_scatters_as_its_maker_says") {
   }
   const double point = std::sqrt(spread.point / spread.n);
   CHECK(is_chi_squared(spread.point / (expected / spread.n), spread.n));
-  MESSAGE("FIGURE gx single point at 100 m: " << 1000 * point << " mm (11.58 by propagation, 12 by the maker)");
+  MESSAGE("FIGURE gx single point at 100 m: " << 1000 * point
+                                              << " mm (11.58 by propagation, 12 by the maker)");
 }
 
 TEST_CASE("misfit__is_a_small_rigid_error_with_the_deviations_asked_for") {
@@ -124,7 +125,8 @@ TEST_CASE("misfit__is_a_small_rigid_error_with_the_deviations_asked_for") {
     const Vec3 shift = (recorded.translation() - station.pose.translation()) / 0.004;
     // The skew part of a small rotation is its vector.
     const Vec3 turn = Vec3{recorded.m[9] - recorded.m[6], recorded.m[2] - recorded.m[8],
-                           recorded.m[4] - recorded.m[1]} / (2 * 2e-4);
+                           recorded.m[4] - recorded.m[1]} /
+                      (2 * 2e-4);
     for (int a = 0; a < 3; ++a) shifts[a] += shift[a] * shift[a], turns[a] += turn[a] * turn[a];
     mean_shift += shift;
   }
@@ -149,7 +151,8 @@ TEST_CASE("misfit__moves_pose_and_points_of_a_station_alike_and_leaves_the_truth
     CHECK(exact.stations[s].pose.m == stations[s].pose.m);
     const Transform error = moved.stations[s].pose * inverse(stations[s].pose);
     CHECK(norm(moved.stations[s].pose.translation() - stations[s].pose.translation()) > 1e-4);
-    for (uint64_t i = moved.stations[s].first; i < moved.stations[s].first + moved.stations[s].count; ++i)
+    for (uint64_t i = moved.stations[s].first;
+         i < moved.stations[s].first + moved.stations[s].count; ++i)
       REQUIRE(norm(moved.point(i) - error.point(exact.point(i))) < 1e-11);
   }
   CHECK_FALSE(moved.stations[0].pose.m == moved.stations[1].pose.m);
@@ -160,7 +163,8 @@ TEST_CASE("automatic_stations__take_a_number_and_a_distance") {
   const auto four = automatic_stations(facade, 4, 30);
   REQUIRE(four.size() == 4);
   for (size_t i = 0; i < 4; ++i) {
-    CHECK(std::abs(four[i].pose.translation().x - 11) == doctest::Approx(i == 0 || i == 3 ? 8.25 : 2.75));
+    CHECK(std::abs(four[i].pose.translation().x - 11) ==
+          doctest::Approx(i == 0 || i == 3 ? 8.25 : 2.75));
     CHECK(four[i].pose.translation().y == doctest::Approx(-0.35 - 30));
   }
   CHECK(automatic_stations(scene("room"), 3).size() == 3);

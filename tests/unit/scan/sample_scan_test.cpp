@@ -29,7 +29,9 @@ TEST_CASE("sample__gives_every_face_its_share_of_the_points_on_it") {
     double area = 0;
     for (size_t t = 0; t < model.triangles.size(); ++t) {
       const auto& [a, b, c] = model.triangles[t];
-      area += norm(cross(model.vertices[b] - model.vertices[a], model.vertices[c] - model.vertices[a])) / 2;
+      area += norm(cross(model.vertices[b] - model.vertices[a],
+                         model.vertices[c] - model.vertices[a])) /
+              2;
     }
     for (const auto& [id, n] : points_of_faces(cloud)) {
       const auto found = faces.find(id);

@@ -39,7 +39,8 @@ TEST_CASE("static_scan__noise_free_points_lie_on_their_face") {
     size_t curved = 0;
     for (size_t i = 0; i < cloud.size(); ++i) {
       const Vec3 p = cloud.point(i);
-      REQUIRE(std::abs(norm(p - station_of(cloud, i)->pose.translation()) - static_cast<double>(range[i])) < 1e-5);
+      REQUIRE(std::abs(norm(p - station_of(cloud, i)->pose.translation()) -
+                       static_cast<double>(range[i])) < 1e-5);
       const auto found = faces.find(ids[i]);
       if (found == faces.end()) {
         ++curved;
@@ -64,7 +65,8 @@ TEST_CASE("static_scan__sees_nothing_behind_a_surface") {
       const Vec3 p = cross(d, e2), s = eye - a, q = cross(s, e1);
       const double determinant = dot(e1, p);
       if (std::abs(determinant) < 1e-12) continue;
-      const double u = dot(s, p) / determinant, v = dot(d, q) / determinant, t = dot(e2, q) / determinant;
+      const double u = dot(s, p) / determinant, v = dot(d, q) / determinant,
+                   t = dot(e2, q) / determinant;
       REQUIRE_FALSE((u > 1e-9 && v > 1e-9 && u + v < 1 - 1e-9 && t > 0 && t < 1 - 1e-9));
     }
   }
@@ -92,16 +94,17 @@ TEST_CASE("static_scan__noise_has_the_deviations_asked_for") {
       const double c = std::hypot(d.x, d.y);
       const Vec3 by_h{d.y, -d.x, 0}, by_v{-d.z * d.x / c, -d.z * d.y / c, c};
       const auto squared = [](double x) { return x * x; };
-      const double variance =
-          squared(range_noise * dot(plane.normal, d)) +
-          squared(angle_noise * r) * (squared(dot(plane.normal, by_h)) + squared(dot(plane.normal, by_v)));
+      const double variance = squared(range_noise * dot(plane.normal, d)) +
+                              squared(angle_noise * r) * (squared(dot(plane.normal, by_h)) +
+                                                          squared(dot(plane.normal, by_v)));
       const double z = plane.distance(cloud.point(i)) / std::sqrt(variance);
       sum += z;
       squares += z * z;
     }
     const double n = static_cast<double>(cloud.size());
-    MESSAGE("seed " << seed << ": " << cloud.size() << " points, mean " << sum / std::sqrt(n) << " and chi2 "
-                    << (squares - n) / std::sqrt(2 * n) << " in standard deviations of each");
+    MESSAGE("seed " << seed << ": " << cloud.size() << " points, mean " << sum / std::sqrt(n)
+                    << " and chi2 " << (squares - n) / std::sqrt(2 * n)
+                    << " in standard deviations of each");
     CHECK(std::abs(sum) < 4 * std::sqrt(n));
     CHECK(std::abs(squares - n) < 4 * std::sqrt(2 * n));
   }
@@ -186,14 +189,17 @@ TEST_CASE("static_scan__adds_the_national_grid_exactly") {
 TEST_CASE("static_scan__of_a_model_shifted_by_whole_metres_is_shifted_exactly") {
   Model model = scene("facade");
   for (Vec3& v : model.vertices)
-    v = Vec3{std::nearbyint(v.x * 0x1p20), std::nearbyint(v.y * 0x1p20), std::nearbyint(v.z * 0x1p20)} * 0x1p-20;
+    v = Vec3{std::nearbyint(v.x * 0x1p20), std::nearbyint(v.y * 0x1p20),
+             std::nearbyint(v.z * 0x1p20)} *
+        0x1p-20;
   const Vec3 shift{652000, 6861000, 35};
   Model far = model;
   for (Vec3& v : far.vertices) v += shift;
   StaticSettings params = StaticSettings{
       .horizontal_step_rad = 0.01, .vertical_step_rad = 0.01, .coordinate_step_m = 0x1p-20};
   const ScanStation here[] = {station_at({5, -13, 1.75}), station_at({17, -12, 1.5})};
-  const ScanStation there[] = {station_at(Vec3{5, -13, 1.75} + shift), station_at(Vec3{17, -12, 1.5} + shift)};
+  const ScanStation there[] = {station_at(Vec3{5, -13, 1.75} + shift),
+                               station_at(Vec3{17, -12, 1.5} + shift)};
   const Cloud a = scanned(model, params, here), b = scanned(far, params, there);
   REQUIRE(a.size() == b.size());
   REQUIRE(a.size() > 10000);
@@ -258,7 +264,8 @@ TEST_CASE("static_scan__covers_its_field_of_view_once") {
   REQUIRE(by_rows.size() == cloud.size());
   CHECK(by_rows.point(0) == cloud.point(0));
   for (size_t i = 0; i < 360; i += 7)
-    for (size_t j = 0; j < 181; j += 5) REQUIRE(by_rows.point(j * 360 + i) == cloud.point(i * 181 + j));
+    for (size_t j = 0; j < 181; j += 5)
+      REQUIRE(by_rows.point(j * 360 + i) == cloud.point(i * 181 + j));
   StaticSettings near = params;
   near.min_range_m = 2;
   near.max_range_m = 3;
@@ -275,8 +282,10 @@ TEST_CASE("static_scan__tells_the_incidence_angle") {
   const Cloud cloud = scanned(room, params);
   for (size_t i = 0; i < cloud.size(); i += 11) {
     const Vec3 d = normalized(cloud.point(i) - station_of(cloud, i)->pose.translation());
-    const double expected = std::acos(-dot(d, faces.at(values<uint32_t>(cloud, "face")[i]).front()->plane.normal));
-    REQUIRE(std::abs(static_cast<double>(values<float>(cloud, "incidence_angle")[i]) - expected) < 1e-6);
+    const double expected =
+        std::acos(-dot(d, faces.at(values<uint32_t>(cloud, "face")[i]).front()->plane.normal));
+    REQUIRE(std::abs(static_cast<double>(values<float>(cloud, "incidence_angle")[i]) - expected) <
+            1e-6);
   }
 }
 
@@ -367,7 +376,8 @@ TEST_CASE("static_scan__default_facade_has_at_least_500_000_points") {
     CHECK(cloud.size() >= 500000);
     CHECK(cloud.stations.size() == 2);
     const double rays = 2.0 * 3927 * 1637;
-    MESSAGE(cloud.size() << " points from " << rays << " rays in " << seconds << " s with " << threads
-                         << " threads: " << 1e-6 * rays / seconds << " M rays/s, all included");
+    MESSAGE(cloud.size() << " points from " << rays << " rays in " << seconds << " s with "
+                         << threads << " threads: " << 1e-6 * rays / seconds
+                         << " M rays/s, all included");
   }
 }

@@ -9,10 +9,17 @@ using namespace jalon::test;
 
 namespace {
 
-const Options kEverything{{{"horizontal_step_rad", 0.008}, {"vertical_step_rad", 0.008}, {"dropout", 0.02},
-                           {"outliers", 0.02}, {"glass_return_min", 0.1}, {"glass_return_max", 0.6},
-                           {"misfit_shift_m", 0.003}, {"misfit_rotation_rad", 1e-4}, {"spacing_m", 0.05},
-                           {"max_points", 20000}, {"stations", 3}},
+const Options kEverything{{{"horizontal_step_rad", 0.008},
+                           {"vertical_step_rad", 0.008},
+                           {"dropout", 0.02},
+                           {"outliers", 0.02},
+                           {"glass_return_min", 0.1},
+                           {"glass_return_max", 0.6},
+                           {"misfit_shift_m", 0.003},
+                           {"misfit_rotation_rad", 1e-4},
+                           {"spacing_m", 0.05},
+                           {"max_points", 20000},
+                           {"stations", 3}},
                           {{"instrument", "gx"}, {"outlier_place", "box"}}};
 
 }  // namespace
@@ -32,7 +39,8 @@ TEST_CASE("thinning__keeps_exactly_the_number_asked_for_as_a_random_part_of_the_
     while (k < all.size() && !(all.point(k) == some.point(i))) ++k;
   CHECK(k <= all.size());
   const double share = 20000 / static_cast<double>(all.size());
-  for (size_t s = 0; s < 2; ++s) CHECK(is_binomial(some.stations[s].count, all.stations[s].count, share));
+  for (size_t s = 0; s < 2; ++s)
+    CHECK(is_binomial(some.stations[s].count, all.stations[s].count, share));
   std::map<uint32_t, std::pair<size_t, size_t>> counts;
   for (const uint32_t id : values<uint32_t>(all, "face")) ++counts[id].first;
   for (const uint32_t id : values<uint32_t>(some, "face")) ++counts[id].second;
@@ -56,7 +64,8 @@ TEST_CASE("thinning__to_a_spacing_gives_the_same_density_near_and_far") {
     CHECK(std::abs(static_cast<double>(n) - expected) < 5 * std::sqrt(expected));
     (cell.first < 5 ? near : far) += static_cast<double>(n) / 50;
   }
-  MESSAGE("FIGURE spacing 0.05 m: " << near << " and " << far << " points/m2 near and far, 400 asked for");
+  MESSAGE("FIGURE spacing 0.05 m: " << near << " and " << far
+                                    << " points/m2 near and far, 400 asked for");
   CHECK(near == doctest::Approx(expected).epsilon(0.02));
   CHECK(far == doctest::Approx(expected).epsilon(0.02));
 }

@@ -26,13 +26,15 @@ Truth truth_of(const Model& model, double least_m2 = kLeast_m2) {
 }
 
 /// Two triangles a rectangle of the plane z = height.
-void add_rectangle(Model& model, double x0, double x1, double y0, double y1, double height = 0, double slope = 0) {
+void add_rectangle(Model& model, double x0, double x1, double y0, double y1, double height = 0,
+                   double slope = 0) {
   const auto first = static_cast<uint32_t>(model.vertices.size());
   for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
     model.vertices.push_back({x, y, height + slope * x});
   model.triangles.push_back({first, first + 1, first + 2});
   model.triangles.push_back({first, first + 2, first + 3});
-  model.triangle_faces.insert(model.triangle_faces.end(), 2, static_cast<uint32_t>(model.triangles.size() / 2));
+  model.triangle_faces.insert(model.triangle_faces.end(), 2,
+                              static_cast<uint32_t>(model.triangles.size() / 2));
 }
 
 }  // namespace
@@ -90,7 +92,8 @@ TEST_CASE("truth__counts_areas_and_leaves_out_small_groups") {
 TEST_CASE("truth__of_a_long_chain_of_patches_is_one_plane") {
   Model model;
   for (int i = 0; i < 40; ++i)
-    for (int j = 0; j < 40; ++j) add_rectangle(model, i, i + 1, j + 0.5 * (i % 2), j + 1 + 0.5 * (i % 2));
+    for (int j = 0; j < 40; ++j)
+      add_rectangle(model, i, i + 1, j + 0.5 * (i % 2), j + 1 + 0.5 * (i % 2));
   const Truth truth = truth_of(model);
   REQUIRE(truth.planes.size() == 1);
   CHECK(truth.planes[0].area_m2 == doctest::Approx(1600));
@@ -118,7 +121,8 @@ TEST_CASE("truth__of_a_large_mesh_stops_within_100_ms_of_a_cancel") {
   const uint32_t side = std::getenv("JALON_SANITIZED") != nullptr ? 300 : 1000;
   Model mesh;
   RandomStream random(1, 0);
-  for (uint32_t k = 0; k < side * side; ++k) mesh.vertices.push_back({0.1 * (k % side), 0.1 * (k / side), random.uniform()});
+  for (uint32_t k = 0; k < side * side; ++k)
+    mesh.vertices.push_back({0.1 * (k % side), 0.1 * (k / side), random.uniform()});
   for (uint32_t k = 0; k + side < side * side; ++k)
     if (k % side + 1 < side) {
       mesh.triangles.push_back({k, k + 1, k + 1 + side});
@@ -148,9 +152,11 @@ TEST_CASE("truth__of_a_large_mesh_stops_within_100_ms_of_a_cancel") {
     other.join();
     if (is_done) break;
     ++stopped;
-    worst_ms = std::max(worst_ms, std::chrono::duration<double, std::milli>(end - cancelled).count());
+    worst_ms =
+        std::max(worst_ms, std::chrono::duration<double, std::milli>(end - cancelled).count());
   }
-  MESSAGE("FIGURE " << mesh.triangles.size() << " triangles: " << stopped << " cancels, worst " << worst_ms << " ms");
+  MESSAGE("FIGURE " << mesh.triangles.size() << " triangles: " << stopped << " cancels, worst "
+                    << worst_ms << " ms");
   CHECK(stopped > 0);
   CHECK(worst_ms < 100);
 }
@@ -162,7 +168,8 @@ TEST_CASE("truth__of_a_mesh_does_not_depend_on_shared_vertices_or_the_number_of_
   RandomStream random(1, 0);
   for (uint32_t j = 0; j < kSide; ++j)
     for (uint32_t i = 0; i < kSide; ++i)
-      mesh.vertices.push_back({0.1 * i, 0.1 * j, j < 40 ? 0.05 * std::abs(20.0 - j) : 0.95 + 0.1 * random.uniform()});
+      mesh.vertices.push_back(
+          {0.1 * i, 0.1 * j, j < 40 ? 0.05 * std::abs(20.0 - j) : 0.95 + 0.1 * random.uniform()});
   for (uint32_t j = 0; j + 1 < kSide; ++j)
     for (uint32_t i = 0; i + 1 < kSide; ++i) {
       const uint32_t a = j * kSide + i;
@@ -194,7 +201,8 @@ TEST_CASE("truth__leaves_out_curved_surfaces_of_scenes_but_takes_every_triangle_
   const auto faces = faces_by_id(street);
   const Truth truth = truth_of(street);
   for (size_t t = 0; t < street.triangles.size(); ++t)
-    if (!faces.contains(street.triangle_faces[t])) REQUIRE(truth.triangle_segments[t] == kNoSegment);
+    if (!faces.contains(street.triangle_faces[t]))
+      REQUIRE(truth.triangle_segments[t] == kNoSegment);
   // The 28 planes of the measurements without the six of glass, whose panes stand apart.
   const auto large = std::count_if(truth.planes.begin(), truth.planes.end(),
                                    [](const TruePlane& p) { return p.area_m2 > 2; });

@@ -35,7 +35,8 @@ Scene wall_and_reveal(int reveal_columns, uint64_t seed) {
 
 TEST_CASE("a single column of a scan is no plane") {
   for (uint64_t seed = 1; seed <= 10; ++seed) {
-    const Segmentation s = run(cloud_of(wall_and_reveal(1, seed).points), ransac_params("{}", seed));
+    const Segmentation s =
+        run(cloud_of(wall_and_reveal(1, seed).points), ransac_params("{}", seed));
     REQUIRE(s.segments.size() == 1);
     CHECK(std::fabs(s.segments[0].fit.plane.normal.y) > 0.99999);
   }

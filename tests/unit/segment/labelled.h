@@ -37,7 +37,8 @@ inline CloudPtr make_labelled_cloud(Buffer<double> xyz, const std::vector<int64_
   return std::make_shared<const Cloud>(std::move(cloud));
 }
 
-inline Evaluation evaluate_labels(const CloudPtr& cloud, const char* json = "{}", unsigned threads = 2) {
+inline Evaluation evaluate_labels(const CloudPtr& cloud, const char* json = "{}",
+                                  unsigned threads = 2) {
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);

@@ -33,7 +33,8 @@ void refuses_clouds_without_area(F&& segment) {
   std::vector<Vec3> line;
   for (int i = 0; i < 500; ++i) line.push_back({1.0 + 0.5 * i, 2.0 - 0.25 * i, 3.0 + 0.125 * i});
   CHECK(status_of(line) == Status::kDegenerate);
-  CHECK(status_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == Status::kOk);  // a plane, but below min_points
+  CHECK(status_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}) ==
+        Status::kOk);  // a plane, but below min_points
 }
 
 /// Six upright strips, each 0.1 m behind the last, which a slanted plane would take at once: one by
@@ -49,7 +50,8 @@ void takes_staggered_strips_one_by_one(F&& segment) {
     REQUIRE(s.segments.size() == 6);
     for (int k = 1; k <= 6; ++k) {
       size_t best = 0;
-      for (uint32_t label = 1; label <= 6; ++label) best = std::max(best, overlap(scene, s, k, label));
+      for (uint32_t label = 1; label <= 6; ++label)
+        best = std::max(best, overlap(scene, s, k, label));
       CHECK(best >= 2940);
     }
     for (const Segment& found : s.segments)

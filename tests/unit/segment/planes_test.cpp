@@ -21,16 +21,20 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 }  // namespace
 
-TEST_CASE("S2 surrounds: tolerance 0.025 m without connectivity gives wall, surrounds and joinery") {
+TEST_CASE(
+    "S2 surrounds: tolerance 0.025 m without connectivity gives wall, surrounds and joinery") {
   for (uint64_t seed = 1; seed <= 3; ++seed) {
     const Scene scene = surrounds(seed);
     const Segmentation s =
         run(cloud_of(scene.points),
-            ransac_params("{\"distance_tolerance_m\": 0.025, \"connectivity\": false, \"normals\": \"none\", "
-                          "\"min_points\": 600}", seed));
+            ransac_params(
+                "{\"distance_tolerance_m\": 0.025, \"connectivity\": false, \"normals\": \"none\", "
+                "\"min_points\": 600}",
+                seed));
     REQUIRE(s.segments.size() == 3);
     for (int face = 1; face <= 3; ++face) {
-      const auto total = static_cast<size_t>(std::count(scene.faces.begin(), scene.faces.end(), face));
+      const auto total =
+          static_cast<size_t>(std::count(scene.faces.begin(), scene.faces.end(), face));
       CHECK(overlap(scene, s, face, static_cast<uint32_t>(face)) >= total * 999 / 1000);
     }
   }
@@ -38,7 +42,8 @@ TEST_CASE("S2 surrounds: tolerance 0.025 m without connectivity gives wall, surr
 
 TEST_CASE("S2 surrounds: connectivity gives one wall, 12 surrounds and 12 joineries") {
   const Scene scene = surrounds(5);
-  const Segmentation s = run(cloud_of(scene.points), ransac_params("{\"gap_m\": 0.2, \"merge_gap_m\": 0.2}"));
+  const Segmentation s =
+      run(cloud_of(scene.points), ransac_params("{\"gap_m\": 0.2, \"merge_gap_m\": 0.2}"));
   size_t counts[4] = {};
   for (const Segment& segment : s.segments)
     for (int face = 1; face <= 3; ++face)
@@ -69,8 +74,10 @@ TEST_CASE("S6 normality: residuals of one plane are normal about it") {
     within997 += std::fabs(d) < 3.035 * 0.0025;
   }
   const double count = static_cast<double>(n);
-  MESSAGE("mean " << sum / count << " m, std " << std::sqrt(squares / count) << " m, sigma " << fit.sigma << " m");
-  CHECK(std::fabs(sum / count) < 1e-6);  // points beyond 4 sigma are kept out of the fit, so not zero to rounding
+  MESSAGE("mean " << sum / count << " m, std " << std::sqrt(squares / count) << " m, sigma "
+                  << fit.sigma << " m");
+  CHECK(std::fabs(sum / count) <
+        1e-6);  // points beyond 4 sigma are kept out of the fit, so not zero to rounding
   CHECK(std::fabs(fit.sigma - 0.0025) < 0.01 * 0.0025);
   CHECK(std::fabs(static_cast<double>(within99) / count - 0.990) < 0.002);
   CHECK(std::fabs(static_cast<double>(within997) / count - 0.9976) < 0.001);
@@ -115,7 +122,8 @@ TEST_CASE("the facade's planes are right to a tenth of a millimetre, in every se
       if (face != 1) continue;
       const PlaneFit& fit = s.segments[label - 1].fit;
       wall_offset = std::max(wall_offset, std::fabs(fit.centroid.y));
-      wall_angle = std::max(wall_angle, std::acos(std::min(1.0, std::fabs(fit.plane.normal.y))) / kDegree);
+      wall_angle =
+          std::max(wall_angle, std::acos(std::min(1.0, std::fabs(fit.plane.normal.y))) / kDegree);
     }
   }
   MESSAGE("wall: " << wall_offset * 1e3 << " mm, " << wall_angle << " degrees");
@@ -136,12 +144,14 @@ TEST_CASE("the 99 % ellipsoid of a plane's parameters covers the truth in 99 % o
       const double a = 4 * random.uniform() - 1, b = 3 * random.uniform();
       scene.points.push_back(Vec3{5, 7, 2} + a * u + b * v + 0.004 * random.normal() * normal);
     }
-    const Segmentation s = run(cloud_of(scene.points), ransac_params("{}", static_cast<uint64_t>(draw)), 1);
+    const Segmentation s =
+        run(cloud_of(scene.points), ransac_params("{}", static_cast<uint64_t>(draw)), 1);
     REQUIRE(s.segments.size() == 1);
     const PlaneFit& fit = s.segments[0].fit;
     const double sign = dot(fit.plane.normal, normal) < 0 ? -1 : 1;
     const Vec3 d = sign * fit.plane.normal - normal;
-    const Eigen::Vector4d error(d.x, d.y, d.z, sign * fit.plane.offset - dot(normal, Vec3{5, 7, 2}));
+    const Eigen::Vector4d error(d.x, d.y, d.z,
+                                sign * fit.plane.offset - dot(normal, Vec3{5, 7, 2}));
     const Eigen::Matrix4d covariance = Eigen::Map<const Eigen::Matrix4d>(fit.covariance.data());
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(covariance);
     CHECK(std::fabs(eigen.eigenvalues()(0)) < 1e-9 * eigen.eigenvalues()(3));  // rank 3

@@ -21,8 +21,9 @@ TEST_CASE("ransac refuses clouds without area") {
 }
 
 TEST_CASE("ransac takes three points as a plane when asked") {
-  const Segmentation s = run(cloud_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
-                             ransac_params("{\"min_points\": 3, \"min_area_m2\": 0, \"connectivity\": false}"));
+  const Segmentation s =
+      run(cloud_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+          ransac_params("{\"min_points\": 3, \"min_area_m2\": 0, \"connectivity\": false}"));
   CHECK(s.segments.size() <= 1);
   CHECK(s.labels->count() == 3);
 }
@@ -88,14 +89,16 @@ TEST_CASE("an arbitrary shift changes next to nothing") {
   double offset = 0, angle = 0;
   for (size_t i = 0; i < planes; ++i) {
     const auto& row = shared[i + 1];
-    const auto twin = static_cast<size_t>(std::max_element(row.begin() + 1, row.end()) - row.begin());
+    const auto twin =
+        static_cast<size_t>(std::max_element(row.begin() + 1, row.end()) - row.begin());
     same += row[twin];
     const PlaneFit &p = here.segments[i].fit, &q = there.segments[twin - 1].fit;
     offset = std::max(offset, std::fabs(p.plane.distance(q.centroid - shift)));
     angle = std::max(angle, norm(cross(p.plane.normal, q.plane.normal)));
   }
   const size_t differ = a.size() - same;
-  MESSAGE("labels that differ: " << differ << " of " << a.size() << ", offsets " << offset << " m, angles " << angle);
+  MESSAGE("labels that differ: " << differ << " of " << a.size() << ", offsets " << offset
+                                 << " m, angles " << angle);
   CHECK(static_cast<double>(differ) <= 1e-4 * static_cast<double>(a.size()));
   CHECK(offset <= 1e-5);
 }
@@ -113,8 +116,8 @@ TEST_CASE("the facade frame puts the main facade parallel to OXZ, the station si
   const double angle = 37 * std::numbers::pi / 180;
   Scene scene = facade_scene(400, 6);
   for (Vec3& p : scene.points)
-    p = {std::cos(angle) * p.x - std::sin(angle) * p.y + 1000, std::sin(angle) * p.x + std::cos(angle) * p.y + 500,
-         p.z + 40};
+    p = {std::cos(angle) * p.x - std::sin(angle) * p.y + 1000,
+         std::sin(angle) * p.x + std::cos(angle) * p.y + 500, p.z + 40};
   const Segmentation s = run(cloud_of(scene.points), ransac_params());
   // Without stations: what lies behind the wall (the panes) tells the front.
   uint32_t wall = 0;
@@ -126,8 +129,8 @@ TEST_CASE("the facade frame puts the main facade parallel to OXZ, the station si
   CHECK(s.segments[wall].orientation == Orientation::kParallel);
   size_t classes[5] = {};
   for (const Segment& segment : s.segments) ++classes[static_cast<size_t>(segment.orientation)];
-  MESSAGE("parallel " << classes[1] << ", vertical " << classes[2] << ", horizontal " << classes[3] << ", inclined "
-                      << classes[4]);
+  MESSAGE("parallel " << classes[1] << ", vertical " << classes[2] << ", horizontal " << classes[3]
+                      << ", inclined " << classes[4]);
   CHECK(classes[1] >= 5);  // wall, two panes, cornice, box
   CHECK(classes[2] >= 4);
   CHECK(classes[3] >= 4);

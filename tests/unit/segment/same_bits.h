@@ -29,7 +29,8 @@ inline void check_same(const Segmentation& a, const Segmentation& b, bool shifte
     CHECK(s.fit.axis_u == t.fit.axis_u);
     CHECK(s.fit.sigma == t.fit.sigma);
     CHECK(s.area_m2 == t.area_m2);
-    CHECK(std::bit_cast<uint64_t>(s.length_u_m) == std::bit_cast<uint64_t>(t.length_u_m));  // NaN for spheres
+    CHECK(std::bit_cast<uint64_t>(s.length_u_m) ==
+          std::bit_cast<uint64_t>(t.length_u_m));  // NaN for spheres
     if (shifted) continue;
     CHECK(s.fit.centroid == t.fit.centroid);
     CHECK(s.fit.plane.offset == t.fit.plane.offset);

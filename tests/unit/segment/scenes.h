@@ -22,7 +22,8 @@ struct Scene {
   std::vector<int> faces;
 
   /// count points at random on corner + a u + b v, a and b in [0, 1), with normal noise along x, y and z.
-  void rectangle(int face, Vec3 corner, Vec3 u, Vec3 v, size_t count, double sigma, RandomStream& random) {
+  void rectangle(int face, Vec3 corner, Vec3 u, Vec3 v, size_t count, double sigma,
+                 RandomStream& random) {
     for (size_t i = 0; i < count; ++i) {
       const Vec3 p = corner + random.uniform() * u + random.uniform() * v;
       const Vec3 noise{random.normal(), random.normal(), random.normal()};
@@ -33,7 +34,8 @@ struct Scene {
   void outliers(Vec3 low, Vec3 high, size_t count, RandomStream& random) {
     for (size_t i = 0; i < count; ++i) {
       const Vec3 d = high - low;
-      points.push_back(low + Vec3{d.x * random.uniform(), d.y * random.uniform(), d.z * random.uniform()});
+      points.push_back(
+          low + Vec3{d.x * random.uniform(), d.y * random.uniform(), d.z * random.uniform()});
       faces.push_back(0);
     }
   }
@@ -85,12 +87,14 @@ inline Scene facade_scene(size_t density_per_m2, uint64_t seed) {
   RandomStream random(seed, 7);
   const auto add = [&](int face, Vec3 corner, Vec3 u, Vec3 v) {
     const double area = norm(cross(u, v));
-    scene.rectangle(face, corner, u, v, static_cast<size_t>(area * static_cast<double>(density_per_m2)), 0.003, random);
+    scene.rectangle(face, corner, u, v,
+                    static_cast<size_t>(area * static_cast<double>(density_per_m2)), 0.003, random);
   };
   // Wall y = 0, x 0 ... 10, z 0 ... 6 around two windows 1.5 x 2 at z 2 ... 4.
   add(1, {0, 0, 0}, {10, 0, 0}, {0, 0, 2});
   add(1, {0, 0, 4}, {10, 0, 0}, {0, 0, 2});
-  for (const double x : {0.0, 3.5, 7.5}) add(1, {x, 0, 2}, {x == 3.5 ? 2.5 : (x == 0 ? 2.0 : 2.5), 0, 0}, {0, 0, 2});
+  for (const double x : {0.0, 3.5, 7.5})
+    add(1, {x, 0, 2}, {x == 3.5 ? 2.5 : (x == 0 ? 2.0 : 2.5), 0, 0}, {0, 0, 2});
   int face = 2;
   for (const double x : {2.0, 6.0}) {
     add(face++, {x, 0.2, 2}, {1.5, 0, 0}, {0, 0, 2});  // pane
@@ -99,10 +103,10 @@ inline Scene facade_scene(size_t density_per_m2, uint64_t seed) {
     add(face++, {x, 0, 2}, {1.5, 0, 0}, {0, 0.2, 0});  // sill
     add(face++, {x, 0, 4}, {1.5, 0, 0}, {0, 0.2, 0});  // lintel
   }
-  add(face++, {0, -0.4, 6}, {10, 0, 0}, {0, 0.4, 0});    // soffit of the cornice
-  add(face++, {0, -0.4, 6}, {10, 0, 0}, {0, 0, 0.4});    // its front
-  add(face++, {-1, -6, 0}, {12, 0, 0}, {0, 6, 0});       // ground
-  add(face++, {4, -4, 1}, {1, 0, 0}, {0, 1, 0});         // box
+  add(face++, {0, -0.4, 6}, {10, 0, 0}, {0, 0.4, 0});  // soffit of the cornice
+  add(face++, {0, -0.4, 6}, {10, 0, 0}, {0, 0, 0.4});  // its front
+  add(face++, {-1, -6, 0}, {12, 0, 0}, {0, 6, 0});     // ground
+  add(face++, {4, -4, 1}, {1, 0, 0}, {0, 1, 0});       // box
   add(face++, {4, -4, 0}, {1, 0, 0}, {0, 0, 1});
   add(face++, {4, -4, 0}, {0, 1, 0}, {0, 0, 1});
   add(face++, {5, -4, 0}, {0, 1, 0}, {0, 0, 1});

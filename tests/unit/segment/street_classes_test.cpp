@@ -18,8 +18,9 @@ using namespace jalon::test;
 namespace {
 
 constexpr int kWall = 1, kDoor = 2, kWindow = 3;
-constexpr double kBehind_m = 0.05;       // doors and windows this far behind the wall's plane are no part of the wall
-constexpr double kSamePlane_m = 0.025;   // the segmenter's tolerance
+constexpr double kBehind_m =
+    0.05;  // doors and windows this far behind the wall's plane are no part of the wall
+constexpr double kSamePlane_m = 0.025;     // the segmenter's tolerance
 constexpr double kSameDirection = 0.9998;  // cosine of 1 degree
 
 // True when the folder with the real scans is there; else says so.
@@ -33,7 +34,8 @@ bool have(const Scene& scene) {
 std::vector<std::array<size_t, 4>> confusion(const Scene& scene, const Segmentation& s) {
   std::vector<std::array<size_t, 4>> out(s.segments.size() + 1, std::array<size_t, 4>{});
   const auto labels = s.labels->values<uint32_t>();
-  for (size_t i = 0; i < labels.size(); ++i) ++out[labels[i]][static_cast<size_t>(std::clamp(scene.faces[i], 0, 3))];
+  for (size_t i = 0; i < labels.size(); ++i)
+    ++out[labels[i]][static_cast<size_t>(std::clamp(scene.faces[i], 0, 3))];
   return out;
 }
 
@@ -53,7 +55,8 @@ std::string table(const std::vector<std::array<size_t, 4>>& rows, const Segmenta
       continue;
     }
     line(std::to_string(r), rows[r]);
-    out << std::setw(10) << std::fixed << std::setprecision(3) << -wall.distance(s.segments[r - 1].fit.centroid);
+    out << std::setw(10) << std::fixed << std::setprecision(3)
+        << -wall.distance(s.segments[r - 1].fit.centroid);
   }
   line("others", rest);
   line("noise", rows[0]);
@@ -61,7 +64,8 @@ std::string table(const std::vector<std::array<size_t, 4>>& rows, const Segmenta
 }
 
 // The wall, however many pieces it has: segments in the plane of the largest one that are wall for the most part.
-std::vector<bool> wall_segments(const Segmentation& s, const std::vector<std::array<size_t, 4>>& rows) {
+std::vector<bool> wall_segments(const Segmentation& s,
+                                const std::vector<std::array<size_t, 4>>& rows) {
   const Plane& wall = s.segments[0].fit.plane;
   std::vector<bool> out(rows.size(), false);
   for (const Segment& segment : s.segments) {
@@ -76,7 +80,8 @@ std::vector<bool> wall_segments(const Segmentation& s, const std::vector<std::ar
 // Share of the points whose class is that of most points of their segment; noise counts as wrong.
 double purity(const std::vector<std::array<size_t, 4>>& rows, size_t points) {
   size_t right = 0;
-  for (size_t r = 1; r < rows.size(); ++r) right += *std::max_element(rows[r].begin(), rows[r].end());
+  for (size_t r = 1; r < rows.size(); ++r)
+    right += *std::max_element(rows[r].begin(), rows[r].end());
   return static_cast<double>(right) / static_cast<double>(points);
 }
 
@@ -110,8 +115,8 @@ void check_street(const std::string& file, const std::string& method) {
     shared += is_wall[labels[i]];
   }
   MESSAGE("FIGURE " << file << ", " << method << ": " << behind
-          << " door and window points 5 cm and more behind the wall, "
-                    << shared << " of them in its segment; " << wall_found << " of " << wall_near
+                    << " door and window points 5 cm and more behind the wall, " << shared
+                    << " of them in its segment; " << wall_found << " of " << wall_near
                     << " wall points of its plane in it; points in segments of their class: "
                     << purity(rows, labels.size()) << table(rows, s));
   CHECK(behind > 1000);
@@ -122,8 +127,12 @@ void check_street(const std::string& file, const std::string& method) {
 
 }  // namespace
 
-TEST_CASE("ransac keeps doors and windows of street 1 out of the wall") { check_street("street_1.txt", "ransac"); }
-TEST_CASE("ransac keeps doors and windows of street 3 out of the wall") { check_street("street_3.txt", "ransac"); }
+TEST_CASE("ransac keeps doors and windows of street 1 out of the wall") {
+  check_street("street_1.txt", "ransac");
+}
+TEST_CASE("ransac keeps doors and windows of street 3 out of the wall") {
+  check_street("street_3.txt", "ransac");
+}
 TEST_CASE("region_growing keeps doors and windows of both streets out of the wall") {
   check_street("street_1.txt", "region_growing");
   check_street("street_3.txt", "region_growing");

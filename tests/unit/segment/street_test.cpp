@@ -24,7 +24,8 @@ bool have(const Scene& scene) {
 size_t wall_points_near(const Scene& scene, const Segment& segment, double reach_m) {
   size_t count = 0;
   for (size_t i = 0; i < scene.points.size(); ++i)
-    count += scene.faces[i] == kWall && std::fabs(segment.fit.plane.distance(scene.points[i])) <= reach_m;
+    count += scene.faces[i] == kWall &&
+             std::fabs(segment.fit.plane.distance(scene.points[i])) <= reach_m;
   return count;
 }
 
@@ -41,8 +42,11 @@ std::vector<const Segment*> recesses(const Scene& scene, const Segmentation& s, 
   const Segment& wall = s.segments[0];
   for (const Segment& segment : s.segments) {
     const double depth = -wall.fit.plane.distance(segment.fit.centroid);
-    if (segment.label == 1 || std::fabs(dot(wall.fit.plane.normal, segment.fit.plane.normal)) < 0.998) continue;
-    if (std::fabs(depth - depth_m) < 0.05 && 2 * overlap(scene, s, kWall, segment.label) > segment.fit.n)
+    if (segment.label == 1 ||
+        std::fabs(dot(wall.fit.plane.normal, segment.fit.plane.normal)) < 0.998)
+      continue;
+    if (std::fabs(depth - depth_m) < 0.05 &&
+        2 * overlap(scene, s, kWall, segment.label) > segment.fit.n)
       out.push_back(&segment);
   }
   return out;
@@ -60,15 +64,17 @@ TEST_CASE("ransac finds the wall of street 1 once and the recess behind it, what
     REQUIRE(s.segments.size() > 2);
     const Segment& wall = s.segments[0];
     const Found f = found(scene, s, wall);
-    MESSAGE("seed " << seed << ": wall " << f.labelled << " labelled, " << f.near << " within 3 cm, sigma "
-                    << wall.fit.sigma * 1e3 << " mm, " << s.segments.size() << " planes");
+    MESSAGE("seed " << seed << ": wall " << f.labelled << " labelled, " << f.near
+                    << " within 3 cm, sigma " << wall.fit.sigma * 1e3 << " mm, "
+                    << s.segments.size() << " planes");
     CHECK(std::fabs(static_cast<double>(f.near) - 22700) <= 0.02 * 22700);
     CHECK(std::fabs(static_cast<double>(f.labelled) - 22700) <= 0.02 * 22700);
     CHECK(std::fabs(wall.fit.sigma - 0.005) <= 0.001);
     CHECK(wall.orientation == Orientation::kParallel);
     // No second segment lies in the wall's plane.
     for (const Segment& other : s.segments)
-      if (other.label != 1 && std::fabs(dot(other.fit.plane.normal, wall.fit.plane.normal)) > 0.998 &&
+      if (other.label != 1 &&
+          std::fabs(dot(other.fit.plane.normal, wall.fit.plane.normal)) > 0.998 &&
           std::fabs(wall.fit.plane.distance(other.fit.centroid)) < 0.02)
         CHECK(overlap(scene, s, kWall, other.label) < 220);  // 1 % of the wall
     const auto behind = recesses(scene, s, 0.22);
@@ -78,7 +84,8 @@ TEST_CASE("ransac finds the wall of street 1 once and the recess behind it, what
                         << -wall.fit.plane.distance(behind[0]->fit.centroid) << " m behind, sigma "
                         << behind[0]->fit.sigma * 1e3 << " mm");
     CHECK(std::fabs(static_cast<double>(r.near) - 1400) <= 0.1 * 1400);
-    CHECK(r.labelled >= 950);  // the panel itself; the rest of the 1 400 are edges of openings at the same depth
+    CHECK(r.labelled >=
+          950);  // the panel itself; the rest of the 1 400 are edges of openings at the same depth
   }
 }
 
@@ -94,8 +101,9 @@ TEST_CASE("ransac finds the wall of street 3 and the panels behind it, whatever 
     const auto behind = recesses(scene, s, 0.14);
     size_t panels = 0;
     for (const Segment* panel : behind) panels += overlap(scene, s, kWall, panel->label);
-    MESSAGE("seed " << seed << ": wall " << f.labelled << " labelled, " << f.near << " within 3 cm, sigma "
-                    << s.segments[0].fit.sigma * 1e3 << " mm; " << behind.size() << " panels behind with " << panels);
+    MESSAGE("seed " << seed << ": wall " << f.labelled << " labelled, " << f.near
+                    << " within 3 cm, sigma " << s.segments[0].fit.sigma * 1e3 << " mm; "
+                    << behind.size() << " panels behind with " << panels);
     CHECK(std::fabs(static_cast<double>(f.near) - 19200) <= 0.02 * 19200);
     CHECK(std::fabs(static_cast<double>(f.labelled) - 19200) <= 0.02 * 19200);
     CHECK(s.segments[0].fit.sigma < 0.006);

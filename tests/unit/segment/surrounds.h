@@ -23,7 +23,8 @@ inline Scene surrounds(uint64_t seed, size_t glass_points_a_window = 0) {
     scene.faces.push_back(1);
     ++wall;
   }
-  const auto frame = [&](int face, Vec3 c, double w, double h, double width, double y, size_t count) {
+  const auto frame = [&](int face, Vec3 c, double w, double h, double width, double y,
+                         size_t count) {
     for (size_t i = 0; i < count;) {
       const double x = w * random.uniform(), z = h * random.uniform();
       if (x > width && x < w - width && z > width && z < h - width) continue;

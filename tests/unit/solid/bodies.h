@@ -26,21 +26,24 @@ struct Body {
 inline std::vector<Vec3> box_corners(const Vec3& size) {
   std::vector<Vec3> out;
   for (int i = 0; i < 8; ++i)
-    out.push_back({(i & 1 ? .5 : -.5) * size.x, (i & 2 ? .5 : -.5) * size.y, (i & 4 ? .5 : -.5) * size.z});
+    out.push_back(
+        {(i & 1 ? .5 : -.5) * size.x, (i & 2 ? .5 : -.5) * size.y, (i & 4 ? .5 : -.5) * size.z});
   return out;
 }
 
 /// Body number kind of 4 in a random frame; the hull is that of a box with points on its sides and inside.
 inline Body any_body(RandomStream& random, int kind) {
   const brute::Quaternion q = brute::any_turn(random, 3);
-  const Vec3 at = brute::any_vector(random, 1), size = brute::any_vector(random, 0.8) + Vec3{1, 1, 1};
+  const Vec3 at = brute::any_vector(random, 1),
+             size = brute::any_vector(random, 0.8) + Vec3{1, 1, 1};
   const Transform frame = frame_of(q, at);
   const auto placed = [=](brute::Distance local) -> brute::Distance {
     return [=, r = brute::rotation_of(q)](const Vec3& p) { return local(r.back(p - at)); };
   };
   if (kind == 0) return {ConvexPiece::box(frame, size), placed(brute::box(size))};
   if (kind == 1) return {ConvexPiece::sphere(at, size.x), placed(brute::ball(size.x))};
-  if (kind == 2) return {ConvexPiece::cylinder(frame, size.x, size.z), placed(brute::cylinder(size.x, size.z))};
+  if (kind == 2)
+    return {ConvexPiece::cylinder(frame, size.x, size.z), placed(brute::cylinder(size.x, size.z))};
   std::vector<Vec3> points = box_corners(size);
   for (int i = 0; i < 20; ++i) {
     Vec3 p = brute::any_vector(random, 0.5);

@@ -43,7 +43,9 @@ inline Rotation rotation_of(const Quaternion& q) {
             {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}}};
 }
 
-inline double uniform(RandomStream& random, double from, double to) { return from + (to - from) * random.uniform(); }
+inline double uniform(RandomStream& random, double from, double to) {
+  return from + (to - from) * random.uniform();
+}
 inline Vec3 any_vector(RandomStream& random, double size) {
   const double x = uniform(random, -size, size), y = uniform(random, -size, size);
   return {x, y, uniform(random, -size, size)};
@@ -57,8 +59,10 @@ inline Quaternion any_turn(RandomStream& random, double most_rad) {
   return {std::cos(half), axis.x * s, axis.y * s, axis.z * s};
 }
 inline Quaternion product(const Quaternion& a, const Quaternion& b) {
-  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+          a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+          a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
 }
 /// Spherical linear interpolation along the shorter arc.
 inline Quaternion slerp(const Quaternion& a, Quaternion b, double t) {
@@ -69,7 +73,8 @@ inline Quaternion slerp(const Quaternion& a, Quaternion b, double t) {
   }
   const double angle = std::acos(std::min(1.0, c));
   double wa = 1 - t, wb = t;
-  if (angle > 1e-9) wa = std::sin((1 - t) * angle) / std::sin(angle), wb = std::sin(t * angle) / std::sin(angle);
+  if (angle > 1e-9)
+    wa = std::sin((1 - t) * angle) / std::sin(angle), wb = std::sin(t * angle) / std::sin(angle);
   Quaternion q;
   for (size_t i = 0; i < 4; ++i) q[i] = wa * a[i] + wb * b[i];
   const double n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
@@ -82,8 +87,10 @@ using Distance = std::function<double(const Vec3&)>;
 
 inline Distance box(const Vec3& size) {
   return [half = size * 0.5](const Vec3& p) {
-    const double x = std::fabs(p.x) - half.x, y = std::fabs(p.y) - half.y, z = std::fabs(p.z) - half.z;
-    return std::hypot(std::max(x, 0.0), std::max(y, 0.0), std::max(z, 0.0)) + std::min(std::max({x, y, z}), 0.0);
+    const double x = std::fabs(p.x) - half.x, y = std::fabs(p.y) - half.y,
+                 z = std::fabs(p.z) - half.z;
+    return std::hypot(std::max(x, 0.0), std::max(y, 0.0), std::max(z, 0.0)) +
+           std::min(std::max({x, y, z}), 0.0);
   };
 }
 inline Distance ball(double radius) {
@@ -100,7 +107,8 @@ inline Distance cylinder(double radius, double height) {
 template <class F>
 double valley(const F& f, double from, double to, int steps) {
   const double g = (std::sqrt(5.0) - 1) / 2;
-  double c = to - g * (to - from), d = from + g * (to - from), fc = f(c), fd = f(d), best = std::min(fc, fd);
+  double c = to - g * (to - from), d = from + g * (to - from), fc = f(c), fd = f(d),
+         best = std::min(fc, fd);
   for (int i = 0; i < steps; ++i) {
     if (fc < fd) {
       to = d, d = c, fd = fc;

@@ -40,10 +40,13 @@ TEST_CASE("least_distance__of_a_triangle_equals_a_search_all_over_it") {
     const double truth = brute::least_on_triangle(body.distance, t[0], t[1], t[2]);
     worst = std::max(worst, std::abs(contact.value - truth));
     CHECK(body.distance(contact.point) == doctest::Approx(contact.value).epsilon(1e-9));
-    if (std::abs(contact.value - truth) > 1e-7) MESSAGE(scene << " " << contact.value << " " << truth);
+    if (std::abs(contact.value - truth) > 1e-7)
+      MESSAGE(scene << " " << contact.value << " " << truth);
   }
-  MESSAGE("FIGURE least distance of a triangle from a convex piece, worst of 400 scenes by a dense search: " << worst
-                                                                                                           << " m");
+  MESSAGE(
+      "FIGURE least distance of a triangle from a convex piece, worst of 400 scenes by a dense "
+      "search: "
+      << worst << " m");
   CHECK(worst < 1e-7);
 }
 
@@ -51,14 +54,17 @@ TEST_CASE("convex_hull__keeps_the_corners_alone_and_supports_every_point") {
   RandomStream random(3, 0);
   std::vector<Vec3> points = box_corners({2, 1, 4});
   for (int i = 0; i < 9; ++i) points.push_back({1, -0.5, -2 + 0.5 * i});  // along an edge
-  for (int i = 0; i < 50; ++i) points.push_back({1, brute::uniform(random, -0.5, 0.5), brute::uniform(random, -2, 2)});
+  for (int i = 0; i < 50; ++i)
+    points.push_back({1, brute::uniform(random, -0.5, 0.5), brute::uniform(random, -2, 2)});
   points.push_back(points[3]);
   const ConvexHull hull = convex_hull(points);
   for (const auto& facet : hull.facets)
     for (const Vec3& p : points) CHECK(dot(facet.normal, p) - facet.offset <= 1e-9);
   double volume = 0;
   for (const auto& f : hull.facets)
-    volume += dot(hull.corners[f.corners[0]], cross(hull.corners[f.corners[1]], hull.corners[f.corners[2]])) / 6;
+    volume += dot(hull.corners[f.corners[0]],
+                  cross(hull.corners[f.corners[1]], hull.corners[f.corners[2]])) /
+              6;
   CHECK(volume == doctest::Approx(8).epsilon(1e-12));
 }
 

@@ -29,11 +29,14 @@ struct Block {
                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
 
   explicit Block(RandomStream& random, double spread)
-      : turn(brute::any_turn(random, 3)), at(brute::any_vector(random, spread)),
+      : turn(brute::any_turn(random, 3)),
+        at(brute::any_vector(random, spread)),
         size(brute::any_vector(random, 0.8) + Vec3{1, 1, 1}) {
     for (const Vec3& p : box_corners(size)) vertices.push_back(brute::rotation_of(turn)(p) + at);
   }
-  double distance(const Vec3& p) const { return brute::box(size)(brute::rotation_of(turn).back(p - at)); }
+  double distance(const Vec3& p) const {
+    return brute::box(size)(brute::rotation_of(turn).back(p - at));
+  }
 };
 
 // Least distance of two triangles: corners against the other's inside, sides against sides, 0 where a side pierces.
@@ -44,7 +47,9 @@ double brute_pair(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
   };
   for (size_t i = 0; i < 3; ++i) {
     const Vec3 from = a[i], along = a[(i + 1) % 3] - a[i];
-    best = std::min(best, brute::valley([&](double t) { return from_triangle(b, from + along * t); }, 0, 1, 45));
+    best = std::min(
+        best,
+        brute::valley([&](double t) { return from_triangle(b, from + along * t); }, 0, 1, 45));
     best = std::min(best, from_triangle(a, b[i]));
   }
   return best;
@@ -89,8 +94,10 @@ TEST_CASE("clearance_of_points__equals_brute_force_on_random_blocks") {
       worst = std::max(worst, std::abs(found.near[i].distance_m - near[i].second));
     }
   }
-  MESSAGE("FIGURE clearance of clouds from closed parts, 200 random scenes: worst difference from brute force " << worst
-                                                                                                              << " m");
+  MESSAGE(
+      "FIGURE clearance of clouds from closed parts, 200 random scenes: worst difference from "
+      "brute force "
+      << worst << " m");
   CHECK(worst < 1e-6);
 }
 
@@ -116,8 +123,9 @@ TEST_CASE("depth_in__of_two_blocks_equals_a_search_and_does_not_need_convexity")
     const PartSurface first(a.vertices, a.triangles, task), second(b.vertices, b.triangles, task);
     double truth = 0;
     for (const auto& t : a.triangles)
-      truth = std::max(truth, -brute::least_on_triangle([&](const Vec3& p) { return b.distance(p); }, a.vertices[t[0]],
-                                                        a.vertices[t[1]], a.vertices[t[2]]));
+      truth = std::max(
+          truth, -brute::least_on_triangle([&](const Vec3& p) { return b.distance(p); },
+                                           a.vertices[t[0]], a.vertices[t[1]], a.vertices[t[2]]));
     worst = std::max(worst, std::abs(depth_in(first, second, 0.005, task).depth_m - truth));
     if (scene >= 10) continue;
     // The same volume and a small block far away: closed, not convex.
@@ -135,7 +143,8 @@ TEST_CASE("depth_in__of_two_blocks_equals_a_search_and_does_not_need_convexity")
     CHECK(depth <= truth + 1e-7);
     CHECK(depth >= truth - 0.01);
   }
-  MESSAGE("FIGURE depth of a block in a block, 60 random scenes: worst difference from brute force " << worst << " m");
+  MESSAGE("FIGURE depth of a block in a block, 60 random scenes: worst difference from brute force "
+          << worst << " m");
   CHECK(worst < 1e-6);
 }
 
@@ -153,25 +162,31 @@ TEST_CASE("clearance_of_surfaces__equals_brute_force_on_random_blocks") {
     // Two convex bodies: one's distance over the other's sides is convex.
     double apart = std::numeric_limits<double>::infinity();
     for (const auto& t : a.triangles)
-      apart = std::min(apart, brute::least_on_triangle([&](const Vec3& p) { return b.distance(p); }, a.vertices[t[0]],
-                                                       a.vertices[t[1]], a.vertices[t[2]]));
+      apart = std::min(
+          apart, brute::least_on_triangle([&](const Vec3& p) { return b.distance(p); },
+                                          a.vertices[t[0]], a.vertices[t[1]], a.vertices[t[2]]));
     for (const auto& t : b.triangles)
-      apart = std::min(apart, brute::least_on_triangle([&](const Vec3& p) { return a.distance(p); }, b.vertices[t[0]],
-                                                       b.vertices[t[1]], b.vertices[t[2]]));
+      apart = std::min(
+          apart, brute::least_on_triangle([&](const Vec3& p) { return a.distance(p); },
+                                          b.vertices[t[0]], b.vertices[t[1]], b.vertices[t[2]]));
     CHECK(found.meet == (apart <= 0));
     meeting += found.meet;
     const double value = found.meet ? -found.depth_m : found.least.distance_m;
     worst = std::max(worst, std::abs(value - apart));
     if (!found.meet)
-      CHECK(norm(found.least.first_point - found.least.second_point) == doctest::Approx(apart).epsilon(1e-6));
+      CHECK(norm(found.least.first_point - found.least.second_point) ==
+            doctest::Approx(apart).epsilon(1e-6));
     for (const NearTriangle& near : found.near) {
       CHECK(near.distance_m <= 0.4);
       CHECK(std::abs(a.distance(near.first_point)) < 1e-9);
       CHECK(std::abs(b.distance(near.second_point)) < 1e-9);
     }
   }
-  MESSAGE("FIGURE clearance of two closed parts, 200 random scenes, " << meeting << " meeting: worst difference from "
-          "brute force " << worst << " m");
+  MESSAGE("FIGURE clearance of two closed parts, 200 random scenes, "
+          << meeting
+          << " meeting: worst difference from "
+             "brute force "
+          << worst << " m");
   CHECK(worst < 1e-6);
 }
 
@@ -185,7 +200,8 @@ TEST_CASE("clearance_of_surfaces__of_open_triangles_equals_brute_force") {
     for (int k = 0; k < 2; ++k)
       for (uint32_t i = 0; i < 3; ++i) {
         const Vec3 at = brute::any_vector(random, 3);
-        sets[k].push_back({at, at + brute::any_vector(random, 1), at + brute::any_vector(random, 1)});
+        sets[k].push_back(
+            {at, at + brute::any_vector(random, 1), at + brute::any_vector(random, 1)});
         for (const Vec3& v : sets[k].back()) vertices[k].push_back(v);
         triangles[k].push_back({3 * i, 3 * i + 1, 3 * i + 2});
       }
@@ -193,8 +209,9 @@ TEST_CASE("clearance_of_surfaces__of_open_triangles_equals_brute_force") {
     for (const auto& a : sets[0])
       for (const auto& b : sets[1]) truth = std::min({truth, brute_pair(a, b), brute_pair(b, a)});
     Task task;
-    const PairClearance found = clearance_of_surfaces(PartSurface(vertices[0], triangles[0], task),
-                                                      PartSurface(vertices[1], triangles[1], task), {0, 0.005}, task);
+    const PairClearance found =
+        clearance_of_surfaces(PartSurface(vertices[0], triangles[0], task),
+                              PartSurface(vertices[1], triangles[1], task), {0, 0.005}, task);
     worst = std::max(worst, std::abs(found.least.distance_m - truth));
     CHECK(std::isnan(found.depth_m));
   }
@@ -204,8 +221,8 @@ TEST_CASE("clearance_of_surfaces__of_open_triangles_equals_brute_force") {
 namespace {
 
 // A libccd of floats behind the headers of doubles: it reads and writes the first halves.
-ccd_real_t of_floats(const ccd_vec3_t* point, const ccd_vec3_t*, const ccd_vec3_t*, const ccd_vec3_t*,
-                     ccd_vec3_t* witness) {
+ccd_real_t of_floats(const ccd_vec3_t* point, const ccd_vec3_t*, const ccd_vec3_t*,
+                     const ccd_vec3_t*, ccd_vec3_t* witness) {
   float p[3];
   std::memcpy(p, point, sizeof p);
   const float squared = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
@@ -216,8 +233,8 @@ ccd_real_t of_floats(const ccd_vec3_t* point, const ccd_vec3_t*, const ccd_vec3_
 }
 
 // One that rounds to single precision but keeps the layout.
-ccd_real_t rounding(const ccd_vec3_t* point, const ccd_vec3_t*, const ccd_vec3_t*, const ccd_vec3_t*,
-                    ccd_vec3_t* witness) {
+ccd_real_t rounding(const ccd_vec3_t* point, const ccd_vec3_t*, const ccd_vec3_t*,
+                    const ccd_vec3_t*, ccd_vec3_t* witness) {
   const float z = static_cast<float>(point->v[2]);
   *witness = {{0, 0, 0}};
   return z * z;

@@ -45,7 +45,8 @@ struct Scene {
     for (size_t i = 0; i < stops; ++i) {
       poses.push_back(pose);
       transforms.push_back(frame_of(pose.turn, pose.at));
-      if (seed % 5 != 0) pose.turn = brute::product(pose.turn, brute::any_turn(random, seed % 5 == 1 ? 2.5 : 0.3));
+      if (seed % 5 != 0)
+        pose.turn = brute::product(pose.turn, brute::any_turn(random, seed % 5 == 1 ? 2.5 : 0.3));
       pose.at += brute::any_vector(random, 4);
     }
     for (int i = 0; i < 30; ++i) {
@@ -54,7 +55,8 @@ struct Scene {
     }
     for (uint32_t i = 0; i < 2; ++i) {
       const Vec3 p = poses[random.below(stops)].at + brute::any_vector(random, 5);
-      for (int k = 0; k < 3; ++k) vertices.push_back(p + brute::any_vector(random, i % 2 ? 0.5 : 3));
+      for (int k = 0; k < 3; ++k)
+        vertices.push_back(p + brute::any_vector(random, i % 2 ? 0.5 : 3));
       triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
   }
@@ -66,16 +68,17 @@ struct Scene {
     const Pose &a = poses[interval], &b = poses[std::min(interval + 1, poses.size() - 1)];
     double best = std::numeric_limits<double>::infinity();
     for (const Body& body : bodies)
-      best = std::min(best, brute::least(
-                                [&](double t) {
-                                  const brute::Rotation r = brute::rotation_of(brute::slerp(a.turn, b.turn, t));
-                                  const Vec3 at = a.at + (b.at - a.at) * t;
-                                  std::array<Vec3, 3> seen;
-                                  for (size_t k = 0; k < count; ++k) seen[k] = r.back(corners[k] - at);
-                                  if (count == 1) return body.distance(seen[0]);
-                                  return brute::least_on_triangle(body.distance, seen[0], seen[1], seen[2]);
-                                },
-                                count == 1 ? 400 : 60));
+      best = std::min(
+          best, brute::least(
+                    [&](double t) {
+                      const brute::Rotation r = brute::rotation_of(brute::slerp(a.turn, b.turn, t));
+                      const Vec3 at = a.at + (b.at - a.at) * t;
+                      std::array<Vec3, 3> seen;
+                      for (size_t k = 0; k < count; ++k) seen[k] = r.back(corners[k] - at);
+                      if (count == 1) return body.distance(seen[0]);
+                      return brute::least_on_triangle(body.distance, seen[0], seen[1], seen[2]);
+                    },
+                    count == 1 ? 400 : 60));
     return best;
   }
 };
@@ -95,8 +98,8 @@ TEST_CASE("sweep_gauge__equals_brute_force_on_200_random_scenes") {
     const auto octree = Octree::build(scene.xyz, enclosing_cube(box), task);
     const TriangleBoxes boxes(scene.vertices, scene.triangles);
     const SweepSettings settings{100, 100};  // everything is a place
-    const SweepResult result =
-        sweep_gauge(scene.pieces, scene.transforms, {octree.get(), scene.xyz, &boxes}, settings, task);
+    const SweepResult result = sweep_gauge(scene.pieces, scene.transforms,
+                                           {octree.get(), scene.xyz, &boxes}, settings, task);
 
     std::map<std::pair<int, uint32_t>, double> least;
     const size_t intervals = std::max<size_t>(1, scene.poses.size() - 1);
@@ -108,8 +111,10 @@ TEST_CASE("sweep_gauge__equals_brute_force_on_200_random_scenes") {
         const auto [at, fresh] = least.try_emplace({kind, index}, value);
         at->second = std::min(at->second, value);
       };
-      for (uint32_t p = 0; p < scene.xyz.size() / 3; ++p) note(1, p, scene.truth({scene.point(p)}, 1, i));
-      for (uint32_t t = 0; t < scene.triangles.size(); ++t) note(2, t, scene.truth(boxes.corners(t), 3, i));
+      for (uint32_t p = 0; p < scene.xyz.size() / 3; ++p)
+        note(1, p, scene.truth({scene.point(p)}, 1, i));
+      for (uint32_t t = 0; t < scene.triangles.size(); ++t)
+        note(2, t, scene.truth(boxes.corners(t), 3, i));
       worst = std::max(worst, std::abs(result.intervals[i].clearance_m - all));
       CHECK(result.near_counts[i] == scene.xyz.size() / 3 + scene.triangles.size());
     }
@@ -117,12 +122,14 @@ TEST_CASE("sweep_gauge__equals_brute_force_on_200_random_scenes") {
     for (const SweepPlace& place : result.places) {
       const double error = std::abs(place.clearance_m - least.at({int(place.kind), place.index}));
       worst = std::max(worst, error);
-      CHECK(norm(place.obstacle - place.gauge) == doctest::Approx(std::abs(place.clearance_m)).epsilon(1e-6).scale(0));
+      CHECK(norm(place.obstacle - place.gauge) ==
+            doctest::Approx(std::abs(place.clearance_m)).epsilon(1e-6).scale(0));
       ++compared;
     }
   }
   MESSAGE("FIGURE swept clearance against brute force, " << scenes << " random scenes, " << compared
-                                                         << " obstacles: worst difference " << worst << " m");
+                                                         << " obstacles: worst difference " << worst
+                                                         << " m");
   CHECK(worst < 1e-6);
 }
 
@@ -140,7 +147,8 @@ TEST_CASE("sweep_gauge__meets_a_thin_pole_between_two_far_poses") {
     Box3 box;
     for (size_t i = 0; i < xyz.size(); i += 3) box.add({xyz[i], xyz[i + 1], xyz[i + 2]});
     const auto octree = Octree::build(xyz, enclosing_cube(box), task);
-    const SweepResult result = sweep_gauge(gauge, poses, {octree.get(), xyz, nullptr}, {0, 1}, task);
+    const SweepResult result =
+        sweep_gauge(gauge, poses, {octree.get(), xyz, nullptr}, {0, 1}, task);
     REQUIRE(result.intervals.size() == 1);
     CHECK(result.intervals[0].clearance_m == doctest::Approx(beside - 1).epsilon(1e-6).scale(0));
     CHECK(result.intervals[0].time == doctest::Approx(0.5).epsilon(0.01).scale(0));
@@ -151,7 +159,8 @@ TEST_CASE("sweep_gauge__meets_a_thin_pole_between_two_far_poses") {
 TEST_CASE("sweep_gauge__meets_what_only_a_turn_brings_near") {
   // A beam of 10 m turns by a right angle about its middle: its ends sweep over a pole that both poses leave alone.
   const std::vector<ConvexPiece> gauge{ConvexPiece::box(Transform{}, {10, 0.1, 1})};
-  const std::vector<Transform> poses{frame_of({1, 0, 0, 0}, {}), frame_of({std::sqrt(0.5), 0, 0, std::sqrt(0.5)}, {})};
+  const std::vector<Transform> poses{frame_of({1, 0, 0, 0}, {}),
+                                     frame_of({std::sqrt(0.5), 0, 0, std::sqrt(0.5)}, {})};
   const double r = 4.99 / std::sqrt(2.0);
   const std::vector<Vec3> vertices{{r, r, -0.2}, {r + 1e-3, r, -0.2}, {r, r, 0.2}};
   const TriangleBoxes boxes(vertices, {{0, 1, 2}});
@@ -160,10 +169,12 @@ TEST_CASE("sweep_gauge__meets_what_only_a_turn_brings_near") {
   REQUIRE(result.places.size() == 1);
   CHECK(result.places[0].time == doctest::Approx(0.5).epsilon(0.05).scale(0));
   // Deepest where the end and the long side of the beam are equally far.
-  const double truth = brute::least([](double t) {
-    const double a = t * 0.02;
-    return std::max(4.99 * std::cos(a) - 5, 4.99 * std::sin(a) - 0.05);
-  }, 100);
+  const double truth = brute::least(
+      [](double t) {
+        const double a = t * 0.02;
+        return std::max(4.99 * std::cos(a) - 5, 4.99 * std::sin(a) - 0.05);
+      },
+      100);
   CHECK(result.places[0].clearance_m == doctest::Approx(truth).epsilon(1e-4).scale(0));
 }
 
@@ -185,7 +196,8 @@ TEST_CASE("sweep_gauge__gives_the_same_bits_for_any_number_of_threads_and_far_fr
       for (size_t i = 0; i < 3; ++i) t.m[4 * i + 3] += shift[int(i)];
     Task task(threads(turn == 1 ? 4 : 1));
     const auto octree = Octree::build(xyz, enclosing_cube(box), task);
-    const SweepResult result = sweep_gauge(scene.pieces, poses, {octree.get(), xyz, nullptr}, {2, 5}, task);
+    const SweepResult result =
+        sweep_gauge(scene.pieces, poses, {octree.get(), xyz, nullptr}, {2, 5}, task);
     if (turn == 0) first = result;
     REQUIRE(result.places.size() == first.places.size());
     for (size_t i = 0; i < first.places.size(); ++i) {

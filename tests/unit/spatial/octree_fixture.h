@@ -40,12 +40,15 @@ inline Box3 box_of(const std::vector<double>& xyz) {
   return box;
 }
 
-inline std::shared_ptr<const Octree> build(const std::vector<double>& xyz, unsigned thread_count = 2) {
+inline std::shared_ptr<const Octree> build(const std::vector<double>& xyz,
+                                           unsigned thread_count = 2) {
   Task task(threads(thread_count));
   return Octree::build(xyz, enclosing_cube(box_of(xyz)), task);
 }
 
-inline Vec3 point(const std::vector<double>& xyz, size_t i) { return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}; }
+inline Vec3 point(const std::vector<double>& xyz, size_t i) {
+  return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+}
 
 /// All distances, sorted by (distance, index): the ground truth.
 inline std::vector<Neighbour> brute_force(const std::vector<double>& xyz, const Vec3& q, size_t k) {
@@ -53,7 +56,8 @@ inline std::vector<Neighbour> brute_force(const std::vector<double>& xyz, const 
   for (size_t i = 0; i < xyz.size() / 3; ++i)
     all.push_back({squared_norm(point(xyz, i) - q), static_cast<uint32_t>(i)});
   const auto nearer = [](const Neighbour& a, const Neighbour& b) {
-    return a.squared_distance < b.squared_distance || (a.squared_distance == b.squared_distance && a.index < b.index);
+    return a.squared_distance < b.squared_distance ||
+           (a.squared_distance == b.squared_distance && a.index < b.index);
   };
   k = std::min(k, all.size());
   std::partial_sort(all.begin(), all.begin() + static_cast<ptrdiff_t>(k), all.end(), nearer);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kParallel = 0.02;  // sine: a degree
 constexpr double kSigmas = 4, kSpacings = 0.5;
-constexpr double kBetter = 0.7;  // a jamb that the arc fixes so much better has its place from there
+constexpr double kBetter =
+    0.7;  // a jamb that the arc fixes so much better has its place from there
 // The arc starts and ends near the jambs' own direction: within 35 degrees, as its ends are ragged. A segmental arch
 // that rises by a quarter of its width starts at 37.
 constexpr double kTangent = 0.8191520442889918;  // cosine
@@ -24,8 +25,8 @@ Vec2 tangent(const EdgeShape& arc, double t) {
 bool is_between(const EdgeShape& before, const EdgeShape& arc, const EdgeShape& after) {
   if (before.is_arc || after.is_arc || !arc.is_arc) return false;
   const Vec2 &up = before.line.direction, &down = after.line.direction;
-  return std::fabs(cross(up, down)) <= kParallel && dot(up, down) < 0 && dot(tangent(arc, 0), up) >= kTangent &&
-         dot(tangent(arc, arc.length_m), down) >= kTangent;
+  return std::fabs(cross(up, down)) <= kParallel && dot(up, down) < 0 &&
+         dot(tangent(arc, 0), up) >= kTangent && dot(tangent(arc, arc.length_m), down) >= kTangent;
 }
 
 // A jamb as an observation of the circle: its distance from the centre is the radius.

@@ -11,9 +11,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kLeastColumns = 6;
-constexpr double kStrays = 0.04;       // share of columns that noise lets end beyond the edge: of 25 one
-constexpr double kMostGap = 2.5;       // spacings from row to row
-constexpr double kEven = 12;           // variance of what is spread evenly: its range squared over this
+constexpr double kStrays = 0.04;  // share of columns that noise lets end beyond the edge: of 25 one
+constexpr double kMostGap = 2.5;  // spacings from row to row
+constexpr double kEven = 12;      // variance of what is spread evenly: its range squared over this
 
 /// The highest point of a column and the widest gap between two of its points, 0 with one alone.
 struct BarColumn {
@@ -22,7 +22,8 @@ struct BarColumn {
 
 std::vector<BarColumn> columns_of(std::span<const Vec2> points, double width_m) {
   std::vector<std::pair<int64_t, double>> order;
-  for (const Vec2& p : points) order.emplace_back(static_cast<int64_t>(std::floor(p.u / width_m)), p.v);
+  for (const Vec2& p : points)
+    order.emplace_back(static_cast<int64_t>(std::floor(p.u / width_m)), p.v);
   std::sort(order.begin(), order.end());
   std::vector<BarColumn> out;
   for (size_t i = 0; i < order.size(); ++i) {
@@ -58,7 +59,8 @@ std::optional<BarEdge> upper_edge(std::span<const Vec2> points, double spacing_m
   std::sort(tops.begin(), tops.end());
   // 2. The edge lies above all of them, and below the first that a row more would take beyond the highest. Columns that
   // end lower still are cut short by something else.
-  const auto whole = static_cast<double>(tops.end() - std::upper_bound(tops.begin(), tops.end(), tops.back() - row_m));
+  const auto whole = static_cast<double>(
+      tops.end() - std::upper_bound(tops.begin(), tops.end(), tops.back() - row_m));
   const double low = tops[tops.size() - 1 - static_cast<size_t>(kStrays * whole)];
   const double next = *std::upper_bound(tops.begin(), tops.end(), low - row_m);
   const double high = std::max(low, std::min(next, low) + row_m);

@@ -79,7 +79,8 @@ void drop_outliers(EdgeEvidence& evidence, double spacing_m) {
   const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   std::erase_if(all, [&](const EdgeOffset& o) {
-    return std::fabs(o.offset_m - *middle) > kEdgeAdjustOutlier * std::sqrt(1 / o.weight) + spacing_m / 4;
+    return std::fabs(o.offset_m - *middle) >
+           kEdgeAdjustOutlier * std::sqrt(1 / o.weight) + spacing_m / 4;
   });
 }
 
@@ -87,7 +88,9 @@ void drop_outliers(EdgeEvidence& evidence, double spacing_m) {
 struct Unknowns {
   const EdgeShape& shape;
   size_t common() const { return shape.is_arc ? 2 : 0; }
-  bool is_turned() const { return shape.is_arc || (shape.line.direction.u != 0 && shape.line.direction.v != 0); }
+  bool is_turned() const {
+    return shape.is_arc || (shape.line.direction.u != 0 && shape.line.direction.v != 0);
+  }
   Coefficients<3> row(double t) const {
     if (!shape.is_arc) return {1, is_turned() ? t - shape.length_m / 2 : 0, 0};
     const Vec2 d = (shape.at(t, 0) - shape.circle.centre) * (1 / shape.circle.radius);
@@ -98,7 +101,8 @@ struct Unknowns {
 
 Information information_of(const EdgeEvidence& evidence, const Unknowns& unknowns) {
   Information out;
-  for (const EdgeOffset& o : evidence.offsets) out.add(unknowns.row(o.t_m), unknowns.value(o.offset_m), o.weight);
+  for (const EdgeOffset& o : evidence.offsets)
+    out.add(unknowns.row(o.t_m), unknowns.value(o.offset_m), o.weight);
   out.share(unknowns.common(), evidence.common_m2);
   return out;
 }
@@ -134,7 +138,8 @@ void move(EdgeShape& shape, const Coefficients<3>& x) {
 }
 
 // The reveal on the side of the plane where more is seen of it; the points that all reveals put on the plane.
-EdgeEvidence reveal_evidence(const EdgeSetting& setting, const MeasuredEdge& edge, double& extra_per_m) {
+EdgeEvidence reveal_evidence(const EdgeSetting& setting, const MeasuredEdge& edge,
+                             double& extra_per_m) {
   EdgeEvidence best;
   extra_per_m = 0;
   if (!setting.reveals) return best;
@@ -144,14 +149,17 @@ EdgeEvidence reveal_evidence(const EdgeSetting& setting, const MeasuredEdge& edg
     extra_per_m += reveal->per_metre2 * setting.window_m;
     EdgeEvidence found{std::move(reveal->offsets), reveal->common_m2};
     found.summarise();
-    if (std::fabs(found.mean_m) > kMostOffset * setting.spacing_m || !(found.variance_m2 < best.variance_m2)) continue;
+    if (std::fabs(found.mean_m) > kMostOffset * setting.spacing_m ||
+        !(found.variance_m2 < best.variance_m2))
+      continue;
     best = std::move(found);
   }
   return best;
 }
 
 // Where the two contradict each other one of them saw something else: reveals of many points are hard to mistake.
-void settle_conflict(EdgeEvidence& density, EdgeEvidence& reveal, const MeasuredEdge& edge, double spacing_m) {
+void settle_conflict(EdgeEvidence& density, EdgeEvidence& reveal, const MeasuredEdge& edge,
+                     double spacing_m) {
   if (density.empty() || reveal.empty()) return;
   const double sigma = std::sqrt(density.variance_m2 + reveal.variance_m2);
   if (std::fabs(density.mean_m - reveal.mean_m) <= kConflict * sigma + spacing_m / 10) return;
@@ -161,13 +169,15 @@ void settle_conflict(EdgeEvidence& density, EdgeEvidence& reveal, const Measured
 
 }  // namespace
 
-EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& variance, MeasuredEdge& edge) {
+EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& variance,
+                            MeasuredEdge& edge) {
   EdgeShape& shape = edge.shape;
   const double p = setting.spacing_m;
   double extra_per_m = 0;
   EdgeEvidence reveal = reveal_evidence(setting, edge, extra_per_m);
   EdgeEvidence density{density_offsets(edge, p, extra_per_m, variance), variance.common_m2};
-  std::erase_if(density.offsets, [&](const EdgeOffset& o) { return std::fabs(o.offset_m) > kMostOffset * p; });
+  std::erase_if(density.offsets,
+                [&](const EdgeOffset& o) { return std::fabs(o.offset_m) > kMostOffset * p; });
   drop_outliers(density, p);
   density.summarise();
   settle_conflict(density, reveal, edge, p);
@@ -195,12 +205,14 @@ EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& 
     all.add(row, unknowns.value(-edge.moved_m), 1 / (kPoor * p * kPoor * p));
     if (factor.factor(all.matrix)) shape.sigma_m = sigma();
   }
-  shape.source = reveal.variance_m2 < density.variance_m2 ? EdgeSource::kReveal : EdgeSource::kDensity;
+  shape.source =
+      reveal.variance_m2 < density.variance_m2 ? EdgeSource::kReveal : EdgeSource::kDensity;
   const auto x = factor.solve(all.right);
   move(shape, x);
   edge.moved_m += shape.is_arc ? -shape.turn * (row[0] * x[0] + row[1] * x[1] + x[2]) : x[0];
   const double slope_sigma = std::sqrt(factor.solve({0, 1, 0})[1]);
-  if (unknowns.is_turned() && !shape.is_arc) shape.snap(setting.snap_rad, kSnapSigmas * slope_sigma, p);
+  if (unknowns.is_turned() && !shape.is_arc)
+    shape.snap(setting.snap_rad, kSnapSigmas * slope_sigma, p);
   return all.matrix;
 }
 

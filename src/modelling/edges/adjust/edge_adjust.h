@@ -30,6 +30,7 @@ using EdgeInformation = Square<3>;
 /// sigma is finite, source says what told the place, moved_m has grown by the step; an edge about
 /// which nothing was measured has only got the sigma of contour points. Returns the information
 /// about the edge as it now is.
-EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& variance, MeasuredEdge& edge);
+EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& variance,
+                            MeasuredEdge& edge);
 
 }  // namespace jalon

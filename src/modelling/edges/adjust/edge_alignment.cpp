@@ -25,15 +25,19 @@ struct Aligned {
 
 double& coordinate(Vec2& p, const Vec2& direction) { return direction.u == 0 ? p.u : p.v; }
 
-std::vector<Aligned> in_direction(std::span<MeasuredEdge* const> edges, const Vec2& direction, double spacing_m) {
+std::vector<Aligned> in_direction(std::span<MeasuredEdge* const> edges, const Vec2& direction,
+                                  double spacing_m) {
   std::vector<Aligned> out;
   for (MeasuredEdge* edge : edges) {
     EdgeShape& s = edge->shape;
-    if (s.is_arc || s.line.direction.u != direction.u || s.line.direction.v != direction.v) continue;
+    if (s.is_arc || s.line.direction.u != direction.u || s.line.direction.v != direction.v)
+      continue;
     if (!(s.sigma_m > 0)) continue;
-    out.push_back({edge, coordinate(s.line.point, direction), std::max(s.sigma_m, kLeastSigma * spacing_m)});
+    out.push_back(
+        {edge, coordinate(s.line.point, direction), std::max(s.sigma_m, kLeastSigma * spacing_m)});
   }
-  std::stable_sort(out.begin(), out.end(), [](const Aligned& a, const Aligned& b) { return a.sigma_m < b.sigma_m; });
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Aligned& a, const Aligned& b) { return a.sigma_m < b.sigma_m; });
   return out;
 }
 
@@ -47,7 +51,8 @@ void align(std::vector<Aligned>& all, const Vec2& direction, double spacing_m) {
     for (size_t k = i; k < all.size(); ++k) {
       if (all[k].is_taken) continue;
       const double mean = weight > 0 ? moment / weight : 0, variance = weight > 0 ? 1 / weight : 0;
-      const double sigma = std::sqrt(variance + all[k].sigma_m * all[k].sigma_m), own = all[k].place_m - origin;
+      const double sigma = std::sqrt(variance + all[k].sigma_m * all[k].sigma_m),
+                   own = all[k].place_m - origin;
       const double limit = all[k].edge->shape.is_guided ? kAgreeGuided : kAgree;
       if (std::fabs(own - mean) > std::min(limit * sigma, kEdgeAlignmentMost * spacing_m)) continue;
       members.push_back(k);

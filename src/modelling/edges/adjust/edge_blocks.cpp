@@ -18,11 +18,13 @@ constexpr double kOwn = 1.6;
 // Points of a reveal lie within this of the edge.
 constexpr double kRevealReach = 2;
 
-void box_of(const EdgeShape& shape, double t0, double t1, double outward_m, double inward_m, Vec2& low, Vec2& high) {
+void box_of(const EdgeShape& shape, double t0, double t1, double outward_m, double inward_m,
+            Vec2& low, Vec2& high) {
   low = {INFINITY, INFINITY};
   high = {-INFINITY, -INFINITY};
   constexpr int kSteps = 4;  // blocks are short: their arcs bulge by little
-  const double bulge = shape.is_arc ? (t1 - t0) * (t1 - t0) / (8 * kSteps * kSteps * shape.circle.radius) : 0;
+  const double bulge =
+      shape.is_arc ? (t1 - t0) * (t1 - t0) / (8 * kSteps * kSteps * shape.circle.radius) : 0;
   for (int k = 0; k <= kSteps; ++k)
     for (const double d : {-outward_m - bulge, inward_m + bulge}) {
       const Vec2 p = shape.at(t0 + (t1 - t0) * k / kSteps, d);
@@ -33,8 +35,8 @@ void box_of(const EdgeShape& shape, double t0, double t1, double outward_m, doub
 
 // f(index, t, d) for the points with t0 <= t < t1 in the strip.
 template <class F>
-void visit_strip(const PointRows& points, const EdgeShape& shape, double t0, double t1, double outward_m,
-                 double inward_m, F&& f) {
+void visit_strip(const PointRows& points, const EdgeShape& shape, double t0, double t1,
+                 double outward_m, double inward_m, F&& f) {
   Vec2 low, high;
   box_of(shape, t0, t1, outward_m, inward_m, low, high);
   points.visit(low, high, [&](uint32_t i) {
@@ -52,8 +54,8 @@ PointRows contour_points(std::span<const std::vector<Vec2>> rings, double spacin
   return out;
 }
 
-void collect_blocks(const NearPoints& near, const PointRows& contours, double spacing_m, double min_height_m,
-                    MeasuredEdge& edge) {
+void collect_blocks(const NearPoints& near, const PointRows& contours, double spacing_m,
+                    double min_height_m, MeasuredEdge& edge) {
   edge.blocks.clear();
   edge.behind.clear();
   edge.before.clear();
@@ -61,7 +63,8 @@ void collect_blocks(const NearPoints& near, const PointRows& contours, double sp
   const double p = spacing_m, length = shape.length_m - 2 * kEnd * p;
   if (!(length >= p)) return;
   const double outward = kStripOutward * p, inward = kStripInward * p;
-  const auto count = static_cast<size_t>(std::clamp(std::floor(length / (kBlock * p)), 1.0, kEdgeBlocksMostBlocks));
+  const auto count = static_cast<size_t>(
+      std::clamp(std::floor(length / (kBlock * p)), 1.0, kEdgeBlocksMostBlocks));
   const double step = length / static_cast<double>(count);
   for (size_t k = 0; k < count; ++k) {
     EdgeBlock block;
@@ -77,8 +80,7 @@ void collect_blocks(const NearPoints& near, const PointRows& contours, double sp
     });
     visit_strip(near, shape, t0, t1, outward, inward, [&](uint32_t i, double t, double d) {
       const double height = near.heights_m[i];
-      if (near.on_plane[i] != 0)
-        block.points.push_back({d, 1 / shape.widening(d)});
+      if (near.on_plane[i] != 0) block.points.push_back({d, 1 / shape.widening(d)});
       else if (std::fabs(height) >= min_height_m && std::fabs(d) <= kRevealReach * p)
         (height < 0 ? edge.behind : edge.before).push_back({t, d, height});
     });

@@ -11,8 +11,9 @@ namespace jalon {
 
 /// A point of the plane next to an edge.
 struct StripPoint {
-  double d_m;     ///< depth into the solid
-  double weight;  ///< so that the density of a homogeneous solid does not depend on the depth (arcs)
+  double d_m;  ///< depth into the solid
+  double
+      weight;  ///< so that the density of a homogeneous solid does not depend on the depth (arcs)
 };
 
 /// A piece of an edge with the points of the plane across it.
@@ -48,7 +49,7 @@ PointRows contour_points(std::span<const std::vector<Vec2>> rings, double spacin
 /// Before: near and contours reach kStripOutward and kStripInward from the edge. After: blocks in
 /// ascending t, 256 at most, none on an edge shorter than three spacings; behind and before are
 /// filled anew. O(points near the edge).
-void collect_blocks(const NearPoints& near, const PointRows& contours, double spacing_m, double min_height_m,
-                    MeasuredEdge& edge);
+void collect_blocks(const NearPoints& near, const PointRows& contours, double spacing_m,
+                    double min_height_m, MeasuredEdge& edge);
 
 }  // namespace jalon

@@ -16,8 +16,9 @@ namespace {
 // the points that do not count, over kInner more and a second fade. Nothing ends abruptly where a row of a grid may be.
 constexpr double kFull = 0.25, kFade = 2, kInner = 1.5;
 constexpr double kDepth = kFull + 2 * kFade + kInner;
-constexpr double kOutward = 1.5;      // points so far outside still count: the assumed edge may lie inside
-constexpr double kLeastInner = 0.35;  // of these widths, where the solid is thin
+constexpr double kOutward =
+    1.5;  // points so far outside still count: the assumed edge may lie inside
+constexpr double kLeastInner = 0.35;                 // of these widths, where the solid is thin
 constexpr double kFirstCut = 0.75, kCutStep = 0.25;  // trial cuts
 // Integral of the squared fade 1 - u^2 (3 - 2 u) over 0 ... 1.
 constexpr double kSquaredFade = 13.0 / 35;
@@ -28,13 +29,14 @@ constexpr double kInnerShare = (kInner + 2 * kSquaredFade * kFade) / (kInner + k
 struct Taper {
   double full_m, fade_m, inner_m;
   double end() const { return full_m + 2 * fade_m + inner_m; }
-  double mass() const { return full_m + fade_m / 2; }        ///< integral of the weight
-  double inner_mass() const { return inner_m + fade_m; }     ///< and of that of the density
+  double mass() const { return full_m + fade_m / 2; }     ///< integral of the weight
+  double inner_mass() const { return inner_m + fade_m; }  ///< and of that of the density
   /// Variance of the offset by random points, times their density and the edge's length: the squared integral of weight
   /// - r x that of the density.
   double variance() const {
     const double r = mass() / inner_mass();
-    return full_m + fade_m * ((1 + r) * (1 + r) * kSquaredFade - r) + r * r * (inner_m + kSquaredFade * fade_m);
+    return full_m + fade_m * ((1 + r) * (1 + r) * kSquaredFade - r) +
+           r * r * (inner_m + kSquaredFade * fade_m);
   }
   double fade(double x) const {
     const double u = x / fade_m;
@@ -48,12 +50,13 @@ Taper taper_for(double depth_m, double spacing_m) {
 }
 
 struct Count {
-  double faded = 0;       ///< weighted count from the edge inward
-  double density = 0;     ///< points a metre of edge and of depth, times the block's length
+  double faded = 0;    ///< weighted count from the edge inward
+  double density = 0;  ///< points a metre of edge and of depth, times the block's length
 };
 
 // dispersion: variance of counts over that of random points; the mean of 1 / n is about 1 / (mean - dispersion).
-Count count_at(const EdgeBlock& block, const Taper& taper, double edge_m, double outward_m, double dispersion) {
+Count count_at(const EdgeBlock& block, const Taper& taper, double edge_m, double outward_m,
+               double dispersion) {
   Count out;
   double inner = 0;
   for (const StripPoint& p : block.points) {
@@ -62,7 +65,9 @@ Count count_at(const EdgeBlock& block, const Taper& taper, double edge_m, double
     if (d >= taper.end()) break;
     const double counted = taper.fade(d - taper.full_m);
     out.faded += p.weight * counted;
-    inner += p.weight * (d < taper.end() - taper.fade_m ? 1 - counted : taper.fade(d - (taper.end() - taper.fade_m)));
+    inner +=
+        p.weight * (d < taper.end() - taper.fade_m ? 1 - counted
+                                                   : taper.fade(d - (taper.end() - taper.fade_m)));
   }
   if (inner > 0) out.density = (inner + dispersion * kInnerShare) / taper.inner_mass();
   return out;
@@ -88,7 +93,8 @@ Trials trials_of(const MeasuredEdge& edge, double spacing_m) {
     if (block.depth_m < kStripInward * spacing_m) continue;  // all depths must be solid
     std::vector<double> errors;
     for (size_t k = 0; k < out.cuts; ++k) {
-      const Count count = count_at(block, taper, first + static_cast<double>(k) * kCutStep * spacing_m, 0, 0);
+      const Count count =
+          count_at(block, taper, first + static_cast<double>(k) * kCutStep * spacing_m, 0, 0);
       if (count.density > 0) errors.push_back(taper.mass() - count.faded / count.density);
     }
     if (errors.size() < out.cuts) continue;
@@ -103,7 +109,8 @@ Trials trials_of(const MeasuredEdge& edge, double spacing_m) {
 // Running sums of the two terms over all edges of a class.
 struct VarianceSums {
   double along = 0, along_weight = 0, common = 0, common_weight = 0;
-  std::vector<std::pair<double, double>> totals;  ///< (length, mean squared error of the whole edge)
+  std::vector<std::pair<double, double>>
+      totals;  ///< (length, mean squared error of the whole edge)
 
   void add(const Trials& t) {
     double total = 0, within = 0;
@@ -128,8 +135,8 @@ struct VarianceSums {
 
 }  // namespace
 
-std::vector<EdgeOffset> density_offsets(const MeasuredEdge& edge, double spacing_m, double extra_per_m,
-                                        const CountingVariance& variance) {
+std::vector<EdgeOffset> density_offsets(const MeasuredEdge& edge, double spacing_m,
+                                        double extra_per_m, const CountingVariance& variance) {
   const Taper whole = taper_for(INFINITY, spacing_m);
   const double dispersion = variance.along_m3 / (whole.variance() * spacing_m * spacing_m);
   std::vector<EdgeOffset> out;
@@ -140,14 +147,17 @@ std::vector<EdgeOffset> density_offsets(const MeasuredEdge& edge, double spacing
     const Count count = count_at(block, taper, 0, outward, dispersion);
     if (!(count.density > 0)) continue;
     const double counted = count.faded - extra_per_m * block.length_m;
-    const double variance_m2 = variance.along_m3 * taper.variance() / whole.variance() / block.length_m;
+    const double variance_m2 =
+        variance.along_m3 * taper.variance() / whole.variance() / block.length_m;
     out.push_back({block.t_m, taper.mass() - counted / count.density, 1 / variance_m2});
   }
   return out;
 }
 
-CountingVariance counting_variance(std::span<const MeasuredEdge* const> edges, double spacing_m, double sigma_m) {
-  constexpr double kEnough = 6;  // blocks beyond the first: below, the spread among them says little
+CountingVariance counting_variance(std::span<const MeasuredEdge* const> edges, double spacing_m,
+                                   double sigma_m) {
+  constexpr double kEnough =
+      6;  // blocks beyond the first: below, the spread among them says little
   VarianceSums sums;
   for (const MeasuredEdge* edge : edges) {
     const Trials trials = trials_of(*edge, spacing_m);
@@ -174,9 +184,11 @@ CountingVariance counting_variance(std::span<const MeasuredEdge* const> edges, d
   if (rows.visibility > 0) {
     // Of the sawtooth that a row leaves, q^2 / 12, its first harmonic has 6 / pi^2; visibility blurs that.
     const double q2 = rows.distance_m * rows.distance_m;
-    const double most_blur = std::exp(-2 * std::numbers::pi * std::numbers::pi * sigma_m * sigma_m / q2);
+    const double most_blur =
+        std::exp(-2 * std::numbers::pi * std::numbers::pi * sigma_m * sigma_m / q2);
     const double visibility = std::clamp(rows.visibility, std::min(most_blur, 1.0), 1.0);
-    const double sharp = out.common_m2 * std::numbers::pi * std::numbers::pi / 6 / (visibility * visibility);
+    const double sharp =
+        out.common_m2 * std::numbers::pi * std::numbers::pi / 6 / (visibility * visibility);
     out.common_m2 = std::max(out.common_m2, std::min(sharp, q2 / 12));
   }
   return out;

@@ -29,12 +29,13 @@ struct CountingVariance {
 /// trace; a symmetric blur of the edge leaves none either. extra_per_m: points a metre of edge that
 /// lie on the plane at the edge but are no solid (a reveal's first ones). After: in the order of
 /// the blocks, none of a block with too few points.
-std::vector<EdgeOffset> density_offsets(const MeasuredEdge& edge, double spacing_m, double extra_per_m,
-                                        const CountingVariance& variance);
+std::vector<EdgeOffset> density_offsets(const MeasuredEdge& edge, double spacing_m,
+                                        double extra_per_m, const CountingVariance& variance);
 
 /// What counting is worth on these edges: the same count at many places inside the solid, where there is no edge.
 /// Edges of one direction class, for a grid treats them alike. Without enough of them the variance of random points.
 /// sigma_m: noise of the points across the plane, which bounds that along it.
-CountingVariance counting_variance(std::span<const MeasuredEdge* const> edges, double spacing_m, double sigma_m);
+CountingVariance counting_variance(std::span<const MeasuredEdge* const> edges, double spacing_m,
+                                   double sigma_m);
 
 }  // namespace jalon

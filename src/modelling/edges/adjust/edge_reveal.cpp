@@ -12,8 +12,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kLeastPoints = 8, kMostSampled = 400;
-constexpr int kDraws = 64;          // half of the points on the surface: a clean pair is among 64 with 1 - 1e-8
-constexpr double kMostSlope = 0.6;  // 31 degrees: splayed embrasures
+constexpr int kDraws =
+    64;  // half of the points on the surface: a clean pair is among 64 with 1 - 1e-8
+constexpr double kMostSlope = 0.6;     // 31 degrees: splayed embrasures
 constexpr double kLeastBase_m = 0.01;  // between the heights of a pair
 // Heights of the middle four fifths of a surface's points: those of a plane parallel to this one differ by 2.6 sigma.
 constexpr double kLeastSpan_m = 0.012, kLeastSpanSigmas = 6;
@@ -21,7 +22,8 @@ constexpr double kLeastSpan_m = 0.012, kLeastSpanSigmas = 6;
 // reaches, tell how far behind, the nearest tenth of them left out as mixed pixels.
 constexpr double kFilling = 0.4, kFillingReaches = 2, kMixedShare = 0.1;
 constexpr size_t kLeastFilling = 6;
-constexpr double kAstray[] = {0.6, 1.1};  // spacings: half of one and noise, and where no point shows the edge
+constexpr double kAstray[] = {
+    0.6, 1.1};  // spacings: half of one and noise, and where no point shows the edge
 constexpr double kBeforeFilling_m = 0.006, kBeforeFillingSigmas = 3;
 // Noise of points across a surface seen nearly along it: millimetres, whatever the spacing.
 constexpr double kReach_m = 0.004, kReachOfSpacing = 0.12;
@@ -37,22 +39,24 @@ struct CrossLine {
 };
 
 double quantile(std::vector<double>& values, double share) {
-  const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
 
 // Step 1: without the pane or leaf that ends at the reveal, whose points would bend the line. assumed_m: where the
 // reveal may lie, into the solid.
-std::vector<RevealPoint> before_filling(std::span<const RevealPoint> points, double assumed_m, double reach_m,
-                                        const RevealSetting& s) {
+std::vector<RevealPoint> before_filling(std::span<const RevealPoint> points, double assumed_m,
+                                        double reach_m, const RevealSetting& s) {
   std::vector<double> filling;
   const double outside = std::max(kFilling * s.spacing_m, kFillingReaches * reach_m);
   for (const RevealPoint& p : points)
     if (p.d_m < assumed_m - outside) filling.push_back(std::fabs(p.height_m));
   double limit = INFINITY;
   if (filling.size() >= kLeastFilling)
-    limit = quantile(filling, kMixedShare) - std::max(kBeforeFilling_m, kBeforeFillingSigmas * s.sigma_m);
+    limit = quantile(filling, kMixedShare) -
+            std::max(kBeforeFilling_m, kBeforeFillingSigmas * s.sigma_m);
   std::vector<RevealPoint> out;
   for (const RevealPoint& p : points)
     if (std::fabs(p.height_m) < limit) out.push_back(p);
@@ -66,7 +70,8 @@ std::optional<CrossLine> draw_line(std::span<const RevealPoint> points, double r
   double best_score = 0;
   for (int k = 0; k < kDraws; ++k) {
     RandomStream random(1, static_cast<uint64_t>(k));
-    const RevealPoint &a = points[random.below(points.size())], &b = points[random.below(points.size())];
+    const RevealPoint &a = points[random.below(points.size())],
+                      &b = points[random.below(points.size())];
     const double base = b.height_m - a.height_m;
     if (std::fabs(base) < kLeastBase_m) continue;
     CrossLine line;
@@ -130,7 +135,8 @@ std::optional<SettledLine> settled_line(std::span<const RevealPoint> points, dou
     }
     if (inliers.size() < kLeastPoints) return std::nullopt;
     const double n = static_cast<double>(inliers.size());
-    sigma_m = std::clamp(std::sqrt(squares / (n - 2)), kLeastSigma_m, reach_m / kEdgeRevealOutlier * 1.5);
+    sigma_m =
+        std::clamp(std::sqrt(squares / (n - 2)), kLeastSigma_m, reach_m / kEdgeRevealOutlier * 1.5);
     line = sums.solve(sigma_m * sigma_m / (kEdgeRevealSlopeSigma * kEdgeRevealSlopeSigma));
   }
   if (!(std::fabs(line.slope) <= kMostSlope)) return std::nullopt;
@@ -138,8 +144,8 @@ std::optional<SettledLine> settled_line(std::span<const RevealPoint> points, dou
 }
 
 // Step 4: more points than the clutter beside the edge explains, along most of the edge.
-bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint> inliers, double sigma_m,
-                const RevealSetting& setting) {
+bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint> inliers,
+                double sigma_m, const RevealSetting& setting) {
   std::vector<double> heights;
   for (const RevealPoint& p : inliers) heights.push_back(p.height_m);
   const double span = quantile(heights, 0.9) - quantile(heights, 0.1);
@@ -149,7 +155,8 @@ bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint
     low = std::min(low, p.d_m);
     high = std::max(high, p.d_m);
   }
-  const double inside = 2 * kEdgeRevealOutlier * sigma_m, rest = std::max(high - low - inside, inside);
+  const double inside = 2 * kEdgeRevealOutlier * sigma_m,
+               rest = std::max(high - low - inside, inside);
   const double n = static_cast<double>(inliers.size());
   const double clutter = (static_cast<double>(points.size()) - n) * inside / rest;
   if (n < kTimesBackground * clutter + 3 * std::sqrt(clutter)) return false;
@@ -160,8 +167,8 @@ bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint
 }
 
 // Step 5: the offset in bins along the edge.
-std::vector<EdgeOffset> binned(std::span<const RevealPoint> inliers, const CrossLine& line, double sigma_m,
-                               double length_m) {
+std::vector<EdgeOffset> binned(std::span<const RevealPoint> inliers, const CrossLine& line,
+                               double sigma_m, double length_m) {
   struct Bin {
     double n = 0, t = 0, d = 0;
   };
@@ -195,7 +202,8 @@ std::optional<Reveal> find_about(std::span<const RevealPoint> points, double ass
     nearest = std::min(nearest, std::fabs(p.height_m));
     farthest = std::max(farthest, std::fabs(p.height_m));
   }
-  const double prior = sigma * sigma / (kEdgeRevealSlopeSigma * kEdgeRevealSlopeSigma), variance = sigma * sigma;
+  const double prior = sigma * sigma / (kEdgeRevealSlopeSigma * kEdgeRevealSlopeSigma),
+               variance = sigma * sigma;
   Reveal out;
   out.offset_m = line.offset_m;
   out.slope = line.slope;

@@ -20,9 +20,9 @@ struct Reveal {
 };
 
 struct RevealSetting {
-  double length_m = 1;       ///< of the edge
+  double length_m = 1;  ///< of the edge
   double spacing_m = 0.01;
-  double sigma_m = 0.003;    ///< noise of the points across the plane
+  double sigma_m = 0.003;  ///< noise of the points across the plane
 };
 
 /// Looks for a surface in the points beside an edge, all on one side of its plane: the most points

@@ -22,7 +22,8 @@ double power(const EdgeBlock& block, double first_m, double last_m, double frequ
   double cosines = 0, sines = 0, sum = 0, squares = 0;
   for (const StripPoint& p : block.points) {
     if (p.d_m < first_m || p.d_m > last_m) continue;
-    const double s = std::sin(std::numbers::pi * (p.d_m - first_m) / (last_m - first_m)), weight = s * s;  // Hann
+    const double s = std::sin(std::numbers::pi * (p.d_m - first_m) / (last_m - first_m)),
+                 weight = s * s;  // Hann
     cosines += weight * std::cos(2 * std::numbers::pi * frequency * p.d_m);
     sines += weight * std::sin(2 * std::numbers::pi * frequency * p.d_m);
     sum += weight;

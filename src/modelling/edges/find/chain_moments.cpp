@@ -15,7 +15,8 @@ ChainMoments::ChainMoments(std::span<const Vec2> chain, std::span<const double> 
     const Vec2 p = chain[i % count_] - reference_;
     const double z = dot(p, p);
     const Sums add{p.u, p.v, p.u * p.u, p.u * p.v, p.v * p.v, p.u * z, p.v * z, z * z, 1};
-    for (size_t k = 0; k < kSums; ++k) running_[i + 1][k] = running_[i][k] + weights[i % count_] * add[k];
+    for (size_t k = 0; k < kSums; ++k)
+      running_[i + 1][k] = running_[i][k] + weights[i % count_] * add[k];
   }
 }
 
@@ -24,16 +25,23 @@ ChainMoments::Sums ChainMoments::central(size_t first, size_t last) const {
   Sums m;
   for (size_t k = 0; k < kSums; ++k) m[k] = (running_[last + 1][k] - running_[first][k]) / n;
   const double z = m[2] + m[4];
-  return {m[0], m[1], m[2] - m[0] * m[0], m[3] - m[0] * m[1], m[4] - m[1] * m[1], m[5] - m[0] * z, m[6] - m[1] * z,
-          m[7] - z * z, n};
+  return {m[0],
+          m[1],
+          m[2] - m[0] * m[0],
+          m[3] - m[0] * m[1],
+          m[4] - m[1] * m[1],
+          m[5] - m[0] * z,
+          m[6] - m[1] * z,
+          m[7] - z * z,
+          n};
 }
 
 ChainMoments::LineFit ChainMoments::line(size_t first, size_t last) const {
   const Sums c = central(first, last);
   const double angle = 0.5 * std::atan2(2 * c[3], c[2] - c[4]);
-  const double spread = std::hypot(c[2] - c[4], 2 * c[3]), smaller = std::max(0.0, (c[2] + c[4] - spread) / 2);
-  return {{reference_ + Vec2{c[0], c[1]}, {std::cos(angle), std::sin(angle)}},
-          smaller * c[8]};
+  const double spread = std::hypot(c[2] - c[4], 2 * c[3]),
+               smaller = std::max(0.0, (c[2] + c[4] - spread) / 2);
+  return {{reference_ + Vec2{c[0], c[1]}, {std::cos(angle), std::sin(angle)}}, smaller * c[8]};
 }
 
 Vec2 ChainMoments::mean(size_t first, size_t last) const {
@@ -45,7 +53,8 @@ double ChainMoments::squares_about(const EdgeLine& line, size_t first, size_t la
   const Sums c = central(first, last);
   const Vec2 left{-line.direction.v, line.direction.u};
   const double off = line.distance(reference_ + Vec2{c[0], c[1]});
-  const double spread = c[2] * left.u * left.u + 2 * c[3] * left.u * left.v + c[4] * left.v * left.v;
+  const double spread =
+      c[2] * left.u * left.u + 2 * c[3] * left.u * left.v + c[4] * left.v * left.v;
   return (std::max(0.0, spread) + off * off) * c[8];
 }
 
@@ -55,13 +64,13 @@ ChainMoments::ArcFit ChainMoments::arc(size_t first, size_t last) const {
   const double determinant = c[2] * c[4] - c[3] * c[3], trace = c[2] + c[4];
   if (!(determinant > kFlat * trace * trace)) return {};
   // z = 2 a u + 2 b v + const.
-  const double a2 = (c[5] * c[4] - c[6] * c[3]) / determinant, b2 = (c[6] * c[2] - c[5] * c[3]) / determinant;
+  const double a2 = (c[5] * c[4] - c[6] * c[3]) / determinant,
+               b2 = (c[6] * c[2] - c[5] * c[3]) / determinant;
   const Vec2 centre{a2 / 2, b2 / 2}, mean{c[0], c[1]}, off = mean - centre;
   const double squared = trace + dot(off, off);
   // z - (fit) = d^2 - r^2 = 2 r (d - r), to first order.
   const double algebraic = std::max(0.0, c[7] - a2 * c[5] - b2 * c[6]);
-  return {{reference_ + centre, std::sqrt(squared)},
-          algebraic / (4 * squared) * c[8]};
+  return {{reference_ + centre, std::sqrt(squared)}, algebraic / (4 * squared) * c[8]};
 }
 
 }  // namespace jalon

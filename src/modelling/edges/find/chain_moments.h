@@ -23,7 +23,7 @@ class ChainMoments {
   size_t size() const { return count_; }
 
   struct LineFit {
-    EdgeLine line;  ///< without sense: along either way
+    EdgeLine line;       ///< without sense: along either way
     double squares = 0;  ///< weighted sum of squared distances
   };
   /// Points first ... last of the chain walked round up to twice; first < last.
@@ -34,13 +34,15 @@ class ChainMoments {
 
   struct ArcFit {
     Circle circle;
-    double squares = INFINITY;  ///< weighted sum of squared distances, to first order; infinite without a circle
+    double squares =
+        INFINITY;  ///< weighted sum of squared distances, to first order; infinite without a circle
   };
   /// Linear fit (Boulaassal 2010, E.1.2).
   ArcFit arc(size_t first, size_t last) const;
 
  private:
-  static constexpr size_t kSums = 9;  ///< of u, v, uu, uv, vv, uz, vz, zz with z = uu + vv; and of the weights
+  static constexpr size_t kSums =
+      9;  ///< of u, v, uu, uv, vv, uz, vz, zz with z = uu + vv; and of the weights
   using Sums = std::array<double, kSums>;
   /// Means over the stretch, products about their means; last the sum of weights.
   Sums central(size_t first, size_t last) const;

@@ -30,8 +30,10 @@ constexpr size_t kLeastArcPoints = 8;
 // twice as large is a curve that was built.
 constexpr double kLeastSagitta = 4, kLeastRadius = 8;
 // Round heads turn by half a circle at most (a little more for noise); what turns by more is a whole circle.
-constexpr double kLeastTurn = 0.3, kMostTurn = 1.15 * std::numbers::pi, kWholeTurn = 1.8 * std::numbers::pi;
-constexpr double kLengthAgreement = 1.5;  // a chain zigzags: it is longer than its arc by up to this factor
+constexpr double kLeastTurn = 0.3, kMostTurn = 1.15 * std::numbers::pi,
+                 kWholeTurn = 1.8 * std::numbers::pi;
+constexpr double kLengthAgreement =
+    1.5;  // a chain zigzags: it is longer than its arc by up to this factor
 // A part that misses its points by so many sigma on average is not worth extending; looked at for some more candidates.
 constexpr double kHopeless = 36;
 constexpr int kPatience = 4;
@@ -47,7 +49,8 @@ std::vector<double> weights_of(std::span<const Vec2> chain, double spacing_m) {
   const size_t n = chain.size();
   std::vector<double> out(n);
   for (size_t i = 0; i < n; ++i) {
-    const double step = (norm(chain[(i + 1) % n] - chain[i]) + norm(chain[i] - chain[(i + n - 1) % n])) / 2;
+    const double step =
+        (norm(chain[(i + 1) % n] - chain[i]) + norm(chain[i] - chain[(i + n - 1) % n])) / 2;
     const double share = kStep * spacing_m / std::max(step, kStep * spacing_m);
     out[i] = share * share;
   }
@@ -64,7 +67,8 @@ struct Splitter {
       : chain(points), setting(s), moments(points, weights_of(points, s.spacing_m)) {
     variance = kChainPartsNoise * kChainPartsNoise * s.spacing_m * s.spacing_m;
     // Schwarz: parameters x ln(n); a cut is one more.
-    const double log_n = std::log(static_cast<double>(std::clamp<size_t>(points.size(), 8, kMostRing)));
+    const double log_n =
+        std::log(static_cast<double>(std::clamp<size_t>(points.size(), 8, kMostRing)));
     cut_cost = log_n;
     line_cost = 3 * log_n;
     arc_cost = 4 * log_n;
@@ -108,7 +112,8 @@ struct PartCost {
 // A long part has so many points that a few of another part at its end would cost it nothing.
 bool misses_ends(const Splitter& s, const EdgeLine& line, size_t first, size_t last) {
   if (s.setting.guides == nullptr) return false;
-  const double off = std::max(std::fabs(line.distance(s.at(first))), std::fabs(line.distance(s.at(last))));
+  const double off =
+      std::max(std::fabs(line.distance(s.at(first))), std::fabs(line.distance(s.at(last))));
   return off > kEndOff * s.setting.spacing_m;
 }
 
@@ -117,13 +122,15 @@ void try_guides(const Splitter& s, size_t first, size_t last, PartCost& out) {
   if (s.setting.guides == nullptr) return;
   const double n = static_cast<double>(last - first + 1);
   const Vec2 chord = s.at(last) - s.at(first), mean = s.moments.mean(first, last);
-  s.setting.guides->visit(mean, kNearGuide * s.setting.spacing_m + s.setting.set_back_m, [&](EdgeLine line) {
-    if (!(dot(line.direction, chord) > 0)) return;
-    line.point = line.point + Vec2{-line.direction.v, line.direction.u} * s.setting.set_back_m;
-    if (misses_ends(s, line, first, last)) return;
-    const double cost = std::max(n, s.moments.squares_about(line, first, last) / s.variance) + s.cut_cost;
-    if (cost < out.cost) out = {cost, false, false, true, line};
-  });
+  s.setting.guides->visit(
+      mean, kNearGuide * s.setting.spacing_m + s.setting.set_back_m, [&](EdgeLine line) {
+        if (!(dot(line.direction, chord) > 0)) return;
+        line.point = line.point + Vec2{-line.direction.v, line.direction.u} * s.setting.set_back_m;
+        if (misses_ends(s, line, first, last)) return;
+        const double cost =
+            std::max(n, s.moments.squares_about(line, first, last) / s.variance) + s.cut_cost;
+        if (cost < out.cost) out = {cost, false, false, true, line};
+      });
 }
 
 // A single long step between two parts: the triangulation's way across a corner.
@@ -138,7 +145,8 @@ bool is_odd(const Splitter& s, size_t first, size_t last) {
   if (s.setting.guides == nullptr) return false;
   const Vec2 chord = s.at(last) - s.at(first);
   const double most = std::max(std::fabs(chord.u), std::fabs(chord.v));
-  return most < kChainPartsShort * s.setting.spacing_m && std::min(std::fabs(chord.u), std::fabs(chord.v)) > kSlanted * most;
+  return most < kChainPartsShort * s.setting.spacing_m &&
+         std::min(std::fabs(chord.u), std::fabs(chord.v)) > kSlanted * most;
 }
 
 PartCost cost_of(const Splitter& s, size_t first, size_t last) {
@@ -182,10 +190,12 @@ std::vector<size_t> candidates(const Splitter& s) {
   std::vector<size_t> out;
   for (const uint32_t i : simplified(s.chain, kCandidateTolerance * s.setting.spacing_m, true)) {
     if (!out.empty())
-      for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < i; k += kCandidateStep) out.push_back(k);
+      for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < i; k += kCandidateStep)
+        out.push_back(k);
     out.push_back(i);
   }
-  for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < s.chain.size(); k += kCandidateStep)
+  for (size_t k = out.back() + kCandidateStep; k + kCandidateStep / 2 < s.chain.size();
+       k += kCandidateStep)
     out.push_back(k);
   out.push_back(s.chain.size());
   if (s.setting.guides != nullptr) add_corner_points(out);
@@ -225,7 +235,8 @@ void settle(const Splitter& s, std::vector<size_t>& cuts) {
       double least = cost_of(s, cuts[k - 1], best).cost + cost_of(s, best, cuts[k + 1]).cost;
       for (const size_t trial : {cuts[k] - std::min(step, cuts[k]), cuts[k] + step}) {
         if (trial < low || trial > high) continue;
-        const double cost = cost_of(s, cuts[k - 1], trial).cost + cost_of(s, trial, cuts[k + 1]).cost;
+        const double cost =
+            cost_of(s, cuts[k - 1], trial).cost + cost_of(s, trial, cuts[k + 1]).cost;
         if (!(cost < least)) continue;
         least = cost;
         best = trial;
@@ -237,11 +248,11 @@ void settle(const Splitter& s, std::vector<size_t>& cuts) {
 // Removes cuts whose two parts cost less as one.
 void join(const Splitter& s, std::vector<size_t>& cuts) {
   for (size_t k = 1; k + 1 < cuts.size() && cuts.size() > 3;) {
-    const double two = cost_of(s, cuts[k - 1], cuts[k]).cost + cost_of(s, cuts[k], cuts[k + 1]).cost;
+    const double two =
+        cost_of(s, cuts[k - 1], cuts[k]).cost + cost_of(s, cuts[k], cuts[k + 1]).cost;
     if (cost_of(s, cuts[k - 1], cuts[k + 1]).cost < two)
       cuts.erase(cuts.begin() + static_cast<ptrdiff_t>(k));
-    else
-      ++k;
+    else ++k;
   }
 }
 
@@ -268,7 +279,8 @@ ChainPart make_part(const Splitter& s, size_t first, size_t last) {
     part.turn = swept(s, part.circle, first, last) > 0 ? 1 : -1;
   } else if (!part.is_guided) {
     part.line = s.moments.line(first, last).line;
-    if (dot(part.line.direction, s.at(last) - s.at(first)) < 0) part.line.direction = part.line.direction * -1;
+    if (dot(part.line.direction, s.at(last) - s.at(first)) < 0)
+      part.line.direction = part.line.direction * -1;
   }
   return part;
 }
@@ -284,10 +296,8 @@ void drop_bridges(const Splitter& s, std::vector<ChainPart>& parts) {
                         norm(*corner - s.at(last)) <= s.setting.bridge_m &&
                         dot(a.line.direction, *corner - s.at(a.first)) > 0 &&
                         dot(c.line.direction, s.at(c.first + c.count - 1) - *corner) > 0;
-    if (is_cut)
-      parts.erase(parts.begin() + static_cast<ptrdiff_t>(i));
-    else
-      ++i;
+    if (is_cut) parts.erase(parts.begin() + static_cast<ptrdiff_t>(i));
+    else ++i;
   }
 }
 

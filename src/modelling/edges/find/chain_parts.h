@@ -18,9 +18,9 @@ struct ChainPart {
   size_t first = 0, count = 0;
   bool is_arc = false;
   bool is_guided = false;  ///< a straight part on a line given
-  EdgeLine line;     ///< of straight parts, along the chain
-  Circle circle;     ///< of curved parts
-  double turn = 0;   ///< of curved parts: 1 = anticlockwise, -1 = clockwise
+  EdgeLine line;           ///< of straight parts, along the chain
+  Circle circle;           ///< of curved parts
+  double turn = 0;         ///< of curved parts: 1 = anticlockwise, -1 = clockwise
 };
 
 struct PartsSetting {
@@ -29,7 +29,8 @@ struct PartsSetting {
   /// Lines (of true edges: set_back_m outside the contour points) that parts may lie on at the price of the cut alone.
   const GuideLines* guides = nullptr;
   double set_back_m = 0;
-  double bridge_m = 0;  ///< with guides: the triangulation cuts corners by single steps up to so long
+  double bridge_m =
+      0;  ///< with guides: the triangulation cuts corners by single steps up to so long
 };
 
 /// The parts that explain the chain best: least sum of squared distances over the variance of

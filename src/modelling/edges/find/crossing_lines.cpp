@@ -9,13 +9,16 @@ namespace jalon {
 
 namespace {
 
-constexpr double kFlattest = 0.94;   // |cos| of 20 degrees: flatter planes have no useful line
-constexpr size_t kSamples = 256;     // points of a plane that tell on which sides it lies
+constexpr double kFlattest = 0.94;  // |cos| of 20 degrees: flatter planes have no useful line
+constexpr size_t kSamples = 256;    // points of a plane that tell on which sides it lies
 
 // The offset of a plane far from the origin has lost bits that no result may hang on.
-double height_m(const Plane& plane, const Vec3& p) { return std::round(plane.distance(p) * 0x1p20) * 0x1p-20; }
+double height_m(const Plane& plane, const Vec3& p) {
+  return std::round(plane.distance(p) * 0x1p20) * 0x1p-20;
+}
 
-bool reaches(const Cloud& cloud, std::span<const uint32_t> points, const Plane& plane, double reach_m) {
+bool reaches(const Cloud& cloud, std::span<const uint32_t> points, const Plane& plane,
+             double reach_m) {
   const size_t step = points.size() / kSamples + 1;
   double low = INFINITY, high = -INFINITY;
   for (size_t i = 0; i < points.size(); i += step) {
@@ -28,8 +31,8 @@ bool reaches(const Cloud& cloud, std::span<const uint32_t> points, const Plane& 
 
 }  // namespace
 
-std::vector<EdgeLine> crossing_lines(const Segmentation& segmentation, const LabelGroups& groups, size_t segment,
-                                     const PlaneFrame& frame, double reach_m) {
+std::vector<EdgeLine> crossing_lines(const Segmentation& segmentation, const LabelGroups& groups,
+                                     size_t segment, const PlaneFrame& frame, double reach_m) {
   const Plane& own = segmentation.segments[segment].fit.plane;
   std::vector<EdgeLine> out;
   for (const Segment& other : segmentation.segments) {

@@ -16,7 +16,7 @@ namespace jalon {
 ///
 /// Before: segment is the index of the plane, frame its frame. After: in the order of the segments;
 /// the direction says nothing about the solid. O(planes and the points of those that are near).
-std::vector<EdgeLine> crossing_lines(const Segmentation& segmentation, const LabelGroups& groups, size_t segment,
-                                     const PlaneFrame& frame, double reach_m);
+std::vector<EdgeLine> crossing_lines(const Segmentation& segmentation, const LabelGroups& groups,
+                                     size_t segment, const PlaneFrame& frame, double reach_m);
 
 }  // namespace jalon

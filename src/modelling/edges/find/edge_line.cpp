@@ -43,7 +43,8 @@ EdgeLine least_squares_line(std::span<const Vec2> points, const Vec2& toward) {
     svv += d.v * d.v;
   }
   const Vec2 mean{su / n, sv / n};
-  const double cuu = suu / n - mean.u * mean.u, cuv = suv / n - mean.u * mean.v, cvv = svv / n - mean.v * mean.v;
+  const double cuu = suu / n - mean.u * mean.u, cuv = suv / n - mean.u * mean.v,
+               cvv = svv / n - mean.v * mean.v;
   const double angle = 0.5 * std::atan2(2 * cuv, cuu - cvv);
   EdgeLine line{reference + mean, {std::cos(angle), std::sin(angle)}};
   if (dot(line.direction, toward) < 0) line.direction = line.direction * -1;
@@ -84,7 +85,8 @@ EdgeLine fit_edge_line(std::span<const Vec2> points, const StraightenSetting& se
   }
   // Snap: the angle that jagged points leave open grows as the edge gets shorter.
   const double open = length > 0 ? std::atan(0.5 * setting.tolerance_m / length) : 0;
-  const double snap = std::min(std::max(setting.snap_angle_rad, setting.snap_angle_rad > 0 ? open : 0), kMaxSnap_rad);
+  const double snap = std::min(
+      std::max(setting.snap_angle_rad, setting.snap_angle_rad > 0 ? open : 0), kMaxSnap_rad);
   const double sine = std::sin(snap);
   std::vector<double> across;
   if (std::fabs(line.direction.v) <= sine) {
@@ -102,7 +104,8 @@ EdgeLine fit_edge_line(std::span<const Vec2> points, const StraightenSetting& se
 }
 
 bool are_aligned(const EdgeLine& a, const EdgeLine& b) {
-  return dot(a.direction, b.direction) > 0 && std::fabs(cross(a.direction, b.direction)) <= kAligned;
+  return dot(a.direction, b.direction) > 0 &&
+         std::fabs(cross(a.direction, b.direction)) <= kAligned;
 }
 
 std::optional<Vec2> intersect(const EdgeLine& a, const EdgeLine& b, double min_sine) {

@@ -25,7 +25,8 @@ void classify(EdgeShape& shape, double spacing_m, double classes_rad, double sna
   const Vec2& d = shape.line.direction;
   const double open = open_angle(shape.length_m, spacing_m);
   if (shape.upright_angle() <= std::max(classes_rad, open))
-    shape.direction = std::fabs(d.u) < std::fabs(d.v) ? EdgeDirection::kVertical : EdgeDirection::kHorizontal;
+    shape.direction =
+        std::fabs(d.u) < std::fabs(d.v) ? EdgeDirection::kVertical : EdgeDirection::kHorizontal;
   shape.snap(snap_rad, open, spacing_m);
 }
 
@@ -38,11 +39,13 @@ double EdgeShape::upright_angle() const {
 bool EdgeShape::snap(double snap_rad, double open_rad, double spacing_m) {
   const double angle = upright_angle();
   const bool is_small = angle <= open_rad || angle * length_m / 2 <= spacing_m;
-  if (is_arc || angle == 0 || snap_rad == 0 || angle > std::max(snap_rad, open_rad) || !is_small) return false;
+  if (is_arc || angle == 0 || snap_rad == 0 || angle > std::max(snap_rad, open_rad) || !is_small)
+    return false;
   line.point = line.foot((first + last) * 0.5);
   const bool upright = std::fabs(line.direction.u) < std::fabs(line.direction.v);
   direction = upright ? EdgeDirection::kVertical : EdgeDirection::kHorizontal;
-  line.direction = upright ? Vec2{0, line.direction.v < 0 ? -1.0 : 1.0} : Vec2{line.direction.u < 0 ? -1.0 : 1.0, 0};
+  line.direction = upright ? Vec2{0, line.direction.v < 0 ? -1.0 : 1.0}
+                           : Vec2{line.direction.u < 0 ? -1.0 : 1.0, 0};
   set_ends(first, last);
   return true;
 }
@@ -62,8 +65,8 @@ void EdgeShape::set_ends(const Vec2& from, const Vec2& to) {
   axis = Vec2{c * a.u - s * a.v, s * a.u + c * a.v} * (1 / size);
 }
 
-EdgeShape shape_of(std::span<const Vec2> chain, const ChainPart& part, double spacing_m, double classes_rad,
-                   double snap_rad) {
+EdgeShape shape_of(std::span<const Vec2> chain, const ChainPart& part, double spacing_m,
+                   double classes_rad, double snap_rad) {
   EdgeShape shape;
   shape.is_arc = part.is_arc;
   shape.is_guided = part.is_guided;
@@ -71,10 +74,8 @@ EdgeShape shape_of(std::span<const Vec2> chain, const ChainPart& part, double sp
   shape.circle = part.circle;
   shape.turn = part.turn;
   shape.set_ends(chain[part.first], chain[(part.first + part.count - 1) % chain.size()]);
-  if (part.is_arc)
-    shape.direction = EdgeDirection::kArc;
-  else
-    classify(shape, spacing_m, classes_rad, snap_rad);
+  if (part.is_arc) shape.direction = EdgeDirection::kArc;
+  else classify(shape, spacing_m, classes_rad, snap_rad);
   shape.shift(-kSetBack * spacing_m);
   return shape;
 }

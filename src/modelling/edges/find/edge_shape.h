@@ -19,10 +19,10 @@ struct EdgeShape {
   bool is_guided = false;  ///< of few points, on a line that others lie on
   EdgeLine line;
   Circle circle;
-  double turn = 0;        ///< arcs: 1 = anticlockwise (the solid inside the circle), -1 = clockwise
-  Vec2 axis{1, 0};        ///< arcs: unit vector from the centre to half way along
-  Vec2 first, last;       ///< contour points at its ends
-  double length_m = 0;    ///< between them, along it
+  double turn = 0;      ///< arcs: 1 = anticlockwise (the solid inside the circle), -1 = clockwise
+  Vec2 axis{1, 0};      ///< arcs: unit vector from the centre to half way along
+  Vec2 first, last;     ///< contour points at its ends
+  double length_m = 0;  ///< between them, along it
   double sigma_m = kNaN;
   EdgeDirection direction = EdgeDirection::kInclined;
   EdgeSource source = EdgeSource::kContour;
@@ -36,12 +36,17 @@ struct EdgeShape {
   }
   /// The point of the edge at t, moved by d into the solid.
   Vec2 at(double t, double d) const {
-    if (!is_arc) return line.foot(first) + line.direction * t + Vec2{-line.direction.v, line.direction.u} * d;
-    const double angle = turn * (t - length_m / 2) / circle.radius, c = std::cos(angle), s = std::sin(angle);
-    return circle.centre + Vec2{c * axis.u - s * axis.v, s * axis.u + c * axis.v} * (circle.radius - turn * d);
+    if (!is_arc)
+      return line.foot(first) + line.direction * t + Vec2{-line.direction.v, line.direction.u} * d;
+    const double angle = turn * (t - length_m / 2) / circle.radius, c = std::cos(angle),
+                 s = std::sin(angle);
+    return circle.centre +
+           Vec2{c * axis.u - s * axis.v, s * axis.u + c * axis.v} * (circle.radius - turn * d);
   }
   /// Area at depth d over area on the edge: 1 for lines.
-  double widening(double d) const { return is_arc ? (circle.radius - turn * d) / circle.radius : 1; }
+  double widening(double d) const {
+    return is_arc ? (circle.radius - turn * d) / circle.radius : 1;
+  }
   /// Sets the ends, and with them length and axis.
   void set_ends(const Vec2& from, const Vec2& to);
   /// Of a line to the nearer of vertical and horizontal.
@@ -51,10 +56,8 @@ struct EdgeShape {
   bool snap(double snap_rad, double open_rad, double spacing_m);
   /// Moves the edge by d into the solid.
   void shift(double d) {
-    if (is_arc)
-      circle.radius -= turn * d;
-    else
-      line.point = line.point + Vec2{-line.direction.v, line.direction.u} * d;
+    if (is_arc) circle.radius -= turn * d;
+    else line.point = line.point + Vec2{-line.direction.v, line.direction.u} * d;
   }
 };
 
@@ -64,8 +67,8 @@ struct ChainPart;
 /// classes_rad: lines this near to vertical or horizontal are classed so. snap_rad: and made
 /// exactly so, unless their ends would move by more than the spacing or what noise explains. After:
 /// ends, length and, of arcs, the axis are set; sigma is NaN and the source the contour.
-EdgeShape shape_of(std::span<const Vec2> chain, const ChainPart& part, double spacing_m, double classes_rad,
-                   double snap_rad);
+EdgeShape shape_of(std::span<const Vec2> chain, const ChainPart& part, double spacing_m,
+                   double classes_rad, double snap_rad);
 /// A straight edge from one corner to another, of the class of its exact direction.
 EdgeShape straight_shape(const Vec2& from, const Vec2& to);
 

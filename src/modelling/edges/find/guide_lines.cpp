@@ -40,9 +40,11 @@ GuideLines::GuideLines(std::span<const EdgeShape> shapes, std::span<const EdgeLi
     family.direction = kDirections[k];
     std::vector<Stretch> stretches;
     for (const EdgeShape& s : shapes)
-      if (!s.is_arc && s.line.direction.u == family.direction.u && s.line.direction.v == family.direction.v)
+      if (!s.is_arc && s.line.direction.u == family.direction.u &&
+          s.line.direction.v == family.direction.v)
         stretches.push_back({family.coordinate(s.line.point), s.length_m});
-    std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.place < b.place; });
+    std::sort(stretches.begin(), stretches.end(),
+              [](const Stretch& a, const Stretch& b) { return a.place < b.place; });
     for (size_t i = 0; i < stretches.size();) {
       double length = 0, moment = 0;
       const double first = stretches[i].place;

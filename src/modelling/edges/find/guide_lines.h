@@ -43,7 +43,9 @@ class GuideLines {
     std::vector<double> places;  ///< ascending
 
     double coordinate(const Vec2& p) const { return direction.u == 0 ? p.u : p.v; }
-    EdgeLine line(double place) const { return {direction.u == 0 ? Vec2{place, 0} : Vec2{0, place}, direction}; }
+    EdgeLine line(double place) const {
+      return {direction.u == 0 ? Vec2{place, 0} : Vec2{0, place}, direction};
+    }
   };
   std::array<Family, 4> families_;
   std::vector<EdgeLine> joints_;

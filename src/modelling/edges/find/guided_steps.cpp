@@ -11,10 +11,12 @@ namespace {
 
 // Spacings: what a guide may be away, how small a step may be, how short an edge is that may be slanted by noise alone.
 constexpr double kReach = 3, kLeastStep = 1.5, kGuidedStepsShort = 12;
-constexpr double kAlong = 0.999;     // cosine of lines of one direction
+constexpr double kAlong = 0.999;  // cosine of lines of one direction
 constexpr double kGuidedStepsLeastSine = 0.5;
 
-bool is_upright(const EdgeShape& s) { return !s.is_arc && (s.line.direction.u == 0 || s.line.direction.v == 0); }
+bool is_upright(const EdgeShape& s) {
+  return !s.is_arc && (s.line.direction.u == 0 || s.line.direction.v == 0);
+}
 
 bool are_parallel(const EdgeShape& a, const EdgeShape& b) {
   return is_upright(a) && is_upright(b) && (a.line.direction.u == 0) == (b.line.direction.u == 0);
@@ -30,8 +32,8 @@ std::optional<EdgeShape> fitted_between(const EdgeShape& a, const EdgeShape& b, 
 }
 
 // Across the edges a and b, through p; on a guide where one is near.
-EdgeShape step_between(const GuideLines& guides, double spacing_m, const EdgeShape& a, const EdgeShape& b,
-                       const Vec2& p) {
+EdgeShape step_between(const GuideLines& guides, double spacing_m, const EdgeShape& a,
+                       const EdgeShape& b, const Vec2& p) {
   EdgeShape out;
   const Vec2 along = a.line.direction;
   const double side = a.line.distance(b.line.point) > 0 ? 1 : -1;
@@ -57,7 +59,8 @@ std::optional<EdgeShape> guided_step(const GuideLines& guides, double spacing_m,
 
 }  // namespace
 
-void follow_guide(const GuideLines& guides, double spacing_m, const EdgeShape& a, const EdgeShape& b, EdgeShape& edge) {
+void follow_guide(const GuideLines& guides, double spacing_m, const EdgeShape& a,
+                  const EdgeShape& b, EdgeShape& edge) {
   if (!are_parallel(a, b) || !is_upright(edge)) return;
   const Vec2 middle = (edge.first + edge.last) * 0.5;
   if (const auto guided = guided_step(guides, spacing_m, a, b, middle)) edge = *guided;
@@ -69,7 +72,9 @@ void guide_steps(const GuideLines& guides, double spacing_m, std::vector<EdgeSha
     const size_t n = ring.size();
     const EdgeShape &a = ring[(i + n - 1) % n], &b = ring[(i + 1) % n];
     EdgeShape& edge = ring[i];
-    if (edge.is_arc || is_upright(edge) || edge.length_m > kGuidedStepsShort * spacing_m || !are_parallel(a, b)) continue;
+    if (edge.is_arc || is_upright(edge) || edge.length_m > kGuidedStepsShort * spacing_m ||
+        !are_parallel(a, b))
+      continue;
     const Vec2 middle = (edge.first + edge.last) * 0.5;
     if (const auto guided = guided_step(guides, spacing_m, a, b, middle)) edge = *guided;
   }

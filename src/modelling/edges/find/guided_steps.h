@@ -12,7 +12,8 @@ namespace jalon {
 /// Short edges across, of so few points that their own line is nowhere: put onto a guide near by.
 
 /// Of an exactly vertical or horizontal edge between a and b. Nothing changes without such a guide.
-void follow_guide(const GuideLines& guides, double spacing_m, const EdgeShape& a, const EdgeShape& b, EdgeShape& edge);
+void follow_guide(const GuideLines& guides, double spacing_m, const EdgeShape& a,
+                  const EdgeShape& b, EdgeShape& edge);
 
 /// Round a ring: short slanted edges between two vertical or two horizontal ones, and steps between
 /// two of them that no edge joins. A step without a guide stands half way.

@@ -60,9 +60,10 @@ void merge_collinear(Runs& all) {
     Run& a = runs[i];
     const Run& b = runs[(i + 1) % runs.size()];
     const Vec2 joint = all.end(a);
-    const bool one_line = are_aligned(a.line, b.line) &&
-                          std::fabs(a.line.distance(joint) - b.line.distance(joint)) <= all.setting.tolerance_m &&
-                          std::fabs(a.line.distance(all.end(b))) <= 2 * all.setting.tolerance_m;
+    const bool one_line =
+        are_aligned(a.line, b.line) &&
+        std::fabs(a.line.distance(joint) - b.line.distance(joint)) <= all.setting.tolerance_m &&
+        std::fabs(a.line.distance(all.end(b))) <= 2 * all.setting.tolerance_m;
     if (!one_line) {
       ++i;
       continue;
@@ -88,10 +89,8 @@ void drop_chamfers(Runs& all) {
     const bool is_cut = length <= reach && all.length(a) > length && all.length(c) > length &&
                         corner && norm(*corner - all.start(b)) <= reach &&
                         norm(*corner - all.end(b)) <= reach;
-    if (is_cut)
-      runs.erase(runs.begin() + static_cast<ptrdiff_t>(i));
-    else
-      ++i;
+    if (is_cut) runs.erase(runs.begin() + static_cast<ptrdiff_t>(i));
+    else ++i;
   }
 }
 
@@ -164,7 +163,8 @@ Polygon straightened(std::span<const Vec2> chain, const StraightenSetting& setti
 }
 
 Polygon fitted_rectangle(std::span<const Vec2> chain, const StraightenSetting& setting) {
-  constexpr double kOnSides = 0.92;   // share of the chain that must lie along the sides; cut corners take the rest
+  constexpr double kOnSides =
+      0.92;  // share of the chain that must lie along the sides; cut corners take the rest
   constexpr double kAreaShare = 0.1;  // relative difference of area allowed
   const double near = setting.tolerance_m;
   if (chain.size() < 4) return {};
@@ -190,7 +190,8 @@ Polygon fitted_rectangle(std::span<const Vec2> chain, const StraightenSetting& s
       }
       if (close == 0) continue;
       ++on_sides;
-      if (close == 1) along[best].push_back(coordinate[best]);  // corners are cut: they say nothing of a side
+      if (close == 1)
+        along[best].push_back(coordinate[best]);  // corners are cut: they say nothing of a side
     }
     for (size_t k = 0; k < 4; ++k) {
       if (along[k].size() < 2) return {};

@@ -27,12 +27,12 @@ constexpr double kOnPlane = 3, kOffPlane = 4, kLeastSigma_m = 0.001;
 constexpr double kChamfer = 1.3;
 constexpr double kBridge = 2;  // the gap grows with the local spacing: contour_band.cpp
 constexpr double kAgainst = -0.95, kLeastEnd = 1.5;  // cosine; spacings
-constexpr double kWeak = 12;  // spacings: shorter edges may lie on a line of others
+constexpr double kWeak = 12;       // spacings: shorter edges may lie on a line of others
 constexpr double kArcSigma = 0.5;  // spacings
 constexpr double kShadowLength = 24, kShadowShare = 0.4;  // spacings; of the shorter edge beside it
-constexpr int kPasses = 2;  // the second counts from where the first put the edge
-constexpr int kArcPasses = 6;  // more, of arcs only, until they move by less than
-constexpr double kSettled = 0.05;  // spacings
+constexpr int kPasses = 2;             // the second counts from where the first put the edge
+constexpr int kArcPasses = 6;          // more, of arcs only, until they move by less than
+constexpr double kSettled = 0.05;      // spacings
 constexpr double kPolylineStep = 0.3;  // rad
 constexpr size_t kClasses = 4;
 
@@ -55,18 +55,17 @@ void drop_chamfers(std::vector<EdgeShape>& shapes, double reach_m) {
                         norm(*corner - b.first) <= reach_m && norm(*corner - b.last) <= reach_m &&
                         dot(a.line.direction, *corner - a.first) > 0 &&
                         dot(c.line.direction, c.last - *corner) > 0;
-    if (is_cut)
-      shapes.erase(shapes.begin() + static_cast<ptrdiff_t>(i));
-    else
-      ++i;
+    if (is_cut) shapes.erase(shapes.begin() + static_cast<ptrdiff_t>(i));
+    else ++i;
   }
 }
 
 // Shadows beside an opening's corner (of a sill's ends, say) take solid away: up to three short parts that leave two
 // upright edges and come back to them, none of them inside both, give way to the corner of those edges.
-bool is_shadowed_corner(const EdgeShape& a, std::span<const EdgeShape> between, const EdgeShape& c, double spacing_m) {
-  if (a.is_arc || c.is_arc || a.direction == c.direction || a.direction == EdgeDirection::kInclined ||
-      c.direction == EdgeDirection::kInclined)
+bool is_shadowed_corner(const EdgeShape& a, std::span<const EdgeShape> between, const EdgeShape& c,
+                        double spacing_m) {
+  if (a.is_arc || c.is_arc || a.direction == c.direction ||
+      a.direction == EdgeDirection::kInclined || c.direction == EdgeDirection::kInclined)
     return false;
   double length = 0;
   for (const EdgeShape& b : between) {
@@ -74,12 +73,14 @@ bool is_shadowed_corner(const EdgeShape& a, std::span<const EdgeShape> between, 
     for (const Vec2& p : {b.first, b.last})
       if (b.is_arc || std::max(a.line.distance(p), c.line.distance(p)) < -spacing_m) return false;
   }
-  return length <= std::min(kShadowLength * spacing_m, kShadowShare * std::min(a.length_m, c.length_m));
+  return length <=
+         std::min(kShadowLength * spacing_m, kShadowShare * std::min(a.length_m, c.length_m));
 }
 
 void close_shadowed_corners(std::vector<EdgeShape>& shapes, double spacing_m) {
   for (size_t i = 0; i < shapes.size(); ++i)
-    for (size_t count = std::min<size_t>(3, shapes.size() - std::min<size_t>(shapes.size(), 3)); count > 0; --count) {
+    for (size_t count = std::min<size_t>(3, shapes.size() - std::min<size_t>(shapes.size(), 3));
+         count > 0; --count) {
       const size_t n = shapes.size();
       std::vector<EdgeShape> between;
       for (size_t k = 1; k <= count; ++k) between.push_back(shapes[(i + k) % n]);
@@ -97,7 +98,8 @@ void insert_ends(std::vector<EdgeShape>& shapes, double spacing_m, const GuideLi
     const EdgeShape &a = shapes[i], &b = shapes[(i + 1) % shapes.size()];
     if (a.is_arc || b.is_arc || dot(a.line.direction, b.line.direction) > kAgainst) continue;
     const Vec2 along = a.line.direction;
-    const double end = std::max(dot(along, a.last - a.first), dot(along, b.first - a.first)) + kSetBack * spacing_m;
+    const double end = std::max(dot(along, a.last - a.first), dot(along, b.first - a.first)) +
+                       kSetBack * spacing_m;
     const Vec2 from = a.at(end, 0);
     Vec2 to = b.line.foot(from);
     if (along.u == 0) to.v = from.v;  // to the last bit
@@ -126,7 +128,8 @@ std::vector<EdgeShape> rectangle_shapes(const Chain& chain, double max_edge_m, d
 Draft make_draft(const Chain& chain, bool is_opening, bool arcs, const Contour& contour,
                  const VectoriseSetting& setting, const GuideLines* guides) {
   const double p = contour.spacing_m;
-  const auto parts = split_chain(chain, {p, arcs, guides, kSetBack * p, kBridge * contour.max_edge_m});
+  const auto parts =
+      split_chain(chain, {p, arcs, guides, kSetBack * p, kBridge * contour.max_edge_m});
   std::vector<EdgeShape> shapes;
   bool has_arc = false;
   for (const ChainPart& part : parts) {
@@ -138,7 +141,8 @@ Draft make_draft(const Chain& chain, bool is_opening, bool arcs, const Contour& 
   insert_ends(shapes, p, guides);
   if (guides != nullptr) guide_steps(*guides, p, shapes);
   if (is_opening && setting.rectangles && !has_arc && shapes.size() != 4)
-    if (auto sides = rectangle_shapes(chain, contour.max_edge_m, p); !sides.empty()) shapes = std::move(sides);
+    if (auto sides = rectangle_shapes(chain, contour.max_edge_m, p); !sides.empty())
+      shapes = std::move(sides);
   const size_t n = shapes.size();
   Draft draft{&chain, is_opening, std::vector<MeasuredEdge>(n), std::vector<EdgeInformation>(n)};
   for (size_t i = 0; i < n; ++i) draft.edges[i].shape = shapes[i];
@@ -146,8 +150,8 @@ Draft make_draft(const Chain& chain, bool is_opening, bool arcs, const Contour& 
 }
 
 // Short edges lie on the lines of others where that explains their points (guide_lines.h).
-void follow_guides(std::vector<Draft>& drafts, std::span<const Chain> chains, const RingSource& source,
-                   const VectoriseSetting& setting) {
+void follow_guides(std::vector<Draft>& drafts, std::span<const Chain> chains,
+                   const RingSource& source, const VectoriseSetting& setting) {
   const Contour& contour = source.contour;
   std::vector<EdgeShape> shapes;
   for (const Draft& draft : drafts)
@@ -155,10 +159,13 @@ void follow_guides(std::vector<Draft>& drafts, std::span<const Chain> chains, co
   const GuideLines guides(shapes, source.joints(), chains, contour.spacing_m);
   if (guides.empty()) return;
   for (Draft& draft : drafts) {
-    const bool is_weak = std::any_of(draft.edges.begin(), draft.edges.end(), [&](const MeasuredEdge& edge) {
-      return !edge.shape.is_arc && (edge.shape.length_m < kWeak * contour.spacing_m || edge.shape.upright_angle() > 0);
-    });
-    if (is_weak) draft = make_draft(*draft.chain, draft.is_opening, setting.arcs, contour, setting, &guides);
+    const bool is_weak =
+        std::any_of(draft.edges.begin(), draft.edges.end(), [&](const MeasuredEdge& edge) {
+          return !edge.shape.is_arc && (edge.shape.length_m < kWeak * contour.spacing_m ||
+                                        edge.shape.upright_angle() > 0);
+        });
+    if (is_weak)
+      draft = make_draft(*draft.chain, draft.is_opening, setting.arcs, contour, setting, &guides);
   }
 }
 
@@ -195,8 +202,8 @@ void settle_arcs(std::vector<Draft>& drafts, double spacing_m, F&& adjust) {
 }
 
 // Step 3.
-void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows& contours, double min_height_m,
-             const EdgeSetting& adjust, Task& task) {
+void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows& contours,
+             double min_height_m, const EdgeSetting& adjust, Task& task) {
   std::array<CountingVariance, kClasses> variance;
   const auto collect = [&](MeasuredEdge& edge) {
     task.checkpoint(0);
@@ -212,9 +219,11 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
         collect(edge);
         classes[static_cast<size_t>(edge.shape.direction)].push_back(&edge);
       }
-    for (size_t c = 0; c < kClasses; ++c) variance[c] = counting_variance(classes[c], adjust.spacing_m, adjust.sigma_m);
+    for (size_t c = 0; c < kClasses; ++c)
+      variance[c] = counting_variance(classes[c], adjust.spacing_m, adjust.sigma_m);
     for (Draft& draft : drafts)
-      for (size_t i = 0; i < draft.edges.size(); ++i) draft.information[i] = adjusted(draft.edges[i]);
+      for (size_t i = 0; i < draft.edges.size(); ++i)
+        draft.information[i] = adjusted(draft.edges[i]);
   }
   settle_arcs(drafts, adjust.spacing_m, [&](MeasuredEdge& edge) {
     collect(edge);
@@ -251,7 +260,8 @@ VectorRing draw(const Draft& draft, const Contour& contour) {
 
 }  // namespace
 
-std::vector<VectorRing> measured_rings(const RingSource& source, const VectoriseSetting& setting, Task& task) {
+std::vector<VectorRing> measured_rings(const RingSource& source, const VectoriseSetting& setting,
+                                       Task& task) {
   const Contour& contour = source.contour;
   std::vector<Draft> drafts;
   std::vector<std::vector<Vec2>> chains, rings;
@@ -265,8 +275,8 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   follow_guides(drafts, chains, source, setting);
   for (const Draft& draft : drafts) rings.push_back(polyline(draft));
   const double sigma = std::max(source.sigma_m, kLeastSigma_m);
-  const NearSetting about{(kStripInward + 1) * contour.spacing_m, std::max(setting.reveal_depth_m, kOnPlane * sigma),
-                          kOnPlane * sigma};
+  const NearSetting about{(kStripInward + 1) * contour.spacing_m,
+                          std::max(setting.reveal_depth_m, kOnPlane * sigma), kOnPlane * sigma};
   const NearPoints near = source.near(rings, about);
   task.checkpoint(0);
   const PointRows others = contour_points(chains, contour.spacing_m);

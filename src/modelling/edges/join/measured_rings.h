@@ -34,6 +34,7 @@ struct RingSource {
 /// After: as many rings as chains, in their order. Each runs the way its chain does, does not cross
 /// itself and encloses its chain's area, give or take the distance of contour points from the true
 /// edge; one that cannot be drawn so is empty.
-std::vector<VectorRing> measured_rings(const RingSource& source, const VectoriseSetting& setting, Task& task);
+std::vector<VectorRing> measured_rings(const RingSource& source, const VectoriseSetting& setting,
+                                       Task& task);
 
 }  // namespace jalon

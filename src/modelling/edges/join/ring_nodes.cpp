@@ -47,7 +47,8 @@ std::optional<Vec2> meet_circles(const Circle& a, const Circle& b, double tolera
   if (d < std::fabs(a.radius - b.radius) - tolerance_m) return std::nullopt;
   const double along = (d * d + a.radius * a.radius - b.radius * b.radius) / (2 * d);
   const double h = std::sqrt(std::max(0.0, a.radius * a.radius - along * along));
-  const Vec2 unit = apart * (1 / d), foot = a.centre + unit * along, across{-unit.v * h, unit.u * h};
+  const Vec2 unit = apart * (1 / d), foot = a.centre + unit * along,
+             across{-unit.v * h, unit.u * h};
   return nearer(foot + across, foot - across, near);
 }
 
@@ -62,7 +63,8 @@ std::optional<Vec2> meet(const EdgeShape& a, const EdgeShape& b, double toleranc
 
 // Two arcs of one circle.
 bool go_on(const EdgeShape& a, const EdgeShape& b, double tolerance_m) {
-  return a.is_arc && b.is_arc && a.turn == b.turn && norm(a.circle.centre - b.circle.centre) <= tolerance_m &&
+  return a.is_arc && b.is_arc && a.turn == b.turn &&
+         norm(a.circle.centre - b.circle.centre) <= tolerance_m &&
          std::fabs(a.circle.radius - b.circle.radius) <= tolerance_m;
 }
 
@@ -72,13 +74,15 @@ Vec2 foot_on(const EdgeShape& shape, const Vec2& p) {
   return shape.circle.centre + d * (shape.circle.radius / norm(d));
 }
 
-std::vector<Vec2> nodes_between(const EdgeShape& a, const EdgeShape& b, double spacing_m, double reach_m) {
+std::vector<Vec2> nodes_between(const EdgeShape& a, const EdgeShape& b, double spacing_m,
+                                double reach_m) {
   const bool is_one_circle = go_on(a, b, spacing_m);
   std::optional<Vec2> node;
   if (!is_one_circle) node = meet(a, b, spacing_m, (a.last + b.first) * 0.5);
   if (node && std::min(norm(*node - a.last), norm(*node - b.first)) <= reach_m) return {*node};
   const Vec2 end = foot_on(a, a.last), start = foot_on(b, b.first);
-  if (norm(end - start) <= (is_one_circle ? kArcStep : kStep) * spacing_m) return {(end + start) * 0.5};
+  if (norm(end - start) <= (is_one_circle ? kArcStep : kStep) * spacing_m)
+    return {(end + start) * 0.5};
   return {end, start};
 }
 
@@ -87,7 +91,8 @@ VectorEdge edge_of(const EdgeShape& shape, const Vec2& from, const Vec2& to) {
   if (!shape.is_arc) return edge;
   EdgeShape arc = shape;
   arc.set_ends(from, to);
-  edge.sagitta_m = shape.turn * arc.circle.radius * (1 - std::cos(arc.length_m / (2 * arc.circle.radius)));
+  edge.sagitta_m =
+      shape.turn * arc.circle.radius * (1 - std::cos(arc.length_m / (2 * arc.circle.radius)));
   return edge;
 }
 
@@ -125,7 +130,8 @@ std::optional<VectorRing> join_edges(std::span<const EdgeShape> edges, double sp
   if (n < 2) return std::nullopt;
   // 1. Nodes between edge i and the next: one, or two with a step between.
   std::vector<std::vector<Vec2>> nodes(n);
-  for (size_t i = 0; i < n; ++i) nodes[i] = nodes_between(edges[i], edges[(i + 1) % n], spacing_m, reach_m);
+  for (size_t i = 0; i < n; ++i)
+    nodes[i] = nodes_between(edges[i], edges[(i + 1) % n], spacing_m, reach_m);
   // 2. The ring.
   VectorRing out;
   for (size_t i = 0; i < n; ++i) {

@@ -22,8 +22,8 @@ namespace {
 // Strip of a straight edge in triangle edges: cut corners are at most half an edge deep.
 constexpr double kToleranceOfEdge = 0.6;
 constexpr double kVectoriseChordError = 0.05;  // spacings: chords for arcs in the tests of nesting
-constexpr double kCrossingReach = 3;  // spacings: about 28 points of each of two planes
-constexpr double kParallel = 0.9;     // cosine: 26 degrees
+constexpr double kCrossingReach = 3;           // spacings: about 28 points of each of two planes
+constexpr double kParallel = 0.9;              // cosine: 26 degrees
 
 // Corner of the segment's box, in whole metres: moves with the cloud without rounding.
 Vec3 whole_metre_corner(const Cloud& cloud, std::span<const uint32_t> indices) {
@@ -38,10 +38,8 @@ VectorRing ring_of(Polygon polygon, const Chain& contour) {
   ring.edges.resize(n);
   for (size_t i = 0; i < n; ++i) {
     const Vec2 edge = ring.corners[(i + 1) % n] - ring.corners[i];
-    if (edge.u == 0)
-      ring.edges[i].direction = EdgeDirection::kVertical;
-    else if (edge.v == 0)
-      ring.edges[i].direction = EdgeDirection::kHorizontal;
+    if (edge.u == 0) ring.edges[i].direction = EdgeDirection::kVertical;
+    else if (edge.v == 0) ring.edges[i].direction = EdgeDirection::kHorizontal;
   }
   return ring;
 }
@@ -68,15 +66,17 @@ RingForms forms_of(VectorRing measured, const Chain& chain, bool is_opening, con
   return forms;
 }
 
-VectorFace face_of(const ContourPiece& piece, std::span<VectorRing> measured, const Contour& contour,
-                   const VectoriseSetting& setting) {
+VectorFace face_of(const ContourPiece& piece, std::span<VectorRing> measured,
+                   const Contour& contour, const VectoriseSetting& setting) {
   std::vector<RingForms> rings;
   rings.push_back(forms_of(std::move(measured[0]), piece.outline, false, contour, setting));
   for (size_t k = 0; k < piece.openings.size(); ++k)
-    rings.push_back(forms_of(std::move(measured[k + 1]), piece.openings[k], true, contour, setting));
+    rings.push_back(
+        forms_of(std::move(measured[k + 1]), piece.openings[k], true, contour, setting));
   const auto chosen = nested(rings);
   VectorFace face{std::move(rings[0].rings[chosen[0]]), {}};
-  for (size_t k = 1; k < rings.size(); ++k) face.openings.push_back(std::move(rings[k].rings[chosen[k]]));
+  for (size_t k = 1; k < rings.size(); ++k)
+    face.openings.push_back(std::move(rings[k].rings[chosen[k]]));
   return face;
 }
 
@@ -118,7 +118,8 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
   // 1. Frame and plane coordinates (Boulaassal 2010, 4.2.1).
   out.frame = plane_frame(segment.fit.plane, whole_metre_corner(cloud, indices), facade_x);
   std::vector<Vec2> points(indices.size());
-  for (size_t i = 0; i < indices.size(); ++i) points[i] = out.frame.project(cloud.point(indices[i]));
+  for (size_t i = 0; i < indices.size(); ++i)
+    points[i] = out.frame.project(cloud.point(indices[i]));
   // 2. Contours (4.2.2, 4.2.3).
   ForeignTest foreign;
   if (setting.straighten)
@@ -135,7 +136,8 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
   }
   // 3. Edges and nodes where they are measured (4.3.1 to 4.3.3).
   const auto near = [&](std::span<const std::vector<Vec2>> rings, const NearSetting& about) {
-    return points_near(segmentation, *tree, out.frame, rings, parallel_planes(segmentation, s), about);
+    return points_near(segmentation, *tree, out.frame, rings, parallel_planes(segmentation, s),
+                       about);
   };
   const auto joints = [&] {
     return crossing_lines(segmentation, groups, s, out.frame, kCrossingReach * contour.spacing_m);
@@ -162,7 +164,8 @@ void check_labels(const Segmentation& segmentation) {
 
 }  // namespace
 
-std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const VectoriseSetting& setting, Task& task) {
+std::vector<VectorPlane> vectorise(const Segmentation& segmentation,
+                                   const VectoriseSetting& setting, Task& task) {
   const size_t count = segmentation.segments.size();
   std::vector<VectorPlane> out(count);
   if (plane_count(segmentation.segments) == 0) return out;
@@ -184,8 +187,8 @@ std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const Vecto
   });
   for (const VectorPlane& plane : out)
     if (!plane.faces.empty())
-      task.log(Task::kDebug, "plane %u: points %s m apart, gaps up to %s m are surface", plane.label,
-               text_of(plane.spacing_m).c_str(), text_of(plane.max_edge_m).c_str());
+      task.log(Task::kDebug, "plane %u: points %s m apart, gaps up to %s m are surface",
+               plane.label, text_of(plane.spacing_m).c_str(), text_of(plane.max_edge_m).c_str());
   return out;
 }
 

@@ -17,6 +17,7 @@ namespace jalon {
 /// After: faces are simple polygons with their openings inside and apart, the largest first. The
 /// same bits for any number of threads. Time follows the points and the length of the contours:
 /// O(n) + 2 us a contour point.
-std::vector<VectorPlane> vectorise(const Segmentation& segmentation, const VectoriseSetting& setting, Task& task);
+std::vector<VectorPlane> vectorise(const Segmentation& segmentation,
+                                   const VectoriseSetting& setting, Task& task);
 
 }  // namespace jalon

@@ -23,10 +23,12 @@ struct Plate {
 
 Comparison comparison_of(const Plate& plate, const Vec3& shift = {}) {
   Buffer<double> xyz(plate.xyz.size());
-  for (size_t i = 0; i < plate.xyz.size(); ++i) xyz.data()[i] = plate.xyz[i] + shift[static_cast<int>(i % 3)];
+  for (size_t i = 0; i < plate.xyz.size(); ++i)
+    xyz.data()[i] = plate.xyz[i] + shift[static_cast<int>(i % 3)];
   Comparison made;
   made.cloud = std::make_shared<const Cloud>(make_cloud(std::move(xyz)));
-  made.points.set(make_column<double>({"distance", ElementType::kFloat64, 1, "m", ""}, plate.distance));
+  made.points.set(
+      make_column<double>({"distance", ElementType::kFloat64, 1, "m", ""}, plate.distance));
   return made;
 }
 
@@ -36,7 +38,7 @@ Plate two_squares(uint64_t seed) {
   Plate plate;
   for (int i = 0; i < 100000; ++i) {
     const double x = 10 * random.uniform(), y = 10 * random.uniform();
-    const bool small = x > 1 && x < 2 && y > 1 && y < 2, large = x > 5 && x < 7 && y > 5 && y < 7;
+    const bool small = x > 1 && x < 2 && y > 1 && y<2, large = x> 5 && x < 7 && y > 5 && y < 7;
     const double d = small ? -0.1 : large ? 0.3 : 0.004;
     plate.add(x, y, d, d);
   }
@@ -74,7 +76,9 @@ Comparison compared(Height height, uint64_t seed, CloudPtr& reference) {
   return compare_distance(reference, terrain(height, seed + 1), settings, task);
 }
 double heap(double x, double y) { return std::max(0.0, 1 - std::hypot(x - 5, y - 6) / 3); }
-double pit(double x, double y) { return -0.8 * std::max(0.0, 1 - (std::pow(x - 14, 2) + std::pow(y - 6, 2)) / 9); }
+double pit(double x, double y) {
+  return -0.8 * std::max(0.0, 1 - (std::pow(x - 14, 2) + std::pow(y - 6, 2)) / 9);
+}
 double slab(double x, double y) { return x > 6 && x < 12 && y > 3 && y < 8 ? 0.1 : 0; }
 
 // A box of 1 x 1 x 2 m on a floor of 5 x 5 m, all but its underside, 5000 points a m2.
@@ -108,23 +112,27 @@ TEST_CASE("regions__volumes_of_a_heap_a_pit_and_a_slab_are_right_to_three_percen
     double volume_m3;
   };
   // On a slope distances are across, and so is the height of what lies on it.
-  const Row rows[] = {{"heap", heap, std::numbers::pi * 9 / 3}, {"pit", pit, 0.8 * std::numbers::pi * 9 / 2},
+  const Row rows[] = {{"heap", heap, std::numbers::pi * 9 / 3},
+                      {"pit", pit, 0.8 * std::numbers::pi * 9 / 2},
                       {"slab", slab, 6 * 5 * 0.1}};
   for (const Row& row : rows) {
     CloudPtr reference;
     const Comparison plain = compared(row.height, 11, reference);
-    const Regions told = regions_of(plain, 2, 0.02, reference.get()), alone = regions_of(plain, 2, 0.02);
+    const Regions told = regions_of(plain, 2, 0.02, reference.get()),
+                  alone = regions_of(plain, 2, 0.02);
     REQUIRE(told.regions.size() >= 1);
     const double by_points = told.regions[0].volume_m3, by_plane = alone.regions[0].volume_m3;
-    MESSAGE("FIGURE volume of a " << std::string(row.name) << " of " << row.volume_m3 << " m3: " << by_points
-                                  << " by nearest points, " << by_plane << " by its plane");
+    MESSAGE("FIGURE volume of a " << std::string(row.name) << " of " << row.volume_m3
+                                  << " m3: " << by_points << " by nearest points, " << by_plane
+                                  << " by its plane");
     CHECK(std::abs(by_points / row.volume_m3 - 1) < 0.03);  // at steps the discs lean
     CHECK(std::abs(by_plane / row.volume_m3 - 1) < 0.015);
   }
 }
 
 TEST_CASE("regions__volume_of_a_standing_box_is_that_below_its_top") {
-  const Comparison before = comparison_of(standing_box(false)), after = comparison_of(standing_box(true));
+  const Comparison before = comparison_of(standing_box(false)),
+                   after = comparison_of(standing_box(true));
   Task task;
   const Comparison made = compare_distance(before.cloud, after.cloud, {}, task);
   const Regions found = regions_of(made, 1, 0.05, before.cloud.get());
@@ -136,7 +144,8 @@ TEST_CASE("regions__volume_of_a_standing_box_is_that_below_its_top") {
 TEST_CASE("regions__finds_two_lifted_squares_with_area_distance_and_box") {
   const Regions found = regions_of(comparison_of(two_squares(1)));
   REQUIRE(found.regions.size() == 2);
-  MESSAGE("FIGURE areas of squares of 4 and 1 m2: " << found.regions[0].area_m2 << ", " << found.regions[1].area_m2);
+  MESSAGE("FIGURE areas of squares of 4 and 1 m2: " << found.regions[0].area_m2 << ", "
+                                                    << found.regions[1].area_m2);
   CHECK(found.regions[0].area_m2 == doctest::Approx(4).epsilon(0.03).scale(0));
   CHECK(found.regions[1].area_m2 == doctest::Approx(1).epsilon(0.05).scale(0));
   CHECK(found.regions[0].mean_m == doctest::Approx(0.3));

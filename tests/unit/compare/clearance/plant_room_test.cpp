@@ -20,7 +20,8 @@ TEST_CASE("chi_square__plant_room__every_removed_pipe_found_and_no_more_false_al
   // The user's sample: walls and things of the noisier third, where the noise is at its worst.
   std::vector<double> sample;
   for (size_t i = 0; i < distances.size(); ++i)
-    if (room.removed[i] == 0 && room.cloud.point(i).x > 8 && room.truth[i] < 0.001) sample.push_back(distances[i]);
+    if (room.removed[i] == 0 && room.cloud.point(i).x > 8 && room.truth[i] < 0.001)
+      sample.push_back(distances[i]);
   const NoiseLaw law = fit_noise_law(sample, NoiseLawSettings{}, task);
   ChiSquareSettings set;
   const double margin = set.error_margin;
@@ -38,7 +39,8 @@ TEST_CASE("chi_square__plant_room__every_removed_pipe_found_and_no_more_false_al
   const auto order = tree->order();
   for_each_neighbourhood<int>(*tree, 36, 0, task, [&](const Neighbourhood& around, int&) {
     bool all = true;
-    for (const uint32_t j : around.neighbours) all = all && room.removed[order[j]] == 0 && room.truth[order[j]] < 0.001;
+    for (const uint32_t j : around.neighbours)
+      all = all && room.removed[order[j]] == 0 && room.truth[order[j]] < 0.001;
     pure[order[around.point]] = all;
   });
   uint64_t false_alarms = 0, unchanged = 0, facets = 0, borders = 0, planted[7] = {}, hits[7] = {};
@@ -51,17 +53,21 @@ TEST_CASE("chi_square__plant_room__every_removed_pipe_found_and_no_more_false_al
       ++unchanged;
       false_alarms += label[i] != 0;
     } else {
-      (room.truth[i] > 0.001 ? facets : borders) += label[i] != 0;  // facets are true deviations from the model
+      (room.truth[i] > 0.001 ? facets : borders) +=
+          label[i] != 0;  // facets are true deviations from the model
     }
   }
   const double rate = static_cast<double>(false_alarms) / static_cast<double>(unchanged);
-  MESSAGE("FIGURE S4, ", distances.size(), " points, law a = ", law.shape, ", b = ", 1000 * law.scale, " mm: ", count,
-          " components, false alarms ", 100 * rate, " % of the neighbourhoods without change (nominal ", 100 * margin,
-          " %); beside them ", facets, " points on facets that are off and ", borders, " at borders of changes");
+  MESSAGE("FIGURE S4, ", distances.size(), " points, law a = ", law.shape,
+          ", b = ", 1000 * law.scale, " mm: ", count, " components, false alarms ", 100 * rate,
+          " % of the neighbourhoods without change (nominal ", 100 * margin, " %); beside them ",
+          facets, " points on facets that are off and ", borders, " at borders of changes");
   for (int k = 1; k <= 6; ++k)
-    MESSAGE("FIGURE S4, ", k < 6 ? std::string("removed pipe ") + std::to_string(k) : std::string("shifted pipe"), ": ",
-            hits[k], " of ", planted[k], " points");
-  for (int k = 1; k <= 5; ++k) CHECK(static_cast<double>(hits[k]) > 0.8 * static_cast<double>(planted[k]));
+    MESSAGE("FIGURE S4, ",
+            k < 6 ? std::string("removed pipe ") + std::to_string(k) : std::string("shifted pipe"),
+            ": ", hits[k], " of ", planted[k], " points");
+  for (int k = 1; k <= 5; ++k)
+    CHECK(static_cast<double>(hits[k]) > 0.8 * static_cast<double>(planted[k]));
   CHECK(static_cast<double>(hits[6]) > 0.5 * static_cast<double>(planted[6]));
   CHECK(rate <= margin);
 }

@@ -15,13 +15,15 @@ namespace {
 
 double distance_by_force(const Cloud& reference, const Vec3& p) {
   double least = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < reference.size(); ++i) least = std::min(least, squared_norm(reference.point(i) - p));
+  for (size_t i = 0; i < reference.size(); ++i)
+    least = std::min(least, squared_norm(reference.point(i) - p));
   return std::sqrt(least);
 }
 
 double largest_by_force(const Cloud& from, const Cloud& to) {
   double largest = 0;
-  for (size_t i = 0; i < from.size(); ++i) largest = std::max(largest, distance_by_force(to, from.point(i)));
+  for (size_t i = 0; i < from.size(); ++i)
+    largest = std::max(largest, distance_by_force(to, from.point(i)));
   return largest;
 }
 
@@ -48,7 +50,8 @@ TEST_CASE("distance__equals_brute_force_and_its_differences_add_up_to_it") {
       continue;
     }
     REQUIRE(distance[i] == doctest::Approx(expected).epsilon(1e-12));
-    const Vec3 d{made.points.require("difference_x").number(i), made.points.require("difference_y").number(i),
+    const Vec3 d{made.points.require("difference_x").number(i),
+                 made.points.require("difference_y").number(i),
                  made.points.require("difference_z").number(i)};
     REQUIRE(d == other->point(i) - reference->point(nearest[i]));
     REQUIRE(norm(d) == doctest::Approx(distance[i]).epsilon(1e-12));
@@ -58,15 +61,18 @@ TEST_CASE("distance__equals_brute_force_and_its_differences_add_up_to_it") {
 }
 
 TEST_CASE("distance__hausdorff_distances_equal_brute_force_whatever_the_greatest_distance") {
-  const auto reference = cloud_of(random_square(1500, 10, 0, 3)), other = cloud_of(random_square(900, 8, 2, 4));
+  const auto reference = cloud_of(random_square(1500, 10, 0, 3)),
+             other = cloud_of(random_square(900, 8, 2, 4));
   DistanceSettings settings;
   settings.hausdorff = true;
   settings.max_distance_m = 1;
   const Comparison made = compared(reference, other, settings);
-  const double forward = largest_by_force(*other, *reference), reverse = largest_by_force(*reference, *other);
+  const double forward = largest_by_force(*other, *reference),
+               reverse = largest_by_force(*reference, *other);
   CHECK(summary(made, "hausdorff_forward") == doctest::Approx(forward).epsilon(1e-12));
   CHECK(summary(made, "hausdorff_reverse") == doctest::Approx(reverse).epsilon(1e-12));
-  CHECK(summary(made, "hausdorff") == std::max(summary(made, "hausdorff_forward"), summary(made, "hausdorff_reverse")));
+  CHECK(summary(made, "hausdorff") ==
+        std::max(summary(made, "hausdorff_forward"), summary(made, "hausdorff_reverse")));
 }
 
 // Spec 9 (6) and T1: two random samplings of one square of 100 mm; queries away from its border.
@@ -97,8 +103,9 @@ TEST_CASE("distance__sampling_error_on_a_plane_follows_the_theory_and_is_predict
       predicted += summary(made, "sampling_rms") / row.runs;
     }
     const double rms = std::sqrt(squares / count), mean = roots / count;
-    MESSAGE("FIGURE S1 N = ", row.reference, ": RMS ", 1000 * rms, " mm, theory ", 1000 * theory, ", ratio ",
-            rms / theory, "; mean ratio ", mean * 2 * std::sqrt(lambda), "; predicted ratio ", predicted / theory);
+    MESSAGE("FIGURE S1 N = ", row.reference, ": RMS ", 1000 * rms, " mm, theory ", 1000 * theory,
+            ", ratio ", rms / theory, "; mean ratio ", mean * 2 * std::sqrt(lambda),
+            "; predicted ratio ", predicted / theory);
     CHECK(std::fabs(rms / theory - 1) < 0.01);
     CHECK(std::fabs(mean * 2 * std::sqrt(lambda) - 1) < 0.01);
     CHECK(std::fabs(predicted / theory - 1) < 0.01);
@@ -112,8 +119,12 @@ TEST_CASE("distance__one_point_equal_points_and_empty_overlap_have_a_value_or_a_
   DistanceSettings settings;
   settings.sampling_error = true;
   settings.hausdorff = true;
-  for (const auto& [reference, other] : {std::pair{one, square}, {square, one}, {one, one}, {cloud_of(equal), square},
-                                         {square, cloud_of(equal)}, {cloud_of(equal), cloud_of(equal)}}) {
+  for (const auto& [reference, other] : {std::pair{one, square},
+                                         {square, one},
+                                         {one, one},
+                                         {cloud_of(equal), square},
+                                         {square, cloud_of(equal)},
+                                         {cloud_of(equal), cloud_of(equal)}}) {
     const Comparison made = compared(reference, other, settings);
     CHECK(summary(made, "compared") == static_cast<double>(other->size()));
     CHECK(summary(made, "hausdorff") == summary(compared(other, reference, settings), "hausdorff"));

@@ -34,7 +34,9 @@ DistanceSettings with_model(LocalModelKind model, uint32_t k = 0, double radius_
   return settings;
 }
 
-std::span<const double> distances(const Comparison& made) { return made.points.require("distance").values<double>(); }
+std::span<const double> distances(const Comparison& made) {
+  return made.points.require("distance").values<double>();
+}
 
 // Points of a square inside a margin, at a height.
 std::vector<double> inner(size_t n, double side, double margin, double height, uint64_t seed) {
@@ -120,7 +122,8 @@ TEST_CASE("local_model__is_never_worse_than_the_nearest_point_and_its_foot_is_co
         const Comparison made = compared(reference, other, settings);
         for (size_t i = 0; i < other->size(); ++i) {
           REQUIRE(distances(made)[i] <= distances(plain)[i]);
-          const Vec3 d{made.points.require("difference_x").number(i), made.points.require("difference_y").number(i),
+          const Vec3 d{made.points.require("difference_x").number(i),
+                       made.points.require("difference_y").number(i),
                        made.points.require("difference_z").number(i)};
           REQUIRE(norm(d) == doctest::Approx(distances(made)[i]).epsilon(1e-12));
         }
@@ -137,7 +140,8 @@ TEST_CASE("local_model__does_not_continue_a_surface_beyond_its_points") {
   for (const LocalModelKind model : kModels)
     for (const double radius : {0.0, 0.05, 0.2}) {
       const Comparison made = compared(reference, other, with_model(model, 0, radius));
-      for (size_t i = 0; i < other->size(); ++i) REQUIRE(distances(made)[i] > 0.9 * distances(plain)[i]);
+      for (size_t i = 0; i < other->size(); ++i)
+        REQUIRE(distances(made)[i] > 0.9 * distances(plain)[i]);
     }
 }
 
@@ -146,7 +150,8 @@ TEST_CASE("local_model__falls_back_on_few_points_lines_and_duplicates") {
   for (int i = 0; i < 50; ++i) line.insert(line.end(), {0.1 * i, 0, 0});
   for (int i = 0; i < 300; ++i) equal.insert(equal.end(), {0.1, 0.2, 0.3});
   const auto other = cloud_of(random_square(200, 1, 0.2, 5));
-  for (const auto& reference : {cloud_of({0, 0, 0}), cloud_of({0, 0, 0, 1, 0, 0}), cloud_of(line), cloud_of(equal)}) {
+  for (const auto& reference :
+       {cloud_of({0, 0, 0}), cloud_of({0, 0, 0, 1, 0, 0}), cloud_of(line), cloud_of(equal)}) {
     const Comparison plain = compared(reference, other);
     for (const LocalModelKind model : kModels)
       for (const double radius : {0.0, 0.5}) {
@@ -159,12 +164,14 @@ TEST_CASE("local_model__falls_back_on_few_points_lines_and_duplicates") {
 
 TEST_CASE("local_model__does_not_depend_on_order_threads_or_a_shift_by_whole_metres") {
   const auto snapped = [](std::vector<double> xyz, const Vec3& by) {
-    for (size_t i = 0; i < xyz.size(); ++i) xyz[i] = std::round(xyz[i] * 1024) / 1024 + by[static_cast<int>(i % 3)];
+    for (size_t i = 0; i < xyz.size(); ++i)
+      xyz[i] = std::round(xyz[i] * 1024) / 1024 + by[static_cast<int>(i % 3)];
     return xyz;
   };
   const auto reversed = [](const std::vector<double>& xyz) {
     std::vector<double> out;
-    for (size_t i = xyz.size(); i != 0; i -= 3) out.insert(out.end(), {xyz[i - 3], xyz[i - 2], xyz[i - 1]});
+    for (size_t i = xyz.size(); i != 0; i -= 3)
+      out.insert(out.end(), {xyz[i - 3], xyz[i - 2], xyz[i - 1]});
     return out;
   };
   const auto a = random_square(8000, 10, 0, 7, 0.1), b = random_square(6000, 10, 0.1, 8, 0.1);
@@ -181,7 +188,8 @@ TEST_CASE("local_model__does_not_depend_on_order_threads_or_a_shift_by_whole_met
       CHECK(std::ranges::equal(expected, distances(far)));
       const Comparison back =
           compared(cloud_of(snapped(a, {})), cloud_of(reversed(snapped(b, {}))), settings);
-      for (size_t i = 0; i < expected.size(); ++i) REQUIRE(distances(back)[expected.size() - 1 - i] == expected[i]);
+      for (size_t i = 0; i < expected.size(); ++i)
+        REQUIRE(distances(back)[expected.size() - 1 - i] == expected[i]);
     }
 }
 
@@ -195,7 +203,8 @@ TEST_CASE("local_model__finds_the_same_for_few_compared_points") {
       const DistanceSettings settings = with_model(model, 0, radius);
       const Comparison many = compared(reference, other, settings),
                        some = compared(reference, few, settings);
-      for (size_t i = 0; i < 1000; ++i) REQUIRE(std::fabs(distances(many)[i] - distances(some)[i]) < 1e-7);
+      for (size_t i = 0; i < 1000; ++i)
+        REQUIRE(std::fabs(distances(many)[i] - distances(some)[i]) < 1e-7);
     }
 }
 
@@ -203,7 +212,8 @@ TEST_CASE("nearest_groups__hold_each_query_under_its_reference_point_in_order") 
   RandomStream random(1, 0);
   for (const size_t references : {size_t{1}, size_t{255}, size_t{5000}, size_t{2000000}}) {
     std::vector<uint32_t> nearest(20000);
-    for (uint32_t& p : nearest) p = random.below(10) == 0 ? kNoPoint : static_cast<uint32_t>(random.below(references));
+    for (uint32_t& p : nearest)
+      p = random.below(10) == 0 ? kNoPoint : static_cast<uint32_t>(random.below(references));
     Task task;
     const NearestGroups groups(nearest, references, task);
     size_t seen = 0;

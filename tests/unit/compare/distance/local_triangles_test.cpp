@@ -33,7 +33,8 @@ Patch patch(size_t n, double noise, uint64_t seed) {
   for (Vec3& p : out.points) p -= centre;
   while (out.queries.size() < 5) {
     const Vec3 q = place() * 1.1 - centre;
-    const bool nearest = std::ranges::all_of(out.points, [&](const Vec3& p) { return norm(q) <= norm(q - p); });
+    const bool nearest =
+        std::ranges::all_of(out.points, [&](const Vec3& p) { return norm(q) <= norm(q - p); });
     if (nearest) out.queries.push_back(q);
   }
   return out;
@@ -46,9 +47,10 @@ double slow_distance(const Patch& patch, const Vec3& query, double limit) {
   const auto vector_of = [](const Vec3& p) { return Vector<double>{p.x, p.y, p.z}; };
   double least = limit * limit;
   for (const auto& t : delaunay(flat, 0x1p-24))
-    least = std::min(least, closest_on_triangle(vector_of(query), vector_of(patch.points[t[0]]),
-                                                vector_of(patch.points[t[1]]), vector_of(patch.points[t[2]]))
-                                .squared);
+    least = std::min(
+        least, closest_on_triangle(vector_of(query), vector_of(patch.points[t[0]]),
+                                   vector_of(patch.points[t[1]]), vector_of(patch.points[t[2]]))
+                   .squared);
   return std::sqrt(least);
 }
 
@@ -67,7 +69,8 @@ TEST_CASE("local_triangles__give_the_distance_from_all_triangles_though_few_are_
       for (const Vec3& q : here.queries) {
         Vec3 foot, alone;
         const bool found = reused.foot(q, norm(q), foot);
-        const double distance = found ? norm(q - foot) : norm(q), slow = slow_distance(here, q, norm(q));
+        const double distance = found ? norm(q - foot) : norm(q),
+                     slow = slow_distance(here, q, norm(q));
         REQUIRE(std::fabs(distance - slow) < 1e-12);
         // Whatever was asked for before.
         LocalTriangles fresh;

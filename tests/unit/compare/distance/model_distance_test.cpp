@@ -35,7 +35,9 @@ std::vector<double> distances(const Comparison& made) {
   return {values.begin(), values.end()};
 }
 
-double cell(const Comparison& made, const char* column, size_t row) { return made.points.require(column).number(row); }
+double cell(const Comparison& made, const char* column, size_t row) {
+  return made.points.require(column).number(row);
+}
 
 /// A wall of 10 x 3 m in the plane y = 0 that looks to -y, with a window of 2 x 1 m whose head is a half circle, and
 /// the pane 0.2 m behind it as a part of its own.
@@ -69,10 +71,13 @@ TEST_CASE("model_distance__is_signed_names_face_and_part_and_sees_through_openin
   const std::vector<double> d = distances(made);
   CHECK(d[0] == 0.25);
   CHECK(d[1] == -0.5);
-  CHECK(d[2] == doctest::Approx(std::hypot(0.3, 0.2)).epsilon(1e-14));  // the sill; the pane is 0.5 m behind
-  CHECK(d[3] == doctest::Approx(0.1).epsilon(1e-14));                   // before the pane
+  CHECK(
+      d[2] ==
+      doctest::Approx(std::hypot(0.3, 0.2)).epsilon(1e-14));  // the sill; the pane is 0.5 m behind
+  CHECK(d[3] == doctest::Approx(0.1).epsilon(1e-14));         // before the pane
   CHECK(d[4] == 2);
-  CHECK(d[5] == doctest::Approx(2).epsilon(1e-7).scale(0));  // at the crown of the arc, which is chords
+  CHECK(d[5] ==
+        doctest::Approx(2).epsilon(1e-7).scale(0));  // at the crown of the arc, which is chords
   CHECK(cell(made, "face", 0) == 0);
   CHECK(cell(made, "face", 3) == 1);
   CHECK(cell(made, "part", 0) == 0);
@@ -141,9 +146,11 @@ TEST_CASE("model_distance__judges_by_tolerance_in_all_and_part_by_part") {
 TEST_CASE("model_distance__counts_triangles_that_stand_for_no_face_and_not_those_that_do") {
   Model model = wall();
   const auto first = static_cast<uint32_t>(model.vertices.size());
-  model.vertices.insert(model.vertices.end(), {{0, -5, 0}, {10, -5, 0}, {0, -5, 3}, {0, 2, 0}, {10, 2, 0}, {0, 2, 3}});
+  model.vertices.insert(model.vertices.end(),
+                        {{0, -5, 0}, {10, -5, 0}, {0, -5, 3}, {0, 2, 0}, {10, 2, 0}, {0, 2, 3}});
   model.triangles = {{first, first + 1, first + 2}, {first + 3, first + 4, first + 5}};
-  model.triangle_faces = {77, 0};  // the second says that it is the first face's; it is no surface of its own
+  model.triangle_faces = {
+      77, 0};  // the second says that it is the first face's; it is no surface of its own
   const Comparison made = compared(model, {{1, -4.5, 0.5}, {1, 1.9, 0.5}});
   CHECK(cell(made, "triangle", 0) == 0);
   CHECK(cell(made, "face", 0) == kNoFace);
@@ -162,7 +169,8 @@ TEST_CASE("model_distance__same_bits_for_any_threads_and_whole_metre_shifts") {
   RandomStream random(3, 1);
   for (uint32_t t = 0; t < 20000; ++t) {
     const Vec3 a = on_grid(random, 32);
-    mesh.vertices.insert(mesh.vertices.end(), {a, a + on_grid(random, 0.5), a + on_grid(random, 0.5)});
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {a, a + on_grid(random, 0.5), a + on_grid(random, 0.5)});
     mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     mesh.triangle_faces.push_back(t);
     points.push_back(on_grid(random, 32));

@@ -23,8 +23,8 @@ CloudPtr cloud_of(const std::vector<double>& xyz, const std::vector<double>& cov
   std::copy(xyz.begin(), xyz.end(), buffer.data());
   Cloud cloud = make_cloud(std::move(buffer));
   if (!covariances.empty())
-    cloud.fields.set(
-        make_column<double>({"covariance", ElementType::kFloat64, 6, "m2", ""}, std::span(covariances)));
+    cloud.fields.set(make_column<double>({"covariance", ElementType::kFloat64, 6, "m2", ""},
+                                         std::span(covariances)));
   return std::make_shared<const Cloud>(std::move(cloud));
 }
 
@@ -38,7 +38,8 @@ Discs discs(size_t side, size_t points, uint64_t stream, Noise noise) {
   Discs out;
   for (size_t d = 0; d < side * side; ++d)
     for (size_t i = 0; i < points; ++i) {
-      const double r = 0.1499 * std::sqrt(random.uniform()), a = 6.283185307179586 * random.uniform();
+      const double r = 0.1499 * std::sqrt(random.uniform()),
+                   a = 6.283185307179586 * random.uniform();
       double variance = kNoise * kNoise;
       const double z = noise(random, variance);
       for (const double c : {static_cast<double>(d % side) + r * std::cos(a),
@@ -54,7 +55,8 @@ double share_within(const CloudPtr& reference, const CloudPtr& compared, size_t 
                     const M3c2Settings& settings) {
   std::vector<double> centres;
   for (size_t d = 0; d < side * side; ++d)
-    for (const double c : {static_cast<double>(d % side), static_cast<double>(d / side), 0.0}) centres.push_back(c);
+    for (const double c : {static_cast<double>(d % side), static_cast<double>(d / side), 0.0})
+      centres.push_back(c);
   Task task;
   const Comparison made = compare_m3c2_core(reference, compared, cloud_of(centres), settings, task);
   REQUIRE(made.summary.require("compared").number(0) == static_cast<double>(side * side));
@@ -103,11 +105,13 @@ TEST_CASE("lod__holds_for_unequal_samples_rough_noise_and_slopes") {
   };
   check("10 and 40 points", discs(side, 10, 100, normal_noise), discs(side, 40, 101, normal_noise));
   check("3 and 9 mm noise, 20 points", discs(side, 20, 102, normal_noise),
-        discs(side, 20, 103, [](RandomStream& random, double&) { return 3 * kNoise * random.normal(); }));
+        discs(side, 20, 103,
+              [](RandomStream& random, double&) { return 3 * kNoise * random.normal(); }));
   const auto rough = [](RandomStream& random, double&) { return 0.03 * random.normal(); };
   check("30 mm noise, 12 points", discs(side, 12, 104, rough), discs(side, 12, 105, rough));
   const auto even = [](RandomStream& random, double&) { return 0.02 * (random.uniform() - 0.5); };
-  check("even over 20 mm, as on a slope, 20 points", discs(side, 20, 106, even), discs(side, 20, 107, even));
+  check("even over 20 mm, as on a slope, 20 points", discs(side, 20, 106, even),
+        discs(side, 20, 107, even));
 }
 
 TEST_CASE("lod__normals_from_the_points_keep_the_false_alarms") {
@@ -146,7 +150,8 @@ TEST_CASE("lod__covariance_of_the_registration_covers_the_moves_it_allows") {
   std::vector<double> covariance(36, 0.0);
   const double sigma[] = {2e-4, 3e-4, 1e-4, 0.001, 0.002, 0.0015};
   for (size_t i = 0; i < 6; ++i) covariance[7 * i] = sigma[i] * sigma[i];
-  covariance[3] = covariance[18] = 0.5 * sigma[0] * sigma[3];  // a turn about x goes with a shift along x
+  covariance[3] = covariance[18] =
+      0.5 * sigma[0] * sigma[3];  // a turn about x goes with a shift along x
   const Vec3 centre{5, -3, 2};
   const RigidUncertainty rigid(covariance, centre);
   RandomStream random(97, 0);
@@ -157,8 +162,10 @@ TEST_CASE("lod__covariance_of_the_registration_covers_the_moves_it_allows") {
     move[3] = sigma[3] * (0.5 * move[0] / sigma[0] + std::sqrt(0.75) * random.normal());
     const Vec3 place{20 * random.uniform(), 20 * random.uniform(), 20 * random.uniform()};
     const Vec3 normal = normalized({random.normal(), random.normal(), random.normal()});
-    const Vec3 moved = cross(Vec3{move[0], move[1], move[2]}, place - centre) + Vec3{move[3], move[4], move[5]};
-    within += std::fabs(dot(moved, normal)) <= 1.959964 * std::sqrt(rigid.variance_along(place, normal));
+    const Vec3 moved =
+        cross(Vec3{move[0], move[1], move[2]}, place - centre) + Vec3{move[3], move[4], move[5]};
+    within +=
+        std::fabs(dot(moved, normal)) <= 1.959964 * std::sqrt(rigid.variance_along(place, normal));
     ++count;
   }
   const double share = static_cast<double>(within) / static_cast<double>(count);

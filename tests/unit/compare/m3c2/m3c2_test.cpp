@@ -63,7 +63,8 @@ std::vector<Vec3> pane_and_curtain(size_t n, uint64_t stream) {
   RandomStream random(20131, stream);
   std::vector<Vec3> points(n);
   for (Vec3& p : points) {
-    const double x = 4 * random.uniform(), z = 3 * random.uniform(), noise = kNoise * random.normal();
+    const double x = 4 * random.uniform(), z = 3 * random.uniform(),
+                 noise = kNoise * random.normal();
     const bool curtain = random.uniform() < 0.45;
     p = {x, curtain ? 0.3 + noise : noise, z};
     if (random.uniform() < 0.05) p.y = 2 * random.uniform() - 1;
@@ -134,7 +135,8 @@ TEST_CASE("m3c2__equals_a_slow_independent_implementation") {
       slow.median = median;
       slow.gap_m = nearest ? slow.cylinder_radius_m / 3 : 0;
       slow.registration_error_m = 0.001;
-      const auto distance = doubles(made, "distance"), lod = doubles(made, "lod"), normal = doubles(made, "normal");
+      const auto distance = doubles(made, "distance"), lod = doubles(made, "lod"),
+                 normal = doubles(made, "normal");
       double worst = 0;
       size_t count = 0;
       for (size_t i = 0; i < core.size(); ++i) {
@@ -144,11 +146,15 @@ TEST_CASE("m3c2__equals_a_slow_independent_implementation") {
         const Vec3 n{normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]};
         CHECK(norm(truth.normal - n) < 1e-9);
         ++count;
-        worst = std::max({worst, std::fabs(truth.distance_m - distance[i]), std::fabs(truth.lod_m - lod[i])});
-        CHECK(made.points.require("count_reference").number(i) == static_cast<double>(truth.count[0]));
-        CHECK(made.points.require("count_compared").number(i) == static_cast<double>(truth.count[1]));
+        worst = std::max(
+            {worst, std::fabs(truth.distance_m - distance[i]), std::fabs(truth.lod_m - lod[i])});
+        CHECK(made.points.require("count_reference").number(i) ==
+              static_cast<double>(truth.count[0]));
+        CHECK(made.points.require("count_compared").number(i) ==
+              static_cast<double>(truth.count[1]));
       }
-      MESSAGE("FIGURE worst difference of distance and level at " << count << " core points: " << worst << " m");
+      MESSAGE("FIGURE worst difference of distance and level at "
+              << count << " core points: " << worst << " m");
       CHECK(worst < 1e-9);
       CHECK(count > 250);
     }
@@ -156,7 +162,8 @@ TEST_CASE("m3c2__equals_a_slow_independent_implementation") {
 }
 
 TEST_CASE("m3c2__medians_and_surfaces_stand_outliers_and_second_surfaces_that_ruin_means") {
-  const auto reference = cloud_of(pane_and_curtain(40000, 3)), compared = cloud_of(pane_and_curtain(40000, 4));
+  const auto reference = cloud_of(pane_and_curtain(40000, 3)),
+             compared = cloud_of(pane_and_curtain(40000, 4));
   double rms[2];
   for (const bool robust : {true, false}) {
     S s;
@@ -180,8 +187,9 @@ TEST_CASE("m3c2__medians_and_surfaces_stand_outliers_and_second_surfaces_that_ru
       ++count;
     }
     rms[robust] = std::sqrt(sum / static_cast<double>(count));
-    MESSAGE("FIGURE " << (robust ? "medians of surfaces" : "means of all points") << ": RMS " << 1000 * rms[robust]
-                      << " mm at " << count << " core points where nothing moved, " << far << " of them beyond 10 mm");
+    MESSAGE("FIGURE " << (robust ? "medians of surfaces" : "means of all points") << ": RMS "
+                      << 1000 * rms[robust] << " mm at " << count
+                      << " core points where nothing moved, " << far << " of them beyond 10 mm");
     if (robust) CHECK(static_cast<double>(far) < 0.001 * static_cast<double>(count));
   }
   CHECK(rms[true] < 0.0017);
@@ -208,8 +216,10 @@ TEST_CASE("m3c2__gives_the_same_bits_for_any_number_of_threads_and_on_the_nation
   for (const ColumnPtr& column : one.points) {
     const Column& other = three.points.require(column->info().name);
     const Column& shifted = away.points.require(column->info().name);
-    CHECK_MESSAGE(std::memcmp(column->raw(), other.raw(), column->bytes()) == 0, column->info().name);
-    CHECK_MESSAGE(std::memcmp(column->raw(), shifted.raw(), column->bytes()) == 0, column->info().name);
+    CHECK_MESSAGE(std::memcmp(column->raw(), other.raw(), column->bytes()) == 0,
+                  column->info().name);
+    CHECK_MESSAGE(std::memcmp(column->raw(), shifted.raw(), column->bytes()) == 0,
+                  column->info().name);
   }
 }
 

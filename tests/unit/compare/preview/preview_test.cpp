@@ -38,12 +38,13 @@ std::vector<double> by_force(const Cloud& reference, const Cloud& compared, Meas
   const auto cell_of = [&](const Vec3& p) {
     Cell cell;
     for (int i = 0; i < 3; ++i)
-      cell[static_cast<size_t>(i)] =
-          static_cast<int64_t>(std::floor((p[i] - cube.origin[i]) / cube.edge * std::ldexp(1.0, level)));
+      cell[static_cast<size_t>(i)] = static_cast<int64_t>(
+          std::floor((p[i] - cube.origin[i]) / cube.edge * std::ldexp(1.0, level)));
     return cell;
   };
   std::map<Cell, std::vector<Vec3>> there;
-  for (size_t i = 0; i < reference.size(); ++i) there[cell_of(reference.point(i))].push_back(reference.point(i));
+  for (size_t i = 0; i < reference.size(); ++i)
+    there[cell_of(reference.point(i))].push_back(reference.point(i));
   std::map<Cell, std::vector<double>> found;
   for (size_t i = 0; i < compared.size(); ++i) {
     const Vec3 p = compared.point(i);
@@ -77,15 +78,14 @@ TEST_CASE("preview__equals_brute_force_in_each_cell_and_takes_the_least_of_the_l
         const double d = made.points.require("distance").number(i);
         least[i] = std::min(least[i], expected[i]);
         REQUIRE(made.points.require("status").number(i) == (std::isinf(expected[i]) ? 4 : 0));
-        if (std::isinf(expected[i]))
-          REQUIRE(std::isnan(d));
-        else
-          REQUIRE(std::fabs(d - expected[i]) < 1e-6);
+        if (std::isinf(expected[i])) REQUIRE(std::isnan(d));
+        else REQUIRE(std::fabs(d - expected[i]) < 1e-6);
       }
     }
     const Comparison made = previewed(reference, other, {measure, 3, 5});
     for (size_t i = 0; i < other->size(); ++i)
-      if (!std::isinf(least[i])) REQUIRE(std::fabs(made.points.require("distance").number(i) - least[i]) < 1e-6);
+      if (!std::isinf(least[i]))
+        REQUIRE(std::fabs(made.points.require("distance").number(i) - least[i]) < 1e-6);
   }
 }
 
@@ -95,17 +95,20 @@ TEST_CASE("preview__angle_of_planes_sees_a_tilt_and_no_shift") {
   for (size_t i = 0; i < tilted.size(); i += 3) tilted[i + 2] += 0.02 * (tilted[i] - 5);
   const Comparison shifted = previewed(cloud_of(flat), cloud_of(again), {Measure::kPlaneAngle, 2});
   const Comparison turned = previewed(cloud_of(flat), cloud_of(tilted), {Measure::kPlaneAngle, 1});
-  MESSAGE("FIGURE angle of planes: shifted ", shifted.summary.require("angle_maximum").number(0), " rad, tilted by ",
-          std::atan(0.02), " rad: ", turned.summary.require("angle_mean").number(0));
+  MESSAGE("FIGURE angle of planes: shifted ", shifted.summary.require("angle_maximum").number(0),
+          " rad, tilted by ", std::atan(0.02),
+          " rad: ", turned.summary.require("angle_mean").number(0));
   CHECK(shifted.summary.require("angle_maximum").number(0) < 1e-3);
   CHECK(shifted.points.find("distance") == nullptr);
   CHECK(turned.summary.require("compared").number(0) > 10000);
   CHECK(std::fabs(turned.summary.require("angle_mean").number(0) - std::atan(0.02)) < 1e-3);
 }
 
-TEST_CASE("preview__is_the_same_for_any_number_of_threads_and_after_a_shift_and_keeps_the_clouds_index") {
+TEST_CASE(
+    "preview__is_the_same_for_any_number_of_threads_and_after_a_shift_and_keeps_the_clouds_index") {
   const auto snapped = [](std::vector<double> xyz, const Vec3& by) {
-    for (size_t i = 0; i < xyz.size(); ++i) xyz[i] = std::round(xyz[i] * 1024) / 1024 + by[static_cast<int>(i % 3)];
+    for (size_t i = 0; i < xyz.size(); ++i)
+      xyz[i] = std::round(xyz[i] * 1024) / 1024 + by[static_cast<int>(i % 3)];
     return xyz;
   };
   const auto a = random_square(8000, 10, 0, 7, 0.1), b = random_square(6000, 12, 0.1, 8, 0.1);
@@ -120,7 +123,9 @@ TEST_CASE("preview__is_the_same_for_any_number_of_threads_and_after_a_shift_and_
     const Comparison far = previewed(cloud_of(snapped(a, {652000, 6861000, 130})),
                                      cloud_of(snapped(b, {652000, 6861000, 130})), settings);
     const auto same = [](double x, double y) { return x == y || (x != x && y != y); };
-    const auto values = [&](const Comparison& c) { return c.points.require(name).values<double>(); };
+    const auto values = [&](const Comparison& c) {
+      return c.points.require(name).values<double>();
+    };
     CHECK(std::ranges::equal(values(one), values(seven), same));
     CHECK(std::ranges::equal(values(one), values(far), same));
   }
@@ -128,7 +133,8 @@ TEST_CASE("preview__is_the_same_for_any_number_of_threads_and_after_a_shift_and_
 }
 
 TEST_CASE("preview__of_single_equal_and_far_points") {
-  const auto one = cloud_of({1, 2, 3}), far = cloud_of({5000, 0, 0}), square = cloud_of(random_square(200, 1, 0, 5));
+  const auto one = cloud_of({1, 2, 3}), far = cloud_of({5000, 0, 0}),
+             square = cloud_of(random_square(200, 1, 0, 5));
   for (const Measure measure : {Measure::kMean, Measure::kPlaneAngle}) {
     const PreviewSettings settings{measure};
     CHECK(previewed(one, one, settings).points.require("status").number(0) ==
@@ -141,7 +147,8 @@ TEST_CASE("preview__of_single_equal_and_far_points") {
 }
 
 TEST_CASE("closest_points__are_the_reference_points_that_are_nearest_to_some_point_each_once") {
-  const auto reference = cloud_of(random_square(3000, 10, 0, 1)), other = cloud_of(random_square(400, 12, 0.1, 2));
+  const auto reference = cloud_of(random_square(3000, 10, 0, 1)),
+             other = cloud_of(random_square(400, 12, 0.1, 2));
   DistanceSettings settings;
   settings.max_distance_m = 0.5;
   const Comparison made = compared(reference, other, settings);

@@ -54,7 +54,8 @@ double ground_with_pit(const Vec3& d) {
 auto waved_wall(double recess_m) {
   return [recess_m](const Vec3& d) {
     double r = 10;
-    for (int i = 0; i < 50; ++i) r = (10 + recess_m + 0.3 * std::sin(4 * d.x * r) * std::cos(3 * d.z * r)) / d.y;
+    for (int i = 0; i < 50; ++i)
+      r = (10 + recess_m + 0.3 * std::sin(4 * d.x * r) * std::cos(3 * d.z * r)) / d.y;
     return r;
   };
 }
@@ -70,7 +71,8 @@ TEST_CASE("recovery__a_pit_is_hidden_and_recovered_by_its_depth") {
   for (size_t i = 0; i < after.size(); ++i) {
     if (after.point(i).z > -2.3) continue;
     ++deep;
-    hidden += number(left.points, "status", i) == 1 && std::isnan(number(left.points, "distance", i));
+    hidden +=
+        number(left.points, "status", i) == 1 && std::isnan(number(left.points, "distance", i));
     if (number(made.points, "recovered", i) != 1) continue;
     ++recovered;
     CHECK(number(made.points, "status", i) == 0);
@@ -81,7 +83,8 @@ TEST_CASE("recovery__a_pit_is_hidden_and_recovered_by_its_depth") {
   CHECK(hidden == deep);
   CHECK(recovered == deep);
   CHECK(worst < 1e-9);
-  CHECK(number(made.summary, "hidden") + static_cast<double>(deep) <= number(left.summary, "hidden"));
+  CHECK(number(made.summary, "hidden") + static_cast<double>(deep) <=
+        number(left.summary, "hidden"));
 }
 
 TEST_CASE("recovery__heights_follow_any_direction_and_leave_what_has_no_surface") {
@@ -116,7 +119,8 @@ TEST_CASE("recovery__a_receded_surface_has_the_shape_of_what_hides_it_and_a_floo
     ++recovered;
     sum += number(moved.points, "distance", i);
   }
-  MESSAGE("FIGURE receded wall: recovered " << recovered << ", hidden still " << hidden << ", mean distance "
+  MESSAGE("FIGURE receded wall: recovered " << recovered << ", hidden still " << hidden
+                                            << ", mean distance "
                                             << sum / static_cast<double>(recovered));
   CHECK(recovered > 20 * hidden);
   CHECK(sum / static_cast<double>(recovered) == doctest::Approx(0.45).epsilon(0.15).scale(0));
@@ -134,7 +138,8 @@ TEST_CASE("recovery__a_receded_surface_has_the_shape_of_what_hides_it_and_a_floo
 
 TEST_CASE("recovery__a_removed_screen_makes_no_change_behind_it") {
   const auto screen = [](const Vec3& d) {
-    return d.y > 0 && std::abs(d.x / d.y) < 0.2 && std::abs(d.z / d.y) < 0.15 ? 3 / d.y : wall_at(10)(d);
+    return d.y > 0 && std::abs(d.x / d.y) < 0.2 && std::abs(d.z / d.y) < 0.15 ? 3 / d.y
+                                                                              : wall_at(10)(d);
   };
   Look look;
   look.angle_noise = 1e-4;
@@ -146,7 +151,8 @@ TEST_CASE("recovery__a_removed_screen_makes_no_change_behind_it") {
     false_all += number(all.points, "distance", i) > 0.3;
     false_seen += number(seen.points, "distance", i) > 0.3;
   }
-  MESSAGE("FIGURE changes behind a removed wall: " << false_all << " blind, " << false_seen << " with visibility");
+  MESSAGE("FIGURE changes behind a removed wall: " << false_all << " blind, " << false_seen
+                                                   << " with visibility");
   CHECK(false_all > 500);
   CHECK(false_seen == 0);
 }
@@ -165,9 +171,14 @@ TEST_CASE("recovery__all_hidden_is_a_result") {
 
 TEST_CASE("recovery__a_third_epoch_tells_what_probably_did_not_move") {
   // Epoch t has a screen before the wall; behind it a patch of the wall moves between the epochs before and after.
-  const auto screen = [](const Vec3& d) { return std::abs(d.x / d.y) < 0.2 ? 3 / d.y : wall_at(10)(d); };
-  const auto moved = [](const Vec3& d) { return std::abs(d.x / d.y) < 0.1 && d.z > 0 ? 9.5 / d.y : wall_at(10)(d); };
-  const Cloud before = lattice({}, {}, wall_at(10)), now = lattice({}, {}, screen), later = lattice({}, {}, moved);
+  const auto screen = [](const Vec3& d) {
+    return std::abs(d.x / d.y) < 0.2 ? 3 / d.y : wall_at(10)(d);
+  };
+  const auto moved = [](const Vec3& d) {
+    return std::abs(d.x / d.y) < 0.1 && d.z > 0 ? 9.5 / d.y : wall_at(10)(d);
+  };
+  const Cloud before = lattice({}, {}, wall_at(10)), now = lattice({}, {}, screen),
+              later = lattice({}, {}, moved);
   const Comparison hidden = compared(now, before, seen_by_stations());
   const Comparison across = compared(later, before, {});
   Task task;
@@ -180,7 +191,8 @@ TEST_CASE("recovery__a_third_epoch_tells_what_probably_did_not_move") {
       continue;
     }
     const Vec3 p = before.point(i);
-    const bool has_moved = std::abs(p.x) < 0.95 && p.z > 0.05, is_near = std::abs(p.x) < 1.1 && p.z > -0.1;
+    const bool has_moved = std::abs(p.x) < 0.95 && p.z > 0.05,
+               is_near = std::abs(p.x) < 1.1 && p.z > -0.1;
     same += how == 3;
     changed += how == 4;
     if (has_moved) wrong += how != 4;

@@ -53,7 +53,8 @@ TEST_CASE("visibility__arc_tangent_equals_the_librarys") {
   }
   CHECK(worst < 1e-10);
   for (const double a : {0.0, 1.0, -1.0})
-    for (const double b : {0.0, 1.0, -1.0}) CHECK(std::abs(arc_tangent2(a, b) - std::atan2(a, b)) < 1e-10);
+    for (const double b : {0.0, 1.0, -1.0})
+      CHECK(std::abs(arc_tangent2(a, b) - std::atan2(a, b)) < 1e-10);
 }
 
 TEST_CASE("visibility__steps_are_found_whatever_the_order_of_the_points") {
@@ -80,7 +81,8 @@ TEST_CASE("visibility__a_station_sees_its_own_points") {
     DepthSettings settings;
     settings.rule = rule;
     size_t lost = 0;
-    for (const uint8_t l : visibility_labels(VisibilityTest(cloud, settings, task), cloud, task)) lost += l != 0;
+    for (const uint8_t l : visibility_labels(VisibilityTest(cloud, settings, task), cloud, task))
+      lost += l != 0;
     // At the screen's edge a cell holds points of both.
     CHECK(lost <= (rule == CellRule::kFarthest ? 0 : 80));
   }
@@ -157,7 +159,8 @@ TEST_CASE("visibility__holes_are_filled_and_the_sky_is_not") {
 TEST_CASE("visibility__a_full_circle_has_neither_seam_nor_poles") {
   const double turn = 2 * std::numbers::pi;
   for (const double start : {-1.0, 0.3, 3.1}) {
-    Look look{start, start + turn - 0.01, -std::numbers::pi / 2, std::numbers::pi / 2, 0.02, 0.02, 0};
+    Look look{start, start + turn - 0.01, -std::numbers::pi / 2, std::numbers::pi / 2, 0.02, 0.02,
+              0};
     const Cloud cloud = lattice(look, {}, [](const Vec3&) { return 5.0; });
     Task task;
     const VisibilityTest test(cloud, {}, task);
@@ -192,7 +195,8 @@ TEST_CASE("visibility__the_best_of_several_stations_counts") {
   REQUIRE(both.stations.size() == 2);
   CHECK(label(front, {0, 10, 0}) == Visibility::kHidden);
   CHECK(label(both, {0, 10, 0}) == Visibility::kVisible);
-  CHECK(label(both, {0, 4, 0}) == Visibility::kHidden);   // before the second one: only hidden from the first
+  CHECK(label(both, {0, 4, 0}) ==
+        Visibility::kHidden);  // before the second one: only hidden from the first
   CHECK(label(both, {0, 11, 0}) == Visibility::kHidden);
   CHECK(label(both, {40, 5, 0}) == Visibility::kOutOfField);
 }
@@ -239,7 +243,8 @@ TEST_CASE("visibility__same_labels_for_any_threads_and_any_grid") {
   // Coordinates on a grid of 2^-13 m are exact in both places.
   const auto snapped = [](Cloud cloud) {
     Buffer<double> xyz(3 * cloud.size());
-    for (size_t i = 0; i < xyz.size(); ++i) xyz.data()[i] = std::nearbyint(cloud.xyz()[i] * 8192) / 8192;
+    for (size_t i = 0; i < xyz.size(); ++i)
+      xyz.data()[i] = std::nearbyint(cloud.xyz()[i] * 8192) / 8192;
     cloud.xyz_buffer = std::make_shared<const Buffer<double>>(std::move(xyz));
     return cloud;
   };
@@ -247,7 +252,8 @@ TEST_CASE("visibility__same_labels_for_any_threads_and_any_grid") {
   look.angle_noise = 3e-4;
   const Cloud compared = snapped(lattice(look, here, wall_at(10)));
   Task one;
-  const Cloud far_reference = transformed(reference, there, one), far = transformed(compared, there, one);
+  const Cloud far_reference = transformed(reference, there, one),
+              far = transformed(compared, there, one);
   const auto expected = visibility_labels(VisibilityTest(reference, {}, one), compared, one);
   Task::Hooks hooks;
   for (const unsigned threads : {1u, 2u, 5u}) {

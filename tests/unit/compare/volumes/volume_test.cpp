@@ -40,7 +40,8 @@ Cloud survey(bool after, uint64_t seed, size_t points = 250000, bool with_shadow
     // Twice as dense to the left, as near a scanner.
     if (x > 20 && random.uniform() < 0.5) continue;
     if (with_shadow && x > 33 && x < 36 && y > 20 && y < 24) continue;
-    const double z = ground(x, y) + (after ? pit(x, y) + heap(x, y) : 0) + kNoise_m * random.normal();
+    const double z =
+        ground(x, y) + (after ? pit(x, y) + heap(x, y) : 0) + kNoise_m * random.normal();
     out.push_back({x, y, z});
   }
   return cloud_of(out);
@@ -52,7 +53,8 @@ double of(const Volume& volume, const char* name) { return volume.summary.requir
 Model box(const Vec3& from, const Vec3& size, bool with_top = true) {
   Model model;
   for (int i = 0; i < 8; ++i)
-    model.vertices.push_back(from + Vec3{i & 1 ? size.x : 0, i & 2 ? size.y : 0, i & 4 ? size.z : 0});
+    model.vertices.push_back(from +
+                             Vec3{i & 1 ? size.x : 0, i & 2 ? size.y : 0, i & 4 ? size.z : 0});
   model.triangles = {{0, 3, 1}, {0, 2, 3}, {0, 1, 5}, {0, 5, 4}, {1, 3, 7}, {1, 7, 5},
                      {3, 2, 6}, {3, 6, 7}, {2, 0, 4}, {2, 4, 6}, {4, 5, 7}, {4, 7, 6}};
   if (!with_top) model.triangles.resize(10);
@@ -158,7 +160,8 @@ TEST_CASE("volume__along_another_direction") {
 
 TEST_CASE("volume__of_closed_meshes_is_exact_and_open_ones_are_told") {
   Task task;
-  const Model small = box({652000, 6861000, 30}, {2, 3, 4}), large = box({652000, 6861000, 30}, {3, 3, 5});
+  const Model small = box({652000, 6861000, 30}, {2, 3, 4}),
+              large = box({652000, 6861000, 30}, {3, 3, 5});
   const Volume found = volume_between(small, large, {}, task);
   CHECK(of(found, "net") == doctest::Approx(45 - 24).epsilon(1e-12));
   CHECK(of(found, "reference_volume") == doctest::Approx(24).epsilon(1e-12));
@@ -197,7 +200,8 @@ TEST_CASE("volume__same_bits_for_any_threads") {
   const Volume one = run(1), four = run(4);
   for (const FieldTable* pair : {&one.summary, &one.cells})
     for (const ColumnPtr& column : *pair) {
-      const Column& again = (pair == &one.summary ? four.summary : four.cells).require(column->info().name);
+      const Column& again =
+          (pair == &one.summary ? four.summary : four.cells).require(column->info().name);
       REQUIRE(again.bytes() == column->bytes());
       CHECK(std::memcmp(again.raw(), column->raw(), column->bytes()) == 0);
     }
@@ -227,6 +231,7 @@ TEST_CASE("model_sample__is_uniform_by_area_with_normals_and_faces") {
     }
     CHECK(cloud.fields.require("normal").number(i, faces[i] == 0 ? 2 : 0) == doctest::Approx(1));
   }
-  CHECK(std::abs(static_cast<double>(first) - 7000) < 2 * 20);  // 7 of 9 m2, to two points a triangle
-  CHECK(std::abs(static_cast<double>(left) - 2000) < 150);      // 2 of 9 m2: binomial, four sigma
+  CHECK(std::abs(static_cast<double>(first) - 7000) <
+        2 * 20);                                            // 7 of 9 m2, to two points a triangle
+  CHECK(std::abs(static_cast<double>(left) - 2000) < 150);  // 2 of 9 m2: binomial, four sigma
 }

@@ -118,7 +118,8 @@ TEST_CASE("city__a_model_comes_back_with_faces_holes_parts_and_solids") {
         CHECK(face.sigma_m == given.sigma_m);
         CHECK(dot(face.plane.normal, given.plane.normal) > 1 - 1e-8);
       }
-  MESSAGE("FIGURE city: areas of faces come back within ", worst, " m2 (chords of 1 mm, steps of 0.1 mm)");
+  MESSAGE("FIGURE city: areas of faces come back within ", worst,
+          " m2 (chords of 1 mm, steps of 0.1 mm)");
   CHECK(worst < 0.01);
 }
 
@@ -145,7 +146,8 @@ TEST_CASE("city__files_of_others_are_read_by_their_semantics") {
   REQUIRE(model.solids.size() == 1);
   std::map<std::string, int> classes;
   for (const Face& face : model.faces) ++classes[model.parts[face.part].part_class];
-  CHECK(classes == std::map<std::string, int>{{"building", 1}, {"ground", 1}, {"roof", 1}, {"wall", 2}, {"window", 1}});
+  CHECK(classes == std::map<std::string, int>{
+                       {"building", 1}, {"ground", 1}, {"roof", 1}, {"wall", 2}, {"window", 1}});
   uint32_t window = 0, building_part = 0;  // the latter has the name of its object
   for (uint32_t p = 0; p < model.parts.size(); ++p) {
     if (model.parts[p].part_class == "window") window = p;

@@ -25,12 +25,12 @@ class Inflater {
         out += static_cast<char>(s);
         continue;
       }
-      static constexpr uint32_t kLength[] = {3,  4,  5,  6,  7,  8,  9,  10, 11,  13,  15,  17,  19,  23, 27,
-                                             31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258};
-      static constexpr uint32_t kDistance[] =
-          {1,   2,   3,   4,   5,   7,    9,    13,   17,   25,   33,   49,   65,    97,    129,
-                                               193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289,
-                                                   16385, 24577};
+      static constexpr uint32_t kLength[] = {3,  4,  5,  6,   7,   8,   9,   10,  11, 13,
+                                             15, 17, 19, 23,  27,  31,  35,  43,  51, 59,
+                                             67, 83, 99, 115, 131, 163, 195, 227, 258};
+      static constexpr uint32_t kDistance[] = {
+          1,   2,   3,   4,   5,   7,    9,    13,   17,   25,   33,   49,   65,    97,    129,
+          193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577};
       const uint32_t l = s - 257;
       ok = l < 29 && at_ < bytes_.size() * 8;
       if (!ok) break;
@@ -47,7 +47,8 @@ class Inflater {
   uint32_t bits(uint32_t n) {
     uint32_t out = 0;
     for (uint32_t i = 0; i < n; ++i, ++at_)
-      if (at_ / 8 < bytes_.size()) out |= (static_cast<unsigned char>(bytes_[at_ / 8]) >> (at_ % 8) & 1u) << i;
+      if (at_ / 8 < bytes_.size())
+        out |= (static_cast<unsigned char>(bytes_[at_ / 8]) >> (at_ % 8) & 1u) << i;
     return out;
   }
   uint32_t code(uint32_t n) {
@@ -89,12 +90,13 @@ TEST_CASE("deflate: what was written comes back, noise, runs and rows") {
   RandomStream random(1, 1);
   for (int trial = 0; trial < 200; ++trial) {
     const size_t n = random.below(3000), row = 1 + random.below(700),
-        colours = 1 + random.below(trial % 3 == 0 ? 256 : 3);
+                 colours = 1 + random.below(trial % 3 == 0 ? 256 : 3);
     std::string bytes;
     while (bytes.size() < n) {
       const char value = static_cast<char>(random.below(colours));
       bytes.append(1 + random.below(400), value);
-      if (bytes.size() > row && random.uniform() < 0.5) bytes += bytes.substr(bytes.size() - row, random.below(600));
+      if (bytes.size() > row && random.uniform() < 0.5)
+        bytes += bytes.substr(bytes.size() - row, random.below(600));
     }
     CAPTURE(trial);
     CHECK(back(zlib_of(bytes, row)) == bytes);

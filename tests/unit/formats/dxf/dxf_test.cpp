@@ -31,7 +31,8 @@ Groups groups_of(const std::string& text) {
   for (size_t at = 0; at < text.size();) {
     const size_t code_end = text.find('\n', at), value_end = text.find('\n', code_end + 1);
     REQUIRE(value_end != std::string::npos);
-    out.push_back({std::atoi(text.c_str() + at), text.substr(code_end + 1, value_end - code_end - 1)});
+    out.push_back(
+        {std::atoi(text.c_str() + at), text.substr(code_end + 1, value_end - code_end - 1)});
     at = value_end + 1;
   }
   return out;
@@ -169,7 +170,8 @@ TEST_CASE("dxf__a_layer_a_class_copies_and_missing_data_apart") {
     CHECK(count["NO_DATA"] == 1);
     CHECK(count["SILL"] == 6);
     for (const Groups& item : items_of(all, "TABLES"))
-      if (item[0].value == "LAYER") colour[find(item, 2)->value] = static_cast<int>(number(item, 62));
+      if (item[0].value == "LAYER")
+        colour[find(item, 2)->value] = static_cast<int>(number(item, 62));
     for (const auto& [layer, n] : count) CHECK(colour.contains(layer));
     CHECK(colour["WINDOW"] != colour["DOOR"]);
   }
@@ -194,7 +196,8 @@ TEST_CASE("dxf__handles_are_unique_and_every_owner_and_pointer_exists") {
   for (size_t i = 0; i < all.size(); ++i) {
     const Group& group = all[i];
     if (group.code == 330 || group.code == 340 || group.code == 350 || group.code == 390)
-      CHECK_MESSAGE((group.value == "0" || handles.contains(group.value)), group.code, " ", group.value);
+      CHECK_MESSAGE((group.value == "0" || handles.contains(group.value)), group.code, " ",
+                    group.value);
     if (group.value == "$HANDSEED") seed = std::stoull(all[i + 1].value, nullptr, 16);
   }
   CHECK(seed > largest);
@@ -245,7 +248,8 @@ TEST_CASE("dxf__elevation_is_the_facade_flattened_one_to_one") {
   CHECK(low == doctest::Approx(142.5));
   CHECK(high == doctest::Approx(150.5));
   CHECK(arcs == 5);  // two heads, the pane behind one, and the round window's two halves
-  const auto sills = std::ranges::count_if(lines, [](const Line& line) { return line.layer == "SILL"; });
+  const auto sills =
+      std::ranges::count_if(lines, [](const Line& line) { return line.layer == "SILL"; });
   CHECK(sills == 1);  // of the solid the side that is seen
 }
 
@@ -285,7 +289,8 @@ TEST_CASE("dxf__hostile_names_never_leave_their_group") {
       CHECK(group.value.size() <= 255);
       for (const char c : group.value) CHECK((c >= 0x20 && c < 0x7f));
       if (group.code == 8)
-        CHECK(group.value.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos);
+        CHECK(group.value.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+              std::string::npos);
     }
     CHECK(ends == 1);
     CHECK(lines_of(all).size() == model.rings.size());

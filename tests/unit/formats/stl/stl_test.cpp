@@ -24,7 +24,9 @@ Model there_and_back(const Model& model, const char* name, StlForm form = StlFor
 double mesh_area(const Model& model) {
   double sum = 0;
   for (const auto& t : model.triangles)
-    sum += norm(cross(model.vertices[t[1]] - model.vertices[t[0]], model.vertices[t[2]] - model.vertices[t[0]])) / 2;
+    sum += norm(cross(model.vertices[t[1]] - model.vertices[t[0]],
+                      model.vertices[t[2]] - model.vertices[t[0]])) /
+           2;
   return sum;
 }
 
@@ -52,7 +54,8 @@ TEST_CASE("stl__ascii_keeps_parts_and_binary_shared_vertices") {
   CHECK(back.parts[0].name == "wall \xC3\xA9t\xC3\xA9");
   CHECK(back.parts[5].name == "sill 1");
   Model cube;
-  for (int i = 0; i < 8; ++i) cube.vertices.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
+  for (int i = 0; i < 8; ++i)
+    cube.vertices.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
   cube.triangles = {{0, 1, 2}, {1, 3, 2}, {4, 5, 6}};
   cube.triangle_faces = {0, 0, 0};
   const Model mesh = there_and_back(cube, "b.stl");
@@ -67,7 +70,8 @@ TEST_CASE("stl__what_is_none_is_refused_with_its_place") {
     Task task;
     return failure_of([&] { read_model(folder.file("a.stl"), {}, task); }).text;
   };
-  CHECK(failure("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n").find("line 4") != std::string::npos);
+  CHECK(failure("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n").find("line 4") !=
+        std::string::npos);
   CHECK(failure("solid a\nvertex 0 0 nan\n").find("not finite") != std::string::npos);
   CHECK(failure("solid a\nvertex 0 0 0\nendloop\n").find("three vertices") != std::string::npos);
   CHECK(failure("solid a\nendsolid a\n").find("no triangles") != std::string::npos);
@@ -104,7 +108,8 @@ TEST_CASE("obj__a_model_comes_back_with_faces_holes_parts_and_solids") {
 
 TEST_CASE("obj__polygons_of_other_programs_become_faces_when_asked") {
   const Folder folder;
-  spill(folder.file("a.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\ng roof\nf 1 2 3 4\nf 1 1 2\n#: part one\nl 1 2\n");
+  spill(folder.file("a.obj"),
+        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\ng roof\nf 1 2 3 4\nf 1 1 2\n#: part one\nl 1 2\n");
   Task task;
   ReadSettings settings;
   CHECK(read_model(folder.file("a.obj"), settings, task).triangles.size() == 3);
@@ -137,7 +142,9 @@ TEST_CASE("geojson__a_feature_a_face_with_closed_rings_and_an_honest_system") {
   CHECK(json["features"][0]["geometry"]["coordinates"][0][0][0] == model.vertices[0].x);
   CHECK(!json["features"][1]["properties"].contains("depth_m"));  // not known
   model.crs = "PROJCS[\"a\",UNIT[\"US survey foot\",0.3048006096],AUTHORITY[\"EPSG\",\"2263\"]]";
-  CHECK(written()["crs"]["properties"]["name"].get<std::string>().starts_with("LOCAL_CS"));  // metres, no feet
-  model.crs = "PROJCS[\"a\",UNIT[\"metre\",1,AUTHORITY[\"EPSG\",\"9001\"]],AUTHORITY[\"EPSG\",\"25832\"]]";
+  CHECK(written()["crs"]["properties"]["name"].get<std::string>().starts_with(
+      "LOCAL_CS"));  // metres, no feet
+  model.crs =
+      "PROJCS[\"a\",UNIT[\"metre\",1,AUTHORITY[\"EPSG\",\"9001\"]],AUTHORITY[\"EPSG\",\"25832\"]]";
   CHECK(written()["crs"]["properties"]["name"] == "urn:ogc:def:crs:EPSG::25832");
 }

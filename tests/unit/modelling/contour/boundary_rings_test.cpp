@@ -21,7 +21,8 @@ Raster raster_of(const std::vector<const char*>& rows) {
   uint32_t width = 0;
   while (rows[0][width] != 0) ++width;
   for (uint32_t v = 0; v <= height; ++v)
-    for (uint32_t u = 0; u <= width; ++u) out.points.push_back({static_cast<double>(u), static_cast<double>(v)});
+    for (uint32_t u = 0; u <= width; ++u)
+      out.points.push_back({static_cast<double>(u), static_cast<double>(v)});
   for (uint32_t v = 0; v < height; ++v)
     for (uint32_t u = 0; u < width; ++u) {
       if (rows[v][u] != '#') continue;

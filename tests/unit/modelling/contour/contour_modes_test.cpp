@@ -49,7 +49,9 @@ struct Hits {
 Hits hits(const GridWall& wall, const std::vector<uint32_t>& points) {
   Hits out;
   for (const uint32_t i : points) {
-    int& count = wall.places[i] == kOuter ? out.outer : wall.places[i] == kHole ? out.hole : out.inner;
+    int& count = wall.places[i] == kOuter  ? out.outer
+                 : wall.places[i] == kHole ? out.hole
+                                           : out.inner;
     ++count;
   }
   return out;
@@ -85,7 +87,8 @@ std::vector<uint32_t> contour_points(const GridWall& wall, const Row& row) {
   Task task;
   const double size = row.spacings * kSpacing;
   const std::string rule = row.rule;
-  if (rule == "long edges") return long_edge_points(wall.band.points, all_triangles(wall.band, task), size);
+  if (rule == "long edges")
+    return long_edge_points(wall.band.points, all_triangles(wall.band, task), size);
   if (rule == "short triangles") return on_rings(wall, short_triangles(wall.band, size, task));
   return on_rings(wall, alpha_triangles(wall.band, size, 0, task));
 }
@@ -100,8 +103,9 @@ TEST_CASE("contour__hits_of_each_rule_are_those_of_the_table") {
       CAPTURE(row.rule);
       CAPTURE(row.spacings);
       CAPTURE(kJitters_m[j]);
-      MESSAGE("FIGURE " << std::string(row.rule) << " " << row.spacings << "p, jitter " << 1000 * kJitters_m[j]
-                        << " mm: " << found.outer << " / " << found.hole << " / " << found.inner);
+      MESSAGE("FIGURE " << std::string(row.rule) << " " << row.spacings << "p, jitter "
+                        << 1000 * kJitters_m[j] << " mm: " << found.outer << " / " << found.hole
+                        << " / " << found.inner);
       // Another seed than theirs: some counts more or less.
       CHECK(std::abs(found.outer - expected.outer) <= 8);
       CHECK(std::abs(found.hole - expected.hole) <= 8);

@@ -83,7 +83,8 @@ TEST_CASE("eroded: marks cells with eight marked neighbours") {
   REQUIRE(rows.keys.size() == 24);
   const std::vector<uint8_t> all(24, 1);
   const auto inner = eroded(rows, all);
-  CHECK(std::count(inner.begin(), inner.end(), 1) == 8);  // 3 x 3 without the one at the missing corner
+  CHECK(std::count(inner.begin(), inner.end(), 1) ==
+        8);  // 3 x 3 without the one at the missing corner
   CHECK(inner[rows.find(rows.key_of({1.5, 1.5}))] == 1);
   CHECK(inner[rows.find(rows.key_of({3.5, 3.5}))] == 0);
   CHECK(inner[rows.find(rows.key_of({0.5, 2.5}))] == 0);
@@ -107,8 +108,9 @@ TEST_CASE("equivalent_width: rectangles, discs and slits") {
 }
 
 TEST_CASE("plane_frame: v is up on walls, u follows the facade on floors, both right-handed") {
-  for (const Vec3 normal : {Vec3{0, -1, 0}, normalized(Vec3{0.3, -0.8, 0.1}), normalized(Vec3{1, 1, 1}), Vec3{0, 0, 1},
-                            Vec3{0, 0, -1}, normalized(Vec3{0.05, 0, 1})}) {
+  for (const Vec3 normal :
+       {Vec3{0, -1, 0}, normalized(Vec3{0.3, -0.8, 0.1}), normalized(Vec3{1, 1, 1}), Vec3{0, 0, 1},
+        Vec3{0, 0, -1}, normalized(Vec3{0.05, 0, 1})}) {
     const PlaneFrame frame = plane_frame({normal, 2.5}, {10, 20, 30}, {1, 0, 0});
     CHECK(norm(cross(frame.axis_u, frame.axis_v) - normal) < 1e-12);
     if (std::fabs(normal.z) < 0.9) {

@@ -34,13 +34,15 @@ constexpr double kPrinted = 0.00051;  // three decimals
 
 // Table 5.6: A, R, A n R; I/R, I/A, IoU.
 constexpr double kTable56[10][6] = {
-    {2.54, 2.56, 2.53, 0.988, 0.996, 0.984}, {2.52, 2.53, 2.51, 0.992, 0.996, 0.988},
-    {2.54, 2.55, 2.53, 0.992, 0.996, 0.988}, {2.58, 2.56, 2.55, 0.996, 0.988, 0.985},
-    {2.56, 2.53, 2.50, 0.988, 0.977, 0.965}, {2.47, 2.49, 2.47, 0.992, 1.000, 0.992},
-    {2.47, 2.49, 2.47, 0.992, 1.000, 0.992}, {2.24, 2.25, 2.21, 0.982, 0.987, 0.969},
+    {2.54, 2.56, 2.53, 0.988, 0.996, 0.984},    {2.52, 2.53, 2.51, 0.992, 0.996, 0.988},
+    {2.54, 2.55, 2.53, 0.992, 0.996, 0.988},    {2.58, 2.56, 2.55, 0.996, 0.988, 0.985},
+    {2.56, 2.53, 2.50, 0.988, 0.977, 0.965},    {2.47, 2.49, 2.47, 0.992, 1.000, 0.992},
+    {2.47, 2.49, 2.47, 0.992, 1.000, 0.992},    {2.24, 2.25, 2.21, 0.982, 0.987, 0.969},
     {33.46, 33.38, 32.29, 0.967, 0.965, 0.935}, {96.37, 95.99, 95.80, 0.998, 0.994, 0.992}};
 
-double number(const FieldTable& t, const char* name, size_t row = 0) { return t.require(name).number(row); }
+double number(const FieldTable& t, const char* name, size_t row = 0) {
+  return t.require(name).number(row);
+}
 
 std::vector<ComparedAreas> areas57() {
   std::vector<ComparedAreas> out;
@@ -54,10 +56,14 @@ TEST_CASE("area_indices__give_the_recomputed_columns_of_table_5_7") {
   const FieldTable rows = index_table(areas57(), IndexFormulas::kCanonical),
                    totals = index_totals_table(areas57(), {}, IndexFormulas::kCanonical);
   double worst = 0;
-  const auto near = [&](double found, double printed) { worst = std::max(worst, std::fabs(found - printed)); };
-  const char* names[] = {"completeness", "correctness", "quality", "branching", "miss", "failure", "omission"};
+  const auto near = [&](double found, double printed) {
+    worst = std::max(worst, std::fabs(found - printed));
+  };
+  const char* names[] = {"completeness", "correctness", "quality", "branching",
+                         "miss",         "failure",     "omission"};
   const auto columns = [](const Row& r) {
-    return std::array<double, 7>{r.completeness, r.correctness, r.quality, r.branching, r.miss, r.failure, r.omission};
+    return std::array<double, 7>{r.completeness, r.correctness, r.quality, r.branching,
+                                 r.miss,         r.failure,     r.omission};
   };
   for (size_t k = 0; k < 7; ++k) {
     for (size_t i = 0; i < 10; ++i) near(number(rows, names[k], i), columns(kTable57[i])[k]);

@@ -13,7 +13,8 @@ using namespace jalon;
 
 namespace {
 
-ModelEvaluation evaluated(const Model& a, const Model& r, const char* json = "{}", unsigned threads = 1) {
+ModelEvaluation evaluated(const Model& a, const Model& r, const char* json = "{}",
+                          unsigned threads = 1) {
   ParamSet params("model_evaluation", model_evaluation_rows());
   params.from_json(json);
   Task::Hooks hooks;
@@ -22,7 +23,9 @@ ModelEvaluation evaluated(const Model& a, const Model& r, const char* json = "{}
   return evaluate_model(a, r, settings_from<ModelEvaluationSettings>(params), task);
 }
 
-double total(const ModelEvaluation& e, const char* name) { return model_totals_table(e).require(name).number(0); }
+double total(const ModelEvaluation& e, const char* name) {
+  return model_totals_table(e).require(name).number(0);
+}
 
 Model scene(const char* json) {
   ParamSet params("scene", scene_rows());
@@ -34,8 +37,10 @@ Model scene(const char* json) {
 using Corners = std::vector<Vec3>;
 
 // An upright rectangle on y = depth, seen from -Y; clockwise where it is an opening.
-Corners upright(double left, double bottom, double right, double top, double depth, bool opening = false) {
-  Corners out{{left, depth, bottom}, {right, depth, bottom}, {right, depth, top}, {left, depth, top}};
+Corners upright(double left, double bottom, double right, double top, double depth,
+                bool opening = false) {
+  Corners out{
+      {left, depth, bottom}, {right, depth, bottom}, {right, depth, top}, {left, depth, top}};
   if (opening) out = {out[0], out[3], out[2], out[1]};
   return out;
 }
@@ -63,20 +68,25 @@ Model wall(double out_m, const Vec3& shift = {}) {
 }  // namespace
 
 TEST_CASE("model_evaluation__of_a_model_against_itself_gives_1_1_0_0_0") {
-  for (const char* json : {R"({"name":"facade"})", R"({"name":"arches"})", R"({"name":"lycee"})", R"({"name":"room"})",
-                           R"({"name":"facade","shift_m":[652000,6861000,120]})"}) {
+  for (const char* json :
+       {R"({"name":"facade"})", R"({"name":"arches"})", R"({"name":"lycee"})", R"({"name":"room"})",
+        R"({"name":"facade","shift_m":[652000,6861000,120]})"}) {
     const Model model = scene(json);
-    for (const char* options : {"{}", R"({"formulas":"thesis","mode":"relative"})", R"({"compare":"openings"})"}) {
+    for (const char* options :
+         {"{}", R"({"formulas":"thesis","mode":"relative"})", R"({"compare":"openings"})"}) {
       const ModelEvaluation e = evaluated(model, model, options);
       CAPTURE(json);
       CAPTURE(options);
       if (e.pairs.empty()) continue;  // a room has no openings
       CHECK(e.pairs.size() == e.reference.size());
-      for (const FacePair& pair : e.pairs) CHECK(e.automatic[pair.automatic].face == e.reference[pair.reference].face);
-      for (const char* one : {"total_completeness", "total_correctness", "total_quality", "mean_quality"})
+      for (const FacePair& pair : e.pairs)
+        CHECK(e.automatic[pair.automatic].face == e.reference[pair.reference].face);
+      for (const char* one :
+           {"total_completeness", "total_correctness", "total_quality", "mean_quality"})
         CHECK(total(e, one) == 1);
-      for (const char* zero : {"total_branching", "total_miss", "total_failure", "mean_omission", "max_distance",
-                               "unmatched_automatic", "unmatched_reference", "mean_angle"})
+      for (const char* zero :
+           {"total_branching", "total_miss", "total_failure", "mean_omission", "max_distance",
+            "unmatched_automatic", "unmatched_reference", "mean_angle"})
         CHECK(total(e, zero) == 0);
       CHECK(total(e, "mean_contour_f1") == doctest::Approx(1).epsilon(1e-12));
       CHECK(total(e, "mean_hausdorff") < 1e-9);
@@ -94,7 +104,8 @@ TEST_CASE("model_evaluation__counts_areas_contours_and_vertices_of_a_window_2_cm
   CHECK(e.pairs[1].areas.excess_m2() == doctest::Approx(wider - window).epsilon(1e-9));
   CHECK(e.pairs[1].areas.deficit_m2() == 0);
   CHECK(e.pairs[1].same_class);
-  CHECK(e.pairs[1].borders.automatic.mean_m == doctest::Approx(0.02).epsilon(0.01));  // corners are farther
+  CHECK(e.pairs[1].borders.automatic.mean_m ==
+        doctest::Approx(0.02).epsilon(0.01));  // corners are farther
   CHECK(e.pairs[1].borders.hausdorff_m == doctest::Approx(0.02 * std::sqrt(2.0)).epsilon(1e-9));
   CHECK(e.pairs[1].borders.reference.max_m == doctest::Approx(0.02).epsilon(1e-9));
   CHECK(evaluated(wall(0.021), wall(0)).pairs[1].borders.f1 < 0.02);
@@ -110,11 +121,14 @@ TEST_CASE("model_evaluation__counts_areas_contours_and_vertices_of_a_window_2_cm
 
 TEST_CASE("model_evaluation__gives_the_same_on_a_national_grid_and_with_any_threads") {
   const Vec3 far{652000, 6861000, 150};
-  const ModelEvaluation e = evaluated(wall(0.02), wall(0)), f = evaluated(wall(0.02, far), wall(0, far), "{}", 4);
+  const ModelEvaluation e = evaluated(wall(0.02), wall(0)),
+                        f = evaluated(wall(0.02, far), wall(0, far), "{}", 4);
   REQUIRE(e.pairs.size() == f.pairs.size());
   for (size_t i = 0; i < e.pairs.size(); ++i) {
-    CHECK(e.pairs[i].areas.intersection_m2 == doctest::Approx(f.pairs[i].areas.intersection_m2).epsilon(1e-4));
-    CHECK(e.pairs[i].borders.hausdorff_m == doctest::Approx(f.pairs[i].borders.hausdorff_m).epsilon(1e-6));
+    CHECK(e.pairs[i].areas.intersection_m2 ==
+          doctest::Approx(f.pairs[i].areas.intersection_m2).epsilon(1e-4));
+    CHECK(e.pairs[i].borders.hausdorff_m ==
+          doctest::Approx(f.pairs[i].borders.hausdorff_m).epsilon(1e-6));
   }
   const ModelEvaluation again = evaluated(wall(0.02, far), wall(0, far), "{}", 1);
   for (size_t i = 0; i < f.pairs.size(); ++i) {
@@ -186,10 +200,12 @@ TEST_CASE("model_evaluation__knows_arcs") {
   CHECK(e.pairs[0].areas.automatic_m2 == doctest::Approx(1.2 * 1.6 + head).epsilon(1e-3));
   CHECK(e.pairs[0].areas.deficit_m2() == doctest::Approx(0.72 - head).epsilon(1e-2));
   CHECK(e.pairs[0].areas.excess_m2() < 1e-4);
-  CHECK(e.pairs[0].borders.hausdorff_m == doctest::Approx(0.6 * std::sqrt(2.0) - 0.6).epsilon(1e-3));
+  CHECK(e.pairs[0].borders.hausdorff_m ==
+        doctest::Approx(0.6 * std::sqrt(2.0) - 0.6).epsilon(1e-3));
   // As an opening, whose ring runs the other way round.
   Model wall_round;
-  add(wall_round, "wall", {upright(-3, 0, 4, 5, 0), {{0, 0, 1}, {0, 0, 2.6}, {1.2, 0, 2.6}, {1.2, 0, 1}}});
+  add(wall_round, "wall",
+      {upright(-3, 0, 4, 5, 0), {{0, 0, 1}, {0, 0, 2.6}, {1.2, 0, 2.6}, {1.2, 0, 1}}});
   wall_round.sagittas = {0, 0, 0, 0, 0, -0.6, 0, 0};
   const ModelEvaluation o = evaluated(wall_round, wall_round, R"({"compare":"openings"})");
   REQUIRE(o.pairs.size() == 1);
@@ -242,8 +258,9 @@ TEST_CASE("vertex_deviations__give_the_recomputed_figures_of_table_5_8") {
   FieldTable t;
   add_vertex_totals(t, pairs);
   const auto mm = [&](const char* name) { return 1000 * t.require(name).number(0); };
-  MESSAGE("FIGURE table 5.8: mean D ", mm("mean_distance"), ", std ", mm("std_distance"), ", rms ", mm("rms_distance"),
-          ", rms per axis ", mm("rms_dx"), " ", mm("rms_dy"), " ", mm("rms_dz"), " mm");
+  MESSAGE("FIGURE table 5.8: mean D ", mm("mean_distance"), ", std ", mm("std_distance"), ", rms ",
+          mm("rms_distance"), ", rms per axis ", mm("rms_dx"), " ", mm("rms_dy"), " ", mm("rms_dz"),
+          " mm");
   CHECK(std::fabs(mm("mean_distance") - 40) < 0.5);
   CHECK(std::fabs(mm("std_distance") - 22) < 0.5);
   CHECK(std::fabs(mm("rms_distance") - 45) < 0.5);
@@ -259,27 +276,31 @@ TEST_CASE("model_evaluation__holds_deviations_against_the_vertices_covariances")
   const double sx = 0.004, sy = 0.002, sz = 0.006;
   Model truth, found;
   RandomStream random(11, 1);
-  for (int k = 0; k < 500; ++k)
-    add(truth, "window", {upright(3 * k, 0, 3 * k + 2, 2, 0)});
+  for (int k = 0; k < 500; ++k) add(truth, "window", {upright(3 * k, 0, 3 * k + 2, 2, 0)});
   found = truth;
-  for (Vec3& v : found.vertices) v += Vec3{sx * random.normal(), sy * random.normal(), sz * random.normal()};
+  for (Vec3& v : found.vertices)
+    v += Vec3{sx * random.normal(), sy * random.normal(), sz * random.normal()};
   CHECK(std::isnan(total(evaluated(found, truth), "within_95")));
-  found.vertex_covariances.assign(found.vertices.size(), {sx * sx, 0, 0, 0, sy * sy, 0, 0, 0, sz * sz});
+  found.vertex_covariances.assign(found.vertices.size(),
+                                  {sx * sx, 0, 0, 0, sy * sy, 0, 0, 0, sz * sz});
   const ModelEvaluation e = evaluated(found, truth);
   CHECK(e.vertices.size() == 2000);
   MESSAGE("FIGURE vertices within their 95 % ellipsoid: ", total(e, "within_95"));
   CHECK(total(e, "within_95") > 0.935);
   CHECK(total(e, "within_95") < 0.965);
   CHECK(std::isnan(normalised_deviation({1, 0, 0}, {std::nan(""), 0, 0, 0, 0, 0, 0, 0, 0})));
-  CHECK(normalised_deviation({0.02, 0, 0}, {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4}) == doctest::Approx(2));
+  CHECK(normalised_deviation({0.02, 0, 0}, {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4}) ==
+        doctest::Approx(2));
   // A flat ellipsoid: what lies in it is measured, what leaves it cannot be.
-  CHECK(normalised_deviation({0.02, 0, 0}, {1e-4, 0, 0, 0, 0, 0, 0, 0, 1e-4}) == doctest::Approx(2));
+  CHECK(normalised_deviation({0.02, 0, 0}, {1e-4, 0, 0, 0, 0, 0, 0, 0, 1e-4}) ==
+        doctest::Approx(2));
   CHECK(std::isinf(normalised_deviation({0.02, 0.001, 0}, {1e-4, 0, 0, 0, 0, 0, 0, 0, 1e-4})));
 }
 
 TEST_CASE("vertex_deviations__pair_the_nearest_first_and_one_to_one") {
   Task task;
-  const Vec3 a[] = {{0, 0, 0}, {0.1, 0, 0}, {5, 0, 0}}, r[] = {{0.08, 0, 0}, {0.2, 0, 0}, {5.2, 0, 0}};
+  const Vec3 a[] = {{0, 0, 0}, {0.1, 0, 0}, {5, 0, 0}},
+             r[] = {{0.08, 0, 0}, {0.2, 0, 0}, {5.2, 0, 0}};
   const auto pairs = homologous_vertices(a, r, 0.15, task);
   REQUIRE(pairs.size() == 1);  // a[1] with r[0]; a[0] - r[1] and a[2] - r[2] are too far apart
   CHECK(pairs[0].automatic == 1);

@@ -15,7 +15,9 @@ using namespace facades;
 namespace {
 
 // Coordinates that a shift by whole metres leaves exact.
-Vec3 grid_point(double x, double y, double z) { return {walls::snapped(x), walls::snapped(y), walls::snapped(z)}; }
+Vec3 grid_point(double x, double y, double z) {
+  return {walls::snapped(x), walls::snapped(y), walls::snapped(z)};
+}
 
 // A wall of 14 x 7 m with two rows of five windows, panes 20 cm behind, as one eye sees them past a screen that hides
 // one window whole.
@@ -23,7 +25,8 @@ Segmentation seen_past_a_screen(const Vec3& shift) {
   const Vec3 eye{7, -9, 3};
   std::vector<walls::Rectangle> windows;
   for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < 2; ++j) windows.push_back({1 + 2.7 * i, 1 + 3.0 * j, 2.1 + 2.7 * i, 2.6 + 3.0 * j});
+    for (int j = 0; j < 2; ++j)
+      windows.push_back({1 + 2.7 * i, 1 + 3.0 * j, 2.1 + 2.7 * i, 2.6 + 3.0 * j});
   // In the plane y = -3.5, between the eye and the fourth window of the upper row.
   const walls::Rectangle screen{8.13, 3.46, 9.11, 4.74};
   const auto sees = [&](const Vec3& p) {
@@ -31,7 +34,8 @@ Segmentation seen_past_a_screen(const Vec3& shift) {
     return !screen.contains(q.x, q.z);
   };
   const auto window_at = [&](double x, double z) {
-    return std::any_of(windows.begin(), windows.end(), [&](const auto& w) { return w.contains(x, z); });
+    return std::any_of(windows.begin(), windows.end(),
+                       [&](const auto& w) { return w.contains(x, z); });
   };
   std::vector<Vec3> wall, pane, front;
   RandomStream random(5, 1);
@@ -41,7 +45,8 @@ Segmentation seen_past_a_screen(const Vec3& shift) {
       const Vec3 p = grid_point(x, 0.002 * random.normal(), z), q = grid_point(x, 0.2, z);
       const Vec3 crossing = eye + (q - eye) * (-eye.y / (q.y - eye.y));
       if (!window_at(x, z) && sees(p)) wall.push_back(p + shift);
-      if (window_at(x, z) && window_at(crossing.x, crossing.z) && sees(q)) pane.push_back(q + shift);
+      if (window_at(x, z) && window_at(crossing.x, crossing.z) && sees(q))
+        pane.push_back(q + shift);
       if (screen.contains(x, z)) front.push_back(grid_point(x, -3.5, z) + shift);
     }
   Segmentation out = walls::segmentation_of({wall, pane, front});
@@ -62,7 +67,9 @@ void check_sound(const Model& model) {
 
 }  // namespace
 
-TEST_CASE("facade: a hidden window of a regular grid is completed and marked, and its veto closes the wall") {
+TEST_CASE(
+    "facade: a hidden window of a regular grid is completed and marked, and its veto closes the "
+    "wall") {
   const Segmentation segmentation = seen_past_a_screen({});
   for (const char* options : {"{}", "{\"solids\": true}"}) {
     const Model model = facade_of(segmentation, options);
@@ -85,8 +92,10 @@ TEST_CASE("facade: a hidden window of a regular grid is completed and marked, an
     check_sound(less);
     CHECK(parts_of(less, "window").size() == 9);
     double before = 0, after = 0;
-    for (const Face& face : model.faces) before += model.parts[face.part].part_class == "wall" ? face.area_m2 : 0;
-    for (const Face& face : less.faces) after += less.parts[face.part].part_class == "wall" ? face.area_m2 : 0;
+    for (const Face& face : model.faces)
+      before += model.parts[face.part].part_class == "wall" ? face.area_m2 : 0;
+    for (const Face& face : less.faces)
+      after += less.parts[face.part].part_class == "wall" ? face.area_m2 : 0;
     const double window_m2 = (box.max.x - box.min.x) * (box.max.z - box.min.z);
     CHECK(std::fabs(after - before - window_m2 * (model.solids.empty() ? 1 : 2)) < 1e-6);
   }
@@ -95,15 +104,16 @@ TEST_CASE("facade: a hidden window of a regular grid is completed and marked, an
 
 TEST_CASE("facade: a national grid moves the model and changes nothing else") {
   const Vec3 shift{652000, 6861000, 128};
-  const Model here = facade_of(seen_past_a_screen({})), there = facade_of(seen_past_a_screen(shift));
+  const Model here = facade_of(seen_past_a_screen({})),
+              there = facade_of(seen_past_a_screen(shift));
   REQUIRE(here.vertices.size() == there.vertices.size());
   REQUIRE(here.parts.size() == there.parts.size());
   double worst = 0, bent = 0;
   for (size_t i = 0; i < here.vertices.size(); ++i)
     worst = std::max(worst, norm(there.vertices[i] - shift - here.vertices[i]));
   for (const Face& face : there.faces) bent = std::max(bent, checks::flatness(there, face));
-  MESSAGE("FIGURE facade on a national grid: vertices within " << 1e9 * worst << " nm, faces plane within "
-                                                               << 1e9 * bent << " nm");
+  MESSAGE("FIGURE facade on a national grid: vertices within "
+          << 1e9 * worst << " nm, faces plane within " << 1e9 * bent << " nm");
   CHECK(worst < 2e-9);  // rounding of the vertices themselves ...
   CHECK(bent < 1e-9);   // ... and of those of one face
 }

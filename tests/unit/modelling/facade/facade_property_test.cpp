@@ -29,7 +29,8 @@ struct Tally {
       note(checks::solid_fault(model, solid), model.parts[solid.part].name);
     }
     for (const Part& part : model.parts)
-      openings += part.part_class == "window" || part.part_class == "door" || part.part_class == "opening";
+      openings +=
+          part.part_class == "window" || part.part_class == "door" || part.part_class == "opening";
   }
   void note(const std::string& fault, const std::string& where) {
     if (fault.empty()) return;
@@ -50,7 +51,9 @@ Model assembled(RandomFacade& facade, const AssemblySetting& setting, size_t& sh
 
 }  // namespace
 
-TEST_CASE("facade: of 1000 random facades all faces are plane, no ring meets itself, all solids are closed") {
+TEST_CASE(
+    "facade: of 1000 random facades all faces are plane, no ring meets itself, all solids are "
+    "closed") {
   const uint64_t count = std::getenv("JALON_SANITIZED") != nullptr ? 60 : 1000;
   Tally tally;
   size_t shared = 0;
@@ -60,11 +63,13 @@ TEST_CASE("facade: of 1000 random facades all faces are plane, no ring meets its
     const Model model = assembled(facade, kinds[seed % 3], shared);
     const size_t before = tally.faults;
     tally.add(model);
-    if (tally.faults > before && before == 0) MESSAGE("facade " << seed << ": " << tally.first_fault);
+    if (tally.faults > before && before == 0)
+      MESSAGE("facade " << seed << ": " << tally.first_fault);
   }
-  MESSAGE("FIGURE random facades: " << count << ", " << tally.faces << " faces, " << tally.openings << " openings, "
-                                    << tally.solids << " solids, " << tally.faults << " faults, out of plane at most "
-                                    << 1e12 * tally.flatness_m << " pm, " << shared << " vertices of several planes");
+  MESSAGE("FIGURE random facades: " << count << ", " << tally.faces << " faces, " << tally.openings
+                                    << " openings, " << tally.solids << " solids, " << tally.faults
+                                    << " faults, out of plane at most " << 1e12 * tally.flatness_m
+                                    << " pm, " << shared << " vertices of several planes");
   CHECK(shared > count);
   CHECK(tally.faults == 0);
   CHECK(tally.flatness_m < 1e-9);
@@ -84,18 +89,20 @@ TEST_CASE("facade: corners carry the covariance of their edges and planes") {
       if (model.parts[face.part].part_class != "wall") continue;
       const Vec3 level = normalized(cross({0, 0, 1}, face.plane.normal));
       for (uint64_t r = face.first_ring + 1; r < face.first_ring + face.ring_count; ++r)
-        for (uint64_t c = model.rings[r].first; c < model.rings[r].first + model.rings[r].count; ++c) {
+        for (uint64_t c = model.rings[r].first; c < model.rings[r].first + model.rings[r].count;
+             ++c) {
           ++corners;
           const auto& k = model.vertex_covariances[model.corners[c]];
           if (!std::isfinite(k[0])) continue;
           ++known;
-          const double along =
-              level.x * (k[0] * level.x + k[1] * level.y) + level.y * (k[3] * level.x + k[4] * level.y);
+          const double along = level.x * (k[0] * level.x + k[1] * level.y) +
+                               level.y * (k[3] * level.x + k[4] * level.y);
           near += std::fabs(std::sqrt(along) - 0.003) < 0.0003;
         }
     }
   }
-  MESSAGE("FIGURE facade covariances: " << known << " of " << corners << " corners, " << near << " as their edges");
+  MESSAGE("FIGURE facade covariances: " << known << " of " << corners << " corners, " << near
+                                        << " as their edges");
   CHECK(corners > 500);
   CHECK(known == corners);
   CHECK(near > 0.9 * static_cast<double>(corners));
@@ -132,7 +139,8 @@ TEST_CASE("facade: models of scanned scenes are sound, as surfaces and as solids
     const std::string json = std::string("{\"name\":\"") + scene + "\"}";
     const Scan scan(json.c_str(), "{\"horizontal_step_rad\":0.002,\"vertical_step_rad\":0.002}");
     Tally tally;
-    for (const char* options : {"{}", "{\"solids\":true}"}) tally.add(facade_of(scan.segmentation, options));
+    for (const char* options : {"{}", "{\"solids\":true}"})
+      tally.add(facade_of(scan.segmentation, options));
     CAPTURE(tally.first_fault);
     CHECK(tally.faults == 0);
     CHECK(tally.flatness_m < 1e-9);

@@ -17,27 +17,34 @@ using namespace facades;
 namespace {
 
 const Scan& arches() {
-  static const Scan kScan("{\"name\":\"arches\"}", "{\"horizontal_step_rad\":0.0015,\"vertical_step_rad\":0.0015}");
+  static const Scan kScan("{\"name\":\"arches\"}",
+                          "{\"horizontal_step_rad\":0.0015,\"vertical_step_rad\":0.0015}");
   return kScan;
 }
 
 const Scan& town_house() {
-  static const Scan kScan("{\"name\":\"facade\"}", "{\"horizontal_step_rad\":0.0015,\"vertical_step_rad\":0.0015}");
+  static const Scan kScan("{\"name\":\"facade\"}",
+                          "{\"horizontal_step_rad\":0.0015,\"vertical_step_rad\":0.0015}");
   return kScan;
 }
 
 bool same_bits(const Model& a, const Model& b) {
   const auto equal = [](const auto& x, const auto& y) {
     using T = typename std::decay_t<decltype(x)>::value_type;
-    return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
+    return x.size() == y.size() &&
+           (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
   };
-  if (!equal(a.vertices, b.vertices) || !equal(a.corners, b.corners) || !equal(a.sagittas, b.sagittas)) return false;
+  if (!equal(a.vertices, b.vertices) || !equal(a.corners, b.corners) ||
+      !equal(a.sagittas, b.sagittas))
+    return false;
   if (!equal(a.vertex_covariances, b.vertex_covariances)) return false;
   if (a.faces.size() != b.faces.size() || a.parts.size() != b.parts.size()) return false;
   for (size_t i = 0; i < a.faces.size(); ++i)
-    if (a.faces[i].part != b.faces[i].part || a.faces[i].area_m2 != b.faces[i].area_m2) return false;
+    if (a.faces[i].part != b.faces[i].part || a.faces[i].area_m2 != b.faces[i].area_m2)
+      return false;
   for (size_t i = 0; i < a.parts.size(); ++i)
-    if (a.parts[i].name != b.parts[i].name || a.parts[i].evidence != b.parts[i].evidence) return false;
+    if (a.parts[i].name != b.parts[i].name || a.parts[i].evidence != b.parts[i].evidence)
+      return false;
   return true;
 }
 
@@ -77,7 +84,8 @@ TEST_CASE("facade: holes, reveals and panes share their vertices, rings name the
   for (const Face& face : model.faces) {
     if (model.parts[face.part].part_class != "wall") continue;
     const Ring& ring = model.rings[face.first_ring];
-    for (uint64_t c = ring.first; c < ring.first + ring.count; ++c) on_outline[model.corners[c]] = 1;
+    for (uint64_t c = ring.first; c < ring.first + ring.count; ++c)
+      on_outline[model.corners[c]] = 1;
   }
   size_t shared = 0;
   for (const Edge& edge : find_edges(model)) {
@@ -170,7 +178,9 @@ TEST_CASE("facade: without stations what stands before a hole hides it") {
   // Projected straight onto the wall the box covers little of its own shadow: no evidence, and a rectangle counts.
   const Model model = facade_of(Hidden().segmentation(false));
   CHECK(parts_of(model, "window").size() >= 1);
-  CHECK(parts_of(model, "window").size() + parts_of(model, "opening").size() + parts_of(model, "no_data").size() == 2);
+  CHECK(parts_of(model, "window").size() + parts_of(model, "opening").size() +
+            parts_of(model, "no_data").size() ==
+        2);
 }
 
 TEST_CASE("facade: several facades stand under one building") {
@@ -186,7 +196,8 @@ TEST_CASE("facade: several facades stand under one building") {
   for (const Edge& edge : find_edges(model)) {
     if (edge.uses != 2) continue;
     const Face &a = model.faces[edge.first_face], &b = model.faces[edge.second_face];
-    if (model.parts[a.part].part_class != "wall" || model.parts[b.part].part_class != "wall") continue;
+    if (model.parts[a.part].part_class != "wall" || model.parts[b.part].part_class != "wall")
+      continue;
     ++shared;
     const Vec3 corners[] = {{14, 0, 0}, {14 + 8 * std::sqrt(0.5), 8 * std::sqrt(0.5), 0}};
     for (const Vec3& c : corners) {

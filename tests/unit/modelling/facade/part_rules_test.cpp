@@ -52,7 +52,8 @@ TEST_CASE("part rules: numbers count rows from below and places from the left") 
 
 TEST_CASE("wall holes: a doorway in the lower border is a notch, the end of a wall is none") {
   VectorPlane wall;
-  wall.faces.push_back({ring_of({{0, 0}, {2, 0}, {2, 2.1}, {3, 2.1}, {3, 0.05}, {8, 0}, {8, 5}, {0, 5}}), {}});
+  wall.faces.push_back(
+      {ring_of({{0, 0}, {2, 0}, {2, 2.1}, {3, 2.1}, {3, 0.05}, {8, 0}, {8, 5}, {0, 5}}), {}});
   const auto holes = holes_of(wall, {});
   REQUIRE(holes.size() == 1);
   CHECK(holes[0].is_notch);
@@ -66,7 +67,8 @@ TEST_CASE("wall holes: a doorway in the lower border is a notch, the end of a wa
   // Too low, or too wide: steps in the border.
   wall.faces[0].outline = ring_of({{0, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 0}, {8, 0}, {8, 5}, {0, 5}});
   CHECK(holes_of(wall, {}).empty());
-  wall.faces[0].outline = ring_of({{0, 0}, {0.5, 0}, {0.5, 3}, {7.5, 3}, {7.5, 0}, {8, 0}, {8, 5}, {0, 5}});
+  wall.faces[0].outline =
+      ring_of({{0, 0}, {0.5, 0}, {0.5, 3}, {7.5, 3}, {7.5, 0}, {8, 0}, {8, 5}, {0, 5}});
   CHECK(holes_of(wall, {}).empty());
 }
 

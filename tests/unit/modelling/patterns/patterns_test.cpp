@@ -19,7 +19,8 @@ namespace {
 DrawnWall regular_wall(uint64_t seed) {
   DrawnWall drawn(16, 12, 0.03, seed);
   for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 5; ++column) drawn.add({1 + 3.0 * column, 1.5 + 3.5 * row}, {1.2, 1.8});
+    for (int column = 0; column < 5; ++column)
+      drawn.add({1 + 3.0 * column, 1.5 + 3.5 * row}, {1.2, 1.8});
   return drawn;
 }
 
@@ -42,7 +43,8 @@ DrawnWall irregular_wall(uint64_t seed, bool equal) {
   for (int k = 0; k < 12; ++k) {
     const Vec2 own{0.8 + 1.2 * random.uniform(), 0.8 + 1.6 * random.uniform()};
     const Vec2 size = equal ? Vec2{1.2, 1.8} : own;
-    drawn.add_if_free({0.5 + (15 - size.u) * random.uniform(), 0.5 + (11 - size.v) * random.uniform()}, size);
+    drawn.add_if_free(
+        {0.5 + (15 - size.u) * random.uniform(), 0.5 + (11 - size.v) * random.uniform()}, size);
   }
   for (int k = 0; k < 2; ++k)
     drawn.shade({{14 * random.uniform(), 9 * random.uniform()},
@@ -51,9 +53,9 @@ DrawnWall irregular_wall(uint64_t seed, bool equal) {
 }
 
 size_t copies_in(const FacadeWall& wall) {
-  return static_cast<size_t>(std::count_if(wall.openings.begin(), wall.openings.end(), [](const FacadeOpening& o) {
-    return o.evidence == Evidence::kCopied;
-  }));
+  return static_cast<size_t>(
+      std::count_if(wall.openings.begin(), wall.openings.end(),
+                    [](const FacadeOpening& o) { return o.evidence == Evidence::kCopied; }));
 }
 
 }  // namespace
@@ -112,8 +114,9 @@ TEST_CASE("patterns__windows_shaded_by_half_and_more_take_the_form_of_the_best_o
     // A shadow over 50-80 % of it, from one of its corners.
     const double share = 0.5 + 0.3 * random.uniform(), along = std::sqrt(share);
     const Vec2 size{truth.size.u * along + 0.4, truth.size.v * along + 0.4};
-    const Vec2 low{random.below(2) == 0 ? truth.low.u - 0.4 : truth.low.u + truth.size.u + 0.4 - size.u,
-                   random.below(2) == 0 ? truth.low.v - 0.4 : truth.low.v + truth.size.v + 0.4 - size.v};
+    const Vec2 low{
+        random.below(2) == 0 ? truth.low.u - 0.4 : truth.low.u + truth.size.u + 0.4 - size.u,
+        random.below(2) == 0 ? truth.low.v - 0.4 : truth.low.v + truth.size.v + 0.4 - size.v};
     drawn.shade({low, size});
     FacadeWall wall = drawn.wall();
     ++shaded;
@@ -124,8 +127,9 @@ TEST_CASE("patterns__windows_shaded_by_half_and_more_take_the_form_of_the_best_o
     residual_m = std::max(residual_m, wall.openings[which].residual_m);
     CHECK(copies_in(wall) == 1);
   }
-  MESSAGE("FIGURE windows shaded by 50-80 %: " << completed << " of " << shaded << " completed, corners within "
-                                               << 1000 * worst_m << " mm, residuals up to " << 1000 * residual_m);
+  MESSAGE("FIGURE windows shaded by 50-80 %: " << completed << " of " << shaded
+                                               << " completed, corners within " << 1000 * worst_m
+                                               << " mm, residuals up to " << 1000 * residual_m);
   CHECK(completed == shaded);
   CHECK(worst_m < 0.03);
 }
@@ -144,7 +148,8 @@ TEST_CASE("patterns__a_shaded_window_whose_sill_was_not_told_ends_at_it_like_the
     FacadeWall wall = drawn.wall();
     for (size_t i = 0; i < wall.openings.size(); ++i) {
       FacadeOpening& opening = wall.openings[i];
-      std::erase_if(opening.border_points, [&](const Vec2& p) { return p.v < drawn.truth[i].low.v; });
+      std::erase_if(opening.border_points,
+                    [&](const Vec2& p) { return p.v < drawn.truth[i].low.v; });
       opening.ends_at_sill = i != which;
       if (i != which) continue;
       // The hole goes down to the underside of the sill, and the wall's points end there.
@@ -182,8 +187,8 @@ TEST_CASE("patterns__irregular_facades_get_no_copies") {
     with_copies += complete_patterns(wall, {}) > 0;
     added += wall.openings.size() - before;
   }
-  MESSAGE("FIGURE irregular facades: " << with_copies << " of 1000 got a copy, " << added << " openings added, "
-                                       << openings << " in all");
+  MESSAGE("FIGURE irregular facades: " << with_copies << " of 1000 got a copy, " << added
+                                       << " openings added, " << openings << " in all");
   CHECK(added == 0);
   CHECK(with_copies <= 2);
 }
@@ -198,11 +203,13 @@ TEST_CASE("patterns__equal_windows_without_order_are_only_completed_where_they_a
     completed += complete_patterns(wall, {});
     added += wall.openings.size() - before;
     for (size_t i = 0; i < before; ++i)
-      if (wall.openings[i].evidence == Evidence::kCopied && distance(wall.openings[i].outline, drawn.truth[i]) > 0.05)
+      if (wall.openings[i].evidence == Evidence::kCopied &&
+          distance(wall.openings[i].outline, drawn.truth[i]) > 0.05)
         ++false_copies;
   }
-  MESSAGE("FIGURE equal windows without order: " << completed << " completed in 200 facades, " << false_copies
-                                                 << " elsewhere than they are, " << added << " added");
+  MESSAGE("FIGURE equal windows without order: " << completed << " completed in 200 facades, "
+                                                 << false_copies << " elsewhere than they are, "
+                                                 << added << " added");
   CHECK(added == 0);
   CHECK(false_copies == 0);
 }
@@ -222,13 +229,16 @@ TEST_CASE("patterns__can_be_switched_off_and_leave_well_measured_walls_alone") {
 TEST_CASE("patterns__copies_differ_by_kind_and_size") {
   // Ground floor of doors, two storeys of windows: a missing door is a door, a missing window a window.
   DrawnWall drawn(16, 12, 0.03, 1);
-  for (int column = 0; column < 5; ++column) drawn.add({1 + 3.0 * column, 0.3}, {1.2, 2.4}, OpeningKind::kDoor);
+  for (int column = 0; column < 5; ++column)
+    drawn.add({1 + 3.0 * column, 0.3}, {1.2, 2.4}, OpeningKind::kDoor);
   for (int row = 1; row < 3; ++row)
-    for (int column = 0; column < 5; ++column) drawn.add({1 + 3.0 * column, 1 + 3.5 * row}, {1.2, 1.8});
+    for (int column = 0; column < 5; ++column)
+      drawn.add({1 + 3.0 * column, 1 + 3.5 * row}, {1.2, 1.8});
   const Rectangle door = drawn.hide(1), window = drawn.hide(7);
   FacadeWall wall = drawn.wall();
   REQUIRE(complete_patterns(wall, {}) == 2);
-  const FacadeOpening &first = wall.openings[wall.openings.size() - 2], &second = wall.openings.back();
+  const FacadeOpening &first = wall.openings[wall.openings.size() - 2],
+                      &second = wall.openings.back();
   CHECK(first.kind == OpeningKind::kDoor);
   CHECK(distance(first.outline, door) < 0.03);
   CHECK(second.kind == OpeningKind::kWindow);

@@ -33,11 +33,13 @@ struct PostUnderSoffit {
   explicit PostUnderSoffit(double farthest_y) {
     for (double x = 0; x < 4; x += kSpacing)
       for (double z = 0; z < 2.5; z += kSpacing)
-        if (z < 2 || (x > 1.8 && x < 2.2)) wall.push_back({x, 0.002 * std::sin(40 * x + 70 * z), z});
+        if (z < 2 || (x > 1.8 && x < 2.2))
+          wall.push_back({x, 0.002 * std::sin(40 * x + 70 * z), z});
     rows = wall.size();
     for (double x = 0; x < 4; x += kSpacing)
       for (double y = -1; y < farthest_y; y += kSpacing)
-        (std::fabs(y) < 1e-9 ? wall : soffit).push_back({x, y, 2.5 + 0.002 * std::sin(50 * x + 60 * y)});
+        (std::fabs(y) < 1e-9 ? wall : soffit)
+            .push_back({x, y, 2.5 + 0.002 * std::sin(50 * x + 60 * y)});
   }
 };
 

@@ -37,7 +37,8 @@ struct Planes {
   }
   std::vector<Vec3> corners(size_t plane) const {
     std::vector<Vec3> out;
-    for (const Vec2& p : planes[plane].faces[0].outline.corners) out.push_back(planes[plane].frame.lift(p));
+    for (const Vec2& p : planes[plane].faces[0].outline.corners)
+      out.push_back(planes[plane].frame.lift(p));
     return out;
   }
 };
@@ -52,7 +53,7 @@ double nearest(const std::vector<Vec3>& corners, const Vec3& p) {
 
 TEST_CASE("joints: two walls meet in one edge where their planes do") {
   Planes p;
-  p.add({0, -1, 0}, {0, 0, 0}, {0, 0}, {4.97, 3});       // along x, ends 3 cm before the corner at x = 5
+  p.add({0, -1, 0}, {0, 0, 0}, {0, 0}, {4.97, 3});  // along x, ends 3 cm before the corner at x = 5
   p.add({1, 0, 0}, {5, 0, 0}, {0.025, 0.01}, {6, 3.01});  // along y from there, 1 cm higher
   const auto shared = p.join();
   REQUIRE(shared.size() == 2);
@@ -79,15 +80,18 @@ TEST_CASE("joints: three planes have their common point, and leaning ones too") 
   CHECK(triple == 3);
   for (size_t k = 0; k < 3; ++k) {
     CHECK(nearest(p.corners(k), {0, 0, 0}) < 1e-9);
-    for (const Vec3& corner : p.corners(k)) CHECK(std::fabs(p.segments[k].fit.plane.distance(corner)) < 1e-12);
+    for (const Vec3& corner : p.corners(k))
+      CHECK(std::fabs(p.segments[k].fit.plane.distance(corner)) < 1e-12);
   }
 }
 
 TEST_CASE("joints: edges too far from a plane, or beside what is there of it, stay") {
   Planes p;
-  p.add({0, -1, 0}, {0, 0, 0}, {0, 0}, {4.9, 3});  // ends 10 cm before the other plane: five spacings
+  p.add({0, -1, 0}, {0, 0, 0}, {0, 0},
+        {4.9, 3});  // ends 10 cm before the other plane: five spacings
   p.add({1, 0, 0}, {5, 0, 0}, {0, 0}, {6, 3});
-  p.add({1, 0, 0}, {0, 20, 0}, {0, 0}, {6, 3});    // its plane passes the first wall's end, its face does not
+  p.add({1, 0, 0}, {0, 20, 0}, {0, 0},
+        {6, 3});  // its plane passes the first wall's end, its face does not
   CHECK(p.join().empty());
   CHECK(nearest(p.corners(0), {4.9, 0, 0}) < 1e-12);
   CHECK(p.join(0.2).size() == 2);

@@ -25,7 +25,8 @@ struct Spread {
 double mahalanobis(const Covariance3& c, const Vec3& d) {
   const Eigen3 eigen = symmetric_eigen({c[0], c[1], c[2], c[4], c[5], c[8]});
   double sum = 0;
-  for (size_t i = 0; i < 3; ++i) sum += dot(eigen.vectors[i], d) * dot(eigen.vectors[i], d) / eigen.values[i];
+  for (size_t i = 0; i < 3; ++i)
+    sum += dot(eigen.vectors[i], d) * dot(eigen.vectors[i], d) / eigen.values[i];
   return sum;
 }
 
@@ -37,7 +38,8 @@ Spread spread_of(const Covariance3& told, Draw&& draw) {
     RandomStream random(5, static_cast<uint64_t>(k));
     const Vec3 d = draw(random);
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) out.covariance[static_cast<size_t>(3 * i + j)] += d[i] * d[j] / kDraws;
+      for (int j = 0; j < 3; ++j)
+        out.covariance[static_cast<size_t>(3 * i + j)] += d[i] * d[j] / kDraws;
     if (mahalanobis(told, d) <= limit) out.coverage += 1.0 / kDraws;
   }
   return out;
@@ -51,7 +53,8 @@ void check_alike(const Covariance3& told, const Spread& seen) {
       const double scale = std::sqrt(told[4 * i] * told[4 * j]);
       worst = std::max(worst, std::fabs(told[3 * i + j] - seen.covariance[3 * i + j]) / scale);
     }
-  MESSAGE("FIGURE largest element off by ", worst, " of its variances; 95 % ellipsoid covers ", seen.coverage);
+  MESSAGE("FIGURE largest element off by ", worst, " of its variances; 95 % ellipsoid covers ",
+          seen.coverage);
   CHECK(worst < 0.05);
   CHECK(seen.coverage > 0.93);
   CHECK(seen.coverage < 0.97);
@@ -60,7 +63,8 @@ void check_alike(const Covariance3& told, const Spread& seen) {
 Vec3 meeting(const Plane& a, const Plane& b, const Plane& c) {
   const double d = dot(a.normal, cross(b.normal, c.normal));
   return (cross(b.normal, c.normal) * a.offset + cross(c.normal, a.normal) * b.offset +
-          cross(a.normal, b.normal) * c.offset) / d;
+          cross(a.normal, b.normal) * c.offset) /
+         d;
 }
 
 // Points of a 4 x 3 m patch of a plane with noise, fitted.
@@ -93,7 +97,8 @@ TEST_CASE("vertex_covariance__of_three_planes_holds_against_10000_fits") {
     RandomStream none(1, 1);
     PlaneFit fit = noisy_fit(frames[s], 0, none);
     const double n = static_cast<double>(fit.n), s2 = noise_m * noise_m;
-    fit.local_covariance = {s2 / (n * fit.eigenvalues[2]), 0, 0, s2 / (n * fit.eigenvalues[1]), 0, s2 / n};
+    fit.local_covariance = {s2 / (n * fit.eigenvalues[2]), 0, 0,
+                            s2 / (n * fit.eigenvalues[1]), 0, s2 / n};
     update_covariance(fit);
     surfaces[s] = plane_at(fit.plane, fit.covariance, corner);
   }
@@ -114,7 +119,8 @@ TEST_CASE("vertex_covariance__of_a_corner_holds_against_10000_drawn_edges_and_pl
   fit.axis_u = frame.axis_u, fit.axis_v = frame.axis_v;
   fit.centroid = frame.lift({-4, 3});
   const double sigma_alpha = 3e-4, sigma_beta = 4e-4, sigma_gamma = 1e-3;
-  fit.local_covariance = {sigma_alpha * sigma_alpha, 0, 0, sigma_beta * sigma_beta, 0, sigma_gamma * sigma_gamma};
+  fit.local_covariance = {sigma_alpha * sigma_alpha, 0, 0,
+                          sigma_beta * sigma_beta,   0, sigma_gamma * sigma_gamma};
   update_covariance(fit);
   const Vec2 corner{0.5, 0.25};
   const CornerEdge before{{1, 0.2}, 1.2, 0.003, 0.002}, after{{-0.3, 1}, 2.1, 0.002, 0.001};
@@ -122,7 +128,8 @@ TEST_CASE("vertex_covariance__of_a_corner_holds_against_10000_drawn_edges_and_pl
   const auto told = corner_covariance(frame, plane, before, after);
   REQUIRE(told);
   // An edge turns about its middle and moves across itself.
-  const auto drawn = [&](const CornerEdge& e, double sign, RandomStream& random, Vec2& through, Vec2& direction) {
+  const auto drawn = [&](const CornerEdge& e, double sign, RandomStream& random, Vec2& through,
+                         Vec2& direction) {
     const Vec2 along = e.direction * (1 / norm(e.direction)), across{-along.v, along.u};
     through = corner + along * (sign * e.length_m / 2) + across * (e.sigma_m * random.normal());
     const double turn = e.sigma_direction_rad * random.normal();
@@ -137,7 +144,8 @@ TEST_CASE("vertex_covariance__of_a_corner_holds_against_10000_drawn_edges_and_pl
     const Vec3 flat = frame.lift(met);
     const double alpha = sigma_alpha * random.normal(), beta = sigma_beta * random.normal(),
                  gamma = sigma_gamma * random.normal();
-    const double w = alpha * dot(flat - fit.centroid, fit.axis_u) + beta * dot(flat - fit.centroid, fit.axis_v) + gamma;
+    const double w = alpha * dot(flat - fit.centroid, fit.axis_u) +
+                     beta * dot(flat - fit.centroid, fit.axis_v) + gamma;
     return flat + frame.normal * w - frame.lift(corner);
   }));
 }
@@ -166,7 +174,8 @@ TEST_CASE("vertex_covariance__keeps_its_digits_on_a_national_grid") {
   for (size_t i = 0; i < 9; ++i) {
     CHECK(std::fabs(by_fit[1][i] - by_fit[0][i]) < 1e-8 * scale);
     CHECK(std::fabs(by_face[0][i] - by_fit[0][i]) < 1e-9 * scale);
-    CHECK(std::fabs(by_face[1][i] - by_fit[0][i]) < 2e-9);  // m2: what the rounding of a covariance of 2e6 m2 leaves
+    CHECK(std::fabs(by_face[1][i] - by_fit[0][i]) <
+          2e-9);  // m2: what the rounding of a covariance of 2e6 m2 leaves
   }
 }
 

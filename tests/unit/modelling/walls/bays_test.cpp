@@ -37,8 +37,8 @@ VectorPlane plane_of(std::vector<VectorRing> outlines, double height_m = 0) {
 
 /// Four piers below a board that hides the wall from 3 to 4 m.
 std::vector<VectorRing> shop_fronts() {
-  return {rectangle(0, 12, 4, 7), rectangle(0, 1, 0, 3), rectangle(4, 5, 0, 3), rectangle(8, 9, 0, 3),
-          rectangle(11, 12, 0, 3)};
+  return {rectangle(0, 12, 4, 7), rectangle(0, 1, 0, 3), rectangle(4, 5, 0, 3),
+          rectangle(8, 9, 0, 3), rectangle(11, 12, 0, 3)};
 }
 
 void check_box(const WallHole& hole, double u0, double u1, double v0, double v1) {
@@ -55,7 +55,8 @@ HolePoint point(double u, double v, double w) {
 
 /// An opening from 1.0 to 2.2 m and 1 to 3 m whose hole goes on below, as wide as a sill of 1.4 m.
 VectorRing hole_over_sill() {
-  return ring_of({{0.9, 0.9}, {2.3, 0.9}, {2.3, 1.0}, {2.2, 1.05}, {2.2, 3}, {1, 3}, {1, 1.05}, {0.9, 1.0}});
+  return ring_of(
+      {{0.9, 0.9}, {2.3, 0.9}, {2.3, 1.0}, {2.2, 1.05}, {2.2, 3}, {1, 3}, {1, 1.05}, {0.9, 1.0}});
 }
 std::vector<VectorPlane> wall_with_hole() {
   std::vector<VectorPlane> planes{plane_of({rectangle(0, 4, 0, 5)})};

@@ -29,14 +29,17 @@ TEST_CASE("coarse__finds_real_scans_from_any_start") {
       const auto moving = std::make_shared<const Cloud>(transformed(source, start, task));
       const Registration r = register_coarse(target, moving, {}, CoarseSettings{}, task);
       const Transform off = r.pose * start * inverse(truth);
-      const auto value = [&](const char* name) { return r.summary.require(name).values<double>()[0]; };
+      const auto value = [&](const char* name) {
+        return r.summary.require(name).values<double>()[0];
+      };
       CHECK(r.converged);
-      most_m = std::max(most_m, norm(off.point({}))), most_rad = std::max(most_rad, norm(rotation_vector(off)));
+      most_m = std::max(most_m, norm(off.point({}))),
+      most_rad = std::max(most_rad, norm(rotation_vector(off)));
       least_margin = std::min(least_margin, 1 - value("second_score") / value("score"));
     }
-  MESSAGE("FIGURE coarse on real scans, " << 2 * draws << " starts: within " << most_m << " m and "
-                                          << most_rad * 57.29578 << " degrees; margin over the second pose at least "
-                                          << least_margin);
+  MESSAGE("FIGURE coarse on real scans, "
+          << 2 * draws << " starts: within " << most_m << " m and " << most_rad * 57.29578
+          << " degrees; margin over the second pose at least " << least_margin);
   CHECK(most_m < 0.1);
   CHECK(most_rad < 0.01);
   CHECK(least_margin > 0.2);
@@ -61,7 +64,9 @@ TEST_CASE("coarse__does_not_lay_one_facade_on_another") {
     }
     return points;
   };
-  const auto shared = [](const std::vector<Vec3>& points) { return std::make_shared<const Cloud>(cloud_of(points)); };
+  const auto shared = [](const std::vector<Vec3>& points) {
+    return std::make_shared<const Cloud>(cloud_of(points));
+  };
   const std::vector<Vec3> first = read_facade("street_1.txt"), other = read_facade("street_3.txt");
   const auto run = [&](const std::vector<Vec3>& reference, const std::vector<Vec3>& moving) {
     Task task;
@@ -83,7 +88,8 @@ TEST_CASE("coarse__does_not_lay_one_facade_on_another") {
   const Registration halves = run(left, right);
   const Vec3 place = left[left.size() / 2];
   const double off = norm(halves.pose.point(start.point(place)) - place);
-  MESSAGE("FIGURE coarse on parts of a facade: off " << off << " m, stopped " << static_cast<int>(halves.stopped));
+  MESSAGE("FIGURE coarse on parts of a facade: off " << off << " m, stopped "
+                                                     << static_cast<int>(halves.stopped));
   CHECK(halves.converged);
   CHECK(off < 0.1);
 }

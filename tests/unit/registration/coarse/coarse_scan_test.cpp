@@ -54,9 +54,11 @@ TEST_CASE("coarse__lays_scans_from_two_stations_on_each_other_or_says_that_it_ca
   const Transform start = motion_about({}, {0, 0, 2.3}, {13, -7, 2});
   for (const Case& c : cases) {
     if (std::getenv("JALON_SANITIZED") != nullptr && c.is_found) continue;
-    const Registration r = found(scanned(c.scene, c.first, 1), scanned(c.scene, c.second, 2), start);
+    const Registration r =
+        found(scanned(c.scene, c.first, 1), scanned(c.scene, c.second, 2), start);
     const Transform off = r.pose * start;
-    const double most_m = std::max(norm(off.point(c.first) - c.first), norm(off.point(c.second) - c.second));
+    const double most_m =
+        std::max(norm(off.point(c.first) - c.first), norm(off.point(c.second) - c.second));
     MESSAGE("FIGURE coarse, " << choice_at(scene_rows()[0], static_cast<size_t>(c.scene))
                               << " from two stations: stopped " << static_cast<int>(r.stopped)
                               << ", off " << most_m << " m");

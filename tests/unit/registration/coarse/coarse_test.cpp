@@ -32,7 +32,9 @@ Registration registered(const Case& c, const CoarseSettings& settings = kFewerCe
   return register_coarse(c.reference, c.moving, start, settings, task);
 }
 
-CloudPtr shared_cloud(const std::vector<Vec3>& points) { return std::make_shared<const Cloud>(cloud_of(points)); }
+CloudPtr shared_cloud(const std::vector<Vec3>& points) {
+  return std::make_shared<const Cloud>(cloud_of(points));
+}
 
 std::vector<Vec3> moved(std::vector<Vec3> points, const Transform& by) {
   for (Vec3& p : points) p = by.point(p);
@@ -41,12 +43,15 @@ std::vector<Vec3> moved(std::vector<Vec3> points, const Transform& by) {
 
 // Two samples of a scene, the second moved by the start.
 Case case_of(const SampledScene& scene, const Transform& start, uint64_t draw,
-             const SampledScene::Keep& keep_reference = {}, const SampledScene::Keep& keep_moving = {}) {
+             const SampledScene::Keep& keep_reference = {},
+             const SampledScene::Keep& keep_moving = {}) {
   return {shared_cloud(scene.sample(kPoints, kNoise_m, 2 * draw + 1, keep_reference)),
           shared_cloud(moved(scene.sample(kPoints, kNoise_m, 2 * draw + 2, keep_moving), start))};
 }
 
-double value_of(const Registration& r, const char* name) { return r.summary.require(name).values<double>()[0]; }
+double value_of(const Registration& r, const char* name) {
+  return r.summary.require(name).values<double>()[0];
+}
 
 struct Miss {
   double shift_m, turn_rad;
@@ -98,7 +103,8 @@ TEST_CASE("coarse__finds_the_pose_of_clouds_that_share_less_than_half") {
   for (uint64_t draw = 0; draw < draws(); ++draw) {
     const Transform start = random_start(draw);
     const Case c = case_of(
-        street_corner(), start, draw, [](const Vec3& p) { return p.x < 8; }, [](const Vec3& p) { return p.x > -2; });
+        street_corner(), start, draw, [](const Vec3& p) { return p.x < 8; },
+        [](const Vec3& p) { return p.x > -2; });
     const Registration r = registered(c);
     check_found(r, start, {3, 0, 2});
     CHECK(value_of(r, "overlap_moving") < 0.5);
@@ -121,7 +127,9 @@ TEST_CASE("coarse__calls_symmetric_scenes_ambiguous") {
 
 TEST_CASE("coarse__names_the_directions_that_nothing_holds") {
   const Transform start = random_start(1);
-  const auto weak = [&](const SampledScene& scene) { return registered(case_of(scene, start, 1)).unobservable; };
+  const auto weak = [&](const SampledScene& scene) {
+    return registered(case_of(scene, start, 1)).unobservable;
+  };
   CHECK(weak(bare_room()) == 0);
   CHECK(weak(corridor()) == 1);
   CHECK(weak(one_plane()) == 3);
@@ -129,12 +137,15 @@ TEST_CASE("coarse__names_the_directions_that_nothing_holds") {
 
 TEST_CASE("coarse__finds_nothing_in_clouds_of_different_places") {
   const Transform start = random_start(2);
-  const SampledScene other_room =
-      SampledScene().box({0, 0, 0}, {7, 4.2, 3}).box({1, 2, 0}, {2, 1, 1}).box({4, 1, 0}, {1, 1, 2});
+  const SampledScene other_room = SampledScene()
+                                      .box({0, 0, 0}, {7, 4.2, 3})
+                                      .box({1, 2, 0}, {2, 1, 1})
+                                      .box({4, 1, 0}, {1, 1, 2});
   const Case rooms{shared_cloud(furnished_room().sample(kPoints, kNoise_m, 1)),
                    shared_cloud(moved(other_room.sample(kPoints, kNoise_m, 2), start))};
   const Case ends = case_of(
-      street_corner(), start, 2, [](const Vec3& p) { return p.x < -2; }, [](const Vec3& p) { return p.x > 5; });
+      street_corner(), start, 2, [](const Vec3& p) { return p.x < -2; },
+      [](const Vec3& p) { return p.x > 5; });
   const Case unlike{shared_cloud(street_corner().sample(kPoints, kNoise_m, 1)),
                     shared_cloud(moved(furnished_room().sample(kPoints, kNoise_m, 2), start))};
   for (const Case& c : {rooms, ends, unlike}) {
@@ -196,6 +207,7 @@ TEST_CASE("coarse__refuses_what_shows_no_shape") {
     return status_of([&] { registered({room, moving}); });
   };
   CHECK(status(shared_cloud({})) == Status::kInsufficientData);
-  CHECK(status(shared_cloud(furnished_room().sample(40, kNoise_m, 2))) == Status::kInsufficientData);
+  CHECK(status(shared_cloud(furnished_room().sample(40, kNoise_m, 2))) ==
+        Status::kInsufficientData);
   CHECK(status(shared_cloud(std::vector<Vec3>(1000, Vec3{1, 2, 3}))) == Status::kInsufficientData);
 }

@@ -26,7 +26,8 @@ struct Tally {
 };
 
 // Is the true pose in the 95 % ellipsoid of the directions that are observable?
-void judge(const Registration& r, const Transform& truth, const scenes::Scene& scene, Tally& tally) {
+void judge(const Registration& r, const Transform& truth, const scenes::Scene& scene,
+           Tally& tally) {
   const Transform error = r.pose * inverse(truth);
   const Vec3 turn = rotation_vector(error), shift = error.point(r.centre) - r.centre;
   const double off[6] = {turn.x, turn.y, turn.z, shift.x, shift.y, shift.z};
@@ -35,7 +36,8 @@ void judge(const Registration& r, const Transform& truth, const scenes::Scene& s
     if (r.directions.require("observable").number(k) == 0) continue;
     double along = 0;
     for (uint32_t i = 0; i < 6; ++i)
-      along += r.directions.require("direction").number(k, i) * off[i] * (i < 3 ? r.extent_m * r.extent_m : 1);
+      along += r.directions.require("direction").number(k, i) * off[i] *
+               (i < 3 ? r.extent_m * r.extent_m : 1);
     const double z = along / r.directions.require("sigma").number(k);
     squares += z * z;
     ++rank;
@@ -66,7 +68,8 @@ Tally registered(const scenes::Scene& scene, size_t run) {
   const Vec3 turn = draw() * 0.003, shift = draw() * 0.02;
   const Transform truth = motion_about({5, 5, 1}, turn, shift);
   const auto reference = std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 1));
-  const auto moving = std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 2, inverse(truth)));
+  const auto moving =
+      std::make_shared<const Cloud>(scenes::sampled(scene, 2 * run + 2, inverse(truth)));
   Tally tally;
   judge(register_icp(reference, moving, {}, IcpSettings{}, task), truth, scene, tally);
   return tally;
@@ -74,13 +77,15 @@ Tally registered(const scenes::Scene& scene, size_t run) {
 
 Tally registered_often(const scenes::Scene& scene, size_t runs) {
   Task task;
-  return parallel_reduce(task, runs, 1, Tally{}, [&](size_t begin, size_t) { return registered(scene, begin); });
+  return parallel_reduce(task, runs, 1, Tally{},
+                         [&](size_t begin, size_t) { return registered(scene, begin); });
 }
 
 double share_of(const scenes::Scene& scene, const char* what, const Tally& tally, size_t runs) {
   const double n = static_cast<double>(runs), cover = static_cast<double>(tally.covered) / n;
-  MESSAGE("FIGURE icp honesty, " << std::string(what) + scene.name << ": " << 100 * cover << " % of " << runs
-                                 << " covered, mean square " << tally.squares / tally.ranks << ", directions named in "
+  MESSAGE("FIGURE icp honesty, " << std::string(what) + scene.name << ": " << 100 * cover
+                                 << " % of " << runs << " covered, mean square "
+                                 << tally.squares / tally.ranks << ", directions named in "
                                  << 100 * static_cast<double>(tally.named) / n << " %");
   return cover;
 }
@@ -88,7 +93,8 @@ double share_of(const scenes::Scene& scene, const char* what, const Tally& tally
 }  // namespace
 
 TEST_CASE("icp__ellipsoids_cover_the_truth_as_often_as_they_say") {
-  const bool full = std::getenv("JALON_FULL") != nullptr, small = std::getenv("JALON_SANITIZED") != nullptr;
+  const bool full = std::getenv("JALON_FULL") != nullptr,
+             small = std::getenv("JALON_SANITIZED") != nullptr;
   const size_t runs = full ? 1000 : small ? 5 : 60;
   // 93 to 97 % of a thousand; of fewer 95 % less three standard deviations of the binomial.
   const double n = static_cast<double>(runs), chance = 3 * std::sqrt(0.95 * 0.05 / n);
@@ -105,11 +111,13 @@ TEST_CASE("icp__ellipsoids_cover_the_truth_as_often_as_they_say") {
 
 // Scenes that nothing was tuned on: what noise hides stays open, and what is said of the rest holds.
 TEST_CASE("icp__names_what_noise_hides") {
-  const bool full = std::getenv("JALON_FULL") != nullptr, small = std::getenv("JALON_SANITIZED") != nullptr;
+  const bool full = std::getenv("JALON_FULL") != nullptr,
+             small = std::getenv("JALON_SANITIZED") != nullptr;
   const size_t runs = full ? 200 : small ? 2 : 20;
   scenes::Scene plane = scenes::one_plane(), reveal = scenes::corridor();
   plane.noise_m = 0.01;
-  reveal.patches.push_back({{9, 0, 0}, {0, 0.05, 0}, {0, 0, 2.6}});  // of a door, 5 cm deep: some ten points
+  reveal.patches.push_back(
+      {{9, 0, 0}, {0, 0.05, 0}, {0, 0, 2.6}});  // of a door, 5 cm deep: some ten points
   reveal.patches.push_back({{10, 0, 0}, {0, 0.05, 0}, {0, 0, 2.1}});
   const double n = static_cast<double>(runs), chance = 3 * std::sqrt(0.95 * 0.05 / n);
   for (const scenes::Scene& scene : {plane, reveal}) {

@@ -29,7 +29,9 @@ Registration run(const Cloud& reference, const Cloud& moving, const Transform& s
                       std::make_shared<const Cloud>(moving), start, settings, task);
 }
 
-double first(const FieldTable& table, const char* column) { return table.require(column).number(0); }
+double first(const FieldTable& table, const char* column) {
+  return table.require(column).number(0);
+}
 
 }  // namespace
 
@@ -43,9 +45,11 @@ TEST_CASE("icp__real_scans_land_within_a_centimetre_of_the_published_pose") {
                          double most_deg) {
     const Registration r = run(target, source, {}, 1, settings);
     const Transform error = r.pose * inverse(truth);
-    const double off_m = norm(error.point(r.centre) - r.centre), turn_deg = norm(rotation_vector(error)) / kDegree;
-    MESSAGE("FIGURE icp real scans, " << std::string(what) << ": " << 1000 * off_m << " mm, " << turn_deg << " deg, "
-                                      << r.iterations << " iterations, kept " << first(r.summary, "kept"));
+    const double off_m = norm(error.point(r.centre) - r.centre),
+                 turn_deg = norm(rotation_vector(error)) / kDegree;
+    MESSAGE("FIGURE icp real scans, " << std::string(what) << ": " << 1000 * off_m << " mm, "
+                                      << turn_deg << " deg, " << r.iterations
+                                      << " iterations, kept " << first(r.summary, "kept"));
     CHECK(r.converged);
     CHECK(off_m < most_m);
     CHECK(turn_deg < most_deg);
@@ -88,7 +92,8 @@ TEST_CASE("icp__gives_the_same_bits_with_any_number_of_threads_and_on_a_national
     const Cloud cloud = scenes::sampled(room, seed, motion);
     Buffer<double> xyz(cloud.xyz().size());
     for (size_t i = 0; i < xyz.size(); ++i)
-      xyz[i] = std::ldexp(std::nearbyint(std::ldexp(cloud.xyz()[i], 20)), -20) + shift[static_cast<int>(i % 3)];
+      xyz[i] = std::ldexp(std::nearbyint(std::ldexp(cloud.xyz()[i], 20)), -20) +
+               shift[static_cast<int>(i % 3)];
     return make_cloud(std::move(xyz));
   };
   const Registration one = run(snapped(1, {}, {}), snapped(2, moved, {}), {}, 1);

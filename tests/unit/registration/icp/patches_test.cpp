@@ -29,7 +29,8 @@ Cloud column_over_ground(size_t points) {
     const double angle = 2 * std::numbers::pi * random.uniform(), z = kHeight_m * random.uniform();
     const double column[3] = {kRadius_m * std::cos(angle), kRadius_m * std::sin(angle), z};
     const double ground[3] = {angle, 2 * std::numbers::pi * random.uniform(), -1};
-    for (size_t c = 0; c < 3; ++c) xyz[3 * i + c] = (i < points ? column : ground)[c] + kNoise_m * random.normal();
+    for (size_t c = 0; c < 3; ++c)
+      xyz[3 * i + c] = (i < points ? column : ground)[c] + kNoise_m * random.normal();
   }
   return make_cloud(std::move(xyz));
 }
@@ -72,10 +73,10 @@ TEST_CASE("icp_patches__planes_touch_a_column_instead_of_cutting_through_it") {
     height2 += off * off;
   }
   const auto n = static_cast<double>(flat);
-  MESSAGE("FIGURE icp planes of a column: " << 100 * n / static_cast<double>(all) << " % have one, "
-                                            << touching << " touch it, turned by " << std::sqrt(turn2 / n)
-                                            << " rad, high by " << 1000 * height / n << " +- "
-                                            << 1000 * std::sqrt(height2 / n) << " mm");
+  MESSAGE("FIGURE icp planes of a column: "
+          << 100 * n / static_cast<double>(all) << " % have one, " << touching
+          << " touch it, turned by " << std::sqrt(turn2 / n) << " rad, high by "
+          << 1000 * height / n << " +- " << 1000 * std::sqrt(height2 / n) << " mm");
   CHECK(n >= 0.97 * static_cast<double>(all));
   CHECK(static_cast<double>(touching) >= 0.5 * n);
   CHECK(std::sqrt(turn2 / n) < 0.1);

@@ -23,10 +23,12 @@ std::vector<Vec3> random_places(size_t n, RandomStream& random) {
   return out;
 }
 
-TargetSides noisy(const std::vector<Vec3>& places, const Transform& truth, bool named, RandomStream& random) {
+TargetSides noisy(const std::vector<Vec3>& places, const Transform& truth, bool named,
+                  RandomStream& random) {
   TargetSides out = exact_sides(places, truth, named);
   for (auto* side : {&out.reference, &out.moving})
-    for (Target& target : *side) target.xyz += 0.003 * Vec3{random.normal(), random.normal(), random.normal()};
+    for (Target& target : *side)
+      target.xyz += 0.003 * Vec3{random.normal(), random.normal(), random.normal()};
   return out;
 }
 
@@ -78,8 +80,9 @@ TEST_CASE("matching__pairs_a_scan_without_names_with_named_control_points") {
   const Registration r = registered(sides);
   CHECK(r.converged);
   CHECK(r.pairs == 6);
-  for (size_t i = 0; i < 6; ++i) CHECK(r.pair_names[i] == sides.reference[static_cast<size_t>(
-      r.residuals.require("reference").number(i))].name);
+  for (size_t i = 0; i < 6; ++i)
+    CHECK(r.pair_names[i] ==
+          sides.reference[static_cast<size_t>(r.residuals.require("reference").number(i))].name);
 }
 
 TEST_CASE("matching__of_a_square_says_that_it_is_ambiguous") {

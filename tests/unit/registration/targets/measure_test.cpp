@@ -68,8 +68,9 @@ CloudPtr noisy_scene(const Rays& rays, double noise_m, RandomStream& random) {
     const double a = 2 * std::numbers::pi * random.uniform();
     const double below = kRadius_m + 0.2 * random.uniform();
     points.push_back(kGrid + kCentre + Vec3{0.015 * std::cos(a), 0.015 * std::sin(a), -below});
-    points.push_back(kGrid + kCentre + Vec3{0.15 + noise_m * random.normal(), 0.4 * random.uniform() - 0.2,
-                                            0.4 * random.uniform() - 0.2});
+    points.push_back(kGrid + kCentre +
+                     Vec3{0.15 + noise_m * random.normal(), 0.4 * random.uniform() - 0.2,
+                          0.4 * random.uniform() - 0.2});
   }
   for (int i = 0; i < 30; ++i) points.push_back(kGrid + kCentre + within(0.15, random));
   return cloud_of(points);
@@ -103,8 +104,8 @@ using Brightness = double (*)(double u, double v);
 double checker(double u, double v) { return (u > 0) == (v > 0) ? 220 : 30; }
 double disc(double u, double v) { return u * u + v * v < 0.05 * 0.05 ? 200 : 60; }
 
-CloudPtr flat_scene(Brightness brightness, double half_m, double spacing_m, double noise_m, const Transform& pose,
-                    RandomStream& random) {
+CloudPtr flat_scene(Brightness brightness, double half_m, double spacing_m, double noise_m,
+                    const Transform& pose, RandomStream& random) {
   std::vector<Vec3> points;
   std::vector<float> intensity;
   const double du = spacing_m * random.uniform(), dv = spacing_m * random.uniform();
@@ -116,15 +117,16 @@ CloudPtr flat_scene(Brightness brightness, double half_m, double spacing_m, doub
       const double u = c * x - s * y, v = s * x + c * y;
       if (std::max(std::fabs(u), std::fabs(v)) > half_m) continue;
       points.push_back(pose.point({u, v, noise_m * random.normal()}));
-      if (brightness != nullptr) intensity.push_back(static_cast<float>(brightness(u, v) + 8 * random.normal()));
+      if (brightness != nullptr)
+        intensity.push_back(static_cast<float>(brightness(u, v) + 8 * random.normal()));
     }
   return cloud_of(points, brightness != nullptr ? &intensity : nullptr);
 }
 
 double figure_of(const char* what, int covered, int all, double squares_m2) {
   const double share = static_cast<double>(covered) / all;
-  MESSAGE("FIGURE measured " << std::string(what) << ": 95 % ellipsoid covers " << 100 * share << " %, rms "
-                             << 1000 * std::sqrt(squares_m2 / all) << " mm");
+  MESSAGE("FIGURE measured " << std::string(what) << ": 95 % ellipsoid covers " << 100 * share
+                             << " %, rms " << 1000 * std::sqrt(squares_m2 / all) << " mm");
   return share;
 }
 
@@ -145,8 +147,9 @@ TEST_CASE("target_measure__spheres_of_the_virtual_scanner_lie_within_their_ellip
       covered += squared_miss(found, kGrid + kCentre) <= limit;
       squares += squared_norm(centre_of(found) - kGrid - kCentre);
     }
-    const double share = figure_of(json[2] == 'r' ? "spheres, radius given" : "spheres, radius free", covered, draws(),
-                                   squares);
+    const double share =
+        figure_of(json[2] == 'r' ? "spheres, radius given" : "spheres, radius free", covered,
+                  draws(), squares);
     CHECK(share >= (draws() == 1000 ? 0.93 : 0.85));
     CHECK(share <= (draws() == 1000 ? 0.97 : 1.0));
   }
@@ -183,7 +186,8 @@ TEST_CASE("target_measure__takes_the_middle_of_a_plate_without_a_pattern") {
     RandomStream random(53, draw);
     const Transform pose = any_motion(random);
     const CloudPtr cloud = flat_scene(nullptr, 0.1, 0.004, 0.001, pose, random);
-    const FieldTable found = measured(cloud, pose.point(within(0.05, random)), R"({"kind": "flat", "size_m": 0.2})");
+    const FieldTable found =
+        measured(cloud, pose.point(within(0.05, random)), R"({"kind": "flat", "size_m": 0.2})");
     REQUIRE(found.require("status").number(0) == 0);
     CHECK(found.require("kind").number(0) == 4);
     CHECK(norm(centre_of(found) - pose.translation()) < 0.002);
@@ -193,7 +197,8 @@ TEST_CASE("target_measure__takes_the_middle_of_a_plate_without_a_pattern") {
 
 TEST_CASE("target_measure__says_where_there_is_no_target") {
   RandomStream random(54, 0);
-  const CloudPtr wall = flat_scene(nullptr, 0.6, 0.008, 0.002, motion_about({}, {0.4, 0, 0}, kGrid), random);
+  const CloudPtr wall =
+      flat_scene(nullptr, 0.6, 0.008, 0.002, motion_about({}, {0.4, 0, 0}, kGrid), random);
   for (const char* json : {R"({"radius_m": 0.0725})", "{}", R"({"kind": "flat"})",
                            R"({"kind": "flat", "pattern": "checker"})"}) {
     const FieldTable found = measured(wall, kGrid, json);

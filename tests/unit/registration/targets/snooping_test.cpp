@@ -19,7 +19,10 @@ constexpr int kPairs = 6;
 int draws() { return std::getenv("JALON_SANITIZED") != nullptr ? 200 : 4000; }
 
 Layout site() {
-  Layout out{"site", {{8, 2, 0}, {-6, 7, 1.5}, {-9, -8, 0.5}, {5, -7, 3}, {1, 10, 4}, {10, -2, 2}}, {}, {}};
+  Layout out{"site",
+             {{8, 2, 0}, {-6, 7, 1.5}, {-9, -8, 0.5}, {5, -7, 3}, {1, 10, 4}, {10, -2, 2}},
+             {},
+             {}};
   for (size_t i = 0; i < kPairs; ++i) {
     out.reference.push_back(isotropic(i < 3 ? 0.002 : 0.004));
     out.moving.push_back(along_ray(out.places[i], 0.003, 0.001));
@@ -41,7 +44,8 @@ void false_alarms(const char* params, const std::string& name) {
     alarms += r.residuals.require("outlier").number(2);
     rejected += 1 - r.summary.require("global_accepted").number(0);
   }
-  MESSAGE("FIGURE snooping false alarms, " << name << ": " << 100 * alarms / draws() << " % of 5 %");
+  MESSAGE("FIGURE snooping false alarms, " << name << ": " << 100 * alarms / draws()
+                                           << " % of 5 %");
   check_share(alarms / draws(), 0.05, draws());
   check_share(rejected / draws(), 0.05, draws());
 }
@@ -52,8 +56,10 @@ void power(const char* params, const std::string& name, double scatter) {
   for (int axis = 0; axis < 3; ++axis) {
     RandomStream first(6, 0);
     const Transform truth = any_motion(first);
-    const Registration known = registered(measured_sides(layout, truth, first), R"({"significance": 0.01})");
-    double found = 0, size_m = known.residuals.require("detectable").number(2, static_cast<uint32_t>(axis));
+    const Registration known =
+        registered(measured_sides(layout, truth, first), R"({"significance": 0.01})");
+    double found = 0,
+           size_m = known.residuals.require("detectable").number(2, static_cast<uint32_t>(axis));
     size_m *= scatter;
     for (int draw = 0; draw < draws(); ++draw) {
       RandomStream random(7, static_cast<uint64_t>(draw));
@@ -61,8 +67,8 @@ void power(const char* params, const std::string& name, double scatter) {
       sides.reference[2].xyz[axis] += size_m;
       found += registered(sides, params).residuals.require("outlier").number(2);
     }
-    MESSAGE("FIGURE snooping power, " << name << ": " << 100 * found / draws() << " % of 80 % (" << 1000 * size_m
-                                      << " mm)");
+    MESSAGE("FIGURE snooping power, " << name << ": " << 100 * found / draws() << " % of 80 % ("
+                                      << 1000 * size_m << " mm)");
     check_share(found / draws(), 0.8, draws());
   }
 }
@@ -117,7 +123,8 @@ TEST_CASE("snooping__redundancies_sum_up_and_three_targets_leave_their_normal_un
   r = registered(measured_sides(layout, motion_about({}, {0, 0, 1}, {5, 5, 5}), random));
   for (size_t i = 0; i < 3; ++i) {
     CHECK(std::fabs(r.residuals.require("redundancy").number(i, 2)) < 1e-5);
-    CHECK(r.residuals.require("detectable").number(i, 2) > 1);  // metres, where the others are millimetres
+    CHECK(r.residuals.require("detectable").number(i, 2) >
+          1);  // metres, where the others are millimetres
     CHECK(r.residuals.require("detectable").number(i, 0) < 0.1);
   }
 }

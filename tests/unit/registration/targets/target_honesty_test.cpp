@@ -23,11 +23,13 @@ Layout layout_of(const char* name, std::vector<Vec3> places) {
   return out;
 }
 
-const std::vector<Vec3> kRoom = {{8, 2, 0}, {-6, 7, 1.5}, {-9, -8, 0.5}, {5, -7, 3}, {1, 10, 4}, {10, -2, 2}};
+const std::vector<Vec3> kRoom = {{8, 2, 0},  {-6, 7, 1.5}, {-9, -8, 0.5},
+                                 {5, -7, 3}, {1, 10, 4},   {10, -2, 2}};
 
 // Places along a street, 30 m long and 0.5 m wide.
 Layout narrow() {
-  return layout_of("narrow", {{2, 4, 1}, {9, 4.2, 1.4}, {17, 3.9, 0.9}, {25, 4.3, 1.3}, {31, 3.8, 1}});
+  return layout_of("narrow",
+                   {{2, 4, 1}, {9, 4.2, 1.4}, {17, 3.9, 0.9}, {25, 4.3, 1.3}, {31, 3.8, 1}});
 }
 
 Layout mixed() {
@@ -51,8 +53,9 @@ Layout similar() {
 
 TEST_CASE("targets__the_95_percent_ellipsoid_covers_the_truth_in_93_to_97_percent") {
   const double limit = chi_square_quantile(6, 0.95);
-  for (const Layout& layout : {layout_of("good", kRoom), layout_of("three", {{8, 2, 0}, {-6, 7, 1.5}, {-9, -8, 0.5}}),
-                               narrow(), mixed(), similar()}) {
+  for (const Layout& layout :
+       {layout_of("good", kRoom), layout_of("three", {{8, 2, 0}, {-6, 7, 1.5}, {-9, -8, 0.5}}),
+        narrow(), mixed(), similar()}) {
     int covered = 0, scales = 0;
     for (int draw = 0; draw < runs(); ++draw) {
       RandomStream random(2026, static_cast<uint64_t>(draw));
@@ -62,7 +65,8 @@ TEST_CASE("targets__the_95_percent_ellipsoid_covers_the_truth_in_93_to_97_percen
       const double sigma = r.summary.require("scale_sigma").number(0);
       scales += std::fabs(r.scale - layout.scale) <= 1.959964 * sigma;
     }
-    const double share = static_cast<double>(covered) / runs(), of_scale = static_cast<double>(scales) / runs();
+    const double share = static_cast<double>(covered) / runs(),
+                 of_scale = static_cast<double>(scales) / runs();
     MESSAGE("FIGURE targets coverage, " << layout.name << ": " << 100 * share << " %");
     CHECK(share >= (runs() == 1000 ? 0.93 : 0.88));
     CHECK(share <= (runs() == 1000 ? 0.97 : 1.0));

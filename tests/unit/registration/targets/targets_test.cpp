@@ -29,7 +29,9 @@ Refusal refusal(const TargetSides& sides, const char* json = "{}") {
   }
   return {};
 }
-bool says(const Refusal& refusal, const char* words) { return refusal.text.find(words) != std::string::npos; }
+bool says(const Refusal& refusal, const char* words) {
+  return refusal.text.find(words) != std::string::npos;
+}
 
 }  // namespace
 
@@ -57,14 +59,16 @@ TEST_CASE("targets__lose_nothing_on_a_national_grid") {
     truth.m[3] = 652318.25, truth.m[7] = 6861742.5, truth.m[11] = 143.125;
     const TargetSides sides = exact_sides(kSite, truth);
     const Registration r = registered(sides, json);
-    for (const Vec3& p : kSite) CHECK(norm(r.pose.point(p) - truth.point(p)) < 4e-9);  // an ulp of the northing: 0.9 nm
+    for (const Vec3& p : kSite)
+      CHECK(norm(r.pose.point(p) - truth.point(p)) < 4e-9);  // an ulp of the northing: 0.9 nm
     // The same with a scan that is on a grid of its own.
     TargetSides both = sides;
     for (Target& target : both.moving) target.xyz += Vec3{1'300'000, 4'200'000, 100};
     const Registration s = registered(both, json);
     for (size_t i = 0; i < kSite.size(); ++i)
       CHECK(norm(s.pose.point(both.moving[i].xyz) - sides.reference[i].xyz) < 8e-9);
-    for (size_t i = 0; i < 36; ++i) CHECK(s.covariance[i] == doctest::Approx(r.covariance[i]).epsilon(1e-6));
+    for (size_t i = 0; i < 36; ++i)
+      CHECK(s.covariance[i] == doctest::Approx(r.covariance[i]).epsilon(1e-6));
   }
 }
 

@@ -48,18 +48,22 @@ void check_layout(const std::string& svg) {
   CHECK(markup::well_formed(svg));
   const std::string box = markup::tags(svg)[0].attribute("viewBox");
   const size_t second = box.find(' ', 4);
-  const double width = markup::number(box.substr(4, second - 4)), height = markup::number(box.substr(second + 1));
+  const double width = markup::number(box.substr(4, second - 4)),
+               height = markup::number(box.substr(second + 1));
   const auto boxes = markup::text_boxes(svg);
   for (size_t i = 0; i < boxes.size(); ++i) {
     const auto& b = boxes[i];
     CHECK_MESSAGE((b.left >= 0 && b.top >= 0 && b.right <= width && b.bottom <= height), b.text);
-    for (size_t j = i + 1; j < boxes.size(); ++j) CHECK_MESSAGE(!b.meets(boxes[j]), b.text << " | " << boxes[j].text);
+    for (size_t j = i + 1; j < boxes.size(); ++j)
+      CHECK_MESSAGE(!b.meets(boxes[j]), b.text << " | " << boxes[j].text);
   }
 }
 
 }  // namespace
 
-TEST_CASE("elevation: dimensions of columns, axes, ground floor, sills and heads, and levels above the ground") {
+TEST_CASE(
+    "elevation: dimensions of columns, axes, ground floor, sills and heads, and levels above the "
+    "ground") {
   named_facade::Setting s;
   s.shift = {652000, 6861000, 137};
   const std::string svg = drawing_of(named_facade::make(s));
@@ -68,10 +72,14 @@ TEST_CASE("elevation: dimensions of columns, axes, ground floor, sills and heads
   CHECK(count_texts(svg, "3.00") == 4);   // from axis to axis
   CHECK(count_texts(svg, "1.00") == 1);   // the door, below
   CHECK(count_texts(svg, "0.95") == 1);
-  CHECK(has_text(svg, "\xC2\xB1" "0.00"));
+  CHECK(has_text(svg,
+                 "\xC2\xB1"
+                 "0.00"));
   CHECK(has_text(svg, "+2.40"));
   CHECK(has_text(svg, "+10.60"));
-  CHECK(has_text(svg, "\xC2\xB1" "0.00 = Z 137.00"));
+  CHECK(has_text(svg,
+                 "\xC2\xB1"
+                 "0.00 = Z 137.00"));
   CHECK(has_text(svg, "652000.000, 6861000.000, 137.000"));
 }
 
@@ -97,12 +105,13 @@ TEST_CASE("elevation: a circle in a plane turned away from the eye is an ellipse
   s.door = s.no_data = false;
   Model m = named_facade::make(s);
   const double angle = 0.2;  // below the front angle
-  for (Vec3& p : m.vertices) p = {p.x * std::cos(angle) - p.y * std::sin(angle),
-                                  p.x * std::sin(angle) + p.y * std::cos(angle), p.z};
+  for (Vec3& p : m.vertices)
+    p = {p.x * std::cos(angle) - p.y * std::sin(angle),
+         p.x * std::sin(angle) + p.y * std::cos(angle), p.z};
   for (Face& f : m.faces) {
     const Vec3 n = f.plane.normal;
-    f.plane.normal = {n.x * std::cos(angle) - n.y * std::sin(angle), n.x * std::sin(angle) + n.y * std::cos(angle),
-                      n.z};
+    f.plane.normal = {n.x * std::cos(angle) - n.y * std::sin(angle),
+                      n.x * std::sin(angle) + n.y * std::cos(angle), n.z};
   }
   const std::string svg = drawing_of(m, R"({"paper": "A3", "scale": 100})");
   const std::string d = paths(svg, "opening").front().attribute("d");
@@ -128,8 +137,9 @@ TEST_CASE("elevation: windows, doors, copies, empty openings and missing data ca
   }
   CHECK(colours.size() == 2);
   CHECK(dashed == 1);
-  for (const char* text : {"window", "door", "copied: not measured here", "nothing seen in it", "no data", "ground",
-                           "1.20 x 1.50", "1.20 x 2.10 arch", "1.00 x 2.30", "-0.30", "+0.15 (13)", "+0.25"})
+  for (const char* text :
+       {"window", "door", "copied: not measured here", "nothing seen in it", "no data", "ground",
+        "1.20 x 1.50", "1.20 x 2.10 arch", "1.00 x 2.30", "-0.30", "+0.15 (13)", "+0.25"})
     CHECK_MESSAGE(has_text(svg, text), text);
   for (const char* absent : {"plane seen at an angle", "plane seen edge-on", "other opening"})
     CHECK(!has_text(svg, absent));
@@ -219,7 +229,8 @@ TEST_CASE("elevation: each facade alone, seen from its own front") {
     if (p.part_class == part_class::kFacade) p.name = "facade 2";
     m.parts.push_back(p);
   }
-  const std::string first = drawing_of(m, R"({"facade": 1})"), second = drawing_of(m, R"({"facade": 2})");
+  const std::string first = drawing_of(m, R"({"facade": 1})"),
+                    second = drawing_of(m, R"({"facade": 2})");
   check_layout(first);
   check_layout(second);
   CHECK(has_text(first, "Facade elevation: facade 1"));
@@ -239,11 +250,14 @@ TEST_CASE("elevation: a facade without openings has no table of them") {
   Model m = named_facade::make(s);  // a door alone
   CHECK(has_text(drawing_of(m), "Openings"));
   for (Part& p : m.parts)
-    if (p.part_class == part_class::kDoor) p.parent = kNoParent, p.part_class = part_class::kElement;
+    if (p.part_class == part_class::kDoor)
+      p.parent = kNoParent, p.part_class = part_class::kElement;
   CHECK(!has_text(drawing_of(m), "Openings"));
 }
 
-TEST_CASE("elevation: without stations the front of a facade is the side from which its joinery lies behind") {
+TEST_CASE(
+    "elevation: without stations the front of a facade is the side from which its joinery lies "
+    "behind") {
   Model m = named_facade::make({});
   for (Face& f : m.faces) f.plane.normal = -f.plane.normal;  // the normals point into the building
   const std::string svg = drawing_of(m, R"({"facade": 1})");
@@ -252,7 +266,8 @@ TEST_CASE("elevation: without stations the front of a facade is the side from wh
   CHECK(has_text(svg, "-0.30"));
 }
 
-TEST_CASE("elevation: without stations the whole model too is seen from where its joinery lies behind") {
+TEST_CASE(
+    "elevation: without stations the whole model too is seen from where its joinery lies behind") {
   Model m = named_facade::make({});
   for (Vec3& p : m.vertices) p = {-p.x, -p.y, p.z};
   for (Face& f : m.faces) f.plane.normal = {-f.plane.normal.x, -f.plane.normal.y, f.plane.normal.z};

@@ -58,7 +58,8 @@ TEST_CASE("openings: a model without names gives its holes, a person's size or l
   CHECK(list.rows[0].width_m == doctest::Approx(1.2).epsilon(0.03).scale(0));
 }
 
-TEST_CASE("dimensions: what repeats is written once, at its mean; what overlaps less often is left out") {
+TEST_CASE(
+    "dimensions: what repeats is written once, at its mean; what overlaps less often is left out") {
   std::vector<OpeningBox> boxes;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 3; ++column) {
@@ -90,9 +91,9 @@ TEST_CASE("reports: openings with their precision, parts and evidence, as a page
   Task task;
   const std::string html = report_html(segmentation, m, "", {}, task);
   CHECK(markup::well_formed(html));
-  for (const char* text : {">Openings<", ">Precision<", ">Parts<", "copy of window 1", "seen behind", ">2.83<",
-                           "14 windows, 1 door and 0 other openings.",
-                           "of the normal (mrad)", "And 14 reveals"})
+  for (const char* text :
+       {">Openings<", ">Precision<", ">Parts<", "copy of window 1", "seen behind", ">2.83<",
+        "14 windows, 1 door and 0 other openings.", "of the normal (mrad)", "And 14 reveals"})
     CHECK_MESSAGE(html.find(text) != std::string::npos, text);
   const auto json = nlohmann::json::parse(report_json(segmentation, m, "", task));
   REQUIRE(json["openings"].size() == 15);
@@ -105,14 +106,16 @@ TEST_CASE("reports: openings with their precision, parts and evidence, as a page
   CHECK(json["parts"][0]["parent"].is_null());
   const double sigma = json["planes"][0]["sigma_offset_m"];
   const auto& fit = segmentation.segments[0].fit;
-  CHECK(sigma == doctest::Approx(fit.sigma / std::sqrt(static_cast<double>(fit.n))).epsilon(0.01).scale(0));
+  CHECK(sigma ==
+        doctest::Approx(fit.sigma / std::sqrt(static_cast<double>(fit.n))).epsilon(0.01).scale(0));
 }
 
 TEST_CASE("reports: what the scanner makes of the planes, when it is told and stations are known") {
   walls::WallScan wall;
   wall.width = wall.height = 4;
   Segmentation segmentation = walls::segmentation_of({wall.points()});
-  const char* notes = R"({"scanner": {"sigma_range_m": 0.004, "sigma_horizontal_rad": 0, "sigma_vertical_rad": 0}})";
+  const char* notes =
+      R"({"scanner": {"sigma_range_m": 0.004, "sigma_horizontal_rad": 0, "sigma_vertical_rad": 0}})";
   Task task;
   CHECK_THROWS_AS(report_json(segmentation, {}, notes, task), Error);  // no station
   CHECK_THROWS_AS(report_json(segmentation, {}, R"({"scanner": 3})", task), Error);
@@ -125,7 +128,8 @@ TEST_CASE("reports: what the scanner makes of the planes, when it is told and st
   segmentation.cloud = std::make_shared<const Cloud>(cloud);
   const auto json = nlohmann::json::parse(report_json(segmentation, {}, notes, task));
   const auto& plane = json["planes"][0];
-  CHECK(plane["sigma_scanner_m"].get<double>() > 0.0035);  // a little less where the ray is not square to the wall
+  CHECK(plane["sigma_scanner_m"].get<double>() >
+        0.0035);  // a little less where the ray is not square to the wall
   CHECK(plane["sigma_scanner_m"].get<double>() < 0.004);
   CHECK(plane["variance_factor"].get<double>() > 0.9);
   CHECK(plane["variance_factor"].get<double>() < 1.3);

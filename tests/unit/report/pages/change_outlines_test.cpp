@@ -44,7 +44,8 @@ Scene scene(const Vec3& shift = {}) {
     for (int a = 0; a < 3; ++a) buffer[3 * i + static_cast<size_t>(a)] = xyz[i][a];
   Scene out;
   out.comparison.cloud = std::make_shared<const Cloud>(make_cloud(std::move(buffer)));
-  out.comparison.points.set(make_column<double>({"distance", ElementType::kFloat64, 1, "m", ""}, distance));
+  out.comparison.points.set(
+      make_column<double>({"distance", ElementType::kFloat64, 1, "m", ""}, distance));
   Task task;
   out.points = region_points_table(change_regions(out.comparison, {}, task));
   return out;
@@ -68,7 +69,8 @@ TEST_CASE("change_outlines__a_square_with_a_hole_is_one_face_with_two_rings") {
   CHECK(face.id == 1);
   CHECK(face.ring_count == 2);
   MESSAGE("FIGURE outline of a square of 9 m2 with a hole of 1 m2: " << face.area_m2 << " m2");
-  CHECK(std::abs(face.area_m2 - 8) < 0.4);  // it runs through the outermost points, and the hole through its rim
+  CHECK(std::abs(face.area_m2 - 8) <
+        0.4);  // it runs through the outermost points, and the hole through its rim
   CHECK(std::abs(std::abs(face.plane.normal.z) - std::cos(0.5)) < 1e-6);
   CHECK(face.plane.normal.z > 0);
   for (uint64_t c = 0; c < model.rings[0].count; ++c) {
@@ -103,16 +105,19 @@ TEST_CASE("change_outlines__classes_come_from_the_changes_and_wrong_tables_are_r
   s.points.set(make_column<uint32_t>({"change", ElementType::kUint32, 1, "", ""},
                                      std::vector<uint32_t>(labels.begin(), labels.end())));
   FieldTable changes;
-  changes.set(make_column<uint8_t>({"class", ElementType::kUint8, 1, "", ""}, std::vector<uint8_t>{1, 4}));
+  changes.set(
+      make_column<uint8_t>({"class", ElementType::kUint8, 1, "", ""}, std::vector<uint8_t>{1, 4}));
   const Model model = outlined(s, &changes);
   REQUIRE(model.parts.size() == 3);
   CHECK(model.parts[1].part_class == "appearance");
   CHECK(model.parts[1].name == "change 1 region 1");
   CHECK(model.parts[2].part_class == "displacement_after");
   FieldTable short_table;
-  short_table.set(make_column<uint8_t>({"class", ElementType::kUint8, 1, "", ""}, std::vector<uint8_t>{1}));
+  short_table.set(
+      make_column<uint8_t>({"class", ElementType::kUint8, 1, "", ""}, std::vector<uint8_t>{1}));
   CHECK_THROWS_AS(outlined(s, &short_table), Error);
-  s.points.set(make_column<uint32_t>({"region", ElementType::kUint32, 1, "", ""}, std::vector<uint32_t>{1, 2}));
+  s.points.set(make_column<uint32_t>({"region", ElementType::kUint32, 1, "", ""},
+                                     std::vector<uint32_t>{1, 2}));
   CHECK_THROWS_AS(outlined(s), Error);
   s.points = {};
   CHECK_THROWS_AS(outlined(s), Error);

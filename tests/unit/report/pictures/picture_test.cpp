@@ -61,7 +61,8 @@ TEST_CASE("picture: the nearest segment shows, surfaces are closed, openings sta
     for (double u = 0.1; u < 5.9; u += 0.05)
       for (double v = 0.1; v < 3.9; v += 0.05) {
         if (std::fabs(u - 2) < 0.1 || std::fabs(u - 4) < 0.1 || std::fabs(v - 1) < 0.1 ||
-            std::fabs(v - 3) < 0.1) continue;
+            std::fabs(v - 3) < 0.1)
+          continue;
         ++pixels;
         wrong += label_at(raster, u + x, v) != (Rectangle{2, 1, 4, 3}.contains(u, v) ? 2u : 1u);
       }
@@ -73,10 +74,12 @@ TEST_CASE("picture: the nearest segment shows, surfaces are closed, openings sta
 
 TEST_CASE("picture: noise never hides a segment and shows beside it") {
   Segmentation s = wall_and_pane();
-  auto labels = std::make_shared<Column>(FieldInfo{"label", ElementType::kUint32, 1, "", ""}, s.cloud->size());
+  auto labels = std::make_shared<Column>(FieldInfo{"label", ElementType::kUint32, 1, "", ""},
+                                         s.cloud->size());
   const auto from = s.labels->values<uint32_t>();
   const auto to = labels->values<uint32_t>();
-  for (size_t i = 0; i < from.size(); ++i) to[i] = from[i] == 1 ? 0 : from[i];  // the wall, in front, becomes noise
+  for (size_t i = 0; i < from.size(); ++i)
+    to[i] = from[i] == 1 ? 0 : from[i];  // the wall, in front, becomes noise
   s.labels = labels;
   Task task;
   const LabelRaster raster = rasterise_labels(s, PictureView::kFront, task);
@@ -108,16 +111,17 @@ TEST_CASE("picture: numbers stand inside their segments, where there is room") {
   const LabelRaster raster = rasterise_labels(s, PictureView::kFront, task);
   const auto numbers = place_numbers(raster, 5);
   REQUIRE(numbers.size() == 2);
-  for (const LabelNumber& n : numbers) CHECK(raster.labels[size_t{n.row} * raster.columns + n.column] == n.label);
+  for (const LabelNumber& n : numbers)
+    CHECK(raster.labels[size_t{n.row} * raster.columns + n.column] == n.label);
   CHECK(place_numbers(raster, 1000).empty());
 }
 
 TEST_CASE("picture: a well-formed figure with axes, legend and scale bar, also of nothing") {
   const std::string svg = svg_of(wall_and_pane(), R"({"title": "a <b> & c"})");
   CHECK(markup::well_formed(svg));
-  for (const char* text
-       : {"a &lt;b&gt; &amp; c: front view, 2 segments of", "Distance along the facade (m)", "Height Z (m)",
-                           "Segments (points)", "noise  (0)", "data:image/png;base64,"})
+  for (const char* text :
+       {"a &lt;b&gt; &amp; c: front view, 2 segments of", "Distance along the facade (m)",
+        "Height Z (m)", "Segments (points)", "noise  (0)", "data:image/png;base64,"})
     CHECK_MESSAGE(svg.find(text) != std::string::npos, std::string(text));
   CHECK(svg_of(wall_and_pane(), R"({"view": "plan"})").find("plan view") != std::string::npos);
   Segmentation none = segmentation_of({});

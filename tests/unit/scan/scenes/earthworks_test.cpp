@@ -60,7 +60,8 @@ TEST_CASE("scene_earthworks__the_excavator_moves_six_metres") {
     for (const Face& face : model.faces)
       if (model.parts[face.part].name == "body")
         for (const auto& triangle : model.triangles)
-          if (model.triangle_faces[static_cast<size_t>(&triangle - model.triangles.data())] == face.id)
+          if (model.triangle_faces[static_cast<size_t>(&triangle - model.triangles.data())] ==
+              face.id)
             for (const uint32_t v : triangle) sum += model.vertices[v], ++n;
     return sum / static_cast<double>(n);
   };

@@ -45,8 +45,9 @@ std::vector<const Face*> faces_of_class(const Model& model, const std::string& p
 }
 
 size_t parts_of_class(const Model& model, const std::string& part_class) {
-  return static_cast<size_t>(std::count_if(model.parts.begin(), model.parts.end(),
-                                           [&](const Part& p) { return p.part_class == part_class; }));
+  return static_cast<size_t>(
+      std::count_if(model.parts.begin(), model.parts.end(),
+                    [&](const Part& p) { return p.part_class == part_class; }));
 }
 
 double area_of(const std::vector<const Face*>& faces) {
@@ -59,7 +60,8 @@ double area_of(const std::vector<const Face*>& faces) {
 std::set<int> depths_mm(const std::vector<const Face*>& faces) {
   std::set<int> out;
   for (const Face* face : faces)
-    if (face->plane.normal.y < -0.999) out.insert(static_cast<int>(std::lround(-1000 * face->plane.offset)));
+    if (face->plane.normal.y < -0.999)
+      out.insert(static_cast<int>(std::lround(-1000 * face->plane.offset)));
   return out;
 }
 
@@ -95,7 +97,8 @@ TEST_CASE("scene_insa__is_the_68_m_of_posts_bands_and_windows_of_its_recipe") {
     }
   CHECK(lattices == 1);
   // Some windows are open, some have a curtain.
-  const auto glass = faces_of_class(model, "glass").size(), curtains = faces_of_class(model, "curtain").size();
+  const auto glass = faces_of_class(model, "glass").size(),
+             curtains = faces_of_class(model, "curtain").size();
   CHECK(glass > 160);
   CHECK(glass < 195);
   CHECK(curtains > 20);
@@ -108,7 +111,8 @@ TEST_CASE("scene_insa__comes_turned_by_37_degrees_and_shifted") {
   const double c = std::cos(kInsaTurn), s = std::sin(kInsaTurn);
   for (size_t i = 0; i < model.vertices.size(); ++i) {
     const Vec3& p = straight.vertices[i];
-    REQUIRE(norm(model.vertices[i] - Vec3{1000 + c * p.x - s * p.y, 500 + s * p.x + c * p.y, 40 + p.z}) < 1e-10);
+    REQUIRE(norm(model.vertices[i] -
+                 Vec3{1000 + c * p.x - s * p.y, 500 + s * p.x + c * p.y, 40 + p.z}) < 1e-10);
   }
   CHECK(scene("insa", {{"seed", 2}}).faces.size() != scene("insa", {{"seed", 1}}).faces.size());
 }
@@ -118,7 +122,8 @@ TEST_CASE("scene_insa__lets_no_ray_behind_its_front_but_through_windows") {
     CAPTURE(name);
     const Model model = std::string(name) == "insa" ? straight_insa() : scene(name);
     double deepest = 0;
-    for (const Face* face : faces_of_class(model, "glass")) deepest = std::max(deepest, -face->plane.offset);
+    for (const Face* face : faces_of_class(model, "glass"))
+      deepest = std::max(deepest, -face->plane.offset);
     const Cloud cloud =
         scanned(model, quiet_settings(0.004, {.stations = 4, .station_distance_m = 15}));
     const auto ids = values<uint32_t>(cloud, "face");
@@ -151,8 +156,8 @@ TEST_CASE("scene_insa_surveyed__has_the_depths_and_the_mullions_of_the_survey") 
 TEST_CASE("scene_insa_surveyed__scanned_as_its_recipe_says_is_as_thick_as_the_survey") {
   // Table 3.4 of the source: planes 6-9 mm thick, 7.5 on average, from several stations with their misfit.
   const Model model = scene("insa_surveyed");
-  const ScanStation stations[] = {station_at({5, -25, 1.7}), station_at({25, -30, 1.7}), station_at({45, -35, 1.7}),
-                                  station_at({63, -40, 1.7})};
+  const ScanStation stations[] = {station_at({5, -25, 1.7}), station_at({25, -30, 1.7}),
+                                  station_at({45, -35, 1.7}), station_at({63, -40, 1.7})};
   const StaticSettings params{.horizontal_step_rad = 0.0029,
                               .vertical_step_rad = 0.0029,
                               .instrument = StaticSettings::Instrument::kGx,
@@ -178,8 +183,8 @@ TEST_CASE("scene_insa_surveyed__scanned_as_its_recipe_says_is_as_thick_as_the_su
     most = std::max(most, fit.sigma);
   }
   const double density = 200000 / area;
-  MESSAGE("FIGURE " << planes << " planes of 300 points: " << 1000 * least << " ... " << 1000 * most << " mm, mean "
-                    << 1000 * sum / planes << "; " << density << " points/m2");
+  MESSAGE("FIGURE " << planes << " planes of 300 points: " << 1000 * least << " ... " << 1000 * most
+                    << " mm, mean " << 1000 * sum / planes << "; " << density << " points/m2");
   CHECK(planes >= 10);
   CHECK(sum / planes > 0.006);
   CHECK(sum / planes < 0.009);
@@ -238,7 +243,8 @@ TEST_CASE("scenes_of_planes__have_the_planes_of_their_recipes") {
     CHECK_NOTHROW(validate(model));
     const Truth truth = truth_of(model);
     REQUIRE(truth.planes.size() == c.areas.size());
-    for (size_t i = 0; i < c.areas.size(); ++i) CHECK(truth.planes[i].area_m2 == doctest::Approx(c.areas[i]));
+    for (size_t i = 0; i < c.areas.size(); ++i)
+      CHECK(truth.planes[i].area_m2 == doctest::Approx(c.areas[i]));
   }
   const Truth patches = truth_of(scene("patches"));
   CHECK(patches.planes[0].plane.offset == patches.planes[1].plane.offset);
@@ -278,7 +284,8 @@ TEST_CASE("scene_lycee__is_a_chain_of_six_facades_with_eight_arched_windows") {
     const double turn = std::acos(dot(walls[i]->plane.normal, walls[i + 1]->plane.normal));
     corners.push_back(180 - turn * 180 / std::numbers::pi);
   }
-  for (const double angle : corners) CHECK((std::abs(angle - 135) < 1e-6 || std::abs(angle - 90) < 1e-6));
+  for (const double angle : corners)
+    CHECK((std::abs(angle - 135) < 1e-6 || std::abs(angle - 90) < 1e-6));
   // Segment of a circle of chord 1.2 and rise 0.2, and half a disc.
   const double radius = (0.36 + 0.04) / 0.4, half = std::asin(0.6 / radius);
   const double segmental = 1.2 * 1.8 + radius * radius * (half - std::sin(half) * std::cos(half));
@@ -304,7 +311,8 @@ TEST_CASE("scene_lycee__trees_shade_windows_5_7_and_8_by_half_to_four_fifths") {
   std::vector<std::array<uint32_t, 3>> triangles;
   std::vector<uint32_t> ids;
   for (size_t t = 0; t < model.triangles.size(); ++t) {
-    const bool leaf = !faces.contains(model.triangle_faces[t]) && front.contains(model.vertices[model.triangles[t][0]]);
+    const bool leaf = !faces.contains(model.triangle_faces[t]) &&
+                      front.contains(model.vertices[model.triangles[t][0]]);
     if (!leaf) triangles.push_back(model.triangles[t]), ids.push_back(model.triangle_faces[t]);
   }
   bare.triangles = triangles;

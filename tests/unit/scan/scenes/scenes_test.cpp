@@ -12,13 +12,15 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr const char* kScenes[] = {"facade",  "street",   "room", "box",    "surrounds", "strips",
-                                   "insa",    "insa_surveyed", "unwanted",  "std",  "normal", "patches",   "sills",
-                                   "robbery", "lycee",    "arches", "residence"};
+constexpr const char* kScenes[] = {"facade", "street",   "room",          "box",      "surrounds",
+                                   "strips", "insa",     "insa_surveyed", "unwanted", "std",
+                                   "normal", "patches",  "sills",         "robbery",  "lycee",
+                                   "arches", "residence"};
 
 size_t parts_of_class(const Model& model, const std::string& part_class) {
-  return static_cast<size_t>(std::count_if(model.parts.begin(), model.parts.end(),
-                                           [&](const Part& p) { return p.part_class == part_class; }));
+  return static_cast<size_t>(
+      std::count_if(model.parts.begin(), model.parts.end(),
+                    [&](const Part& p) { return p.part_class == part_class; }));
 }
 
 const Face& only_face(const Model& model, const std::string& part_name) {
@@ -39,13 +41,15 @@ TEST_CASE("scene__faces_rings_and_triangles_tell_the_same_truth") {
     std::map<uint32_t, double> triangle_area;
     for (size_t i = 0; i < model.triangles.size(); ++i) {
       const auto& [a, b, c] = model.triangles[i];
-      const Vec3 twice = cross(model.vertices[b] - model.vertices[a], model.vertices[c] - model.vertices[a]);
+      const Vec3 twice =
+          cross(model.vertices[b] - model.vertices[a], model.vertices[c] - model.vertices[a]);
       const auto found = faces.find(model.triangle_faces[i]);
       if (found == faces.end()) continue;  // columns, pipes, spheres have no plane
       triangle_area[found->first] += norm(twice) / 2;
       const Plane& plane = found->second.front()->plane;
       REQUIRE(dot(normalized(twice), plane.normal) > 1 - 1e-12);
-      for (const uint32_t v : {a, b, c}) REQUIRE(std::abs(plane.distance(model.vertices[v])) < 1e-12);
+      for (const uint32_t v : {a, b, c})
+        REQUIRE(std::abs(plane.distance(model.vertices[v])) < 1e-12);
     }
     for (const auto& [id, list] : faces) {
       double area = 0;
@@ -80,7 +84,8 @@ TEST_CASE("scene_facade__is_a_wall_of_22_by_10_m_with_doors_windows_cornice_and_
   CHECK(wall.ring_count == 1 + 19);  // doors cut the outline
   CHECK(wall.plane.normal.y == doctest::Approx(-1));
   CHECK(wall.plane.offset == doctest::Approx(0));
-  CHECK(signed_area(flat_ring(model, wall, 0)) == doctest::Approx(22 * 8.9 - 2 * 1.3 * (0.84 * 9.5 / 3 - 0.6)));
+  CHECK(signed_area(flat_ring(model, wall, 0)) ==
+        doctest::Approx(22 * 8.9 - 2 * 1.3 * (0.84 * 9.5 / 3 - 0.6)));
   // Reveals of three depths, and of the doors: 0.25, 0.20, 0.15 and 0.30 m.
   std::set<int> depths;
   for (const Face& face : model.faces)
@@ -110,7 +115,8 @@ TEST_CASE("scene_facade__has_no_gap_that_a_front_view_sees_through") {
     const Vec3 eye = station.pose.translation();
     for (int i = 0; i < 1571; ++i)
       for (int j = 0; j < 655; ++j) {
-        const double h = -3.14159265358979323846 + 0.004 * i, v = -3.14159265358979323846 / 3 + 0.004 * j;
+        const double h = -3.14159265358979323846 + 0.004 * i,
+                     v = -3.14159265358979323846 / 3 + 0.004 * j;
         const Vec3 d{std::cos(v) * std::sin(h), std::cos(v) * std::cos(h), std::sin(v)};
         if (!(d.y > 0)) continue;
         const Vec3 at_wall = eye + d * (-eye.y / d.y);
@@ -122,10 +128,12 @@ TEST_CASE("scene_facade__has_no_gap_that_a_front_view_sees_through") {
 }
 
 TEST_CASE("scene_facade__takes_other_sizes_and_refuses_impossible_ones") {
-  const Model big = scene("facade", {{"width_m", 60}, {"height_m", 20}, {"bays", 20}, {"storeys", 6}, {"doors", 3}});
+  const Model big = scene(
+      "facade", {{"width_m", 60}, {"height_m", 20}, {"bays", 20}, {"storeys", 6}, {"doors", 3}});
   CHECK(parts_of_class(big, "window") == 117);
   CHECK(parts_of_class(big, "door") == 3);
-  const Model bare = scene("facade", {{"doors", 0}, {"cornice_m", 0}, {"ground_m", 0}, {"reveal_m", 0}});
+  const Model bare =
+      scene("facade", {{"doors", 0}, {"cornice_m", 0}, {"ground_m", 0}, {"reveal_m", 0}});
   CHECK(parts_of_class(bare, "door") == 0);
   CHECK(parts_of_class(bare, "reveal") == 0);
   const Model framed = scene("facade", {{"frame_m", 0.03}});

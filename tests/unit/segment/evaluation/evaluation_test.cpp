@@ -24,11 +24,11 @@ struct Row {
   double tdr, tda, iou;
 };
 constexpr Row kTable53[] = {
-    {5422, 5436, 5229, 0.9619, 0.9644, 0.929},   {9203, 8720, 8717, 0.9997, 0.9472, 0.947},
-    {8922, 8286, 7841, 0.9463, 0.8788, 0.837},   {158, 178, 153, 0.8596, 0.9684, 0.836},
-    {3912, 3533, 3533, 1.0000, 0.9031, 0.903},   {286, 280, 280, 1.0000, 0.9790, 0.979},
+    {5422, 5436, 5229, 0.9619, 0.9644, 0.929},    {9203, 8720, 8717, 0.9997, 0.9472, 0.947},
+    {8922, 8286, 7841, 0.9463, 0.8788, 0.837},    {158, 178, 153, 0.8596, 0.9684, 0.836},
+    {3912, 3533, 3533, 1.0000, 0.9031, 0.903},    {286, 280, 280, 1.0000, 0.9790, 0.979},
     {19923, 18996, 18926, 0.9963, 0.9500, 0.947}, {4615, 4299, 4283, 0.9963, 0.9281, 0.925},
-    {7949, 7553, 7436, 0.9845, 0.9355, 0.922},   {414, 388, 381, 0.9820, 0.9203, 0.905},
+    {7949, 7553, 7436, 0.9845, 0.9355, 0.922},    {414, 388, 381, 0.9820, 0.9203, 0.905},
 };
 
 // Labels with these overlaps; what is not in both is noise on the other side.
@@ -75,12 +75,15 @@ TEST_CASE("evaluation gives the rates of table 5.3") {
   CHECK(std::fabs(t.mean_tdr - 0.9726) < 5.1e-5);
   CHECK(std::fabs(t.mean_tda - 0.9375) < 5.1e-5);
   CHECK(std::fabs(t.mean_iou - 0.913) < 5.1e-4);
-  CHECK(t.over_segmented + t.under_segmented + t.non_segmented + t.unmatched_automatic + t.unmatched_reference == 0);
+  CHECK(t.over_segmented + t.under_segmented + t.non_segmented + t.unmatched_automatic +
+            t.unmatched_reference ==
+        0);
 }
 
 TEST_CASE("evaluation of a segmentation with itself is perfect") {
   Labelled same;
-  for (int64_t label = 1; label <= 40; ++label) same.add(static_cast<uint64_t>(30 * label), label, label);
+  for (int64_t label = 1; label <= 40; ++label)
+    same.add(static_cast<uint64_t>(30 * label), label, label);
   const Evaluation e = same.evaluate();
   CHECK(e.totals.pairs == 40);
   CHECK(e.totals.mean_tdr == 1);
@@ -135,7 +138,8 @@ TEST_CASE("evaluation tells the angle and the distance between planes") {
   std::vector<int64_t> automatic, reference;
   for (size_t i = 0; i < 1800; ++i) {
     const double x = 0.1 * static_cast<double>(i % 30), z = 0.1 * static_cast<double>(i / 30 % 30);
-    const bool is_turned = i >= 900;  // the automatic segment: half the points on a turned and shifted plane
+    const bool is_turned =
+        i >= 900;  // the automatic segment: half the points on a turned and shifted plane
     xyz[3 * i] = 652000 + x;
     xyz[3 * i + 1] = 6861000 + (is_turned ? shift_m + std::tan(angle) * (x - 1.45) : 0);
     xyz[3 * i + 2] = z;
@@ -144,7 +148,8 @@ TEST_CASE("evaluation tells the angle and the distance between planes") {
   }
   // One point in common, in the middle where it turns nothing, so that they pair.
   automatic[15 * 30 + 15] = 7;
-  const Evaluation e = evaluate_labels(make_labelled_cloud(std::move(xyz), automatic, reference), "{\"min_iou\": 0}");
+  const Evaluation e = evaluate_labels(make_labelled_cloud(std::move(xyz), automatic, reference),
+                                       "{\"min_iou\": 0}");
   REQUIRE(e.pairs.size() == 1);
   CHECK(std::fabs(e.pairs[0].angle_rad - angle) < 1e-6);
   CHECK(std::fabs(e.pairs[0].distance_m - shift_m * 900 / 901) < 1e-5);
@@ -157,10 +162,14 @@ TEST_CASE("evaluation refuses other points") {
   const CloudPtr cloud = l.cloud(), other = l.cloud(0.01), near = l.cloud(0.0004);
   Task task;
   const Segmentation a = from_labels(cloud, "automatic");
-  CHECK_THROWS_AS(evaluate_segmentation(a, from_labels(other, "reference"), evaluation_params(), task), Error);
-  CHECK(evaluate_segmentation(a, from_labels(near, "reference"), evaluation_params(), task).pairs.size() == 1);
+  CHECK_THROWS_AS(
+      evaluate_segmentation(a, from_labels(other, "reference"), evaluation_params(), task), Error);
+  CHECK(evaluate_segmentation(a, from_labels(near, "reference"), evaluation_params(), task)
+            .pairs.size() == 1);
   l.add(1, 1, 1);
-  CHECK_THROWS_AS(evaluate_segmentation(a, from_labels(l.cloud(), "reference"), evaluation_params(), task), Error);
+  CHECK_THROWS_AS(
+      evaluate_segmentation(a, from_labels(l.cloud(), "reference"), evaluation_params(), task),
+      Error);
 }
 
 TEST_CASE("evaluation of nothing gives NaN rates and no pairs") {

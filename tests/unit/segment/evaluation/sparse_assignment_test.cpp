@@ -13,14 +13,16 @@ using namespace jalon;
 
 namespace {
 
-std::vector<WeightedEdge> random_edges(RandomStream& random, uint32_t rows, uint32_t columns, uint32_t degree,
-                                       int64_t largest) {
+std::vector<WeightedEdge> random_edges(RandomStream& random, uint32_t rows, uint32_t columns,
+                                       uint32_t degree, int64_t largest) {
   std::vector<WeightedEdge> out;
   for (uint32_t row = 0; row < rows; ++row) {
     std::set<uint32_t> chosen;
-    for (uint32_t k = 0; k < degree; ++k) chosen.insert(static_cast<uint32_t>(random.below(columns)));
+    for (uint32_t k = 0; k < degree; ++k)
+      chosen.insert(static_cast<uint32_t>(random.below(columns)));
     for (const uint32_t column : chosen)
-      out.push_back({row, column, 1 + static_cast<int64_t>(random.below(static_cast<uint64_t>(largest)))});
+      out.push_back(
+          {row, column, 1 + static_cast<int64_t>(random.below(static_cast<uint64_t>(largest)))});
   }
   return out;
 }
@@ -41,12 +43,14 @@ int64_t weight_of(const std::vector<uint32_t>& columns, const std::vector<Weight
 }
 
 // Every assignment, row by row.
-int64_t best_by_trial(const std::vector<WeightedEdge>& edges, uint32_t row, uint32_t rows, uint32_t used) {
+int64_t best_by_trial(const std::vector<WeightedEdge>& edges, uint32_t row, uint32_t rows,
+                      uint32_t used) {
   if (row == rows) return 0;
   int64_t best = best_by_trial(edges, row + 1, rows, used);
   for (const WeightedEdge& edge : edges)
     if (edge.row == row && (used >> edge.column & 1) == 0)
-      best = std::max(best, edge.weight + best_by_trial(edges, row + 1, rows, used | 1u << edge.column));
+      best = std::max(best,
+                      edge.weight + best_by_trial(edges, row + 1, rows, used | 1u << edge.column));
   return best;
 }
 
@@ -56,11 +60,13 @@ TEST_CASE("sparse assignment reaches the largest weight that trying everything f
   RandomStream random(1, 3);
   Task task;
   for (int trial = 0; trial < 2000; ++trial) {
-    const auto rows = static_cast<uint32_t>(1 + random.below(6)), columns = static_cast<uint32_t>(1 + random.below(7));
-    const auto edges =
-        random_edges(random, rows, columns, static_cast<uint32_t>(random.below(5)), trial % 2 == 0 ? 5 : 1000);
+    const auto rows = static_cast<uint32_t>(1 + random.below(6)),
+               columns = static_cast<uint32_t>(1 + random.below(7));
+    const auto edges = random_edges(random, rows, columns, static_cast<uint32_t>(random.below(5)),
+                                    trial % 2 == 0 ? 5 : 1000);
     CAPTURE(trial);
-    CHECK(weight_of(assign_sparse(rows, columns, edges, task), edges) == best_by_trial(edges, 0, rows, 0));
+    CHECK(weight_of(assign_sparse(rows, columns, edges, task), edges) ==
+          best_by_trial(edges, 0, rows, 0));
   }
 }
 
@@ -71,8 +77,10 @@ TEST_CASE("sparse assignment of 5000 rows and columns in one component takes no 
   auto edges = random_edges(random, n, n, 8, 1000);
   const auto before = std::chrono::steady_clock::now();
   const auto columns = assign_sparse(n, n, edges, task);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
-  MESSAGE("FIGURE assignment of 5000 x 5000 segments with " << edges.size() << " overlaps: " << seconds << " s");
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  MESSAGE("FIGURE assignment of 5000 x 5000 segments with " << edges.size()
+                                                            << " overlaps: " << seconds << " s");
   CHECK(weight_of(columns, edges) > 0);
   CHECK(seconds < 20);
 }

@@ -18,9 +18,11 @@ namespace {
 
 // The cloud with a field "normal": value(i) for point i.
 template <class F>
-CloudPtr with_normals(const std::vector<Vec3>& points, ElementType type, uint32_t components, F&& value) {
+CloudPtr with_normals(const std::vector<Vec3>& points, ElementType type, uint32_t components,
+                      F&& value) {
   auto cloud = std::make_shared<Cloud>(*cloud_of(points));
-  auto column = std::make_shared<Column>(FieldInfo{"normal", type, components, "", ""}, points.size());
+  auto column =
+      std::make_shared<Column>(FieldInfo{"normal", type, components, "", ""}, points.size());
   if (type == ElementType::kFloat64)
     for (size_t i = 0; i < points.size(); ++i)
       for (uint32_t k = 0; k < components; ++k)
@@ -50,7 +52,8 @@ TEST_CASE("growing survives repeated points and a plane without noise") {
   for (int i = 0; i < 60; ++i)
     for (int k = 0; k < 60; ++k)
       for (int copy = 0; copy < 3; ++copy) points.push_back({0.05 * i, 0.05 * k, 1});
-  for (int i = 0; i < 20000; ++i) points.push_back({1.5, 1.5, 1});  // one pulse stored over and over
+  for (int i = 0; i < 20000; ++i)
+    points.push_back({1.5, 1.5, 1});  // one pulse stored over and over
   const Segmentation s = grow(cloud_of(points));
   REQUIRE(s.segments.size() == 1);
   CHECK(s.segments[0].fit.n == points.size());
@@ -86,7 +89,8 @@ TEST_CASE("growing takes the caller's normals when told to, and refuses what is 
   CHECK(grow(with_normals(scene.points, f64, 3, wrong_normal), json).segments.empty());
   CHECK_THROWS_AS(grow(cloud_of(scene.points), json), Error);
   CHECK_THROWS_AS(grow(with_normals(scene.points, f64, 2, true_normal), json), Error);
-  CHECK_THROWS_AS(grow(with_normals(scene.points, ElementType::kUint8, 3, true_normal), json), Error);
+  CHECK_THROWS_AS(grow(with_normals(scene.points, ElementType::kUint8, 3, true_normal), json),
+                  Error);
 }
 
 TEST_CASE("growing is cancelled from outside") {

@@ -13,7 +13,8 @@ using namespace jalon::test;
 namespace {
 
 constexpr int kWall = 1, kDoor = 2, kWindow = 3;
-constexpr double kBehind_m = 0.05;  // doors and windows set back at least so far share no segment with the wall
+constexpr double kBehind_m =
+    0.05;  // doors and windows set back at least so far share no segment with the wall
 constexpr double kNearWall_m = 0.03;
 // Below the shop signs the walls go on 0.8 to 1.2 m farther down, in both streets.
 constexpr const char* kJoinPieces = "{\"merge_gap_m\": 1.2}";
@@ -40,8 +41,9 @@ void check_street(const char* name) {
       shared += labels[i] == 1;
     }
   }
-  MESSAGE("FIGURE " << std::string(name) << ": " << s.segments.size() << " segments, sigma of the wall " << wall.sigma << " m, "
-                    << found << " of " << near << " wall points within 3 cm, " << shared << " of " << behind
+  MESSAGE("FIGURE " << std::string(name) << ": " << s.segments.size()
+                    << " segments, sigma of the wall " << wall.sigma << " m, " << found << " of "
+                    << near << " wall points within 3 cm, " << shared << " of " << behind
                     << " door and window points 5 cm behind share its segment");
   CHECK(static_cast<double>(found) >= 0.98 * static_cast<double>(near));
   CHECK(behind > 100);
@@ -51,5 +53,9 @@ void check_street(const char* name) {
 
 }  // namespace
 
-TEST_CASE("growing finds the wall of street 1 and keeps doors and windows out of it") { check_street("street_1.txt"); }
-TEST_CASE("growing finds the wall of street 3 and keeps doors and windows out of it") { check_street("street_3.txt"); }
+TEST_CASE("growing finds the wall of street 1 and keeps doors and windows out of it") {
+  check_street("street_1.txt");
+}
+TEST_CASE("growing finds the wall of street 3 and keeps doors and windows out of it") {
+  check_street("street_3.txt");
+}

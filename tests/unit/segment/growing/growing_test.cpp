@@ -28,7 +28,10 @@ Scene ramp(double noise_m, uint64_t seed) {
       const double x = 0.2 * i;
       const Vec3 p{x, 0.2 * k, std::clamp(x - 4, 0.0, 2.0)};
       scene.points.push_back(p + noise_m * Vec3{random.normal(), random.normal(), random.normal()});
-      scene.faces.push_back(i < 20 ? 1 : i == 20 || i == 30 ? 0 : i < 30 ? 2 : 3);  // 0: on a break line
+      scene.faces.push_back(i < 20               ? 1
+                            : i == 20 || i == 30 ? 0
+                            : i < 30             ? 2
+                                                 : 3);  // 0: on a break line
     }
   return scene;
 }
@@ -49,7 +52,8 @@ RampResult judge_ramp(const Scene& scene, const Segmentation& s) {
       if (label == 0 || overlap(scene, s, face, l) > overlap(scene, s, face, label)) label = l;
     const Vec3& n = s.segments[label - 1].fit.plane.normal;
     out.angle_rad = std::max(out.angle_rad, norm(cross(n, kRampNormals[face - 1])));
-    for (size_t i = 0; i < labels.size(); ++i) out.wrong += scene.faces[i] == face && labels[i] != label;
+    for (size_t i = 0; i < labels.size(); ++i)
+      out.wrong += scene.faces[i] == face && labels[i] != label;
   }
   return out;
 }
@@ -59,7 +63,8 @@ RampResult judge_ramp(const Scene& scene, const Segmentation& s) {
 TEST_CASE("growing splits the ramp object into its three planes, exactly without noise") {
   const Scene scene = ramp(0, 1);
   const RampResult exact = judge_ramp(scene, grow(cloud_of(scene.points)));
-  MESSAGE("FIGURE ramp without noise: " << exact.angle_rad << " rad, " << exact.wrong << " points wrong");
+  MESSAGE("FIGURE ramp without noise: " << exact.angle_rad << " rad, " << exact.wrong
+                                        << " points wrong");
   CHECK(exact.angle_rad < 1e-6);
   CHECK(exact.wrong == 0);
 }
@@ -70,9 +75,11 @@ TEST_CASE("growing splits the ramp object with 5 mm noise within 0.2 degrees") {
     const Scene scene = ramp(0.005, seed);
     const RampResult r = judge_ramp(scene, grow(cloud_of(scene.points)));
     angle = std::max(angle, r.angle_rad);
-    wrong = std::max(wrong, static_cast<double>(r.wrong) / static_cast<double>(scene.points.size()));
+    wrong =
+        std::max(wrong, static_cast<double>(r.wrong) / static_cast<double>(scene.points.size()));
   }
-  MESSAGE("FIGURE ramp with 5 mm noise, 20 seeds: " << angle / kDegree << " degrees, " << 100 * wrong << " % wrong");
+  MESSAGE("FIGURE ramp with 5 mm noise, 20 seeds: " << angle / kDegree << " degrees, "
+                                                    << 100 * wrong << " % wrong");
   CHECK(angle < 0.2 * kDegree);
   CHECK(wrong <= 0.02);
 }
@@ -80,11 +87,14 @@ TEST_CASE("growing splits the ramp object with 5 mm noise within 0.2 degrees") {
 TEST_CASE("a smaller search distance makes smaller regions, below the spacing none") {
   const Scene scene = ramp(0.002, 3);
   size_t largest_before = 0;
-  for (const char* gap : {"0.05", "0.1", "0.2", "0.4"}) {  // a quarter, half, once and twice the spacing
-    const Segmentation s = grow(cloud_of(scene.points), (std::string("{\"merge_gap_m\": 0, \"gap_m\": ") + gap + "}").c_str());
+  for (const char* gap :
+       {"0.05", "0.1", "0.2", "0.4"}) {  // a quarter, half, once and twice the spacing
+    const Segmentation s =
+        grow(cloud_of(scene.points),
+             (std::string("{\"merge_gap_m\": 0, \"gap_m\": ") + gap + "}").c_str());
     const size_t largest = s.segments.empty() ? 0 : s.segments[0].fit.n;
-    MESSAGE("FIGURE search distance " << std::string(gap) << " m: " << s.segments.size() << " segments, largest "
-                                      << largest);
+    MESSAGE("FIGURE search distance " << std::string(gap) << " m: " << s.segments.size()
+                                      << " segments, largest " << largest);
     CHECK(largest >= largest_before);
     largest_before = largest;
   }
@@ -108,7 +118,8 @@ TEST_CASE("S7 oblique trap: growing takes the strips one by one, none slanted") 
   takes_staggered_strips_one_by_one([](const CloudPtr& cloud, uint64_t) { return grow(cloud); });
 }
 
-TEST_CASE("S8 growing keeps coplanar patches 1 m apart as two segments and joins those 0.3 m apart") {
+TEST_CASE(
+    "S8 growing keeps coplanar patches 1 m apart as two segments and joins those 0.3 m apart") {
   for (const double gap : {1.0, 0.3}) {
     Scene scene;
     RandomStream random(8, 0);
@@ -128,17 +139,22 @@ TEST_CASE("growing finds the facade's 18 planes") {
     double coverage = 1, angle = 0;
     for (int face = 1; face <= 18; ++face) {
       size_t best = 0, total = 0;
-      for (const Segment& segment : s.segments) best = std::max(best, overlap(scene, s, face, segment.label));
+      for (const Segment& segment : s.segments)
+        best = std::max(best, overlap(scene, s, face, segment.label));
       for (const int f : scene.faces) total += f == face;
       coverage = std::min(coverage, static_cast<double>(best) / static_cast<double>(total));
     }
     for (const Segment& segment : s.segments) {
       const Vec3& n = segment.fit.plane.normal;
-      angle = std::max(angle, std::acos(std::min(1.0, std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}))));
+      angle = std::max(
+          angle,
+          std::acos(std::min(1.0, std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}))));
     }
-    MESSAGE("FIGURE facade: least coverage " << coverage << ", largest angle " << angle / kDegree << " degrees");
+    MESSAGE("FIGURE facade: least coverage " << coverage << ", largest angle " << angle / kDegree
+                                             << " degrees");
     CHECK(coverage >= 0.93);
-    CHECK(angle < 1 * kDegree);  // reveals 0.2 m wide; a plane through two surfaces is off by several
+    CHECK(angle <
+          1 * kDegree);  // reveals 0.2 m wide; a plane through two surfaces is off by several
   }
 }
 
@@ -178,7 +194,8 @@ TEST_CASE("growing crosses the gaps between a scan's lines on far ground when ga
 TEST_CASE("growing thins what is much denser than the tolerance and labels all points") {
   Scene scene;
   RandomStream random(14, 0);
-  scene.rectangle(1, {0, 0, 0}, {2, 0, 0}, {0, 0, 2}, 120000, 0.003, random);   // 3 mm apart: normals would be noise
+  scene.rectangle(1, {0, 0, 0}, {2, 0, 0}, {0, 0, 2}, 120000, 0.003,
+                  random);  // 3 mm apart: normals would be noise
   scene.rectangle(2, {0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 60000, 0.003, random);
   const Segmentation s = grow(cloud_of(scene.points));
   REQUIRE(s.segments.size() == 2);

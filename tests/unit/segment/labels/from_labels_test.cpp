@@ -33,7 +33,8 @@ CloudPtr many_labels(size_t n, uint32_t labels, uint64_t seed) {
     xyz[3 * i + 1] = noise;
     xyz[3 * i + 2] = static_cast<double>(label / 100) + 0.9 * random.uniform();
     field[i] = label + 1;
-    shifted[i] = random.uniform() < 0.05 ? static_cast<uint32_t>(random.below(labels + 1)) : label + 1;
+    shifted[i] =
+        random.uniform() < 0.05 ? static_cast<uint32_t>(random.below(labels + 1)) : label + 1;
   }
   Cloud cloud = make_cloud(std::move(xyz));
   cloud.fields.set(make_column<uint32_t>({"reference"}, field));
@@ -47,7 +48,7 @@ TEST_CASE("labels of true faces give the true planes, on the national grid too")
   const Scene scene = facade_scene(800, 1);
   const Vec3 shift{652000, 6861000, 120};
   const Segmentation local = from_labels(with_faces(scene), "face"),
-      national = from_labels(with_faces(scene, shift), "face");
+                     national = from_labels(with_faces(scene, shift), "face");
   REQUIRE(local.segments.size() == 18);
   REQUIRE(national.segments.size() == 18);
   for (size_t s = 0; s < 18; ++s) {
@@ -58,8 +59,8 @@ TEST_CASE("labels of true faces give the true planes, on the national grid too")
     CHECK(norm(b.fit.centroid - shift - a.fit.centroid) < 1e-8);
     CHECK(norm(cross(a.fit.plane.normal, b.fit.plane.normal)) < 1e-8);
   }
-  const Segment& wall =
-      *std::find_if(local.segments.begin(), local.segments.end(), [](const Segment& s) { return s.source_label == 1; });
+  const Segment& wall = *std::find_if(local.segments.begin(), local.segments.end(),
+                                      [](const Segment& s) { return s.source_label == 1; });
   CHECK(wall.orientation == Orientation::kParallel);
   CHECK(std::fabs(wall.area_m2 - 54) < 3);  // 10 x 6 m less two windows of 3 m2
   CHECK(std::fabs(std::fabs(wall.fit.plane.normal.y) - 1) < 1e-5);
@@ -71,7 +72,8 @@ TEST_CASE("labels agree with what the segmenter made of them") {
   const Segmentation found = run(cloud, ransac_params());
   Cloud labelled = *cloud;
   labelled.fields.set(found.labels);
-  const Segmentation back = from_labels(std::make_shared<const Cloud>(std::move(labelled)), "label");
+  const Segmentation back =
+      from_labels(std::make_shared<const Cloud>(std::move(labelled)), "label");
   REQUIRE(back.segments.size() == found.segments.size());
   for (size_t s = 0; s < found.segments.size(); ++s) {
     CHECK(back.segments[s].fit.n == found.segments[s].fit.n);
@@ -85,8 +87,8 @@ TEST_CASE("labels agree with what the segmenter made of them") {
 }
 
 TEST_CASE("labels without three points off a line keep their row with NaN") {
-  const std::vector<Vec3> points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {5, 0, 0}, {6, 0, 0}, {7, 1, 0}, {9, 9, 9},
-                                 {9, 9, 9}};
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {5, 0, 0},
+                                 {6, 0, 0}, {7, 1, 0}, {9, 9, 9}, {9, 9, 9}};
   const std::vector<int64_t> labels{2, 2, 2, 2, 7, 7, 7, 9, 9};
   Cloud cloud = *cloud_of(points);
   cloud.fields.set(make_column<int64_t>({"label"}, labels));
@@ -113,21 +115,27 @@ TEST_CASE("labels that mean noise are the caller's choice") {
   CHECK_THROWS_AS(from_labels(cloud, "no such field"), Error);
 }
 
-TEST_CASE("labels and their evaluation are quick for millions of points and thousands of segments") {
-  const size_t n = std::getenv("JALON_FULL") != nullptr ? 10000000 : std::getenv("JALON_SANITIZED") != nullptr ? 100000
-      : 1000000;
+TEST_CASE(
+    "labels and their evaluation are quick for millions of points and thousands of segments") {
+  const size_t n = std::getenv("JALON_FULL") != nullptr        ? 10000000
+                   : std::getenv("JALON_SANITIZED") != nullptr ? 100000
+                                                               : 1000000;
   const CloudPtr cloud = many_labels(n, 5000, 1);
   const auto before = std::chrono::steady_clock::now();
-  const Segmentation automatic = from_labels(cloud, "automatic"), reference = from_labels(cloud, "reference");
-  const double made = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  const Segmentation automatic = from_labels(cloud, "automatic"),
+                     reference = from_labels(cloud, "reference");
+  const double made =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   Task task;
   const Evaluation e = evaluate_segmentation(automatic, reference, evaluation_params(), task);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count() - made;
-  MESSAGE("FIGURE " << n << " points, 5000 x 5000 segments: " << made << " s for both from labels, " << seconds
-          << " s to evaluate");
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count() - made;
+  MESSAGE("FIGURE " << n << " points, 5000 x 5000 segments: " << made << " s for both from labels, "
+                    << seconds << " s to evaluate");
   CHECK(e.totals.pairs == 5000);
   for (const SegmentPair& pair : e.pairs)
-    CHECK(automatic.segments[pair.automatic - 1].source_label == reference.segments[pair.reference - 1].source_label);
+    CHECK(automatic.segments[pair.automatic - 1].source_label ==
+          reference.segments[pair.reference - 1].source_label);
   CHECK(std::fabs(e.totals.mean_tdr - 0.95) < 0.01);
   CHECK(std::fabs(e.totals.mean_tda - 0.95) < 0.01);
 }

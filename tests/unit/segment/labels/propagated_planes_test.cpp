@@ -31,11 +31,14 @@ Segmentation scanned_wall(uint64_t seed, const Vec3& shift) {
   RandomStream random(seed, 5);
   std::vector<Vec3> points;
   for (size_t i = 0; i < 600; ++i) {
-    const Vec3 ray = Vec3{0.4 * static_cast<double>(i % 30), 0, 0.3 * static_cast<double>(i / 30)} + shift - station;
+    const Vec3 ray = Vec3{0.4 * static_cast<double>(i % 30), 0, 0.3 * static_cast<double>(i / 30)} +
+                     shift - station;
     const double d = norm(ray) + kRangeSigma_m * random.normal(), h = std::atan2(ray.x, ray.y),
                  v = std::atan2(ray.z, std::hypot(ray.x, ray.y));
-    const double hn = h + kAngleSigma_rad * random.normal(), vn = v + kAngleSigma_rad * random.normal();
-    points.push_back(station + Vec3{d * std::cos(vn) * std::sin(hn), d * std::cos(vn) * std::cos(hn), d * std::sin(vn)});
+    const double hn = h + kAngleSigma_rad * random.normal(),
+                 vn = v + kAngleSigma_rad * random.normal();
+    points.push_back(station + Vec3{d * std::cos(vn) * std::sin(hn),
+                                    d * std::cos(vn) * std::cos(hn), d * std::sin(vn)});
     for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = points[i][k];
     labels->values<uint32_t>()[i] = 1;
   }
@@ -82,9 +85,9 @@ TEST_CASE("propagated_planes__covariance_covers_the_true_plane") {
     const Plane& unweighted = wall.segments[0].fit.plane;
     plain += unweighted.distance(corner) * unweighted.distance(corner);
   }
-  MESSAGE("FIGURE planes from point covariances: variance factor ", factor, ", 95 % covers ", 100.0 * covered / draws,
-          " %, rms at a corner ", 1000 * std::sqrt(weighted / draws), " mm against ", 1000 * std::sqrt(plain / draws),
-          " mm unweighted");
+  MESSAGE("FIGURE planes from point covariances: variance factor ", factor, ", 95 % covers ",
+          100.0 * covered / draws, " %, rms at a corner ", 1000 * std::sqrt(weighted / draws),
+          " mm against ", 1000 * std::sqrt(plain / draws), " mm unweighted");
   CHECK(factor == doctest::Approx(1).epsilon(0.02));
   CHECK(covered > 0.93 * draws);
   CHECK(covered < 0.97 * draws);

@@ -19,11 +19,12 @@ constexpr int kWall = 1;
 
 struct Facade {
   const char* file;
-  double depth_m;         ///< of the recess behind the wall
-  size_t wall, recess;    ///< wall points that one pick should gather there
+  double depth_m;       ///< of the recess behind the wall
+  size_t wall, recess;  ///< wall points that one pick should gather there
 };
 // Counts of the labels: street_test.cpp tells the same of the planes that ransac finds.
-constexpr Facade kFacades[] = {{"street_1.txt", 0.22, 22700, 950}, {"street_3.txt", 0.14, 19200, 400}};
+constexpr Facade kFacades[] = {{"street_1.txt", 0.22, 22700, 950},
+                               {"street_3.txt", 0.14, 19200, 400}};
 
 PickSettings pick_params(const char* json) {
   ParamSet params("pick", pick_rows());
@@ -55,7 +56,9 @@ const Segment* recess_of(const Scene& scene, const Segmentation& s, double depth
   const Segment& wall = s.segments[0];
   for (const Segment& segment : s.segments) {
     const double depth = -wall.fit.plane.distance(segment.fit.centroid);
-    if (segment.label == 1 || std::fabs(dot(wall.fit.plane.normal, segment.fit.plane.normal)) < 0.998) continue;
+    if (segment.label == 1 ||
+        std::fabs(dot(wall.fit.plane.normal, segment.fit.plane.normal)) < 0.998)
+      continue;
     const bool is_wall = 2 * overlap(scene, s, kWall, segment.label) > segment.fit.n;
     if (std::fabs(depth - depth_m) < 0.05 && is_wall) return &segment;
   }
@@ -87,14 +90,16 @@ TEST_CASE("with_pick__real_facades__one_pick_gives_the_wall_another_the_recess_b
     const Segmentation two = with_pick(one, PrimitiveType::kPlane, on_recess, settings, task);
     const size_t wall = overlap(scene, two, kWall, 1), recess = overlap(scene, two, kWall, 2);
     const Segment &w = two.segments[0], &r = two.segments[1];
-    const double depth = std::fabs(w.fit.plane.distance(r.fit.centroid));  // without a station no side is the front
+    const double depth =
+        std::fabs(w.fit.plane.distance(r.fit.centroid));  // without a station no side is the front
     MESSAGE("FIGURE " << std::string(facade.file) << ": wall " << wall << " of its " << w.fit.n
-                      << " points labelled wall (sigma " << 1e3 * w.fit.sigma << " mm), recess " << recess
-                      << " of its " << r.fit.n << ", " << depth
-                      << " m behind; " << remaining_points(two, task).size() << " points remain");
+                      << " points labelled wall (sigma " << 1e3 * w.fit.sigma << " mm), recess "
+                      << recess << " of its " << r.fit.n << ", " << depth << " m behind; "
+                      << remaining_points(two, task).size() << " points remain");
     const auto labelled = static_cast<double>(facade.wall);
     CHECK(std::fabs(static_cast<double>(wall) - labelled) <= 0.02 * labelled);
-    CHECK(static_cast<double>(wall) >= 0.9 * static_cast<double>(w.fit.n));  // doors lie within the tolerance as well
+    CHECK(static_cast<double>(wall) >=
+          0.9 * static_cast<double>(w.fit.n));  // doors lie within the tolerance as well
     CHECK(recess >= facade.recess);
     CHECK(2 * recess > r.fit.n);
     CHECK(std::fabs(depth - facade.depth_m) < 0.05);

@@ -78,7 +78,8 @@ TEST_CASE("with_pick__four_picks__plane_inside_their_polygon") {
   CHECK(overlap(scene, start, 1, 1) == 0);
   // Picks in an order that crosses itself: their hull.
   const auto crossed = shifted({{1, 0, 1}, {4, 0, 3}, {4, 0, 1}, {1, 0, 3}});
-  CHECK(with_pick(start, PrimitiveType::kPlane, crossed, pick_params(), task).segments[0].fit.n == wall.fit.n);
+  CHECK(with_pick(start, PrimitiveType::kPlane, crossed, pick_params(), task).segments[0].fit.n ==
+        wall.fit.n);
 }
 
 TEST_CASE("with_pick__seed__grows_to_the_panel_and_over_gaps_when_told") {
@@ -90,10 +91,12 @@ TEST_CASE("with_pick__seed__grows_to_the_panel_and_over_gaps_when_told") {
   const Segmentation near = with_pick(start, PrimitiveType::kPlane, seed, pick_params(), task);
   CHECK(share_of(scene, near, 1, 1) > 0.99);
   CHECK(overlap(scene, near, 2, 1) == 0);
-  const Segmentation wide = with_pick(start, PrimitiveType::kPlane, seed, pick_params("{\"gap_m\":1.2}"), task);
+  const Segmentation wide =
+      with_pick(start, PrimitiveType::kPlane, seed, pick_params("{\"gap_m\":1.2}"), task);
   CHECK(share_of(scene, wide, 2, 1) > 0.99);
   // The next pick takes what remains; the last segment is its own undo.
-  const Segmentation both = with_pick(near, PrimitiveType::kPlane, shifted({{8, 0, 1}}), pick_params(), task);
+  const Segmentation both =
+      with_pick(near, PrimitiveType::kPlane, shifted({{8, 0, 1}}), pick_params(), task);
   REQUIRE(both.segments.size() == 2);
   CHECK(share_of(scene, both, 1, 1) > 0.99);
   CHECK(share_of(scene, both, 2, 2) > 0.99);
@@ -107,13 +110,17 @@ TEST_CASE("with_pick__spheres_and_cylinders__found_from_picks_and_normals") {
   Task task;
   Segmentation s = empty_segmentation(cloud, task);
   const double r = 0.9 * std::sqrt(0.5);
-  s = with_pick(s, PrimitiveType::kSphere, shifted({{8.9, -3, 0.9}, {8, -2.1, 0.9}, {8, -3, 1.8}, {8 - r, -3 - r, 0.9}}),
+  s = with_pick(s, PrimitiveType::kSphere,
+                shifted({{8.9, -3, 0.9}, {8, -2.1, 0.9}, {8, -3, 1.8}, {8 - r, -3 - r, 0.9}}),
                 pick_params(), task);
-  s = with_pick(s, PrimitiveType::kCylinder, shifted({{2.25, -2, 0.5}, {2, -1.75, 1.5}, {1.75, -2, 2}}), pick_params(), task);
+  s = with_pick(s, PrimitiveType::kCylinder,
+                shifted({{2.25, -2, 0.5}, {2, -1.75, 1.5}, {1.75, -2, 2}}), pick_params(), task);
   const Vec3 lean = normalized(Vec3{0.3, 0.1, 1});
   const auto e = across(lean);
   const Vec3 axis = Vec3{5, -3, 0} + 1.5 * lean;
-  s = with_pick(s, PrimitiveType::kCylinder, shifted({axis + 0.15 * e[0], axis + 0.4 * lean + 0.15 * e[1]}), pick_params(), task);
+  s = with_pick(s, PrimitiveType::kCylinder,
+                shifted({axis + 0.15 * e[0], axis + 0.4 * lean + 0.15 * e[1]}), pick_params(),
+                task);
   REQUIRE(s.segments.size() == 3);
   CHECK(norm(s.segments[0].sphere.sphere.centre - kShift - Vec3{8, -3, 0.9}) < 0.0005);
   CHECK(s.segments[0].sphere.sphere.radius == doctest::Approx(0.9).epsilon(0.0005));
@@ -141,9 +148,11 @@ TEST_CASE("with_pick__minimal_surface__leaves_small_pieces_out") {
   Task task;
   const std::vector<Vec3> picks{{-0.1, 0, -0.1}, {4, 0, -0.1}, {4, 0, 2.1}, {-0.1, 0, 2.1}};
   const Segmentation start = empty_segmentation(cloud, task);
-  const Segmentation all = with_pick(start, PrimitiveType::kPlane, picks, pick_params("{\"min_area_m2\":0}"), task);
+  const Segmentation all =
+      with_pick(start, PrimitiveType::kPlane, picks, pick_params("{\"min_area_m2\":0}"), task);
   CHECK(overlap(scene, all, 2, 1) == 40);
-  const Segmentation large = with_pick(start, PrimitiveType::kPlane, picks, pick_params("{\"min_area_m2\":0.1}"), task);
+  const Segmentation large =
+      with_pick(start, PrimitiveType::kPlane, picks, pick_params("{\"min_area_m2\":0.1}"), task);
   CHECK(overlap(scene, large, 2, 1) == 0);
   CHECK(overlap(scene, large, 1, 1) == 8000);
 }
@@ -168,7 +177,8 @@ TEST_CASE("with_pick__bad_picks__documented_status") {
   CHECK(status(PrimitiveType::kSphere, {a}) == Status::kInsufficientData);
   CHECK(status(PrimitiveType::kSphere, {a, b, c, d}) == Status::kDegenerate);
   CHECK(status(PrimitiveType::kCylinder, {a}) == Status::kInsufficientData);
-  CHECK(status(PrimitiveType::kCylinder, {a, d}) != Status::kOk);  // normals parallel but for the noise
+  CHECK(status(PrimitiveType::kCylinder, {a, d}) !=
+        Status::kOk);  // normals parallel but for the noise
   CHECK(status(PrimitiveType::kCylinder, {a, a, a}) == Status::kDegenerate);
 }
 

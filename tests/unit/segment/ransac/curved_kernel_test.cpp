@@ -16,7 +16,8 @@ namespace {
 
 // The definition, in double precision; `near` tells when single precision may decide otherwise.
 bool inlier(const PointColumns& points, const CurvedTest& t, size_t i, bool& near) {
-  double d[3] = {double{points.x[i]} - t.cx, double{points.y[i]} - t.cy, double{points.z[i]} - t.cz};
+  double d[3] = {double{points.x[i]} - t.cx, double{points.y[i]} - t.cy,
+                 double{points.z[i]} - t.cz};
   const double along = d[0] * t.ax + d[1] * t.ay + d[2] * t.az;
   d[0] -= along * t.ax, d[1] -= along * t.ay, d[2] -= along * t.az;
   const double squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
@@ -36,7 +37,14 @@ TEST_CASE("curved_kernel__all_forms__agree_with_the_definition_point_by_point") 
     const test::PointBlock block(random);
     const PointColumns points = block.points();
     const bool sphere = round % 2 == 0;
-    const CurvedTest test{0.1f, -0.2f, 0.3f, sphere ? 0 : 0.6f, sphere ? 0 : -0.48f, sphere ? 0 : 0.64f, 0.25f, 0.64f,
+    const CurvedTest test{0.1f,
+                          -0.2f,
+                          0.3f,
+                          sphere ? 0 : 0.6f,
+                          sphere ? 0 : -0.48f,
+                          sphere ? 0 : 0.64f,
+                          0.25f,
+                          0.64f,
                           round % 3 ? 0.2f : 0.0f};
     uint32_t mask[kBlockPoints / 32];
     const uint32_t marked = mark_curved(points, test, mask);

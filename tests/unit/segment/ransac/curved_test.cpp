@@ -44,7 +44,8 @@ Scene yard() {
   RandomStream random(21, 2);
   scene.rectangle(1, {0, -8, 0}, {16, 0, 0}, {0, 8, 0}, 40000, 0.003, random);
   scene.rectangle(2, {0, 0, 0}, {10, 0, 0}, {0, 0, 4}, 20000, 0.003, random);
-  cylinder(scene, kColumn, {{2, -2, 1.6}, {0, 0, 1}, 0.25}, 3.2, 2 * std::numbers::pi, 3000, random);
+  cylinder(scene, kColumn, {{2, -2, 1.6}, {0, 0, 1}, 0.25}, 3.2, 2 * std::numbers::pi, 3000,
+           random);
   cylinder(scene, kPipe, {{5, -3, 1.7}, kLean, 0.08}, 3.0, 2 * std::numbers::pi, 2000, random);
   cylinder(scene, kSilo, {{14, -4, 2}, {0, 0, 1}, kSilo_m}, 4, std::numbers::pi, 12000, random);
   ball(scene, kBall, {{8, -3, 0.95}, 0.9}, 4000, random);
@@ -72,7 +73,8 @@ double share_of(const Scene& scene, const Segmentation& s, int face, const Segme
          static_cast<double>(std::count(scene.faces.begin(), scene.faces.end(), face));
 }
 
-void check_cylinder(const Scene& scene, const Segmentation& s, int face, const Cylinder& truth, const Vec3& shift) {
+void check_cylinder(const Scene& scene, const Segmentation& s, int face, const Cylinder& truth,
+                    const Vec3& shift) {
   const Segment& found = segment_of(scene, s, face);
   CAPTURE(face);
   REQUIRE(found.type == PrimitiveType::kCylinder);
@@ -118,7 +120,8 @@ TEST_CASE("ransac_primitives__asked_for_one_kind__the_other_stays_noise") {
   const CloudPtr cloud = cloud_of(scene.points);
   const Segmentation spheres = run(cloud, ransac_params("{\"primitives\": \"planes+spheres\"}"));
   CHECK(segment_of(scene, spheres, kBall).type == PrimitiveType::kSphere);
-  const Segmentation cylinders = run(cloud, ransac_params("{\"primitives\": \"planes+cylinders\"}"));
+  const Segmentation cylinders =
+      run(cloud, ransac_params("{\"primitives\": \"planes+cylinders\"}"));
   CHECK(segment_of(scene, cylinders, kColumn).type == PrimitiveType::kCylinder);
   for (const Segment& s : spheres.segments) CHECK(s.type != PrimitiveType::kCylinder);
   for (const Segment& s : cylinders.segments) CHECK(s.type != PrimitiveType::kSphere);
@@ -130,7 +133,8 @@ TEST_CASE("ransac_primitives__radius_limits__decide") {
   const Scene scene = yard();
   const CloudPtr cloud = cloud_of(scene.points);
   const Segmentation s =
-      run(cloud, ransac_params("{\"primitives\": \"all\", \"min_radius_m\": 0.1, \"max_radius_m\": 0.5}"));
+      run(cloud,
+          ransac_params("{\"primitives\": \"all\", \"min_radius_m\": 0.1, \"max_radius_m\": 0.5}"));
   CHECK(curved_count(s) == 1);
   CHECK(segment_of(scene, s, kColumn).type == PrimitiveType::kCylinder);
 }
@@ -156,9 +160,11 @@ TEST_CASE("ransac_primitives__rooms_facades_and_posts__give_neither_spheres_nor_
     room.rectangle(7, {x + 0.12, 2, 0}, {0, 0.12, 0}, {0, 0, 2.5}, 300, 0.003, random);
   }
   room.outliers({0, 0, 0}, {5, 4, 2.5}, 4000, random);
-  const Segmentation inside = run(cloud_of(room.points), ransac_params("{\"primitives\": \"all\"}"));
+  const Segmentation inside =
+      run(cloud_of(room.points), ransac_params("{\"primitives\": \"all\"}"));
   CHECK(curved_count(inside) == 0);
-  for (int face = 1; face <= 6; ++face) CHECK(share_of(room, inside, face, segment_of(room, inside, face)) > 0.97);
+  for (int face = 1; face <= 6; ++face)
+    CHECK(share_of(room, inside, face, segment_of(room, inside, face)) > 0.97);
 }
 
 TEST_CASE("ransac_primitives__clutter__is_neither") {
@@ -183,15 +189,17 @@ TEST_CASE("ransac_primitives__soffit_of_an_arch__is_a_cylinder_not_a_band_of_a_s
   CHECK(soffit.type == PrimitiveType::kCylinder);
   CHECK(soffit.cylinder.cylinder.radius == doctest::Approx(0.6).epsilon(0.002));
   CHECK(share_of(scene, s, 2, soffit) > 0.97);
-  const Segmentation spheres = run(cloud_of(scene.points), ransac_params("{\"primitives\": \"planes+spheres\"}"));
+  const Segmentation spheres =
+      run(cloud_of(scene.points), ransac_params("{\"primitives\": \"planes+spheres\"}"));
   CHECK(curved_count(spheres) == 0);
 }
 
 TEST_CASE("ransac_primitives__orientation_classes__keep_spheres_and_cylinders") {
   const Scene scene = yard();
   const CloudPtr cloud = cloud_of(scene.points);
-  const Segmentation s =
-      run(cloud, ransac_params("{\"primitives\": \"all\", \"orientation_order\": \"parallel horizontal\"}"));
+  const Segmentation s = run(
+      cloud,
+      ransac_params("{\"primitives\": \"all\", \"orientation_order\": \"parallel horizontal\"}"));
   CHECK(curved_count(s) == 4);
   CHECK(segment_of(scene, s, 2).orientation == Orientation::kParallel);
 }

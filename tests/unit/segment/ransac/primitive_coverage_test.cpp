@@ -56,7 +56,8 @@ TEST_CASE("cylinder_segment__noise_and_outliers__ellipsoid_covers_the_truth") {
     Recipe recipe;
     recipe.one_sided = one_sided;
     check_share("cylinder r 0.25 m, 3 m", one_sided, [&](uint64_t seed) {
-      const CloudPtr cloud = cloud_of(cylinder_draw(recipe, kColumn, 3.0, 52000 + seed).points, kGrid);
+      const CloudPtr cloud =
+          cloud_of(cylinder_draw(recipe, kColumn, 3.0, 52000 + seed).points, kGrid);
       Segment found = cylinder_segment(*cloud, {}, nullptr, {}, task);
       shift_origin(found, -kGrid);
       return cylinder_miss(found.cylinder, kColumn) <= kChiSquare5;

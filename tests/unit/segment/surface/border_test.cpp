@@ -48,8 +48,8 @@ TEST_CASE("border_points__finds_the_rim_and_the_hole_and_little_else") {
   CHECK(rim > 20);
   CHECK(static_cast<double>(found) >= 0.9 * static_cast<double>(rim));
   CHECK(static_cast<double>(wrong) <= 0.01 * static_cast<double>(inner));
-  MESSAGE("FIGURE border: " << found << " of " << rim << " points on the rim, " << wrong << " of " << inner
-                           << " inside");
+  MESSAGE("FIGURE border: " << found << " of " << rim << " points on the rim, " << wrong << " of "
+                            << inner << " inside");
 }
 
 TEST_CASE("border_points__is_the_same_for_any_number_of_threads_and_copes_with_little") {

@@ -21,7 +21,8 @@ TEST_CASE("cell_firsts__are_where_the_cells_of_each_level_begin_for_any_number_o
   for (int level = 3; level <= kMaxLevel; ++level) {
     const auto& own = firsts[static_cast<size_t>(level) - 3];
     std::vector<uint32_t> expected;
-    for (const Octree::Cell& cell : tree->cells(level, one)) expected.push_back(static_cast<uint32_t>(cell.first));
+    for (const Octree::Cell& cell : tree->cells(level, one))
+      expected.push_back(static_cast<uint32_t>(cell.first));
     expected.push_back(static_cast<uint32_t>(tree->size()));
     CHECK(own == expected);
   }

@@ -17,9 +17,9 @@ void grid(std::vector<Vec2>& out, double u0, double v0, int columns, int rows) {
 
 TEST_CASE("the largest region is kept, with pieces across a gap and without") {
   std::vector<Vec2> points;
-  grid(points, 0, 0, 20, 20);    // 400 pixels
+  grid(points, 0, 0, 20, 20);     // 400 pixels
   grid(points, 2.45, 0, 10, 20);  // 200 more behind a gap of 0.5 m
-  grid(points, 9, 9, 18, 30);    // 540, alone
+  grid(points, 9, 9, 18, 30);     // 540, alone
   CHECK(largest_region(points, {0.15, 0, 0.05, 0}).members.size() == 540);
   const Region joined = largest_region(points, {0.15, 0.7, 0.05, 0});
   CHECK(joined.members.size() == 600);
@@ -38,7 +38,8 @@ TEST_CASE("fragments below the minimum area do not ride along") {
 TEST_CASE("the pixel follows the spacing but never falls below the tolerance") {
   SurfaceSettings settings;
   CHECK(connectivity_pixel(settings, {}) == settings.distance_tolerance_m);
-  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.001f)) == settings.distance_tolerance_m);
+  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.001f)) ==
+        settings.distance_tolerance_m);
   CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == doctest::Approx(0.2));
   settings.pixel_m = 0.07;
   CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == 0.07);

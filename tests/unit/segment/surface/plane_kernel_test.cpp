@@ -20,9 +20,11 @@ TEST_CASE("all forms of the counting loop agree with the definition, point by po
     const PlaneTest test{0.6f, -0.48f, 0.64f, 0.1f, 0.3f, round % 2 ? 0.5f : 0.0f};
     uint32_t expected = 0;
     for (size_t i = 0; i < kBlockPoints; ++i) {
-      const float d = points.x[i] * test.nx + points.y[i] * test.ny + points.z[i] * test.nz - test.offset;
+      const float d =
+          points.x[i] * test.nx + points.y[i] * test.ny + points.z[i] * test.nz - test.offset;
       const float c = points.nx[i] * test.nx + points.ny[i] * test.ny + points.nz[i] * test.nz;
-      expected += std::fabs(d) <= test.tolerance && (std::isnan(c) || std::fabs(c) >= test.min_cosine);
+      expected +=
+          std::fabs(d) <= test.tolerance && (std::isnan(c) || std::fabs(c) >= test.min_cosine);
     }
     uint32_t mask[kBlockPoints / 32];
     CHECK(count_block_baseline(points, test) == expected);

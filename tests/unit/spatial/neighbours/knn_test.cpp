@@ -67,7 +67,8 @@ TEST_CASE("knn__equals_brute_force_at_every_level_wherever_the_query_lies") {
     }
     for (const int level : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 21}) {
       knn_at_level(*tree, queries, k, level, task, found);
-      for (size_t i = 0; i < queries.size(); ++i) check_equal({found.data() + i * k, k}, expected[i]);
+      for (size_t i = 0; i < queries.size(); ++i)
+        check_equal({found.data() + i * k, k}, expected[i]);
     }
   }
 }
@@ -99,7 +100,8 @@ TEST_CASE("knn__fewer_points_than_asked_for_are_filled_up") {
   std::vector<Neighbour> found(2 * 9);
   for (const int level : {1, 7, 21}) {
     knn_at_level(*tree, queries, 9, level, task, found);
-    for (size_t i = 0; i < 2; ++i) check_equal({found.data() + 9 * i, 9}, brute_force(xyz, queries[i], 9));
+    for (size_t i = 0; i < 2; ++i)
+      check_equal({found.data() + 9 * i, 9}, brute_force(xyz, queries[i], 9));
   }
   check_all(xyz, 9, 1);
 }
@@ -110,11 +112,12 @@ TEST_CASE("knn__of_all_points_equals_brute_force") {
 }
 
 TEST_CASE("knn__of_all_points_equals_brute_force_on_grids_full_of_ties") {
-  check_all(street(5000, 2, 0.1), 16, 7);       // a grid that the fixed point cannot hold
-  check_all(street(5000, 2, 0.125), 16, 7);     // one that it can
-  check_all(street(5000, 2, 4.0), 10, 101);     // hundreds of duplicates
+  check_all(street(5000, 2, 0.1), 16, 7);    // a grid that the fixed point cannot hold
+  check_all(street(5000, 2, 0.125), 16, 7);  // one that it can
+  check_all(street(5000, 2, 4.0), 10, 101);  // hundreds of duplicates
   auto far = street(4000, 6, 0.01);
-  for (size_t i = 0; i < far.size(); ++i) far[i] += i % 3 == 0 ? 652000.37 : i % 3 == 1 ? 6861000.91 : 0;
+  for (size_t i = 0; i < far.size(); ++i)
+    far[i] += i % 3 == 0 ? 652000.37 : i % 3 == 1 ? 6861000.91 : 0;
   check_all(far, 16, 7);
 }
 
@@ -131,7 +134,8 @@ TEST_CASE("knn__of_all_points_holds_for_uneven_clouds") {
 TEST_CASE("knn__of_all_points_takes_masses_of_duplicates") {
   std::vector<double> xyz;
   for (int i = 0; i < 150000; ++i)
-    for (int axis = 0; axis < 3; ++axis) xyz.push_back(i % 3 == 0 ? 0.1 : i % 3 == 1 ? 652000.7 : 7);
+    for (int axis = 0; axis < 3; ++axis)
+      xyz.push_back(i % 3 == 0 ? 0.1 : i % 3 == 1 ? 652000.7 : 7);
   const auto tree = build(xyz);
   const auto all = all_knn(*tree, 4);
   for (size_t i = 0; i < tree->size(); ++i)
@@ -195,7 +199,8 @@ TEST_CASE("knn__vector_kernels_give_the_same_bits") {
     REQUIRE(group.incomplete == other.incomplete);
     REQUIRE(group.ambiguous == other.ambiguous);
     for (size_t j = 0; j <= group.k; ++j)
-      for (size_t q = 0; q < group.count; ++q) REQUIRE(keys[j * kMostQueries + q] == other_keys[j * kMostQueries + q]);
+      for (size_t q = 0; q < group.count; ++q)
+        REQUIRE(keys[j * kMostQueries + q] == other_keys[j * kMostQueries + q]);
   }
 #endif
 }
@@ -208,7 +213,8 @@ TEST_CASE("radius__equals_brute_force_for_queries_and_for_all_points") {
       const auto expect = [&](const Vec3& q) {
         std::vector<uint32_t> out;
         for (size_t i = 0; i < tree->size(); ++i)
-          if (squared_norm(point(xyz, i) - q) <= radius * radius) out.push_back(static_cast<uint32_t>(i));
+          if (squared_norm(point(xyz, i) - q) <= radius * radius)
+            out.push_back(static_cast<uint32_t>(i));
         return out;
       };
       std::vector<Neighbour> found;
@@ -223,7 +229,8 @@ TEST_CASE("radius__equals_brute_force_for_queries_and_for_all_points") {
       tree->for_each_ball(radius, task, [&](const Octree::BallBatch& b) {
         for (size_t i = 0; i < b.count; ++i) {
           auto& mine = all[tree->order()[b.first + i]];
-          for (uint32_t n = b.offsets[i]; n < b.offsets[i + 1]; ++n) mine.push_back(tree->order()[b.neighbours[n]]);
+          for (uint32_t n = b.offsets[i]; n < b.offsets[i + 1]; ++n)
+            mine.push_back(tree->order()[b.neighbours[n]]);
           std::sort(mine.begin(), mine.end());
         }
       });
@@ -272,9 +279,11 @@ TEST_CASE("ball__vector_kernels_give_the_same_bits_and_batches_any_number_of_thr
     const size_t count = points_in_ball_avx2(c, ball, inside.data(), squared.data(), unsure);
     c.count = 0;
     REQUIRE(gather_ball_candidates_baseline(view, box, c));
-    REQUIRE(count == points_in_ball_baseline(c, ball, other.data(), other_squared.data(), other_unsure));
+    REQUIRE(count ==
+            points_in_ball_baseline(c, ball, other.data(), other_squared.data(), other_unsure));
     REQUIRE(unsure == other_unsure);
-    REQUIRE(std::equal(inside.begin(), inside.begin() + static_cast<ptrdiff_t>(count), other.begin()));
+    REQUIRE(
+        std::equal(inside.begin(), inside.begin() + static_cast<ptrdiff_t>(count), other.begin()));
     REQUIRE(std::memcmp(squared.data(), other_squared.data(), count * sizeof(float)) == 0);
   }
 #endif

@@ -24,8 +24,8 @@ struct Nearest {
   bool operator==(const Nearest&) const = default;
 };
 
-Nearest nearest_of(const Octree& reference, const Octree& compared, double max_distance_m = kNoLimit,
-                   unsigned thread_count = 2) {
+Nearest nearest_of(const Octree& reference, const Octree& compared,
+                   double max_distance_m = kNoLimit, unsigned thread_count = 2) {
   Task task(threads(thread_count));
   Nearest out{std::vector<uint32_t>(compared.size()), std::vector<double>(compared.size())};
   for_each_nearest(reference, compared, max_distance_m, task, [&](const NearestBatch& b) {
@@ -38,7 +38,8 @@ Nearest nearest_of(const Octree& reference, const Octree& compared, double max_d
   return out;
 }
 
-void check_against_brute_force(const std::vector<double>& reference, const std::vector<double>& compared,
+void check_against_brute_force(const std::vector<double>& reference,
+                               const std::vector<double>& compared,
                                double max_distance_m = kNoLimit, size_t every = 1) {
   const auto r = build(reference), c = build(compared);
   const Nearest found = nearest_of(*r, *c, max_distance_m);
@@ -71,7 +72,8 @@ TEST_CASE("nearest__equals_brute_force_on_two_scans_of_one_street") {
 
 TEST_CASE("nearest__equals_brute_force_wherever_the_clouds_lie_to_each_other") {
   const auto reference = street(3000, 1);
-  for (const Vec3& by : {Vec3{0.5, 0.25, 0.1}, Vec3{3, 0, 0}, Vec3{0, 100, -30}, Vec3{-1e4, 1e4, 0}, Vec3{6.8e6, 0, 0}})
+  for (const Vec3& by : {Vec3{0.5, 0.25, 0.1}, Vec3{3, 0, 0}, Vec3{0, 100, -30}, Vec3{-1e4, 1e4, 0},
+                         Vec3{6.8e6, 0, 0}})
     check_against_brute_force(reference, moved(street(1500, 2), by), kNoLimit, 3);
   for (const double scale : {1e-6, 1e-3, 0.1, 30.0, 1e5}) {
     check_against_brute_force(reference, moved(street(1500, 2), {1, 1, 1}, scale), kNoLimit, 3);
@@ -93,8 +95,9 @@ TEST_CASE("nearest__equals_brute_force_on_very_uneven_densities") {
 
 TEST_CASE("nearest__takes_the_smallest_index_of_equally_near_points") {
   const auto coarse = street(5000, 1, 0.25), other = street(4000, 2, 0.25);
-  check_against_brute_force(coarse, other);                               // duplicates and ties on every node
-  check_against_brute_force(coarse, moved(other, {0.125, 0.125, 0.125}));  // eight nodes equally far
+  check_against_brute_force(coarse, other);  // duplicates and ties on every node
+  check_against_brute_force(coarse,
+                            moved(other, {0.125, 0.125, 0.125}));         // eight nodes equally far
   check_against_brute_force(street(5000, 1, 0.1), street(4000, 2, 0.1));  // not on the binary grid
 }
 
@@ -145,7 +148,9 @@ TEST_CASE("nearest__both_instruction_sets_find_the_same") {
     map.offset[n % 3] = 12345;
     int32_t query[3];
     for (int32_t& c : query) c = static_cast<int32_t>(random.below(uint64_t{1} << 30));
-    NearestOne a{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(), kNoPoint}, b = a;
+    NearestOne a{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
+                 kNoPoint},
+        b = a;
     nearest_of_one_baseline(tree->impl().view, map, query, 7, a);
     nearest_of_one_avx2(tree->impl().view, map, query, 7, b);
     REQUIRE((a.best == b.best && a.position == b.position));

@@ -38,10 +38,13 @@ TEST_CASE("shape_search__equals_brute_force_for_balls_and_cylinders") {
     for (int trial = 0; trial < 300; ++trial) {
       // Inside, outside and far away; thin and long, wide and flat.
       const double reach = trial % 3 == 0 ? 60 : 22;
-      const Vec3 centre{reach * random.uniform() - 1, reach * random.uniform() - 1, reach * random.uniform() - 1};
-      const Vec3 axis = trial % 5 == 0 ? Vec3{0, 0, 1}
-                                       : normalized({random.normal(), random.normal(), random.normal()});
-      const double radius = std::pow(10, 2.5 * random.uniform() - 1.5), half = std::pow(10, 3 * random.uniform() - 1);
+      const Vec3 centre{reach * random.uniform() - 1, reach * random.uniform() - 1,
+                        reach * random.uniform() - 1};
+      const Vec3 axis = trial % 5 == 0
+                            ? Vec3{0, 0, 1}
+                            : normalized({random.normal(), random.normal(), random.normal()});
+      const double radius = std::pow(10, 2.5 * random.uniform() - 1.5),
+                   half = std::pow(10, 3 * random.uniform() - 1);
       std::vector<uint32_t> found;
       for (const auto& p : search.cylinder(centre, axis, radius, half)) {
         found.push_back(tree->order()[p.position]);
@@ -54,10 +57,12 @@ TEST_CASE("shape_search__equals_brute_force_for_balls_and_cylinders") {
             }));
       const auto offsets = search.ball(centre, radius);
       found.clear();
-      for (const uint32_t position : search.ball_positions()) found.push_back(tree->order()[position]);
+      for (const uint32_t position : search.ball_positions())
+        found.push_back(tree->order()[position]);
       CHECK(offsets.size() == found.size());
-      CHECK(ascending(found) ==
-            all_inside(xyz, [&](const Vec3& p) { return squared_norm(p - centre) <= radius * radius; }));
+      CHECK(ascending(found) == all_inside(xyz, [&](const Vec3& p) {
+              return squared_norm(p - centre) <= radius * radius;
+            }));
     }
   }
 }
@@ -95,7 +100,8 @@ TEST_CASE("shape_search__baseline_and_avx2_agree") {
     shape.radius *= 0.7f;
     const size_t left = filter_shape_baseline(points[0], shape, filtered[0].data());
     REQUIRE(filter_shape_avx2(points[1], shape, filtered[1].data()) == left);
-    CHECK(std::equal(filtered[0].begin(), filtered[0].begin() + static_cast<ptrdiff_t>(left), filtered[1].begin()));
+    CHECK(std::equal(filtered[0].begin(), filtered[0].begin() + static_cast<ptrdiff_t>(left),
+                     filtered[1].begin()));
   }
 }
 
@@ -109,7 +115,8 @@ TEST_CASE("shape_search__searches_near_each_other_equal_brute_force_too") {
     centre += 0.1 * Vec3{random.normal(), random.normal(), 0.1 * random.normal()};
     const Vec3 axis = normalized({0.02 * random.normal(), 0.02 * random.normal(), 1});
     std::vector<uint32_t> found;
-    for (const auto& p : search.cylinder(centre, axis, 0.5, 1)) found.push_back(tree->order()[p.position]);
+    for (const auto& p : search.cylinder(centre, axis, 0.5, 1))
+      found.push_back(tree->order()[p.position]);
     CHECK(ascending(found) == all_inside(xyz, [&](const Vec3& p) {
             const Vec3 d = p - centre;
             const double t = dot(d, axis);
@@ -120,8 +127,10 @@ TEST_CASE("shape_search__searches_near_each_other_equal_brute_force_too") {
     centre += 0.1 * Vec3{random.normal(), random.normal(), 0.1 * random.normal()};
     std::vector<uint32_t> found;
     search.ball(centre, 0.4);
-    for (const uint32_t position : search.ball_positions()) found.push_back(tree->order()[position]);
-    CHECK(ascending(found) == all_inside(xyz, [&](const Vec3& p) { return squared_norm(p - centre) <= 0.4 * 0.4; }));
+    for (const uint32_t position : search.ball_positions())
+      found.push_back(tree->order()[position]);
+    CHECK(ascending(found) ==
+          all_inside(xyz, [&](const Vec3& p) { return squared_norm(p - centre) <= 0.4 * 0.4; }));
   }
 }
 

@@ -35,7 +35,8 @@ TEST_CASE("leaf_graph__equals_brute_force_over_the_boxes") {
   const size_t leaves = first.size() - 1;
   CHECK(first[leaves] == tree->size());
   std::vector<float> reach(leaves);
-  for (size_t i = 0; i < leaves; ++i) reach[i] = i % 7 == 0 ? -1.0f : 0.05f * static_cast<float>(i % 5);
+  for (size_t i = 0; i < leaves; ++i)
+    reach[i] = i % 7 == 0 ? -1.0f : 0.05f * static_cast<float>(i % 5);
   Task task;
   const LeafGraph graph = leaf_graph(*tree, reach, task);
   std::vector<Box3> boxes;
@@ -51,8 +52,7 @@ TEST_CASE("leaf_graph__equals_brute_force_over_the_boxes") {
     for (size_t k = 0; k < leaves; ++k) {
       const bool listed = std::binary_search(near.begin(), near.end(), static_cast<uint32_t>(k));
       const double apart = gap(boxes[i], boxes[k]);
-      if (k == i || reach[i] < 0)
-        wrong += listed;
+      if (k == i || reach[i] < 0) wrong += listed;
       else if (std::abs(apart - reach[i]) > rounding && (apart > 0 || reach[i] > 0))
         wrong += listed != (apart < reach[i]);
     }

@@ -37,15 +37,18 @@ TEST_CASE("best_level__costs_at_most_2.5_times_the_best_and_is_never_more_than_2
     double bump, shift;
   } cases[] = {{"same shape", 0, 0}, {"bump", 0.6, 0}, {"bump and shift", 0.6, 0.15}};
   for (const auto& c : cases) {
-    const auto compared = sheet(625931 / thinning, 1, c.bump, c.shift), reference = sheet(627339 / thinning, 2, 0, 0);
+    const auto compared = sheet(625931 / thinning, 1, c.bump, c.shift),
+               reference = sheet(627339 / thinning, 2, 0, 0);
     Box3 box = box_of(compared);
     box += box_of(reference);
     const Cube cube = enclosing_cube(box);
     Task task(threads(1));
-    const auto tree1 = Octree::build(compared, cube, task), tree2 = Octree::build(reference, cube, task);
+    const auto tree1 = Octree::build(compared, cube, task),
+               tree2 = Octree::build(reference, cube, task);
     const int chosen = best_level(*tree2, *tree1, 1, task);
     std::vector<Vec3> queries;
-    for (size_t i = 0; i < tree1->size(); ++i) queries.push_back(point(compared, tree1->order()[i]));
+    for (size_t i = 0; i < tree1->size(); ++i)
+      queries.push_back(point(compared, tree1->order()[i]));
     std::vector<Neighbour> found(queries.size());
     std::vector<double> seconds(11, 1e9);
     // Processor time of this process: other programs on the machine count little. Deeper levels only get slower once
@@ -54,16 +57,18 @@ TEST_CASE("best_level__costs_at_most_2.5_times_the_best_and_is_never_more_than_2
     for (int level = 4; level <= 10; ++level) {
       const std::clock_t start = std::clock();
       knn_at_level(*tree2, queries, 1, level, task, found);
-      seconds[static_cast<size_t>(level)] = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+      seconds[static_cast<size_t>(level)] =
+          static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
       least = std::min(least, seconds[static_cast<size_t>(level)]);
       if (!full && level > 5 && seconds[static_cast<size_t>(level)] > 2.6 * least) break;
     }
-    const int best = static_cast<int>(std::min_element(seconds.begin(), seconds.end()) - seconds.begin());
+    const int best =
+        static_cast<int>(std::min_element(seconds.begin(), seconds.end()) - seconds.begin());
     std::string line;
     for (size_t level = 4; level <= 10 && seconds[level] < 1e9; ++level)
       line += " " + std::to_string(level) + ":" + std::to_string(seconds[level]);
-    MESSAGE(std::string(c.name) << ": formula 4.2 picks " << chosen << ", best " << best << "; seconds by level"
-            << line);
+    MESSAGE(std::string(c.name) << ": formula 4.2 picks " << chosen << ", best " << best
+                                << "; seconds by level" << line);
     CHECK(std::abs(chosen - best) <= 2);
     REQUIRE((chosen >= 4 && chosen <= 10));
     CHECK(seconds[static_cast<size_t>(chosen)] <= 2.5 * seconds[static_cast<size_t>(best)]);

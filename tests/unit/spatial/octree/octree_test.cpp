@@ -45,7 +45,7 @@ TEST_CASE("octree__codes_equal_the_closed_form_and_are_sorted_with_their_indices
     REQUIRE(tree->code(i) == closed_form(tree->cube(), point(xyz, index), kMaxLevel));
     if (i == 0) continue;
     const bool ascending = tree->code(i - 1) < tree->code(i) ||
-        (tree->code(i - 1) == tree->code(i) && tree->order()[i - 1] < index);
+                           (tree->code(i - 1) == tree->code(i) && tree->order()[i - 1] < index);
     REQUIRE(ascending);
     REQUIRE(norm(tree->local(i) + tree->cube().origin - point(xyz, index)) < 2 * tree->grid_step());
   }
@@ -65,9 +65,11 @@ TEST_CASE("morton__increment_and_decrement_equal_integer_arithmetic_at_all_level
       const CellNumbers back = cell_numbers(code);
       REQUIRE((back.p == number[0] && back.q == number[1] && back.r == number[2]));
       for (int axis = 0; axis < 3; ++axis) {
-        uint32_t up[3] = {number[0], number[1], number[2]}, down[3] = {number[0], number[1], number[2]};
+        uint32_t up[3] = {number[0], number[1], number[2]},
+                 down[3] = {number[0], number[1], number[2]};
         uint64_t next = code, before = code;
-        const bool has_next = increment_cell(next, level, axis), has_before = decrement_cell(before, level, axis);
+        const bool has_next = increment_cell(next, level, axis),
+                   has_before = decrement_cell(before, level, axis);
         REQUIRE(has_next == (number[axis] + 1 < side));
         REQUIRE(has_before == (number[axis] > 0));
         ++up[axis];
@@ -87,7 +89,8 @@ TEST_CASE("octree__cell_counts_cells_and_neighbours_equal_sets") {
   REQUIRE(counts.size() == kMaxLevel + 1);
   for (int level = 0; level <= kMaxLevel; ++level) {
     std::set<uint64_t> occupied;
-    for (size_t i = 0; i < tree->size(); ++i) occupied.insert(closed_form(tree->cube(), point(xyz, i), level));
+    for (size_t i = 0; i < tree->size(); ++i)
+      occupied.insert(closed_form(tree->cube(), point(xyz, i), level));
     CHECK(counts[static_cast<size_t>(level)] == occupied.size());
     const auto cells = tree->cells(level, task);
     REQUIRE(cells.size() == occupied.size());
@@ -107,7 +110,8 @@ TEST_CASE("octree__cell_counts_cells_and_neighbours_equal_sets") {
       for (const uint64_t other : occupied) {
         const CellNumbers n = cell_numbers(other);
         const auto far = [&](uint32_t a, uint32_t b) { return (a > b ? a - b : b - a) > reach; };
-        if (other != centre && !far(c.p, n.p) && !far(c.q, n.q) && !far(c.r, n.r)) expected.push_back(other);
+        if (other != centre && !far(c.p, n.p) && !far(c.q, n.q) && !far(c.r, n.r))
+          expected.push_back(other);
       }
       CHECK(tree->neighbour_cells(level, centre, reach) == expected);
     }
@@ -123,7 +127,8 @@ TEST_CASE("octree__is_the_same_for_any_number_of_threads") {
     REQUIRE(std::equal(one->grid_x(), one->grid_x() + one->size(), other->grid_x()));
     CHECK(one->memory_bytes() == other->memory_bytes());
   }
-  MESSAGE("index: " << static_cast<double>(one->memory_bytes()) / static_cast<double>(one->size()) << " bytes a point");
+  MESSAGE("index: " << static_cast<double>(one->memory_bytes()) / static_cast<double>(one->size())
+                    << " bytes a point");
   CHECK(one->memory_bytes() <= 24 * one->size());
 }
 
@@ -132,7 +137,8 @@ TEST_CASE("octree__whole_metre_shifts_change_no_bit_on_a_2^-20_m_grid") {
     auto xyz = street(20000, 5);
     for (double& v : xyz) v = std::round(v * scale * 0x1p20) * 0x1p-20;
     auto shifted = xyz;
-    for (size_t i = 0; i < xyz.size(); ++i) shifted[i] += i % 3 == 0 ? 652000.0 : i % 3 == 1 ? 6861000.0 : 35.0;
+    for (size_t i = 0; i < xyz.size(); ++i)
+      shifted[i] += i % 3 == 0 ? 652000.0 : i % 3 == 1 ? 6861000.0 : 35.0;
     const auto a = build(xyz), b = build(shifted);
     CHECK(a->cube().edge == b->cube().edge);
     CHECK(b->cube().origin == a->cube().origin + Vec3{652000, 6861000, 35});
@@ -208,21 +214,28 @@ TEST_CASE("octree__building_skewed_clouds_costs_at_most_20_times_a_random_one") 
     return best;
   };
   RandomStream random(5, 0);
-  const auto random_xyz =
-      make([&](size_t) { return Vec3{random.uniform(), random.uniform(), random.uniform()} * 100.0; });
+  const auto random_xyz = make([&](size_t) {
+    return Vec3{random.uniform(), random.uniform(), random.uniform()} * 100.0;
+  });
   auto outlier = random_xyz;
   outlier[0] = 1e7;
   const double fair = seconds(random_xyz);
   const std::pair<std::string, std::vector<double>> skewed[] = {
-      {"all equal", make([](size_t) { return Vec3{1, 2, 3}; })},
+      {"all equal", make([](size_t) {
+         return Vec3{1, 2, 3};
+       })},
       {"one far outlier", outlier},
-      {"exponential spacing",
-       make([](size_t i) { return Vec3{1000, 700, 300} * std::exp(-4e-4 * static_cast<double>(i)); })},
-      {"collinear grid", make([](size_t i) { return Vec3{0.01 * static_cast<double>(i), 0, 0}; })},
+      {"exponential spacing", make([](size_t i) {
+         return Vec3{1000, 700, 300} * std::exp(-4e-4 * static_cast<double>(i));
+       })},
+      {"collinear grid", make([](size_t i) {
+         return Vec3{0.01 * static_cast<double>(i), 0, 0};
+       })},
   };
   for (const auto& [name, xyz] : skewed) {
     const double t = seconds(xyz);
-    MESSAGE(name << ": " << 1e3 * t << " ms, " << t / fair << " times random points (" << 1e3 * fair << " ms)");
+    MESSAGE(name << ": " << 1e3 * t << " ms, " << t / fair << " times random points (" << 1e3 * fair
+                 << " ms)");
     CHECK(t <= 20 * fair);
   }
 }

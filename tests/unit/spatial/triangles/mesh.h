@@ -30,12 +30,14 @@ struct Mesh {
     add(a, c, d);
   }
   /// The side walls and both ends of a prism over a polygon that runs anticlockwise; the ends as triangles of it.
-  void add_prism(const std::vector<Vec2>& outline, const std::vector<Triangle>& ends, double z0, double z1) {
+  void add_prism(const std::vector<Vec2>& outline, const std::vector<Triangle>& ends, double z0,
+                 double z1) {
     const auto at = [&](size_t i, double z) {
       const Vec2& p = outline[i % outline.size()];
       return Vec3{p.u, p.v, z};
     };
-    for (size_t i = 0; i < outline.size(); ++i) add_quad(at(i, z0), at(i + 1, z0), at(i + 1, z1), at(i, z1));
+    for (size_t i = 0; i < outline.size(); ++i)
+      add_quad(at(i, z0), at(i + 1, z0), at(i + 1, z1), at(i, z1));
     for (const auto& [a, b, c] : ends) {
       add(at(a, z1), at(b, z1), at(c, z1));
       add(at(a, z0), at(c, z0), at(b, z0));

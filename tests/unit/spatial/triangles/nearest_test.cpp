@@ -25,7 +25,8 @@ std::shared_ptr<const NearestTriangles> tree_of(const Mesh& mesh, unsigned threa
   return built<NearestTriangles>(mesh, threads);
 }
 
-std::vector<TriangleAnswer> answers(const NearestTriangles& tree, const std::vector<Vec3>& points, unsigned threads = 0,
+std::vector<TriangleAnswer> answers(const NearestTriangles& tree, const std::vector<Vec3>& points,
+                                    unsigned threads = 0,
                                     double max_distance = std::numeric_limits<double>::infinity(),
                                     bool with_feet = true) {
   Task::Hooks hooks;
@@ -65,14 +66,24 @@ Mesh random_mesh(size_t n, uint64_t seed) {
   RandomStream random(seed, 1);
   for (size_t i = 0; i < n; ++i) {
     const double reach = 10 * std::pow(10, -3 * random.uniform());
-    const Vec3 a = on_grid(random_point(random, 0, 10)), b = on_grid(a + random_point(random, -reach, reach)),
+    const Vec3 a = on_grid(random_point(random, 0, 10)),
+               b = on_grid(a + random_point(random, -reach, reach)),
                c = on_grid(a + random_point(random, -reach, reach));
     switch (i % 10) {
-      case 6: mesh.add(a, b, a + (b - a) * 0.3 + (c - a) * std::pow(10, -16 * random.uniform())); break;
-      case 7: mesh.add(a, b, a + (b - a) * 0.5); break;
-      case 8: mesh.add(a, a, a); break;
-      case 9: mesh.triangles.push_back(mesh.triangles.back()); break;
-      default: mesh.add(a, b, c);
+      case 6:
+        mesh.add(a, b, a + (b - a) * 0.3 + (c - a) * std::pow(10, -16 * random.uniform()));
+        break;
+      case 7:
+        mesh.add(a, b, a + (b - a) * 0.5);
+        break;
+      case 8:
+        mesh.add(a, a, a);
+        break;
+      case 9:
+        mesh.triangles.push_back(mesh.triangles.back());
+        break;
+      default:
+        mesh.add(a, b, c);
     }
   }
   return mesh;
@@ -109,7 +120,9 @@ Real brute_distance(const Mesh& mesh, size_t t, const Vec3& point) {
     std::rotate(k.begin(), k.begin() + 1, k.end());
   Real best = side_distance(p, k[0], k[1]);
   for (const size_t i : {1, 2}) best = std::min(best, side_distance(p, k[i], k[(i + 1) % 3]));
-  const auto unit = [&](const Real3& v) { return Real3{v[0] / length(v), v[1] / length(v), v[2] / length(v)}; };
+  const auto unit = [&](const Real3& v) {
+    return Real3{v[0] / length(v), v[1] / length(v), v[2] / length(v)};
+  };
   const Real base = length(minus(k[1], k[0]));
   if (!(base > 0)) return best;
   const Real3 axis = unit(minus(k[1], k[0])), apex = minus(k[2], k[0]), to = minus(p, k[0]);
@@ -117,7 +130,8 @@ Real brute_distance(const Mesh& mesh, size_t t, const Vec3& point) {
   const Real height = length(up);
   if (!(height > base * 1e-18L)) return best;
   const Real x = inner(to, axis), y = inner(rest, unit(up)), foot = inner(apex, axis);
-  const bool above = y > 0 && y < height && x * height > y * foot && (base - x) * height > y * (base - foot);
+  const bool above =
+      y > 0 && y < height && x * height > y * foot && (base - x) * height > y * (base - foot);
   return above ? std::min(best, length(minus(rest, along(rest, unit(up))))) : best;
 }
 
@@ -175,7 +189,8 @@ void check_signs(const std::string& name, const Mesh& mesh, Inside inside, doubl
     doubtful += found[i].side != TriangleSide::kCertain ? 1 : 0;
   }
   if (from_m == 0) CHECK(doubtful == 0);
-  MESSAGE("FIGURE signs about a ", name, ": ", wrong, " wrong of ", points.size(), " (", within, " inside)");
+  MESSAGE("FIGURE signs about a ", name, ": ", wrong, " wrong of ", points.size(), " (", within,
+          " inside)");
   CHECK(wrong == 0);
 }
 
@@ -211,14 +226,16 @@ TEST_CASE("triangle_nearest__equals_a_search_of_all_triangles") {
     if (found[i].triangle % 10 == 9 && found[i].triangle > 0)  // a duplicate never wins
       CHECK(mesh.triangles[found[i].triangle] != mesh.triangles[found[i].triangle - 1]);
   }
-  MESSAGE("FIGURE distance to triangles, largest relative error above 0.1 mm: ", static_cast<double>(worst));
+  MESSAGE("FIGURE distance to triangles, largest relative error above 0.1 mm: ",
+          static_cast<double>(worst));
 }
 
 TEST_CASE("triangle_nearest__gives_ties_to_the_least_number") {
   const Mesh mesh = cube(4);
   const auto tree = tree_of(mesh);
   // Beyond each corner and each edge of the cube several triangles are equally far.
-  for (const Vec3& beyond : {Vec3{5, 5.3, 6}, Vec3{-1, -0.7, -3}, Vec3{5, 4.1, -0.1}, Vec3{-0.3, 2.2, 4.7}}) {
+  for (const Vec3& beyond :
+       {Vec3{5, 5.3, 6}, Vec3{-1, -0.7, -3}, Vec3{5, 4.1, -0.1}, Vec3{-0.3, 2.2, 4.7}}) {
     uint32_t least = 0;
     Real best = 1e30L;
     for (uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -240,8 +257,8 @@ TEST_CASE("triangle_nearest__tells_inside_from_outside_everywhere") {
     return p.y > 0 && p.x < 4 && p.y * 4 < p.x * 0.42 && p.z > 0 && p.z < 4;
   });
   Mesh corner;  // an L-shaped solid: edges and corners that point inward
-  corner.add_prism({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 0,
-                   4);
+  corner.add_prism({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}},
+                   {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 0, 4);
   check_signs("L-shaped solid", corner, [](const Vec3& p) {
     return p.x > 0 && p.y > 0 && p.x < 4 && p.y < 4 && (p.x < 1 || p.y < 1) && p.z > 0 && p.z < 4;
   });
@@ -253,7 +270,8 @@ TEST_CASE("triangle_nearest__tells_sides_where_corners_meet_sides") {
   };
   check_signs("cube with a top cut otherwise", cube_with_cut_top(0), is_inside);
   // A gap is a hole to what lies deep in it.
-  check_signs("cube whose top misses its walls by 0.2 um", cube_with_cut_top(2e-7), is_inside, 0.06);
+  check_signs("cube whose top misses its walls by 0.2 um", cube_with_cut_top(2e-7), is_inside,
+              0.06);
 }
 
 TEST_CASE("triangle_nearest__measures_to_the_border_of_a_hole") {
@@ -267,7 +285,8 @@ TEST_CASE("triangle_nearest__measures_to_the_border_of_a_hole") {
   CHECK(middle.feature == TriangleFeature::kSide);
   CHECK(middle.foot.y == 0.75);
   CHECK(middle.side == TriangleSide::kBorder);
-  CHECK(tree->nearest({0.1, 0.1, 1}).side == TriangleSide::kCertain);  // above the joint of two strips
+  CHECK(tree->nearest({0.1, 0.1, 1}).side ==
+        TriangleSide::kCertain);  // above the joint of two strips
   CHECK_FALSE(tree->nearest({0.5, 0.6, 0.1}).is_behind);
   CHECK(tree->nearest({0.5, 0.6, -0.1}).is_behind);
   CHECK(tree->nearest({-0.5, 1.6, -0.1}).is_behind);
@@ -312,19 +331,22 @@ TEST_CASE("triangle_nearest__same_bits_for_any_threads_instructions_and_whole_me
   const auto tree = tree_of(mesh, 1);
   const auto reference = answers(*tree, points, 1);
   const auto same = [](const TriangleAnswer& a, const TriangleAnswer& b) {
-    return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.triangle == b.triangle &&
-           a.is_behind == b.is_behind && a.feature == b.feature;
+    return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 &&
+           a.triangle == b.triangle && a.is_behind == b.is_behind && a.feature == b.feature;
   };
   for (const unsigned threads : {2u, 4u}) {
     const auto again = answers(*tree_of(mesh, threads), points, threads);
     for (size_t i = 0; i < points.size(); ++i) REQUIRE(same(again[i], reference[i]));
   }
-  const auto without_feet = answers(*tree, points, 2, std::numeric_limits<double>::infinity(), false);
+  const auto without_feet =
+      answers(*tree, points, 2, std::numeric_limits<double>::infinity(), false);
   for (size_t i = 0; i < points.size(); ++i)
-    REQUIRE((without_feet[i].distance == reference[i].distance && without_feet[i].is_behind == reference[i].is_behind &&
+    REQUIRE((without_feet[i].distance == reference[i].distance &&
+             without_feet[i].is_behind == reference[i].is_behind &&
              without_feet[i].side == reference[i].side));
   // One by one the baseline's instructions answer, and no answer bounds the next.
-  for (size_t i = 0; i < points.size(); i += 7) REQUIRE(same(tree->nearest(points[i]), reference[i]));
+  for (size_t i = 0; i < points.size(); i += 7)
+    REQUIRE(same(tree->nearest(points[i]), reference[i]));
   const Vec3 by{652000, 6861000, -40};
   std::vector<Vec3> far = points;
   for (Vec3& p : far) p += by;

@@ -68,12 +68,14 @@ bool meets(const Mesh& mesh, size_t i, const Ray& ray, long double& t, long doub
     return std::array<Number, 3>{Number(p.x) - q.x, Number(p.y) - q.y, Number(p.z) - q.z};
   };
   const auto product = [](const std::array<Number, 3>& p, const std::array<Number, 3>& q) {
-    return std::array<Number, 3>{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+    return std::array<Number, 3>{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+                                 p[0] * q[1] - p[1] * q[0]};
   };
   const auto inner = [](const std::array<Number, 3>& p, const std::array<Number, 3>& q) {
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
   };
-  const auto e1 = minus(b, a), e2 = minus(c, a), d = minus(ray.direction, Vec3{}), s = minus(ray.origin, a);
+  const auto e1 = minus(b, a), e2 = minus(c, a), d = minus(ray.direction, Vec3{}),
+             s = minus(ray.origin, a);
   const auto p = product(d, e2), q = product(s, e1);
   const Number determinant = inner(e1, p);
   if (std::abs(determinant) < 1e-14L) return false;
@@ -143,8 +145,8 @@ TEST_CASE("triangle_tree__lets_no_ray_through_shared_edges_and_corners") {
   RandomStream random(11, 1);
   for (uint32_t j = 0; j <= kSide; ++j)
     for (uint32_t i = 0; i <= kSide; ++i)
-      mesh.vertices.push_back(
-          {0.1 * i + 0.03 * random.uniform(), 0.1 * j + 0.03 * random.uniform(), 0.2 * random.uniform()});
+      mesh.vertices.push_back({0.1 * i + 0.03 * random.uniform(), 0.1 * j + 0.03 * random.uniform(),
+                               0.2 * random.uniform()});
   for (uint32_t j = 0; j < kSide; ++j)
     for (uint32_t i = 0; i < kSide; ++i) {
       const uint32_t a = j * (kSide + 1) + i, b = a + kSide + 1;
@@ -162,8 +164,8 @@ TEST_CASE("triangle_tree__lets_no_ray_through_shared_edges_and_corners") {
     for (uint32_t j = 1; j < kSide; ++j)
       for (uint32_t i = 1; i < kSide; ++i) {
         const uint32_t a = j * (kSide + 1) + i;
-        const Vec3 from =
-            mesh.vertices[a] + Vec3{random.uniform() - 0.5, random.uniform() - 0.5, 3 + random.uniform()};
+        const Vec3 from = mesh.vertices[a] + Vec3{random.uniform() - 0.5, random.uniform() - 0.5,
+                                                  3 + random.uniform()};
         shoot(from, mesh.vertices[a]);
         const double s = random.uniform();
         shoot(from, mesh.vertices[a] * s + mesh.vertices[a + 1] * (1 - s));
@@ -200,7 +202,9 @@ TEST_CASE("triangle_tree__respects_the_interval_of_the_ray") {
   CHECK_FALSE(tree->occluded({{0, 0, 6}, {0, 0, 1}}));
 }
 
-TEST_CASE("triangle_tree__gives_the_same_bits_after_a_shift_by_whole_metres_and_on_any_number_of_threads") {
+TEST_CASE(
+    "triangle_tree__gives_the_same_bits_after_a_shift_by_whole_metres_and_on_any_number_of_"
+    "threads") {
   const Mesh mesh = random_mesh(40000, 21, 50);  // above the size of one subtree
   const Vec3 shift{652000, 6861000, 35};
   const auto one = tree_of(mesh, 1), two = tree_of(mesh, 2), seven = tree_of(mesh, 7);
@@ -224,7 +228,8 @@ TEST_CASE("triangle_tree__gives_the_same_bits_after_a_shift_by_whole_metres_and_
 }
 
 TEST_CASE("triangle_tree__survives_impossible_meshes_and_rays") {
-  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity(),
+               nan = std::numeric_limits<double>::quiet_NaN();
   RayHit hit;
   const auto none = tree_of({});
   CHECK(none->size() == 0);
@@ -232,7 +237,8 @@ TEST_CASE("triangle_tree__survives_impossible_meshes_and_rays") {
   CHECK_FALSE(none->nearest({{0, 0, 0}, {0, 0, 1}}, hit));
 
   Mesh points;
-  for (int i = 0; i < 20000; ++i) points.add({1, 2, 3}, {1, 2, 3}, {1, 2, 3});  // all centres equal: split by count
+  for (int i = 0; i < 20000; ++i)
+    points.add({1, 2, 3}, {1, 2, 3}, {1, 2, 3});  // all centres equal: split by count
   CHECK_FALSE(tree_of(points)->nearest({{0, 0, 0}, {1, 2, 3}}, hit));
 
   Mesh spiral;  // sizes over 60 octaves: very uneven splits
@@ -253,7 +259,8 @@ TEST_CASE("triangle_tree__survives_impossible_meshes_and_rays") {
   CHECK(tree->nearest({{0.2, 0.2, 1}, {0, 0, -1e-300}}, hit));
   CHECK(tree->nearest({{0.2, 0.2, 1e7}, {0, 0, -1}}, hit));
   CHECK(tree->nearest({{0.2, 0.2, 1}, {-0.0, 0.0, -1}}, hit));
-  CHECK_FALSE(tree->nearest({{-5, 0.2, 0}, {1, 0, 0}}, hit));  // in the triangle's own plane: no area is seen
+  CHECK_FALSE(tree->nearest({{-5, 0.2, 0}, {1, 0, 0}},
+                            hit));  // in the triangle's own plane: no area is seen
 
   Mesh vast;
   vast.add({0, 0, 0}, {2e9, 0, 0}, {0, 1, 0});
@@ -271,14 +278,17 @@ TEST_CASE("triangle_tree__stops_when_cancelled") {
 
 TEST_CASE("triangle_tree__speed") {
   using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); };
+  const auto since = [](Clock::time_point t) {
+    return std::chrono::duration<double>(Clock::now() - t).count();
+  };
   constexpr uint32_t kSide = 500;  // a rough terrain of 500 000 triangles on 50 x 50 m
   Mesh mesh;
   RandomStream random(9, 1);
   for (uint32_t j = 0; j <= kSide; ++j)
     for (uint32_t i = 0; i <= kSide; ++i)
       mesh.vertices.push_back(
-          {0.1 * i, 0.1 * j, 2 * std::sin(0.02 * i) * std::sin(0.03 * j) + 0.05 * random.uniform()});
+          {0.1 * i, 0.1 * j,
+           2 * std::sin(0.02 * i) * std::sin(0.03 * j) + 0.05 * random.uniform()});
   for (uint32_t j = 0; j < kSide; ++j)
     for (uint32_t i = 0; i < kSide; ++i) {
       const uint32_t a = j * (kSide + 1) + i, b = a + kSide + 1;
@@ -294,12 +304,15 @@ TEST_CASE("triangle_tree__speed") {
     for (int i = 0; i < 1000; ++i) {
       RayHit hit;
       const double az = 0.006 * i, el = -1.2e-3 * j;
-      hits +=
-          tree->nearest({{25, 25, 5}, {std::cos(az) * std::cos(el), std::sin(az) * std::cos(el), std::sin(el)}}, hit);
+      hits += tree->nearest(
+          {{25, 25, 5}, {std::cos(az) * std::cos(el), std::sin(az) * std::cos(el), std::sin(el)}},
+          hit);
     }
   const double cast_s = since(cast);
-  MESSAGE("terrain of " << mesh.triangles.size() << " triangles: built in " << 1e3 * build_s << " ms, "
-                        << static_cast<double>(tree->memory_bytes()) / static_cast<double>(mesh.triangles.size())
+  MESSAGE("terrain of " << mesh.triangles.size() << " triangles: built in " << 1e3 * build_s
+                        << " ms, "
+                        << static_cast<double>(tree->memory_bytes()) /
+                               static_cast<double>(mesh.triangles.size())
                         << " B each; " << 1 / cast_s << " M rays/s a thread, " << hits << " hits");
   CHECK(hits > 500000);
 }

@@ -23,7 +23,8 @@ Cells cells_of(const std::vector<double>& xyz, const Vec3& origin, double cell) 
   for (size_t i = 0; i < xyz.size() / 3; ++i) {
     std::array<int64_t, 3> key;
     for (size_t c = 0; c < 3; ++c)
-      key[2 - c] = static_cast<int64_t>(std::floor((xyz[3 * i + c] - origin[static_cast<int>(c)]) / cell));
+      key[2 - c] =
+          static_cast<int64_t>(std::floor((xyz[3 * i + c] - origin[static_cast<int>(c)]) / cell));
     out[key].push_back(static_cast<uint32_t>(i));
   }
   return out;
@@ -34,18 +35,21 @@ Cells cells_of(const std::vector<double>& xyz, const Vec3& origin, double cell) 
 TEST_CASE("voxel_grid__equals_a_map_of_cells_for_any_cell_size") {
   const auto xyz = street(20000);
   const Vec3 origin{-3, -2, -1};
-  for (const double cell : {100.0, 1.0, 0.05, 1e-3, 1e-8}) {  // the last: more than 64 bits of cell numbers
+  for (const double cell :
+       {100.0, 1.0, 0.05, 1e-3, 1e-8}) {  // the last: more than 64 bits of cell numbers
     Task task(threads(2));
     const VoxelGrid grid = voxel_grid(xyz, origin, cell, task);
     const Cells expected = cells_of(xyz, origin, cell);
     REQUIRE(grid.size() == expected.size());
     size_t v = 0;
     for (const auto& [key, members] : expected) {
-      const std::vector<uint32_t> found(grid.order.data() + grid.first[v], grid.order.data() + grid.first[v + 1]);
+      const std::vector<uint32_t> found(grid.order.data() + grid.first[v],
+                                        grid.order.data() + grid.first[v + 1]);
       REQUIRE(found == members);
       Vec3 mean;
       for (const uint32_t i : members) mean += point(xyz, i) / static_cast<double>(members.size());
-      const Vec3 centroid{grid.centroids[3 * v], grid.centroids[3 * v + 1], grid.centroids[3 * v + 2]};
+      const Vec3 centroid{grid.centroids[3 * v], grid.centroids[3 * v + 1],
+                          grid.centroids[3 * v + 2]};
       REQUIRE(norm(centroid - mean) < 1e-9);
       ++v;
     }
@@ -55,10 +59,11 @@ TEST_CASE("voxel_grid__equals_a_map_of_cells_for_any_cell_size") {
 TEST_CASE("voxel_grid__is_the_same_for_any_number_of_threads_and_after_whole_metre_shifts") {
   const auto xyz = street(60000, 2, 0x1p-20);
   auto shifted = xyz;
-  for (size_t i = 0; i < xyz.size(); ++i) shifted[i] += i % 3 == 0 ? 652000.0 : i % 3 == 1 ? 6861000.0 : 35.0;
+  for (size_t i = 0; i < xyz.size(); ++i)
+    shifted[i] += i % 3 == 0 ? 652000.0 : i % 3 == 1 ? 6861000.0 : 35.0;
   Task one(threads(1)), seven(threads(7));
   const VoxelGrid a = voxel_grid(xyz, {-1, -1, -1}, 0.05, one),
-      b = voxel_grid(shifted, {651999, 6860999, 34}, 0.05, seven);
+                  b = voxel_grid(shifted, {651999, 6860999, 34}, 0.05, seven);
   REQUIRE(a.size() == b.size());
   CHECK(std::equal(a.first.begin(), a.first.end(), b.first.begin()));
   CHECK(std::equal(a.order.begin(), a.order.end(), b.order.begin()));
@@ -77,7 +82,8 @@ TEST_CASE("voxel_centroids__are_those_of_the_grid_bit_for_bit") {
     }
   };
   for (const double cell : {100.0, 1.0, 0.05, 1e-8}) check(cell);
-  xyz.insert(xyz.end(), {1e4, 2e4, 3e5});  // now the highest bits of the keys part nothing but the outlier
+  xyz.insert(xyz.end(),
+             {1e4, 2e4, 3e5});  // now the highest bits of the keys part nothing but the outlier
   for (const double cell : {5.0, 0.05}) check(cell);
   Task task;
   CHECK(voxel_centroids({}, Box3{}, {}, 1, task).empty());

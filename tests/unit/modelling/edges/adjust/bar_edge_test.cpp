@@ -20,12 +20,14 @@ constexpr double kWidth_m = 1.4, kHeight_m = 0.1;  // of the bar; its upper edge
 
 /// Rows that rise by so many of their distances over the bar; a share of the columns hidden from some height on.
 std::vector<Vec2> rows_on_bar(double rise, double hidden, RandomStream& random) {
-  const double row_m = kSpacing_m * (0.8 + 0.4 * random.uniform()), column_m = kSpacing_m * kSpacing_m / row_m;
+  const double row_m = kSpacing_m * (0.8 + 0.4 * random.uniform()),
+               column_m = kSpacing_m * kSpacing_m / row_m;
   const double phase_u = random.uniform(), phase_v = random.uniform();
   std::vector<Vec2> out;
   for (double u = phase_u * column_m; u < kWidth_m; u += column_m) {
     const double end = random.uniform() < hidden ? -kHeight_m * random.uniform() : 0;
-    for (double v = (phase_v + rise * u / kWidth_m) * row_m - (rise + 8) * row_m; v < end; v += row_m)
+    for (double v = (phase_v + rise * u / kWidth_m) * row_m - (rise + 8) * row_m; v < end;
+         v += row_m)
       if (v > -kHeight_m) out.push_back({u, v + kNoise_m * random.normal()});
   }
   return out;
@@ -60,13 +62,16 @@ TEST_CASE("bar_edge__is_known_to_half_a_row_along_level_rows_and_better_across_t
     const char* name;
     double least_rise, most_rise, hidden, most_rms_m;
   };
-  for (const Case& c : {Case{"level rows", 0, 0, 0, 0.009}, Case{"rows that rise by 1 to 4", 1, 4, 0, 0.0012},
-                        Case{"so, half of the columns shaded", 1, 4, 0.5, 0.003}}) {
+  for (const Case& c :
+       {Case{"level rows", 0, 0, 0, 0.009}, Case{"rows that rise by 1 to 4", 1, 4, 0, 0.0012},
+        Case{"so, half of the columns shaded", 1, 4, 0.5, 0.003}}) {
     CAPTURE(std::string(c.name));
     const Errors e = errors_of(c.least_rise, c.most_rise, c.hidden);
-    const double rms_m = std::sqrt(e.squares / e.n), bias_m = e.sum / e.n, scaled = std::sqrt(e.scaled / e.n);
-    MESSAGE("FIGURE upper edge of a bar, " << std::string(c.name) << ": bias " << 1000 * bias_m << " mm, RMS "
-                                           << 1000 * rms_m << " mm; error / sigma RMS " << scaled);
+    const double rms_m = std::sqrt(e.squares / e.n), bias_m = e.sum / e.n,
+                 scaled = std::sqrt(e.scaled / e.n);
+    MESSAGE("FIGURE upper edge of a bar, " << std::string(c.name) << ": bias " << 1000 * bias_m
+                                           << " mm, RMS " << 1000 * rms_m
+                                           << " mm; error / sigma RMS " << scaled);
     CHECK(rms_m <= c.most_rms_m);
     CHECK(std::fabs(bias_m) <= 0.05 * kSpacing_m);
     CHECK(scaled >= 0.4);
@@ -80,7 +85,8 @@ TEST_CASE("bar_edge__of_points_at_random_is_their_upper_end") {
     RandomStream random(k, 2);
     std::vector<Vec2> points;
     for (double i = 0; i < kWidth_m * kHeight_m / (kSpacing_m * kSpacing_m); ++i)
-      points.push_back({kWidth_m * random.uniform(), -kHeight_m * random.uniform() + kNoise_m * random.normal()});
+      points.push_back({kWidth_m * random.uniform(),
+                        -kHeight_m * random.uniform() + kNoise_m * random.normal()});
     const auto edge = upper_edge(points, kSpacing_m, kNoise_m);
     REQUIRE(edge);
     e.add(*edge);

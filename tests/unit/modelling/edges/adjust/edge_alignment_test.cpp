@@ -34,7 +34,8 @@ std::vector<double> places(const GuideLines& guides, const Vec2& p, double reach
 }  // namespace
 
 TEST_CASE("align_edges__a_weak_edge_takes_the_line_of_those_measured_well") {
-  MeasuredEdge a = upright(2.000, 0, 3, 0.002), b = upright(2.003, 4, 7, 0.002), weak = upright(2.06, 8, 8.4, 0.05);
+  MeasuredEdge a = upright(2.000, 0, 3, 0.002), b = upright(2.003, 4, 7, 0.002),
+               weak = upright(2.06, 8, 8.4, 0.05);
   MeasuredEdge down = upright(2.05, 9, 8, 0.05), far = upright(2.4, 0, 3, 0.05);
   std::vector<MeasuredEdge*> edges{&weak, &a, &down, &far, &b};
   align_edges(edges, kSpacing);
@@ -66,7 +67,8 @@ TEST_CASE("guide_lines__short_edges_in_one_line_guide_and_one_alone_does_not") {
 
 TEST_CASE("guide_lines__another_planes_line_guides_where_the_contour_has_points_on_it") {
   const std::vector<EdgeLine> joints{{{0, 2}, {1, 0}}, {{0, 9}, {1, 0}}};
-  const std::vector<std::vector<Vec2>> chains{{{0, 0}, {4, 0}, {4, 2}, {3.9, 2.01}, {3.8, 1.98}, {0, 1}}};
+  const std::vector<std::vector<Vec2>> chains{
+      {{0, 0}, {4, 0}, {4, 2}, {3.9, 2.01}, {3.8, 1.98}, {0, 1}}};
   const GuideLines guides({}, joints, chains, kSpacing);
   CHECK(places(guides, {1, 2}, 0.2).size() == 2);  // either way along
   CHECK(places(guides, {1, 9}, 0.2).empty());
@@ -74,15 +76,16 @@ TEST_CASE("guide_lines__another_planes_line_guides_where_the_contour_has_points_
 
 TEST_CASE("split_chain__a_stub_of_few_points_is_drawn_by_its_guides") {
   // A band 4 m long with a post's stub on it, 0.4 x 0.5 m, its corners cut by the triangulation.
-  std::vector<EdgeShape> lines{straight_shape({8, 0}, {2.2, 0}), straight_shape({2.2, -9}, {2.2, 0}),
-                               straight_shape({1.8, 0}, {1.8, -9}), straight_shape({8, 0.5}, {0, 0.5})};
+  std::vector<EdgeShape> lines{
+      straight_shape({8, 0}, {2.2, 0}), straight_shape({2.2, -9}, {2.2, 0}),
+      straight_shape({1.8, 0}, {1.8, -9}), straight_shape({8, 0.5}, {0, 0.5})};
   const GuideLines guides(lines, {}, {}, kSpacing);
   std::vector<Vec2> chain;
   for (int k = 0; k <= 40; ++k) chain.push_back({0.1 * k, -1 + 0.02 * (k % 3)});
   for (int k = 0; k < 10; ++k) chain.push_back({4 - 0.03 * (k % 2), -0.95 + 0.1 * k});
   for (int k = 0; k < 15; ++k) chain.push_back({4 - 0.1 * k, -0.04 - 0.03 * (k % 2)});
-  for (const Vec2& p : {Vec2{2.17, 0.25}, Vec2{2.15, 0.36}, Vec2{2.02, 0.46}, Vec2{1.9, 0.43}, Vec2{1.83, 0.3},
-                        Vec2{1.86, 0.2}})
+  for (const Vec2& p : {Vec2{2.17, 0.25}, Vec2{2.15, 0.36}, Vec2{2.02, 0.46}, Vec2{1.9, 0.43},
+                        Vec2{1.83, 0.3}, Vec2{1.86, 0.2}})
     chain.push_back(p);
   for (int k = 0; k < 15; ++k) chain.push_back({1.55 - 0.1 * k, -0.04 - 0.03 * (k % 2)});
   for (int k = 0; k < 8; ++k) chain.push_back({0.03 * (k % 2), -0.1 - 0.1 * k});

@@ -50,8 +50,8 @@ TEST_CASE("edge_reveal__is_found_wherever_the_edge_was_assumed") {
     squares_m2 += error_m * error_m;
   }
   const double rms_m = std::sqrt(squares_m2 / kTrials);
-  MESSAGE("FIGURE reveals within a spacing of the assumed edge: all found, " << 1000 * rms_m << " mm off (RMS), worst "
-                                                                             << 1000 * worst_m << " mm");
+  MESSAGE("FIGURE reveals within a spacing of the assumed edge: all found, "
+          << 1000 * rms_m << " mm off (RMS), worst " << 1000 * worst_m << " mm");
   CHECK(rms_m <= 0.001);
   CHECK(worst_m <= 0.005);
 }

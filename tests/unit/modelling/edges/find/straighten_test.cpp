@@ -55,7 +55,8 @@ TEST_CASE("straightened: turned by any angle a rectangle keeps four corners") {
   for (double angle = 0; angle < 1.6; angle += 0.1) {
     std::vector<Vec2> truth;
     for (const Vec2 p : {Vec2{0, 0}, Vec2{3, 0}, Vec2{3, 2}, Vec2{0, 2}})
-      truth.push_back({p.u * std::cos(angle) - p.v * std::sin(angle), p.u * std::sin(angle) + p.v * std::cos(angle)});
+      truth.push_back({p.u * std::cos(angle) - p.v * std::sin(angle),
+                       p.u * std::sin(angle) + p.v * std::cos(angle)});
     const auto polygon = straightened(ragged(truth, 0.02, 0.02, 2), setting_of(0.02));
     CAPTURE(angle);
     REQUIRE(polygon.size() == 4);
@@ -86,7 +87,8 @@ TEST_CASE("straightened: random rings stay simple and keep their sense") {
 }
 
 TEST_CASE("fitted_rectangle: takes rectangles and refuses other forms") {
-  const std::vector<Vec2> window{{0, 0}, {0, 2}, {1, 2}, {1, 0}};  // clockwise: the solid is outside
+  const std::vector<Vec2> window{
+      {0, 0}, {0, 2}, {1, 2}, {1, 0}};  // clockwise: the solid is outside
   const auto polygon = fitted_rectangle(ragged(window, 0.02, 0.02, 4), setting_of(0.02));
   REQUIRE(polygon.size() == 4);
   CHECK(-signed_area(polygon) == doctest::Approx(2).epsilon(0.01));

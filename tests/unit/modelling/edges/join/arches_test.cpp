@@ -43,7 +43,8 @@ SampledWall wall_with(const Arched& window, Sampling sampling, uint64_t seed) {
 }
 
 Arched window_of(RandomStream& random, double rise) {
-  Arched out{0.7 + 0.2 * random.uniform(), 0, 0.3 + 0.1 * random.uniform(), 1.5 + 0.1 * random.uniform(), rise};
+  Arched out{0.7 + 0.2 * random.uniform(), 0, 0.3 + 0.1 * random.uniform(),
+             1.5 + 0.1 * random.uniform(), rise};
   out.right = out.left + 1.2;
   return out;
 }
@@ -70,7 +71,8 @@ TEST_CASE("vectorise__round_and_segmental_heads_come_out_as_one_arc") {
           if (edge.sagitta_m == 0) continue;
           ++arcs;
           CHECK(edge.sagitta_m < 0);  // openings run clockwise
-          const Vec2 a = on_wall(plane, ring.corners[i]), b = on_wall(plane, ring.corners[(i + 1) % 4]);
+          const Vec2 a = on_wall(plane, ring.corners[i]),
+                     b = on_wall(plane, ring.corners[(i + 1) % 4]);
           const Arc2 arc = arc_of(a, b, edge.sagitta_m);
           const Vec2 off = arc.centre - window.centre();
           centre.add(off.u / wall.spacing);
@@ -81,11 +83,12 @@ TEST_CASE("vectorise__round_and_segmental_heads_come_out_as_one_arc") {
         }
         CHECK(arcs == 1);
       }
-      MESSAGE("FIGURE arcs of rise " << rise << " m, " << std::string(name_of(sampling)) << ": centre RMS "
-                                     << centre.rms() << " worst " << centre.worst << " spacings, radius bias "
-                                     << radius.mean() << " RMS " << radius.rms() << ", springings RMS "
-                                     << spring.rms());
-      if (rise < 0.5) continue;  // of a flat arc centre and radius are known far less than its points
+      MESSAGE("FIGURE arcs of rise " << rise << " m, " << std::string(name_of(sampling))
+                                     << ": centre RMS " << centre.rms() << " worst " << centre.worst
+                                     << " spacings, radius bias " << radius.mean() << " RMS "
+                                     << radius.rms() << ", springings RMS " << spring.rms());
+      if (rise < 0.5)
+        continue;  // of a flat arc centre and radius are known far less than its points
       CHECK(centre.worst <= 0.5);
       CHECK(radius.worst <= 0.5);
       CHECK(spring.rms() <= 0.3);
@@ -114,22 +117,26 @@ TEST_CASE("vectorise__reveals_fix_the_edges_that_end_at_them") {
   Errors seen, unseen, scaled;
   for (size_t k = 0; k < trials(); ++k) {
     RandomStream random(k, 7);
-    const Rectangle hole{0.8 + 0.1 * random.uniform(), 0.6 + 0.1 * random.uniform(), 2.0 + 0.1 * random.uniform(),
-                         1.8 + 0.1 * random.uniform()};
+    const Rectangle hole{0.8 + 0.1 * random.uniform(), 0.6 + 0.1 * random.uniform(),
+                         2.0 + 0.1 * random.uniform(), 1.8 + 0.1 * random.uniform()};
     SampledWall wall;
     wall.seed = k + 1;
-    wall.solid = [&](double u, double v) { return u > 0 && v > 0 && u < 3 && v < 2.5 && !hole.contains(u, v); };
+    wall.solid = [&](double u, double v) {
+      return u > 0 && v > 0 && u < 3 && v < 2.5 && !hole.contains(u, v);
+    };
     auto points = wall.points();
     // The left reveal, 0.2 m deep behind the wall, square but for half a degree; the pane behind.
     std::vector<Vec3> reveal, pane;
     const double lean = 0.008 * random.normal();
     for (double depth = 0; depth < 0.2; depth += 0.02)
       for (double v = hole.bottom + 0.01 * random.uniform(); v < hole.top; v += 0.015) {
-        const Vec3 p{hole.left + lean * depth + 0.002 * random.normal(), depth + 0.003 * random.normal(), v};
+        const Vec3 p{hole.left + lean * depth + 0.002 * random.normal(),
+                     depth + 0.003 * random.normal(), v};
         (p.y < 0.02 ? points : reveal).push_back(p);  // the wall takes what lies in its plane
       }
     for (double u = hole.left + 0.2 * lean + 0.0075; u < hole.right; u += 0.015)
-      for (double v = hole.bottom; v < hole.top; v += 0.015) pane.push_back({u, 0.2 + 0.003 * random.normal(), v});
+      for (double v = hole.bottom; v < hole.top; v += 0.015)
+        pane.push_back({u, 0.2 + 0.003 * random.normal(), v});
     const VectorPlane plane = vectorised(segmentation_of({points, reveal, pane}));
     REQUIRE(plane.faces.size() == 1);
     REQUIRE(plane.faces[0].openings.size() == 1);
@@ -146,8 +153,8 @@ TEST_CASE("vectorise__reveals_fix_the_edges_that_end_at_them") {
     }
   }
   MESSAGE("FIGURE edges at reveals: RMS " << 1000 * seen.rms() << " mm, bias " << 1000 * seen.mean()
-                                          << " mm, error / sigma RMS " << scaled.rms() << "; others RMS "
-                                          << 1000 * unseen.rms() << " mm");
+                                          << " mm, error / sigma RMS " << scaled.rms()
+                                          << "; others RMS " << 1000 * unseen.rms() << " mm");
   CHECK(seen.rms() < 0.001);
   CHECK(std::fabs(seen.mean()) < 0.0005);
   if (trials() < 20) return;  // too few to say how far errors scatter
@@ -169,7 +176,8 @@ TEST_CASE("vectorise__the_soffit_of_a_segmental_arch_fixes_its_radius") {
       for (double u = window.left + 0.015 * random.uniform(); u < window.right; u += 0.026) {
         const Vec2 c = window.centre();
         const double r = window.radius() + 0.002 * random.normal();
-        const Vec3 p{u, depth + 0.003 * random.normal(), c.v + std::sqrt(r * r - (u - c.u) * (u - c.u))};
+        const Vec3 p{u, depth + 0.003 * random.normal(),
+                     c.v + std::sqrt(r * r - (u - c.u) * (u - c.u))};
         (p.y < 0.01 ? points : soffit).push_back(p);
       }
     const VectorPlane plane = vectorised(segmentation_of({points, soffit}));
@@ -186,8 +194,9 @@ TEST_CASE("vectorise__the_soffit_of_a_segmental_arch_fixes_its_radius") {
       centre.add(norm(arc.centre - window.centre()) / wall.spacing);
     }
   }
-  MESSAGE("FIGURE segmental arches with a soffit: radius RMS " << radius.rms() << " worst " << radius.worst
-                                                               << " spacings, centre worst " << centre.worst);
+  MESSAGE("FIGURE segmental arches with a soffit: radius RMS "
+          << radius.rms() << " worst " << radius.worst << " spacings, centre worst "
+          << centre.worst);
   CHECK(radius.n == static_cast<double>(trials()));
   CHECK(radius.worst <= 0.5);
   CHECK(centre.worst <= 0.5);

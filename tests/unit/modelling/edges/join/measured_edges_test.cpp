@@ -20,14 +20,15 @@ size_t trials() {
 }
 
 // Distance of an upright edge's line from the truth, into the solid.
-bool edge_error(const VectorPlane& plane, const VectorRing& ring, size_t i, const std::vector<Rectangle>& truths,
-                double& error) {
-  const Vec2 a = on_wall(plane, ring.corners[i]), b = on_wall(plane, ring.corners[(i + 1) % ring.corners.size()]);
+bool edge_error(const VectorPlane& plane, const VectorRing& ring, size_t i,
+                const std::vector<Rectangle>& truths, double& error) {
+  const Vec2 a = on_wall(plane, ring.corners[i]),
+             b = on_wall(plane, ring.corners[(i + 1) % ring.corners.size()]);
   const Vec2 along = (b - a) * (1 / norm(b - a)), left{-along.v, along.u}, middle = (a + b) * 0.5;
   double best = INFINITY;
   for (const Rectangle& r : truths)
-    for (const Vec2 side : {Vec2{r.left, middle.v}, Vec2{r.right, middle.v}, Vec2{middle.u, r.bottom},
-                            Vec2{middle.u, r.top}}) {
+    for (const Vec2 side : {Vec2{r.left, middle.v}, Vec2{r.right, middle.v},
+                            Vec2{middle.u, r.bottom}, Vec2{middle.u, r.top}}) {
       const Vec2 d = middle - side;
       if (std::fabs(dot(d, along)) > 1e-3 || norm(d) > 0.05) continue;
       if (norm(d) < std::fabs(best)) best = dot(d, left);
@@ -42,16 +43,17 @@ TEST_CASE("vectorise__edges_are_unbiased_and_their_sigmas_honest") {
   Errors gridded, random_points;
   for (const Sampling sampling : kSamplings) {
     Errors errors, scaled;
-    Errors& family = sampling == Sampling::kJittered || sampling == Sampling::kPoisson ? random_points : gridded;
+    Errors& family =
+        sampling == Sampling::kJittered || sampling == Sampling::kPoisson ? random_points : gridded;
     for (size_t k = 0; k < trials(); ++k) {
       RandomStream random(k, 3);
       SampledWall wall;
       wall.seed = k + 1;
       wall.sampling = sampling;
-      const Rectangle whole{0.01 * random.uniform(), 0.01 * random.uniform(), 2.9 + 0.1 * random.uniform(),
-                            2.4 + 0.1 * random.uniform()};
-      const Rectangle hole{0.5 + 0.3 * random.uniform(), 0.5 + 0.3 * random.uniform(), 1.4 + 0.8 * random.uniform(),
-                           1.2 + 0.8 * random.uniform()};
+      const Rectangle whole{0.01 * random.uniform(), 0.01 * random.uniform(),
+                            2.9 + 0.1 * random.uniform(), 2.4 + 0.1 * random.uniform()};
+      const Rectangle hole{0.5 + 0.3 * random.uniform(), 0.5 + 0.3 * random.uniform(),
+                           1.4 + 0.8 * random.uniform(), 1.2 + 0.8 * random.uniform()};
       wall.solid = [&](double u, double v) { return whole.contains(u, v) && !hole.contains(u, v); };
       const VectorPlane plane = vectorised(segmentation_of({wall.points()}));
       REQUIRE(plane.faces.size() == 1);
@@ -68,8 +70,9 @@ TEST_CASE("vectorise__edges_are_unbiased_and_their_sigmas_honest") {
         }
       }
     }
-    MESSAGE("FIGURE edges, " << std::string(name_of(sampling)) << ": bias " << errors.mean() << " spacings, RMS "
-                             << errors.rms() << ", worst " << errors.worst << "; error / sigma RMS " << scaled.rms());
+    MESSAGE("FIGURE edges, " << std::string(name_of(sampling)) << ": bias " << errors.mean()
+                             << " spacings, RMS " << errors.rms() << ", worst " << errors.worst
+                             << "; error / sigma RMS " << scaled.rms());
     if (trials() < 20) continue;  // too few to say how far errors scatter
     CHECK(std::fabs(errors.mean()) <= 0.05);
     CHECK(errors.rms() <= 0.3);
