@@ -28,8 +28,7 @@ enum { JALON_VISIBLE = 0 };
 /** How a hidden point came to what is known of it: column "recovered" (uint8) of a comparison. */
 enum {
   JALON_NOT_RECOVERED = 0,
-  JALON_RECOVERED_VERTICAL =
-      1, /**< hidden = vertical: "height" has its sign, "distance" its size */
+  JALON_RECOVERED_VERTICAL = 1, /**< vertical: "height" has its sign, "distance" its size */
   JALON_RECOVERED_OCCLUDER = 2, /**< hidden = occluders: fits what hides it; see "shape_residual" */
   JALON_PROBABLY_UNCHANGED = 3, /**< no distance, but the same before and after */
   JALON_CHANGED_MEANWHILE = 4   /**< no distance, and not the same before and after: when is open */

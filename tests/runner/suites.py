@@ -106,6 +106,7 @@ def full_suites():
         script("bindings_from_source", "tests/bindings/from_source.sh", ["bindings", "examples/all", "jalon_cli"], full=True,
                packages=["maven"]),
         script("bindings_asan", "tests/bindings/python_asan.sh", ["bindings"], full=True),
+        script("new_method", "tests/scenarios/new_method.sh", [], [], full=True),
         script("fresh_root", "tests/install/fresh_root.sh", [], [], full=True),
         script("bench", "tests/bench/run.sh", [], [], full=True),
     ]
