@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/table_columns.h"
+#include "base/text_number.h"
 #include "cloud/operations.h"
 #include "compare/m3c2/cylinder.h"
 #include "compare/m3c2/normals.h"
@@ -84,8 +85,14 @@ const CloudPtr& source_cloud(M3c2Settings::Source source, const CloudPtr& refere
   return source == M3c2Settings::Source::kCompared ? compared : reference;
 }
 
+// A micrometre: what the cells of subsampling are never smaller than.
+constexpr double kLeastCoreSpacing_m = 1e-6;
+
 CloudPtr core_points(const CloudPtr& cloud, double spacing_m, Task& task) {
   if (spacing_m == 0) return cloud;
+  if (spacing_m < kLeastCoreSpacing_m)
+    fail(Status::kInvalidArgument, "core_spacing_m is %s m; 0 (every point) or 1e-06 m and more",
+         text_of(spacing_m).c_str());
   const SubsampleSettings thinning{.cell_m = spacing_m, .keep = Keep::kNearest};
   return std::make_shared<const Cloud>(subsampled(*cloud, thinning, task));
 }

@@ -300,3 +300,12 @@ TEST_CASE("m3c2__several_scales_take_the_flattest") {
   CHECK(radius_at(1.7) == 0.2);
   CHECK(radius_at(1.0) == 0.8);
 }
+
+TEST_CASE("m3c2__refuses_core_points_closer_than_a_micrometre") {
+  const auto cloud = cloud_of(plane(500, 1, {0, 0, 1}, 0, 1));
+  S s;
+  s.core_spacing_m = 1e-9;
+  CHECK_THROWS_AS(run(cloud, cloud, s), Error);
+  s.core_spacing_m = 0;
+  CHECK(run(cloud, cloud, s).cloud->size() == 500);
+}
