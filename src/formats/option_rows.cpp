@@ -25,22 +25,13 @@ struct FixedText {
   }
 };
 
-/// CSV is read by the reader of Text: "text" chooses it, and "csv" is no choice beside it.
-constexpr bool reads_as_another(size_t i) {
-  for (size_t before = 0; before < i; ++before)
-    if (kFormats[before].read_cloud == kFormats[i].read_cloud &&
-        kFormats[before].read_model == kFormats[i].read_model)
-      return true;
-  return false;
-}
-
 constexpr FixedText choices(bool reading) {
   FixedText text;
   text.add("auto");
   for (size_t i = 0; i < kCount; ++i) {
     const Format& format = kFormats[i];
     if (std::string_view(format.keyword).empty()) continue;
-    if (reading ? !format.can_read() || reads_as_another(i) : !format.can_write()) continue;
+    if (reading ? !format.can_read() || format.reads_as_another : !format.can_write()) continue;
     text.add("|");
     text.add(format.keyword);
   }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 
 #include "base/task.h"
 #include "cloud/cloud.h"
@@ -28,6 +30,25 @@ enum class Content {
   kText,     ///< that it is plain text, like that of other formats: asked when all else is silent
 };
 
+/// A function that a format has, or none. That it is there is a flag: under its sanitizer of
+/// undefined behaviour GCC takes no comparison with a function's address for a constant (bug 71962).
+template <class F>
+class Ability {
+ public:
+  constexpr Ability() = default;
+  constexpr Ability(F* function) : function_(function), is_there_(true) {}
+
+  constexpr bool operator==(std::nullptr_t) const { return !is_there_; }
+  template <class... A>
+  auto operator()(A&&... arguments) const {
+    return function_(std::forward<A>(arguments)...);
+  }
+
+ private:
+  F* function_ = nullptr;
+  bool is_there_ = false;
+};
+
 /// A format of files: what it is called, how a file of it is known, and what can be done with it.
 /// A function that it does not have is nullptr; all that users read about formats (the choices of
 /// the options "format", the abilities, the lists in messages) follows from the rows.
@@ -38,11 +59,12 @@ struct Format {
   Content content = Content::kSilent;
   bool (*recognises)(const ByteSource& source) = nullptr;  ///< not for kSilent
   const char* mark = "";                                   ///< of kCertain, for messages
-  Cloud (*read_cloud)(const ByteSource&, const ReadSettings&, Task&) = nullptr;
-  void (*write_cloud)(const Cloud&, const std::string& path, const WriteSettings&, Task&) = nullptr;
-  Model (*read_model)(const ByteSource&, const ReadSettings&, Task&) = nullptr;
-  void (*write_model)(const Model&, const std::string& path, const WriteSettings&, Task&) = nullptr;
-  bool is_drawing = false;  ///< written by the room report
+  Ability<Cloud(const ByteSource&, const ReadSettings&, Task&)> read_cloud{};
+  Ability<void(const Cloud&, const std::string& path, const WriteSettings&, Task&)> write_cloud{};
+  Ability<Model(const ByteSource&, const ReadSettings&, Task&)> read_model{};
+  Ability<void(const Model&, const std::string& path, const WriteSettings&, Task&)> write_model{};
+  bool reads_as_another = false;  ///< by the reader of a row before, which users name instead
+  bool is_drawing = false;        ///< written by the room report
 
   constexpr bool can_read() const { return read_cloud != nullptr || read_model != nullptr; }
   constexpr bool can_write() const { return write_cloud != nullptr || write_model != nullptr; }
@@ -80,7 +102,8 @@ inline constexpr Format kFormats[] = {
      .content = Content::kText,
      .recognises = is_plain_text,
      .read_cloud = read_text,
-     .write_cloud = write_csv},
+     .write_cloud = write_csv,
+     .reads_as_another = true},
     {.name = "OBJ",
      .keyword = "obj",
      .extensions = "obj",
