@@ -243,35 +243,6 @@ TEST_CASE("model_evaluation__takes_empty_models_and_faces_without_area") {
   CHECK(evaluated(wall(0), Model{}).unpaired.automatic_m2 == doctest::Approx(48));
 }
 
-TEST_CASE("vertex_deviations__give_the_recomputed_figures_of_table_5_8") {
-  // Boulaassal 2010, table 5.8: DX, DY, DZ (m) as printed.
-  const Vec3 printed[] = {{0.035, -0.007, -0.012}, {0.035, -0.003, 0.021}, {-0.005, 0.004, 0.002},
-                          {-0.003, 0.019, 0.024},  {-0.001, 0.005, 0.016}, {0.072, -0.012, 0.018},
-                          {-0.063, 0.015, 0.022},  {-0.008, 0.018, 0.016}, {-0.060, 0.011, 0.004},
-                          {-0.025, -0.016, -0.027}};
-  const double norms_mm[] = {37.7, 40.9, 6.7, 30.8, 16.8, 75.2, 68.4, 25.4, 61.1, 40.1};
-  std::vector<VertexPair> pairs;
-  for (uint32_t i = 0; i < 10; ++i) {
-    pairs.push_back({i, i, printed[i]});
-    CHECK(std::fabs(1000 * pairs[i].distance_m() - norms_mm[i]) < 0.06);
-  }
-  FieldTable t;
-  add_vertex_totals(t, pairs);
-  const auto mm = [&](const char* name) { return 1000 * t.require(name).number(0); };
-  MESSAGE("FIGURE table 5.8: mean D ", mm("mean_distance"), ", std ", mm("std_distance"), ", rms ",
-          mm("rms_distance"), ", rms per axis ", mm("rms_dx"), " ", mm("rms_dy"), " ", mm("rms_dz"),
-          " mm");
-  CHECK(std::fabs(mm("mean_distance") - 40) < 0.5);
-  CHECK(std::fabs(mm("std_distance") - 22) < 0.5);
-  CHECK(std::fabs(mm("rms_distance") - 45) < 0.5);
-  const double rms[] = {39.9, 12.4, 18.0}, mean[] = {-2.3, 3.4, 8.4};
-  const char* axes[] = {"dx", "dy", "dz"};
-  for (size_t i = 0; i < 3; ++i) {
-    CHECK(std::fabs(mm(("rms_" + std::string(axes[i])).c_str()) - rms[i]) < 0.06);
-    CHECK(std::fabs(mm(("mean_" + std::string(axes[i])).c_str()) - mean[i]) < 0.06);
-  }
-}
-
 TEST_CASE("model_evaluation__holds_deviations_against_the_vertices_covariances") {
   const double sx = 0.004, sy = 0.002, sz = 0.006;
   Model truth, found;
@@ -295,16 +266,4 @@ TEST_CASE("model_evaluation__holds_deviations_against_the_vertices_covariances")
   CHECK(normalised_deviation({0.02, 0, 0}, {1e-4, 0, 0, 0, 0, 0, 0, 0, 1e-4}) ==
         doctest::Approx(2));
   CHECK(std::isinf(normalised_deviation({0.02, 0.001, 0}, {1e-4, 0, 0, 0, 0, 0, 0, 0, 1e-4})));
-}
-
-TEST_CASE("vertex_deviations__pair_the_nearest_first_and_one_to_one") {
-  Task task;
-  const Vec3 a[] = {{0, 0, 0}, {0.1, 0, 0}, {5, 0, 0}},
-             r[] = {{0.08, 0, 0}, {0.2, 0, 0}, {5.2, 0, 0}};
-  const auto pairs = homologous_vertices(a, r, 0.15, task);
-  REQUIRE(pairs.size() == 1);  // a[1] with r[0]; a[0] - r[1] and a[2] - r[2] are too far apart
-  CHECK(pairs[0].automatic == 1);
-  CHECK(pairs[0].reference == 0);
-  CHECK(homologous_vertices(a, r, 0.25, task).size() == 3);
-  CHECK(homologous_vertices({}, r, 1, task).empty());
 }

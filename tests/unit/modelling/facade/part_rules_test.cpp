@@ -6,7 +6,6 @@
 
 #include "model/part_classes.h"
 #include "modelling/facade/part_rules.h"
-#include "modelling/walls/holes.h"
 
 using namespace jalon;
 
@@ -18,13 +17,6 @@ const Vec3 kFront{0, 1, 0}, kUp{0, 0, 1}, kSide{1, 0, 0};
 
 std::string class_of(const Vec3& low, const Vec3& high, const Vec3& normal, double area_m2) {
   return class_of_element({{low, high}, normal, area_m2}, kFacade);
-}
-
-VectorRing ring_of(std::vector<Vec2> corners) {
-  VectorRing ring;
-  ring.corners = std::move(corners);
-  ring.edges.resize(ring.corners.size());
-  return ring;
 }
 
 }  // namespace
@@ -48,38 +40,4 @@ TEST_CASE("part rules: numbers count rows from below and places from the left") 
   const auto numbers = row_numbers({box(5, 4), box(2, 1.1), box(8, 1), box(2, 4.2)});
   CHECK(numbers == std::vector<std::string>{"2.2", "1.1", "1.2", "2.1"});
   CHECK(row_numbers({}).empty());
-}
-
-TEST_CASE("wall holes: a doorway in the lower border is a notch, the end of a wall is none") {
-  VectorPlane wall;
-  wall.faces.push_back(
-      {ring_of({{0, 0}, {2, 0}, {2, 2.1}, {3, 2.1}, {3, 0.05}, {8, 0}, {8, 5}, {0, 5}}), {}});
-  const auto holes = holes_of(wall, {});
-  REQUIRE(holes.size() == 1);
-  CHECK(holes[0].is_notch);
-  CHECK(holes[0].outline.corners == std::vector<Vec2>{{2, 0}, {3, 0.05}, {3, 2.1}, {2, 2.1}});
-  CHECK(signed_area(holes[0].outline) > 0);
-  VectorFace closed = wall.faces[0];
-  close_hole(closed, holes[0]);
-  CHECK(closed.outline.corners.size() == 6);
-  CHECK(closed.outline.edges.size() == 6);
-  CHECK(std::abs(signed_area(closed.outline) - 40) < 0.2);
-  // Too low, or too wide: steps in the border.
-  wall.faces[0].outline = ring_of({{0, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 0}, {8, 0}, {8, 5}, {0, 5}});
-  CHECK(holes_of(wall, {}).empty());
-  wall.faces[0].outline =
-      ring_of({{0, 0}, {0.5, 0}, {0.5, 3}, {7.5, 3}, {7.5, 0}, {8, 0}, {8, 5}, {0, 5}});
-  CHECK(holes_of(wall, {}).empty());
-}
-
-TEST_CASE("wall holes: a hole that is closed leaves the others") {
-  VectorPlane wall;
-  const VectorRing first = ring_of({{1, 1}, {1, 2}, {2, 2}, {2, 1}});
-  const VectorRing second = ring_of({{4, 1}, {4, 2}, {5, 2}, {5, 1}});
-  wall.faces.push_back({ring_of({{0, 0}, {8, 0}, {8, 5}, {0, 5}}), {first, second}});
-  const auto holes = holes_of(wall, {});
-  REQUIRE(holes.size() == 2);
-  close_hole(wall.faces[0], holes[0]);
-  REQUIRE(wall.faces[0].openings.size() == 1);
-  CHECK(wall.faces[0].openings[0].corners == second.corners);
 }

@@ -7,7 +7,6 @@
 #include "base/random.h"
 #include "geometry/polygon2.h"
 #include "modelling/edges/find/straighten.h"
-#include "modelling/edges/join/nesting.h"
 
 using namespace jalon;
 
@@ -96,17 +95,4 @@ TEST_CASE("fitted_rectangle: takes rectangles and refuses other forms") {
   CHECK(fitted_rectangle(ragged(triangle, 0.02, 0.02, 4), setting_of(0.02)).empty());
   const std::vector<Vec2> l_shape{{0, 0}, {0, 2}, {0.5, 2}, {0.5, 1}, {1, 1}, {1, 0}};
   CHECK(fitted_rectangle(ragged(l_shape, 0.02, 0.02, 4), setting_of(0.02)).empty());
-}
-
-TEST_CASE("nested: a form that leaves the outline gives way to the next") {
-  const auto ring = [](std::vector<Vec2> corners) {
-    const size_t n = corners.size();
-    return VectorRing{std::move(corners), std::vector<VectorEdge>(n), {}};
-  };
-  RingForms outline, opening;
-  outline.add(ring({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), 0.001);
-  opening.add(ring({{3, 1}, {3, 2}, {5, 2}, {5, 1}}), 0.001);
-  opening.add(ring({{1, 1}, {1, 2}, {2, 2}, {2, 1}}), 0.001);
-  const std::vector<RingForms> rings{outline, opening};
-  CHECK(nested(rings) == std::vector<size_t>{0, 1});
 }

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A closed chain cut into straight parts and arcs.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "base/random.h"
+#include "modelling/edges/find/chain_parts.h"
+#include "modelling/edges/find/edge_shape.h"
+#include "modelling/edges/find/guided_steps.h"
+
+using namespace jalon;
+
+namespace {
+
+constexpr double kSpacing = 0.1;
+
+/// A wall 3 m wide and 4 m high to the top of its round head, its border moved in at random.
+std::vector<Vec2> round_headed(double step_m, uint64_t seed) {
+  RandomStream random(seed, 1);
+  const auto in = [&] { return 0.3 * step_m * random.uniform(); };
+  std::vector<Vec2> out;
+  for (double u = 0; u < 3; u += step_m) out.push_back({u, in()});
+  for (double v = 0; v < 2.5; v += step_m) out.push_back({3 - in(), v});
+  for (double a = 0; a < std::numbers::pi; a += step_m / 1.5) {
+    const double r = 1.5 - in();
+    out.push_back({1.5 + r * std::cos(a), 2.5 + r * std::sin(a)});
+  }
+  for (double v = 2.5; v > step_m / 2; v -= step_m) out.push_back({in(), v});
+  return out;
+}
+
+void check_follow_each_other(const std::vector<ChainPart>& parts, size_t n) {
+  size_t points = 0;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const ChainPart& next = parts[(i + 1) % parts.size()];
+    CHECK((parts[i].first + parts[i].count - 1) % n == next.first);
+    points += parts[i].count - 1;
+  }
+  CHECK(points == n);
+}
+
+}  // namespace
+
+TEST_CASE("split_chain__finds_lines_and_the_arc_of_a_round_head_wherever_the_chain_starts") {
+  const auto chain = round_headed(0.02, 1);
+  for (const size_t start : {size_t{0}, size_t{40}, size_t{222}, chain.size() - 3}) {
+    CAPTURE(start);
+    std::vector<Vec2> turned = chain;
+    std::rotate(turned.begin(), turned.begin() + static_cast<ptrdiff_t>(start), turned.end());
+    const auto parts = split_chain(turned, {0.02, true});
+    REQUIRE(parts.size() == 4);
+    check_follow_each_other(parts, chain.size());
+    int arcs = 0;
+    for (const ChainPart& part : parts) {
+      CHECK(!part.is_guided);
+      if (part.is_arc) {
+        ++arcs;
+        CHECK(part.turn == 1);
+        CHECK(norm(part.circle.centre - Vec2{1.5, 2.5}) < 0.02);
+        CHECK(part.circle.radius == doctest::Approx(1.5).epsilon(0.01));
+      } else {
+        const Vec2 chord =
+            turned[(part.first + part.count - 1) % turned.size()] - turned[part.first];
+        CHECK(dot(part.line.direction, chord) > 0.99 * norm(chord));
+      }
+    }
+    CHECK(arcs == 1);
+  }
+}
+
+TEST_CASE("split_chain__of_lines_only_has_no_arcs_and_the_other_way_round_arcs_turn_back") {
+  auto chain = round_headed(0.02, 2);
+  for (const ChainPart& part : split_chain(chain, {0.02, false})) CHECK(!part.is_arc);
+  std::reverse(chain.begin(), chain.end());
+  const auto parts = split_chain(chain, {0.02, true});
+  CHECK(std::count_if(parts.begin(), parts.end(),
+                      [](const ChainPart& p) { return p.is_arc && p.turn == -1; }) == 1);
+}
+
+TEST_CASE("split_chain__a_whole_circle_is_two_arcs_and_a_triangle_of_points_three_lines") {
+  std::vector<Vec2> circle;
+  for (int i = 0; i < 200; ++i) {
+    const double a = 2 * std::numbers::pi * i / 200;
+    circle.push_back({7 + std::cos(a), std::sin(a)});
+  }
+  const auto parts = split_chain(circle, {0.03, true});
+  REQUIRE(parts.size() == 2);
+  check_follow_each_other(parts, circle.size());
+  for (const ChainPart& part : parts) {
+    CHECK(part.is_arc);
+    CHECK(part.circle.radius == doctest::Approx(1));
+  }
+  const std::vector<Vec2> triangle{{0, 0}, {1, 0}, {0, 1}};
+  const auto lines = split_chain(triangle, {0.02, true});
+  check_follow_each_other(lines, 3);
+  for (const ChainPart& part : lines) CHECK(!part.is_arc);
+}
+
+TEST_CASE("split_chain__a_stub_of_few_points_is_drawn_by_its_guides") {
+  // A band 4 m long with a post's stub on it, 0.4 x 0.5 m, its corners cut by the triangulation.
+  std::vector<EdgeShape> lines{
+      straight_shape({8, 0}, {2.2, 0}), straight_shape({2.2, -9}, {2.2, 0}),
+      straight_shape({1.8, 0}, {1.8, -9}), straight_shape({8, 0.5}, {0, 0.5})};
+  const GuideLines guides(lines, {}, {}, kSpacing);
+  std::vector<Vec2> chain;
+  for (int k = 0; k <= 40; ++k) chain.push_back({0.1 * k, -1 + 0.02 * (k % 3)});
+  for (int k = 0; k < 10; ++k) chain.push_back({4 - 0.03 * (k % 2), -0.95 + 0.1 * k});
+  for (int k = 0; k < 15; ++k) chain.push_back({4 - 0.1 * k, -0.04 - 0.03 * (k % 2)});
+  for (const Vec2& p : {Vec2{2.17, 0.25}, Vec2{2.15, 0.36}, Vec2{2.02, 0.46}, Vec2{1.9, 0.43},
+                        Vec2{1.83, 0.3}, Vec2{1.86, 0.2}})
+    chain.push_back(p);
+  for (int k = 0; k < 15; ++k) chain.push_back({1.55 - 0.1 * k, -0.04 - 0.03 * (k % 2)});
+  for (int k = 0; k < 8; ++k) chain.push_back({0.03 * (k % 2), -0.1 - 0.1 * k});
+  const auto free = split_chain(chain, {kSpacing, true});
+  const auto guided = split_chain(chain, {kSpacing, true, &guides, 0.035, 0.6});
+  std::vector<EdgeShape> ring;
+  for (const ChainPart& part : guided) ring.push_back(shape_of(chain, part, kSpacing, 0.035, 0.05));
+  guide_steps(guides, kSpacing, ring);
+  int left = 0, top = 0, right = 0;
+  for (const EdgeShape& s : ring) {
+    const Vec2 at = s.at(s.length_m / 2, 0);
+    if (!s.is_guided) continue;
+    right += std::fabs(at.u - 2.2) < 1e-9;
+    top += std::fabs(at.v - 0.5) < 1e-9;
+    left += std::fabs(at.u - 1.8) < 1e-9;
+  }
+  CHECK(right == 1);
+  CHECK(top == 1);
+  CHECK(left == 1);
+  for (const ChainPart& part : free) CHECK(!part.is_guided);
+}
