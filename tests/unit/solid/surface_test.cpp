@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include <cstring>
-
 #include "base/error.h"
 #include "solid/surface_depth.h"
 #include "solid/surface_pair.h"
 #include "solid/surface_points.h"
 #include "unit/solid/bodies.h"
-#ifdef JALON_WITH_FCL
-#include "solid/fcl_precision.h"
-#endif
 
 using namespace jalon;
 using namespace jalon::test;
@@ -216,36 +211,6 @@ TEST_CASE("clearance_of_surfaces__of_open_triangles_equals_brute_force") {
     CHECK(std::isnan(found.depth_m));
   }
   CHECK(worst < 1e-6);
-}
-
-namespace {
-
-// A libccd of floats behind the headers of doubles: it reads and writes the first halves.
-ccd_real_t of_floats(const ccd_vec3_t* point, const ccd_vec3_t*, const ccd_vec3_t*,
-                     const ccd_vec3_t*, ccd_vec3_t* witness) {
-  float p[3];
-  std::memcpy(p, point, sizeof p);
-  const float squared = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
-  std::memcpy(witness, p, sizeof p);
-  ccd_real_t out = 0;
-  std::memcpy(&out, &squared, sizeof squared);
-  return out;
-}
-
-// One that rounds to single precision but keeps the layout.
-ccd_real_t rounding(const ccd_vec3_t* point, const ccd_vec3_t*, const ccd_vec3_t*,
-                    const ccd_vec3_t*, ccd_vec3_t* witness) {
-  const float z = static_cast<float>(point->v[2]);
-  *witness = {{0, 0, 0}};
-  return z * z;
-}
-
-}  // namespace
-
-TEST_CASE("libccd__in_single_precision_is_caught_at_run_time") {
-  CHECK(calculates_in_doubles(&ccdVec3PointTriDist2));
-  CHECK_FALSE(calculates_in_doubles(&of_floats));
-  CHECK_FALSE(calculates_in_doubles(&rounding));
 }
 
 #endif
