@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <map>
+
+#include "base/error.h"
+#include "unit/spatial/octree_fixture.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+/// For each point, by the caller's index, the indices within the radius, ascending.
+using Balls = std::vector<std::vector<uint32_t>>;
+
+Balls all_balls(const Octree& tree, double radius, unsigned thread_count = 2) {
+  Task task(threads(thread_count));
+  Balls out(tree.size());
+  tree.for_each_ball(radius, task, [&](const Octree::BallBatch& batch) {
+    for (size_t i = 0; i < batch.count; ++i) {
+      auto& own = out[tree.order()[batch.first + i]];
+      for (uint32_t j = batch.offsets[i]; j < batch.offsets[i + 1]; ++j)
+        own.push_back(tree.order()[batch.neighbours[j]]);
+      std::sort(own.begin(), own.end());
+    }
+  });
+  return out;
+}
+
+Balls by_brute_force(const std::vector<double>& xyz, double radius) {
+  Balls out(xyz.size() / 3);
+  for (size_t i = 0; i < out.size(); ++i)
+    for (size_t j = 0; j < out.size(); ++j)
+      if (squared_norm(point(xyz, j) - point(xyz, i)) <= radius * radius)
+        out[i].push_back(static_cast<uint32_t>(j));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("ball_batch__equals_brute_force_from_alone_to_everybody") {
+  const auto xyz = street(1500);
+  const auto tree = build(xyz);
+  for (const double radius : {1e-9, 0.4, 3.0, 100.0}) {
+    CAPTURE(radius);
+    CHECK(all_balls(*tree, radius) == by_brute_force(xyz, radius));
+  }
+}
+
+TEST_CASE("ball_batch__the_ball_is_closed_on_a_lattice") {
+  std::vector<double> xyz;
+  for (int i = 0; i < 7 * 7 * 7; ++i)
+    for (const int c : {i % 7, i / 7 % 7, i / 49}) xyz.push_back(c);
+  const auto tree = build(xyz);
+  const size_t middle = 3 + 7 * 3 + 49 * 3;
+  // 1 + 6 points within 1; 8 more at sqrt(3) and 12 at sqrt(2), then 6 at 2.
+  CHECK(all_balls(*tree, 1)[middle].size() == 7);
+  CHECK(all_balls(*tree, 0.99999)[middle].size() == 1);
+  CHECK(all_balls(*tree, 2)[middle].size() == 33);
+  CHECK(all_balls(*tree, 1.99999)[middle].size() == 27);
+}
+
+TEST_CASE("ball_batch__duplicates_are_in_each_other_s_balls_and_threads_change_nothing") {
+  std::vector<double> xyz = street(600);
+  for (size_t i = 0; i < 300; ++i)
+    for (size_t axis = 0; axis < 3; ++axis) xyz[3 * i + axis] = 2.5;
+  const auto tree = build(xyz);
+  const Balls balls = all_balls(*tree, 0.01, 1);
+  CHECK(balls == by_brute_force(xyz, 0.01));
+  CHECK(balls[0].size() >= 300);
+  CHECK(balls == all_balls(*tree, 0.01, 4));
+}

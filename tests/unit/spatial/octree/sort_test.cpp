@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "spatial/octree/impl.h"
+#include "unit/spatial/octree_fixture.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+/// Nearly all points in a millimetre, some of them equal, and one a thousand kilometres away.
+std::vector<double> skewed(size_t n) {
+  RandomStream random(2, 0);
+  std::vector<double> xyz;
+  for (size_t i = 0; i < n; ++i)
+    for (int c = 0; c < 3; ++c) xyz.push_back(i % 5 == 0 ? 0.0005 : 1e-3 * random.uniform());
+  xyz[0] = 1e6;
+  return xyz;
+}
+
+}  // namespace
+
+TEST_CASE("octree_sort__puts_points_by_code_then_index_each_once") {
+  for (const auto& xyz : {street(9000), street(9000, 2, 0.5), skewed(9000)}) {
+    const auto tree = build(xyz);
+    std::vector<uint8_t> seen(tree->size(), 0);
+    for (size_t p = 0; p < tree->size(); ++p) {
+      ++seen[tree->order()[p]];
+      if (p == 0) continue;
+      const uint64_t before = tree->code(p - 1), here = tree->code(p);
+      REQUIRE((before < here || (before == here && tree->order()[p - 1] < tree->order()[p])));
+    }
+    CHECK(std::count(seen.begin(), seen.end(), 1) == static_cast<ptrdiff_t>(tree->size()));
+  }
+}
+
+TEST_CASE("octree_sort__grid_coordinates_are_the_points_in_steps_rounded_down") {
+  const auto xyz = street(2000);
+  const auto built = build(xyz);
+  const Octree::Impl& tree = built->impl();
+  for (size_t p = 0; p < tree.count; ++p) {
+    const Vec3 exact = (point(xyz, tree.order[p]) - tree.cube.origin) / tree.step;
+    REQUIRE(tree.x[p] == static_cast<int32_t>(std::floor(exact.x)));
+    REQUIRE(tree.y[p] == static_cast<int32_t>(std::floor(exact.y)));
+    REQUIRE(tree.z[p] == static_cast<int32_t>(std::floor(exact.z)));
+  }
+}
+
+TEST_CASE("octree_sort__leaves_part_the_points_and_hold_at_most_sixteen") {
+  for (const auto& xyz : {street(1), street(17), street(4000), skewed(4000)}) {
+    const auto built = build(xyz);
+    const Octree::Impl& tree = built->impl();
+    REQUIRE(tree.leaf_first.size() >= tree.leaves + 1);
+    CHECK(tree.leaf_first[0] == 0);
+    CHECK(tree.leaf_first[tree.leaves] == tree.count);
+    for (size_t leaf = 0; leaf < tree.leaves; ++leaf) {
+      REQUIRE(tree.leaf_first[leaf] < tree.leaf_first[leaf + 1]);
+      REQUIRE(tree.leaf_first[leaf + 1] - tree.leaf_first[leaf] <= kLeafPoints);
+    }
+  }
+}
+
+TEST_CASE("octree_sort__gives_the_same_bits_for_any_threads_on_skewed_clouds") {
+  const auto xyz = skewed(200000);  // more than a chunk, and a bucket that must be split
+  const auto one = build(xyz, 1), four = build(xyz, 4);
+  CHECK(std::equal(one->order().begin(), one->order().end(), four->order().begin()));
+  CHECK(one->impl().leaves == four->impl().leaves);
+}
