@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "modelling/patterns/grid.h"
 #include "modelling/patterns/patterns.h"
 #include "unit/modelling/pattern_walls.h"
 
