@@ -17,10 +17,13 @@ constexpr double kJambSigma = 0.001, kArcSigma = 0.01;
 
 /// A post 2 m wide whose round head was measured with this circle.
 struct Head {
-  EdgeShape before = straight_shape({2, 0}, {2, 3}), after = straight_shape({0, 3}, {0, 0}), arc;
+  EdgeShape before, after, arc;
   EdgeInformation information{};
 
   explicit Head(const Circle& circle) {
+    const Vec2 right{2, 0}, right_top{2, 3}, left{0, 0}, left_top{0, 3};
+    before = straight_shape(right, right_top);
+    after = straight_shape(left_top, left);
     before.sigma_m = after.sigma_m = kJambSigma;
     before.source = after.source = EdgeSource::kDensity;
     arc.is_arc = true;
