@@ -8,31 +8,12 @@
 
 #include "modelling/plane/ring_tools.h"
 #include "modelling/walls/bays.h"
+#include "unit/modelling/upright_planes.h"
 
 using namespace jalon;
+using namespace upright_planes;
 
 namespace {
-
-constexpr double kSpacing_m = 0.05;
-
-VectorRing ring_of(std::vector<Vec2> corners) {
-  VectorRing ring;
-  ring.edges.assign(corners.size(), {});
-  ring.corners = std::move(corners);
-  return ring;
-}
-VectorRing rectangle(double u0, double u1, double v0, double v1) {
-  return ring_of({{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}});
-}
-
-/// A plane at this height over y = 0 that looks along -Y; u is x, v is z.
-VectorPlane plane_of(std::vector<VectorRing> outlines, double height_m = 0) {
-  VectorPlane plane;
-  plane.frame = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}, height_m};
-  plane.spacing_m = kSpacing_m;
-  for (VectorRing& ring : outlines) plane.faces.push_back({std::move(ring), {}});
-  return plane;
-}
 
 /// Four piers below a board that hides the wall from 3 to 4 m.
 std::vector<VectorRing> shop_fronts() {
