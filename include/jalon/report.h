@@ -77,7 +77,8 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_deviations(const jalon_com
                                                                  jalon_task* task);
 /**
  * Histogram of the distances as SVG with the noise law of those below the threshold (Weibull, Girardeau-Montaut 2006,
- * 3.4; of signed ones normal) and the threshold. Operation "comparison_report" (bins, threshold_m, limit_m).
+ * 3.4; of signed ones normal) and the threshold, of signed ones on both sides. Operation "comparison_report" (bins,
+ * threshold_m, limit_m).
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comparison* comparison,
                                                                 const char* path,

@@ -111,6 +111,21 @@ const Format& format_of_content(const ByteSource& source) {
   refuse_unknown(source);
 }
 
+// Where the option asks for a format that lacks the function, neither content nor extension is to blame.
+template <class Function>
+void refuse_option(const std::string& path, const std::string& option, Function Format::*function,
+                   const char* content, bool reading) {
+  if (format_of_option(option) == nullptr) return;
+  std::vector<std::string> able;
+  for (const Format& format : kFormats)
+    if (format.*function != nullptr && !(reading && format.reads_as_another))
+      able.emplace_back(format.keyword);
+  fail(Status::kUnsupported,
+       "%s: no %s can be %s in format \"%s\", which the option \"format\" names; there are: %s",
+       path.c_str(), content, reading ? "read" : "written", option.c_str(),
+       listed(able, ", ").c_str());
+}
+
 const Format& format_to_read(const ByteSource& source, const ReadSettings& settings) {
   const Format* chosen = format_of_option(settings.format);
   return chosen != nullptr ? *chosen : format_of_content(source);
@@ -143,6 +158,7 @@ Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& ta
   const ByteSource source(path);
   const Format& format = format_to_read(source, settings);
   if (format.read_cloud != nullptr) return format.read_cloud(source, settings, task);
+  refuse_option(path, settings.format, &Format::read_cloud, "cloud", true);
   const auto models =
       names_of([](const Format& f) { return f.read_model != nullptr && f.read_cloud == nullptr; });
   fail(Status::kUnsupported, "%s: %s hold a model, no cloud", path.c_str(),
@@ -153,6 +169,7 @@ Model read_model(const std::string& path, const ReadSettings& settings, Task& ta
   const ByteSource source(path);
   const Format& format = format_to_read(source, settings);
   if (format.read_model != nullptr) return format.read_model(source, settings, task);
+  refuse_option(path, settings.format, &Format::read_model, "model", true);
   auto models = names_of([](const Format& f) { return f.read_model != nullptr; });
   std::ranges::sort(models);
   fail(Status::kUnsupported, "%s: no model; models are %s", path.c_str(),
@@ -162,16 +179,20 @@ Model read_model(const std::string& path, const ReadSettings& settings, Task& ta
 void write_cloud(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                  Task& task) {
   const Format* format = format_to_write(path, settings);
-  if (format == nullptr || format->write_cloud == nullptr)
+  if (format == nullptr || format->write_cloud == nullptr) {
+    refuse_option(path, settings.format, &Format::write_cloud, "cloud", false);
     refuse_extension(path, &Format::write_cloud);
+  }
   format->write_cloud(cloud, path, settings, task);
 }
 
 void write_model(const Model& model, const std::string& path, const WriteSettings& settings,
                  Task& task) {
   const Format* format = format_to_write(path, settings);
-  if (format == nullptr || format->write_model == nullptr)
+  if (format == nullptr || format->write_model == nullptr) {
+    refuse_option(path, settings.format, &Format::write_model, "model", false);
     refuse_extension(path, &Format::write_model);
+  }
   format->write_model(model, path, settings, task);
 }
 

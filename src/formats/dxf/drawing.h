@@ -23,7 +23,7 @@ struct Layer {
 /// Layers by the class of what lies on them; layer 0 is first, as every drawing has it.
 class Layers {
  public:
-  Layers() : layers_{{"0", 7, false}} {}
+  Layers() : layers_{{"0", 7, false}}, index_{{"0", 0}} {}
   /// The layer of a part: its class in capitals, "-COPIED" behind it for copies.
   uint32_t of_part(const Model& model, uint32_t part);
   /// A class that no part stands for, e.g. openings of unknown kind.

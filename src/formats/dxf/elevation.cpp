@@ -17,8 +17,9 @@ constexpr double kUpright = 0.5;  // |z| of the normal of what may be the front 
 constexpr double kFlatArc =
     0.99995;  // cosine (0.6 degrees) up to which an arc of 5 m stays within 0.25 mm of a circle
 constexpr double kSameDepth_m =
-    0.005;                    // steps in which depths are told apart for the order of drawing
-constexpr double kGap_m = 2;  // between two facades side by side
+    0.005;  // steps in which depths are told apart for the order of drawing
+constexpr double kRounding_m = 1e-6;  // far above that of map coordinates
+constexpr double kGap_m = 2;          // between two facades side by side
 constexpr uint32_t kNoFacade = ~uint32_t{0};
 
 /// Seen from the front: x to the right, y up.
@@ -66,22 +67,40 @@ std::vector<uint8_t> faces_of_solids(const Model& model) {
   return out;
 }
 
-// What lies in front is drawn last, so that joinery does not hide the opening before it.
-void sort_by_depth(Drawing& drawing, size_t first, const View& view) {
-  const auto depth = [&](const Polyline& line) {
+struct Depth {
+  size_t line;
+  double depth_m;
+  double step = 0;  ///< in which it is drawn
+};
+
+std::vector<Depth> depths_of(const Drawing& drawing, size_t first, const View& view) {
+  std::vector<Depth> out;
+  for (size_t i = first; i < drawing.polylines.size(); ++i) {
+    const std::vector<Vec3>& corners = drawing.polylines[i].corners;
     double sum = 0;
-    for (const Vec3& p : line.corners) sum += dot(p - view.origin, view.towards);
-    return sum / static_cast<double>(line.corners.size());
-  };
-  std::vector<std::pair<double, Polyline>> lines;
-  for (size_t i = first; i < drawing.polylines.size(); ++i)
-    lines.emplace_back(depth(drawing.polylines[i]), std::move(drawing.polylines[i]));
-  // Rounding must not shuffle what lies in one plane.
-  std::ranges::stable_sort(lines, [](const auto& a, const auto& b) {
-    return std::floor(a.first / kSameDepth_m) < std::floor(b.first / kSameDepth_m);
-  });
-  for (size_t i = 0; i < lines.size(); ++i)
-    drawing.polylines[first + i] = std::move(lines[i].second);
+    for (const Vec3& p : corners) sum += dot(p - view.origin, view.towards);
+    const double depth_m = sum / static_cast<double>(corners.size());
+    out.push_back({i, std::isfinite(depth_m) ? depth_m : 0});
+  }
+  return out;
+}
+
+// What lies in front is drawn last, so that joinery does not hide the opening before it. Rounding
+// must not shuffle what lies in one plane: the lines of a plane have its step together, and the
+// front wall lies in the middle of one.
+void sort_by_depth(Drawing& drawing, size_t first, const View& view) {
+  std::vector<Depth> depths = depths_of(drawing, first, view);
+  std::ranges::stable_sort(depths, {}, &Depth::depth_m);
+  double plane_m = 0;
+  for (size_t i = 0; i < depths.size(); ++i) {
+    const bool same_plane = i > 0 && depths[i].depth_m - depths[i - 1].depth_m <= kRounding_m;
+    if (!same_plane) plane_m = depths[i].depth_m;
+    depths[i].step = std::round(plane_m / kSameDepth_m);
+  }
+  std::ranges::sort(depths, {}, [](const Depth& d) { return std::pair(d.step, d.line); });
+  std::vector<Polyline> lines;
+  for (const Depth& depth : depths) lines.push_back(std::move(drawing.polylines[depth.line]));
+  std::ranges::move(lines, drawing.polylines.begin() + static_cast<ptrdiff_t>(first));
 }
 
 void flatten(Polyline& line, const View& view, double chord_error_m) {

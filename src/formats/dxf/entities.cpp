@@ -39,7 +39,7 @@ Planar planar(const Polyline& line, const ObjectAxes& axes) {
 double bulge(const Polyline& line, size_t i) {
   if (line.sagittas_m.empty()) return 0;
   const double chord_m = norm(line.corners[(i + 1) % line.corners.size()] - line.corners[i]);
-  return chord_m > 0 ? 2 * line.sagittas_m[i] / chord_m : 0;
+  return chord_m > 0 ? 2 * (line.sagittas_m[i] / chord_m) : 0;
 }
 
 void begin_entity(Text& text, const char* name, const Layer& layer, uint64_t handle,

@@ -3,8 +3,10 @@
 #include "formats/dxf/text.h"
 
 #include <charconv>
+#include <cmath>
 #include <utility>
 
+#include "base/error.h"
 #include "base/text_number.h"
 #include "base/utf8_character.h"
 #include "formats/files/utf8.h"
@@ -71,6 +73,10 @@ Text& Text::group(int code_, int value) {
 }
 
 Text& Text::group(int code_, double value) {
+  // Vertices are finite, but what is reckoned from the largest of them may not be.
+  if (!std::isfinite(value))
+    fail(Status::kUnsupported, "a number of the drawing (DXF group %d) is too large to be written",
+         code_);
   code(code_);
   std::string text = text_of(value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";

@@ -23,6 +23,7 @@ class Text {
   Text& group(int code, std::string_view text);
   Text& group(int code, const char* text) { return group(code, std::string_view(text)); }
   Text& group(int code, int value);
+  /// Error(kUnsupported) when it is not finite: DXF has no such number.
   Text& group(int code, double value);
   Text& handle(int code, uint64_t handle);
   /// code, code + 10, code + 20.

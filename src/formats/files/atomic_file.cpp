@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "formats/files/private_file.h"
 #include "formats/files/system_error.h"
 
 namespace jalon {
@@ -21,7 +22,6 @@ namespace jalon {
 namespace {
 
 constexpr size_t kBufferBytes = size_t{1} << 20;
-constexpr int kNameTries = 1000;
 
 // The file behind symbolic links: the link stays, what it names is replaced.
 std::string resolved(const std::string& path) {
@@ -46,15 +46,10 @@ AtomicFile::AtomicFile(std::string path) : path_(resolved(path)), buffer_(kBuffe
   }
   // A read-only file is refused although rename could replace it: its owner said so.
   if (exists && ::access(path_.c_str(), W_OK) != 0) refuse("write");
-  for (int i = 0; i < kNameTries && descriptor_ < 0; ++i) {
-    temporary_ = path_ + ".part" + std::to_string(::getpid()) + "-" + std::to_string(i);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) break;
-  }
-  if (descriptor_ < 0) {
-    temporary_.clear();
-    refuse("create");
-  }
+  PrivateFile file = open_private_file(path_);
+  if (file.descriptor < 0) refuse("create");
+  descriptor_ = file.descriptor;
+  temporary_ = std::move(file.path);
   if (exists)
     (void)!::fchmod(
         descriptor_,

@@ -11,7 +11,8 @@
 namespace jalon {
 
 /// A file that appears whole or not at all: written beside the target under a private name, renamed
-/// by commit(). Without commit() the private file is removed and the target stays as it was.
+/// by commit(). Without commit() the private file is removed and the target stays as it was; what a
+/// killed writer left beside it the next writer takes away.
 /// Buffered. Errors are Error(kIo) with path and cause.
 class AtomicFile {
  public:

@@ -49,7 +49,7 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings&
                Task& task);
 
 // The parts of it.
-/// Fields that the format's dimensions can hold exactly; the others are named in `left`.
+/// Fields that the format's dimensions can hold exactly, angles to a float32; the others stand in `left`.
 std::vector<StandardColumn> standard_columns(const FieldTable& fields, unsigned format,
                                              std::vector<ColumnPtr>& left, Task& task);
 /// Lays the other fields out behind the core of the record, with the descriptors that their file

@@ -38,7 +38,7 @@ bool take(std::string_view word, T& out) {
 std::string word_of(std::string_view text) {
   std::string out;
   for (const char c : text) out += static_cast<unsigned char>(c) <= 0x20 || c == 0x7f ? '_' : c;
-  return out.empty() ? "-" : out;
+  return out;
 }
 
 template <class T>
@@ -63,14 +63,16 @@ void append_part_note(std::string& out, const Model& model, uint32_t index) {
   out += kNote;
   append(out, "part", index);
   if (part.parent < model.parts.size()) append(out, "of", part.parent);
-  out.append(" class ").append(word_of(part.part_class));
+  if (!part.part_class.empty()) out.append(" class ").append(word_of(part.part_class));
   if (part.evidence != Evidence::kNone) out.append(" evidence ").append(name_of(part.evidence));
   if (part.copied_from < model.parts.size()) append(out, "copied_from", part.copied_from);
   if (part.level_of_detail != 0) append(out, "lod", part.level_of_detail);
   append_known(out, "width", part.width_m);
   append_known(out, "height", part.height_m);
   append_known(out, "depth", part.depth_m);
-  out.append(" name ").append(name_from_file(part.name, "-")).append("\n");
+  if (const std::string name = name_from_file(part.name, ""); !name.empty())
+    out.append(" name ").append(name);
+  out += '\n';
 }
 
 void append_face_note(std::string& out, const Face& face) {
@@ -102,14 +104,13 @@ bool Notes::read_part(std::string_view text) {
   Part part;
   for (std::string_view key = next_word(text); !key.empty(); key = next_word(text)) {
     if (key == "name") {
-      const std::string name = name_from_file(text, "");
-      part.name = name == "-" ? "" : name;
+      part.name = name_from_file(text, "");
       break;
     }
     const std::string_view word = next_word(text);
     bool good = true;
     if (key == "of") good = take(word, part.parent);
-    else if (key == "class") part.part_class = word == "-" ? "" : name_from_file(word, "");
+    else if (key == "class") part.part_class = name_from_file(word, "");
     else if (key == "evidence") part.evidence = evidence_named(word);
     else if (key == "copied_from") good = take(word, part.copied_from);
     else if (key == "lod") good = take(word, part.level_of_detail);

@@ -67,6 +67,8 @@ std::string property_name(std::string_view wanted, UniqueNames& unique) {
   return unique.add(name);
 }
 
+bool is_normal(const FieldInfo& field) { return field.name == "normal" && field.components == 3; }
+
 std::string header_text(const Cloud& cloud, PlyForm form) {
   std::string out = "ply\nformat ";
   out += form == PlyForm::kAscii       ? "ascii"
@@ -80,18 +82,18 @@ std::string header_text(const Cloud& cloud, PlyForm form) {
   out += "\nproperty double x\nproperty double y\nproperty double z\n";
   UniqueNames unique;
   for (const char* name : {"x", "y", "z"}) unique.add(name);
+  for (const ColumnPtr& column : cloud.fields)  // before any field that is called so
+    if (is_normal(column->info()))
+      for (const char* name : {"nx", "ny", "nz"}) unique.add(name);
   for (const ColumnPtr& column : cloud.fields) {
     const FieldInfo& field = column->info();
     require_exact(*column);
     for (uint32_t c = 0; c < field.components; ++c) {
-      const bool normal = field.name == "normal" && field.components == 3;
-      const std::string name = normal                  ? std::string{'n', "xyz"[c]}
-                               : field.components == 1 ? field.name
-                                                       : numbered(field.name, c);
+      const std::string name = field.components == 1 ? field.name : numbered(field.name, c);
       out.append("property ")
           .append(type_word(field.type))
           .append(" ")
-          .append(property_name(name, unique))
+          .append(is_normal(field) ? std::string{'n', "xyz"[c]} : property_name(name, unique))
           .append("\n");
     }
   }

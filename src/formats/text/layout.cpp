@@ -93,6 +93,11 @@ bool has_xyz(const std::vector<std::string>& names) {
          std::ranges::count(names, "z") == 1;
 }
 
+bool has_normal(const std::vector<std::string>& names) {
+  return std::ranges::count(names, "nx") != 0 && std::ranges::count(names, "ny") != 0 &&
+         std::ranges::count(names, "nz") != 0;
+}
+
 std::vector<std::string> names_of(const Cells& cells) {
   std::vector<std::string> names;
   for (const std::string_view cell : cells) {
@@ -214,7 +219,7 @@ class Detector {
       const char separator = separator_of(line.text);
       const Cells cells = cells_of(line.text, separator);
       const bool comma = separator != ',' && decimal_comma(cells);
-      if (cells.size() == 1 && is_number(cells[0], false) && !passed_count) {
+      if (is_count_line(line.text) && !passed_count) {
         passed_count = layout_.count_lines = true;
         continue;
       }
@@ -298,6 +303,7 @@ class Detector {
 
   void make_unique() {
     UniqueNames unique;
+    if (has_normal(layout_.names)) unique.add("normal");  // the field that these three become
     for (std::string& name : layout_.names)
       if (!name.empty()) name = unique.add(name);
   }
@@ -317,6 +323,11 @@ class Detector {
 bool is_comment(std::string_view line) {
   line = trimmed(line);
   return line.empty() || line.front() == '#' || line.front() == '%' || line.starts_with("//");
+}
+
+bool is_count_line(std::string_view line) {
+  line = trimmed(line);
+  return !line.empty() && line.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 std::vector<std::string_view> cells_of(std::string_view line, char separator) {

@@ -27,6 +27,8 @@ struct TextLayout {
 
 /// True for lines that hold no data: blank, or starting with # or // or %.
 bool is_comment(std::string_view line);
+/// True for a line that is one whole number, the count of PTS, whatever separates the cells of others.
+bool is_count_line(std::string_view line);
 /// The cells of a line; quotes around a cell are taken off.
 std::vector<std::string_view> cells_of(std::string_view line, char separator);
 /// Looks at the start of the file: separator, header line, and what the columns are: the option's

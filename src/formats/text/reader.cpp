@@ -123,11 +123,6 @@ struct Range {
 
 using Ranges = std::vector<Range>;
 
-bool is_count_line(std::string_view line) {
-  const auto cells = cells_of(line, ' ');
-  return cells.size() == 1;
-}
-
 class TextReader {
  public:
   TextReader(const ByteSource& source, const std::string& columns, Task& task)
@@ -258,7 +253,7 @@ class TextReader {
       if (stop == nullptr || !(stop == end || is_blank(*stop) || *stop == layout_.separator ||
                                (quoted && *stop == '"')))
         refuse(number, c, "this is no number");
-      if (quoted && *stop == '"') ++stop;
+      if (quoted && stop < end && *stop == '"') ++stop;
     } else if (!empty) {
       while (stop < end &&
              (layout_.separator == ' ' ? !is_blank(*stop) : *stop != layout_.separator))
@@ -287,7 +282,7 @@ class TextReader {
     if (column.kind == Column64::kNumbers) static_cast<double*>(column.out)[at] = value.value;
     if (column.kind == Column64::kFloats)
       static_cast<float*>(column.out)[at] = static_cast<float>(value.value);
-    if (*text == '+' && text < end) ++text;
+    if (text < end && *text == '+') ++text;
     if (column.kind == Column64::kSigned)
       std::from_chars(text, end, static_cast<int64_t*>(column.out)[at]);
     if (column.kind == Column64::kUnsigned)

@@ -8,6 +8,7 @@
 #include "formats/files/atomic_file.h"
 #include "formats/files/number_text.h"
 #include "formats/files/utf8.h"
+#include "formats/text/layout.h"
 #include "formats/text/text.h"
 
 namespace jalon {
@@ -31,14 +32,28 @@ std::string safe_cell(const std::string& name) {
   return out;
 }
 
+bool is_normal(const FieldInfo& field) { return field.name == "normal" && field.components == 3; }
+
+// A reader passes over a header that names a coordinate twice, and "X" is one of its names of x: told
+// apart are the names that readers make of ours.
+std::string unique_cell(const std::string& cell, UniqueNames& unique) {
+  const std::string read = usual_name(cell), given = unique.add(read);
+  return given == read ? cell : given;
+}
+
 std::vector<std::string> column_names(const FieldTable& fields) {
   std::vector<std::string> names{"x", "y", "z"};
+  UniqueNames unique;
+  for (const std::string& name : names) unique.add(name);
+  for (const ColumnPtr& column : fields)  // before any field that is called so
+    if (is_normal(column->info()))
+      for (const char* name : {"nx", "ny", "nz"}) unique.add(name);
   for (const ColumnPtr& column : fields) {
     const FieldInfo& field = column->info();
     for (uint32_t c = 0; c < field.components; ++c) {
-      if (field.name == "normal" && field.components == 3)
-        names.push_back(std::string("n") + "xyz"[c]);
-      else names.push_back(safe_cell(field.components == 1 ? field.name : numbered(field.name, c)));
+      const std::string name = field.components == 1 ? field.name : numbered(field.name, c);
+      names.push_back(is_normal(field) ? std::string("n") + "xyz"[c]
+                                       : unique_cell(safe_cell(name), unique));
     }
   }
   return names;

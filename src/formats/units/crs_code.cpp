@@ -23,8 +23,11 @@ uint32_t last_number(std::string_view text) {
                                                                                           : 0;
 }
 
-// AUTHORITY["EPSG","2154"] (WKT 1) or ID["EPSG",2154] (WKT 2), inside the outermost bracket only.
-uint32_t code_of_wkt(std::string_view text) {
+bool is_metric(const LengthUnits& units) { return units.metres() && !units.degrees; }
+
+}  // namespace
+
+uint32_t wkt_epsg_code(std::string_view text) {
   size_t depth = 0, start = std::string_view::npos;
   bool quoted = false;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -48,17 +51,14 @@ uint32_t code_of_wkt(std::string_view text) {
   return error == std::errc() && code <= kMaxCode ? code : 0;
 }
 
-}  // namespace
-
 uint32_t metric_epsg_code(std::string_view crs) {
   const std::string small = lower(crs.substr(0, 64));
   const bool named = small.starts_with("epsg:") || small.starts_with("urn:ogc:def:crs:epsg:") ||
                      small.find("/def/crs/epsg/") != std::string::npos;
-  const uint32_t code = named ? last_number(crs) : code_of_wkt(crs);
-  if (code == 0) return 0;
-  const LengthUnits units =
-      named ? units_of_crs("EPSG:" + std::to_string(code)) : units_of_crs(crs);
-  return units.metres() && !units.degrees ? code : 0;
+  const uint32_t code = named ? last_number(crs) : wkt_epsg_code(crs);
+  // A WKT may name no unit, or another than its code has: a reader of the code sees the code's.
+  if (code == 0 || !is_metric(units_of_crs("EPSG:" + std::to_string(code)))) return 0;
+  return named || is_metric(units_of_crs(crs)) ? code : 0;
 }
 
 }  // namespace jalon

@@ -11,5 +11,8 @@ namespace jalon {
 /// 2 by the identifier of the whole. 0 when it has none, or when its unit is not the metre: the library's coordinates
 /// are metres, and such a name would be wrong.
 uint32_t metric_epsg_code(std::string_view crs);
+/// Of a WKT as a whole, whatever its unit: AUTHORITY["EPSG","2154"] (WKT 1) or ID["EPSG",2154] (WKT 2) inside the
+/// outermost bracket only; 0 without one.
+uint32_t wkt_epsg_code(std::string_view text);
 
 }  // namespace jalon

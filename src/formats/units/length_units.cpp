@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/units/length_units.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <vector>
 
 #include "base/text_number.h"
 #include "formats/files/utf8.h"
+#include "formats/units/crs_code.h"
 
 namespace jalon {
 
@@ -54,6 +56,7 @@ class UnitFinder {
         if (!stack_.empty()) stack_.pop_back();
       }
     }
+    if (horizontal_ == 0 && !degrees_ && is_projected()) ask_code();
     LengthUnits units;
     units.degrees = degrees_ && horizontal_ == 0;
     units.known = horizontal_ != 0 || degrees_;
@@ -96,6 +99,16 @@ class UnitFinder {
     if (plane && horizontal_ == 0) horizontal_ = metres;
     if ((system == "vert_cs" || system == "vertcrs" || system == "verticalcrs") && vertical_ == 0)
       vertical_ = metres;
+  }
+
+  bool is_projected() const {
+    const size_t begin = std::min(text_.find_first_not_of(" \t\r\n"), text_.size());
+    return lower(text_.substr(begin, 4)) == "proj";
+  }
+
+  // A system that names no unit has that of its code.
+  void ask_code() {
+    if (const uint32_t code = wkt_epsg_code(text_)) horizontal_ = unit_of_epsg(code);
   }
 
   // The number after the name: ["US survey foot", 0.3048006096...

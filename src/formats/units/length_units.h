@@ -19,8 +19,8 @@ struct LengthUnits {
   bool metres() const { return horizontal == 1 && vertical == 1; }
 };
 
-/// Of a CRS text: WKT 1 and 2 by their units, "EPSG:n" by the EPSG dataset. A system without a
-/// height unit has that of its plane.
+/// Of a CRS text: WKT 1 and 2 by their units, "EPSG:n" and projected systems of a WKT that names no
+/// unit by the EPSG dataset. A system without a height unit has that of its plane.
 LengthUnits units_of_crs(std::string_view crs);
 /// Of a projected or vertical system of the EPSG dataset; 1 for those that are not listed.
 double unit_of_epsg(uint32_t code);
