@@ -185,7 +185,7 @@ std::vector<ChangedObject> single_regions(const Epoch& before, const Epoch& afte
   const auto add = [&](const Epoch& epoch, const Indices& points,
                        const std::vector<uint32_t>& labels, bool is_after) {
     for (const uint32_t label : labels) {
-      const Region& region = epoch.regions.regions[label - 1];
+      const ChangeRegion& region = epoch.regions.regions[label - 1];
       const Box3 beside =
           widened({region.box.min - epoch.origin, region.box.max - epoch.origin}, 2 * cell_m);
       ChangedObject& one = out.emplace_back();
@@ -226,7 +226,7 @@ std::vector<ChangedObject> whole_objects(const Epoch& before, const Epoch& after
     const bool is_after = k < done_after.size();
     const size_t r = is_after ? k : k - done_after.size();
     if ((is_after ? done_after : done_before)[r] != 0) continue;
-    const Region& region = is_after ? after.regions.regions[r] : before.regions.regions[r];
+    const ChangeRegion& region = is_after ? after.regions.regions[r] : before.regions.regions[r];
     ChangedObject object =
         is_after ? grower.object_of({}, region.indices) : grower.object_of(region.indices, {});
     // A region within its own support (a hole in a floor that was filled) is what it is.

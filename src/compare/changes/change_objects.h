@@ -14,7 +14,7 @@ namespace jalon {
 /// One direction of a two-way comparison: the compared cloud with what is known of its points.
 struct Epoch {
   const Comparison* comparison = nullptr;
-  Regions regions;
+  ChangeRegions regions;
   Vec3 origin;  ///< of the local coordinates of both epochs
 
   const Cloud& cloud() const { return *comparison->cloud; }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <memory>
 #include <set>
 
 namespace jalon {
@@ -49,10 +51,37 @@ bool touches(const std::set<Cell>& cells, const Cell& at) {
   return false;
 }
 
+// The unchanged ones of an object's points. What counts is the distance to them and not the cell that holds them: where
+// the threshold's height is that of a cell's face, changed and unchanged points share no cell.
+class UnchangedPoints {
+ public:
+  UnchangedPoints(const Epoch& epoch, const std::vector<uint32_t>& points, Task& task) {
+    std::vector<Vec3> unchanged;
+    Box3 box;
+    for (const uint32_t i : points)
+      if (epoch.is_compared(i) && epoch.regions.changed[i] == 0) {
+        unchanged.push_back(epoch.local(i));
+        box.add(unchanged.back());
+      }
+    if (unchanged.empty()) return;
+    xyz_ = Buffer<double>(3 * unchanged.size());
+    std::memcpy(xyz_.data(), unchanged.data(), xyz_.size() * sizeof(double));
+    tree_ = Octree::build(xyz_, enclosing_cube(box), task);
+  }
+  bool are_beside(const Vec3& p, double reach_m) const {
+    Neighbour nearest{};
+    return tree_ != nullptr && tree_->nearest_within(p, reach_m, nearest);
+  }
+
+ private:
+  Buffer<double> xyz_;
+  std::shared_ptr<const Octree> tree_;
+};
+
 // Cells around the regions that hold hidden points.
 std::set<Cell> hidden_cells(const Epoch& epoch, double cell_m) {
   std::set<Cell> near, hidden;
-  for (const Region& region : epoch.regions.regions)
+  for (const ChangeRegion& region : epoch.regions.regions)
     for (const uint32_t i : region.indices) near.insert(cell_at(epoch.local(i), cell_m));
   const auto statuses = epoch.statuses();
   for (size_t i = 0; i < statuses.size(); ++i) {
@@ -63,7 +92,7 @@ std::set<Cell> hidden_cells(const Epoch& epoch, double cell_m) {
   return hidden;
 }
 
-bool is_rim(const Epoch& epoch, const Region& region, const std::set<Cell>& hidden,
+bool is_rim(const Epoch& epoch, const ChangeRegion& region, const std::set<Cell>& hidden,
             double threshold_m, double cell_m) {
   const auto distance = epoch.comparison->points.require("distance").values<double>();
   std::vector<double> sizes;
@@ -83,8 +112,8 @@ bool is_rim(const Epoch& epoch, const Region& region, const std::set<Cell>& hidd
 
 void drop_shadow_rims(Epoch& epoch, double threshold_m, double cell_m) {
   const std::set<Cell> hidden = hidden_cells(epoch, cell_m);
-  std::vector<Region> kept;
-  for (Region& region : epoch.regions.regions) {
+  std::vector<ChangeRegion> kept;
+  for (ChangeRegion& region : epoch.regions.regions) {
     const bool drop = is_rim(epoch, region, hidden, threshold_m, cell_m);
     if (!drop) region.label = static_cast<uint32_t>(kept.size() + 1);
     for (const uint32_t i : region.indices) epoch.regions.labels[i] = drop ? 0 : region.label;
@@ -105,17 +134,13 @@ bool BorderOfChange::is_soft(double threshold_m) const {
 }
 
 BorderOfChange border_of_change(const Epoch& epoch, const Epoch& other,
-                                const std::vector<uint32_t>& points, double cell_m, Task& task) {
+                                const std::vector<uint32_t>& points, double reach_m, Task& task) {
   BorderOfChange out;
-  std::set<Cell> unchanged;
-  for (const uint32_t i : points)
-    if (epoch.is_compared(i) && epoch.regions.changed[i] == 0)
-      unchanged.insert(cell_at(epoch.local(i), cell_m));
+  const UnchangedPoints unchanged(epoch, points, task);
   const auto distance = epoch.comparison->points.require("distance").values<double>();
   const auto tree = epoch.cloud().octree(task), other_tree = other.cloud().octree(task);
   for (const uint32_t i : points) {
-    if (epoch.regions.labels[i] == 0 || unchanged.count(cell_at(epoch.local(i), cell_m)) == 0)
-      continue;
+    if (epoch.regions.labels[i] == 0 || !unchanged.are_beside(epoch.local(i), reach_m)) continue;
     ++out.points;
     if (epoch.nearest(i) == kNoPoint) continue;
     const Vec3 here = normal_at(*tree, epoch.cloud(), epoch.cloud().point(i));

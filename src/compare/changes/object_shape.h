@@ -10,7 +10,7 @@ namespace jalon {
 
 /// How a change meets the unchanged part of the same object.
 struct BorderOfChange {
-  size_t points = 0;  ///< changed ones beside unchanged ones
+  size_t points = 0;  ///< changed ones with an unchanged one within reach
   std::vector<double>
       parallel_m;  ///< distances of those whose surface faces as that of the other epoch does
 
@@ -20,9 +20,9 @@ struct BorderOfChange {
   bool is_soft(double threshold_m) const;
 };
 
-/// points: of the object in this epoch, ascending.
+/// points: of the object in this epoch, ascending. reach_m: within which an unchanged point lies beside a changed one.
 BorderOfChange border_of_change(const Epoch& epoch, const Epoch& other,
-                                const std::vector<uint32_t>& points, double cell_m, Task& task);
+                                const std::vector<uint32_t>& points, double reach_m, Task& task);
 
 /// Takes away changed regions that are but the rim of a shadow: most of their points lie beside hidden ones, and within
 /// the margin of the visibility test; there a point is called visible though another surface is nearer to the scanner.

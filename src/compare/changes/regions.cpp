@@ -48,7 +48,7 @@ constexpr auto kRows = setting_rows(
                                 "Regions of fewer points are dropped"));
 
 // Step 2: labels of the changed points among themselves.
-std::vector<uint32_t> connect(const Cloud& part, const RegionSettings& settings, Regions& out,
+std::vector<uint32_t> connect(const Cloud& part, const RegionSettings& settings, ChangeRegions& out,
                               Task& task) {
   const Components found = connected_components(part.xyz(), local_origin(part, task), out.cell_m,
                                                 settings.connectivity, settings.min_points, task);
@@ -57,8 +57,8 @@ std::vector<uint32_t> connect(const Cloud& part, const RegionSettings& settings,
 }
 
 // Step 3: sums over the points of one region, relative to an origin beside it.
-void measure(Region& region, const Comparison& comparison, const std::vector<PointDisc>& discs,
-             const std::vector<uint32_t>& row_in_part) {
+void measure(ChangeRegion& region, const Comparison& comparison,
+             const std::vector<PointDisc>& discs, const std::vector<uint32_t>& row_in_part) {
   const auto distance = comparison.points.require("distance").values<double>();
   Moments moments;
   moments.reference = comparison.cloud->point(region.indices.front());
@@ -83,8 +83,8 @@ void measure(Region& region, const Comparison& comparison, const std::vector<Poi
 }
 
 // Step 4: what lies between the region and the other epoch, a prism a point: its disc, seen along its distance.
-void measure_volume(Region& region, const MeasuredSteps& steps, const std::vector<PointDisc>& discs,
-                    const std::vector<uint32_t>& row_in_part) {
+void measure_volume(ChangeRegion& region, const MeasuredSteps& steps,
+                    const std::vector<PointDisc>& discs, const std::vector<uint32_t>& row_in_part) {
   for (const uint32_t i : region.indices) {
     const PointDisc& disc = discs[row_in_part[i]];
     const Vec3 step = steps.of(i, region.axes.vectors[0]);
@@ -97,9 +97,9 @@ void measure_volume(Region& region, const MeasuredSteps& steps, const std::vecto
 
 std::span<const ParamRow> regions_rows() { return kRows; }
 
-Regions change_regions(const Comparison& comparison, const RegionSettings& settings, Task& task,
-                       const Cloud* reference) {
-  Regions out;
+ChangeRegions change_regions(const Comparison& comparison, const RegionSettings& settings,
+                             Task& task, const Cloud* reference) {
+  ChangeRegions out;
   out.changed = changed_points(comparison, settings, task);
   out.labels.assign(comparison.cloud->size(), 0);
   const std::vector<uint64_t> rows = indices_of(out.changed, 1, task);
@@ -127,7 +127,7 @@ Regions change_regions(const Comparison& comparison, const RegionSettings& setti
   return out;
 }
 
-FieldTable region_points_table(const Regions& regions) {
+FieldTable region_points_table(const ChangeRegions& regions) {
   FieldTable table;
   table.set(make_column<uint8_t>({"changed", ElementType::kUint8, 1, "", "1 = changed"},
                                  regions.changed));
@@ -137,31 +137,33 @@ FieldTable region_points_table(const Regions& regions) {
   return table;
 }
 
-FieldTable regions_table(const Regions& found) {
+FieldTable regions_table(const ChangeRegions& found) {
   FieldTable table;
   const auto& rows = found.regions;
-  add_column<uint32_t>(table, rows, "region", "", "label", [](const Region& r) { return r.label; });
+  add_column<uint32_t>(table, rows, "region", "", "label",
+                       [](const ChangeRegion& r) { return r.label; });
   add_column<uint64_t>(table, rows, "points", "", "",
-                       [](const Region& r) { return r.indices.size(); });
+                       [](const ChangeRegion& r) { return r.indices.size(); });
   add_column<double>(table, rows, "area", "m2", "of the sampled surface",
-                     [](const Region& r) { return r.area_m2; });
+                     [](const ChangeRegion& r) { return r.area_m2; });
   add_column<double>(table, rows, "volume", "m3", "between it and the other epoch",
-                     [](const Region& r) { return r.volume_m3; });
+                     [](const ChangeRegion& r) { return r.volume_m3; });
   add_column<double>(table, rows, "mean", "m", "mean distance",
-                     [](const Region& r) { return r.mean_m; });
+                     [](const ChangeRegion& r) { return r.mean_m; });
   add_column<double>(table, rows, "rms", "m", "root mean square distance",
-                     [](const Region& r) { return r.rms_m; });
+                     [](const ChangeRegion& r) { return r.rms_m; });
   add_column<double>(table, rows, "extreme", "m", "largest distance, with its sign",
-                     [](const Region& r) { return r.extreme_m; });
+                     [](const ChangeRegion& r) { return r.extreme_m; });
   const auto vec = [&](const char* name, const char* meaning, auto&& of) {
-    add_columns<double, 3>(table, rows, name, "m", meaning, [&](const Region& r, double* out) {
-      const Vec3 v = of(r);
-      for (int k = 0; k < 3; ++k) out[k] = v[k];
-    });
+    add_columns<double, 3>(table, rows, name, "m", meaning,
+                           [&](const ChangeRegion& r, double* out) {
+                             const Vec3 v = of(r);
+                             for (int k = 0; k < 3; ++k) out[k] = v[k];
+                           });
   };
-  vec("centroid", "mean of its points", [](const Region& r) { return r.centroid; });
-  vec("box_min", "lowest corner", [](const Region& r) { return r.box.min; });
-  vec("box_max", "highest corner", [](const Region& r) { return r.box.max; });
+  vec("centroid", "mean of its points", [](const ChangeRegion& r) { return r.centroid; });
+  vec("box_min", "lowest corner", [](const ChangeRegion& r) { return r.box.min; });
+  vec("box_max", "highest corner", [](const ChangeRegion& r) { return r.box.max; });
   return table;
 }
 

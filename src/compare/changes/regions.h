@@ -13,7 +13,7 @@
 namespace jalon {
 
 /// Connected changed points: an object, a part of one, or several that touch (Girardeau-Montaut 2006, 3.2.4).
-struct Region {
+struct ChangeRegion {
   uint32_t label = 0;             ///< 1 = most points
   std::vector<uint32_t> indices;  ///< its points, ascending
   double area_m2 = 0;             ///< of the surface that the points sample
@@ -25,23 +25,23 @@ struct Region {
   Eigen3 axes;  ///< of the points' covariance about the centroid
 };
 
-struct Regions {
-  std::vector<uint8_t> changed;  ///< one a point of the comparison
-  std::vector<uint32_t> labels;  ///< the same: 0 = in no region
-  std::vector<Region> regions;   ///< labels 1, 2 ...
-  double cell_m = 0;             ///< edge of the grid that connected them
-  double spacing_m = 0;          ///< sqrt(A / (N pi)) of the changed points (eq. 2.6), median
+struct ChangeRegions {
+  std::vector<uint8_t> changed;       ///< one a point of the comparison
+  std::vector<uint32_t> labels;       ///< the same: 0 = in no region
+  std::vector<ChangeRegion> regions;  ///< labels 1, 2 ...
+  double cell_m = 0;                  ///< edge of the grid that connected them
+  double spacing_m = 0;               ///< sqrt(A / (N pi)) of the changed points (eq. 2.6), median
 };
 
 /// 1. Which points are changed; 2. their connected components on a grid (Girardeau-Montaut 2006,
 /// 3.2.4); 3. what each measures; 4. its volume.
 /// reference: the cloud that the comparison was made with, where it is at hand: it tells where distances lead to.
-Regions change_regions(const Comparison& comparison, const RegionSettings& settings, Task& task,
-                       const Cloud* reference = nullptr);
+ChangeRegions change_regions(const Comparison& comparison, const RegionSettings& settings,
+                             Task& task, const Cloud* reference = nullptr);
 
 /// Columns "changed" (uint8) and "region" (uint32) of the comparison's points.
-FieldTable region_points_table(const Regions& regions);
+FieldTable region_points_table(const ChangeRegions& regions);
 /// One row a region.
-FieldTable regions_table(const Regions& regions);
+FieldTable regions_table(const ChangeRegions& regions);
 
 }  // namespace jalon

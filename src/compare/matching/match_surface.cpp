@@ -70,9 +70,10 @@ Neighbour MatchSurface::nearest(const Vec3& p) const {
 }
 
 std::vector<Vec3> MatchSurface::sample(size_t most) const {
-  const size_t step = (points_.size() + most - 1) / std::max<size_t>(most, 1);
   std::vector<Vec3> out;
-  for (size_t i = 0; i < points_.size(); i += std::max<size_t>(step, 1)) out.push_back(points_[i]);
+  if (most == 0) return out;
+  const size_t step = (points_.size() + most - 1) / most;
+  for (size_t i = 0; i < points_.size(); i += step) out.push_back(points_[i]);
   return out;
 }
 

@@ -50,8 +50,10 @@ class DepthMap {
   }
   /// Range of the surface in this direction; 0 for an empty cell.
   double surface_range_m(const AngularGrid::Place& place) const;
-  /// Distance between the station's points there, to the farthest of the four next: under grazing rays along them, at
-  /// an edge in depth across it. 0 for an empty cell.
+  /// Distance between the station's points there, to the farthest of the four next, as on a surface that goes on from
+  /// cell to cell: that of the cells' points by the factor that cells are wider than steps. Under grazing rays it is
+  /// the way along them; at an edge in depth, which the cells do not tell from a wall that is looked along, as much
+  /// of the way across the edge. 0 for an empty cell.
   double spacing_m(const AngularGrid::Place& place) const;
 
  private:

@@ -27,9 +27,10 @@ struct AngularSteps {
   double horizontal_rad, vertical_rad;
 };
 
-/// The scanner's steps, whatever the order of the points. Their product comes from the median density over the field,
-/// so that a window scanned finer does not count for more than its area; their ratio from the median distances to the
-/// next point across and along, where those agree with it. O(n).
+/// The scanner's steps, whatever the order of the points: the median distances to the next point across and along, in
+/// windows of about the median density over the field, so that one scanned finer does not count for more than its area.
+/// A lattice has one point in each product of the two: where that is off the density by more than a factor of three,
+/// both steps are the side of the square that holds one point. O(n).
 AngularSteps angular_steps(std::span<const Seen> points, const AngularField& field, Task& task);
 
 }  // namespace jalon
