@@ -68,7 +68,7 @@ PoseFilter filter_of(const CoarseSettings& settings, const Transform& T_start,
 
 StopReason verdict(const std::vector<RankedPose>& poses, const CoarseSettings& settings) {
   if (poses.empty()) return StopReason::kNothingFound;
-  const Overlap& best = poses[0].overlap;
+  const SurfaceOverlap& best = poses[0].overlap;
   const bool is_whole = best.count >= kWhole;
   const double least_common = settings.min_common_percent / 100;
   if (best.of_moving < least_common || (!is_whole && best.salient < kLeastSalient))

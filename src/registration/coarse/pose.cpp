@@ -123,12 +123,12 @@ PoseJudge::Likeness PoseJudge::likeness(const Side& side, const Transform& T_oth
   return out;
 }
 
-Overlap PoseJudge::overlap(const Transform& T_reference_moving, double reach,
-                           double off_plane) const {
+SurfaceOverlap PoseJudge::overlap(const Transform& T_reference_moving, double reach,
+                                  double off_plane) const {
   const Transform T_moving_reference = inverse(T_reference_moving);
   const Laid forth = laid_on(moving_, T_reference_moving, *reference_.surface, reach, off_plane);
   const Laid back = laid_on(reference_, T_moving_reference, *moving_.surface, reach, off_plane);
-  Overlap out;
+  SurfaceOverlap out;
   out.of_moving = forth.weight / moving_.weight;
   out.of_reference = back.weight / reference_.weight;
   out.count = (forth.weight + back.weight) / (moving_.weight + reference_.weight);

@@ -18,7 +18,7 @@ namespace jalon {
 Transform closest_motion(std::span<const Vec3> from, std::span<const Vec3> to);
 
 /// How much of two surfaces a pose lays onto each other: weighted shares.
-struct Overlap {
+struct SurfaceOverlap {
   double of_moving = 0, of_reference = 0;
   double count =
       0;  ///< what lies on the other surface, of both: DARCES' overlapping number, by weight
@@ -50,7 +50,7 @@ class PoseJudge {
 
   /// A point lies on the other surface when its nearest cell there is within `reach` cells, its
   /// plane within `off_plane` cells and their normals agree.
-  Overlap overlap(const Transform& T_reference_moving, double reach, double off_plane) const;
+  SurfaceOverlap overlap(const Transform& T_reference_moving, double reach, double off_plane) const;
   /// Point-to-plane iterations (Chen & Medioni 1992) from this pose, the reach shrinking from
   /// `first` to `last` cells; directions that nothing fixes stay. Fewer iterations where too little
   /// meets.

@@ -14,7 +14,7 @@ namespace jalon {
 struct RankedPose {
   Transform T_reference_moving;  ///< between the surfaces' own frames
   PoseSource source = PoseSource::kFeatures;
-  Overlap overlap;
+  SurfaceOverlap overlap;
 };
 
 struct CoarseSearch {

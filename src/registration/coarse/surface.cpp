@@ -123,8 +123,11 @@ void measure_extent(CoarseSurface& s) {
 }  // namespace
 
 double coarse_cell(const Cloud& reference, const Cloud& moving, size_t target, Task& task) {
+  const double of_reference = cell_of(reference, target, task),
+               of_moving = cell_of(moving, target, task);
+  if (!(of_reference > 0 && of_moving > 0)) return 0;
   // The finer of the two would ask more of the other than it has.
-  return std::max(cell_of(reference, target, task), cell_of(moving, target, task));
+  return std::max(of_reference, of_moving);
 }
 
 CoarseSurface coarse_surface(const Cloud& cloud, double cell_m, Task& task) {

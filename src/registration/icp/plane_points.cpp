@@ -48,7 +48,7 @@ std::vector<PlaneShare> shares_of_plane(const SurfacePlanes& planes, uint32_t po
 std::vector<PlaneShare> shares_of_quadric(const SurfacePlanes& planes, uint32_t position,
                                           const std::vector<uint32_t>& near) {
   std::vector<PlaneShare> out;
-  const std::optional<LocalQuadric> quadric = local_quadric(*planes.tree, position, near);
+  const std::optional<TangentQuadric> quadric = local_quadric(*planes.tree, position, near);
   if (!quadric) return out;
   for (const uint32_t n : near) {
     const Coefficients<6> q = quadric->terms(planes.place(n) - planes.place(position));

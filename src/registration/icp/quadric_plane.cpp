@@ -21,7 +21,7 @@ constexpr double kSteepest =
     1.25;  // slope of the paraboloid at the point: the neighbours' plane is no base for it
 
 // Step 2: the plane through the neighbours as base; none where they lie along a line.
-std::optional<LocalQuadric> base_of(std::span<const Vec3> offsets) {
+std::optional<TangentQuadric> base_of(std::span<const Vec3> offsets) {
   Vec3 sum;
   for (const Vec3& offset : offsets) sum += offset;
   const auto count = static_cast<double>(offsets.size());
@@ -34,7 +34,7 @@ std::optional<LocalQuadric> base_of(std::span<const Vec3> offsets) {
   }
   const Eigen3 e = symmetric_eigen(scatter);
   if (!(e.values[1] > kQuadricPlaneLeastAspect * e.values[2])) return std::nullopt;
-  LocalQuadric out;
+  TangentQuadric out;
   out.u = e.vectors[2];
   out.v = e.vectors[1];
   out.n = e.vectors[0];
@@ -44,8 +44,8 @@ std::optional<LocalQuadric> base_of(std::span<const Vec3> offsets) {
 
 }  // namespace
 
-std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
-                                          std::span<const uint32_t> neighbours) {
+std::optional<TangentQuadric> local_quadric(const Octree& tree, size_t position,
+                                            std::span<const uint32_t> neighbours) {
   const size_t count = std::min(neighbours.size(), kQuadricPlaneMost);
   if (count < kLeast) return std::nullopt;
   // Step 1: the offsets of the neighbours from the point.
@@ -59,9 +59,9 @@ std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
              static_cast<double>(z[n] - z[position])} *
         step;
   }
-  std::optional<LocalQuadric> found = base_of({offsets, count});
+  std::optional<TangentQuadric> found = base_of({offsets, count});
   if (!found) return found;
-  LocalQuadric& out = *found;
+  TangentQuadric& out = *found;
   // Step 3: least squares of the heights.
   Square<kQuadricPlaneUnknowns> normal{};
   Coefficients<kQuadricPlaneUnknowns> right{};
@@ -89,9 +89,9 @@ SurfacePlane tangent_plane(const Octree& tree, size_t position,
                            std::span<const uint32_t> neighbours, double most_m) {
   constexpr float kNone = std::numeric_limits<float>::infinity();
   SurfacePlane out{{0, 0, 0}, 0, kNone, 0, 0, SurfaceShape::kPlane};
-  const std::optional<LocalQuadric> found = local_quadric(tree, position, neighbours);
+  const std::optional<TangentQuadric> found = local_quadric(tree, position, neighbours);
   if (!found || !(found->sigma_m <= most_m)) return out;
-  const LocalQuadric& q = *found;
+  const TangentQuadric& q = *found;
   const double du = q.a[1] / q.scale_m, dv = q.a[2] / q.scale_m, slope2 = du * du + dv * dv;
   if (slope2 > kSteepest * kSteepest) return out;
   const double length = std::sqrt(1 + slope2);

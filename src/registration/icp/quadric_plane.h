@@ -12,7 +12,7 @@ namespace jalon {
 
 /// The paraboloid h = a0 + a1 u + a2 v + a3 u^2 + a4 u v + a5 v^2 through the neighbours of a point, over the plane
 /// through them; u and v are lengths divided by the scale (Girardeau-Montaut 2006, annex A.2, method 3).
-struct LocalQuadric {
+struct TangentQuadric {
   Vec3 u, v, n;  ///< axes
   double scale_m =
       1;  ///< root mean square distance of the neighbours from their centroid, in the plane
@@ -28,8 +28,8 @@ struct LocalQuadric {
 
 /// neighbours: positions in the tree, the point itself among them; 64 at the most are looked at.
 /// Nothing where they do not fix the six coefficients: fewer than twelve, or a strip.
-std::optional<LocalQuadric> local_quadric(const Octree& tree, size_t position,
-                                          std::span<const uint32_t> neighbours);
+std::optional<TangentQuadric> local_quadric(const Octree& tree, size_t position,
+                                            std::span<const uint32_t> neighbours);
 
 /// The plane that touches it at the point: where a surface bends, as round columns do, a plane
 /// through all neighbours is no plane at all. sigma_m is infinite where there is none: where the

@@ -25,6 +25,7 @@ constexpr double kDiscShare =
     0.8;  // radius around a disc, of its diameter: so much of the ground shows its edge
 constexpr int kRefits = 3;  // the window moves with the centre
 constexpr int kMostSteps = 60;
+constexpr double kSettled = 1e-6;  // of what an edge notices: a step below it ends the fit
 
 std::vector<BrightPoint> window(std::span<const BrightPoint> points, const Vec2& centre,
                                 double radius_m) {
@@ -117,6 +118,15 @@ std::optional<DiscModel> search_disc(std::span<const BrightPoint> points, double
   return out;
 }
 
+// Below it a step of each unknown is nothing: lengths, angles and brightness have units of their
+// own.
+template <class Model>
+Coefficients<Model::kUnknowns> small_step(const Model& model, double radius_m) {
+  auto small = model.units(radius_m);
+  for (double& s : small) s = kSettled * std::fabs(s);
+  return small;
+}
+
 template <class Model>
 struct Refined {
   PatternCentre pattern;
@@ -138,7 +148,8 @@ std::optional<Refined<Model>> refine(std::span<const BrightPoint> points, double
     model.width_m =
         std::sqrt(std::numbers::pi * radius_m * radius_m / static_cast<double>(near.size()));
     const std::span<const BrightPoint> list(near);
-    const bool settled = adjustment::descend(list, kAll, kMostSteps, 1e-7 * size_m, task, model);
+    const bool settled =
+        adjustment::descend(list, kAll, kMostSteps, small_step(model, radius_m), task, model);
     if (!settled && fit == kRefits - 1) return std::nullopt;
     const bool is_finite = std::isfinite(model.centre.u + model.centre.v);
     if (!is_finite || !model.sound(size_m)) return std::nullopt;
