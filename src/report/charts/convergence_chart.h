@@ -8,8 +8,9 @@
 
 namespace jalon {
 
-/// The log of an iteration as SVG: root mean square residual ("rms") and, where they are there, the reach of pairs
-/// ("reach") and the step ("step") of each row, in millimetres on a logarithmic axis. "" for a log without "rms".
+/// The log of an iteration as SVG: root mean square residual ("rms") and, where they are there, the limit of residuals
+/// ("distance") and the shift of the step ("shift") of each row, in millimetres on a logarithmic axis. "" for a log
+/// without "rms".
 std::string convergence_chart(const FieldTable& log);
 
 }  // namespace jalon

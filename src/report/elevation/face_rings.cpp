@@ -31,8 +31,8 @@ std::vector<Vec2> ring_polygon(const Model& model, const Ring& ring, const Plane
   return out;
 }
 
-RingBox ring_box(const Model& model, const FaceRing& at) {
-  RingBox box;
+FaceBox ring_box(const Model& model, const FaceRing& at) {
+  FaceBox box;
   for (const Vec2& p :
        ring_polygon(model, model.rings[at.ring], frame_of(model, model.faces[at.face])))
     box.add(p);

@@ -16,7 +16,7 @@ namespace jalon {
 constexpr double kChordError_m = 0.001;
 
 /// Upright box in the plane of a face: u to the right for an eye in front of it, v up.
-struct RingBox {
+struct FaceBox {
   double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
   void add(const Vec2& p) {
     left = std::min(left, p.u);
@@ -24,7 +24,7 @@ struct RingBox {
     low = std::min(low, p.v);
     high = std::max(high, p.v);
   }
-  RingBox& operator+=(const RingBox& b) {
+  FaceBox& operator+=(const FaceBox& b) {
     left = std::min(left, b.left);
     right = std::max(right, b.right);
     low = std::min(low, b.low);
@@ -40,6 +40,6 @@ bool has_arc(const Model& model, const Ring& ring);
 PlaneFrame frame_of(const Model& model, const Face& face);
 /// Corners of a ring in that frame, arcs as chords.
 std::vector<Vec2> ring_polygon(const Model& model, const Ring& ring, const PlaneFrame& frame);
-RingBox ring_box(const Model& model, const FaceRing& at);
+FaceBox ring_box(const Model& model, const FaceRing& at);
 
 }  // namespace jalon

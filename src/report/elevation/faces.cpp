@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/part_classes.h"
+#include "report/elevation/ground_level.h"
 #include "report/names/part_tree.h"
 #include "segment/orientation.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kFirstStep_m = 0.02;
 // |cos| between eye and normal below which a face is a line on the drawing: 2 degrees.
 constexpr double kEdgeOnCosine = 0.035;
+constexpr double kRounding_m = 1e-6;  // of depths in map coordinates, with room
 constexpr double kNoArea = -1;
 
 struct Extent {
@@ -140,12 +142,27 @@ std::vector<DepthGroup> group_depths(std::vector<DrawnFace>& faces) {
   return groups;
 }
 
+// The farthest first; of one plane in the order of the model, whatever rounding makes of their depths, and marks of
+// missing data last: they lie on their wall.
+void sort_for_drawing(std::vector<DrawnFace>& faces) {
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const DrawnFace& a, const DrawnFace& b) { return a.depth_m > b.depth_m; });
+  for (auto begin = faces.begin(), end = begin; begin != faces.end(); begin = end) {
+    do ++end;
+    while (end != faces.end() && (end - 1)->depth_m - end->depth_m <= kRounding_m);
+    std::stable_sort(begin, end, [](const DrawnFace& a, const DrawnFace& b) {
+      const auto order = [](const DrawnFace& f) {
+        return std::pair(f.role == DrawnFace::Role::kNoData, f.face);
+      };
+      return order(a) < order(b);
+    });
+  }
+}
+
 void set_box(ElevationFaces& out) {
   const bool has_front = !out.groups.empty();
-  Extent extent, ground, wall;
+  Extent extent, wall;
   for (const DrawnFace& face : out.faces) {
-    if (face.role == DrawnFace::Role::kGround)
-      for (const Vec2& p : face.edge) ground.add({p.u, 0, p.v});
     if (has_front && face.kind != DrawnFace::Kind::kFront) continue;
     for (const auto& ring : face.rings)
       for (const Vec2& p : ring.polygon) {
@@ -160,10 +177,6 @@ void set_box(ElevationFaces& out) {
   const Extent& body = wall.n > 0 ? wall : extent;
   out.wall_low = {body.low.x, body.low.z};
   out.wall_high = {body.high.x, body.high.z};
-  out.ground_m = out.low.v;
-  // Ground far below is another level (a river, a basement area), and no foot of this facade.
-  if (ground.n > 0 && std::fabs(ground.low.z - out.low.v) < (out.high.v - out.low.v) / 2)
-    out.ground_m = ground.low.z;
 }
 
 // The front face of the largest area that is a wall; of any role where none is.
@@ -220,18 +233,12 @@ ElevationFaces elevation_faces(const Model& model, const ElevationView& view,
   for (DrawnFace& face : out.faces) face.depth_m = has_main ? face.depth_m - main_depth : 0;
   leave_out(out.faces, limits);
   out.groups = group_depths(out.faces);
-  // Marks of missing data lie on their wall.
-  std::stable_sort(out.faces.begin(), out.faces.end(), [](const DrawnFace& a, const DrawnFace& b) {
-    const auto order = [](const DrawnFace& f) {
-      return std::pair(-f.depth_m, f.role == DrawnFace::Role::kNoData);
-    };
-    return order(a) < order(b);
-  });
+  sort_for_drawing(out.faces);
   set_box(out);
-  if (!out.empty)
-    out.corner_world =
-        inverse(view.T_view_world)
-            .point({out.wall_low.u, main_depth, out.low.v + view.T_view_world.m[11]});
+  if (out.empty) return out;
+  out.ground_m = ground_level(out, model, view);
+  out.corner_world = inverse(view.T_view_world)
+                         .point({out.wall_low.u, main_depth, out.low.v + view.T_view_world.m[11]});
   return out;
 }
 

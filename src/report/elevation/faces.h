@@ -59,7 +59,7 @@ struct ElevationFaces {
   std::vector<DrawnRing> unknown;      ///< holes of walls without knowledge of what is there
   Vec2 low, high;                      ///< box of the front faces (of all when there are none)
   Vec2 wall_low, wall_high;            ///< box of the walls, where they are named; else the same
-  double ground_m = 0;                 ///< lowest ground, else the lowest point of the box
+  double ground_m = 0;                 ///< as ground_level
   double main_sigma_m = 0;             ///< of the main plane
   bool empty = true;
   Vec3 corner_world;  ///< of the main plane: left end of the walls, lowest height of the box

@@ -30,7 +30,7 @@ std::vector<std::vector<FaceRing>> filled_holes(const Model& model) {
 }
 
 void measure(OpeningRow& row, const Model& model) {
-  RingBox box;
+  FaceBox box;
   for (const FaceRing& at : row.contour) {
     box += ring_box(model, at);
     row.arched |= has_arc(model, model.rings[at.ring]);

@@ -196,20 +196,23 @@ void add_pictures(Page& page, const Comparison& forward, const Comparison* rever
       "scale.");
 }
 
+std::string histogram_of(const Comparison& comparison, const DeviationScale& scale,
+                         const ComparisonReportSettings& settings, Task& task) {
+  const double threshold_m = settings.threshold_m;
+  const Fitted fitted = fit(comparison, scale, threshold_m, settings.bins, task);
+  std::vector<ChartMark> marks;
+  if (threshold_m > 0) marks.push_back({threshold_m, "threshold"});
+  if (threshold_m > 0 && scale.is_signed) marks.push_back({-threshold_m, "threshold"});
+  return distance_chart(fitted.histogram, fitted.law ? &*fitted.law : nullptr, marks);
+}
+
 void add_histograms(Page& page, const Comparison& forward, const Comparison* reverse,
                     const DeviationScale& scale, const ComparisonReportSettings& settings,
                     Task& task) {
   page.heading("How far");
-  const double threshold_m = settings.threshold_m;
   page.html().open("div", {{"style", kComparisonReportSideBySide}});
-  for (const Comparison* comparison : {&forward, reverse}) {
-    if (comparison == nullptr) continue;
-    const Fitted fitted = fit(*comparison, scale, threshold_m, settings.bins, task);
-    std::vector<ChartMark> marks;
-    if (threshold_m > 0) marks.push_back({threshold_m, "threshold"});
-    if (threshold_m > 0 && scale.is_signed) marks.push_back({-threshold_m, "threshold"});
-    page.html().raw(distance_chart(fitted.histogram, fitted.law ? &*fitted.law : nullptr, marks));
-  }
+  for (const Comparison* comparison : {&forward, reverse})
+    if (comparison != nullptr) page.html().raw(histogram_of(*comparison, scale, settings, task));
   page.html().close();
   page.note(
       "The curve is the noise law fitted to the distances below the threshold; what rises above it "
@@ -250,12 +253,7 @@ std::string comparison_html(const Comparison& forward, const Comparison* reverse
 std::string comparison_histogram(const Comparison& comparison,
                                  const ComparisonReportSettings& settings, Task& task) {
   const Comparison* one[] = {&comparison};
-  const DeviationScale scale = deviation_scale(one, settings.limit_m);
-  const double threshold_m = settings.threshold_m;
-  const Fitted fitted = fit(comparison, scale, threshold_m, settings.bins, task);
-  std::vector<ChartMark> marks;
-  if (threshold_m > 0) marks.push_back({threshold_m, "threshold"});
-  return distance_chart(fitted.histogram, fitted.law ? &*fitted.law : nullptr, marks);
+  return histogram_of(comparison, deviation_scale(one, settings.limit_m), settings, task);
 }
 
 }  // namespace jalon

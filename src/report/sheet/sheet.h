@@ -36,8 +36,8 @@ struct Margins_mm {
 Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, int64_t denominator,
                     const Margins_mm& margins = {});
 
-/// The same without border and title block, as small as its content: at most about 250 mm wide.
-/// legend_height: room that the legend needs, mm.
+/// The same without border and title block, as small as its content: the window at most 170 mm either way, beside it
+/// the margins and the legend of 50 mm. legend_height: room that the legend needs, mm.
 Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins = {},
                      double legend_height = 75);
 
