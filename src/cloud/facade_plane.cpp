@@ -98,6 +98,17 @@ void face_the_scanner(const std::vector<Vec3>& sample, const Viewpoint& viewpoin
   if (side < 0) plane = {-plane.normal, -plane.offset};
 }
 
+/// The lowest points, in which a ground need not outnumber all else.
+std::vector<Vec3> lowest_of(std::vector<Vec3> points) {
+  const auto middle = points.begin() +
+                      static_cast<ptrdiff_t>(kLowestShare * static_cast<double>(points.size() - 1));
+  std::nth_element(points.begin(), middle, points.end(),
+                   [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+  const double limit = middle->z;
+  std::erase_if(points, [&](const Vec3& p) { return p.z > limit; });
+  return points;
+}
+
 }  // namespace
 
 FacadePlane find_facade_plane(const Cloud& cloud, double tolerance_m, double vertical_tolerance_rad,
@@ -129,16 +140,11 @@ FacadePlane find_facade_plane(const Cloud& cloud, double tolerance_m, double ver
 
 bool find_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance_m, uint64_t seed,
                  Task& task, GroundPlane& out) {
-  std::vector<Vec3> low;
-  for (const Vec3& p : draw_sample(cloud, facade.origin, seed))
-    if (std::fabs(facade.plane.distance(p)) > tolerance_m) low.push_back(p);
-  if (low.size() < 3) return false;
-  const auto middle =
-      low.begin() + static_cast<ptrdiff_t>(kLowestShare * static_cast<double>(low.size() - 1));
-  std::nth_element(low.begin(), middle, low.end(),
-                   [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
-  const double limit = middle->z;
-  std::erase_if(low, [&](const Vec3& p) { return p.z > limit; });
+  std::vector<Vec3> off = draw_sample(cloud, facade.origin, seed);
+  std::erase_if(off,
+                [&](const Vec3& p) { return std::fabs(facade.plane.distance(p)) <= tolerance_m; });
+  if (off.size() < 3) return false;
+  const std::vector<Vec3> low = lowest_of(off);
   const auto is_level = [](const Plane& plane) {
     return plane.normal.x * plane.normal.x + plane.normal.y * plane.normal.y <=
            kMaxGroundSlope * kMaxGroundSlope;
@@ -151,7 +157,9 @@ bool find_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance
   });
   const double fewest = std::max(3.0, kMinGroundShare * static_cast<double>(low.size()));
   if (static_cast<double>(best.inliers) < fewest) return false;
-  out.plane = refined(low, best.plane, tolerance_m, is_level);
+  // By all points near it: where the ground is most of what is off the facade, the lowest half of
+  // those is the lower side of its noise.
+  out.plane = refined(off, best.plane, tolerance_m, is_level);
   if (out.plane.normal.z < 0) out.plane = {-out.plane.normal, -out.plane.offset};
   return true;
 }

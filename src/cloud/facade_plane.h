@@ -32,7 +32,7 @@ struct GroundPlane {
   Plane plane;
 };
 /// The most populous plane leaning less than 10 degrees from the horizontal among the lowest
-/// points; false when there is none.
+/// points, then least squares on all points within tolerance_m of it; false when there is none.
 bool find_ground(const Cloud& cloud, const FacadePlane& facade, double tolerance_m, uint64_t seed,
                  Task& task, GroundPlane& out);
 

@@ -167,11 +167,18 @@ double trimmed_scale(std::span<const typename Model::Point> points, const Model&
   return std::sqrt(s.squares / static_cast<double>(s.n - Model::kUnknowns) / kScaleVariance);
 }
 
-/// Gauss-Newton with the damping of Levenberg and Marquardt until a step is below `small`; false when an unknown is not
-/// fixed or the steps are used up.
+template <size_t K>
+bool is_below(const Coefficients<K>& change, const Coefficients<K>& small) {
+  for (size_t i = 0; i < K; ++i)
+    if (!(std::fabs(change[i]) <= small[i])) return false;
+  return true;
+}
+
+/// Gauss-Newton with the damping of Levenberg and Marquardt until a step is below `small`, in each unknown's own
+/// unit; false when an unknown is not fixed or the steps are used up.
 template <class Model>
 bool descend(std::span<const typename Model::Point> points, const Weighting& weighting, int steps,
-             double small, Task& task, Model& model) {
+             const Coefficients<Model::kUnknowns>& small, Task& task, Model& model) {
   constexpr size_t kK = Model::kUnknowns;
   double damping = kFirstDamping;
   Sums<kK> here = sums_of(points, model, weighting, false, task);
@@ -182,9 +189,9 @@ bool descend(std::span<const typename Model::Point> points, const Weighting& wei
     Cholesky<kK> factor;
     if (!factor.factor(normal)) return false;
     const Coefficients<kK> change = factor.solve(here.right);
-    double size = 0;
-    for (const double c : change) size = std::max(size, std::fabs(c));
-    if (!std::isfinite(size)) return false;
+    for (const double c : change)
+      if (!std::isfinite(c)) return false;
+    const bool is_small = is_below<kK>(change, small);
     Model next = model;
     next.move(change);
     const Sums<kK> there = sums_of(points, next, weighting, false, task);
@@ -193,13 +200,22 @@ bool descend(std::span<const typename Model::Point> points, const Weighting& wei
       model = next;
       here = there;
       damping /= kDampingFactor;
-    } else if (size > small) {
+    } else if (!is_small) {
       damping *= kDampingFactor;
     }
-    if (size <= small) return true;
+    if (is_small) return true;
     if (damping > kMaxDamping) return false;
   }
   return false;
+}
+
+/// The same with one bound for all unknowns, where metres and radians are alike.
+template <class Model>
+bool descend(std::span<const typename Model::Point> points, const Weighting& weighting, int steps,
+             double small, Task& task, Model& model) {
+  Coefficients<Model::kUnknowns> all;
+  all.fill(small);
+  return descend(points, weighting, steps, all, task, model);
 }
 
 /// Huber (1981), 6.5: the sandwich psi'^-1 psi^2 psi'^-1, honest when the noise differs from point to point, as it does

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -19,18 +20,29 @@ using Triple = std::array<uint32_t, 3>;
 
 /// Differences of 37 bits: their determinant fits 114 of the 127.
 constexpr double kGridSteps = 68719476736.0;  // 2^36
+/// A coordinate is rounded by half a step, a point by 0.87. The base that flat() takes multiplies that by 8 at most.
+constexpr double kFlatRoundings = 8;
 
-std::vector<Corner> on_grid(std::span<const Vec3> points) {
+struct Grid {
+  std::vector<Corner> points;
+  double rounding =
+      1;  // steps: what the coordinates themselves, and the grid, have been rounded by
+};
+
+Grid on_grid(std::span<const Vec3> points) {
   Box3 box;
   for (const Vec3& p : points) box.add(p);
   const Vec3 size = box.max - box.min;
   const double extent = std::max({size.x, size.y, size.z}),
                scale = extent > 0 ? kGridSteps / extent : 0;
-  std::vector<Corner> out;
+  Grid out;
+  double largest = 0;
   for (const Vec3& p : points) {
     const Vec3 q = (p - box.min) * scale;
-    out.push_back({std::llround(q.x), std::llround(q.y), std::llround(q.z)});
+    out.points.push_back({std::llround(q.x), std::llround(q.y), std::llround(q.z)});
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
+  out.rounding = std::max(1.0, largest * std::numeric_limits<double>::epsilon() * scale);
   return out;
 }
 
@@ -52,14 +64,56 @@ bool collinear(const Corner& a, const Corner& b, const Corner& c) {
   return true;
 }
 
-// Four points of a volume: the start of the hull.
+// Normal of the triangle (a, b, c), as long as twice its area.
+std::array<double, 3> twice_area(const Corner& a, const Corner& b, const Corner& c) {
+  std::array<double, 3> out;
+  for (size_t i = 0; i < 3; ++i) {
+    const size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    out[i] =
+        static_cast<double>(Wide(b[j] - a[j]) * (c[k] - a[k]) - Wide(b[k] - a[k]) * (c[j] - a[j]));
+  }
+  return out;
+}
+
+double length(const std::array<double, 3>& v) {
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+// The point that is farthest by that measure, and how far.
+template <class F>
+std::pair<Corner, double> farthest(const std::vector<Corner>& p, F&& distance) {
+  std::pair<Corner, double> out{p[0], 0};
+  for (const Corner& q : p)
+    if (const double d = distance(q); d > out.second) out = {q, d};
+  return out;
+}
+
+// All in one plane, but for what rounding moves them: a plane that was no plane of the grid's has a thickness on it.
+// From a wide base, since a narrow one would magnify that.
+bool flat(const Grid& grid) {
+  const Corner a = grid.points[0];
+  const auto [b, far] = farthest(grid.points, [&](const Corner& q) {
+    return length({static_cast<double>(q[0] - a[0]), static_cast<double>(q[1] - a[1]),
+                   static_cast<double>(q[2] - a[2])});
+  });
+  const double least = kFlatRoundings * grid.rounding;
+  if (!(far > least)) return true;
+  const auto [c, area] =
+      farthest(grid.points, [&](const Corner& q) { return length(twice_area(a, b, q)); });
+  if (!(area > least * far)) return true;
+  const double most = farthest(grid.points, [&](const Corner& q) {
+                        return std::fabs(static_cast<double>(volume(a, b, c, q)));
+                      }).second;
+  return !(most > least * area);
+}
+
+// Four points of a volume, of points that are not flat: the start of the hull.
 std::array<uint32_t, 4> first_tetrahedron(const std::vector<Corner>& p) {
   const auto n = static_cast<uint32_t>(p.size());
   uint32_t b = 1, c, d;
   while (b < n && p[b] == p[0]) ++b;
   for (c = b + 1; c < n && collinear(p[0], p[b], p[c]);) ++c;
   for (d = c + 1; d < n && volume(p[0], p[b], p[c], p[d]) == 0;) ++d;
-  if (d >= n) fail(Status::kDegenerate, "the %u points of a hull lie in one plane", n);
   if (volume(p[0], p[b], p[c], p[d]) > 0) std::swap(b, c);
   return {0, b, c, d};
 }
@@ -82,13 +136,8 @@ void add_point(std::vector<Triple>& facets, const std::vector<Corner>& p, uint32
 
 // From the integers, exactly: the plane of a sliver supports the hull too.
 Vec3 normal_of(const Corner& a, const Corner& b, const Corner& c) {
-  Vec3 normal;
-  for (size_t i = 0; i < 3; ++i) {
-    const size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    normal[static_cast<int>(i)] =
-        static_cast<double>(Wide(b[j] - a[j]) * (c[k] - a[k]) - Wide(b[k] - a[k]) * (c[j] - a[j]));
-  }
-  return normalized(normal);
+  const auto [x, y, z] = twice_area(a, b, c);
+  return normalized(Vec3{x, y, z});
 }
 
 ConvexHull with_planes(const std::vector<Triple>& facets, std::span<const Vec3> points,
@@ -123,11 +172,13 @@ ConvexHull convex_hull(std::span<const Vec3> points) {
     fail(Status::kInsufficientData, "%zu points; a hull needs at least 4", points.size());
   if (points.size() > kMaxHullPoints)
     fail(Status::kLimit, "%zu points of a hull; at most %zu", points.size(), kMaxHullPoints);
-  const std::vector<Corner> grid = on_grid(points);
-  const auto [a, b, c, d] = first_tetrahedron(grid);
+  const Grid grid = on_grid(points);
+  if (flat(grid))
+    fail(Status::kDegenerate, "the %zu points of a hull lie in one plane", points.size());
+  const auto [a, b, c, d] = first_tetrahedron(grid.points);
   std::vector<Triple> facets{{a, b, c}, {a, d, b}, {b, d, c}, {c, d, a}};
-  for (uint32_t i = 0; i < grid.size(); ++i) add_point(facets, grid, i);
-  return with_planes(facets, points, grid);
+  for (uint32_t i = 0; i < grid.points.size(); ++i) add_point(facets, grid.points, i);
+  return with_planes(facets, points, grid.points);
 }
 
 }  // namespace jalon

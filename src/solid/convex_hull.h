@@ -27,7 +27,8 @@ constexpr size_t kMaxHullPoints = 4096;
 /// Points are added one by one: the facets that see a point give way to new ones around it (de Berg et al. 2008,
 /// Computational Geometry, 11.2). Orientations are exact, on integers of 2^-36 of the extent (0.2 nm for 10 m), so
 /// that flat sides and repeated points are no special case. Throws kInsufficientData below 4 points, kDegenerate when
-/// all lie in a plane, kLimit above kMaxHullPoints. O(n f).
+/// all lie in a plane but for 2^-33 of the extent or eight roundings of the coordinates (1 nm for 10 m, 12 nm at 7
+/// million metres), kLimit above kMaxHullPoints. O(n f).
 ConvexHull convex_hull(std::span<const Vec3> points);
 
 }  // namespace jalon

@@ -16,12 +16,12 @@ constexpr double kContradiction = 3;  // sigma
 
 }  // namespace
 
-double Candidate::unlikeliness() const {
+double PatternCandidate::unlikeliness() const {
   const auto n = static_cast<double>(std::max<size_t>(2, border.size()));
   return std::log(std::max(cost_m2, kLeastCost_m2)) + parameters * std::log(n) / n;
 }
 
-bool is_better_explained(const Candidate& copy, double own_cost_m2, double own_parameters) {
+bool is_better_explained(const PatternCandidate& copy, double own_cost_m2, double own_parameters) {
   const auto n = static_cast<double>(copy.border.size());
   return n * std::log(copy.cost_m2 / std::max(own_cost_m2, kLeastCost_m2)) >
          (own_parameters - copy.parameters) * std::log(n);

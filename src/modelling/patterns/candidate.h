@@ -14,7 +14,7 @@ namespace jalon {
 enum PatternSide : uint8_t { kLeft, kRight, kLower, kUpper };
 
 /// Where a copy could go.
-struct Candidate {
+struct PatternCandidate {
   size_t pattern = 0;
   Motion2 motion;
   size_t signs = 0;  ///< sides seen and lines of the grid agreed with; 0: it is not there
@@ -25,7 +25,7 @@ struct Candidate {
 
   /// The less the likelier: Schwarz' criterion (1978), per border point.
   double unlikeliness() const;
-  bool is_likelier_than(const Candidate& other) const {
+  bool is_likelier_than(const PatternCandidate& other) const {
     return signs > 0 && (other.signs == 0 || unlikeliness() < other.unlikeliness());
   }
 };
@@ -33,7 +33,7 @@ struct Candidate {
 /// Whether an outline of so many parameters, this far from the same border points (mean square),
 /// says so much more about them than the copy does that its parameters are worth it. Before: copy
 /// has a border.
-bool is_better_explained(const Candidate& copy, double own_cost_m2, double own_parameters);
+bool is_better_explained(const PatternCandidate& copy, double own_cost_m2, double own_parameters);
 
 /// Variance of a placement across two opposite sides by those that are seen; infinite when none is. spacing_m: of the
 /// wall's points there.

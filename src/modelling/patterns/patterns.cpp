@@ -80,9 +80,9 @@ class Completion {
 
   /// 2. The badly measured opening becomes a copy of the pattern that its border agrees with best.
   size_t replace(size_t i) {
-    Candidate best;
+    PatternCandidate best;
     for (size_t p = 0; p < patterns_.size(); ++p) {
-      Candidate c = best_placement(p, i);
+      PatternCandidate c = best_placement(p, i);
       if (c.is_likelier_than(best)) best = std::move(c);
     }
     if (best.signs == 0) best = at_crossing(i);
@@ -99,8 +99,8 @@ class Completion {
   }
 
   /// The pattern of the grid's crossing that lies in a hole, where its border is too torn to place it.
-  Candidate at_crossing(size_t i) const {
-    Candidate best;
+  PatternCandidate at_crossing(size_t i) const {
+    PatternCandidate best;
     for (const GridLine& row : grid_.rows)
       for (const GridLine& column : grid_.columns) {
         const Vec2 centre{column.at, row.at};
@@ -115,14 +115,14 @@ class Completion {
         const std::vector<Vec2> form = outline_points(moved(best_of(p).outline, motion));
         std::vector<Vec2> border = border_of(p, motion, i, spacing_m);
         const double cost_m2 = cost_in_place(form, border, kReach * spacing_m);
-        Candidate c{p, motion, 2, std::sqrt(cost_m2), cost_m2, std::move(border), 0};
+        PatternCandidate c{p, motion, 2, std::sqrt(cost_m2), cost_m2, std::move(border), 0};
         if (c.is_likelier_than(best)) best = std::move(c);
       }
     return best;
   }
 
   /// Whether the opening's own outline tells so much more about its border than the copy.
-  bool explains_itself_better(size_t i, const Candidate& copy) const {
+  bool explains_itself_better(size_t i, const PatternCandidate& copy) const {
     const FacadeOpening& opening = wall_.openings[i];
     const double reach_m = kReach * spacing_beside(wall_, boxes_[i]);
     const double own_m2 = cost_in_place(outline_points(opening.outline), copy.border, reach_m);
@@ -143,7 +143,7 @@ class Completion {
 
   /// The pattern laid onto the border points of an opening, from each way its box can lie in that of the opening. The
   /// hole in the wall's points is as large as the opening at least.
-  Candidate best_placement(size_t p, size_t i) const {
+  PatternCandidate best_placement(size_t p, size_t i) const {
     const FacadeOpening& opening = wall_.openings[i];
     const double reach_m = kReach * spacing_beside(wall_, boxes_[i]);
     if (opening.border_points.empty() || boxes_[i].width() < patterns_[p].box.width() - reach_m ||
@@ -156,7 +156,7 @@ class Completion {
     const double set_back_m =
         mean_distance(form, thinned_border(best_of(p))) * spacing_m / wall_.spacing_m;
     const bool may_turn = !is_upright(best_of(p).outline);
-    Candidate best;
+    PatternCandidate best;
     const Vec2 low = boxes_[i].low - patterns_[p].box.low,
                high = boxes_[i].high - patterns_[p].box.high;
     for (const double u : starts(low.u, high.u, reach_m))
@@ -165,7 +165,7 @@ class Completion {
         std::vector<Vec2> own = border_of(p, placed.motion, i, spacing_m);
         if (own.size() < border.size())
           placed = place_on_border(form, set_back_m, own, placed.motion.shift, reach_m, may_turn);
-        Candidate c = judged(p, i, placed, own.size(), spacing_m);
+        PatternCandidate c = judged(p, i, placed, own.size(), spacing_m);
         c.border = std::move(own);
         if (c.is_likelier_than(best)) best = std::move(c);
       }
@@ -191,8 +191,8 @@ class Completion {
 
   /// Counts the sides that are seen and the lines of the grid that the placement agrees with, and takes from the grid
   /// what the sides leave open. No signs: not there.
-  Candidate judged(size_t p, size_t i, const Placement& placed, size_t border_points,
-                   double spacing_m) const {
+  PatternCandidate judged(size_t p, size_t i, const Placement& placed, size_t border_points,
+                          double spacing_m) const {
     const RingBox& box = patterns_[p].box;
     std::array<bool, 4> seen{};
     for (size_t s = 0; s < 4; ++s) {
@@ -201,7 +201,7 @@ class Completion {
       seen[s] =
           placed.sides[s] >= std::max(kLeastSupport, std::min(wanted, kMostBorderPoints / 20));
     }
-    Candidate out{p, placed.motion, 0, placed.residual_m, placed.cost_m2, {}, 2};
+    PatternCandidate out{p, placed.motion, 0, placed.residual_m, placed.cost_m2, {}, 2};
     const auto border = static_cast<double>(border_points);
     if (static_cast<double>(placed.support) < kExplained * border) return out;
     if (placed.residual_m > kFit * spacing_m || !is_of_size(placed, seen, spacing_m)) return out;

@@ -19,6 +19,7 @@ constexpr double kGroundBeside_m = 4.0;
 // Reveals of the storeys are 1.25, 1 and 0.75 times the parameter, in turn: planes that only their depth tells apart.
 constexpr double kStoreyReveals[] = {1.25, 1.0, 0.75};
 constexpr double kDoorReveal = 1.5;
+constexpr Frame kGroundFrame{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 constexpr double kLeastBay_m = 1.60, kLeastStorey_m = 2.20;
 
 struct Opening {
@@ -97,10 +98,21 @@ void add_cornice(SceneBuilder& out, uint32_t house, double width, double height,
   out.face(cornice, {{width, 0, 0}, z, n}, {foot, height, 0, depth});
 }
 
+/// Of ground that ends under the plinth what is seen in the doorways: a face each, for they do not hang together.
+void add_doorway_grounds(SceneBuilder& out, double depth, const std::vector<Opening>& openings) {
+  uint32_t ground = kNoPart;
+  for (const Opening& o : openings) {
+    if (!o.is_door) continue;
+    if (ground == kNoPart) ground = out.part("ground", "ground");
+    out.face(ground, kGroundFrame, {o.rect.u0, o.rect.u1, -depth, o.depth_m});
+  }
+}
+
 /// Ground up to the plinth, and into the doorways as far as their leaves.
 void add_ground(SceneBuilder& out, double width, double depth, const std::vector<Opening>& openings,
                 const std::vector<Rect>& plinth) {
   if (!(depth > 0)) return;
+  if (depth <= kPlinthDepth_m) return add_doorway_grounds(out, depth, openings);
   double back = 0;
   for (const Opening& o : openings)
     if (o.is_door) back = std::max(back, o.depth_m);
@@ -109,8 +121,7 @@ void add_ground(SceneBuilder& out, double width, double depth, const std::vector
     taken.push_back({piece.u0 > 0 ? piece.u0 : -kGroundBeside_m,
                      piece.u1 < width ? piece.u1 : width + kGroundBeside_m, -kPlinthDepth_m, back});
   const uint32_t ground = out.part("ground", "ground");
-  out.face(ground, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-           {-kGroundBeside_m, width + kGroundBeside_m, -depth, back}, taken);
+  out.face(ground, kGroundFrame, {-kGroundBeside_m, width + kGroundBeside_m, -depth, back}, taken);
 }
 
 std::string number_text(int64_t storey, int64_t bay) {

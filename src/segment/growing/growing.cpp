@@ -135,7 +135,7 @@ class Grower {
     surface.sigma_m = fit.sigma;
     std::vector<float> spacings(region.members.size());
     std::vector<Vec2> uv(region.members.size());
-    const PlaneFrame frame = plane_frame(fit.plane, fit.centroid);
+    const FlatFrame frame = plane_frame(fit.plane, fit.centroid);
     std::sort(region.members.begin(), region.members.end());
     for (size_t i = 0; i < region.members.size(); ++i) {
       const uint32_t position = points_.position(region.members[i]);

@@ -42,6 +42,7 @@ Recipe recipe_of(const SurfaceSettings& settings, uint64_t draw) {
 
 bool pick_seed_of_curved_hypotheses(const SegmentScene& scene, const PointPool& pool,
                                     RandomStream& random, uint32_t& seed) {
+  if (pool.slots() == 0) return false;  // nothing to draw from
   for (int i = 0; i < kCurvedHypothesesSeedTries; ++i) {
     seed = pool.position(static_cast<uint32_t>(random.below(pool.slots())));
     if (seed != kNoPoint && scene.may_seed_curved(seed)) return true;

@@ -7,7 +7,7 @@
 namespace jalon {
 
 /// Draw number `draw` of a sphere or a cylinder (steps in curved_hypotheses.cpp); false when it gives none that its
-/// surroundings support.
+/// surroundings support, as always where no point is free.
 bool draw_curved(const RansacScene& scene, const PointPool& pool, uint64_t draw, Task& task,
                  Candidate& out);
 

@@ -38,7 +38,7 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
                          Task& task, ExtractionMembers& members) {
   std::vector<float> spacings(members.slots.size());
   std::vector<Vec2> uv(members.slots.size());
-  const PlaneFrame frame = plane_frame(plane, pool.point(members.slots[0]));
+  const FlatFrame frame = plane_frame(plane, pool.point(members.slots[0]));
   parallel_for(task, uv.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       spacings[i] = scene.spacing[pool.position(members.slots[i])];
@@ -188,7 +188,7 @@ void sort_runs(std::vector<uint32_t>& positions) {
 std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface) {
   std::vector<Vec2> uv(surface.positions.size());
   if (surface.is_plane()) {
-    const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+    const FlatFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
     for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
     return uv;
   }

@@ -22,6 +22,7 @@ constexpr int kHypothesesSeedTries = 32;
 
 bool pick_seed_of_hypotheses(const SegmentScene& scene, const PointPool& pool, RandomStream& random,
                              uint32_t& seed) {
+  if (pool.slots() == 0) return false;  // nothing to draw from
   for (int i = 0; i < kHypothesesSeedTries; ++i) {
     seed = pool.position(static_cast<uint32_t>(random.below(pool.slots())));
     if (seed != kNoPoint && scene.may_seed(seed)) return true;

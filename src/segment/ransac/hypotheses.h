@@ -22,7 +22,8 @@ struct Candidate {
   double lower = 0, upper = 0, estimate = 0;  ///< of the score
 };
 
-/// Draw number `draw` (steps in hypotheses.cpp); false when it gives no plane that its surroundings support.
+/// Draw number `draw` (steps in hypotheses.cpp); false when it gives no plane that its surroundings support, as always
+/// where no point is free.
 bool draw_candidate(const RansacScene& scene, const PointPool& pool, const OrientationPass& pass,
                     uint64_t draw, Candidate& out);
 

@@ -24,7 +24,7 @@ struct Patch {
   double core_m = 0;
   double weight = 0;    ///< 1 / sigma^2
   double evidence = 0;  ///< 2 ln(sigma / density)
-  PlaneFrame frame;
+  FlatFrame frame;
   SurfaceMap map;  ///< instead of the frame, for a curved surface
   Raster mask;     ///< the surface's pixels and their neighbours; empty without connectivity
   Box3 box;

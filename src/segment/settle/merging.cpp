@@ -84,7 +84,7 @@ bool layers_are_one(const SegmentScene& scene, const MergingPart& a, const Mergi
 
 // True when most of the points of one surface lie where the other one has points as well.
 bool lies_over(const SegmentScene& scene, const Surface& small, const Surface& large) {
-  const PlaneFrame frame = plane_frame(large.plane, scene.local(large.positions[0]));
+  const FlatFrame frame = plane_frame(large.plane, scene.local(large.positions[0]));
   std::vector<Vec2> uv(large.positions.size());
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(large.positions[i]));
   const Raster raster = bounded_raster(uv, large.pixel_m, 0);
@@ -105,7 +105,7 @@ bool pixels_near(const SegmentScene& scene, const Surface& a, const Surface& b) 
   const double gap = scene.settings.merge_gap_m;
   const double pixel = std::max({a.pixel_m, b.pixel_m, gap / 64});
   const auto reach = static_cast<uint32_t>(std::max(1.0, std::floor(gap / pixel)));
-  const PlaneFrame frame = plane_frame(a.plane, scene.local(a.positions[0]));
+  const FlatFrame frame = plane_frame(a.plane, scene.local(a.positions[0]));
   std::vector<Vec2> uv(a.positions.size());
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(a.positions[i]));
   const Raster near = dilated(bounded_raster(uv, pixel, reach), reach);

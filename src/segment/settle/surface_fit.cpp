@@ -32,7 +32,7 @@ constexpr size_t kMostForBorder = 50000;  // larger surfaces tell their border b
 // an angle, that one's points are within reach on one side only and shift the plane: 0.3 mm at a pane of 1.2 m whose
 // reveals have too few points to be found as planes. Nothing else tells those points from the surface's own.
 std::vector<uint8_t> inner_points(const SegmentScene& scene, const Surface& surface, Task& task) {
-  const PlaneFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+  const FlatFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
   std::vector<Vec2> uv(surface.positions.size());
   parallel_for(task, uv.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) uv[i] = frame(scene.local(surface.positions[i]));

@@ -50,8 +50,8 @@ uint32_t largest_group(const Raster& occupied, const Regions& groups, uint64_t& 
 
 }  // namespace
 
-PlaneFrame plane_frame(const Plane& plane, const Vec3& near) {
-  const PlaneAxes axes = plane_axes(plane.normal);
+FlatFrame plane_frame(const Plane& plane, const Vec3& near) {
+  const SurfaceAxes axes = plane_axes(plane.normal);
   return {near, axes.u, axes.v};
 }
 

@@ -12,11 +12,11 @@
 namespace jalon {
 
 /// Projection of local coordinates on a plane.
-struct PlaneFrame {
+struct FlatFrame {
   Vec3 centre, u, v;
   Vec2 operator()(const Vec3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
 };
-PlaneFrame plane_frame(const Plane& plane, const Vec3& near);
+FlatFrame plane_frame(const Plane& plane, const Vec3& near);
 
 /// One connected surface among points on a plane.
 struct Region {

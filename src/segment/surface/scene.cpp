@@ -56,7 +56,7 @@ void look_at_cells(SegmentScene& scene, Task& task) {
   estimate_local_surface(scene, task);
 }
 
-PlaneAxes plane_axes(const Vec3& normal) {
+SurfaceAxes plane_axes(const Vec3& normal) {
   constexpr double kHorizontal = 0.95;  // nz beyond which "up in the plane" is ill defined
   const Vec3 reference = std::fabs(normal.z) < kHorizontal ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
   const Vec3 u = normalized(cross(reference, normal));

@@ -89,9 +89,9 @@ void estimate_local_surface(SegmentScene& scene, Task& task);
 void take_field_normals(SegmentScene& scene, Task& task);
 
 /// Axes of a plane that depend on its normal alone: u horizontal, v upward (for horizontal planes u = X).
-struct PlaneAxes {
+struct SurfaceAxes {
   Vec3 u, v;
 };
-PlaneAxes plane_axes(const Vec3& normal);
+SurfaceAxes plane_axes(const Vec3& normal);
 
 }  // namespace jalon

@@ -34,7 +34,7 @@ double widest_gap(const std::array<bool, kSurfaceMapSectors>& occupied) {
 
 SurfaceMap SurfaceMap::of_plane(const Plane& plane, const Vec3& near) {
   SurfaceMap map;
-  const PlaneAxes axes = plane_axes(plane.normal);
+  const SurfaceAxes axes = plane_axes(plane.normal);
   map.centre_ = near;
   map.u_ = axes.u;
   map.v_ = axes.v;
