@@ -5,15 +5,18 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "base/whole_utf8.h"
+
 namespace jalon {
 
 void fail(Status status, const char* format, ...) {
-  char text[1024];
+  constexpr size_t kMostBytes = 1023;
+  char text[kMostBytes + kMostUtf8Bytes];  // a character across the limit is whole, and left out
   va_list arguments;
   va_start(arguments, format);
   std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  throw Error(status, text);
+  throw Error(status, {text, copy_whole_utf8(text, text, kMostBytes)});
 }
 
 }  // namespace jalon

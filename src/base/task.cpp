@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/pool.h"
+#include "base/whole_utf8.h"
 
 namespace jalon {
 
@@ -75,11 +76,13 @@ void Task::finish() {
 
 void Task::log(LogLevel level, const char* format, ...) {
   if (hooks_.log == nullptr || !on_calling_thread()) return;
-  char text[1024];
+  constexpr size_t kMostBytes = 1023;
+  char text[kMostBytes + kMostUtf8Bytes];
   va_list arguments;
   va_start(arguments, format);
   std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
+  text[copy_whole_utf8(text, text, kMostBytes)] = 0;
   for (char* c = text; *c != 0; ++c)
     if (*c == '\n' || *c == '\r') *c = ' ';
   try {

@@ -18,7 +18,7 @@ jalon_status jalon_comparison_regions(const jalon_comparison* comparison,
     require(comparison, "comparison");
     const auto settings = settings_from<RegionSettings>(options_or_default(options, "regions"));
     auto tables = with_task(task, [&](Task& t) {
-      const Regions found = change_regions(*comparison->comparison, settings, t);
+      const ChangeRegions found = change_regions(*comparison->comparison, settings, t);
       return std::pair(own(new_fields(region_points_table(found))),
                        own(new_fields(regions_table(found))));
     });

@@ -9,7 +9,8 @@
 namespace jalon::cli {
 
 /// Results appear in a folder together: they are written into a private folder inside it and renamed by commit(). When
-/// anything fails before, the private folder goes and what was in the folder stays as it was.
+/// anything fails before, the private folder goes and what was in the folder stays as it was. The one that a killed run
+/// left is taken by the next.
 class OutputFolder {
  public:
   explicit OutputFolder(const std::string& folder);
@@ -24,6 +25,7 @@ class OutputFolder {
  private:
   std::filesystem::path folder_, private_;
   std::vector<std::string> names_;
+  int lock_ = -1;
   bool created_ = false;
 };
 

@@ -8,7 +8,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "base/utf8_character.h"
+#include "base/whole_utf8.h"
 #include "capi/support/operations.h"
 
 namespace jalon::capi {
@@ -45,13 +45,10 @@ static_assert(element_type_of<int64_t>() == ElementType::kInt64 &&
 const char* last_error_text() noexcept { return last_message; }
 
 jalon_status remember(Status status, const char* text) noexcept {
-  size_t n = 0;
-  for (; text[n] != 0 && n + 1 < kMessageBytes; ++n)  // one line, whatever a file name holds
-    last_message[n] = static_cast<unsigned char>(text[n]) < 0x20 ? ' ' : text[n];
-  if (text[n] != 0)
-    while (n > 0 && (static_cast<unsigned char>(last_message[n]) & 0xC0) == 0x80)
-      --n;  // no half UTF-8 character
+  const size_t n = copy_whole_utf8(text, last_message, kMessageBytes - 1);
   last_message[n] = 0;
+  for (size_t i = 0; i < n; ++i)  // one line, whatever a file name holds
+    if (static_cast<unsigned char>(last_message[i]) < 0x20) last_message[i] = ' ';
   return static_cast<jalon_status>(status);
 }
 
@@ -65,7 +62,7 @@ jalon_status remember_current() noexcept {
   } catch (const std::length_error&) {
     return remember(Status::kOutOfMemory, "out of memory: more elements than an array can hold");
   } catch (const std::exception& error) {
-    char text[kMessageBytes];
+    char text[kMessageBytes + kMostUtf8Bytes];
     std::snprintf(text, sizeof text, "internal error: %s", error.what());
     return remember(Status::kInternal, text);
   } catch (...) {
