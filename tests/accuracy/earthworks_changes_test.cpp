@@ -61,7 +61,7 @@ constexpr Planted kPlanted[] = {
 };
 
 /// Points of a region that belong to it.
-size_t share_of(const Region& region, const Comparison& comparison, const Planted& planted) {
+size_t share_of(const ChangeRegion& region, const Comparison& comparison, const Planted& planted) {
   size_t n = 0;
   for (const uint32_t i : region.indices)
     n += planted.holds(face_of(comparison, i), true_point(*comparison.cloud, i));
@@ -90,7 +90,8 @@ bool is_at_edge(const SiteDay& reference, const Vec3& p) {
 }
 
 /// A region that is nothing planted: it must lie along an edge in depth. Prints it.
-bool is_along_edge(const Region& region, const Comparison& comparison, const SiteDay& reference) {
+bool is_along_edge(const ChangeRegion& region, const Comparison& comparison,
+                   const SiteDay& reference) {
   size_t at_edge = 0;
   for (const uint32_t i : region.indices)
     at_edge += is_at_edge(reference, true_point(*comparison.cloud, i));
@@ -171,7 +172,7 @@ TEST_CASE("earthworks__every_planted_change_is_found_and_false_regions_lie_along
       if (reference == day) continue;
       const Comparison comparison = compared(reference, day, settings);
       Task task;
-      const Regions found = change_regions(comparison, changed, task);
+      const ChangeRegions found = change_regions(comparison, changed, task);
       std::vector<bool> is_planted(found.regions.size(), false);
       for (const Planted& planted : kPlanted) {
         if (!planted.is_new(reference, day)) continue;

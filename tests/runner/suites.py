@@ -13,7 +13,8 @@ SANITIZED = {
              "UBSAN_OPTIONS": "print_stacktrace=1"},
     "tsan": {"JALON_SANITIZED": "1", "TSAN_OPTIONS": "halt_on_error=1"},
 }
-# Programs with promises about latency, memory or the threads of the machine: nothing else runs beside them.
+# Programs with promises about latency, memory or the threads of the machine, of the release build alone: nothing else runs
+# beside them.
 ALONE = {"capi_cancel_test", "capi_threads_test", "capi_allocation_test", "bindings_python", "bindings_csharp", "bindings_java",
          "fresh_root", "bench", "bindings_from_source"}
 # Rooms whose unit tests also run under the thread sanitizer; the first in every run.
@@ -32,7 +33,7 @@ class Suite:
 
     @property
     def is_alone(self):
-        return os.path.basename(self.name) in ALONE
+        return self.build == "release" and os.path.basename(self.name) in ALONE
 
     @property
     def environment(self):

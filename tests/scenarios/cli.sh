@@ -225,6 +225,11 @@ refuses "no disk over an existing file" 4 'good' bash -c "trap '' XFSZ; ulimit -
 check "a failed write leaves the good file" sha256sum -c good.sum
 refuses "no disk for the results" 4 '.' bash -c "trap '' XFSZ; ulimit -f 40; exec '$jalon' facade sample.las -o result"
 check "failures left the existing results untouched" sha256sum -c before
+# A run that is killed leaves its private folder, which nobody locks; the next one into the same folder takes it away.
+mkdir -p killed/.jalon-0 && touch killed/.jalon-0/half.las
+check "a killed run's leftovers go with the next run" bash -c "'$jalon' segment quiet.las -o killed --quiet && [ \$(ls -A killed | wc -l) -eq 7 ]"
+mkdir -p shared/.jalon-0 && touch shared/.jalon-0/half.las
+check "what a run at work holds stays" bash -c "flock shared/.jalon-0 '$jalon' segment quiet.las -o shared --quiet && [ \$(ls -A shared | wc -l) -eq 8 ] && [ -e shared/.jalon-0/half.las ]"
 check "failures left no private folder" bash -c "[ \$(ls -A result | wc -l) -eq $files ]"
 
 # A disk that is full, then one that is read only: a small file system of its own, where it may be mounted.

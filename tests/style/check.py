@@ -9,6 +9,8 @@ import re
 import subprocess
 import sys
 
+from mirrored import mirrored
+from one_definition import one_definition
 from rooms import CODE, ROOMS, bindings_alone, crowds, includes, layers, sublayers
 from signposts import citations, umbrella
 from source import ROOT, Tally, public_functions, read, strings_of, tree_files, without_comments
@@ -235,6 +237,8 @@ def main():
     tally.check("style: and those of the rooms within rooms", sublayers(files))
     tally.check("style: the bindings take nothing from the tests", bindings_alone(files))
     tally.check("style: no folder of src with more files than one can overlook", crowds(files))
+    tally.check("style: a type name stands for one type", one_definition(files))
+    tally.check("style: every source with logic has its test at the mirrored path, or in the list", mirrored(files))
     tally.check("style: examples and C tests see include/jalon only", outsiders(files))
     for language, problems in headers_alone():
         tally.check("headers: each compiles alone as %s, -pedantic -Wall -Wextra -Werror" % language, problems)

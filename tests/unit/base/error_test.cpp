@@ -5,6 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <string_view>
+
+#include "base/utf8_character.h"
 
 using namespace jalon;
 
@@ -16,6 +19,59 @@ TEST_CASE("fail__throws_the_status_and_the_formatted_line") {
     CHECK(error.status() == Status::kNotFound);
     CHECK(std::string(error.what()) == "field \"label\", point -3 of 18446744073709551615");
   }
+}
+
+namespace {
+
+template <class F>
+std::string text_of_failure(F&& failing) {
+  try {
+    failing();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool is_whole_utf8(std::string_view text) {
+  while (!text.empty() && utf8_character_bytes(text) > 0)
+    text.remove_prefix(utf8_character_bytes(text));
+  return text.empty();
+}
+
+}  // namespace
+
+TEST_CASE("fail__throws_whole_utf_8_whatever_it_is_made_of") {
+  const auto told = [](const char* text) {
+    return text_of_failure([&] { fail(Status::kIo, "%s", text); });
+  };
+  for (const char* whole : {"", "plain", "\xC3\xA9t\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80!"})
+    CHECK(told(whole) == whole);
+  CHECK(told("\"x\xC3\"; there are") == "\"x?\"; there are");
+  CHECK(told("\xF0\x9F\x98; \xC3\xA9") == "?; \xC3\xA9");  // one for what is left of a character
+  CHECK(told("caf\xE9, \xFF\xFE") == "caf?, ??");
+  CHECK(told("\x80\x80z\xE2\x82") == "?z?");
+  CHECK(told("\xED\xA0\x80") == "?");  // a surrogate
+}
+
+TEST_CASE("fail__cuts_names_and_long_texts_between_characters") {
+  for (const std::string character : {"\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"})
+    for (size_t before = 0; before < 5; ++before) {
+      CAPTURE(character);
+      CAPTURE(before);
+      std::string name(before, 'x');
+      while (name.size() < 3000) name += character;
+      const std::string part = text_of_failure(
+          [&] { fail(Status::kNotFound, "no \"%.100s\"; there are", name.c_str()); });
+      CHECK(is_whole_utf8(part));
+      CHECK(part.ends_with("\"; there are"));
+      const std::string cut =
+          text_of_failure([&] { fail(Status::kNotFound, "no \"%s\"", name.c_str()); });
+      CHECK(is_whole_utf8(cut));
+      CHECK(("no \"" + name).starts_with(cut));  // nothing else at the end
+      CHECK(cut.size() <= 1023);
+      CHECK(cut.size() + character.size() > 1023);
+    }
 }
 
 TEST_CASE("fail__cuts_a_long_text_instead_of_overrunning") {

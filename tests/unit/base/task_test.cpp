@@ -44,7 +44,7 @@ void report(Task& task, double fraction) {
 }
 
 template <class F>
-Status status_of(F&& f) {
+Status task_status_of(F&& f) {
   try {
     f();
   } catch (const Error& error) {
@@ -87,14 +87,14 @@ TEST_CASE("task__a_host_that_says_stop_or_throws_ends_the_operation") {
   Host host;
   host.answer = 1;
   Task stopped(host.hooks());
-  CHECK(status_of([&] { report(stopped, 0.1); }) == Status::kCancelled);
+  CHECK(task_status_of([&] { report(stopped, 0.1); }) == Status::kCancelled);
   Task::Hooks hooks = host.hooks();
   hooks.progress = [](double, const char*, void*) -> int32_t { throw std::runtime_error("host"); };
   hooks.log = [](int32_t, const char*, void*) { throw std::runtime_error("host"); };
   Task throwing(hooks);
-  CHECK(status_of([&] { report(throwing, 0.1); }) == Status::kCallback);
-  CHECK(status_of([&] { throwing.log(Task::kInfo, "text"); }) == Status::kCallback);
-  CHECK(status_of([&] { throwing.finish(); }) == Status::kCallback);
+  CHECK(task_status_of([&] { report(throwing, 0.1); }) == Status::kCallback);
+  CHECK(task_status_of([&] { throwing.log(Task::kInfo, "text"); }) == Status::kCallback);
+  CHECK(task_status_of([&] { throwing.finish(); }) == Status::kCallback);
 }
 
 TEST_CASE("task__speaks_to_the_host_on_the_calling_thread_only_and_in_single_lines") {
@@ -109,7 +109,7 @@ TEST_CASE("task__speaks_to_the_host_on_the_calling_thread_only_and_in_single_lin
     task.log(Task::kInfo, "from elsewhere");
     report(task, 0.5);
     cancel = true;
-    elsewhere = status_of([&] { task.checkpoint(0.5); });
+    elsewhere = task_status_of([&] { task.checkpoint(0.5); });
   }).join();
   CHECK(host.lines.empty());
   CHECK(host.fractions.empty());
@@ -117,4 +117,12 @@ TEST_CASE("task__speaks_to_the_host_on_the_calling_thread_only_and_in_single_lin
   task.log(Task::kWarning, "two\nlines: %d", 2);
   REQUIRE(host.lines.size() == 1);
   CHECK(host.lines[0] == "two lines: 2");
+  task.log(Task::kInfo, "%.5s of a file", "caf\xC3\xA9s");
+  task.log(Task::kInfo, "%.4s of a file", "caf\xC3\xA9s");
+  const std::string long_name(1022, 'x');
+  task.log(Task::kInfo, "%s", (long_name + "\xC3\xA9").c_str());
+  REQUIRE(host.lines.size() == 4);
+  CHECK(host.lines[1] == "caf\xC3\xA9 of a file");
+  CHECK(host.lines[2] == "caf? of a file");  // no half characters
+  CHECK(host.lines[3] == long_name);
 }

@@ -101,9 +101,9 @@ TEST_CASE("components__a_million_points_of_a_street__figures") {
     best = std::min(
         best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  MESSAGE("components of 1 M points, 0.1 m, 26: ", best, " s, ", count, " components (goal 0.2 s)");
-  CHECK(count >= 1);
-  CHECK(best < 5);
+  MESSAGE("FIGURE components of 1 M points, 0.1 m, 26: ", best, " s, ", count,
+          " components (goal 0.2 s)");
+  CHECK(count == 1);  // facade and ground meet; isolated points are too few each
 }
 
 TEST_CASE("components__of_the_points_with_a_value__the_others_0_and_no_bridge") {

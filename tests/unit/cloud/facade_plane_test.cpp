@@ -59,7 +59,7 @@ TEST_CASE("facade_plane__a_known_viewpoint_decides_the_side_against_the_points")
 
 TEST_CASE("facade_plane__leans_as_the_wall_does_up_to_the_tolerance") {
   const FacadePlane little = found(wall_and_ground(0.03));
-  CHECK(std::asin(std::abs(little.plane.normal.z)) == doctest::Approx(0.03).epsilon(0.02));
+  CHECK(std::asin(std::abs(little.plane.normal.z)) == doctest::Approx(0.03).scale(0).epsilon(0.02));
   CHECK(std::abs(found(wall_and_ground(0.2)).plane.normal.z) <= std::sin(kUpright_rad));
 }
 
@@ -71,8 +71,8 @@ TEST_CASE("ground__is_the_level_plane_at_the_foot_and_none_where_there_is_only_a
   GroundPlane ground;
   REQUIRE(find_ground(cloud, facade, kTolerance_m, 1, task, ground));
   CHECK(norm(ground.plane.normal - Vec3{0, 0, 1}) < 2e-3);
-  // The lower half of a noisy plane lies 0.8 noises below it.
-  CHECK(std::abs(ground.plane.distance(Vec3{5, -2, 0} - facade.origin)) < kNoise_m);
+  // 1500 points: 0.08 mm, of which five. The lower half of them would lie 0.8 noises too low.
+  CHECK(std::abs(ground.plane.distance(Vec3{5, -2.5, 0} - facade.origin)) < 0.0004);
   points.resize(4000);
   CHECK_FALSE(find_ground(cloud_of(points), found(points), kTolerance_m, 1, task, ground));
 }

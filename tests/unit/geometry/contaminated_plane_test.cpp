@@ -17,16 +17,16 @@ namespace {
 constexpr double kTolerance_m = 0.025, kSigma_m = 0.006;
 constexpr double kChiSquare99 = 11.345;
 
-struct Draw {
+struct ContaminatedPlaneDraw {
   std::vector<Vec3> points;
   std::vector<uint32_t> zones;
 };
 
 // A strip of 0.4 x 2.4 m seen from the front, noise along z; along its right edge a share of points of the surface
 // that leads back from there.
-Draw strip(uint64_t seed, size_t own, size_t foreign) {
+ContaminatedPlaneDraw strip(uint64_t seed, size_t own, size_t foreign) {
   RandomStream random(seed, 1);
-  Draw out;
+  ContaminatedPlaneDraw out;
   for (size_t i = 0; i < own; ++i) {
     const double u = 0.4 * random.uniform(), v = 2.4 * random.uniform();
     out.points.push_back({u, v, kSigma_m * random.normal()});
@@ -41,14 +41,14 @@ Draw strip(uint64_t seed, size_t own, size_t foreign) {
   return out;
 }
 
-PlaneFit least_squares(const Draw& draw) {
+PlaneFit least_squares(const ContaminatedPlaneDraw& draw) {
   PlaneFit fit;
   REQUIRE(fit_plane(draw.points, fit));
   if (fit.plane.normal.z < 0) turn_over(fit);
   return fit;
 }
 
-bool settle(const Draw& draw, PlaneFit& fit) {
+bool settle(const ContaminatedPlaneDraw& draw, PlaneFit& fit) {
   Task task;
   std::vector<PlaneSample> samples;
   for (size_t i = 0; i < draw.points.size(); ++i) {
@@ -79,7 +79,7 @@ struct Coverage {
 Coverage coverage(size_t own, size_t foreign, uint64_t draws) {
   Coverage out;
   for (uint64_t seed = 1; seed <= draws; ++seed) {
-    const Draw draw = strip(seed, own, foreign);
+    const ContaminatedPlaneDraw draw = strip(seed, own, foreign);
     PlaneFit fit = least_squares(draw);
     out.least_squares += chi_square(fit) <= kChiSquare99;
     settle(draw, fit);
@@ -111,7 +111,7 @@ TEST_CASE("contaminated_plane__is_least_squares_among_points_of_its_own") {
   CHECK(clean.settled >= 0.97);
   double squares = 0, settled_squares = 0;
   for (uint64_t seed = 1; seed <= 100; ++seed) {
-    const Draw draw = strip(seed, 400, 0);
+    const ContaminatedPlaneDraw draw = strip(seed, 400, 0);
     PlaneFit fit = least_squares(draw);
     squares += fit.centroid.z * fit.centroid.z;
     REQUIRE(settle(draw, fit));
@@ -121,12 +121,12 @@ TEST_CASE("contaminated_plane__is_least_squares_among_points_of_its_own") {
 }
 
 TEST_CASE("contaminated_plane__leaves_what_it_cannot_tell") {
-  const Draw little = strip(1, 12, 0);
+  const ContaminatedPlaneDraw little = strip(1, 12, 0);
   PlaneFit fit = least_squares(little);
   const PlaneFit before = fit;
   CHECK_FALSE(settle(little, fit));
   CHECK(fit.plane.offset == before.plane.offset);
-  Draw exact = strip(1, 100, 0);
+  ContaminatedPlaneDraw exact = strip(1, 100, 0);
   for (Vec3& p : exact.points) p.z = 0;
   PlaneFit flat = least_squares(exact);
   CHECK_FALSE(settle(exact, flat));
@@ -158,7 +158,7 @@ TEST_CASE("contamination_table__derivatives_are_those_of_its_log_density") {
 }
 
 TEST_CASE("turn_over__keeps_the_covariance_of_normal_and_offset_up_to_its_sign") {
-  const Draw draw = strip(3, 400, 40);
+  const ContaminatedPlaneDraw draw = strip(3, 400, 40);
   PlaneFit fit = least_squares(draw);
   REQUIRE(settle(draw, fit));
   shift_origin(fit, {10, -20, 5});

@@ -11,7 +11,7 @@ using namespace jalon;
 
 namespace {
 
-constexpr double kSigma_m = 0.006, kTolerance_m = 0.025;
+constexpr double kContaminationSigma_m = 0.006, kContaminationTolerance_m = 0.025;
 
 double normal_density(double z) { return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi); }
 
@@ -30,19 +30,20 @@ TEST_CASE("lost_by_truncation__is_what_cutting_takes_from_the_variance") {
   for (const double k : {0.5, 1.0, 2.58, 5.0}) {
     const double mass = integral(k, normal_density);
     const double variance = integral(k, [](double z) { return z * z * normal_density(z); }) / mass;
-    CHECK(1 - lost_by_truncation(k * kSigma_m, kSigma_m) ==
+    CHECK(1 - lost_by_truncation(k * kContaminationSigma_m, kContaminationSigma_m) ==
           doctest::Approx(variance).epsilon(1e-6));
   }
 }
 
 TEST_CASE("contamination_table__pure_core__is_the_truncated_normal_density") {
-  const ContaminationTable table({kSigma_m, kTolerance_m, 0, 0});
-  const double mass = integral(kTolerance_m / kSigma_m, normal_density);
+  const ContaminationTable table({kContaminationSigma_m, kContaminationTolerance_m, 0, 0});
+  const double mass = integral(kContaminationTolerance_m / kContaminationSigma_m, normal_density);
   for (const double r : {-0.02, -0.003, 0.0, 0.006, 0.019}) {
     const auto w = table.weights(r);
-    const double density = normal_density(r / kSigma_m) / kSigma_m / mass;
+    const double density = normal_density(r / kContaminationSigma_m) / kContaminationSigma_m / mass;
     CHECK(std::exp(w.log_density) == doctest::Approx(density).epsilon(0.002));
-    CHECK(w.slope == doctest::Approx(-r / (kSigma_m * kSigma_m)).epsilon(0.002));
+    CHECK(w.slope ==
+          doctest::Approx(-r / (kContaminationSigma_m * kContaminationSigma_m)).epsilon(0.002));
     CHECK(w.core == doctest::Approx(1));
     CHECK(w.front == 0);
     CHECK(w.behind == 0);
@@ -50,10 +51,10 @@ TEST_CASE("contamination_table__pure_core__is_the_truncated_normal_density") {
 }
 
 TEST_CASE("contamination_table__mixture__integrates_to_one_and_gives_the_shares_back") {
-  const Contamination c{kSigma_m, kTolerance_m, 0.2, 0.1};
+  const Contamination c{kContaminationSigma_m, kContaminationTolerance_m, 0.2, 0.1};
   const ContaminationTable table(c);
   const auto expected = [&](auto&& part) {
-    return integral(kTolerance_m, [&](double r) {
+    return integral(kContaminationTolerance_m, [&](double r) {
       const auto w = table.weights(r);
       return part(w) * std::exp(w.log_density);
     });
@@ -67,8 +68,9 @@ TEST_CASE("contamination_table__mixture__integrates_to_one_and_gives_the_shares_
 }
 
 TEST_CASE("contamination_table__front_and_behind_mirror_each_other_and_ends_hold_beyond") {
-  const ContaminationTable table({kSigma_m, kTolerance_m, 0.2, 0.1}, true),
-      mirror({kSigma_m, kTolerance_m, 0.1, 0.2}, true);
+  const ContaminationTable table({kContaminationSigma_m, kContaminationTolerance_m, 0.2, 0.1},
+                                 true),
+      mirror({kContaminationSigma_m, kContaminationTolerance_m, 0.1, 0.2}, true);
   for (const double r : {-0.024, -0.01, 0.0, 0.004, 0.017}) {
     const auto a = table.weights(r), b = mirror.weights(-r);
     CHECK(a.front == doctest::Approx(b.behind));
@@ -77,6 +79,6 @@ TEST_CASE("contamination_table__front_and_behind_mirror_each_other_and_ends_hold
     using T = ContaminationTable;
     CHECK(table.derivatives(r)[T::kF] == doctest::Approx(mirror.derivatives(-r)[T::kB]));
   }
-  CHECK(table.weights(1).log_density == table.weights(kTolerance_m).log_density);
-  CHECK(table.weights(-1).front == table.weights(-kTolerance_m).front);
+  CHECK(table.weights(1).log_density == table.weights(kContaminationTolerance_m).log_density);
+  CHECK(table.weights(-1).front == table.weights(-kContaminationTolerance_m).front);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "modelling/plane/vector_plane.h"
+#include "unit/modelling/plane_rings.h"
 
 namespace upright_planes {
 
@@ -12,12 +13,7 @@ using namespace jalon;
 
 inline constexpr double kSpacing_m = 0.05;
 
-inline VectorRing ring_of(std::vector<Vec2> corners) {
-  VectorRing ring;
-  ring.edges.assign(corners.size(), {});
-  ring.corners = std::move(corners);
-  return ring;
-}
+using rings::ring_of;
 inline VectorRing rectangle(double u0, double u1, double v0, double v1) {
   return ring_of({{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}});
 }

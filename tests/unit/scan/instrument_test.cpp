@@ -46,7 +46,7 @@ Spread spread_of(const Cloud& cloud) {
   return sum;
 }
 
-const ScanStation kOrigin = station_at({0, 0, 0});
+const ScanStation kInstrumentOrigin = station_at({0, 0, 0});
 
 /// The wall fills the view.
 StaticSettings wall_settings(double step_rad, const StaticSettings& more = {}) {
@@ -68,7 +68,7 @@ TEST_CASE("instrument__observations_spread_by_their_own_deviations") {
     params.range_noise_m = range_noise;
     params.angle_noise_rad = horizontal;
     params.seed = seed;
-    const Cloud cloud = scanned(far_wall(), params, {&kOrigin, 1});
+    const Cloud cloud = scanned(far_wall(), params, {&kInstrumentOrigin, 1});
     REQUIRE(cloud.size() > 10000);
     double squares[3] = {};
     for (size_t i = 0; i < cloud.size(); ++i) {
@@ -83,22 +83,22 @@ TEST_CASE("instrument__observations_spread_by_their_own_deviations") {
 }
 
 TEST_CASE("instrument__vertical_noise_alone_and_by_default_that_of_the_horizontal_angle") {
-  const Cloud alone =
-      scanned(far_wall(), wall_settings(0.004, {.vertical_noise_rad = 1e-4}), {&kOrigin, 1});
+  const Cloud alone = scanned(far_wall(), wall_settings(0.004, {.vertical_noise_rad = 1e-4}),
+                              {&kInstrumentOrigin, 1});
   const Spread spread = spread_of(alone);
   CHECK(is_chi_squared(spread.vertical / 1e-8, spread.n));
   CHECK(spread.horizontal < 1e-20);
   StaticSettings params = wall_settings(0.004);
   params.angle_noise_rad = 1e-4;
-  const Cloud both = scanned(far_wall(), params, {&kOrigin, 1});
+  const Cloud both = scanned(far_wall(), params, {&kInstrumentOrigin, 1});
   params.vertical_noise_rad = 1e-4;
-  CHECK(same_clouds(both, scanned(far_wall(), params, {&kOrigin, 1})));
+  CHECK(same_clouds(both, scanned(far_wall(), params, {&kInstrumentOrigin, 1})));
 }
 
 TEST_CASE("instrument__gx_scatters_as_its_maker_says") {
   // Boulaassal 2010, 5.3.3: 11.58 mm at 100 m on the horizon; the maker says 12.
   StaticSettings params = wall_settings(0.0015, {.instrument = StaticSettings::Instrument::kGx});
-  const Cloud cloud = scanned(far_wall(), params, {&kOrigin, 1});
+  const Cloud cloud = scanned(far_wall(), params, {&kInstrumentOrigin, 1});
   const Spread spread = spread_of(cloud);
   CHECK(is_chi_squared(spread.range / (0.007 * 0.007), spread.n));
   CHECK(is_chi_squared(spread.horizontal / (60e-6 * 60e-6), spread.n));

@@ -11,10 +11,10 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr int kWall = 1;
+constexpr int kStreetWall = 1;
 
 // True when the folder with the real scans is there; else says so.
-bool have(const Scene& scene) {
+bool street_have(const Scene& scene) {
   if (!scene.points.empty()) return true;
   MESSAGE("skipped: the real scans are not on this machine");
   return false;
@@ -24,7 +24,7 @@ bool have(const Scene& scene) {
 size_t wall_points_near(const Scene& scene, const Segment& segment, double reach_m) {
   size_t count = 0;
   for (size_t i = 0; i < scene.points.size(); ++i)
-    count += scene.faces[i] == kWall &&
+    count += scene.faces[i] == kStreetWall &&
              std::fabs(segment.fit.plane.distance(scene.points[i])) <= reach_m;
   return count;
 }
@@ -33,7 +33,7 @@ struct Found {
   size_t near = 0, labelled = 0;
 };
 Found found(const Scene& scene, const Segmentation& s, const Segment& segment) {
-  return {wall_points_near(scene, segment, 0.03), overlap(scene, s, kWall, segment.label)};
+  return {wall_points_near(scene, segment, 0.03), overlap(scene, s, kStreetWall, segment.label)};
 }
 
 // The largest segments of the wall that lie this far behind the main plane.
@@ -46,7 +46,7 @@ std::vector<const Segment*> recesses(const Scene& scene, const Segmentation& s, 
         std::fabs(dot(wall.fit.plane.normal, segment.fit.plane.normal)) < 0.998)
       continue;
     if (std::fabs(depth - depth_m) < 0.05 &&
-        2 * overlap(scene, s, kWall, segment.label) > segment.fit.n)
+        2 * overlap(scene, s, kStreetWall, segment.label) > segment.fit.n)
       out.push_back(&segment);
   }
   return out;
@@ -56,7 +56,7 @@ std::vector<const Segment*> recesses(const Scene& scene, const Segmentation& s, 
 
 TEST_CASE("ransac finds the wall of street 1 once and the recess behind it, whatever the seed") {
   const Scene scene = street("street_1.txt");
-  if (!have(scene)) return;
+  if (!street_have(scene)) return;
   const CloudPtr cloud = cloud_of(scene.points);
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);
@@ -76,7 +76,7 @@ TEST_CASE("ransac finds the wall of street 1 once and the recess behind it, what
       if (other.label != 1 &&
           std::fabs(dot(other.fit.plane.normal, wall.fit.plane.normal)) > 0.998 &&
           std::fabs(wall.fit.plane.distance(other.fit.centroid)) < 0.02)
-        CHECK(overlap(scene, s, kWall, other.label) < 220);  // 1 % of the wall
+        CHECK(overlap(scene, s, kStreetWall, other.label) < 220);  // 1 % of the wall
     const auto behind = recesses(scene, s, 0.22);
     REQUIRE(behind.size() >= 1);
     const Found r = found(scene, s, *behind[0]);
@@ -91,7 +91,7 @@ TEST_CASE("ransac finds the wall of street 1 once and the recess behind it, what
 
 TEST_CASE("ransac finds the wall of street 3 and the panels behind it, whatever the seed") {
   const Scene scene = street("street_3.txt");
-  if (!have(scene)) return;
+  if (!street_have(scene)) return;
   const CloudPtr cloud = cloud_of(scene.points);
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);
@@ -100,7 +100,7 @@ TEST_CASE("ransac finds the wall of street 3 and the panels behind it, whatever 
     const Found f = found(scene, s, s.segments[0]);
     const auto behind = recesses(scene, s, 0.14);
     size_t panels = 0;
-    for (const Segment* panel : behind) panels += overlap(scene, s, kWall, panel->label);
+    for (const Segment* panel : behind) panels += overlap(scene, s, kStreetWall, panel->label);
     MESSAGE("seed " << seed << ": wall " << f.labelled << " labelled, " << f.near
                     << " within 3 cm, sigma " << s.segments[0].fit.sigma * 1e3 << " mm; "
                     << behind.size() << " panels behind with " << panels);
@@ -113,9 +113,9 @@ TEST_CASE("ransac finds the wall of street 3 and the panels behind it, whatever 
 
 TEST_CASE("ransac joins the panels of street 3 to one plane when the merge gap spans them") {
   const Scene scene = street("street_3.txt");
-  if (!have(scene)) return;
+  if (!street_have(scene)) return;
   const Segmentation s = run(cloud_of(scene.points), ransac_params("{\"merge_gap_m\": 6}"));
-  const size_t panels = overlap(scene, s, kWall, 2);
+  const size_t panels = overlap(scene, s, kStreetWall, 2);
   MESSAGE("second segment: " << panels << " wall points");
   CHECK(std::fabs(static_cast<double>(panels) - 5100) <= 0.02 * 5100);
 }

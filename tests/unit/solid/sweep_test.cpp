@@ -14,7 +14,7 @@ using namespace jalon::test;
 
 namespace {
 
-Task::Hooks threads(unsigned count) {
+Task::Hooks sweep_threads(unsigned count) {
   Task::Hooks hooks;
   hooks.threads = count;
   return hooks;
@@ -94,7 +94,7 @@ TEST_CASE("sweep_gauge__equals_brute_force_on_200_random_scenes") {
     const Scene scene(seed);
     Box3 box;
     for (size_t i = 0; i < scene.xyz.size() / 3; ++i) box.add(scene.point(i));
-    Task task(threads(1));
+    Task task(sweep_threads(1));
     const auto octree = Octree::build(scene.xyz, enclosing_cube(box), task);
     const TriangleBoxes boxes(scene.vertices, scene.triangles);
     const SweepSettings settings{100, 100};  // everything is a place
@@ -194,7 +194,7 @@ TEST_CASE("sweep_gauge__gives_the_same_bits_for_any_number_of_threads_and_far_fr
     for (size_t i = 0; i < xyz.size(); i += 3) box.add({xyz[i], xyz[i + 1], xyz[i + 2]});
     for (Transform& t : poses)
       for (size_t i = 0; i < 3; ++i) t.m[4 * i + 3] += shift[int(i)];
-    Task task(threads(turn == 1 ? 4 : 1));
+    Task task(sweep_threads(turn == 1 ? 4 : 1));
     const auto octree = Octree::build(xyz, enclosing_cube(box), task);
     const SweepResult result =
         sweep_gauge(scene.pieces, poses, {octree.get(), xyz, nullptr}, {2, 5}, task);

@@ -45,8 +45,8 @@ Plate two_squares(uint64_t seed) {
   return plate;
 }
 
-Regions regions_of(const Comparison& comparison, unsigned threads = 1, double threshold_m = 0.05,
-                   const Cloud* reference = nullptr) {
+ChangeRegions regions_of(const Comparison& comparison, unsigned threads = 1,
+                         double threshold_m = 0.05, const Cloud* reference = nullptr) {
   RegionSettings settings;
   settings.threshold_m = threshold_m;
   Task::Hooks hooks;
@@ -118,8 +118,8 @@ TEST_CASE("regions__volumes_of_a_heap_a_pit_and_a_slab_are_right_to_three_percen
   for (const Row& row : rows) {
     CloudPtr reference;
     const Comparison plain = compared(row.height, 11, reference);
-    const Regions told = regions_of(plain, 2, 0.02, reference.get()),
-                  alone = regions_of(plain, 2, 0.02);
+    const ChangeRegions told = regions_of(plain, 2, 0.02, reference.get()),
+                        alone = regions_of(plain, 2, 0.02);
     REQUIRE(told.regions.size() >= 1);
     const double by_points = told.regions[0].volume_m3, by_plane = alone.regions[0].volume_m3;
     MESSAGE("FIGURE volume of a " << std::string(row.name) << " of " << row.volume_m3
@@ -135,14 +135,14 @@ TEST_CASE("regions__volume_of_a_standing_box_is_that_below_its_top") {
                    after = comparison_of(standing_box(true));
   Task task;
   const Comparison made = compare_distance(before.cloud, after.cloud, {}, task);
-  const Regions found = regions_of(made, 1, 0.05, before.cloud.get());
+  const ChangeRegions found = regions_of(made, 1, 0.05, before.cloud.get());
   REQUIRE(found.regions.size() == 1);
   MESSAGE("FIGURE volume of a standing box of 2 m3: " << found.regions[0].volume_m3);
   CHECK(std::abs(found.regions[0].volume_m3 / 2 - 1) < 0.03);
 }
 
 TEST_CASE("regions__finds_two_lifted_squares_with_area_distance_and_box") {
-  const Regions found = regions_of(comparison_of(two_squares(1)));
+  const ChangeRegions found = regions_of(comparison_of(two_squares(1)));
   REQUIRE(found.regions.size() == 2);
   MESSAGE("FIGURE areas of squares of 4 and 1 m2: " << found.regions[0].area_m2 << ", "
                                                     << found.regions[1].area_m2);
@@ -157,15 +157,15 @@ TEST_CASE("regions__finds_two_lifted_squares_with_area_distance_and_box") {
 
 TEST_CASE("regions__are_the_same_for_any_threads_and_on_a_national_grid") {
   const Plate plate = two_squares(2);
-  const Regions here = regions_of(comparison_of(plate));
-  const Regions threads = regions_of(comparison_of(plate), 3);
+  const ChangeRegions here = regions_of(comparison_of(plate));
+  const ChangeRegions threads = regions_of(comparison_of(plate), 3);
   CHECK(here.labels == threads.labels);
   CHECK(here.regions[0].area_m2 == threads.regions[0].area_m2);
   CHECK(here.regions[0].centroid == threads.regions[0].centroid);
   Plate snapped = plate;
   for (double& v : snapped.xyz) v = std::round(v * 1024) / 1024;
-  const Regions local = regions_of(comparison_of(snapped));
-  const Regions grid = regions_of(comparison_of(snapped, {652000, 6861000, 100}));
+  const ChangeRegions local = regions_of(comparison_of(snapped));
+  const ChangeRegions grid = regions_of(comparison_of(snapped, {652000, 6861000, 100}));
   CHECK(local.labels == grid.labels);
   CHECK(local.regions[0].area_m2 == grid.regions[0].area_m2);
 }
@@ -175,7 +175,7 @@ TEST_CASE("regions__of_an_unchanged_cloud_are_none_and_small_ones_are_dropped") 
   for (int i = 0; i < 100; ++i) plate.add(i, 0, 0, 0.001);
   CHECK(regions_of(comparison_of(plate)).regions.empty());
   for (int i = 0; i < 9; ++i) plate.add(200 + 0.01 * i, 0, 0, 1);
-  const Regions found = regions_of(comparison_of(plate));
+  const ChangeRegions found = regions_of(comparison_of(plate));
   CHECK(found.regions.empty());
   CHECK(found.changed[105] == 1);
   CHECK(found.labels[105] == 0);

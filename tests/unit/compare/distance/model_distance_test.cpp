@@ -15,7 +15,7 @@ using namespace jalon;
 
 namespace {
 
-CloudPtr cloud_of(const std::vector<Vec3>& points) {
+CloudPtr points_cloud_of(const std::vector<Vec3>& points) {
   Buffer<double> xyz(3 * points.size());
   for (size_t i = 0; i < points.size(); ++i)
     for (int a = 0; a < 3; ++a) xyz[3 * i + static_cast<size_t>(a)] = points[i][a];
@@ -27,7 +27,8 @@ Comparison compared(const Model& model, const std::vector<Vec3>& points,
   Task::Hooks hooks;
   hooks.threads = threads;
   Task task(hooks);
-  return compare_with_model(std::make_shared<const Model>(model), cloud_of(points), settings, task);
+  return compare_with_model(std::make_shared<const Model>(model), points_cloud_of(points), settings,
+                            task);
 }
 
 std::vector<double> distances(const Comparison& made) {

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kNoise = 0.003;  // m
 
-CloudPtr cloud_of(const std::vector<double>& xyz, const std::vector<double>& covariances = {}) {
+CloudPtr level_of_detection_cloud_of(const std::vector<double>& xyz,
+                                     const std::vector<double>& covariances = {}) {
   Buffer<double> buffer(xyz.size());
   std::copy(xyz.begin(), xyz.end(), buffer.data());
   Cloud cloud = make_cloud(std::move(buffer));
@@ -58,7 +59,8 @@ double share_within(const CloudPtr& reference, const CloudPtr& compared, size_t 
     for (const double c : {static_cast<double>(d % side), static_cast<double>(d / side), 0.0})
       centres.push_back(c);
   Task task;
-  const Comparison made = compare_m3c2_core(reference, compared, cloud_of(centres), settings, task);
+  const Comparison made =
+      compare_m3c2_core(reference, compared, level_of_detection_cloud_of(centres), settings, task);
   REQUIRE(made.summary.require("compared").number(0) == static_cast<double>(side * side));
   return 1 - made.summary.require("significant").number(0) / static_cast<double>(side * side);
 }
@@ -81,8 +83,8 @@ TEST_CASE("lod__false_alarms_are_five_percent_where_nothing_moved") {
   const size_t side = 60;  // 3600 cylinders: the share is known to 0.4 %
   for (const size_t n : {10, 11, 15, 20, 30, 60}) {
     for (const Position position : {Position::kMedian, Position::kMean}) {
-      const auto a = cloud_of(discs(side, n, 2 * n, normal_noise).xyz);
-      const auto b = cloud_of(discs(side, n, 2 * n + 1, normal_noise).xyz);
+      const auto a = level_of_detection_cloud_of(discs(side, n, 2 * n, normal_noise).xyz);
+      const auto b = level_of_detection_cloud_of(discs(side, n, 2 * n + 1, normal_noise).xyz);
       const double share = share_within(a, b, side, vertical(position));
       MESSAGE("FIGURE " << name_of(position) << " of " << n << " + " << n
                         << " points: " << 100 * share << " % within the level of detection");
@@ -96,7 +98,9 @@ TEST_CASE("lod__holds_for_unequal_samples_rough_noise_and_slopes") {
   const size_t side = 50;
   const auto check = [&](const char* what, const Discs& a, const Discs& b) {
     for (const Position position : {Position::kMedian, Position::kMean}) {
-      const double share = share_within(cloud_of(a.xyz), cloud_of(b.xyz), side, vertical(position));
+      const double share =
+          share_within(level_of_detection_cloud_of(a.xyz), level_of_detection_cloud_of(b.xyz), side,
+                       vertical(position));
       MESSAGE("FIGURE " << std::string(what) << ", " << name_of(position) << ": " << 100 * share
                         << " %");
       CHECK(share >= 0.93);
@@ -123,7 +127,7 @@ TEST_CASE("lod__normals_from_the_points_keep_the_false_alarms") {
       const double x = 15 * random.uniform(), y = 15 * random.uniform();
       for (const double c : {x, y, 0.3 * x - 0.2 * y + 0.0032 * random.normal()}) xyz.push_back(c);
     }
-    return cloud_of(xyz);
+    return level_of_detection_cloud_of(xyz);
   };
   std::vector<double> centres;
   for (double x = 0.5; x < 14.5; x += 0.33)
@@ -134,7 +138,7 @@ TEST_CASE("lod__normals_from_the_points_keep_the_false_alarms") {
     settings.position = position;
     Task task;
     const Comparison made =
-        compare_m3c2_core(slope(1), slope(2), cloud_of(centres), settings, task);
+        compare_m3c2_core(slope(1), slope(2), level_of_detection_cloud_of(centres), settings, task);
     const double n = made.summary.require("compared").number(0);
     const double share = 1 - made.summary.require("significant").number(0) / n;
     MESSAGE("FIGURE " << name_of(position) << ", normals at scale: " << 100 * share << " % of " << n
@@ -186,12 +190,14 @@ TEST_CASE("lod__point_covariances_are_propagated") {
     M3c2Settings settings = vertical(position);
     settings.precision_from = M3c2Settings::PrecisionFrom::kCovariances;
     settings.surfaces = M3c2Settings::Surfaces::kAll;
-    const double share = share_within(cloud_of(a.xyz, a.covariances),
-                                      cloud_of(b.xyz, b.covariances), side, settings);
+    const double share =
+        share_within(level_of_detection_cloud_of(a.xyz, a.covariances),
+                     level_of_detection_cloud_of(b.xyz, b.covariances), side, settings);
     MESSAGE("FIGURE point covariances, " << name_of(position) << ": " << 100 * share << " %");
     CHECK(share >= 0.93);
     CHECK(share <= 0.97);
-    CHECK_THROWS(share_within(cloud_of(a.xyz), cloud_of(b.xyz, b.covariances), side, settings));
+    CHECK_THROWS(share_within(level_of_detection_cloud_of(a.xyz),
+                              level_of_detection_cloud_of(b.xyz, b.covariances), side, settings));
   }
 }
 

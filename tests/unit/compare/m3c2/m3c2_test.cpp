@@ -15,9 +15,9 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr double kNoise = 0.003;  // m
+constexpr double kM3c2Noise = 0.003;  // m
 
-CloudPtr cloud_of(const std::vector<Vec3>& points) {
+CloudPtr m3c2_cloud_of(const std::vector<Vec3>& points) {
   Buffer<double> xyz(3 * points.size());
   for (size_t i = 0; i < points.size(); ++i)
     for (int c = 0; c < 3; ++c) xyz[3 * i + static_cast<size_t>(c)] = points[i][c];
@@ -26,7 +26,7 @@ CloudPtr cloud_of(const std::vector<Vec3>& points) {
 
 using S = M3c2Settings;
 
-std::string name_of(S::Position position) {
+std::string m3c2_name_of(S::Position position) {
   return position == S::Position::kMedian ? "median" : "mean";
 }
 
@@ -52,7 +52,7 @@ std::vector<Vec3> plane(size_t n, double size, const Vec3& normal, double moved_
     const double a = size * (random.uniform() - 0.5), b = size * (random.uniform() - 0.5);
     const bool stray = random.uniform() < outliers;
     const double noise = random.normal(), anywhere = random.uniform() - 0.5;
-    const double t = stray ? 2 * anywhere : moved_m + kNoise * noise;
+    const double t = stray ? 2 * anywhere : moved_m + kM3c2Noise * noise;
     p = Vec3{size, size, size} * 0.5 + a * u + b * v + t * up;
   }
   return points;
@@ -64,7 +64,7 @@ std::vector<Vec3> pane_and_curtain(size_t n, uint64_t stream) {
   std::vector<Vec3> points(n);
   for (Vec3& p : points) {
     const double x = 4 * random.uniform(), z = 3 * random.uniform(),
-                 noise = kNoise * random.normal();
+                 noise = kM3c2Noise * random.normal();
     const bool curtain = random.uniform() < 0.45;
     p = {x, curtain ? 0.3 + noise : noise, z};
     if (random.uniform() < 0.05) p.y = 2 * random.uniform() - 1;
@@ -97,15 +97,15 @@ Errors errors(const Comparison& made, double truth, double border_m, double size
 TEST_CASE("m3c2__finds_planted_displacements_within_three_tenths_of_a_millimetre") {
   for (const double moved_m : {0.005, 0.010, 0.020, -0.020}) {
     const Vec3 normal{0.4, -0.3, 0.8};
-    const auto reference = cloud_of(plane(8000, 4, normal, 0, 1));
-    const auto compared = cloud_of(plane(8000, 4, normal, moved_m, 2));
+    const auto reference = m3c2_cloud_of(plane(8000, 4, normal, 0, 1));
+    const auto compared = m3c2_cloud_of(plane(8000, 4, normal, moved_m, 2));
     for (const auto position : {S::Position::kMedian, S::Position::kMean}) {
       S s;
       s.position = position;
       s.core_spacing_m = 0.15;
       const Comparison made = run(reference, compared, s);
       const Errors e = errors(made, moved_m, 0.3, 4);
-      MESSAGE("FIGURE " << name_of(position) << " of " << 1000 * moved_m << " mm: " << e.count
+      MESSAGE("FIGURE " << m3c2_name_of(position) << " of " << 1000 * moved_m << " mm: " << e.count
                         << " core points, mean " << 1000 * e.mean << " mm off, RMS " << 1000 * e.rms
                         << " mm");
       CHECK(e.count > 300);
@@ -129,8 +129,8 @@ TEST_CASE("m3c2__equals_a_slow_independent_implementation") {
       s.surfaces = nearest ? S::Surfaces::kNearest : S::Surfaces::kAll;
       s.registration_error_m = 0.001;
       Task task;
-      const Comparison made =
-          compare_m3c2_core(cloud_of(reference), cloud_of(compared), cloud_of(core), s, task);
+      const Comparison made = compare_m3c2_core(m3c2_cloud_of(reference), m3c2_cloud_of(compared),
+                                                m3c2_cloud_of(core), s, task);
       SlowM3c2 slow;
       slow.median = median;
       slow.gap_m = nearest ? slow.cylinder_radius_m / 3 : 0;
@@ -162,8 +162,8 @@ TEST_CASE("m3c2__equals_a_slow_independent_implementation") {
 }
 
 TEST_CASE("m3c2__medians_and_surfaces_stand_outliers_and_second_surfaces_that_ruin_means") {
-  const auto reference = cloud_of(pane_and_curtain(40000, 3)),
-             compared = cloud_of(pane_and_curtain(40000, 4));
+  const auto reference = m3c2_cloud_of(pane_and_curtain(40000, 3)),
+             compared = m3c2_cloud_of(pane_and_curtain(40000, 4));
   double rms[2];
   for (const bool robust : {true, false}) {
     S s;
@@ -180,7 +180,8 @@ TEST_CASE("m3c2__medians_and_surfaces_stand_outliers_and_second_surfaces_that_ru
     size_t count = 0, far = 0;
     for (size_t i = 0; i < made.cloud->size(); ++i) {
       const Vec3 q = made.cloud->point(i);
-      const bool on_surface = std::fabs(q.y) < 3 * kNoise || std::fabs(q.y - 0.3) < 3 * kNoise;
+      const bool on_surface =
+          std::fabs(q.y) < 3 * kM3c2Noise || std::fabs(q.y - 0.3) < 3 * kM3c2Noise;
       if (!on_surface || std::isnan(distance[i])) continue;
       sum += distance[i] * distance[i];
       far += std::fabs(distance[i]) > 0.01;
@@ -200,7 +201,7 @@ TEST_CASE("m3c2__gives_the_same_bits_for_any_number_of_threads_and_on_the_nation
   const auto snap = [](std::vector<Vec3> points, const Vec3& by) {
     for (Vec3& p : points)
       for (int c = 0; c < 3; ++c) p[c] = std::round(p[c] * 0x1p17) * 0x1p-17 + by[c];
-    return cloud_of(points);
+    return m3c2_cloud_of(points);
   };
   const auto a = pane_and_curtain(20000, 5), b = pane_and_curtain(20000, 6);
   const Vec3 far{652000, 6861000, 120};
@@ -229,7 +230,7 @@ TEST_CASE("m3c2__says_why_a_core_point_has_no_distance") {
   std::vector<Vec3> compared;
   for (const Vec3& p : plane(4000, 4, {0, 0, 1}, 0, 8))
     if (p.x < 2) compared.push_back(p);
-  const Comparison made = run(cloud_of(reference), cloud_of(compared));
+  const Comparison made = run(m3c2_cloud_of(reference), m3c2_cloud_of(compared));
   const auto distance = doubles(made, "distance");
   const auto status = made.points.require("status").values<uint8_t>();
   for (size_t i = 0; i < reference.size(); ++i) {
@@ -242,7 +243,7 @@ TEST_CASE("m3c2__says_why_a_core_point_has_no_distance") {
   // No overlap at all: a success that says so.
   std::vector<Vec3> elsewhere = compared;
   for (Vec3& p : elsewhere) p.x += 1000;
-  const Comparison apart = run(cloud_of(reference), cloud_of(elsewhere));
+  const Comparison apart = run(m3c2_cloud_of(reference), m3c2_cloud_of(elsewhere));
   CHECK(apart.summary.require("compared").number(0) == 0);
   CHECK(std::isnan(apart.summary.require("mean").number(0)));
 }
@@ -250,7 +251,7 @@ TEST_CASE("m3c2__says_why_a_core_point_has_no_distance") {
 TEST_CASE("m3c2__normals_follow_their_mode_and_orientation") {
   const Vec3 slope = normalized({0.6, 0, 0.8});
   const auto points = plane(6000, 4, slope, 0, 9);
-  Cloud with_pose = *cloud_of(points);
+  Cloud with_pose = *m3c2_cloud_of(points);
   Station station;
   station.has_pose = true;
   station.pose.m[3] = -50;  // seen from below the slope
@@ -261,7 +262,7 @@ TEST_CASE("m3c2__normals_follow_their_mode_and_orientation") {
   const auto normal_of_middle = [&](const S& settings) {
     Task task;
     const Comparison made =
-        compare_m3c2_core(reference, reference, cloud_of({{2, 2, 2}}), settings, task);
+        compare_m3c2_core(reference, reference, m3c2_cloud_of({{2, 2, 2}}), settings, task);
     const auto n = doubles(made, "normal");
     return Vec3{n[0], n[1], n[2]};
   };
@@ -288,12 +289,12 @@ TEST_CASE("m3c2__several_scales_take_the_flattest") {
     const double x = 4 * random.uniform(), y = 4 * random.uniform();
     points.push_back({x, y, (x > 2 ? 0.3 : 0) + 0.001 * random.normal()});
   }
-  const auto cloud = cloud_of(points);
+  const auto cloud = m3c2_cloud_of(points);
   const auto radius_at = [&](double x) {
     S s;
     s.normal_radii_m = {0.8, 0.2};
     Task task;
-    const Comparison made = compare_m3c2_core(cloud, cloud, cloud_of({{x, 2, 0}}), s, task);
+    const Comparison made = compare_m3c2_core(cloud, cloud, m3c2_cloud_of({{x, 2, 0}}), s, task);
     CHECK(doubles(made, "normal")[2] > 0.999);
     return doubles(made, "normal_radius")[0];
   };
@@ -302,7 +303,7 @@ TEST_CASE("m3c2__several_scales_take_the_flattest") {
 }
 
 TEST_CASE("m3c2__refuses_core_points_closer_than_a_micrometre") {
-  const auto cloud = cloud_of(plane(500, 1, {0, 0, 1}, 0, 1));
+  const auto cloud = m3c2_cloud_of(plane(500, 1, {0, 0, 1}, 0, 1));
   S s;
   s.core_spacing_m = 1e-9;
   CHECK_THROWS_AS(run(cloud, cloud, s), Error);

@@ -141,8 +141,8 @@ TEST_CASE("preview__of_single_equal_and_far_points") {
           (measure == Measure::kMean ? 0 : 4));
     CHECK(previewed(one, far, settings).points.require("status").number(0) == 4);
     CHECK_NOTHROW(previewed(one, square, {measure, 1, 12}));
-    CHECK_THROWS_AS(previewed(cloud_of({}), square, settings), Error);
-    CHECK_THROWS_AS(previewed(square, cloud_of({}), settings), Error);
+    CHECK_THROWS_AS(previewed(cloud_of(std::vector<double>{}), square, settings), Error);
+    CHECK_THROWS_AS(previewed(square, cloud_of(std::vector<double>{}), settings), Error);
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kNoise_m = 0.01;
 
-Cloud cloud_of(const std::vector<Vec3>& points) {
+Cloud volume_cloud_of(const std::vector<Vec3>& points) {
   Buffer<double> xyz(3 * points.size());
   for (size_t i = 0; i < points.size(); ++i)
     for (int a = 0; a < 3; ++a) xyz[3 * i + static_cast<size_t>(a)] = points[i][a];
@@ -44,7 +44,7 @@ Cloud survey(bool after, uint64_t seed, size_t points = 250000, bool with_shadow
         ground(x, y) + (after ? pit(x, y) + heap(x, y) : 0) + kNoise_m * random.normal();
     out.push_back({x, y, z});
   }
-  return cloud_of(out);
+  return volume_cloud_of(out);
 }
 
 double of(const Volume& volume, const char* name) { return volume.summary.require(name).number(0); }
@@ -151,11 +151,13 @@ TEST_CASE("volume__along_another_direction") {
   settings.direction = {2, 0, 0};
   settings.cell_m = 0.5;
   Task task;
-  const Volume found = volume_between(cloud_of(before), cloud_of(after), settings, task);
+  const Volume found =
+      volume_between(volume_cloud_of(before), volume_cloud_of(after), settings, task);
   CHECK(of(found, "fill") == doctest::Approx(10 * 5 * 0.1).epsilon(1e-12));
   CHECK(of(found, "cut") == 0);
   settings.direction = {0, 0, 0};
-  CHECK_THROWS_AS(volume_between(cloud_of(before), cloud_of(after), settings, task), Error);
+  CHECK_THROWS_AS(volume_between(volume_cloud_of(before), volume_cloud_of(after), settings, task),
+                  Error);
 }
 
 TEST_CASE("volume__of_closed_meshes_is_exact_and_open_ones_are_told") {

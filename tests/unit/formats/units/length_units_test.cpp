@@ -60,6 +60,17 @@ TEST_CASE("length_units__wkt2_takes_the_unit_of_the_axes_or_of_the_system") {
   expect(units_of_crs(base + "AXIS[\"E\",east],AXIS[\"N\",north],LENGTHUNIT[\"metre\",1]]"), 1, 1);
 }
 
+TEST_CASE("length_units__a_projected_system_that_names_no_unit_has_that_of_its_code") {
+  for (const char* feet : {"PROJCS[\"p\",AUTHORITY[\"EPSG\",\"2263\"]]",
+                           " PROJCRS[\"p\",CS[Cartesian,2],AXIS[\"E\",east],ID[\"EPSG\",2263]]"})
+    expect(units_of_crs(feet), kUsFoot, kUsFoot);
+  const std::string metres = "UNIT[\"metre\",1],AUTHORITY[\"EPSG\",\"2263\"]";
+  expect(units_of_crs(projected(metres)), 1, 1);  // what it names goes first
+  expect(units_of_crs("PROJCS[\"p\",AUTHORITY[\"EPSG\",\"2154\"]]"), 1, 1);
+  CHECK(!units_of_crs("PROJCS[\"p\",AUTHORITY[\"IGNF\",\"2263\"]]").known);
+  CHECK(!units_of_crs("COMPD_CS[\"c\",AUTHORITY[\"EPSG\",\"2263\"]]").known);
+}
+
 TEST_CASE("length_units__a_compound_system_has_its_own_unit_of_height") {
   const std::string feet = projected("UNIT[\"foot\",0.3048]");
   const std::string metres = projected("UNIT[\"metre\",1]");

@@ -17,7 +17,7 @@ using namespace jalon;
 
 namespace {
 
-constexpr double kSpacing = 0.10;
+constexpr double kContourModesSpacing = 0.10;
 enum Place { kOuter, kHole, kInner };
 
 /// A wall of 3.0 x 3.5 m, a point every 0.10 m, those in a window of 1.1 x 1.6 m removed.
@@ -32,13 +32,14 @@ struct GridWall {
         const bool in_window = i >= 10 && i < 21 && j >= 10 && j < 26;
         const double u = random.uniform() - 0.5, v = random.uniform() - 0.5;
         if (in_window) continue;
-        band.points.push_back({kSpacing * i + 2 * jitter_m * u, kSpacing * j + 2 * jitter_m * v});
+        band.points.push_back({kContourModesSpacing * i + 2 * jitter_m * u,
+                               kContourModesSpacing * j + 2 * jitter_m * v});
         const bool is_outer = i == 0 || j == 0 || i == 30 || j == 35;
         const bool beside = i >= 9 && i < 22 && j >= 9 && j < 27;
         places.push_back(is_outer ? kOuter : beside ? kHole : kInner);
       }
     band.is_inner.assign(band.points.size(), 0);
-    band.spacing_m.assign(band.points.size(), static_cast<float>(kSpacing));
+    band.spacing_m.assign(band.points.size(), static_cast<float>(kContourModesSpacing));
   }
 };
 
@@ -85,7 +86,7 @@ constexpr Row kTable[] = {
 
 std::vector<uint32_t> contour_points(const GridWall& wall, const Row& row) {
   Task task;
-  const double size = row.spacings * kSpacing;
+  const double size = row.spacings * kContourModesSpacing;
   const std::string rule = row.rule;
   if (rule == "long edges")
     return long_edge_points(wall.band.points, all_triangles(wall.band, task), size);
@@ -118,11 +119,11 @@ TEST_CASE("contour__the_long_edge_threshold_lies_at_the_knee") {
   const GridWall wall(0.010);
   const auto lengths = edge_lengths(wall.band.points, all_triangles(wall.band, task));
   CHECK(std::is_sorted(lengths.begin(), lengths.end()));
-  const double threshold = long_edge_threshold(lengths, kSpacing);
-  MESSAGE("FIGURE knee at " << threshold / kSpacing << " spacings");
-  CHECK(threshold >= 2 * kSpacing);  // above every ordinary edge
-  CHECK(threshold <= 5 * kSpacing);
-  CHECK(long_edge_threshold({}, kSpacing) == doctest::Approx(3 * kSpacing));
+  const double threshold = long_edge_threshold(lengths, kContourModesSpacing);
+  MESSAGE("FIGURE knee at " << threshold / kContourModesSpacing << " spacings");
+  CHECK(threshold >= 2 * kContourModesSpacing);  // above every ordinary edge
+  CHECK(threshold <= 5 * kContourModesSpacing);
+  CHECK(long_edge_threshold({}, kContourModesSpacing) == doctest::Approx(3 * kContourModesSpacing));
 }
 
 TEST_CASE("contour__both_modes_find_the_window_and_alpha_closes_its_corners") {
@@ -140,7 +141,7 @@ TEST_CASE("contour__both_modes_find_the_window_and_alpha_closes_its_corners") {
     for (const Vec2& p : contour.pieces[0].openings[0])
       nearest[static_cast<int>(mode)] = std::min(nearest[static_cast<int>(mode)], norm(p - corner));
   }
-  CHECK(nearest[0] < 1.5 * kSpacing);
+  CHECK(nearest[0] < 1.5 * kContourModesSpacing);
   CHECK(nearest[0] <= nearest[1]);
 }
 

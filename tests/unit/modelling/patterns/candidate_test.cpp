@@ -12,8 +12,8 @@ using namespace jalon;
 
 namespace {
 
-Candidate candidate(double cost_m2, size_t points, double parameters) {
-  Candidate out;
+PatternCandidate candidate(double cost_m2, size_t points, double parameters) {
+  PatternCandidate out;
   out.signs = 1;
   out.cost_m2 = cost_m2;
   out.border.resize(points);
@@ -24,12 +24,12 @@ Candidate candidate(double cost_m2, size_t points, double parameters) {
 }  // namespace
 
 TEST_CASE("candidate__is_likelier_with_a_better_fit_fewer_parameters_and_any_sign") {
-  const Candidate good = candidate(1e-4, 40, 2), poor = candidate(4e-4, 40, 2),
-                  odd = candidate(1e-4, 40, 3);
+  const PatternCandidate good = candidate(1e-4, 40, 2), poor = candidate(4e-4, 40, 2),
+                         odd = candidate(1e-4, 40, 3);
   CHECK(good.is_likelier_than(poor));
   CHECK(!poor.is_likelier_than(good));
   CHECK(good.is_likelier_than(odd));
-  Candidate unseen = candidate(1e-8, 40, 0);
+  PatternCandidate unseen = candidate(1e-8, 40, 0);
   unseen.signs = 0;
   CHECK(poor.is_likelier_than(unseen));
   CHECK(!unseen.is_likelier_than(poor));
@@ -39,7 +39,7 @@ TEST_CASE("candidate__is_likelier_with_a_better_fit_fewer_parameters_and_any_sig
 
 TEST_CASE("candidate__more_parameters_must_pay_by_the_logarithm_of_the_points") {
   // Schwarz: n ln(copy / own) against (difference of parameters) ln(n).
-  const Candidate copy = candidate(4e-4, 20, 2);
+  const PatternCandidate copy = candidate(4e-4, 20, 2);
   const double even_m2 = 4e-4 * std::exp(-3 * std::log(20.0) / 20);
   CHECK(is_better_explained(copy, 0.99 * even_m2, 5));
   CHECK(!is_better_explained(copy, 1.01 * even_m2, 5));

@@ -28,14 +28,14 @@ FacadeWall wall_of_cells(F&& cell) {
   return out;
 }
 
-const std::vector<Vec2> kForm = rectangle({1, 1}, {2, 3}).corners;
+const std::vector<Vec2> kSiteForm = rectangle({1, 1}, {2, 3}).corners;
 bool in_form(const Vec2& p) { return p.u > 1 && p.u < 2 && p.v > 1 && p.v < 3; }
 
 }  // namespace
 
 TEST_CASE("site__a_form_lies_in_the_face_that_holds_all_of_it") {
   const FacadeWall wall = wall_of_cells([](const Vec2&) { return WallCell::kSolid; });
-  CHECK(piece_around(wall, kForm) == 0);
+  CHECK(piece_around(wall, kSiteForm) == 0);
   CHECK(piece_around(wall, rectangle({5, 1}, {6, 3}).corners) == 1);
   CHECK(piece_around(wall, rectangle({3.5, 1}, {4.5, 3}).corners) == 2);  // across both
   CHECK(piece_around(wall, rectangle({7, 1}, {9, 3}).corners) == 2);
@@ -47,9 +47,9 @@ TEST_CASE("site__points_of_the_wall_in_it_speak_against_a_copy_and_a_few_strays_
       return !in_form(p) || p.v < solid_to_v ? WallCell::kSolid : WallCell::kHidden;
     });
   };
-  CHECK(!shows_wall(with(0), kForm));
-  CHECK(!shows_wall(with(1.1), kForm));
-  CHECK(shows_wall(with(1.3), kForm));
+  CHECK(!shows_wall(with(0), kSiteForm));
+  CHECK(!shows_wall(with(1.1), kSiteForm));
+  CHECK(shows_wall(with(1.3), kSiteForm));
   CHECK(shows_wall(with(0), rectangle({1, 1}, {1.04, 1.04}).corners));  // too small to say
   CHECK(shows_wall(with(0), rectangle({5, 1}, {6, 3}).corners));
 }
@@ -58,14 +58,14 @@ TEST_CASE("site__a_hole_that_shows_more_than_the_form_has_another_form") {
   const FacadeWall wall = wall_of_cells([](const Vec2& p) {
     return p.u > 1 && p.u < 3 && p.v > 1 && p.v < 3 ? WallCell::kThrough : WallCell::kSolid;
   });
-  CHECK(shows_more(wall, rectangle({1, 1}, {3, 3}), kForm));
-  CHECK(!shows_more(wall, rectangle({1, 1}, {2, 3}), kForm));
-  CHECK(!shows_more(wall, rectangle({1, 1}, {2.1, 3}), kForm));
+  CHECK(shows_more(wall, rectangle({1, 1}, {3, 3}), kSiteForm));
+  CHECK(!shows_more(wall, rectangle({1, 1}, {2, 3}), kSiteForm));
+  CHECK(!shows_more(wall, rectangle({1, 1}, {2.1, 3}), kSiteForm));
 }
 
 TEST_CASE("site__the_spacing_beside_a_box_grows_where_only_some_cells_have_points") {
   RingBox box;
-  box.add(std::span<const Vec2>(kForm));
+  box.add(std::span<const Vec2>(kSiteForm));
   const auto spacing = [&](int one_of) {
     int k = 0;
     return spacing_beside(wall_of_cells([&](const Vec2&) {

@@ -54,7 +54,7 @@ TEST_CASE("pair_terms__of_parallel_planes_weigh_1_across_and_little_along") {
   double across = 0, squares = 0;
   for (const PairTerm& term : terms) {
     if (std::abs(dot(term.normal, n)) > 0.99) across = term.weight;
-    else CHECK(term.weight == doctest::Approx(1e-3).epsilon(1e-6));
+    else CHECK(term.weight == doctest::Approx(1e-3).scale(0).epsilon(1e-6));
     squares += term.weight * term.residual_m * term.residual_m;
   }
   CHECK(across == doctest::Approx(1).epsilon(1e-6));
@@ -83,5 +83,5 @@ TEST_CASE("pair_terms__of_two_planes_are_the_form_of_both_shapes") {
   const Vec3 solved =
       (cross(b, c) * pair.offset.x + cross(c, a) * pair.offset.y + cross(a, b) * pair.offset.z) /
       volume;
-  CHECK(squares == doctest::Approx(2e-3 * dot(pair.offset, solved)).epsilon(1e-9));
+  CHECK(squares == doctest::Approx(2e-3 * dot(pair.offset, solved)).scale(0).epsilon(1e-9));
 }

@@ -19,7 +19,7 @@ using namespace jalon;
 
 namespace {
 
-constexpr double kRadius_m = 0.2, kHeight_m = 4, kNoise_m = 0.002;
+constexpr double kRadius_m = 0.2, kHeight_m = 4, kPatchesNoise_m = 0.002;
 
 // A column over flat ground, where most points are: these tell the noise.
 Cloud column_over_ground(size_t points) {
@@ -30,7 +30,7 @@ Cloud column_over_ground(size_t points) {
     const double column[3] = {kRadius_m * std::cos(angle), kRadius_m * std::sin(angle), z};
     const double ground[3] = {angle, 2 * std::numbers::pi * random.uniform(), -1};
     for (size_t c = 0; c < 3; ++c)
-      xyz[3 * i + c] = (i < points ? column : ground)[c] + kNoise_m * random.normal();
+      xyz[3 * i + c] = (i < points ? column : ground)[c] + kPatchesNoise_m * random.normal();
   }
   return make_cloud(std::move(xyz));
 }
@@ -80,8 +80,8 @@ TEST_CASE("icp_patches__planes_touch_a_column_instead_of_cutting_through_it") {
   CHECK(n >= 0.97 * static_cast<double>(all));
   CHECK(static_cast<double>(touching) >= 0.5 * n);
   CHECK(std::sqrt(turn2 / n) < 0.1);
-  CHECK(std::abs(height / n) < 0.3 * kNoise_m);
-  CHECK(std::sqrt(height2 / n) < kNoise_m);
+  CHECK(std::abs(height / n) < 0.3 * kPatchesNoise_m);
+  CHECK(std::sqrt(height2 / n) < kPatchesNoise_m);
 }
 
 TEST_CASE("icp_patches__a_pose_that_settles_on_them_is_nearer_than_one_of_pairs") {

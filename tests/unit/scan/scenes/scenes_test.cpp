@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "unit/scan/fixture.h"
+#include "unit/scan/scenes/built.h"
 
 using namespace jalon;
 using namespace jalon::test;
@@ -17,7 +17,7 @@ constexpr const char* kScenes[] = {"facade", "street",   "room",          "box",
                                    "normal", "patches",  "sills",         "robbery",  "lycee",
                                    "arches", "residence"};
 
-size_t parts_of_class(const Model& model, const std::string& part_class) {
+size_t scenes_parts_of_class(const Model& model, const std::string& part_class) {
   return static_cast<size_t>(
       std::count_if(model.parts.begin(), model.parts.end(),
                     [&](const Part& p) { return p.part_class == part_class; }));
@@ -31,6 +31,29 @@ const Face& only_face(const Model& model, const std::string& part_name) {
 }
 
 }  // namespace
+
+TEST_CASE("scene__faces_are_sound_at_the_ends_of_their_parameters") {
+  using Numbers = std::vector<std::pair<const char*, double>>;
+  const std::pair<const char*, Numbers> ends[] = {
+      {"facade", {{"reveal_m", 0}, {"frame_m", 0.5}, {"cornice_m", 0}, {"ground_m", 0.05}}},
+      {"facade", {{"reveal_m", 2}, {"frame_m", 0.5}, {"cornice_m", 3}, {"ground_m", 200}}},
+      {"facade",
+       {{"width_m", 2}, {"height_m", 3}, {"storeys", 1}, {"bays", 1}, {"ground_m", 0.01}}},
+      {"surrounds", {{"glass_m", 0}}},
+      {"surrounds", {{"glass_m", 1}}},
+      {"sills", {{"gap_m", 0}}},
+      {"sills", {{"gap_m", 1}}},
+      {"robbery", {{"depth_m", 0.01}}},
+      {"robbery", {{"depth_m", 5}}}};
+  for (const auto& [name, numbers] : ends) {
+    CAPTURE(std::string(name));
+    const Model model = scene(name, numbers);
+    for (const Face& face : model.faces) {
+      CAPTURE(face.id);
+      CHECK(is_sound(model, face));
+    }
+  }
+}
 
 TEST_CASE("scene__faces_rings_and_triangles_tell_the_same_truth") {
   for (const char* name : kScenes) {
@@ -78,8 +101,8 @@ TEST_CASE("scene_facade__is_a_wall_of_22_by_10_m_with_doors_windows_cornice_and_
   CHECK(box.min == Vec3{-4, -6, 0});
   CHECK(box.max.x == 26);
   CHECK(box.max.z == 10);
-  CHECK(parts_of_class(model, "window") == 19);
-  CHECK(parts_of_class(model, "door") == 2);
+  CHECK(scenes_parts_of_class(model, "window") == 19);
+  CHECK(scenes_parts_of_class(model, "door") == 2);
   const Face& wall = only_face(model, "wall");
   CHECK(wall.ring_count == 1 + 19);  // doors cut the outline
   CHECK(wall.plane.normal.y == doctest::Approx(-1));
@@ -130,14 +153,14 @@ TEST_CASE("scene_facade__has_no_gap_that_a_front_view_sees_through") {
 TEST_CASE("scene_facade__takes_other_sizes_and_refuses_impossible_ones") {
   const Model big = scene(
       "facade", {{"width_m", 60}, {"height_m", 20}, {"bays", 20}, {"storeys", 6}, {"doors", 3}});
-  CHECK(parts_of_class(big, "window") == 117);
-  CHECK(parts_of_class(big, "door") == 3);
+  CHECK(scenes_parts_of_class(big, "window") == 117);
+  CHECK(scenes_parts_of_class(big, "door") == 3);
   const Model bare =
       scene("facade", {{"doors", 0}, {"cornice_m", 0}, {"ground_m", 0}, {"reveal_m", 0}});
-  CHECK(parts_of_class(bare, "door") == 0);
-  CHECK(parts_of_class(bare, "reveal") == 0);
+  CHECK(scenes_parts_of_class(bare, "door") == 0);
+  CHECK(scenes_parts_of_class(bare, "reveal") == 0);
   const Model framed = scene("facade", {{"frame_m", 0.03}});
-  CHECK(parts_of_class(framed, "joinery") == 19);
+  CHECK(scenes_parts_of_class(framed, "joinery") == 19);
   CHECK_THROWS_AS(scene("facade", {{"bays", 20}}), Error);
   CHECK_THROWS_AS(scene("facade", {{"storeys", 5}}), Error);
   CHECK_THROWS_AS(scene("facade", {{"width_m", 1}}), Error);
@@ -151,9 +174,9 @@ TEST_CASE("scene_street__has_the_sizes_of_the_measured_scene_and_its_second_epoc
   CHECK(box.min.x == doctest::Approx(-0.06));
   CHECK(box.max.x == doctest::Approx(60.06));
   CHECK(box.max.z == doctest::Approx(18));
-  CHECK(parts_of_class(street, "window") == 3 * 6 + 4 * 6 * 2 + 4 * 7 + 3 * 7 + 4 * 7 - 0);
-  CHECK(parts_of_class(street, "facade") == 6);
-  CHECK(parts_of_class(street, "change") == 0);
+  CHECK(scenes_parts_of_class(street, "window") == 3 * 6 + 4 * 6 * 2 + 4 * 7 + 3 * 7 + 4 * 7 - 0);
+  CHECK(scenes_parts_of_class(street, "facade") == 6);
+  CHECK(scenes_parts_of_class(street, "change") == 0);
   const Model later = scene("street", {{"epoch", 2}});
-  CHECK(parts_of_class(later, "change") == 5);
+  CHECK(scenes_parts_of_class(later, "change") == 5);
 }

@@ -4,7 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <set>
 
 #include "base/random.h"
@@ -54,6 +56,28 @@ int64_t best_by_trial(const std::vector<WeightedEdge>& edges, uint32_t row, uint
   return best;
 }
 
+// The heaviest edge first, of the ends that are left.
+int64_t greedy_weight(std::vector<WeightedEdge> edges, uint32_t n) {
+  std::stable_sort(edges.begin(), edges.end(), [](const WeightedEdge& a, const WeightedEdge& b) {
+    return a.weight > b.weight;
+  });
+  std::vector<bool> rows(n), columns(n);
+  int64_t sum = 0;
+  for (const WeightedEdge& edge : edges) {
+    if (rows[edge.row] || columns[edge.column]) continue;
+    rows[edge.row] = columns[edge.column] = true;
+    sum += edge.weight;
+  }
+  return sum;
+}
+
+// Every row with its best column, whoever else has it.
+int64_t wished_weight(const std::vector<WeightedEdge>& edges, uint32_t n) {
+  std::vector<int64_t> best(n);
+  for (const WeightedEdge& edge : edges) best[edge.row] = std::max(best[edge.row], edge.weight);
+  return std::accumulate(best.begin(), best.end(), int64_t{0});
+}
+
 }  // namespace
 
 TEST_CASE("sparse assignment reaches the largest weight that trying everything finds") {
@@ -70,7 +94,8 @@ TEST_CASE("sparse assignment reaches the largest weight that trying everything f
   }
 }
 
-TEST_CASE("sparse assignment of 5000 rows and columns in one component takes no time to speak of") {
+TEST_CASE(
+    "sparse assignment of 5000 rows in one component weighs more than greed, less than wishes") {
   RandomStream random(2, 3);
   Task task;
   const uint32_t n = 5000;
@@ -81,6 +106,7 @@ TEST_CASE("sparse assignment of 5000 rows and columns in one component takes no 
       std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   MESSAGE("FIGURE assignment of 5000 x 5000 segments with " << edges.size()
                                                             << " overlaps: " << seconds << " s");
-  CHECK(weight_of(columns, edges) > 0);
-  CHECK(seconds < 20);
+  const int64_t weight = weight_of(columns, edges);
+  CHECK(weight > greedy_weight(edges, n));
+  CHECK(weight < wished_weight(edges, n));  // columns that several rows want are given once
 }

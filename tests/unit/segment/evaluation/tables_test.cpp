@@ -10,7 +10,7 @@ using namespace jalon;
 
 namespace {
 
-double value(const FieldTable& table, const char* name, size_t row = 0) {
+double tables_value(const FieldTable& table, const char* name, size_t row = 0) {
   return table.require(name).number(row);
 }
 
@@ -38,9 +38,9 @@ TEST_CASE("pair_table__a_row_a_pair_with_its_rates") {
   for (const auto& [name, number] : expected) {
     CAPTURE(name);
     CHECK(t.require(name).count() == 2);
-    CHECK(value(t, name, 1) == doctest::Approx(number));
+    CHECK(tables_value(t, name, 1) == doctest::Approx(number));
   }
-  CHECK(std::isnan(value(t, "angle", 0)));
+  CHECK(std::isnan(tables_value(t, "angle", 0)));
 }
 
 TEST_CASE("side_tables__each_side_has_its_own_verdicts_and_source_labels") {
@@ -51,16 +51,16 @@ TEST_CASE("side_tables__each_side_has_its_own_verdicts_and_source_labels") {
   e.reference_source = {99};
   const FieldTable a = automatic_table(e), r = reference_table(e);
   CHECK(a.require("label").count() == 2);
-  CHECK(value(a, "label", 1) == 2);
-  CHECK(value(a, "source_label", 1) == -4);
-  CHECK(value(a, "points", 0) == 100);
-  CHECK(value(a, "kept", 0) == 1);
-  CHECK(value(a, "kept", 1) == 0);
-  CHECK(value(a, "partner", 0) == 2);
-  CHECK(value(a, "covered", 0) == 90);
+  CHECK(tables_value(a, "label", 1) == 2);
+  CHECK(tables_value(a, "source_label", 1) == -4);
+  CHECK(tables_value(a, "points", 0) == 100);
+  CHECK(tables_value(a, "kept", 0) == 1);
+  CHECK(tables_value(a, "kept", 1) == 0);
+  CHECK(tables_value(a, "partner", 0) == 2);
+  CHECK(tables_value(a, "covered", 0) == 90);
   CHECK(r.require("label").count() == 1);
-  CHECK(value(r, "source_label") == 99);
-  CHECK(value(r, "parts") == 3);
+  CHECK(tables_value(r, "source_label") == 99);
+  CHECK(tables_value(r, "parts") == 3);
 }
 
 TEST_CASE("totals_table__one_row_whose_commission_and_omission_follow_from_the_sums") {
@@ -74,12 +74,12 @@ TEST_CASE("totals_table__one_row_whose_commission_and_omission_follow_from_the_s
   e.totals.offset_m = {0.5, 0.125};
   const FieldTable t = totals_table(e);
   CHECK(t.require("pairs").count() == 1);
-  CHECK(value(t, "pairs") == 3);
-  CHECK(value(t, "non_segmented") == 2);
-  CHECK(value(t, "commission") == 50);
-  CHECK(value(t, "omission") == 80);
-  CHECK(value(t, "global_tdr") == 0.25);
-  CHECK(value(t, "mean_offset_difference") == 0.5);
-  CHECK(value(t, "std_offset_difference") == 0.125);
-  CHECK(std::isnan(value(t, "mean_angle")));
+  CHECK(tables_value(t, "pairs") == 3);
+  CHECK(tables_value(t, "non_segmented") == 2);
+  CHECK(tables_value(t, "commission") == 50);
+  CHECK(tables_value(t, "omission") == 80);
+  CHECK(tables_value(t, "global_tdr") == 0.25);
+  CHECK(tables_value(t, "mean_offset_difference") == 0.5);
+  CHECK(tables_value(t, "std_offset_difference") == 0.125);
+  CHECK(std::isnan(tables_value(t, "mean_angle")));
 }

@@ -54,7 +54,7 @@ TEST_CASE("plane_axes__u_horizontal_v_upward_in_a_right_handed_frame") {
   RandomStream random(3, 7);
   for (int i = 0; i < 200; ++i) {
     const Vec3 n = normalized(Vec3{random.normal(), random.normal(), 0.5 * random.normal()});
-    const PlaneAxes axes = plane_axes(n);
+    const SurfaceAxes axes = plane_axes(n);
     CHECK(norm(cross(axes.u, axes.v) - n) < 1e-12);
     if (std::fabs(n.z) > 0.94) continue;
     CHECK(std::fabs(axes.u.z) < 1e-12);

@@ -19,7 +19,7 @@ using namespace jalon::test;
 
 namespace {
 
-std::shared_ptr<const TriangleTree> tree_of(const Mesh& mesh, unsigned threads = 0) {
+std::shared_ptr<const TriangleTree> ray_tree_of(const Mesh& mesh, unsigned threads = 0) {
   return built<TriangleTree>(mesh, threads);
 }
 
@@ -29,13 +29,13 @@ Vec3 random_point(RandomStream& random, double size) {
 }
 
 /// Coordinates on the 2^-20 m grid, which any whole-metre shift keeps.
-Vec3 on_grid(const Vec3& p) {
+Vec3 ray_on_grid(const Vec3& p) {
   const auto snap = [](double x) { return std::nearbyint(x * 0x1.0p20) * 0x1.0p-20; };
   return {snap(p.x), snap(p.y), snap(p.z)};
 }
 
 /// Small and large triangles, needles, points, duplicates.
-Mesh random_mesh(size_t n, uint64_t seed, double size = 10) {
+Mesh ray_mesh(size_t n, uint64_t seed, double size = 10) {
   Mesh mesh;
   RandomStream random(seed, 1);
   for (size_t i = 0; i < n; ++i) {
@@ -44,16 +44,16 @@ Mesh random_mesh(size_t n, uint64_t seed, double size = 10) {
     const Vec3 b = a + random_point(random, reach), c = a + random_point(random, reach);
     switch (i % 10) {
       case 7:
-        mesh.add(on_grid(a), on_grid(b), on_grid(a + (b - a) * 0.5));
+        mesh.add(ray_on_grid(a), ray_on_grid(b), ray_on_grid(a + (b - a) * 0.5));
         break;  // a needle
       case 8:
-        mesh.add(on_grid(a), on_grid(a), on_grid(a));
+        mesh.add(ray_on_grid(a), ray_on_grid(a), ray_on_grid(a));
         break;  // a point
       case 9:
         mesh.triangles.push_back(mesh.triangles.back());
         break;  // a duplicate
       default:
-        mesh.add(on_grid(a), on_grid(b), on_grid(c));
+        mesh.add(ray_on_grid(a), ray_on_grid(b), ray_on_grid(c));
     }
   }
   return mesh;
@@ -86,15 +86,15 @@ bool meets(const Mesh& mesh, size_t i, const Ray& ray, long double& t, long doub
 }
 
 Ray random_ray(RandomStream& random, double size) {
-  const Vec3 from = on_grid(random_point(random, 3 * size) - Vec3{size, size, size});
-  return {from, on_grid(random_point(random, size) - from)};
+  const Vec3 from = ray_on_grid(random_point(random, 3 * size) - Vec3{size, size, size});
+  return {from, ray_on_grid(random_point(random, size) - from)};
 }
 
 }  // namespace
 
 TEST_CASE("triangle_tree__finds_the_triangle_that_a_search_of_all_finds") {
-  const Mesh mesh = random_mesh(3000, 5);
-  const auto tree = tree_of(mesh);
+  const Mesh mesh = ray_mesh(3000, 5);
+  const auto tree = ray_tree_of(mesh);
   CHECK(tree->size() == mesh.triangles.size());
   RandomStream random(5, 2);
   size_t hits = 0, doubtful = 0;
@@ -131,7 +131,7 @@ TEST_CASE("triangle_tree__finds_the_triangle_that_a_search_of_all_finds") {
 TEST_CASE("triangle_tree__takes_the_lowest_index_of_equal_triangles") {
   Mesh mesh;
   for (int i = 0; i < 40; ++i) mesh.add({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
-  const auto tree = tree_of(mesh);
+  const auto tree = ray_tree_of(mesh);
   RayHit hit;
   REQUIRE(tree->nearest({{0.25, 0.25, 0}, {0, 0, 1}}, hit));
   CHECK(hit.triangle == 0);
@@ -153,7 +153,7 @@ TEST_CASE("triangle_tree__lets_no_ray_through_shared_edges_and_corners") {
       mesh.triangles.push_back({a, a + 1, b});
       mesh.triangles.push_back({b + 1, b, a + 1});
     }
-  const auto tree = tree_of(mesh);
+  const auto tree = ray_tree_of(mesh);
   size_t missed = 0, rays = 0;
   const auto shoot = [&](const Vec3& from, const Vec3& at) {
     RayHit hit;
@@ -176,7 +176,7 @@ TEST_CASE("triangle_tree__lets_no_ray_through_shared_edges_and_corners") {
   Mesh flat;
   flat.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   flat.triangles = {{0, 1, 2}, {0, 2, 3}};
-  const auto square = tree_of(flat);
+  const auto square = ray_tree_of(flat);
   for (const double x : {0.0, 0.25, 0.5, 1.0})
     for (const double y : {0.0, 0.25, 0.5, 1.0}) {
       RayHit hit;
@@ -190,7 +190,7 @@ TEST_CASE("triangle_tree__lets_no_ray_through_shared_edges_and_corners") {
 TEST_CASE("triangle_tree__respects_the_interval_of_the_ray") {
   Mesh mesh;
   for (double z = 1; z <= 5; ++z) mesh.add({-1, -1, z}, {3, -1, z}, {-1, 3, z});
-  const auto tree = tree_of(mesh);
+  const auto tree = ray_tree_of(mesh);
   RayHit hit;
   REQUIRE(tree->nearest({{0, 0, 0}, {0, 0, 2}, 1.0, 10}, hit));  // z = 2 is at t = 1, closed
   CHECK(hit.triangle == 1);
@@ -205,10 +205,10 @@ TEST_CASE("triangle_tree__respects_the_interval_of_the_ray") {
 TEST_CASE(
     "triangle_tree__gives_the_same_bits_after_a_shift_by_whole_metres_and_on_any_number_of_"
     "threads") {
-  const Mesh mesh = random_mesh(40000, 21, 50);  // above the size of one subtree
+  const Mesh mesh = ray_mesh(40000, 21, 50);  // above the size of one subtree
   const Vec3 shift{652000, 6861000, 35};
-  const auto one = tree_of(mesh, 1), two = tree_of(mesh, 2), seven = tree_of(mesh, 7);
-  const auto far = tree_of(mesh.shifted(shift), 2);
+  const auto one = ray_tree_of(mesh, 1), two = ray_tree_of(mesh, 2), seven = ray_tree_of(mesh, 7);
+  const auto far = ray_tree_of(mesh.shifted(shift), 2);
   CHECK(far->origin() - one->origin() == shift);
   RandomStream random(21, 2);
   size_t hits = 0;
@@ -231,7 +231,7 @@ TEST_CASE("triangle_tree__survives_impossible_meshes_and_rays") {
   const double inf = std::numeric_limits<double>::infinity(),
                nan = std::numeric_limits<double>::quiet_NaN();
   RayHit hit;
-  const auto none = tree_of({});
+  const auto none = ray_tree_of({});
   CHECK(none->size() == 0);
   CHECK(none->local_bounds().empty());
   CHECK_FALSE(none->nearest({{0, 0, 0}, {0, 0, 1}}, hit));
@@ -239,18 +239,18 @@ TEST_CASE("triangle_tree__survives_impossible_meshes_and_rays") {
   Mesh points;
   for (int i = 0; i < 20000; ++i)
     points.add({1, 2, 3}, {1, 2, 3}, {1, 2, 3});  // all centres equal: split by count
-  CHECK_FALSE(tree_of(points)->nearest({{0, 0, 0}, {1, 2, 3}}, hit));
+  CHECK_FALSE(ray_tree_of(points)->nearest({{0, 0, 0}, {1, 2, 3}}, hit));
 
   Mesh spiral;  // sizes over 60 octaves: very uneven splits
   for (int i = 0; i < 60; ++i) {
     const double s = std::ldexp(1, -i);
     for (int k = 0; k < 40; ++k) spiral.add({s, 0, 0}, {s, s, 0}, {s, 0, s});
   }
-  CHECK(tree_of(spiral)->nearest({{-1, 0.125, 0.125}, {1, 0, 0}}, hit));
+  CHECK(ray_tree_of(spiral)->nearest({{-1, 0.125, 0.125}, {1, 0, 0}}, hit));
 
   Mesh one;
   one.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  const auto tree = tree_of(one);
+  const auto tree = ray_tree_of(one);
   for (const Vec3& d : {Vec3{0, 0, 0}, Vec3{nan, 0, 1}, Vec3{0, inf, 1}})
     CHECK_FALSE(tree->nearest({{0.2, 0.2, 1}, d}, hit));
   CHECK_FALSE(tree->nearest({{nan, 0, 0}, {0, 0, 1}}, hit));
@@ -264,11 +264,11 @@ TEST_CASE("triangle_tree__survives_impossible_meshes_and_rays") {
 
   Mesh vast;
   vast.add({0, 0, 0}, {2e9, 0, 0}, {0, 1, 0});
-  CHECK_THROWS_AS(tree_of(vast), Error);
+  CHECK_THROWS_AS(ray_tree_of(vast), Error);
 }
 
 TEST_CASE("triangle_tree__stops_when_cancelled") {
-  const Mesh mesh = random_mesh(100000, 3);
+  const Mesh mesh = ray_mesh(100000, 3);
   std::atomic<bool> cancel{true};
   Task::Hooks hooks;
   hooks.cancel = &cancel;
@@ -296,7 +296,7 @@ TEST_CASE("triangle_tree__speed") {
       mesh.triangles.push_back({b + 1, b, a + 1});
     }
   const auto start = Clock::now();
-  const auto tree = tree_of(mesh);
+  const auto tree = ray_tree_of(mesh);
   const double build_s = since(start);
   const auto cast = Clock::now();
   size_t hits = 0;

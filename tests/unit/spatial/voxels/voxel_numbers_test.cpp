@@ -17,7 +17,8 @@ namespace {
 
 using Cell = std::array<double, 3>;  // z, y, x: as they count
 
-std::vector<Cell> cells_of(const std::vector<double>& xyz, const Vec3& origin, double cell_m) {
+std::vector<Cell> voxel_numbers_cells_of(const std::vector<double>& xyz, const Vec3& origin,
+                                         double cell_m) {
   std::vector<Cell> cells;
   for (size_t i = 0; i < xyz.size(); i += 3)
     cells.push_back({std::floor((xyz[i + 2] - origin.z) / cell_m),
@@ -26,7 +27,7 @@ std::vector<Cell> cells_of(const std::vector<double>& xyz, const Vec3& origin, d
   return cells;
 }
 
-Box3 box_of(const std::vector<double>& xyz) {
+Box3 voxel_numbers_box_of(const std::vector<double>& xyz) {
   Box3 box;
   for (size_t i = 0; i < xyz.size(); i += 3) box.add({xyz[i], xyz[i + 1], xyz[i + 2]});
   return box;
@@ -77,25 +78,29 @@ TEST_CASE("voxel_numbers__keys_are_ordered_as_cells_by_z_then_y_then_x") {
   const auto xyz = in_pairs(300, 20, 0.5, 1);
   const Vec3 origin{-3, 2, 5};  // cells on both sides of it
   Task task;
-  const VoxelNumbers numbers(xyz, box_of(xyz), origin, 0.7, task);
+  const VoxelNumbers numbers(xyz, voxel_numbers_box_of(xyz), origin, 0.7, task);
   CHECK(numbers.key_bits() <= 15);
-  check_order(xyz, numbers, cells_of(xyz, origin, 0.7));
+  check_order(xyz, numbers, voxel_numbers_cells_of(xyz, origin, 0.7));
 }
 
 TEST_CASE("voxel_numbers__too_large_for_64_bits_become_ranks_with_the_same_order") {
   const auto xyz = in_pairs(300, 1e5, 1e-8, 2);
   const double cell_m = 1e-7;  // 40 bits an axis
   Task task;
-  const VoxelNumbers numbers(xyz, box_of(xyz), {0, 0, 0}, cell_m, task);
+  const VoxelNumbers numbers(xyz, voxel_numbers_box_of(xyz), {0, 0, 0}, cell_m, task);
   CHECK(numbers.key_bits() <= 27);  // at most 300 ranks an axis
-  check_order(xyz, numbers, cells_of(xyz, {0, 0, 0}, cell_m));
+  check_order(xyz, numbers, voxel_numbers_cells_of(xyz, {0, 0, 0}, cell_m));
 }
 
 TEST_CASE("voxel_numbers__refuse_more_than_2_to_the_41_cells_either_side_of_the_origin") {
   Task task;
   const std::vector<double> xyz = {0, 0, 0, 0, 0x1p41, 0};
-  CHECK(status_of([&] { VoxelNumbers(xyz, box_of(xyz), {0, 0, 0}, 1, task); }) == Status::kLimit);
-  CHECK(status_of([&] { VoxelNumbers(xyz, box_of(xyz), {0, 1, 0}, 1, task); }) == Status::kOk);
+  CHECK(status_of([&] {
+          VoxelNumbers(xyz, voxel_numbers_box_of(xyz), {0, 0, 0}, 1, task);
+        }) == Status::kLimit);
+  CHECK(status_of([&] {
+          VoxelNumbers(xyz, voxel_numbers_box_of(xyz), {0, 1, 0}, 1, task);
+        }) == Status::kOk);
 }
 
 TEST_CASE("voxel_numbers__a_cell_needs_a_size_and_points_a_32_bit_number") {

@@ -15,13 +15,13 @@ using namespace jalon;
 
 namespace {
 
-constexpr double kSpacing_m = 0.025, kNoise_m = 0.001;
+constexpr double kBarEdgeSpacing_m = 0.025, kNoise_m = 0.001;
 constexpr double kWidth_m = 1.4, kHeight_m = 0.1;  // of the bar; its upper edge at 0
 
 /// Rows that rise by so many of their distances over the bar; a share of the columns hidden from some height on.
 std::vector<Vec2> rows_on_bar(double rise, double hidden, RandomStream& random) {
-  const double row_m = kSpacing_m * (0.8 + 0.4 * random.uniform()),
-               column_m = kSpacing_m * kSpacing_m / row_m;
+  const double row_m = kBarEdgeSpacing_m * (0.8 + 0.4 * random.uniform()),
+               column_m = kBarEdgeSpacing_m * kBarEdgeSpacing_m / row_m;
   const double phase_u = random.uniform(), phase_v = random.uniform();
   std::vector<Vec2> out;
   for (double u = phase_u * column_m; u < kWidth_m; u += column_m) {
@@ -48,7 +48,7 @@ Errors errors_of(double least_rise, double most_rise, double hidden) {
   for (uint64_t k = 0; k < 400; ++k) {
     RandomStream random(k, 1);
     const double rise = least_rise + (most_rise - least_rise) * random.uniform();
-    const auto edge = upper_edge(rows_on_bar(rise, hidden, random), kSpacing_m, kNoise_m);
+    const auto edge = upper_edge(rows_on_bar(rise, hidden, random), kBarEdgeSpacing_m, kNoise_m);
     REQUIRE(edge);
     out.add(*edge);
   }
@@ -73,7 +73,7 @@ TEST_CASE("bar_edge__is_known_to_half_a_row_along_level_rows_and_better_across_t
                                            << " mm, RMS " << 1000 * rms_m
                                            << " mm; error / sigma RMS " << scaled);
     CHECK(rms_m <= c.most_rms_m);
-    CHECK(std::fabs(bias_m) <= 0.05 * kSpacing_m);
+    CHECK(std::fabs(bias_m) <= 0.05 * kBarEdgeSpacing_m);
     CHECK(scaled >= 0.4);
     CHECK(scaled <= 1.3);
   }
@@ -84,21 +84,21 @@ TEST_CASE("bar_edge__of_points_at_random_is_their_upper_end") {
   for (uint64_t k = 0; k < 400; ++k) {
     RandomStream random(k, 2);
     std::vector<Vec2> points;
-    for (double i = 0; i < kWidth_m * kHeight_m / (kSpacing_m * kSpacing_m); ++i)
+    for (double i = 0; i < kWidth_m * kHeight_m / (kBarEdgeSpacing_m * kBarEdgeSpacing_m); ++i)
       points.push_back({kWidth_m * random.uniform(),
                         -kHeight_m * random.uniform() + kNoise_m * random.normal()});
-    const auto edge = upper_edge(points, kSpacing_m, kNoise_m);
+    const auto edge = upper_edge(points, kBarEdgeSpacing_m, kNoise_m);
     REQUIRE(edge);
     e.add(*edge);
   }
   MESSAGE("FIGURE upper edge of a bar, random points: bias " << 1000 * e.sum / e.n << " mm");
-  CHECK(std::fabs(e.sum / e.n) <= 0.05 * kSpacing_m);
+  CHECK(std::fabs(e.sum / e.n) <= 0.05 * kBarEdgeSpacing_m);
 }
 
 TEST_CASE("bar_edge__needs_columns") {
   RandomStream random(1, 3);
   std::vector<Vec2> points = rows_on_bar(2, 0, random);
   std::erase_if(points, [](const Vec2& p) { return p.u > 0.1; });
-  CHECK_FALSE(upper_edge(points, kSpacing_m, kNoise_m));
-  CHECK_FALSE(upper_edge({}, kSpacing_m, kNoise_m));
+  CHECK_FALSE(upper_edge(points, kBarEdgeSpacing_m, kNoise_m));
+  CHECK_FALSE(upper_edge({}, kBarEdgeSpacing_m, kNoise_m));
 }

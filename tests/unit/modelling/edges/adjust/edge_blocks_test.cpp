@@ -13,7 +13,7 @@ using namespace jalon;
 
 namespace {
 
-constexpr double kSpacing = 0.01;
+constexpr double kEdgeBlocksSpacing = 0.01;
 
 /// Points about an edge from (0, 0) to (1, 0): on the plane, behind and before it.
 NearPoints about_edge() {
@@ -41,36 +41,36 @@ TEST_CASE("edge_blocks__tile_the_edge_less_its_ends_and_take_each_point_of_the_s
   const NearPoints near = about_edge();
   MeasuredEdge edge = measured(straight_shape({0, 0}, {1, 0}));
   edge.behind.push_back({});  // of another pass
-  collect_blocks(near, {}, kSpacing, 0.03, edge);
+  collect_blocks(near, {}, kEdgeBlocksSpacing, 0.03, edge);
   REQUIRE(edge.blocks.size() == 12);  // of eight spacings and a little
-  double at = kSpacing;
+  double at = kEdgeBlocksSpacing;
   size_t taken = 0;
   for (const EdgeBlock& block : edge.blocks) {
     CHECK(block.t_m - block.length_m / 2 == doctest::Approx(at));
     at += block.length_m;
-    CHECK(block.depth_m == doctest::Approx(kStripInward * kSpacing));
-    CHECK(block.outward_m == doctest::Approx(kStripOutward * kSpacing));
+    CHECK(block.depth_m == doctest::Approx(kStripInward * kEdgeBlocksSpacing));
+    CHECK(block.outward_m == doctest::Approx(kStripOutward * kEdgeBlocksSpacing));
     for (size_t i = 0; i < block.points.size(); ++i) {
       CHECK(block.points[i].weight == 1);
       if (i > 0) CHECK(block.points[i - 1].d_m <= block.points[i].d_m);
     }
     taken += block.points.size();
   }
-  CHECK(at == doctest::Approx(1 - kSpacing));
+  CHECK(at == doctest::Approx(1 - kEdgeBlocksSpacing));
   size_t expected = 0, behind = 0, before = 0;
   for (size_t i = 0; i < near.points.size(); ++i) {
     const Vec2& p = near.points[i];
-    if (p.u < kSpacing || p.u > 1 - kSpacing) continue;
-    expected +=
-        near.on_plane[i] != 0 && p.v >= -kStripOutward * kSpacing && p.v <= kStripInward * kSpacing;
-    behind += near.heights_m[i] < -0.03f && std::fabs(p.v) <= 2 * kSpacing;
-    before += near.heights_m[i] > 0.03f && std::fabs(p.v) <= 2 * kSpacing;
+    if (p.u < kEdgeBlocksSpacing || p.u > 1 - kEdgeBlocksSpacing) continue;
+    expected += near.on_plane[i] != 0 && p.v >= -kStripOutward * kEdgeBlocksSpacing &&
+                p.v <= kStripInward * kEdgeBlocksSpacing;
+    behind += near.heights_m[i] < -0.03f && std::fabs(p.v) <= 2 * kEdgeBlocksSpacing;
+    before += near.heights_m[i] > 0.03f && std::fabs(p.v) <= 2 * kEdgeBlocksSpacing;
   }
   CHECK(taken == expected);
   CHECK(edge.behind.size() == behind);
   CHECK(edge.before.size() == before);
   CHECK(behind > 10);
-  collect_blocks(near, {}, kSpacing, 0.07, edge);  // higher off the plane
+  collect_blocks(near, {}, kEdgeBlocksSpacing, 0.07, edge);  // higher off the plane
   CHECK(edge.behind.size() == behind);
   CHECK(edge.before.empty());
 }
@@ -78,10 +78,10 @@ TEST_CASE("edge_blocks__tile_the_edge_less_its_ends_and_take_each_point_of_the_s
 TEST_CASE("edge_blocks__end_before_the_contours_of_other_edges_but_not_at_their_own") {
   const std::vector<std::vector<Vec2>> rings{
       {{0.5, 0.05}, {0.51, 0.05}, {0.2, -0.02}, {0.8, 0.012}, {0.9, -0.1}}};
-  const PointRows contours = contour_points(rings, kSpacing);
+  const PointRows contours = contour_points(rings, kEdgeBlocksSpacing);
   CHECK(contours.points.size() == 5);
   MeasuredEdge edge = measured(straight_shape({0, 0}, {1, 0}));
-  collect_blocks({}, contours, kSpacing, 0.03, edge);
+  collect_blocks({}, contours, kEdgeBlocksSpacing, 0.03, edge);
   for (const EdgeBlock& block : edge.blocks) {
     const auto holds = [&](double t) { return std::fabs(t - block.t_m) < block.length_m / 2; };
     CHECK(block.depth_m == doctest::Approx(holds(0.5) || holds(0.51) ? 0.04 : 0.09));
@@ -92,7 +92,7 @@ TEST_CASE("edge_blocks__end_before_the_contours_of_other_edges_but_not_at_their_
 TEST_CASE("edge_blocks__a_short_edge_has_none_and_points_of_an_arc_weigh_against_its_widening") {
   MeasuredEdge edge = measured(straight_shape({0, 0}, {0.029, 0}));
   const NearPoints near = about_edge();
-  collect_blocks(near, {}, kSpacing, 0.03, edge);
+  collect_blocks(near, {}, kEdgeBlocksSpacing, 0.03, edge);
   CHECK(edge.blocks.empty());
   EdgeShape arc;
   arc.is_arc = true;
@@ -100,7 +100,7 @@ TEST_CASE("edge_blocks__a_short_edge_has_none_and_points_of_an_arc_weigh_against
   arc.turn = 1;
   arc.set_ends({0.3, 0.2}, {0.7, 0.2});  // round below
   edge.shape = arc;
-  collect_blocks(near, {}, kSpacing, 0.03, edge);
+  collect_blocks(near, {}, kEdgeBlocksSpacing, 0.03, edge);
   REQUIRE(!edge.blocks.empty());
   size_t points = 0;
   for (const EdgeBlock& block : edge.blocks)

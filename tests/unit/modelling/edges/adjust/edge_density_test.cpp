@@ -13,12 +13,14 @@ using namespace edge_points;
 
 namespace {
 
-CountingVariance of_random_points() { return counting_variance({}, kSpacing_m, 0.001); }
+CountingVariance edge_density_of_random_points() {
+  return counting_variance({}, kSpacing_m, 0.001);
+}
 
 }  // namespace
 
 TEST_CASE("edge_density__of_random_points_is_unbiased_and_worth_what_its_weight_says") {
-  const CountingVariance variance = of_random_points();
+  const CountingVariance variance = edge_density_of_random_points();
   CHECK(variance.common_m2 == 0);
   CHECK(variance.of(2) == doctest::Approx(variance.along_m3 / 2));
   double n = 0, sum = 0, scaled = 0;
@@ -43,7 +45,7 @@ TEST_CASE("edge_density__of_random_points_is_unbiased_and_worth_what_its_weight_
 }
 
 TEST_CASE("edge_density__points_told_to_be_no_solid_do_not_move_the_edge") {
-  const CountingVariance variance = of_random_points();
+  const CountingVariance variance = edge_density_of_random_points();
   RandomStream random(7, 32);
   MeasuredEdge edge = edge_along({1, 0}, 6);
   add_random_blocks(edge, 6, random, [](double) { return 0.0; });
@@ -60,7 +62,7 @@ TEST_CASE("edge_density__points_told_to_be_no_solid_do_not_move_the_edge") {
 }
 
 TEST_CASE("edge_density__needs_points_and_some_depth_of_solid") {
-  const CountingVariance variance = of_random_points();
+  const CountingVariance variance = edge_density_of_random_points();
   RandomStream random(8, 33);
   MeasuredEdge edge = edge_along({1, 0}, 3);
   add_random_blocks(edge, 3, random, [](double) { return 0.0; });
@@ -73,7 +75,7 @@ TEST_CASE("edge_density__needs_points_and_some_depth_of_solid") {
 }
 
 TEST_CASE("edge_density__counting_is_worth_more_on_a_grid_than_at_random") {
-  const double poisson = of_random_points().along_m3;
+  const double poisson = edge_density_of_random_points().along_m3;
   std::vector<MeasuredEdge> edges(20, edge_along({1, 0}, 5)), grid = edges;
   for (size_t k = 0; k < edges.size(); ++k) {
     RandomStream random(k, 34);

@@ -13,7 +13,7 @@ using namespace jalon;
 
 namespace {
 
-constexpr double kSpacing = 0.1;
+constexpr double kGuideLinesSpacing = 0.1;
 
 std::vector<double> places(const GuideLines& guides, const Vec2& p, double reach_m) {
   std::vector<double> out;
@@ -28,7 +28,7 @@ TEST_CASE("guide_lines__short_edges_in_one_line_guide_and_one_alone_does_not") {
   for (int i = 0; i < 4; ++i)
     shapes.push_back(straight_shape({3.0 * i, 0.01 * (i % 2)}, {3.0 * i + 0.4, 0.01 * (i % 2)}));
   shapes.push_back(straight_shape({0, 5}, {0.4, 5}));
-  const GuideLines guides(shapes, {}, {}, kSpacing);
+  const GuideLines guides(shapes, {}, {}, kGuideLinesSpacing);
   CHECK(places(guides, {20, 0.1}, 0.2).size() == 1);
   CHECK(places(guides, {0, 5}, 0.2).empty());
 }
@@ -37,7 +37,7 @@ TEST_CASE("guide_lines__another_planes_line_guides_where_the_contour_has_points_
   const std::vector<EdgeLine> joints{{{0, 2}, {1, 0}}, {{0, 9}, {1, 0}}};
   const std::vector<std::vector<Vec2>> chains{
       {{0, 0}, {4, 0}, {4, 2}, {3.9, 2.01}, {3.8, 1.98}, {0, 1}}};
-  const GuideLines guides({}, joints, chains, kSpacing);
+  const GuideLines guides({}, joints, chains, kGuideLinesSpacing);
   CHECK(places(guides, {1, 2}, 0.2).size() == 2);  // either way along
   CHECK(places(guides, {1, 9}, 0.2).empty());
 }
@@ -47,7 +47,7 @@ TEST_CASE("guide_lines__lie_at_the_mean_of_their_edges_by_length_one_for_each_wa
       straight_shape({2.00, 0}, {2.00, 3}), straight_shape({2.04, 4}, {2.04, 5}),
       straight_shape({2.02, 9}, {2.02, 5}),  // the solid on the other side
       straight_shape({0, 6}, {9, 6.5})};     // slanted: no guide
-  const GuideLines guides(shapes, {}, {}, kSpacing);
+  const GuideLines guides(shapes, {}, {}, kGuideLinesSpacing);
   std::vector<double> up, down;
   guides.visit({2.1, 50}, 0.2, [&](const EdgeLine& line) {
     CHECK(line.direction.u == 0);
@@ -60,5 +60,5 @@ TEST_CASE("guide_lines__lie_at_the_mean_of_their_edges_by_length_one_for_each_wa
   CHECK(places(guides, {2.1, 50}, 0.05).empty());
   CHECK(!guides.empty());
   CHECK(GuideLines{}.empty());
-  CHECK(GuideLines({}, {}, {}, kSpacing).empty());
+  CHECK(GuideLines({}, {}, {}, kGuideLinesSpacing).empty());
 }

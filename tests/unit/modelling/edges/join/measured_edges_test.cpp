@@ -14,7 +14,7 @@ using namespace walls;
 
 namespace {
 
-size_t trials() {
+size_t measured_edges_trials() {
   if (std::getenv("JALON_FULL") != nullptr) return 400;
   return std::getenv("JALON_SANITIZED") != nullptr ? 2 : 40;
 }
@@ -45,7 +45,7 @@ TEST_CASE("vectorise__edges_are_unbiased_and_their_sigmas_honest") {
     Errors errors, scaled;
     Errors& family =
         sampling == Sampling::kJittered || sampling == Sampling::kPoisson ? random_points : gridded;
-    for (size_t k = 0; k < trials(); ++k) {
+    for (size_t k = 0; k < measured_edges_trials(); ++k) {
       RandomStream random(k, 3);
       SampledWall wall;
       wall.seed = k + 1;
@@ -73,11 +73,11 @@ TEST_CASE("vectorise__edges_are_unbiased_and_their_sigmas_honest") {
     MESSAGE("FIGURE edges, " << std::string(name_of(sampling)) << ": bias " << errors.mean()
                              << " spacings, RMS " << errors.rms() << ", worst " << errors.worst
                              << "; error / sigma RMS " << scaled.rms());
-    if (trials() < 20) continue;  // too few to say how far errors scatter
+    if (measured_edges_trials() < 20) continue;  // too few to say how far errors scatter
     CHECK(std::fabs(errors.mean()) <= 0.05);
     CHECK(errors.rms() <= 0.3);
   }
-  if (trials() < 20) return;
+  if (measured_edges_trials() < 20) return;
   for (const Errors& scaled : {gridded, random_points}) {
     CHECK(scaled.rms() >= 0.8);
     CHECK(scaled.rms() <= 1.2);

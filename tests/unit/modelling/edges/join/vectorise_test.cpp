@@ -15,13 +15,13 @@ using namespace walls;
 
 namespace {
 
-constexpr Rectangle kWindow{1, 0.8, 2, 1.8};
+constexpr Rectangle kVectoriseWindow{1, 0.8, 2, 1.8};
 
 std::vector<Vec3> wall(double y) {
   SampledWall out;
   out.spacing = 0.05;
   out.solid = [](double u, double v) {
-    return u > 0 && v > 0 && u < 3 && v < 2.5 && !kWindow.contains(u, v);
+    return u > 0 && v > 0 && u < 3 && v < 2.5 && !kVectoriseWindow.contains(u, v);
   };
   std::vector<Vec3> points = out.points();
   for (Vec3& p : points) p.y += y;
