@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdarg>
-#include <cstdio>
 #include <thread>
 
 #include "base/error.h"
@@ -76,17 +75,14 @@ void Task::finish() {
 
 void Task::log(LogLevel level, const char* format, ...) {
   if (hooks_.log == nullptr || !on_calling_thread()) return;
-  constexpr size_t kMostBytes = 1023;
-  char text[kMostBytes + kMostUtf8Bytes];
   va_list arguments;
   va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
+  MessageText message(format, arguments);
   va_end(arguments);
-  text[copy_whole_utf8(text, text, kMostBytes)] = 0;
-  for (char* c = text; *c != 0; ++c)
+  for (char* c = message.text; *c != 0; ++c)
     if (*c == '\n' || *c == '\r') *c = ' ';
   try {
-    hooks_.log(level, text, hooks_.log_user);
+    hooks_.log(level, message.text, hooks_.log_user);
   } catch (...) {
     throw Error(Status::kCallback, "the log callback threw an exception");
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdarg>
+#include <cstdio>
 #include <cstring>
 
 #include "base/utf8_character.h"
@@ -30,5 +32,18 @@ inline size_t copy_whole_utf8(std::string_view text, char* out, size_t room) {
   }
   return written;
 }
+
+/// A formatted message, cut to whole characters; `text` ends with a zero.
+struct MessageText {
+  static constexpr size_t kMostBytes = 1023;
+  char text[kMostBytes + kMostUtf8Bytes];  // a character across the limit is whole, and left out
+  size_t bytes = 0;
+
+  MessageText(const char* format, va_list arguments) {
+    std::vsnprintf(text, sizeof text, format, arguments);
+    bytes = copy_whole_utf8(text, text, kMostBytes);
+    text[bytes] = 0;
+  }
+};
 
 }  // namespace jalon

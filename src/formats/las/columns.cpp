@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "formats/files/endian.h"
+#include "formats/files/normal_columns.h"
 #include "formats/files/utf8.h"
 #include "formats/las/plan.h"
 
@@ -112,7 +113,7 @@ class Layout {
     const FieldInfo& field = column->info();
     FieldInfo one = field;
     one.components = 1;
-    if (field.name == "normal" && field.components == 3) {
+    if (is_normal(field)) {
       ExtraColumn extra = plain(column, 0, 3);
       for (const char* name : kNormalNames)
         append(extra.descriptor, descriptor_of(one, free_name(name, taken_)));

@@ -6,6 +6,7 @@
 #include "base/text_number.h"
 #include "formats/files/atomic_file.h"
 #include "formats/files/endian.h"
+#include "formats/files/normal_columns.h"
 #include "formats/files/number_text.h"
 #include "formats/files/utf8.h"
 #include "formats/ply/ply.h"
@@ -67,8 +68,6 @@ std::string property_name(std::string_view wanted, UniqueNames& unique) {
   return unique.add(name);
 }
 
-bool is_normal(const FieldInfo& field) { return field.name == "normal" && field.components == 3; }
-
 std::string header_text(const Cloud& cloud, PlyForm form) {
   std::string out = "ply\nformat ";
   out += form == PlyForm::kAscii       ? "ascii"
@@ -81,10 +80,7 @@ std::string header_text(const Cloud& cloud, PlyForm form) {
   out.append("element vertex ").append(std::to_string(cloud.size()));
   out += "\nproperty double x\nproperty double y\nproperty double z\n";
   UniqueNames unique;
-  for (const char* name : {"x", "y", "z"}) unique.add(name);
-  for (const ColumnPtr& column : cloud.fields)  // before any field that is called so
-    if (is_normal(column->info()))
-      for (const char* name : {"nx", "ny", "nz"}) unique.add(name);
+  reserve_point_names(cloud.fields, unique);
   for (const ColumnPtr& column : cloud.fields) {
     const FieldInfo& field = column->info();
     require_exact(*column);
@@ -93,7 +89,7 @@ std::string header_text(const Cloud& cloud, PlyForm form) {
       out.append("property ")
           .append(type_word(field.type))
           .append(" ")
-          .append(is_normal(field) ? std::string{'n', "xyz"[c]} : property_name(name, unique))
+          .append(is_normal(field) ? kNormalColumns[c] : property_name(name, unique))
           .append("\n");
     }
   }

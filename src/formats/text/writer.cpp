@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/text_number.h"
 #include "formats/files/atomic_file.h"
+#include "formats/files/normal_columns.h"
 #include "formats/files/number_text.h"
 #include "formats/files/utf8.h"
 #include "formats/text/layout.h"
@@ -32,8 +33,6 @@ std::string safe_cell(const std::string& name) {
   return out;
 }
 
-bool is_normal(const FieldInfo& field) { return field.name == "normal" && field.components == 3; }
-
 // A reader passes over a header that names a coordinate twice, and "X" is one of its names of x: told
 // apart are the names that readers make of ours.
 std::string unique_cell(const std::string& cell, UniqueNames& unique) {
@@ -44,16 +43,12 @@ std::string unique_cell(const std::string& cell, UniqueNames& unique) {
 std::vector<std::string> column_names(const FieldTable& fields) {
   std::vector<std::string> names{"x", "y", "z"};
   UniqueNames unique;
-  for (const std::string& name : names) unique.add(name);
-  for (const ColumnPtr& column : fields)  // before any field that is called so
-    if (is_normal(column->info()))
-      for (const char* name : {"nx", "ny", "nz"}) unique.add(name);
+  reserve_point_names(fields, unique);
   for (const ColumnPtr& column : fields) {
     const FieldInfo& field = column->info();
     for (uint32_t c = 0; c < field.components; ++c) {
       const std::string name = field.components == 1 ? field.name : numbered(field.name, c);
-      names.push_back(is_normal(field) ? std::string("n") + "xyz"[c]
-                                       : unique_cell(safe_cell(name), unique));
+      names.push_back(is_normal(field) ? kNormalColumns[c] : unique_cell(safe_cell(name), unique));
     }
   }
   return names;
