@@ -29,6 +29,14 @@ enum {
   JALON_STOPPED_NOTHING_FOUND = 5  /**< no pose explains both */
 };
 
+/** Whether a pose may be used: column "verdict" of the summary. */
+enum {
+  JALON_VERDICT_NONE = 0,     /**< not judged: a start for fine registration (method "coarse") */
+  JALON_VERDICT_ACCEPTED = 1, /**< both sides bear it out */
+  JALON_VERDICT_DOUBTFUL = 2, /**< something speaks against it or leaves it open: see the reasons */
+  JALON_VERDICT_REFUSED = 3   /**< it is wrong, or no pose was found */
+};
+
 /** What speaks for a pose that method "coarse" found. */
 enum {
   JALON_POSE_FROM_FEATURES = 1, /**< local features that look alike and keep their distances */
@@ -75,6 +83,22 @@ typedef struct jalon_target {
  * - "automatic": "coarse", then "icp" from its pose, with the parameters of both. Without a pose,
  *   or with more than one, the result is that of "coarse"; else that of "icp" with the scores of
  *   "coarse" in the summary.
+ *
+ * That steps have converged says little: two different objects, a mirrored scan, another floor of
+ * a building converge as well. So the pose of "icp" and "automatic" is judged (column "verdict"):
+ * some thousand places of each surface are held against the other cloud. Of what the other scan
+ * could see, by where it was taken from, the share is measured that lies on its surfaces, and the
+ * share that its beams went through; things that differ together weigh, edges do not. Where a cloud
+ * was taken from its stations say; of a cloud without stations it is found by the density of its
+ * points, and without a place that could have seen them all the verdict rests on surfaces alone.
+ * The pose is doubtful besides when the clouds want different scales (by 0.2 % and five sigmas),
+ * when directions of it stay open, when little of one cloud lies on the other and when the steps
+ * have not settled. "confidence" is the probability that the pose is right: a logistic regression
+ * (Berkson 1944) on simulated pairs of ten kinds of scenes, five of them for the check alone. What
+ * has changed between two scans speaks against their pose as another place would. Unless a pose is
+ * accepted its covariance and all sigmas are NaN. The pose of targets is accepted when it is the
+ * only one, fixed in all directions, and sigma0 agrees with the covariances given (else doubtful);
+ * its sigmas stay.
  *
  * Method "icp": too little overlap is JALON_STOPPED_TOO_FEW_PAIRS: less than "min_overlap_percent"
  * of the moving points have a pair. About 3.5 s for 1 M points on 1 M with one thread.
@@ -153,6 +177,8 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
  *                                       then of the shift (m) of the centre, in the reference
  *                                       frame; NaN where it is not known
  *     extent        float64       m     radius of gyration of what carries the pose
+ *     verdict       uint8         -     JALON_VERDICT_...
+ *     confidence    float64       1     probability that the pose is right; NaN where not measured
  *
  * Method "icp"; sigma0, patches and redundancy only after steps on all points with enough pairs:
  *     column         type     unit  meaning
@@ -162,6 +188,12 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
  *     patches        uint64   -     of both clouds that the pose settled on; 0 = it rests on pairs
  *     redundancy     float64  -     pairs less unknowns
  *     thinning_cell  float64  m     edge of the cubes thinned to a point; 0 = all points were used
+ * and of the verdict, each as NAME_moving and NAME_reference, of the surface of that cloud:
+ *     near           float64  1     share within reach (four spacings) of the other cloud
+ *     explained      float64  1     of what the other scan could see, share on its surfaces
+ *     pierced        float64  1     ... share that its beams went through; NaN without stations
+ *     contradicted   float64  1     ... share that differs together with what is about it
+ *     wanted_scale, wanted_scale_sigma   of the moving cloud, were it free; NaN where not measured
  *
  * Method "targets":
  *     column              type     unit  meaning
@@ -271,6 +303,12 @@ jalon_registration_pair_name(const jalon_registration* registration, uint64_t i,
  */
 JALON_API JALON_CHECK jalon_status
 jalon_registration_directions(const jalon_registration* registration, jalon_fields** out);
+/**
+ * Why the pose is not accepted: sentences in English, a line each; "" when it is, or is not judged. Lives as long as
+ * the registration.
+ */
+JALON_API JALON_CHECK jalon_status
+jalon_registration_reasons(const jalon_registration* registration, const char** out);
 /** The parameters it was made with, as JSON; lives as long as the registration. */
 JALON_API JALON_CHECK jalon_status
 jalon_registration_parameters(const jalon_registration* registration, const char** out);

@@ -170,6 +170,14 @@ jalon_status jalon_registration_directions(const jalon_registration* registratio
                      [&] { return registration->registration->directions; });
 }
 
+jalon_status jalon_registration_reasons(const jalon_registration* registration, const char** out) {
+  return guard([&] {
+    require(registration, "registration");
+    require(out, "out");
+    *out = registration->registration->reasons.c_str();
+  });
+}
+
 jalon_status jalon_registration_parameters(const jalon_registration* registration,
                                            const char** out) {
   return guard([&] {

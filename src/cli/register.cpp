@@ -27,6 +27,7 @@ struct Register {
   Input reference, moving;
   std::string method, start, output;
   std::vector<std::string> targets;  ///< files of the reference's and of the moving scan's
+  bool is_forced = false;            ///< writes what a pose gives that is not accepted
 
   Json json_of(const Registration& registration, const Json& times, jalon_params* params) const {
     jalon_transform pose;
@@ -45,10 +46,17 @@ struct Register {
              {"times", times},
              {"T_reference_moving", matrix}};
     out["summary"] = table(registration, jalon_registration_summary).object(0);
+    out["reasons"] = reasons_of(registration);
     out["directions"] = table(registration, jalon_registration_directions).list();
     out["iterations"] = table(registration, jalon_registration_iterations).list();
     if (!targets.empty()) out["residuals"] = residuals_of(registration);
     return out;
+  }
+
+  static std::string reasons_of(const Registration& registration) {
+    const char* reasons = nullptr;
+    must(jalon_registration_reasons(registration.get(), &reasons));
+    return reasons;
   }
 
   static Json residuals_of(const Registration& registration) {
@@ -90,9 +98,8 @@ struct Register {
     const uint64_t stopped = summary.count("stopped", 0);
     if (stopped == JALON_STOPPED_NOTHING_FOUND) {
       console.say(
-          "nothing found: no pose on which the two scans agree; they are written as they were. If "
-          "they do "
-          "overlap, begin near the pose with --start");
+          "nothing found: no pose on which the two scans agree. If they do overlap, begin near the "
+          "pose with --start");
       return;
     }
     console.say(std::string(kStopped[stopped < 6 ? stopped : 0]) + " after " +
@@ -103,7 +110,29 @@ struct Register {
       console.say("a clearly different pose fits about as well; " +
                   std::string(targets.empty() ? "--start with max_turn_rad and max_shift_m chooses"
                                               : "names choose"));
+    say_verdict(console, registration, summary);
     say_precision(console, summary);
+  }
+
+  static void say_verdict(const Console& console, const Registration& registration,
+                          const Table& summary) {
+    static constexpr const char* kVerdicts[] = {"not judged", "accepted", "doubtful", "refused"};
+    const uint64_t verdict = summary.count("verdict", 0);
+    std::string text = std::string("the pose is ") + kVerdicts[verdict < 4 ? verdict : 0];
+    const double confidence = summary.number("confidence", 0);
+    if (std::isfinite(confidence)) text += ", confidence " + fixed(confidence, 3);
+    std::string reasons = reasons_of(registration);
+    for (size_t at = 0; (at = reasons.find('\n', at)) != std::string::npos;)
+      reasons.replace(at, 1, "; ");
+    console.say(reasons.empty() ? text : text + ": " + reasons);
+  }
+
+  // A start for fine registration is not judged: found it may be used.
+  static bool is_usable(const Registration& registration) {
+    const Table summary = table(registration, jalon_registration_summary);
+    const uint64_t verdict = summary.count("verdict", 0);
+    return verdict == JALON_VERDICT_ACCEPTED ||
+           (verdict == JALON_VERDICT_NONE && summary.count("converged", 0) != 0);
   }
 
   static void say_precision(const Console& console, const Table& summary) {
@@ -146,20 +175,26 @@ struct Register {
     times["register"] = console.seconds();
     console.step("writing");
     OutputFolder folder(output);
-    write(console, folder, made, to, cloud, times);
+    const bool is_written = is_forced || is_usable(made);
+    write_report(console, folder, made, to, cloud, times);
+    if (is_written) write_registered(console, folder, made, cloud);
     const Json result = json_of(made, times, params.get());
     const std::string text = result.dump(1, ' ', false, Json::error_handler_t::replace);
     write_text_file(folder.path("registration.json"), text + "\n");
     folder.commit();
     say(console, made);
     if (!targets.empty()) say_outliers(console, made);
-    console.say("wrote " + output +
-                ": report.html, registration.json, pose.txt, registered.las, registered.ply");
+    console.say("wrote " + output + ": report.html, registration.json" +
+                (is_written ? ", pose.txt, registered.las, registered.ply" : ""));
     console.result(result);
+    if (!is_written)
+      throw Failure{JALON_ERROR_DEGENERATE,
+                    "the pose is not accepted, so no registered cloud is written; report.html "
+                    "shows why, --force writes it"};
   }
 
-  void write(const Console& console, OutputFolder& folder, const Registration& made,
-             const Cloud& to, const Cloud& cloud, const Json& times) const {
+  static void write_registered(const Console& console, OutputFolder& folder,
+                               const Registration& made, const Cloud& cloud) {
     jalon_transform pose;
     must(jalon_registration_pose(made.get(), &pose));
     write_text_file(folder.path("pose.txt"), pose_text(pose));
@@ -167,6 +202,10 @@ struct Register {
     must(jalon_registration_apply(made.get(), cloud.get(), console.task(), Out(moved)));
     for (const char* name : {"registered.las", "registered.ply"})
       must(jalon_cloud_write(moved.get(), folder.path(name).c_str(), nullptr, console.task()));
+  }
+
+  void write_report(const Console& console, OutputFolder& folder, const Registration& made,
+                    const Cloud& to, const Cloud& cloud, const Json& times) const {
     const Json notes{
         {"title", "Registration"},
         {"input", {{"reference", reference.path}, {"moving", moving.path}, {"method", method}}},
@@ -226,6 +265,9 @@ void add_register(Command& app) {
       "--drop-invalid",
       [state] { state->reference.drop_invalid = state->moving.drop_invalid = true; },
       "Drop points whose coordinates are not finite");
+  command.flag(
+      "--force", [state] { state->is_forced = true; },
+      "Write pose.txt and the registered cloud also of a pose that is not accepted");
   state->settings.add_to(command);
   add_common(command, state->common);
   command.footer([] {

@@ -18,10 +18,11 @@ struct AutomaticSettings {
 };
 std::span<const ParamRow> automatic_rows();
 
-/// Method "automatic": method "coarse", then "icp" from the pose it gives, with the settings of
-/// both. What comes of coarse without a pose, or with more than one, is the result as it is; else
-/// it is that of ICP, with the scores of coarse in the summary. T_start: a T_reference_moving of
-/// the caller's coordinates, which coarse takes as one candidate more.
+/// Method "automatic": method "coarse", then "icp" from its best poses in turn, with the settings of both. The result
+/// is that of ICP from the first pose that is accepted, with the scores of coarse in the summary. Where coarse is not
+/// sure of its best pose the others are tried too, and two different ones that are accepted make the result
+/// ambiguous. With none accepted it is that of ICP from the best pose where coarse is sure of it, else that of
+/// coarse. T_start: a T_reference_moving of the caller's coordinates, which coarse takes as one candidate more.
 Registration register_automatic(const CloudPtr& reference, const CloudPtr& moving,
                                 const Transform& T_start, const AutomaticSettings& settings,
                                 Task& task);

@@ -6,6 +6,7 @@
 #include "registration/automatic.h"
 #include "registration/coarse/coarse.h"
 #include "registration/icp/icp.h"
+#include "registration/registration_tables.h"
 #include "registration/targets/targets.h"
 
 namespace jalon {
@@ -16,7 +17,9 @@ template <class Settings, Registration (*Register)(const CloudPtr&, const CloudP
                                                    const Transform&, const Settings&, Task&)>
 Registration run(const CloudPtr& reference, const CloudPtr& moving, const Transform& T_start,
                  const ParamSet& params, Task& task) {
-  return Register(reference, moving, T_start, settings_from<Settings>(params), task);
+  Registration out = Register(reference, moving, T_start, settings_from<Settings>(params), task);
+  if (out.judgement.verdict != Verdict::kAccepted) hide_sigmas(out);
+  return out;
 }
 
 Registration run_targets(std::span<const Target> reference, std::span<const Target> moving,

@@ -13,6 +13,7 @@
 #include "cloud/cloud.h"
 #include "geometry/cholesky.h"
 #include "geometry/vec.h"
+#include "registration/judgement.h"
 
 namespace jalon {
 
@@ -32,6 +33,7 @@ struct Registration {
   double scale = 1;
   bool converged = false;
   StopReason stopped = StopReason::kNothingFound;
+  PoseJudgement judgement;
   /// In the reference frame: the point that the small rotation of the covariance turns about.
   Vec3 centre;
   /// Of the rotation vector (rad) about the centre, then the shift (m) of the centre: the pose is
@@ -45,7 +47,8 @@ struct Registration {
   uint64_t unobservable = 0;  ///< directions of the six that nothing fixes
   FieldTable summary, iteration_log, residuals, directions;
   std::vector<std::string>
-      pair_names;  ///< of the rows of residuals; empty where pairs have no names
+      pair_names;       ///< of the rows of residuals; empty where pairs have no names
+  std::string reasons;  ///< of the judgement, a line each
   std::string parameters_json;
 };
 using RegistrationPtr = std::shared_ptr<const Registration>;

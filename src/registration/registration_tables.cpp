@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/numbers.h"
 #include "base/table_columns.h"
 
 namespace jalon {
@@ -47,6 +48,12 @@ ColumnPtr row_of(const char* name, const char* unit, const char* meaning,
                              values);
 }
 
+void add_stopped(const Registration& r, FieldTable& table) {
+  add_value<uint8_t>(table, "converged", "", "1: the pose stands; 0: see stopped", r.converged);
+  add_value<uint8_t>(table, "stopped", "", "why: JALON_STOPPED_...",
+                     static_cast<uint8_t>(r.stopped));
+}
+
 }  // namespace
 
 std::array<PoseDirection, 6> pose_directions(const Square<6>& covariance, double extent_m) {
@@ -69,9 +76,7 @@ void fill_tables(Registration& r, const std::array<PoseDirection, 6>& directions
   for (const PoseDirection& d : directions) r.unobservable += !d.observable;
   r.directions = directions_table(directions, r.extent_m);
   FieldTable table;
-  add_value<uint8_t>(table, "converged", "", "1: the pose stands; 0: see stopped", r.converged);
-  add_value<uint8_t>(table, "stopped", "", "why: JALON_STOPPED_...",
-                     static_cast<uint8_t>(r.stopped));
+  add_stopped(r, table);
   add_value<uint64_t>(table, "iterations", "", "steps made", r.iterations);
   add_value<uint64_t>(table, "pairs", "", "pairs that the last step stood on", r.pairs);
   add_value<double>(table, "rms", "m", "root mean square residual of those pairs", r.rms_m);
@@ -86,6 +91,45 @@ void fill_tables(Registration& r, const std::array<PoseDirection, 6>& directions
                     r.extent_m);
   for (const ColumnPtr& column : r.summary) table.set(column);
   r.summary = std::move(table);
+}
+
+void set_stopped(Registration& r) { add_stopped(r, r.summary); }
+
+void fill_judgement(Registration& r, PoseJudgement judgement) {
+  add_value<uint8_t>(r.summary, "verdict", "", "JALON_VERDICT_...",
+                     static_cast<uint8_t>(judgement.verdict));
+  add_value<double>(r.summary, "confidence", "1", "probability that the pose is right",
+                    judgement.confidence);
+  r.reasons.clear();
+  for (const std::string& reason : judgement.reasons) r.reasons += reason + "\n";
+  if (!r.reasons.empty()) r.reasons.pop_back();
+  r.judgement = std::move(judgement);
+}
+
+PoseJudgement judgement_of_search(StopReason stopped) {
+  switch (stopped) {
+    case StopReason::kConverged:
+      return {};
+    case StopReason::kAmbiguous:
+      return {Verdict::kDoubtful, kNaN, {"a clearly different pose fits about as well"}};
+    case StopReason::kIterationLimit:
+      return {Verdict::kDoubtful, kNaN, {"the steps have not settled"}};
+    case StopReason::kTooFewPairs:
+      return {Verdict::kRefused, kNaN, {"what both have in common does not carry a pose"}};
+    case StopReason::kNothingFound:
+      break;
+  }
+  return {Verdict::kRefused, kNaN, {"no pose explains both"}};
+}
+
+void hide_sigmas(Registration& r) {
+  r.covariance.fill(kNaN);
+  r.summary.set(row_of<36>("covariance", "", "of rotation (rad) about the centre and shift (m)",
+                           r.covariance));
+  const size_t n = r.directions.require("sigma").count();
+  r.directions.set(
+      make_column<double>({.name = "sigma", .unit = "m", .meaning = "standard deviation along it"},
+                          std::vector<double>(n, kNaN)));
 }
 
 }  // namespace jalon

@@ -22,4 +22,13 @@ std::array<PoseDirection, 6> pose_directions(const Square<6>& covariance, double
 /// columns that a method has put into summary before come after the common ones.
 void fill_tables(Registration& registration, const std::array<PoseDirection, 6>& directions);
 
+/// Sets the columns "converged" and "stopped" of the summary anew.
+void set_stopped(Registration& registration);
+/// Sets the verdict: its columns of the summary, after those of fill_tables(), and its reasons as one text.
+void fill_judgement(Registration& registration, PoseJudgement judgement);
+/// The judgement by why a search stopped: not judged where it found its pose, else refused.
+PoseJudgement judgement_of_search(StopReason stopped);
+/// Makes the covariance and the sigmas of all directions NaN: those of a pose that is not accepted would mislead.
+void hide_sigmas(Registration& registration);
+
 }  // namespace jalon

@@ -199,8 +199,8 @@ inline PairScene corridor_with_doors(uint64_t seed, uint64_t contents) {
   s.step_m = step;
   s.box({0, 0, 0}, {length, width, 2.6});
   for (double x = step / 2; x + 1 < length; x += step) {
-    s.box({x, -0.15, 0}, {0.95, 0.15, 2.1});
-    s.box({x, width, 0}, {0.95, 0.15, 2.1});
+    s.box({x, 0, 0}, {0.95, 0.05, 2.1});
+    s.box({x, width - 0.05, 0}, {0.95, 0.05, 2.1});
   }
   for (int k = 0; k < 5; ++k)
     s.box({between(random, 0.5, length - 1), random.uniform() < 0.5 ? 0.02 : width - 0.4, 0},

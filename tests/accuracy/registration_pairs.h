@@ -45,7 +45,7 @@ inline StandScan scan_from(const PairScene& scene, size_t standpoint, const Scan
     const double turn = 2 * std::numbers::pi * random.uniform(), up = between(random, -1.1, 1.4);
     const Vec3 d{std::cos(turn) * std::cos(up), std::sin(turn) * std::cos(up), std::sin(up)};
     RayHit hit;
-    if (!tree->nearest({from - tree->origin(), d, 0.3, scene.range_m}, hit)) continue;
+    if (!tree->nearest({from, d, 0.3, scene.range_m}, hit)) continue;
     Vec3 p = T_scan_world.point(from + d * (hit.t + settings.noise_m * random.normal()));
     if (settings.is_mirrored) p.x = -p.x;
     p = p * settings.scale;

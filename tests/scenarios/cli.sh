@@ -356,7 +356,12 @@ with open("hills.xyz", "w") as f:
         f.write("%.4f %.4f %.4f\n" % (x, y, 2 * math.sin(x / 4) * math.cos(y / 5) + 0.1 * x))
 END
 check "register tells of a second pose" bash -c "'$jalon' register box.xyz box.xyz -o twice | grep -q 'clearly different pose fits'"
-check "and of none" bash -c "'$jalon' register room_1.xyz hills.xyz -o nowhere >said && grep -q '^nothing found' said && ! grep -q nan said"
+check "and of none" bash -c "'$jalon' register room_1.xyz hills.xyz -o nowhere >said; test \$? = 5 && grep -q '^nothing found' said && ! grep -q nan said"
+check "a pose that is not accepted gives a report and no cloud" bash -c "test -s nowhere/report.html && grep -q '\"verdict\": 3' nowhere/registration.json && ! ls nowhere | grep -q -e registered -e pose.txt"
+check "register says that a pose is accepted, and how sure that is" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --method icp -o joined | grep -q 'the pose is accepted, confidence 0.9'"
+awk '{ print -$1, $2, $3 }' room_2.xyz >mirrored.xyz
+check "a mirrored scan is not laid onto its own, from any start" bash -c "'$jalon' register room_1.xyz mirrored.xyz -o mirror >said; test \$? = 5 && '$jalon' register room_1.xyz mirrored.xyz --method icp -o mirror >said; test \$? = 5 && ! test -e mirror/registered.las"
+check "but for --force" bash -c "'$jalon' register room_1.xyz mirrored.xyz --method icp --force -o forced && test -s forced/registered.las && test -s forced/pose.txt"
 printf 'name x y z\nA 0 0 0 0.002\nB 9 0 1 0.002 0.002 0.004\nC, 8, 7, 2\n- 1 6 0 # unnamed\n' >control.txt
 printf 'C 8 7 2\nA 0 0 0\n1 6 0\nB 9 0 1\n' >measured.txt
 check "targets register two scans" bash -c "'$jalon' register corner_1.xyz corner_2.xyz --targets control.txt measured.txt -o by_targets | grep -q 'on 4 pairs'"

@@ -40,7 +40,7 @@ SUBROOMS = {
         "visibility": [], "distance": ["visibility"], "preview": [], "m3c2": [], "matching": [],
         "changes": ["matching", "visibility"], "volumes": ["distance"], "clearance": [],
     },
-    "registration": {"icp": [], "coarse": [], "targets": []},
+    "registration": {"surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": []},
     "report": {
         "sheet": [], "names": [], "elevation": ["sheet", "names"], "charts": ["sheet"],
         "pictures": ["elevation"], "pages": ["pictures", "charts"],

@@ -89,6 +89,7 @@ void fill_coarse_tables(Registration& r, const CoarseSearch& found, double cell_
                             std::copy_n(p.T_reference_moving.m.begin(), 12, out);
                           });
   fill_tables(r, directions_of(found.fixed, r.extent_m));
+  fill_judgement(r, judgement_of_search(r.stopped));
 }
 
 }  // namespace jalon

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/vec.h"
-#include "registration/icp/planes.h"
+#include "registration/surface/planes.h"
 
 namespace jalon {
 

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/table_columns.h"
+#include "registration/icp/judge.h"
 #include "registration/icp/result.h"
 #include "registration/icp/rows.h"
 #include "registration/icp/settle.h"
@@ -22,16 +23,9 @@ constexpr size_t kMore = 60'000, kMany = 300'000;
 constexpr size_t kIcpLeastPoints = 20;
 constexpr double kMisfits = 3;  // of the first distance
 
-// Step 2: the deepest level with at most so many occupied cells.
-int level_of(const Octree& tree, size_t most, Task& task) {
-  const std::vector<uint64_t> counts = tree.cell_counts(task);
-  int level = 0;
-  while (level < kMaxLevel && counts[static_cast<size_t>(level) + 1] <= most) ++level;
-  return level;
-}
-
+// Step 2: a point for each cell of the deepest level with at most so many.
 LevelPoints points_of(const SurfacePlanes& surface, size_t most, Task& task) {
-  const int level = level_of(*surface.tree, most, task);
+  const int level = deepest_level(*surface.tree, most, task);
   return {flattest_points(surface, level, task), std::ldexp(surface.tree->cube().edge, -level)};
 }
 
@@ -137,10 +131,11 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
     ProgressSpan span(task, 0.85, 0.95, "patches of both clouds");
     icp_settle(problem, state, task);
   }
-  ProgressSpan span(task, 0.95, 1, "covariance");
+  ProgressSpan span(task, 0.95, 1, "covariance, verdict");
   Registration out = icp_result(problem, state, task);
   add_value<double>(out.summary, "thinning_cell", "m",
                     "edge of the cubes thinned to a point; 0: none", cell_m);
+  icp_judge(*reference, *moving, problem, state, out, task);
   return out;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "registration/icp/plane_points.h"
+#include "registration/surface/plane_points.h"
 
 namespace jalon {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "registration/icp/patch_fit.h"
-#include "registration/icp/planes.h"
+#include "registration/surface/planes.h"
 
 namespace jalon {
 

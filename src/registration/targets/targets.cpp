@@ -4,6 +4,7 @@
 
 #include "base/setting_rows.h"
 #include "base/table_columns.h"
+#include "registration/registration_tables.h"
 #include "registration/targets/pairing.h"
 #include "registration/targets/solution.h"
 #include "registration/targets/tables.h"
@@ -40,6 +41,16 @@ constexpr auto kTargetsRows = setting_rows(
         "Distances of unnamed targets that differ by no more are the same; 0: 4 standard "
         "deviations."));
 
+PoseJudgement judgement_of_targets(const Registration& found) {
+  PoseJudgement out = judgement_of_search(found.stopped);
+  if (out.verdict != Verdict::kNone) return out;
+  if (found.unobservable > 0) out.reasons.push_back("directions of the pose are not fixed");
+  if (found.summary.require("global_accepted").values<uint8_t>()[0] == 0)
+    out.reasons.push_back("the residuals do not agree with the covariances of the targets");
+  out.verdict = out.reasons.empty() ? Verdict::kAccepted : Verdict::kDoubtful;
+  return out;
+}
+
 }  // namespace
 
 std::span<const ParamRow> targets_rows() { return kTargetsRows; }
@@ -59,6 +70,7 @@ Registration register_targets(std::span<const Target> reference, std::span<const
   describe_targets(sets, solution, settings, out);
   add_value<uint64_t>(out.summary, "solutions", "",
                       "poses that pair the targets about as well: 1 is unique", pairing.solutions);
+  fill_judgement(out, judgement_of_targets(out));
   return out;
 }
 

@@ -12,7 +12,7 @@
 #include "base/random.h"
 #include "geometry/rigid_motion.h"
 #include "registration/icp/icp.h"
-#include "registration/icp/planes.h"
+#include "registration/surface/planes.h"
 #include "unit/registration/registration_scenes.h"
 
 using namespace jalon;

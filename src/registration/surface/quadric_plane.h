@@ -6,7 +6,7 @@
 #include <span>
 
 #include "geometry/cholesky.h"
-#include "registration/icp/planes.h"
+#include "registration/surface/planes.h"
 
 namespace jalon {
 

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "registration/icp/plane_points.h"
-#include "registration/icp/quadric_plane.h"
+#include "registration/surface/plane_points.h"
+#include "registration/surface/quadric_plane.h"
 #include "unit/registration/icp_problems.h"
 
 using namespace jalon;

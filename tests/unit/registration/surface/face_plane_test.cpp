@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "geometry/plane.h"
-#include "registration/icp/face_plane.h"
+#include "registration/surface/face_plane.h"
 #include "unit/registration/icp_problems.h"
 
 using namespace jalon;

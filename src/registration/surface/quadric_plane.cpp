@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/icp/quadric_plane.h"
+#include "registration/surface/quadric_plane.h"
 
 #include <algorithm>
 #include <cmath>

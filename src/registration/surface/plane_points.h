@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "registration/icp/planes.h"
+#include "registration/surface/planes.h"
 
 namespace jalon {
 

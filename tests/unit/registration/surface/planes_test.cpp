@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "registration/icp/planes.h"
+#include "registration/surface/planes.h"
 #include "unit/registration/icp_problems.h"
 
 using namespace jalon;

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "registration/icp/quadric_plane.h"
+#include "registration/surface/quadric_plane.h"
 #include "unit/registration/icp_problems.h"
 
 using namespace jalon;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/icp/face_plane.h"
+#include "registration/surface/face_plane.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/icp/plane_points.h"
+#include "registration/surface/plane_points.h"
 
 #include <cmath>
 
-#include "registration/icp/face_plane.h"
-#include "registration/icp/quadric_plane.h"
+#include "registration/surface/face_plane.h"
+#include "registration/surface/quadric_plane.h"
 
 namespace jalon {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/icp/planes.h"
+#include "registration/surface/planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "base/parallel.h"
 #include "cloud/neighbour_planes.h"
-#include "registration/icp/face_plane.h"
-#include "registration/icp/quadric_plane.h"
+#include "registration/surface/face_plane.h"
+#include "registration/surface/quadric_plane.h"
 
 namespace jalon {
 
@@ -133,6 +133,13 @@ SurfacePlanes surface_planes(std::shared_ptr<const Octree> tree, uint32_t k, Tas
   });
   out.radius_m = median_of(out.planes, [](const SurfacePlane& p) { return p.radius_m; });
   return out;
+}
+
+int deepest_level(const Octree& tree, size_t most_cells, Task& task) {
+  const std::vector<uint64_t> counts = tree.cell_counts(task);
+  int level = 0;
+  while (level < kMaxLevel && counts[static_cast<size_t>(level) + 1] <= most_cells) ++level;
+  return level;
 }
 
 std::vector<uint32_t> flattest_points(const SurfacePlanes& planes, int level, Task& task) {

@@ -56,6 +56,9 @@ struct SurfacePlanes {
 /// none; noise_m, flat_m and radius_m are medians over samples of them. O(n k).
 SurfacePlanes surface_planes(std::shared_ptr<const Octree> tree, uint32_t k, Task& task);
 
+/// The deepest level of the octree with at most so many occupied cells.
+int deepest_level(const Octree& tree, size_t most_cells, Task& task);
+
 /// The flattest point of each occupied cell of a level of the octree, one for each of the three
 /// axes that its normal is nearest to, so that small faces of a rare direction have their say
 /// (normal-space sampling, Rusinkiewicz & Levoy 2001). After: positions of flat points, ascending,

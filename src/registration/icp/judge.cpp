@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/icp/judge.h"
+
+#include "base/numbers.h"
+#include "base/table_columns.h"
+#include "registration/registration_tables.h"
+#include "registration/verdict/verdict.h"
+
+namespace jalon {
+
+namespace {
+
+JudgedCloud judged(const Cloud& raw, const ThinnedCloud& thinned, const SurfacePlanes& surface,
+                   Task& task) {
+  const auto order = surface.tree->order();
+  std::vector<uint32_t> raw_index(order.begin(), order.end());
+  for (uint32_t& index : raw_index) index = thinned.raw(index);
+  return judged_cloud(raw, surface, raw_index, task);
+}
+
+void add_evidence(const PoseEvidence& evidence, FieldTable& summary) {
+  const auto add = [&](const char* name, const char* meaning, double of_moving,
+                       double of_reference) {
+    add_value<double>(summary, std::string(name) + "_moving", "1", meaning, of_moving);
+    add_value<double>(summary, std::string(name) + "_reference", "1", meaning, of_reference);
+  };
+  const Agreement &m = evidence.of_moving, &r = evidence.of_reference;
+  add("near", "share of the surface within reach of the other cloud", m.near_share(),
+      r.near_share());
+  add("explained", "share of what the other scan could see that lies on its surface",
+      m.explained_share(), r.explained_share());
+  add("pierced", "share of what the other scan could see where its beams went through",
+      m.has_sights ? m.pierced_share() : kNaN, r.has_sights ? r.pierced_share() : kNaN);
+  add("contradicted", "share that differs together with what is about it", m.contradicted_share(),
+      r.contradicted_share());
+  const bool has_scale = evidence.scale.sigma > 0;
+  add_value<double>(summary, "wanted_scale", "1", "of the moving cloud, if it were free",
+                    has_scale ? evidence.scale.scale : kNaN);
+  add_value<double>(summary, "wanted_scale_sigma", "1", "its standard deviation",
+                    has_scale ? evidence.scale.sigma : kNaN);
+}
+
+}  // namespace
+
+void icp_judge(const Cloud& reference, const Cloud& moving, const IcpProblem& problem,
+               const IcpState& state, Registration& out, Task& task) {
+  const IcpClouds& clouds = problem.clouds;
+  const JudgedCloud of_reference =
+                        judged(reference, problem.thinned_reference, clouds.reference, task),
+                    of_moving = judged(moving, problem.thinned_moving, clouds.moving, task);
+  const PoseEvidence evidence =
+      evidence_of(of_reference, of_moving, state.T_reference_moving, task);
+  add_evidence(evidence, out.summary);
+  fill_judgement(out, judge_pose(evidence, out.converged, out.unobservable));
+}
+
+}  // namespace jalon

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace jalon {
+
+/// Whether a pose may be used; the numbers of jalon/registrar.h.
+enum class Verdict : uint8_t { kNone = 0, kAccepted = 1, kDoubtful = 2, kRefused = 3 };
+
+struct PoseJudgement {
+  Verdict verdict = Verdict::kNone;
+  /// Probability that the pose is right; NaN where it was not measured.
+  double confidence = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> reasons;  ///< sentences, why it is not accepted
+};
+
+}  // namespace jalon

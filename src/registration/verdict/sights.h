@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cloud/cloud.h"
+#include "registration/verdict/sight_map.h"
+#include "registration/verdict/surface_sample.h"
+
+namespace jalon {
+
+/// A cloud as the verdict looks at it.
+struct JudgedCloud {
+  const SurfacePlanes* surface = nullptr;
+  std::vector<Surfel> surfels;
+  std::vector<SightMap> sights;  ///< empty: nobody knows where the cloud was taken from
+};
+
+/// Surfels and what the stations saw. The stations are those of the cloud that have a pose. A cloud without any may
+/// be of one station, which is then found by the density of its points and believed when it could have seen all but a
+/// few of them.
+///
+/// raw_index: of the point at each position of the surface, in the cloud. The surface outlives the result.
+JudgedCloud judged_cloud(const Cloud& raw, const SurfacePlanes& surface,
+                         std::span<const uint32_t> raw_index, Task& task);
+
+}  // namespace jalon

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/verdict/station_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kMostSurfels = 500;  // their mean deviation is sure to 3 %; places differ by tens
+constexpr size_t kLeastSurfels = 30;
+constexpr int kPlaces = 2000;     // of the search
+constexpr int kMostAcross = 24;   // of them along one axis
+constexpr double kBeyond = 0.2;   // of the box, on each side
+constexpr size_t kDescents = 12;  // from the best places: a narrow room has many poor minima
+constexpr int kSteps = 40;
+constexpr double kMostDeviation = 2;  // outliers count for no more
+constexpr double kLeastFitCosine = 1e-3;
+
+class DensityLaw {
+ public:
+  DensityLaw(std::span<const Surfel> surfels, Spreading spreading) : spreading_(spreading) {
+    const size_t stride = surfels.size() / kMostSurfels + 1;
+    for (size_t i = 0; i < surfels.size(); i += stride)
+      if (surfels[i].radius_m > 0) surfels_.push_back(surfels[i]);
+    logs_.resize(surfels_.size());
+  }
+  size_t size() const { return surfels_.size(); }
+  Box3 box() const {
+    Box3 out;
+    for (const Surfel& s : surfels_) out.add(s.place);
+    return out;
+  }
+  double spread_at(const Vec3& station) {
+    for (size_t i = 0; i < surfels_.size(); ++i) {
+      const Surfel& s = surfels_[i];
+      const Vec3 d = s.place - station;
+      const double range2 = std::max(squared_norm(d), 1e-12), range = std::sqrt(range2);
+      const double cosine = std::max(std::abs(dot(s.normal, d)) / range, kLeastFitCosine);
+      double area = range2 / cosine;  // that a point stands for
+      if (spreading_ == Spreading::kEvenAngles)
+        area *= std::sqrt(
+            std::max((d.x * d.x + d.y * d.y) / range2, kLeastFitCosine * kLeastFitCosine));
+      logs_[i] = std::log(area / (s.radius_m * s.radius_m));
+    }
+    const auto middle = logs_.begin() + static_cast<ptrdiff_t>(logs_.size() / 2);
+    std::nth_element(logs_.begin(), middle, logs_.end());
+    const double centre = *middle;
+    double sum = 0;
+    for (const double log : logs_) sum += std::min(std::abs(log - centre), kMostDeviation);
+    return sum / static_cast<double>(logs_.size());
+  }
+
+ private:
+  Spreading spreading_;
+  std::vector<Surfel> surfels_;
+  std::vector<double> logs_;
+};
+
+// A grid of about kPlaces places of cells that are as long as wide, over the box and beyond.
+std::vector<Vec3> places_in(const Box3& box) {
+  const Vec3 size = (box.max - box.min) * (1 + 2 * kBeyond),
+             from = box.min - (box.max - box.min) * kBeyond;
+  double step = std::cbrt(std::max(size.x * size.y * size.z, 1e-9) / kPlaces);
+  step = std::max(step, std::max({size.x, size.y, size.z}) / kMostAcross);
+  std::vector<Vec3> out;
+  const auto count = [&](double length) { return std::max(3, static_cast<int>(length / step)); };
+  const int nx = count(size.x), ny = count(size.y), nz = count(size.z);
+  for (int i = 0; i < nx; ++i)
+    for (int j = 0; j < ny; ++j)
+      for (int k = 0; k < nz; ++k)
+        out.push_back({from.x + size.x * (i + 0.5) / nx, from.y + size.y * (j + 0.5) / ny,
+                       from.z + size.z * (k + 0.5) / nz});
+  return out;
+}
+
+// Steps along the axes, halved when none helps.
+StationFit descend(DensityLaw& law, StationFit from, double step_m) {
+  for (int i = 0; i < kSteps; ++i) {
+    StationFit best = from;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double way : {-step_m, step_m}) {
+        Vec3 place = from.place;
+        place[axis] += way;
+        const double spread = law.spread_at(place);
+        if (spread < best.spread) best = {place, spread};
+      }
+    if (best.spread < from.spread) from = best;
+    else step_m *= 0.5;
+  }
+  return from;
+}
+
+}  // namespace
+
+StationFit fit_station(std::span<const Surfel> surfels, Spreading spreading, Task& task) {
+  constexpr StationFit kNoFit{{0, 0, 0}, std::numeric_limits<double>::infinity()};
+  DensityLaw law(surfels, spreading);
+  if (law.size() < kLeastSurfels) return kNoFit;
+  // 1. Everywhere in the box and about it.
+  const Box3 box = law.box();
+  std::vector<StationFit> found;
+  for (const Vec3& place : places_in(box)) {
+    if (found.size() % 64 == 0) task.checkpoint(0);
+    found.push_back({place, law.spread_at(place)});
+  }
+  // 2. Downhill from the best.
+  const size_t most = std::min(kDescents, found.size());
+  std::partial_sort(found.begin(), found.begin() + static_cast<ptrdiff_t>(most), found.end(),
+                    [](const StationFit& a, const StationFit& b) { return a.spread < b.spread; });
+  const Vec3 size = box.max - box.min;
+  const double step_m = 0.5 * std::max({size.x, size.y, size.z}) / kMostAcross;
+  StationFit best = kNoFit;
+  for (size_t i = 0; i < most; ++i) {
+    task.checkpoint(0);
+    const StationFit fit = descend(law, found[i], step_m);
+    if (fit.spread < best.spread) best = fit;
+  }
+  return best;
+}
+
+}  // namespace jalon

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/verdict/station_fit.h"
+
+#include <doctest/doctest.h>
+
+#include "unit/registration/verdict/judged_rooms.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+TEST_CASE("station_fit__finds_the_standpoint_by_the_density_of_the_points") {
+  Task task;
+  for (const uint64_t seed : {1, 2, 3}) {
+    for (const PairScene& scene :
+         {furnished(seed, seed), crossing(seed), corridor_with_doors(seed, seed)}) {
+      const auto scan = judged_scan(scene, 0, seed);
+      const StationFit fit = fit_station(scan->judged.surfels, Spreading::kEvenAngles, task);
+      CHECK(norm(fit.place - scan->station) < 0.5);
+    }
+  }
+}
+
+TEST_CASE("station_fit__gives_none_from_a_few_surfels") {
+  Task task;
+  const std::vector<Surfel> few(10, Surfel{{1, 2, 3}, {0, 0, 1}, 0.1, 0, -1});
+  CHECK_FALSE(std::isfinite(fit_station(few, Spreading::kEvenDirections, task).spread));
+}
+
+TEST_CASE("station_fit__fits_points_without_a_station_worse") {
+  Task task;
+  const auto scan = judged_scan(furnished(4, 4), 0, 4);
+  std::vector<Surfel> even = scan->judged.surfels;
+  for (Surfel& surfel : even) surfel.radius_m = 0.05;  // as dense everywhere
+  const StationFit seen = fit_station(scan->judged.surfels, Spreading::kEvenAngles, task);
+  const StationFit spread = fit_station(even, Spreading::kEvenAngles, task);
+  CHECK(seen.spread < spread.spread);
+}
