@@ -51,7 +51,7 @@ def growth(rows):
                 if row["operation"] == operation and row["threads"] == threads
             }
             small, large = min(medians, default=0), max(medians, default=0)
-            if large != 5 * small or large == 0:
+            if large != 5 * small or large == 0 or "Jalon" not in medians[small] or "Jalon" not in medians[large]:
                 continue
             ratios = {
                 peer: medians[large][peer] / medians[small][peer]

