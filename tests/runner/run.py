@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-"""Builds what the chosen suites need and runs them, two at a time; tests/run.sh sets up the machine and calls it.
+"""Builds what the chosen suites need and runs them, two at a time, the next build beside them; tests/run.sh calls it.
 
 The last line is "N passed, N failed, N skipped"; before it stand the slowest suites and, in JSON, build/logs/suites.json.
 """
@@ -16,7 +16,8 @@ import time
 
 from counting import counts, figures, troubles
 from parts import part_of
-from suites import BUILDS, ROOT, SANITIZED, all_suites, folder
+from schedule import Schedule, longest_first
+from suites import BUILDS, LONGEST_FIRST, ROOT, all_suites, folder
 
 LOGS = os.path.join(ROOT, "build", "logs")
 AT_ONCE = 2  # the machine that the project is tested on has two cores
@@ -44,31 +45,35 @@ def chosen_suites(options):
 
 
 class Runner:
-    def __init__(self, is_full):
+    def __init__(self):
         self.started = time.monotonic()
-        self.environment = dict(os.environ, **({"JALON_FULL": "1"} if is_full else {}))
+        # Packages of the tests are read a few times: compiling all of them ahead takes longer.
+        self.environment = dict(os.environ, PIP_NO_COMPILE="1")
         self.total, self.failed_suites, self.rows = [0, 0, 0], [], []
 
     def seconds(self):
         return time.monotonic() - self.started
 
-    def build(self, build, suites):
-        """Configures, then builds what these suites need; a failure ends the run: nothing after it would mean anything."""
+    def start_build(self, build, suites, is_first):
+        """Configures, then builds what these suites need, with what suites of earlier builds leave of the machine."""
         print("== building %s (%.0f s)" % (build, self.seconds()), flush=True)
-        begin, log = time.monotonic(), os.path.join(LOGS, "build_%s.log" % build)
-        targets = sorted({t for s in suites for t in s.targets})
+        log = os.path.join(LOGS, "build_%s.log" % build)
+        targets = sorted({t for s in suites if s.build == build for t in s.targets})
+        command = 'cmake -S "$0" --preset "$1" && folder=$2 && shift 2 && { [ $# -eq 0 ] || ninja -C "$folder" "$@"; }'
         with open(log, "w", encoding="utf-8") as out:
-            ok = subprocess.run(["cmake", "-S", ROOT, "--preset", build], cwd=ROOT, stdout=out, stderr=subprocess.STDOUT,
-                                stdin=subprocess.DEVNULL).returncode == 0
-            if ok and targets:
-                ok = subprocess.run(["ninja", "-C", folder(build)] + targets, stdout=out, stderr=subprocess.STDOUT,
-                                    stdin=subprocess.DEVNULL).returncode == 0
-        if not ok:
+            process = subprocess.Popen(["nice", "-n", "0" if is_first else "10", "bash", "-c", command, ROOT, build, folder(build)]
+                                       + targets, cwd=ROOT, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+        return process, build, time.monotonic(), log
+
+    def finish_build(self, job, code, usage):
+        _, build, begin, log = job
+        wall, cpu = time.monotonic() - begin, usage.ru_utime + usage.ru_stime
+        self.rows.append({"suite": "build " + build, "wall_s": wall, "cpu_s": cpu, "passed": 0})
+        print("== built %s in %.0f s, %.0f s of processor" % (build, wall, cpu), flush=True)
+        if code:
             lines = open(log, encoding="utf-8", errors="replace").read().splitlines()
             print("\n".join([line for line in lines if re.search("error|FAILED", line)][:40] + lines[-20:]))
-            print("0 passed, 1 failed, 0 skipped")
-            sys.exit(1)
-        self.rows.append({"suite": "build " + build, "wall_s": time.monotonic() - begin, "passed": 0})
+        return code == 0
 
     def start(self, suite):
         log = os.path.join(LOGS, suite.name + ".log")
@@ -98,16 +103,29 @@ class Runner:
         sys.stdout.flush()
 
     def run(self, suites):
-        """Two at a time, in order; those that want no company by themselves at the end."""
-        for group, most in (([s for s in suites if not s.is_alone], AT_ONCE), ([s for s in suites if s.is_alone], 1)):
-            waiting, running = list(group), {}
-            while waiting or running:
-                while waiting and len(running) < most:
-                    job = self.start(waiting.pop(0))
-                    running[job[0].pid] = job
-                pid, status, usage = os.wait4(-1, 0)
-                if pid in running:
-                    self.finish(running.pop(pid), os.waitstatus_to_exitcode(status), usage)
+        """A build that fails ends the run: nothing after it would mean anything."""
+        builds = [build for build in BUILDS if any(s.build == build for s in suites)]
+        schedule = Schedule(builds, longest_first(suites, LONGEST_FIRST), AT_ONCE)
+        jobs, building = {}, None
+        while not schedule.is_over:
+            if build := schedule.next_build():
+                building = self.start_build(build, suites, build == builds[0])
+            while suite := schedule.next_suite():
+                job = self.start(suite)
+                jobs[job[0].pid] = job
+            pid, status, usage = os.wait4(-1, 0)
+            code = os.waitstatus_to_exitcode(status)
+            if building and pid == building[0].pid:
+                if not self.finish_build(building, code, usage):
+                    for process, *_ in jobs.values():
+                        process.terminate()
+                    print("0 passed, 1 failed, 0 skipped")
+                    sys.exit(1)
+                schedule.build_ended()
+                building = None
+            elif pid in jobs:
+                self.finish(jobs[pid], code, usage)
+                schedule.suite_ended(jobs.pop(pid)[1])
 
     def close(self):
         os.makedirs(LOGS, exist_ok=True)
@@ -130,6 +148,8 @@ def need_packages(suites):
 
 def main():
     options = arguments()
+    if options.full:
+        os.environ["JALON_FULL"] = "1"
     suites = chosen_suites(options)
     if options.list:
         print("\n".join(s.name for s in suites))
@@ -139,12 +159,8 @@ def main():
     os.makedirs(LOGS, exist_ok=True)
     if not need_packages(suites):
         return 1
-    runner = Runner(options.full is not None)
-    for build in BUILDS:
-        of_build = [s for s in suites if s.build == build]
-        if of_build:
-            runner.build(build, of_build)
-            runner.run(of_build)
+    runner = Runner()
+    runner.run(suites)
     return runner.close()
 
 

@@ -13,10 +13,13 @@ SANITIZED = {
              "UBSAN_OPTIONS": "print_stacktrace=1"},
     "tsan": {"JALON_SANITIZED": "1", "TSAN_OPTIONS": "halt_on_error=1"},
 }
-# Programs with promises about latency, memory or the threads of the machine, of the release build alone: nothing else runs
-# beside them.
-ALONE = {"capi_cancel_test", "capi_threads_test", "capi_allocation_test", "bindings_python", "bindings_csharp", "bindings_java",
-         "fresh_root", "bench", "bindings_from_source"}
+# Those whose figures are worth something only on a quiet machine, in the long run: nothing else runs beside them.
+ALONE = {"release/capi_cancel_test", "bench"}
+# What takes more than about 20 s of processor, as measured (tests/README.md): started first, so that none ends alone.
+LONGEST_FIRST = ["fresh_root", "bindings_from_source", "validators", "release/unit_registration", "accuracy", "bindings_python",
+                 "bindings_java", "release/unit_modelling", "bits", "release/capi_null_wild", "release/unit_segment",
+                 "release/capi_cancel_test", "bindings_csharp", "comma_locale", "cli", "asan/capi_null_wild", "asan/cli",
+                 "asan/capi_cancel_test", "asan/malformed", "tsan/unit_base"]
 # Rooms whose unit tests also run under the thread sanitizer; the first in every run.
 THREADED = ["unit_base"]
 THREADED_FULL = ["unit_spatial", "unit_cloud", "unit_segment", "unit_scan", "unit_modelling"]
@@ -33,7 +36,7 @@ class Suite:
 
     @property
     def is_alone(self):
-        return self.build == "release" and os.path.basename(self.name) in ALONE
+        return self.name in ALONE and "JALON_FULL" in os.environ
 
     @property
     def environment(self):
@@ -84,6 +87,8 @@ def release_suites():
         script("validators_offline", "tests/offline.sh", [], ["tests/formats/validators.sh", "ezdxf.*"]),
         Suite("accuracy", [os.path.join(folder("release"), "tests", "accuracy", "accuracy")], targets=["accuracy"]),
         script("examples", "tests/scenarios/examples.sh", ["jalon_cli", "examples/all"]),
+        script("runner", "tests/runner/schedule_test.py", [], []),
+        script("bench_verdicts", "tests/bench/verdicts_test.py", [], []),
         script("bindings", "tests/bindings/reachable.py", ["bindings"]),
         script("bindings_python", "tests/bindings/python.sh", everything),
         script("bindings_offline", "tests/offline.sh", [], ["tests/bindings/python.sh", "numpy and scikit-build-core"]),
