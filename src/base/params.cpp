@@ -27,11 +27,12 @@ const char* type_name(ParamType type) {
 }
 
 void check_range(const ParamRow& row, double value) {
-  // The negated form also refuses NaN; infinity passes only where the row has no limit on that side.
-  if (!(value >= row.minimum && value <= row.maximum))
-    fail(Status::kInvalidArgument, "parameter \"%s\" = %s%s%s is outside %s ... %s", row.name,
-         text_of(value).c_str(), *row.unit ? " " : "", row.unit, text_of(row.minimum).c_str(),
-         text_of(row.maximum).c_str());
+  // NaN is in no range; infinity passes only where the row has no limit on that side.
+  if (value >= row.minimum && value <= row.maximum) return;
+  const std::string unit = std::string_view(row.unit) == "1" ? "" : row.unit;
+  fail(Status::kInvalidArgument, "parameter \"%s\" = %s%s%s is outside %s ... %s", row.name,
+       text_of(value).c_str(), unit.empty() ? "" : " ", unit.c_str(), text_of(row.minimum).c_str(),
+       text_of(row.maximum).c_str());
 }
 
 void write_value(JsonWriter& json, ParamType type, const ParamSet::Value& value) {
