@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "formats/files/utf8.h"
 #include "formats/registry.h"
+#include "formats/units/file_unit.h"
 
 namespace jalon {
 
@@ -157,7 +159,10 @@ template <class Function>
 Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& task) {
   const ByteSource source(path);
   const Format& format = format_to_read(source, settings);
-  if (format.read_cloud != nullptr) return format.read_cloud(source, settings, task);
+  if (format.read_cloud != nullptr) {
+    Cloud cloud = format.read_cloud(source, settings, task);
+    return format.knows_units ? cloud : in_metres(std::move(cloud), settings.unit, task);
+  }
   refuse_option(path, settings.format, &Format::read_cloud, "cloud", true);
   const auto models =
       names_of([](const Format& f) { return f.read_model != nullptr && f.read_cloud == nullptr; });

@@ -85,8 +85,10 @@ constexpr auto kReadRows = setting_rows(
         "polygons", "auto|faces|mesh", "obj",
         "What the polygons of a file become: auto: faces with openings where the file tells them, "
         "as our own do, else the triangles of a mesh; faces: a face each"),
-    choice_row<&ReadSettings::unit>("unit", "auto|metre|foot|us_survey_foot", "las",
-                                    "Length unit of the file; auto takes it from the CRS"));
+    choice_row<&ReadSettings::unit>(
+        "unit", "auto|metre|foot|us_survey_foot|millimetre|centimetre", "las,ply,text",
+        "Length unit of the coordinates of a cloud's file, which become metres; auto: that of the "
+        "CRS of a LAS file, else metres"));
 
 constexpr auto kWriteRows = setting_rows(
     choice_row<&WriteSettings::format>("format", kWriteChoices.bytes.data(), "",

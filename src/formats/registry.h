@@ -63,6 +63,7 @@ struct Format {
   Ability<void(const Cloud&, const std::string& path, const WriteSettings&, Task&)> write_cloud{};
   Ability<Model(const ByteSource&, const ReadSettings&, Task&)> read_model{};
   Ability<void(const Model&, const std::string& path, const WriteSettings&, Task&)> write_model{};
+  bool knows_units = false;  ///< its reader heeds the option "unit" and what the file says of it
   bool reads_as_another = false;  ///< by the reader of a row before, which users name instead
   bool is_drawing = false;        ///< written by the room report
 
@@ -78,7 +79,8 @@ inline constexpr Format kFormats[] = {
      .recognises = is_las,
      .mark = "LASF",
      .read_cloud = read_las,
-     .write_cloud = write_las},
+     .write_cloud = write_las,
+     .knows_units = true},
     {.name = "PLY",
      .keyword = "ply",
      .extensions = "ply",

@@ -10,7 +10,7 @@ namespace jalon {
 // Values stand in the order of the choices of their rows (option_rows.cpp).
 /// What the polygons of a file become: as it says itself, a face each, or the triangles of a mesh.
 enum class Polygons { kAuto, kFaces, kMesh };
-enum class FileUnit { kAuto, kMetres, kFeet, kUsSurveyFeet };
+enum class FileUnit { kAuto, kMetres, kFeet, kUsSurveyFeet, kMillimetres, kCentimetres };
 enum class LasVersion { kAuto, k12, k14 };
 enum class PlyForm { kLittleEndian, kBigEndian, kAscii };
 enum class DxfVersion { kR12, kR2000 };

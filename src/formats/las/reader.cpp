@@ -10,6 +10,7 @@
 #include "formats/las/fields.h"
 #include "formats/las/las.h"
 #include "formats/las/layout.h"
+#include "formats/units/file_unit.h"
 
 namespace jalon {
 
@@ -109,8 +110,7 @@ LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Reco
                          const ByteSource& source, FileUnit unit, Task& task) {
   LengthUnits units;
   units.known = true;
-  if (unit == FileUnit::kFeet) units.horizontal = units.vertical = kFoot;
-  if (unit == FileUnit::kUsSurveyFeet) units.horizontal = units.vertical = kUsFoot;
+  units.horizontal = units.vertical = metres_of(unit);
   if (unit == FileUnit::kAuto) units = units_of(vlrs, evlrs, source.path());
   if (units.degrees)
     task.log(Task::kWarning,

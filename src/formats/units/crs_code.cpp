@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/units/crs_code.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "formats/files/utf8.h"
@@ -49,6 +50,13 @@ uint32_t wkt_epsg_code(std::string_view text) {
   uint32_t code = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code);
   return error == std::errc() && code <= kMaxCode ? code : 0;
+}
+
+bool is_local_crs(std::string_view crs) {
+  const std::string_view word =
+      crs.substr(std::min(crs.find_first_not_of(" \t\r\n"), crs.size()), 16);
+  const std::string small = lower(word.substr(0, word.find_first_of("[( ")));
+  return small == "local_cs" || small == "engcrs" || small == "engineeringcrs";
 }
 
 uint32_t metric_epsg_code(std::string_view crs) {

@@ -14,5 +14,8 @@ uint32_t metric_epsg_code(std::string_view crs);
 /// Of a WKT as a whole, whatever its unit: AUTHORITY["EPSG","2154"] (WKT 1) or ID["EPSG",2154] (WKT 2) inside the
 /// outermost bracket only; 0 without one.
 uint32_t wkt_epsg_code(std::string_view text);
+/// Is it a system of a place of its own, which no map has: LOCAL_CS (WKT 1), ENGCRS or ENGINEERINGCRS (WKT 2)? Its axes
+/// need not point to the north.
+bool is_local_crs(std::string_view crs);
 
 }  // namespace jalon

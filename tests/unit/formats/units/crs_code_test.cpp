@@ -88,3 +88,11 @@ TEST_CASE("crs_code__systems_in_feet_or_degrees_and_texts_that_are_no_code_give_
     CHECK(metric_epsg_code(text) == 0);
   }
 }
+
+TEST_CASE("crs_code__a_local_system_is_told_by_its_keyword_in_both_forms_of_wkt") {
+  for (const char* crs :
+       {"LOCAL_CS[\"a\",UNIT[\"metre\",1]]", " engcrs (\"a\")", "EngineeringCRS[\"a\"]"})
+    CHECK_MESSAGE(is_local_crs(crs), crs);
+  for (const char* crs : {"", "EPSG:2154", "PROJCS[\"LOCAL_CS\"]", "LOCAL_CSX[\"a\"]", "LOCAL"})
+    CHECK_MESSAGE(!is_local_crs(crs), crs);
+}
