@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cloud_job.h"
+#include "cli/output_check.h"
 
 namespace jalon::cli {
 
@@ -30,6 +31,13 @@ struct Clean {
 
   void run() const {
     Console console(job.common);
+    const Params outliers = make_params("outliers"), voxels = make_params("subsample");
+    if (!remove_outliers && job.settings.is_given())
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--set and --params are for --outliers"};
+    job.settings.apply(outliers.get());
+    must(jalon_params_set_string(voxels.get(), "method", "voxel"));
+    if (voxel_m > 0) must(jalon_params_set_double(voxels.get(), "cell_m", voxel_m));
+    check_output_file(job.output, "cloud");
     Cloud cloud = job.read(console);
     auto steps = nlohmann::ordered_json::array();
     jalon_reduction reduction;
@@ -51,21 +59,18 @@ struct Clean {
     }
     if (remove_outliers) {
       console.step("outliers");
-      const Params options = make_params("outliers");
-      job.settings.apply(options.get());
-      must(jalon_cloud_remove_outliers(cloud.get(), options.get(), console.task(), Out(cloud),
+      must(jalon_cloud_remove_outliers(cloud.get(), outliers.get(), console.task(), Out(cloud),
                                        &reduction));
       report(console, steps, "outliers", reduction);
     }
     if (voxel_m > 0) {
       console.step("sampling");
-      const Params options = make_params("subsample");
-      must(jalon_params_set_string(options.get(), "method", "voxel"));
-      must(jalon_params_set_double(options.get(), "cell_m", voxel_m));
-      must(jalon_cloud_subsample(cloud.get(), options.get(), console.task(), Out(cloud),
-                                 &reduction));
+      must(
+          jalon_cloud_subsample(cloud.get(), voxels.get(), console.task(), Out(cloud), &reduction));
       report(console, steps, "voxels", reduction);
     }
+    if (count_of(cloud) == 0)
+      throw Failure{JALON_ERROR_DEGENERATE, job.input.path + ": no point is left, nothing written"};
     job.write(console, cloud, nullptr);
     console.say("wrote " + job.output);
     nlohmann::ordered_json result = job.result(cloud);
@@ -85,6 +90,7 @@ void add_clean(Command& app) {
   command
       .option("--duplicate-tolerance", state->duplicate_tolerance_m,
               "Points that agree after rounding to this length are one (m)")
+      .positive()
       .shows_default();
   command.flag("--keep-duplicates", state->keep_duplicates, "Do not look for duplicates");
   command.flag("--facade", state->facade_only,

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/inputs/clearance_inputs.h"
+#include "cli/lengths.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/table.h"
 
@@ -34,6 +36,7 @@ struct Clearance {
   Common common;
   std::vector<std::string> inputs;
   std::string gauge, trajectory, output;
+  Input cloud;  ///< how a scan among the inputs is read
   int64_t part = -1, other_part = -1;
   Settings settings;
 
@@ -41,26 +44,35 @@ struct Clearance {
   struct Scene {
     Cloud cloud;
     std::vector<Model> models;
+    Lengths lengths;
+    std::vector<jalon_box> boxes;
+
+    void note(const Lengths& more, const jalon_box& box) {
+      lengths = boxes.empty() ? more : lengths.with(more);
+      boxes.push_back(box);
+    }
   };
 
   // A file of points or of surfaces; PLY and text may be either, and without a surface they are a cloud.
-  static void read(Console& console, const std::string& path, Scene& scene) {
+  void read(Console& console, const std::string& path, Scene& scene) const {
     const std::string end = lower_end(path, 4);
     const bool points_only =
         end == ".las" || end == ".laz" || end == ".xyz" || end == ".txt" || end == ".csv";
     if (!points_only) {
       Model model;
-      must(jalon_model_read(path.c_str(), nullptr, console.task(), Out(model)));
+      must_read(jalon_model_read(path.c_str(), nullptr, console.task(), Out(model)));
       if (has_surface(model) || end != ".ply") {
+        scene.note(Lengths::of(path, model), box_of(model));
         scene.models.push_back(std::move(model));
         return;
       }
     }
     if (scene.cloud)
       throw Failure{JALON_ERROR_INVALID_ARGUMENT, path + " is a second cloud; one at most"};
-    Input input;
+    Input input = cloud;
     input.path = path;
     scene.cloud = input.read(console);
+    scene.note(Lengths::of(input, scene.cloud), box_of(scene.cloud));
   }
 
   void run() const {
@@ -68,6 +80,9 @@ struct Clearance {
     settings.apply(options.get());
     if (gauge.empty() != trajectory.empty())
       throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--gauge and --trajectory go together"};
+    if (!gauge.empty() && (part >= 0 || other_part >= 0))
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--part and --other-part are without a gauge"};
+    if (!output.empty()) check_output_folder(output);
     Console console(common);
     console.step("reading");
     Scene scene;
@@ -82,6 +97,8 @@ struct Clearance {
   }
 
   void measure(Console& console, const Scene& scene, const Params& options, Json& result) const {
+    if (inputs.size() == 2 && scene.boxes.size() == 2)
+      warn_of_sizes(console, inputs[0], scene.boxes[0], inputs[1], scene.boxes[1]);
     const auto row = [](int64_t number) {
       return number < 0 ? JALON_WHOLE_MODEL : static_cast<uint64_t>(number);
     };
@@ -101,10 +118,11 @@ struct Clearance {
     result.update(summary.object(0));
     const double clearance = summary.number("clearance", 0);
     console.say(summary.count("interferes", 0) != 0
-                    ? "they interfere, depth " + fixed(-clearance, 4) + " m"
-                    : "least distance " + fixed(clearance, 4) + " m");
+                    ? "they interfere, depth " + fixed(-clearance, 4) + " " + scene.lengths.length()
+                    : "least distance " + fixed(clearance, 4) + " " + scene.lengths.length());
     console.say(grouped(near_rows.rows()) + (scene.cloud ? " points" : " triangles") +
                 " within the margin");
+    if (!scene.lengths.is_known()) console.say(scene.lengths.note());
     write(console, result, {{"near.csv", near_rows.csv()}});
   }
 
@@ -124,18 +142,18 @@ struct Clearance {
                              Out(place_fields), Out(interval_fields)));
     } else {
       Model shape;
-      must(jalon_model_read(gauge.c_str(), nullptr, console.task(), Out(shape)));
+      must_read(jalon_model_read(gauge.c_str(), nullptr, console.task(), Out(shape)));
       console.step("sweeping");
       must(jalon_gauge_sweep_model(shape.get(), poses.data(), poses.size(), scene.cloud.get(),
                                    model, options.get(), console.task(), Out(place_fields),
                                    Out(interval_fields)));
     }
     const Table places(std::move(place_fields)), intervals(std::move(interval_fields));
-    report(console, options, poses.size(), places, intervals, result);
+    report(console, options, poses.size(), places, intervals, result, scene.lengths);
   }
 
   void report(const Console& console, const Params& options, size_t poses, const Table& places,
-              const Table& intervals, Json& result) const {
+              const Table& intervals, Json& result, const Lengths& lengths) const {
     std::vector<double> clearances;
     uint64_t worst = 0, below = 0, touching = 0;
     double margin = 0, reach = 0;
@@ -154,17 +172,19 @@ struct Clearance {
     result["intervals_touching"] = touching;
     result["places"] = places.rows();
     if (std::isnan(clearances[worst]))
-      console.say("nothing within " + fixed(std::max(margin, reach), 3) + " m of the gauge");
+      console.say("nothing within " + fixed(std::max(margin, reach), 3) + " " + lengths.length() +
+                  " of the gauge");
     else
-      console.say("least clearance " + fixed(clearances[worst], 4) + " m at pose " +
-                  fixed(intervals.number("parameter", worst), 3));
+      console.say("least clearance " + fixed(clearances[worst], 4) + " " + lengths.length() +
+                  " at pose " + fixed(intervals.number("parameter", worst), 3));
     console.say(grouped(below) + " of " + grouped(intervals.rows()) +
                 " pose intervals within the margin, " + grouped(touching) + " touch; " +
                 grouped(places.rows()) + (places.rows() == 1 ? " place" : " places"));
+    if (!lengths.is_known()) console.say(lengths.note());
     write(console, result,
           {{"places.csv", places.csv()},
            {"intervals.csv", intervals.csv()},
-           {"clearance.svg", clearance_drawing(clearances, margin, reach)}});
+           {"clearance.svg", clearance_drawing(clearances, margin, reach, lengths.length())}});
   }
 
   void write(const Console& console, Json& result,
@@ -201,6 +221,7 @@ void add_clearance(Command& app) {
       .type_name("FILE");
   command.option("--part", state->part, "Row of the model's part; else all of it").non_negative();
   command.option("--other-part", state->other_part, "The same of the other model").non_negative();
+  state->cloud.add_unit_to(command);
   command.option("-o,--output", state->output, "Also write tables, drawing and JSON here")
       .type_name("DIR");
   state->settings.add_to(command);

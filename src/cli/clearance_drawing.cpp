@@ -67,7 +67,7 @@ std::string bars(const std::vector<double>& clearances, double margin_m, const S
   return out;
 }
 
-std::string axes(size_t intervals, const Scale& scale) {
+std::string axes(size_t intervals, const Scale& scale, const std::string& unit) {
   std::string out;
   const double step = step_of(scale.high - scale.low);
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
@@ -83,13 +83,13 @@ std::string axes(size_t intervals, const Scale& scale) {
     out += label(x, kHeight - kBottom + 19, "middle", fixed(p, 0));
   }
   return out + label((kLeft + kWidth - kRight) / 2, kHeight - 12, "middle", "pose") +
-         label(kLeft - 6, kTop - 12, "end", "m");
+         label(kLeft - 6, kTop - 12, "end", unit);
 }
 
 }  // namespace
 
 std::string clearance_drawing(const std::vector<double>& clearances, double margin_m,
-                              double reach_m) {
+                              double reach_m, const std::string& unit) {
   Scale scale{0, std::max({reach_m, margin_m, 1e-3})};
   for (const double c : clearances)
     if (std::isfinite(c)) scale.low = std::min(scale.low, c);
@@ -100,8 +100,9 @@ std::string clearance_drawing(const std::vector<double>& clearances, double marg
                     "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   svg += label(kLeft, 20, "start",
                "Least clearance of the gauge from each pose to the next; blank: above " +
-                   fixed(scale.high, 2) + " m; dashed: the margin, " + fixed(margin_m, 3) + " m");
-  svg += axes(clearances.size(), scale) + bars(clearances, margin_m, scale);
+                   fixed(scale.high, 2) + " " + unit + "; dashed: the margin, " +
+                   fixed(margin_m, 3) + " " + unit);
+  svg += axes(clearances.size(), scale, unit) + bars(clearances, margin_m, scale);
   svg += line(kLeft, scale.y(0), kWidth - kRight, scale.y(0), "stroke=\"#333333\"");
   const double y = scale.y(margin_m);
   svg += line(kLeft, y, kWidth - kRight, y, "stroke=\"#c0392b\" stroke-dasharray=\"6 4\"");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/cloud_job.h"
 
+#include "cli/output_check.h"
+
 #include <nlohmann/json.hpp>
 
 namespace jalon::cli {
@@ -20,6 +22,7 @@ void CloudJob::add_to(Command& command, const char* output_option, const char* h
 }
 
 Cloud CloudJob::read(Console& console) const {
+  check_output_file(output);
   console.step("reading");
   return input.read(console);
 }

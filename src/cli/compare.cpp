@@ -6,8 +6,10 @@
 
 #include "cli/inputs/compare_inputs.h"
 #include "cli/compare_listing.h"
+#include "cli/lengths.h"
 #include "cli/methods.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/inputs/registration_file.h"
 #include "cli/table.h"
@@ -37,15 +39,24 @@ struct Compare {
   struct Epoch {
     Model model;
     Cloud cloud;
+    Lengths lengths;
+    jalon_box box{};
   };
 
   Epoch read(Console& console, const Input& input, bool with_points) const {
     Epoch out;
     if (!is_model_file(input.path)) {
       out.cloud = input.read(console);
+      out.lengths = Lengths::of(input, out.cloud);
+      out.box = box_of(out.cloud);
       return out;
     }
-    must(jalon_model_read(input.path.c_str(), nullptr, console.task(), Out(out.model)));
+    if (!input.unit.empty() || !input.station.empty() || !input.columns.empty())
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    input.path + " is a model: unit, columns and station are of a scan"};
+    must_read(jalon_model_read(input.path.c_str(), nullptr, console.task(), Out(out.model)));
+    out.lengths = Lengths::of(input.path, out.model);
+    out.box = box_of(out.model);
     if (with_points) out.cloud = sampled(console, out.model, sample_settings);
     return out;
   }
@@ -59,7 +70,7 @@ struct Compare {
 
   Comparer comparer(Params& params) const {
     Comparer made;
-    must(jalon_comparer_create(method.c_str(), Out(made)));
+    must_know(jalon_comparer_create(method.c_str(), Out(made)));
     must(jalon_comparer_params(made.get(), Out(params)));
     if (!registration.empty()) use_registration_file(registration, params.get());
     settings.apply(params.get());
@@ -118,7 +129,7 @@ struct Compare {
 
   void write_report(const Console& console, OutputFolder& folder, const Direction& forward,
                     const Direction& reverse, const Fields& changes, const Params& change_options,
-                    const Json& times, const std::string& shadows) const {
+                    const Json& times, const std::string& shadows, const Lengths& lengths) const {
     double threshold = 0;
     must(jalon_params_get_double(change_options.get(), "threshold_m", &threshold));
     const Params options = make_params("comparison_report");
@@ -128,6 +139,7 @@ struct Compare {
         {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},
         {"times", times}};
     if (!shadows.empty()) notes["input"]["shadows"] = shadows;
+    notes["input"]["unit"] = lengths.in_report();
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     must(jalon_report_write_comparison(
         forward.comparison.get(), reverse.comparison.get(), changes.get(), text.c_str(),
@@ -137,6 +149,16 @@ struct Compare {
                                       console.task()));
     must(jalon_report_write_deviations(
         forward.comparison.get(), folder.path("distances.svg").c_str(), nullptr, console.task()));
+  }
+
+  // Distances of nothing are no result.
+  void require_compared(const Direction& forward, const Direction& reverse) const {
+    uint64_t points = forward.summary->count("compared", 0);
+    if (reverse.summary != nullptr) points += reverse.summary->count("compared", 0);
+    if (points == 0)
+      throw Failure{JALON_ERROR_DEGENERATE,
+                    "no point of " + compared.path + " has a distance from " + reference.path +
+                        ": they may lie apart or have other units; nothing is written"};
   }
 
   // How the two sides are compared.
@@ -211,25 +233,31 @@ struct Compare {
   }
 
   void say(const Console& console, const Plan& plan, const Direction& forward,
-           const Direction& reverse, const Table& changes, const Json& result) const {
-    say_summary(console, plan.both ? "compared with the reference" : "compared", *forward.summary);
-    if (plan.both) say_summary(console, "reference with the compared", *reverse.summary);
+           const Direction& reverse, const Table& changes, const Json& result,
+           const Lengths& lengths) const {
+    say_summary(console, plan.both ? "compared with the reference" : "compared", *forward.summary,
+                lengths);
+    if (plan.both) say_summary(console, "reference with the compared", *reverse.summary, lengths);
     if (result.contains("hausdorff"))
       console.say(
-          "Hausdorff distance: " + fixed(result["hausdorff"]["symmetric"].get<double>(), 4) + " m");
+          "Hausdorff distance: " + fixed(result["hausdorff"]["symmetric"].get<double>(), 4) + " " +
+          lengths.length());
     if (!plan.shadows.empty()) console.say("shadows: " + plan.shadows);
-    plan.diagnosed ? list_changes(console, changes) : list_regions(console, changes);
+    plan.diagnosed ? list_changes(console, changes, lengths)
+                   : list_regions(console, changes, lengths);
     console.say("wrote " + output +
                 ": report.html, comparison.json, histogram.svg, distances.svg, " +
                 (plan.diagnosed ? "changes" : "regions") +
                 ".csv, regions.geojson, regions.dxf, compared.las, compared.ply" +
                 (plan.both ? ", reference.las, reference.ply" : ""));
+    if (!lengths.is_known()) console.say(lengths.note());
     console.result(result);
   }
 
   void run() const {
     Console console(common);
     Params params;
+    check_output_folder(output);
     const Comparer worker = comparer(params);  // wrong parameters are told before a long read
     Plan plan = this->plan();
     const Params options = change_options(plan.diagnosed ? "diagnosis" : "regions");
@@ -238,9 +266,12 @@ struct Compare {
     if (method == "distance" && before.model == nullptr && after.model == nullptr)
       plan.shadows = use_stations(before.cloud, after.cloud, plan.both, settings, params);
     Json times{{"read", console.seconds()}};
+    const Lengths lengths = before.lengths.with(after.lengths);
+    warn_of_sizes(console, reference.path, before.box, compared.path, after.box);
     console.step("comparing");
     Direction forward = run_to(console, worker, before, after), reverse;
     if (plan.both) reverse = run_to(console, worker, after, before);
+    require_compared(forward, reverse);
     times["compare"] = console.seconds();
     console.step("changes");
     Fields found = find_changes(console, plan, options, forward, reverse);
@@ -248,7 +279,7 @@ struct Compare {
     console.step("writing");
     OutputFolder folder(output);
     write_changes(console, folder, forward, reverse, found, plan);
-    write_report(console, folder, forward, reverse, found, options, times, plan.shadows);
+    write_report(console, folder, forward, reverse, found, options, times, plan.shadows, lengths);
     const Table changes(std::move(found));
     const std::string list = plan.diagnosed ? "changes" : "regions";
     write_text_file(folder.path(list + ".csv"), changes.csv());
@@ -257,7 +288,7 @@ struct Compare {
     write_text_file(folder.path("comparison.json"),
                     result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     folder.commit();
-    say(console, plan, forward, reverse, changes, result);
+    say(console, plan, forward, reverse, changes, result, lengths);
   }
 };
 
@@ -310,6 +341,7 @@ void add_compare(Command& app) {
         .option(prefix + "columns", input.columns,
                 "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
         .type_name("NAMES");
+    input.add_unit_to(command, prefix + "unit");
     command.option(prefix + "station", input.station, "Where its scanner stood, for all points")
         .type_name("X,Y,Z");
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/compare_listing.h"
 
+#include <cmath>
+
 namespace jalon::cli {
 
 namespace {
@@ -16,23 +18,23 @@ constexpr const char* kClasses[] = {"",
 
 }  // namespace
 
-void say_summary(const Console& console, const char* name, const Table& summary) {
-  char line[200];
-  std::snprintf(line, sizeof line,
-                "%s: %s points, %s compared, mean %s mm, rms %s mm, sigma %s mm, maximum %s m",
-                name, grouped(summary.count("points", 0)).c_str(),
-                grouped(summary.count("compared", 0)).c_str(),
-                fixed(1000 * summary.number("mean", 0), 2).c_str(),
-                fixed(1000 * summary.number("rms", 0), 2).c_str(),
-                fixed(1000 * summary.number("sigma", 0), 2).c_str(),
-                fixed(summary.number("maximum", 0), 3).c_str());
+void say_summary(const Console& console, const char* name, const Table& summary,
+                 const Lengths& lengths) {
+  std::string line = std::string(name) + ": " + grouped(summary.count("points", 0)) + " points, " +
+                     grouped(summary.count("compared", 0)) + " compared";
+  for (const char* figure : {"mean", "rms", "sigma"})
+    if (const double value = summary.number(figure, 0); std::isfinite(value))
+      line += ", " + std::string(figure) + " " + lengths.fine(value, 2) + " " + lengths.fine();
+  if (const double value = summary.number("maximum", 0); std::isfinite(value))
+    line += ", maximum " + fixed(value, 3) + " " + lengths.length();
   console.say(line);
 }
 
-void list_changes(const Console& console, const Table& changes) {
-  console.say(
-      "change  class                       confidence  area before, after m2  volume before, after "
-      "m3  displacement m");
+void list_changes(const Console& console, const Table& changes, const Lengths& lengths) {
+  console.say("change  class                       confidence" +
+              lengths.heading("area before, after", "m2", 23) +
+              lengths.heading("volume before, after", "m3", 25) +
+              lengths.heading("displacement", "m", 16));
   for (uint64_t i = 0; i < changes.rows(); ++i) {
     const double dx = changes.number("displacement", i, 0),
                  dy = changes.number("displacement", i, 1),
@@ -51,16 +53,19 @@ void list_changes(const Console& console, const Table& changes) {
   }
 }
 
-void list_regions(const Console& console, const Table& regions) {
-  console.say("region     points    area m2  volume m3    mean mm   extreme mm   centroid m");
+void list_regions(const Console& console, const Table& regions, const Lengths& lengths) {
+  console.say("region     points " + lengths.heading("area", "m2", 10) +
+              lengths.heading("volume", "m3", 11) + lengths.heading("mean", "mm", 11) +
+              lengths.heading("extreme", "mm", 13) + "   centroid" +
+              (lengths.is_known() ? " m" : ""));
   for (uint64_t i = 0; i < regions.rows(); ++i) {
     char line[200];
     std::snprintf(line, sizeof line, "%6u %10s %10s %10s %10s %12s   %s %s %s",
                   static_cast<unsigned>(i + 1), grouped(regions.count("points", i)).c_str(),
                   fixed(regions.number("area", i), 3).c_str(),
                   fixed(regions.number("volume", i), 3).c_str(),
-                  fixed(1000 * regions.number("mean", i), 1).c_str(),
-                  fixed(1000 * regions.number("extreme", i), 1).c_str(),
+                  lengths.fine(regions.number("mean", i), 1).c_str(),
+                  lengths.fine(regions.number("extreme", i), 1).c_str(),
                   fixed(regions.number("centroid", i, 0), 2).c_str(),
                   fixed(regions.number("centroid", i, 1), 2).c_str(),
                   fixed(regions.number("centroid", i, 2), 2).c_str());

@@ -87,6 +87,10 @@ void Console::say(const std::string& line) const {
   if (!common_.quiet && !common_.json) std::printf("%s\n", line.c_str());
 }
 
+void Console::warn(const std::string& line) const {
+  if (!common_.quiet) std::fprintf(stderr, "jalon: warning: %s\n", line.c_str());
+}
+
 void Console::result(const nlohmann::ordered_json& object) const {
   if (common_.json)
     std::printf(
@@ -105,7 +109,9 @@ std::string fixed(double value, int decimals) {
   char text[400];  // the longest double in fixed notation has 309 digits
   const auto end =
       std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
-  return {text, end.ptr};
+  const std::string out(text, end.ptr);
+  // "-0.00" looks like a side that is none.
+  return out.find_first_not_of("-0.") == std::string::npos && out[0] == '-' ? out.substr(1) : out;
 }
 
 }  // namespace jalon::cli

@@ -34,6 +34,8 @@ class Console {
   double seconds() const;
   /// Result for people: a line on standard output unless quiet or --json.
   void say(const std::string& line) const;
+  /// What a person should look at: a line on standard error unless quiet.
+  void warn(const std::string& line) const;
   /// Result for scripts: printed with --json.
   void result(const nlohmann::ordered_json& object) const;
 

@@ -10,9 +10,9 @@ namespace {
 
 void run_of_convert(const CloudJob& job) {
   Console console(job.common);
-  const Cloud cloud = job.read(console);
   const Params options = make_params("write");
   job.settings.apply(options.get());
+  const Cloud cloud = job.read(console);
   job.write(console, cloud, options.get());
   console.say(grouped(count_of(cloud)) + " points: " + job.input.path + " -> " + job.output);
   console.result(job.result(cloud));

@@ -4,6 +4,7 @@
 
 #include "cli/evaluate_tables.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 #include "cli/table.h"
 
 namespace jalon::cli {
@@ -50,6 +51,10 @@ struct Evaluate {
       refuse("--class-field and --reference-class-field are given together");
     if (one_file() && !only_classes && reference.labels.empty())
       refuse("with one file --reference-labels names the field of the reference");
+    if (!ignored_classes.empty() && !has_classes())
+      refuse("--ignore-class needs --class-field and --reference-class-field");
+    if (only_classes && !csv.empty()) refuse("--csv is the table of segments: no --classes-only");
+    if (!csv.empty()) check_output_file(csv);
   }
 
   Json segments(const Console& console, const Cloud& found, const Cloud& truth) const {
@@ -63,7 +68,16 @@ struct Evaluate {
     must(jalon_segmentation_evaluate(a.get(), r.get(), options.get(), console.task(),
                                      Out(evaluation)));
     const EvaluationTables tables(evaluation.get());
-    tables.print(console);
+    if (tables.reference.rows() == 0)
+      throw Failure{JALON_ERROR_INSUFFICIENT_DATA, (one_file() ? automatic : reference).input.path +
+                                                       ": no point has a segment in "
+                                                       "field \"" +
+                                                       side.labels +
+                                                       "\": there is nothing to compare with"};
+    const Lengths lengths =
+        Lengths::of(automatic.input, found).with(Lengths::of(automatic.input, truth));
+    tables.print(console, lengths);
+    if (!lengths.is_known()) console.say(lengths.note());
     if (!csv.empty()) write_text_file(csv, tables.pairs.csv());
     return tables.json();
   }
@@ -96,6 +110,7 @@ struct Evaluate {
     const Cloud found = automatic.input.read(console);
     Cloud other;
     if (!one_file()) {
+      reference.input.unit = automatic.input.unit;
       if (reference.input.columns.empty()) reference.input.columns = automatic.input.columns;
       other = reference.input.read(console);
       require_same_count(found, other);
@@ -156,6 +171,7 @@ void add_options(Command& command, Evaluate& state) {
       .option("--columns", a.input.columns,
               "Columns of a text file, e.g. \"x y z intensity class instance\"")
       .type_name("NAMES");
+  a.input.add_unit_to(command, "--unit");
   command.option("--reference-columns", r.input.columns, "The same of REFERENCE; AUTO's by default")
       .type_name("NAMES");
   command.option("--csv", state.csv, "Also write the table of pairs as CSV").type_name("FILE");

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "cli/lengths.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/table.h"
 
@@ -35,8 +37,9 @@ constexpr const char* kIndices[] = {"completeness", "correctness", "quality",
 
 /// A model's evaluation for people and scripts.
 struct ModelTables {
-  explicit ModelTables(const jalon_model_evaluation* e)
-      : pairs(table_of(e, jalon_model_evaluation_pairs)),
+  ModelTables(const jalon_model_evaluation* e, Lengths shown)
+      : lengths(std::move(shown)),
+        pairs(table_of(e, jalon_model_evaluation_pairs)),
         automatic(table_of(e, jalon_model_evaluation_automatic)),
         reference(table_of(e, jalon_model_evaluation_reference)),
         vertices(table_of(e, jalon_model_evaluation_vertices)),
@@ -55,14 +58,18 @@ struct ModelTables {
             {"vertices", vertices.list()}};
   }
 
+  Lengths lengths;
   Table pairs, automatic, reference, vertices, totals;
 
  private:
+  std::string small(const Table& table, const std::string& name, uint64_t row, size_t width) const {
+    return right_of_evaluate_model(lengths.fine(table.number(name.c_str(), row), 1), width);
+  }
   void print_faces(const Console& console) const {
-    console.say(
-        " reference  automatic       A m2       R m2   A n R m2  compl  corr   qual   branch   "
-        "miss  FP/R"
-        "  angle deg  dist mm  H95 mm");
+    console.say(" reference  automatic" + lengths.heading("A", "m2", 11) +
+                lengths.heading("R", "m2", 11) + lengths.heading("A n R", "m2", 11) +
+                "  compl  corr   qual   branch   miss  FP/R  angle deg" +
+                lengths.heading("dist", "mm", 9) + lengths.heading("H95", "mm", 8));
     const auto face = [](const Table& side, uint64_t row) {
       return right_of_evaluate_model(grouped(side.count("face", row)), 10);
     };
@@ -73,8 +80,7 @@ struct ModelTables {
         line += cell(pairs, name, i, 11, 3);
       for (const char* name : kIndices) line += cell(pairs, name, i, 7, 3);
       console.say(line + cell(pairs, "angle", i, 10, 3, kEvaluateModelDegrees) +
-                  cell(pairs, "distance", i, 9, 1, 1000) +
-                  cell(pairs, "hausdorff95", i, 8, 1, 1000));
+                  small(pairs, "distance", i, 9) + small(pairs, "hausdorff95", i, 8));
     }
     std::string sums = right_of_evaluate_model("total", 21);
     for (const char* name : {"area_automatic", "area_reference", "intersection"})
@@ -86,7 +92,7 @@ struct ModelTables {
       for (const char* name : kIndices)
         line += cell(totals, std::string(kind) + "_" + name, 0, 7, 3);
       line += cell(totals, std::string(kind) + "_angle", 0, 10, 3, kEvaluateModelDegrees);
-      console.say(line + cell(totals, std::string(kind) + "_plane_distance", 0, 9, 1, 1000));
+      console.say(line + small(totals, std::string(kind) + "_plane_distance", 0, 9));
     }
     const auto count = [&](const char* name) { return grouped(totals.count(name, 0)); };
     console.say("pairs " + count("pairs") + ", of one class " + count("same_class") +
@@ -102,14 +108,17 @@ struct ModelTables {
 
   void print_vertices(const Console& console) const {
     console.say("vertices " + grouped(totals.count("vertices", 0)) +
-                " (mm)         DX        DY        DZ         D     along        up       out");
+                (lengths.is_known() ? " (mm)" : "     ") +
+                "         DX        DY        DZ         D     along        up       out");
     for (const char* kind : {"mean", "std", "rms"}) {
       std::string line = right_of_evaluate_model(kind, 16);
       for (const char* name : {"dx", "dy", "dz", "distance", "along", "up", "out"})
-        line += cell(totals, std::string(kind) + "_" + name, 0, 10, 1, 1000);
+        line += small(totals, std::string(kind) + "_" + name, 0, 10);
       console.say(line);
     }
-    console.say("largest D " + fixed(1000 * totals.number("max_distance", 0), 1) + " mm");
+    console.say("largest D " + lengths.fine(totals.number("max_distance", 0), 1) + " " +
+                lengths.fine());
+    if (!lengths.is_known()) console.say(lengths.note());
   }
 };
 
@@ -120,20 +129,23 @@ struct EvaluateModel {
 
   static Model read(const Console& console, const std::string& path) {
     Model model;
-    must(jalon_model_read(path.c_str(), nullptr, console.task(), Out(model)));
+    must_read(jalon_model_read(path.c_str(), nullptr, console.task(), Out(model)));
     return model;
   }
 
   void run() const {
     const Params options = make_params("model_evaluation");
     settings.apply(options.get());
+    if (!output.empty()) check_output_folder(output);
     Console console(common);
     console.step("reading");
     const Model a = read(console, automatic), r = read(console, reference);
+    warn_of_sizes(console, reference, box_of(r), automatic, box_of(a));
     console.step("comparing");
     ModelEvaluation evaluation;
     must(jalon_model_evaluate(a.get(), r.get(), options.get(), console.task(), Out(evaluation)));
-    const ModelTables tables(evaluation.get());
+    const ModelTables tables(evaluation.get(),
+                             Lengths::of(automatic, a).with(Lengths::of(reference, r)));
     Json result{{"automatic", automatic}, {"reference", reference}};
     const char* parameters = nullptr;
     must(jalon_params_to_json(options.get(), &parameters));

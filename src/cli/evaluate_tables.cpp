@@ -58,7 +58,9 @@ EvaluationTables::EvaluationTables(const jalon_evaluation* evaluation)
       reference(table_of(evaluation, jalon_evaluation_reference)),
       totals(table_of(evaluation, jalon_evaluation_totals)) {}
 
-void EvaluationTables::print(const Console& console) const {
+void EvaluationTables::print(const Console& console, const Lengths& lengths) const {
+  const double scale = lengths.is_known() ? 1000 : 1;
+  const int decimals = lengths.is_known() ? 2 : 5;
   // Segments go by the numbers they have in the files.
   const auto source = [](const Table& side, uint64_t label) {
     return right_of_evaluate_tables(
@@ -66,16 +68,16 @@ void EvaluationTables::print(const Console& console) const {
   };
   console.say(
       " reference  automatic     Card A    Card SR          I         D+         D-    TDR    TDA  "
-      "  IoU"
-      "  angle deg    D mm  offset mm");
+      "  IoU  angle deg" +
+      lengths.heading("D", "mm", 8) + lengths.heading("offset", "mm", 11));
   for (uint64_t i = 0; i < pairs.rows(); ++i) {
     std::string line = source(reference, pairs.count("reference", i)) + " ";
     line += source(automatic, pairs.count("automatic", i));
     for (const char* name : kCounts) line += cell(pairs, name, i, 11, -1);
     for (const char* name : {"tdr", "tda", "iou"}) line += cell(pairs, name, i, 7, 3);
     console.say(line + cell(pairs, "angle", i, 11, 4, kEvaluateTablesDegrees) +
-                cell(pairs, "distance", i, 8, 2, 1000) +
-                cell(pairs, "offset_difference", i, 11, 2, 1000));
+                cell(pairs, "distance", i, 8, decimals, scale) +
+                cell(pairs, "offset_difference", i, 11, decimals, scale));
   }
   std::string sums = right_of_evaluate_tables("total", 21),
               means = right_of_evaluate_tables("mean", 76),
@@ -87,12 +89,12 @@ void EvaluationTables::print(const Console& console) const {
     means += cell(totals, name, 0, 7, 3);
   console.say(sums);
   console.say(means + cell(totals, "mean_angle", 0, 11, 4, kEvaluateTablesDegrees) +
-              cell(totals, "mean_distance", 0, 8, 2, 1000) +
-              cell(totals, "mean_offset_difference", 0, 11, 2, 1000));
+              cell(totals, "mean_distance", 0, 8, decimals, scale) +
+              cell(totals, "mean_offset_difference", 0, 11, decimals, scale));
   console.say(deviations + std::string(21, ' ') +
               cell(totals, "std_angle", 0, 11, 4, kEvaluateTablesDegrees) +
-              cell(totals, "std_distance", 0, 8, 2, 1000) +
-              cell(totals, "std_offset_difference", 0, 11, 2, 1000));
+              cell(totals, "std_distance", 0, 8, decimals, scale) +
+              cell(totals, "std_offset_difference", 0, 11, decimals, scale));
   print_errors(console);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/console.h"
+#include "cli/lengths.h"
 #include "cli/table.h"
 
 namespace jalon::cli {
@@ -10,7 +11,7 @@ namespace jalon::cli {
 /// An evaluation for people and scripts.
 struct EvaluationTables {
   explicit EvaluationTables(const jalon_evaluation* evaluation);
-  void print(const Console& console) const;
+  void print(const Console& console, const Lengths& lengths) const;
   nlohmann::ordered_json json() const;
 
   Table pairs, automatic, reference, totals;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "cli/lengths.h"
 #include "cli/model_files.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 #include "cli/output_folder.h"
 
 namespace jalon::cli {
@@ -26,26 +28,29 @@ struct Facade {
   std::string output, model_method = "facade";
   double tolerance_m = 0;  ///< 0 = the segmenter's default
 
-  Segmentation segment(const Console& console, const Cloud& cloud) const {
+  // Wrong parameters are told before a long read.
+  Segmenter segmenter() const {
     Params params;
-    const Segmenter segmenter = make_segmenter("ransac", params);
+    Segmenter made = make_segmenter("ransac", params);
     if (tolerance_m > 0)
       must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
     settings.apply(params.get());
-    Segmentation segmentation;
-    must(jalon_segmenter_run(segmenter.get(), cloud.get(), console.task(), Out(segmentation)));
-    return segmentation;
+    return made;
   }
 
-  Model model_of(const Console& console, const Cloud& cloud,
-                 const Segmentation& segmentation) const {
+  Modeller modeller() const {
     Params params;
-    const Modeller modeller = make_modeller(model_method, params);
+    Modeller made = make_modeller(model_method, params);
     model_settings.apply(params.get());
-    Model model;
-    must(jalon_modeller_run(modeller.get(), cloud.get(), segmentation.get(), console.task(),
-                            Out(model)));
-    return model;
+    return made;
+  }
+
+  static bool is_empty(const Segmentation& segmentation) {
+    Fields fields;
+    must(jalon_segmentation_segments(segmentation.get(), Out(fields)));
+    uint64_t count = 0;
+    values<uint32_t>(fields, "label", &count);
+    return count == 0;
   }
 
   std::vector<std::string> write(const Console& console, const Segmentation& segmentation,
@@ -70,7 +75,8 @@ struct Facade {
     return names;
   }
 
-  Json planes(const Console& console, const Segmentation& segmentation) const {
+  Json planes(const Console& console, const Segmentation& segmentation,
+              const Lengths& lengths) const {
     Fields fields;
     must(jalon_segmentation_segments(segmentation.get(), Out(fields)));
     uint64_t count = 0;
@@ -82,7 +88,8 @@ struct Facade {
     const auto* sigma = values<double>(fields, "sigma");
     const auto* area = values<double>(fields, "area");
     Json list = Json::array();
-    console.say("plane  orientation     points    area m2   sigma mm   normal");
+    console.say("plane  orientation     points " + lengths.heading("area", "m2", 10) +
+                lengths.heading("sigma", "mm", 11) + "   normal");
     for (uint64_t i = 0; i < count; ++i) {
       list.push_back({{"label", label[i]},
                       {"orientation", orientation_name(orientation[i])},
@@ -94,7 +101,7 @@ struct Facade {
       char line[200];
       std::snprintf(line, sizeof line, "%5u  %-11s %10s %10s %10s   %s %s %s", label[i],
                     orientation_name(orientation[i]), grouped(inliers[i]).c_str(),
-                    fixed(area[i], 2).c_str(), fixed(1000 * sigma[i], 1).c_str(),
+                    fixed(area[i], 2).c_str(), lengths.fine(sigma[i], 1).c_str(),
                     fixed(normal[3 * i], 4).c_str(), fixed(normal[3 * i + 1], 4).c_str(),
                     fixed(normal[3 * i + 2], 4).c_str());
       console.say(line);
@@ -105,22 +112,35 @@ struct Facade {
   void run() const {
     Console console(common);
     Json notes{{"title", "Facade"}, {"input", {{"file", input.path}}}, {"times", Json::object()}};
+    check_output_folder(output);
+    const Segmenter planes_of = segmenter();
+    const Modeller model_of = modeller();
+    files.check();
     console.step("reading");
     const Cloud cloud = input.read(console);
     notes["times"]["read"] = console.seconds();
     files.note_scanner(cloud.get(), notes);
+    const Lengths lengths = Lengths::of(input, cloud);
+    notes["input"]["unit"] = lengths.in_report();
     notes["input"]["points"] = grouped(count_of(cloud));
     console.step("planes");
-    const Segmentation segmentation = segment(console, cloud);
+    Segmentation segmentation;
+    must(jalon_segmenter_run(planes_of.get(), cloud.get(), console.task(), Out(segmentation)));
+    if (is_empty(segmentation)) found_nothing(input, cloud, "no plane", "--tolerance, --set");
     notes["times"]["segment"] = console.seconds();
     console.step("model");
-    const Model model = model_of(console, cloud, segmentation);
+    Model model;
+    must(jalon_modeller_run(model_of.get(), cloud.get(), segmentation.get(), console.task(),
+                            Out(model)));
+    const Json summary = summary_of(model.get());
+    if (summary["faces"] == 0) found_nothing(input, cloud, "planes, but no face", "--model-set");
     notes["times"]["model"] = console.seconds();
     console.step("writing");
     const auto names = write(console, segmentation, model, notes);
-    const Json list = planes(console, segmentation), summary = summary_of(model.get());
+    const Json list = planes(console, segmentation, lengths);
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
+    if (!lengths.is_known()) console.say(lengths.note());
     console.result({{"input", input.path},
                     {"points", count_of(cloud)},
                     {"output", output},

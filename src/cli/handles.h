@@ -20,6 +20,19 @@ inline void must(jalon_status status) {
   if (status != JALON_OK) throw Failure{status, jalon_last_error_message()};
 }
 
+/// A call that reads a file: what the system refuses of it is wrong with the input, as what its content lacks.
+inline void must_read(jalon_status status) {
+  if (status == JALON_ERROR_IO) throw Failure{JALON_ERROR_NOT_FOUND, jalon_last_error_message()};
+  must(status);
+}
+
+/// A call that looks up a name that an option gave, of a method for one: an unknown one is a wrong option.
+inline void must_know(jalon_status status) {
+  if (status == JALON_ERROR_NOT_FOUND)
+    throw Failure{JALON_ERROR_INVALID_ARGUMENT, jalon_last_error_message()};
+  must(status);
+}
+
 /// Owner of a handle: unique_ptr with the noun's release.
 template <auto release>
 struct Release {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/lengths.h"
 #include "cli/options.h"
 
 namespace jalon::cli {
@@ -122,24 +123,28 @@ void run_info(const Common& common, const Input& input) {
   console.say("file       " + input.path);
   console.say("points     " + grouped(count_of(cloud)));
   jalon_box box;
+  const Lengths lengths = Lengths::of(input, cloud);
+  const std::string unit = std::string(" ") + lengths.length();
   if (count_of(cloud) > 0) {
     must(jalon_cloud_bounds(cloud.get(), &box));
     json["min"] = {box.min.x, box.min.y, box.min.z};
     json["max"] = {box.max.x, box.max.y, box.max.z};
     console.say("min        " + fixed(box.min.x, 3) + " " + fixed(box.min.y, 3) + " " +
-                fixed(box.min.z, 3) + " m");
+                fixed(box.min.z, 3) + unit);
     console.say("max        " + fixed(box.max.x, 3) + " " + fixed(box.max.y, 3) + " " +
-                fixed(box.max.z, 3) + " m");
+                fixed(box.max.z, 3) + unit);
     console.say("size       " + fixed(box.max.x - box.min.x, 3) + " x " +
-                fixed(box.max.y - box.min.y, 3) + " x " + fixed(box.max.z - box.min.z, 3) + " m");
+                fixed(box.max.y - box.min.y, 3) + " x " + fixed(box.max.z - box.min.z, 3) + unit);
   }
   const char* crs = "";
   must(jalon_cloud_crs(cloud.get(), &crs));
   json["crs"] = crs;
+  json["unit"] = lengths.is_known() ? Json("metre") : Json(nullptr);
   const std::string text = crs;
   console.say("crs        " + (text.empty()       ? "unknown"
                                : text.size() > 90 ? text.substr(0, 87) + "..."
                                                   : text));
+  if (!lengths.is_known()) console.say(lengths.note());
   show_stations(console, cloud, json);
   show_fields(console, cloud, json);
   console.result(json);

@@ -14,9 +14,17 @@ namespace jalon::cli {
 namespace {
 
 constexpr const char* kFooter = R"(
-Exit codes: 0 done; 1 internal error; 2 wrong options or parameters; 3 input missing, unreadable or malformed;
-4 output cannot be written; 5 too few points, or no solution for these; 6 not supported; 7 out of memory; 130 cancelled.
-Existing output is replaced only by complete output.
+Exit codes (README.md has the same table; nothing is written but with 0):
+    0  done
+    1  internal error: please report it
+    2  wrong command, option, parameter or method
+    3  input missing, unreadable or malformed, or without a field that was asked for
+    4  output cannot be written
+    5  too few points, or nothing found in them
+    6  not supported: a format, or a parameter together with another
+    7  out of memory
+  130  cancelled by Ctrl-C
+Every code but 0 comes with one line on standard error. Existing output is replaced only by complete output.
 
 Examples:
   jalon info scan.las

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "cli/lengths.h"
 #include "cli/model_files.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/table.h"
 
@@ -36,6 +38,8 @@ struct ModelJob {
     if (!labels.empty() && (segment_settings.is_given() || tolerance_m > 0))
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
                     "--labels takes the segments as they are: no --tolerance, no --segment-set"};
+    if (labels.empty() && !noise.empty())
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--noise-label needs --labels"};
     out.segmenter = make_segmenter(segmenter, out.segmenter_params);
     if (tolerance_m > 0)
       must(
@@ -75,7 +79,9 @@ struct ModelJob {
 
   void run() const {
     Console console(common);
+    check_output_folder(output);
     const Workers tools = workers();
+    files.check();
     const std::string source = labels.empty() ? segmenter : "labels of field " + labels;
     Json notes{{"title", "Model"},
                {"input", {{"file", input.path}, {"segments", source}, {"method", method}}},
@@ -84,6 +90,7 @@ struct ModelJob {
     const Cloud cloud = input.read(console);
     notes["times"]["read"] = console.seconds();
     files.note_scanner(cloud.get(), notes);
+    notes["input"]["unit"] = Lengths::of(input, cloud).in_report();
     console.step("segments");
     const Segmentation segmentation = segments(console, cloud, tools);
     notes["times"]["segment"] = console.seconds();
@@ -91,12 +98,14 @@ struct ModelJob {
     Model model;
     must(jalon_modeller_run(tools.modeller.get(), cloud.get(), segmentation.get(), console.task(),
                             Out(model)));
+    const Json summary = summary_of(model.get());
+    if (summary["faces"] == 0)
+      found_nothing(input, cloud, "no face", labels.empty() ? "--tolerance, --set" : "--set");
     notes["times"]["model"] = console.seconds();
     console.step("writing");
     const auto names = write(console, segmentation, model, notes);
     const char* parameters = nullptr;
     must(jalon_params_to_json(tools.modeller_params.get(), &parameters));
-    const Json summary = summary_of(model.get());
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
     console.result({{"input", input.path},

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/model_files.h"
 
-#include <cstring>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/methods.h"
+#include "cli/output_check.h"
 
 namespace jalon::cli {
 
@@ -20,17 +20,7 @@ constexpr const char* kExtensions[] = {"obj", "dxf", "city.json", "geojson", "st
 
 // Is the extension one of a format of models that the library writes?
 bool is_written(const std::string& extension) {
-  uint64_t count = 0;
-  must(jalon_format_count(&count));
-  for (uint64_t i = 0; i < count; ++i) {
-    const char *extensions = nullptr, *abilities = nullptr;
-    must(jalon_format_info(i, nullptr, &extensions, &abilities));
-    const char* model = std::strstr(abilities, "model");
-    if (model == nullptr || std::strstr(model, "write") == nullptr) continue;
-    if ((" " + std::string(extensions) + " ").find(" " + extension + " ") != std::string::npos)
-      return true;
-  }
-  return false;
+  return written_extensions("model").find(" " + extension + " ") != std::string::npos;
 }
 
 Json count_classes(jalon_model* model) {
@@ -76,14 +66,14 @@ Json told(jalon_params* params) {
 
 Segmenter make_segmenter(const std::string& method, Params& params) {
   Segmenter made;
-  must(jalon_segmenter_create(method.c_str(), Out(made)));
+  must_know(jalon_segmenter_create(method.c_str(), Out(made)));
   must(jalon_segmenter_params(made.get(), Out(params)));
   return made;
 }
 
 Modeller make_modeller(const std::string& method, Params& params) {
   Modeller made;
-  must(jalon_modeller_create(method.c_str(), Out(made)));
+  must_know(jalon_modeller_create(method.c_str(), Out(made)));
   must(jalon_modeller_params(made.get(), Out(params)));
   return made;
 }
@@ -103,6 +93,11 @@ std::string modeller_tables(const std::string& option) {
 void ModelFiles::add_to(Command& command) {
   drawing.add_to(command, "drawing-");
   scanner.add_to(command, "scanner-");
+}
+
+void ModelFiles::check() const {
+  drawing.apply(make_params("elevation").get());
+  scanner.apply(make_params("precision").get());
 }
 
 void ModelFiles::note_scanner(jalon_cloud* cloud, Json& notes) const {

@@ -25,6 +25,8 @@ struct ModelFiles {
   Settings scanner;  ///< of operation "precision"; none: not told
 
   void add_to(Command& command);
+  /// Refuses wrong parameters of the drawing and the scanner, before a long read.
+  void check() const;
   /// The notes of a report with what was told of the scanner. Refuses it for a cloud without stations.
   void note_scanner(jalon_cloud* cloud, nlohmann::ordered_json& notes) const;
   /// model.obj, model.dxf ...: each vector format that the library writes; elevation.svg of the whole, elevation_1.svg

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cloud_job.h"
+#include "cli/output_check.h"
 
 namespace jalon::cli {
 
@@ -10,10 +11,11 @@ namespace {
 
 void run_of_normals(const CloudJob& job) {
   Console console(job.common);
-  const Cloud cloud = job.read(console);
-  console.step("normals");
   const Params options = make_params("normals");
   job.settings.apply(options.get());
+  check_output_file(job.output, "cloud");
+  const Cloud cloud = job.read(console);
+  console.step("normals");
   must(jalon_cloud_compute_normals(cloud.get(), options.get(), console.task()));
   const double seconds = console.seconds();
   job.write(console, cloud, nullptr);

@@ -18,7 +18,8 @@ void add_common(Command& command, Common& common) {
       .between(0, 256);
 }
 
-void Settings::add_to(Command& command, const std::string& prefix) {
+void Settings::add_to(Command& command, const std::string& name_prefix) {
+  prefix = name_prefix;
   command
       .option("--" + prefix + "set", assignments,
               "Set a parameter, e.g. --" + prefix + "set min_area_m2=0.2 (repeatable)")
@@ -29,6 +30,13 @@ void Settings::add_to(Command& command, const std::string& prefix) {
 }
 
 namespace {
+
+// What people write, and the choices of the parameter "unit".
+constexpr const char* kUnits[][2] = {{"m", "metre"},
+                                     {"cm", "centimetre"},
+                                     {"mm", "millimetre"},
+                                     {"ft", "foot"},
+                                     {"us-ft", "us_survey_foot"}};
 
 Failure usage(std::string text) { return {JALON_ERROR_INVALID_ARGUMENT, std::move(text)}; }
 
@@ -46,27 +54,64 @@ jalon_param_info info_of(jalon_params* params, const std::string& name) {
   throw usage("no parameter \"" + name + "\"; there are: " + names);
 }
 
-// Texts are set as they are; all other values are written as JSON, which the library checks.
-void assign(jalon_params* params, const std::string& name, const std::string& value) {
-  const int32_t type = info_of(params, name).type;
-  if (type == JALON_PARAM_STRING || type == JALON_PARAM_CHOICE)
-    return must(jalon_params_set_string(params, name.c_str(), value.c_str()));
-  const bool bare_list = type == JALON_PARAM_DOUBLES && value.find('[') == std::string::npos;
-  const std::string json = bare_list ? "[" + value + "]" : value;
-  if (jalon_params_from_json(params, ("{\"" + name + "\":" + json + "}").c_str()) != JALON_OK)
-    throw usage("--set " + name + "=" + value + ": " + jalon_last_error_message());
+// "1,2,3", "[1, 2, 3]" or "1 2 3"; "" and "[]" hold nothing.
+bool are_numbers(std::string text, std::vector<double>& out) {
+  if (text.starts_with('[') && text.ends_with(']')) text = text.substr(1, text.size() - 2);
+  size_t end = 0;
+  out = leading_numbers(text, end);
+  return end == text.size();
+}
+
+bool is_whole(const std::string& text, int64_t& out) {
+  const char* last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), last, out);
+  return error == std::errc() && stop == last;
+}
+
+// Sets one value as people write it; what is wrong with it is told with the option as it was given.
+void assign(jalon_params* params, const std::string& option, const std::string& assignment) {
+  const size_t equal = assignment.find('=');
+  if (equal == std::string::npos || equal == 0)
+    throw usage(option + " needs NAME=VALUE, not \"" + assignment + "\"");
+  const std::string name = assignment.substr(0, equal), value = assignment.substr(equal + 1);
+  const auto refuse = [&](const std::string& why) {
+    throw usage(option + " " + assignment + ": " + why);
+  };
+  std::vector<double> numbers;
+  int64_t whole = 0;
+  jalon_status set = JALON_OK;
+  switch (info_of(params, name).type) {
+    case JALON_PARAM_DOUBLES:
+      if (!are_numbers(value, numbers)) refuse(name + " takes numbers, as " + name + "=1,2,3");
+      set = jalon_params_set_doubles(params, name.c_str(), numbers.data(), numbers.size());
+      break;
+    case JALON_PARAM_BOOL:
+      if (value != "true" && value != "false") refuse(name + " takes true or false");
+      set = jalon_params_set_bool(params, name.c_str(), value == "true");
+      break;
+    case JALON_PARAM_DOUBLE:
+    case JALON_PARAM_INT64:
+      if (is_whole(value, whole)) {
+        set = jalon_params_set_int64(params, name.c_str(), whole);
+        break;
+      }
+      if (!are_numbers(value, numbers) || numbers.size() != 1) refuse(name + " takes a number");
+      set = jalon_params_set_double(params, name.c_str(), numbers[0]);
+      break;
+    default:
+      set = jalon_params_set_string(params, name.c_str(), value.c_str());
+  }
+  if (set != JALON_OK) refuse(jalon_last_error_message());
 }
 
 }  // namespace
 
 void Settings::apply(jalon_params* params) const {
-  if (!json_file.empty()) must(jalon_params_from_json(params, read_text_file(json_file).c_str()));
-  for (const std::string& assignment : assignments) {
-    const size_t equal = assignment.find('=');
-    if (equal == std::string::npos || equal == 0)
-      throw usage("--set needs NAME=VALUE, not \"" + assignment + "\"");
-    assign(params, assignment.substr(0, equal), assignment.substr(equal + 1));
-  }
+  if (!json_file.empty() &&
+      jalon_params_from_json(params, read_text_file(json_file).c_str()) != JALON_OK)
+    throw usage(json_file + ": " + jalon_last_error_message());
+  for (const std::string& assignment : assignments)
+    assign(params, "--" + prefix + "set", assignment);
 }
 
 Params make_params(const char* operation) {
@@ -98,6 +143,7 @@ void Input::add_to(Command& command, bool required) {
   command
       .option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
       .type_name("NAMES");
+  add_unit_to(command);
   command
       .option(
           "--station", station,
@@ -106,14 +152,25 @@ void Input::add_to(Command& command, bool required) {
   command.flag("--drop-invalid", drop_invalid, "Drop points whose coordinates are not finite");
 }
 
+void Input::add_unit_to(Command& command, const std::string& option) {
+  unit_option = option;
+  command
+      .option(option, unit,
+              "Unit of the coordinates, which become metres; else that of the CRS of a LAS file, "
+              "else taken for metres")
+      .among({"m", "cm", "mm", "ft", "us-ft"});
+}
+
 Cloud Input::read(Console& console) const {
   Params params = make_params("read");
   if (!columns.empty()) must(jalon_params_set_string(params.get(), "columns", columns.c_str()));
+  for (const auto& [name, kind] : kUnits)
+    if (unit == name) must(jalon_params_set_string(params.get(), "unit", kind));
   if (drop_invalid) must(jalon_params_set_bool(params.get(), "drop_invalid", 1));
   Cloud cloud;
   const bool has_station = !station.empty();
   const jalon_transform pose = has_station ? pose_at(station) : jalon_transform{};
-  must(jalon_cloud_read(path.c_str(), params.get(), console.task(), Out(cloud)));
+  must_read(jalon_cloud_read(path.c_str(), params.get(), console.task(), Out(cloud)));
   if (has_station) must(jalon_cloud_set_station(cloud.get(), "station", &pose));
   return cloud;
 }
@@ -124,8 +181,8 @@ jalon_transform pose_at(const std::string& text) {
   for (const int k : {3, 7, 11}) {
     const auto [end, error] = std::from_chars(rest, last, pose.m[k]);
     const bool is_ended = k == 11 ? end == last : end != last && *end == ',';
-    if (error != std::errc() || !is_ended)
-      throw usage("--station needs X,Y,Z in metres, not \"" + text + "\"");
+    if (error != std::errc() || !is_ended || !std::isfinite(pose.m[k]))
+      throw usage("a station needs X,Y,Z in metres, not \"" + text + "\"");
     rest = k == 11 ? end : end + 1;
   }
   return pose;

@@ -16,9 +16,10 @@ namespace jalon::cli {
 struct Settings {
   std::vector<std::string> assignments;
   std::string json_file;
+  std::string prefix;  ///< of the options' names, for messages
 
-  /// prefix: "" or e.g. "outline-" for a command with two sets.
-  void add_to(Command& command, const std::string& prefix = "");
+  /// name_prefix: "" or e.g. "outline-" for a command with two sets.
+  void add_to(Command& command, const std::string& name_prefix = "");
   void apply(jalon_params* params) const;
   bool is_given() const { return !assignments.empty() || !json_file.empty(); }
 };
@@ -35,10 +36,14 @@ std::string describe(jalon_params* params);
 struct Input {
   std::string path;
   std::string columns;
+  std::string unit;  ///< of its coordinates: m, cm, mm, ft, us-ft; "": as the file tells
+  std::string unit_option = "--unit";  ///< that names it
   std::string station;  ///< "X,Y,Z" of the one scanner position; "": as the file tells
   bool drop_invalid = false;
 
   void add_to(Command& command, bool required = true);
+  /// Only the option that names the unit, e.g. "--reference-unit" for a command with two scans.
+  void add_unit_to(Command& command, const std::string& option = "--unit");
   Cloud read(Console& console) const;
 };
 

@@ -5,8 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/lengths.h"
 #include "cli/methods.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/inputs/pose_file.h"
 #include "cli/table.h"
@@ -93,7 +95,7 @@ struct Register {
     return Table(std::move(fields));
   }
 
-  void say(const Console& console, const Registration& registration) const {
+  void say(const Console& console, const Registration& registration, const Lengths& lengths) const {
     const Table summary = table(registration, jalon_registration_summary);
     const uint64_t stopped = summary.count("stopped", 0);
     if (stopped == JALON_STOPPED_NOTHING_FOUND) {
@@ -105,13 +107,13 @@ struct Register {
     console.say(std::string(kStopped[stopped < 6 ? stopped : 0]) + " after " +
                 grouped(summary.count("iterations", 0)) + " iterations on " +
                 grouped(summary.count("pairs", 0)) + " pairs, rms " +
-                fixed(1000 * summary.number("rms", 0), 3) + " mm");
+                lengths.fine(summary.number("rms", 0), 3) + " " + lengths.fine());
     if (stopped == JALON_STOPPED_AMBIGUOUS)
       console.say("a clearly different pose fits about as well; " +
                   std::string(targets.empty() ? "--start with max_turn_rad and max_shift_m chooses"
                                               : "names choose"));
     say_verdict(console, registration, summary);
-    say_precision(console, summary);
+    say_precision(console, summary, lengths);
   }
 
   static void say_verdict(const Console& console, const Registration& registration,
@@ -135,7 +137,7 @@ struct Register {
            (verdict == JALON_VERDICT_NONE && summary.count("converged", 0) != 0);
   }
 
-  static void say_precision(const Console& console, const Table& summary) {
+  static void say_precision(const Console& console, const Table& summary, const Lengths& lengths) {
     if (std::isfinite(summary.number("covariance", 0, 0))) {
       const auto sigma = [&](uint32_t k) {
         return std::sqrt(summary.number("covariance", 0, 7 * k));
@@ -145,8 +147,8 @@ struct Register {
         for (uint32_t k = 0; k < 3; ++k) text += fixed(unit * sigma(first + k), 5) + " ";
         return text;
       };
-      console.say("sigma of the centre in x y z: " + three(1000, 3) +
-                  "mm; of the turn: " + three(180 / std::numbers::pi, 0) + "deg");
+      console.say("sigma of the centre in x y z: " + three(lengths.is_known() ? 1000 : 1, 3) +
+                  lengths.fine() + "; of the turn: " + three(180 / std::numbers::pi, 0) + "deg");
     }
     if (const uint64_t open = summary.count("unobservable", 0); open > 0)
       console.say(grouped(open) + " of six directions are not fixed by the data: see report.html");
@@ -156,8 +158,12 @@ struct Register {
     Console console(common);
     if (!targets.empty() && !start.empty())
       throw Failure{JALON_ERROR_INVALID_ARGUMENT, "targets need no --start"};
+    if (targets.empty() && method == "targets")
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "method targets needs --targets FILE FILE: those of REFERENCE and of MOVING"};
+    check_output_folder(output);
     Registrar registrar;
-    must(jalon_registrar_create(method.c_str(), Out(registrar)));
+    must_know(jalon_registrar_create(method.c_str(), Out(registrar)));
     Params params;
     must(jalon_registrar_params(registrar.get(), Out(params)));
     settings.apply(params.get());  // wrong parameters are told before a long read
@@ -165,6 +171,8 @@ struct Register {
     const jalon_transform from = has_start ? read_pose(start) : jalon_transform{};
     console.step("reading");
     const Cloud to = reference.read(console), cloud = moving.read(console);
+    const Lengths lengths = Lengths::of(reference, to).with(Lengths::of(moving, cloud));
+    warn_of_sizes(console, reference.path, box_of(to), moving.path, box_of(cloud));
     Json times{{"read", console.seconds()}};
     console.step("registering");
     Registration made;
@@ -176,16 +184,17 @@ struct Register {
     console.step("writing");
     OutputFolder folder(output);
     const bool is_written = is_forced || is_usable(made);
-    write_report(console, folder, made, to, cloud, times);
+    write_report(console, folder, made, to, cloud, times, lengths);
     if (is_written) write_registered(console, folder, made, cloud);
     const Json result = json_of(made, times, params.get());
     const std::string text = result.dump(1, ' ', false, Json::error_handler_t::replace);
     write_text_file(folder.path("registration.json"), text + "\n");
     folder.commit();
-    say(console, made);
+    say(console, made, lengths);
     if (!targets.empty()) say_outliers(console, made);
     console.say("wrote " + output + ": report.html, registration.json" +
                 (is_written ? ", pose.txt, registered.las, registered.ply" : ""));
+    if (!lengths.is_known()) console.say(lengths.note());
     console.result(result);
     if (!is_written)
       throw Failure{JALON_ERROR_DEGENERATE,
@@ -205,11 +214,15 @@ struct Register {
   }
 
   void write_report(const Console& console, OutputFolder& folder, const Registration& made,
-                    const Cloud& to, const Cloud& cloud, const Json& times) const {
-    const Json notes{
-        {"title", "Registration"},
-        {"input", {{"reference", reference.path}, {"moving", moving.path}, {"method", method}}},
-        {"times", times}};
+                    const Cloud& to, const Cloud& cloud, const Json& times,
+                    const Lengths& lengths) const {
+    const Json notes{{"title", "Registration"},
+                     {"input",
+                      {{"reference", reference.path},
+                       {"moving", moving.path},
+                       {"method", method},
+                       {"unit", lengths.in_report()}}},
+                     {"times", times}};
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     must(jalon_report_write_registration(made.get(), to.get(), cloud.get(), text.c_str(),
                                          folder.path("report.html").c_str(), nullptr,
@@ -260,6 +273,7 @@ void add_register(Command& app) {
         .option(std::string(is_reference ? "--reference-" : "--moving-") + "columns", input.columns,
                 "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
         .type_name("NAMES");
+    input.add_unit_to(command, is_reference ? "--reference-unit" : "--moving-unit");
   }
   command.flag(
       "--drop-invalid",

@@ -4,10 +4,14 @@
 
 #include "cli/methods.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 
 namespace jalon::cli {
 
 namespace {
+
+// Scenes are in metres, which the file is to tell.
+constexpr const char* kSceneCrs = "LOCAL_CS[\"scene, metres\",UNIT[\"metre\",1]]";
 
 struct Scan {
   Common common;
@@ -24,6 +28,8 @@ struct Scan {
   }
 
   void run() const {
+    check_output_file(output, "cloud");
+    if (!model_output.empty()) check_output_file(model_output, "model");
     Console console(common);
     console.step("scene");
     const Params options = make_params("scene");
@@ -33,13 +39,17 @@ struct Scan {
     must(jalon_scene_create(options.get(), console.task(), Out(model)));
     console.step("scanning");
     Scanner scanner;
-    must(jalon_scanner_create(method.c_str(), Out(scanner)));
+    must_know(jalon_scanner_create(method.c_str(), Out(scanner)));
     Params params;
     must(jalon_scanner_params(scanner.get(), Out(params)));
     settings.apply(params.get());
     add_stations(scanner.get());
     Cloud cloud;
     must(jalon_scanner_run(scanner.get(), model.get(), console.task(), Out(cloud)));
+    if (count_of(cloud) == 0)
+      throw Failure{JALON_ERROR_DEGENERATE,
+                    "no pulse met scene \"" + scene + "\": do the stations see it?"};
+    must(jalon_cloud_set_crs(cloud.get(), kSceneCrs));
     Fields truth;
     must(jalon_scanner_truth(scanner.get(), model.get(), cloud.get(), nullptr, Out(truth)));
     uint64_t true_planes = 0;

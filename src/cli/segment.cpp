@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/lengths.h"
 #include "cli/methods.h"
 #include "cli/options.h"
+#include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/table.h"
 
@@ -24,7 +26,7 @@ struct Segment {
 
   Segmenter segmenter(Params& params) const {
     Segmenter made;
-    must(jalon_segmenter_create(method.c_str(), Out(made)));
+    must_know(jalon_segmenter_create(method.c_str(), Out(made)));
     must(jalon_segmenter_params(made.get(), Out(params)));
     if (tolerance_m > 0)
       must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
@@ -74,15 +76,17 @@ struct Segment {
     return type == JALON_PRIMITIVE_CYLINDER ? "cylinder " + radius + ", " + direction : direction;
   }
 
-  static void list(const Console& console, const Table& table) {
-    console.say("segment     points    area m2   sigma mm   normal, or radius in m and axis");
+  static void list(const Console& console, const Table& table, const Lengths& lengths) {
+    console.say("segment     points " + lengths.heading("area", "m2", 10) +
+                lengths.heading("sigma", "mm", 11) + "   normal, or radius" +
+                (lengths.is_known() ? " in m" : "") + " and axis");
     for (uint64_t i = 0; i < table.rows(); ++i) {
       char line[200];
       std::snprintf(line, sizeof line, "%7u %10s %10s %10s   %s",
                     static_cast<unsigned>(table.count("label", i)),
                     grouped(table.count("inliers", i)).c_str(),
                     fixed(table.number("area", i), 2).c_str(),
-                    fixed(1000 * table.number("sigma", i), 1).c_str(), shape(table, i).c_str());
+                    lengths.fine(table.number("sigma", i), 1).c_str(), shape(table, i).c_str());
       console.say(line);
     }
   }
@@ -90,6 +94,7 @@ struct Segment {
   void run() const {
     Console console(common);
     Params params;
+    check_output_folder(output);
     const Segmenter worker = segmenter(params);  // wrong parameters are told before a long read
     Json notes{{"title", "Segments"},
                {"input", {{"file", input.path}, {"method", method}}},
@@ -97,6 +102,8 @@ struct Segment {
     console.step("reading");
     const Cloud cloud = input.read(console);
     notes["times"]["read"] = console.seconds();
+    const Lengths lengths = Lengths::of(input, cloud);
+    notes["input"]["unit"] = lengths.in_report();
     console.step("segments");
     Segmentation segmentation;
     must(jalon_segmenter_run(worker.get(), cloud.get(), console.task(), Out(segmentation)));
@@ -104,6 +111,7 @@ struct Segment {
     Fields fields;
     must(jalon_segmentation_segments(segmentation.get(), Out(fields)));
     const Table table(std::move(fields));
+    if (table.rows() == 0) found_nothing(input, cloud, "no segment", "--tolerance, --set");
     const char* parameters = nullptr;
     must(jalon_params_to_json(params.get(), &parameters));
     Json result{{"input", input.path},
@@ -115,10 +123,11 @@ struct Segment {
                 {"segments", table.list()}};
     console.step("writing");
     write(console, segmentation, table, notes, result);
-    list(console, table);
+    list(console, table, lengths);
     console.say("wrote " + output +
                 ": report.html, segments.svg, segments.csv, segments.json, segments.las, "
                 "segments.ply, primitives.txt");
+    if (!lengths.is_known()) console.say(lengths.note());
     console.result(result);
   }
 };

@@ -80,6 +80,7 @@ def release_suites():
         script("comma_locale", "tests/capi/comma_locale.sh", ["c_tests", "jalon_cli"]),
         script("bits", "tests/scenarios/bits.sh", ["bits"]),
         script("cli", "tests/scenarios/cli.sh", ["jalon_cli"], [tool]),
+        script("cli_mistakes", "tests/scenarios/cli_mistakes.sh", ["jalon_cli"], [tool]),
         script("malformed", "tests/fuzz/malformed.sh", ["malformed_files"]),
         script("laspy", "tests/fuzz/laspy.sh", ["jalon"]),
         script("laspy_offline", "tests/offline.sh", [], ["tests/fuzz/laspy.sh", "laspy"]),

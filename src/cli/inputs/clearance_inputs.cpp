@@ -49,33 +49,54 @@ jalon_transform along(Vector z, const Vector& at) {
   return pose_of(x, cross(z, x), z, at);
 }
 
+[[noreturn]] void refuse_piece(const std::string& why) { throw Failure{JALON_ERROR_FORMAT, why}; }
+
+// name: of the entry, for the message.
+Vector three_of(const Json& value, const char* name) {
+  const bool is_three = value.is_array() && value.size() == 3 &&
+                        std::ranges::all_of(value, [](const Json& c) { return c.is_number(); });
+  if (!is_three) refuse_piece("\"" + std::string(name) + "\" needs three numbers");
+  return value.get<Vector>();
+}
+
+double number_of(const Json& piece, const char* name) {
+  const auto found = piece.find(name);
+  if (found == piece.end() || !found->is_number())
+    refuse_piece("\"" + std::string(name) + "\" needs a number");
+  return found->get<double>();
+}
+
+void add_hull(const Json& points, Gauge& gauge, jalon_gauge_piece& piece) {
+  if (!points.is_array()) refuse_piece("\"points\" needs an array of points");
+  piece.kind = JALON_GAUGE_HULL, piece.first = gauge.hull_points.size() / 3;
+  for (const Json& point : points)
+    for (const double c : three_of(point, "points")) gauge.hull_points.push_back(c);
+  piece.count = points.size();
+}
+
 void add_piece(const Json& json, Gauge& gauge) {
+  if (!json.is_object()) refuse_piece("it is no object");
   jalon_gauge_piece piece{};
-  const std::string type = json.at("type").get<std::string>();
-  const auto at = json.value("at", Vector{0, 0, 0});
-  piece.frame = json.contains("axis") ? along(json.at("axis").get<Vector>(), at)
+  const std::string type = json.contains("type") && json["type"].is_string() ? json["type"] : "";
+  const Vector at = json.contains("at") ? three_of(json["at"], "at") : Vector{0, 0, 0};
+  piece.frame = json.contains("axis") ? along(three_of(json["axis"], "axis"), at)
                                       : pose_of({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, at);
   if (type == "box") {
-    const auto size = json.at("size").get<Vector>();
+    const Vector size = three_of(json.value("size", Json()), "size");
     piece.kind = JALON_GAUGE_BOX, piece.size = {size[0], size[1], size[2]};
   } else if (type == "sphere") {
-    piece.kind = JALON_GAUGE_SPHERE, piece.size.x = json.at("radius").get<double>();
+    piece.kind = JALON_GAUGE_SPHERE, piece.size.x = number_of(json, "radius");
   } else if (type == "cylinder") {
     piece.kind = JALON_GAUGE_CYLINDER;
-    piece.size = {json.at("radius").get<double>(), 0, json.at("length").get<double>()};
+    piece.size = {number_of(json, "radius"), 0, number_of(json, "length")};
   } else if (type == "hull") {
-    piece.kind = JALON_GAUGE_HULL, piece.first = gauge.hull_points.size() / 3;
-    for (const Json& point : json.at("points"))
-      for (const double c : point.get<Vector>()) gauge.hull_points.push_back(c);
-    piece.count = gauge.hull_points.size() / 3 - piece.first;
+    add_hull(json.value("points", Json()), gauge, piece);
   } else {
-    throw Failure{JALON_ERROR_FORMAT,
-                  "\"" + type + "\" is no type of piece: box, sphere, cylinder, hull"};
+    refuse_piece("\"" + type + "\" is no type of piece: box, sphere, cylinder, hull");
   }
   gauge.pieces.push_back(piece);
 }
 
-// The numbers of a line; empty for a comment or a heading.
 jalon_transform turned_pose(const double* v, const std::string& path) {
   double x = v[3], y = v[4], z = v[5], w = v[6];
   const double n = std::sqrt(x * x + y * y + z * z + w * w);
@@ -104,32 +125,26 @@ std::vector<jalon_transform> along_path(const std::vector<Vector>& places) {
 
 Gauge read_gauge(const std::string& path) {
   const Json json = Json::parse(read_text_file(path), nullptr, false);
-  if (!json.is_object() || !json.contains("pieces"))
-    malformed(path, "no JSON object with \"pieces\"");
+  if (!json.is_object() || !json.contains("pieces") || !json["pieces"].is_array())
+    malformed(path, "no JSON object with an array \"pieces\"");
   Gauge gauge;
-  try {
-    for (const Json& piece : json.at("pieces")) add_piece(piece, gauge);
-  } catch (const Json::exception& error) {
-    malformed(path, "piece " + std::to_string(gauge.pieces.size()) + ": " + error.what());
-  } catch (const Failure& failure) {
-    malformed(path, failure.text);
-  }
+  for (const Json& piece : json["pieces"]) try {
+      add_piece(piece, gauge);
+    } catch (const Failure& failure) {
+      malformed(path, "piece " + std::to_string(gauge.pieces.size()) + ": " + failure.text);
+    }
   return gauge;
 }
 
 std::vector<jalon_transform> read_trajectory(const std::string& path) {
-  const std::string text = read_text_file(path);
   std::vector<jalon_transform> poses;
   std::vector<Vector> places;
   size_t width = 0;
-  for (size_t at = 0; at < text.size();) {
-    const size_t end = std::min(text.find('\n', at), text.size());
-    const std::vector<double> v = numbers_of(text.substr(at, end - at));
-    at = end + 1;
-    if (v.empty()) continue;
+  for (const auto& [line, v] : read_number_lines(path)) {
     if (width == 0) width = v.size();
     if (v.size() != width || (width != 3 && width != 7 && width != 8 && width != 12))
-      malformed(path, "a line of " + std::to_string(v.size()) + " numbers; all have 3, 7, 8 or 12");
+      malformed(path + ", line " + std::to_string(line),
+                std::to_string(v.size()) + " numbers; all lines have 3, or 7, 8 or 12");
     if (width == 3) places.push_back({v[0], v[1], v[2]});
     if (width == 7 || width == 8) poses.push_back(turned_pose(v.data() + (width - 7), path));
     if (width == 12) {
@@ -139,7 +154,7 @@ std::vector<jalon_transform> read_trajectory(const std::string& path) {
     }
   }
   if (width == 3) poses = along_path(places);
-  if (poses.empty()) malformed(path, "no pose");
+  if (poses.empty()) malformed(path, "no line of numbers in it, so no pose");
   return poses;
 }
 

@@ -10,14 +10,9 @@
 namespace jalon::cli {
 
 jalon_transform read_pose(const std::string& path) {
-  const std::string text = read_text_file(path);
   std::vector<double> all;
-  for (size_t at = 0; at < text.size();) {
-    const size_t end = std::min(text.find('\n', at), text.size());
-    const std::vector<double> row = numbers_of(text.substr(at, end - at));
-    all.insert(all.end(), row.begin(), row.end());
-    at = end + 1;
-  }
+  for (const NumberLine& row : read_number_lines(path))
+    all.insert(all.end(), row.numbers.begin(), row.numbers.end());
   const bool has_last_row =
       all.size() == 16 && all[12] == 0 && all[13] == 0 && all[14] == 0 && all[15] == 1;
   if (all.size() != 12 && !has_last_row)
