@@ -14,6 +14,7 @@
 #include "base/parallel.h"
 #include "base/simd.h"
 #include "spatial/neighbours/ball_kernel.h"
+#include "spatial/octree/exact_walk.h"
 #include "spatial/octree/impl.h"
 
 namespace jalon {
@@ -35,7 +36,11 @@ struct BallBatchKernels {
 class BallSearch {
  public:
   BallSearch(const Octree::Impl& tree, double radius_m, const BallBatchKernels& kernels)
-      : tree_(tree), radius_m_(radius_m), radius_(radius_m * tree.inverse_step), kernels_(kernels) {
+      : tree_(tree),
+        radius_m_(radius_m),
+        radius_(radius_m * tree.inverse_step),
+        kernels_(kernels),
+        exactly_(tree.has_exact_boxes() && radius_ < kFewSteps) {
     constexpr double kRounding = 1 + 0x1p-20;  // of a squared distance in floats
     const double inner = std::max(0.0, radius_ - kBallBatchSqrt3),
                  outer = radius_ + kBallBatchSqrt3;
@@ -47,6 +52,7 @@ class BallSearch {
 
   /// Gathers what the points of a leaf need.
   void enter(size_t leaf) {
+    if (exactly_) return;
     const size_t first = tree_.leaf_first[leaf], last = tree_.leaf_first[leaf + 1];
     const auto reach =
         static_cast<int64_t>(std::min(radius_ + 2, static_cast<double>(kBallBatchWholeCube)));
@@ -64,10 +70,16 @@ class BallSearch {
     }
   }
 
-  size_t candidates() const { return candidates_.count; }
+  /// The most points that pick() will give for a point of that leaf.
+  size_t candidates(size_t point) {
+    if (!exactly_) return candidates_.count;
+    find_exactly(point);
+    return close_.size();
+  }
 
-  /// Appends the points in the ball of a point of that leaf, ascending.
+  /// Appends the points in the ball of the point that candidates() was asked for last, ascending.
   size_t pick(size_t point, uint32_t* neighbours, float* squared) const {
+    if (exactly_) return write(point, neighbours, squared);
     size_t unsure = 0;
     const Ball ball{tree_.x[point], tree_.y[point], tree_.z[point], surely_, perhaps_};
     size_t count = kernels_.pick(candidates_, ball, neighbours, squared, unsure);
@@ -78,6 +90,36 @@ class BallSearch {
   }
 
  private:
+  void find_exactly(size_t point) {
+    const Vec3 centre = tree_.exact_point(point);
+    const double most = radius_m_ * radius_m_;
+    close_.clear();
+    exact_runs(
+        tree_,
+        [&](const ExactBlock& block, size_t slot) {
+          return squared_distance(block, slot, centre) <= most;
+        },
+        [&](size_t first, size_t last) {
+          for (size_t i = first; i < last; ++i)
+            if (squared_norm(tree_.exact_point(i) - centre) <= most)
+              close_.push_back(static_cast<uint32_t>(i));
+        });
+  }
+
+  // What was found exactly, with the distances that the vector loop gives.
+  size_t write(size_t point, uint32_t* neighbours, float* squared) const {
+    const auto square_step = static_cast<float>(tree_.step * tree_.step);
+    for (size_t j = 0; j < close_.size(); ++j) {
+      const uint32_t i = close_[j];
+      const auto dx = static_cast<float>(tree_.x[i] - tree_.x[point]),
+                 dy = static_cast<float>(tree_.y[i] - tree_.y[point]),
+                 dz = static_cast<float>(tree_.z[i] - tree_.z[point]);
+      neighbours[j] = i;
+      squared[j] = (dx * dx + dy * dy + dz * dz) * square_step;
+    }
+    return close_.size();
+  }
+
   void reserve(size_t room) {
     values_ = Buffer<int32_t>(3 * (room + kVector));
     positions_ = Buffer<uint32_t>(room + kVector);
@@ -101,6 +143,8 @@ class BallSearch {
   const Octree::Impl& tree_;
   const double radius_m_, radius_;  // radius_: grid steps
   const BallBatchKernels kernels_;
+  const bool exactly_;
+  std::vector<uint32_t> close_;
   float surely_ = 0, perhaps_ = 0;
   Buffer<int32_t> values_;
   Buffer<uint32_t> positions_;
@@ -148,7 +192,7 @@ void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, cons
     for (size_t leaf = begin; leaf < end; ++leaf) {
       search.enter(leaf);
       for (size_t point = impl_->leaf_first[leaf]; point < impl_->leaf_first[leaf + 1]; ++point) {
-        found.reserve(search.candidates());
+        found.reserve(search.candidates(point));
         const size_t at = found.count();
         const size_t more =
             search.pick(point, found.neighbours.data() + at, found.squared.data() + at);

@@ -7,6 +7,7 @@
 //   3. a query whose k-th neighbour is not inside the reach: widen it and repeat; far-off queries are answered one by
 //   one;
 //   4. a query with distances too close to call in single precision on the grid is settled from the caller's doubles.
+// Leaves whose points the grid does not tell apart are answered in doubles (exact_knn.cpp).
 
 #include <algorithm>
 #include <bit>
@@ -16,6 +17,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/simd.h"
+#include "spatial/neighbours/exact_knn.h"
 #include "spatial/neighbours/knn_kernel.h"
 #include "spatial/octree/impl.h"
 
@@ -31,6 +33,9 @@ constexpr double kKnnBatchGuess = 1.2;
 // A leaf that needs this much more than was guessed holds outliers: those are answered one by one.
 constexpr double kKnnBatchFarOff = 2.5;
 
+// Settling sorts what is close; of more than so many times k, the boxes in doubles find the k nearest sooner.
+constexpr size_t kKnnBatchMostClose = 8;
+
 struct KnnBatchKernels {
   bool (*gather)(const OctreeView&, const GridBox&, Candidates&);
   void (*search)(const Candidates&, KnnGroup&);
@@ -41,7 +46,11 @@ struct KnnBatchKernels {
 class BatchSearch {
  public:
   BatchSearch(const Octree& octree, uint32_t k, const KnnBatchKernels& kernels)
-      : tree_(octree.impl()), k_(k), kernels_(kernels), keys_((k + 1) * size_t{kMostQueries}) {}
+      : tree_(octree.impl()),
+        k_(k),
+        kernels_(kernels),
+        exactly_(tree_, k),
+        keys_((k + 1) * size_t{kMostQueries}) {}
 
   /// Sorted positions and squared distances for the points of one leaf.
   void leaf(size_t leaf, uint32_t* neighbours, float* squared) {
@@ -55,8 +64,13 @@ class BatchSearch {
         }
       return;
     }
-    if (reach_ == 0) reach_ = first_reach();
     uint32_t pending = (1u << count) - 1;
+    if (tree_.has_exact_boxes() && tree_.is_crowded(leaf, 0)) {
+      exactly_.leaf(leaf, neighbours);
+      for (size_t q = 0; q < count; ++q) measure(first + q, neighbours + q * k_, squared + q * k_);
+      return;
+    }
+    if (reach_ == 0) reach_ = first_reach();
     for (int attempt = 0; pending != 0; ++attempt) {
       const int64_t needed = try_reach(pending);
       if (needed == 0) {
@@ -223,6 +237,8 @@ class BatchSearch {
       const double squared = dx * dx + dy * dy + dz * dz;
       if (squared <= limit) close_.push_back({squared, c});
     }
+    if (tree_.has_exact_boxes() && close_.size() > kKnnBatchMostClose * k_)
+      return answer_one(position, to, to_squared);
     const auto by_distance = [&](const Close& a, const Close& b) {
       return a.squared < b.squared ||
              (a.squared == b.squared && tree_.order[candidates_.position[a.candidate]] <
@@ -265,14 +281,22 @@ class BatchSearch {
     return true;
   }
 
+  void answer_one(size_t position, uint32_t* to, float* to_squared) const {
+    if (tree_.has_exact_boxes() || !nearest_by_grid(position, to))
+      tree_.nearest_of_point(position, k_, to);
+    measure(position, to, to_squared);
+  }
+
+  void measure(size_t position, const uint32_t* to, float* to_squared) const {
+    for (uint32_t j = 0; j < k_; ++j)
+      to_squared[j] = to[j] == kNoPoint ? std::numeric_limits<float>::infinity()
+                                        : squared_metres(position, to[j]);
+  }
+
   void one_by_one(size_t first, uint32_t pending, uint32_t* neighbours, float* squared) {
     for (; pending != 0; pending &= pending - 1) {
       const auto q = static_cast<size_t>(std::countr_zero(pending));
-      uint32_t* to = neighbours + q * k_;
-      if (!nearest_by_grid(first + q, to)) tree_.nearest_of_point(first + q, k_, to);
-      for (uint32_t j = 0; j < k_; ++j)
-        squared[q * k_ + j] = to[j] == kNoPoint ? std::numeric_limits<float>::infinity()
-                                                : squared_metres(first + q, to[j]);
+      answer_one(first + q, neighbours + q * k_, squared + q * k_);
     }
     reach_ = 0;
   }
@@ -280,6 +304,7 @@ class BatchSearch {
   const Octree::Impl& tree_;
   const uint32_t k_;
   const KnnBatchKernels kernels_;
+  ExactKnn exactly_;
   GridBox box_{};
   int64_t reach_ = 0;                   // grid units; 0 = no guess
   size_t run_begin_ = 0, run_end_ = 0;  // a run of points with the same coordinates

@@ -47,10 +47,12 @@ struct NearestBatchKernels {
 class LeafSearch {
  public:
   LeafSearch(const Octree& reference, const Octree& compared, const SearchFrame& frame,
-             double max_distance_m, const NearestBatchKernels& kernels)
+             double max_distance_m, bool frame_is_coarse, const NearestBatchKernels& kernels)
       : reference_(reference.impl()),
         compared_(compared.impl()),
         frame_(frame),
+        most_m2_(max_distance_m * max_distance_m),
+        frame_is_coarse_(frame_is_coarse),
         max_reach_(std::min(max_distance_m / frame.step + 2 * kNearestBatchGridError,
                             static_cast<double>(2 * kWholeFrame))),
         kernels_(kernels) {}
@@ -213,6 +215,7 @@ class LeafSearch {
 
   // Step 4 for one query. start: a point to begin with, or kNoPoint.
   uint32_t search_one(uint32_t q, uint32_t start) const {
+    if (frame_is_coarse_) return search_exactly(q, start);
     const auto error = static_cast<float>(2 * kNearestBatchGridError);
     const auto limit = static_cast<float>(max_reach_ * max_reach_ * (1 + 0x1p-20));
     NearestOne one{max_reach_ < static_cast<double>(kWholeFrame) * 2 ? limit : kInfinity, kInfinity,
@@ -225,7 +228,17 @@ class LeafSearch {
     kernels_.of_one(reference_.view, frame_.reference, query, error, one);
     if (one.position == kNoPoint || !(one.second <= NearLimit{error}(one.best)))
       return one.position;
-    return reference_.nearest_position(compared_.exact_point(first_ + q));
+    return reference_.nearest_position(compared_.exact_point(first_ + q),
+                                       std::numeric_limits<double>::infinity());
+  }
+
+  // The same for a reference whose points the frame does not tell apart.
+  uint32_t search_exactly(uint32_t q, uint32_t start) const {
+    const Vec3 query = compared_.exact_point(first_ + q);
+    const double reach =
+        start == kNoPoint ? most_m2_
+                          : std::min(most_m2_, squared_norm(reference_.exact_point(start) - query));
+    return reference_.nearest_position(query, reach);
   }
 
   void one_by_one(uint32_t pending, uint32_t* nearest) {
@@ -240,6 +253,8 @@ class LeafSearch {
   const Octree::Impl& reference_;
   const Octree::Impl& compared_;
   const SearchFrame& frame_;
+  const double most_m2_;
+  const bool frame_is_coarse_;
   const double max_reach_;  // steps
   const NearestBatchKernels kernels_;
   double reach_ = 0;          // steps; 0 = no guess
@@ -255,6 +270,12 @@ class LeafSearch {
   NearestGroup group_;
   NearCandidates candidates_;
 };
+
+// Does the frame fail to tell many points of the reference apart?
+bool is_coarse(const Octree::Impl& reference, const SearchFrame& frame, Task& task) {
+  const int shift = frame.reference.shift;
+  return reference.has_exact_boxes() || (shift > 0 && reference.is_crowded_at(shift, task));
+}
 
 // Exact distances of a chunk; what is beyond the greatest one is taken back.
 void measure(const Octree::Impl& reference, const Octree::Impl& compared, size_t first,
@@ -292,12 +313,13 @@ void nearest_batches(const Octree& reference, const Octree& compared, double max
                                        nearest_of_one_baseline};
   const DistinctPoints distinct(reference, task);
   const SearchFrame frame(reference.cube(), compared.cube());
+  const bool coarse = is_coarse(distinct.tree().impl(), frame, task);
   const Octree::Impl& queries = compared.impl();
   constexpr size_t kLeavesAtOnce = 256;
   parallel_for(task, queries.leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
     const size_t first = queries.leaf_first[begin], count = queries.leaf_first[end] - first;
-    const auto search =
-        std::make_unique<LeafSearch>(distinct.tree(), compared, frame, max_distance_m, kernels);
+    const auto search = std::make_unique<LeafSearch>(distinct.tree(), compared, frame,
+                                                     max_distance_m, coarse, kernels);
     Buffer<uint32_t> nearest(count);
     Buffer<double> squared(count);
     for (size_t leaf = begin; leaf < end; ++leaf)

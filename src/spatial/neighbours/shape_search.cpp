@@ -7,6 +7,7 @@
 
 #include "base/simd.h"
 #include "spatial/neighbours/shape_kernel.h"
+#include "spatial/octree/exact_walk.h"
 #include "spatial/octree/impl.h"
 
 namespace jalon {
@@ -91,9 +92,46 @@ void ShapeSearch::take(const Shape& shape) {
   taken_ = true;
 }
 
+namespace {
+
+// Does a box in doubles perhaps meet the shape? A cylinder: is the ball around the box within its reach along and
+// beside the axis?
+template <class Shape>
+bool may_meet(const Shape& shape, const ExactBlock& block, size_t slot) {
+  if (shape.is_ball)
+    return squared_distance(block, slot, shape.centre) <= shape.radius_m * shape.radius_m;
+  Vec3 middle, half;
+  for (int c = 0; c < 3; ++c) {
+    middle[c] = 0.5 * (block.lo[c][slot] + block.hi[c][slot]) - shape.centre[c];
+    half[c] = 0.5 * (block.hi[c][slot] - block.lo[c][slot]);
+  }
+  constexpr double kRoom = 1 + 1e-12;  // for the rounding of these few sums
+  const double along = dot(middle, shape.axis), reach = norm(half) + 1e-12 * norm(middle);
+  return std::fabs(along) <= (shape.half_length_m + reach) * kRoom &&
+         norm(middle - along * shape.axis) <= (shape.radius_m + reach) * kRoom;
+}
+
+}  // namespace
+
+// The same for shapes of a few steps in a tree whose grid does not tell its points apart.
+size_t ShapeSearch::search_exactly(const Shape& shape) {
+  const Octree::Impl& tree = tree_.impl();
+  candidates_.clear();
+  exact_runs(
+      tree, [&](const ExactBlock& block, size_t slot) { return may_meet(shape, block, slot); },
+      [&](size_t first, size_t last) {
+        for (size_t i = first; i < last; ++i) candidates_.push_back(static_cast<uint32_t>(i));
+      });
+  taken_ = false;  // candidates_ has another size
+  return candidates_.size();
+}
+
 // The positions of all points of the shape, and few others, to candidates_.
 size_t ShapeSearch::search(const Shape& shape) {
-  if (tree_.impl().count == 0) return 0;
+  const Octree::Impl& tree = tree_.impl();
+  if (tree.count == 0) return 0;
+  if (tree.has_exact_boxes() && shape.radius_m * tree.inverse_step < kFewSteps)
+    return search_exactly(shape);
   if (!taken_ || !covers(wide_, shape)) take(shape);
   const auto kernel = avx2_ ? filter_shape_avx2 : filter_shape_baseline;
   return kernel(points_, grid_shape(shape), candidates_.data());

@@ -46,6 +46,7 @@ class ShapeSearch {
     bool is_ball = true;
   };
   size_t search(const Shape& shape);
+  size_t search_exactly(const Shape& shape);
   static bool covers(const Shape& wide, const Shape& shape);
   void take(const Shape& shape);
   GridShape grid_shape(const Shape& shape) const;

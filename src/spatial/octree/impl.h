@@ -17,6 +17,9 @@ namespace jalon {
 constexpr int kGridBits = 31;  ///< bits of a fixed-point coordinate; the top 21 make the code
 constexpr uint32_t kLeafPoints =
     16;  ///< most points of a leaf, and so queries of a group (kMostQueries)
+/// Sides of a leaf, in steps, up to which distances on the grid, wrong by up to 2 sqrt(3) steps, do not order its
+/// points.
+constexpr int64_t kCrowdedSteps = 8;
 /// A point on the grid, with the caller's index: what the sort moves.
 struct alignas(16) GridPoint {
   int32_t x, y, z;
@@ -28,6 +31,15 @@ inline uint64_t code_of(int32_t x, int32_t y, int32_t z) {
   return morton_code(static_cast<uint32_t>(x) >> shift, static_cast<uint32_t>(y) >> shift,
                      static_cast<uint32_t>(z) >> shift);
 }
+
+constexpr size_t kExactRun = 16;  ///< sorted points that share a box in doubles
+/// Closed boxes of eight neighbours in the order of the curve, in the caller's coordinates, and the smallest index of a
+/// point in each, kNoPoint in an unused place.
+struct ExactBlock {
+  double lo[3][kBoxes];
+  double hi[3][kBoxes];
+  uint32_t least_index[kBoxes];
+};
 
 /// Leaves are runs of at most kLeafPoints points inside one octree cell, in curve order. Above them stands a tree
 /// without pointers: block b of level i + 1 holds the boxes of blocks 8 b ... 8 b + 7 of level i; the last level is one
@@ -44,7 +56,16 @@ struct Octree::Impl {
   size_t leaves = 0;
   Buffer<uint32_t> leaf_first;  ///< leaves + 1
   std::vector<Buffer<BoxBlock>> levels;
+  /// Such a tree over runs of kExactRun points, in the caller's doubles; empty where the grid tells the points apart.
+  std::vector<Buffer<ExactBlock>> exact_levels;
   OctreeView view{};
+
+  bool has_exact_boxes() const { return !exact_levels.empty(); }
+  /// Do the points of a leaf, not all equal, lie within so few steps of 2^shift of the grid that this hardly tells them
+  /// apart?
+  bool is_crowded(size_t leaf, int shift) const;
+  /// Are there many points in such leaves?
+  bool is_crowded_at(int shift, Task& task) const;
 
   Vec3 grid_point(size_t i) const {
     return {static_cast<double>(x[i]), static_cast<double>(y[i]), static_cast<double>(z[i])};
@@ -71,11 +92,15 @@ struct Octree::Impl {
   /// Sorted positions of the k <= 256 nearest points of a point, itself included, filled up with kNoPoint.
   void nearest_of_point(size_t position, uint32_t k, uint32_t* neighbours) const;
 
-  /// The sorted position of the point nearest to a place, of equally near ones that of the smallest index.
-  uint32_t nearest_position(const Vec3& q) const;
+  /// The sorted position of the point nearest to a place, of equally near ones that of the smallest index; kNoPoint
+  /// when none is within the root of squared_reach (m^2).
+  uint32_t nearest_position(const Vec3& q, double squared_reach) const;
 
-  void sort_points(Task& task);  ///< fills x, y, z, order, leaf_first (octree_sort.cpp)
-  void build_boxes(Task& task);  ///< fills levels (octree_boxes.cpp)
+  void sort_points(Task& task);   ///< fills x, y, z, order, leaf_first (sort.cpp)
+  void order_crowds(Task& task);  ///< orders what shares a grid point (crowds.cpp)
+  void build_boxes(Task& task);   ///< fills levels (boxes.cpp)
+  void build_exact_boxes(
+      Task& task);  ///< fills exact_levels where they are needed (exact_boxes.cpp)
 };
 
 }  // namespace jalon

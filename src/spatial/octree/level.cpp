@@ -139,10 +139,11 @@ class LevelCells {
 // The queries of one cell, with the points gathered around it so far.
 class CellSearch {
  public:
-  CellSearch(const Octree::Impl& tree, const LevelCells& cells, int level, uint32_t k)
-      : tree_(tree),
+  CellSearch(const Octree& octree, const LevelCells& cells, int level, uint32_t k)
+      : octree_(octree),
+        tree_(octree.impl()),
         cells_(cells),
-        k_(std::min<size_t>(k, tree.count)),
+        k_(std::min<size_t>(k, tree_.count)),
         edge_(std::ldexp(1.0, kGridBits - level)) {}
 
   void enter(const CellNumbers& cell) {
@@ -159,9 +160,9 @@ class CellSearch {
     const double r0 = inscribed_radius(q);
     heap_.clear();
     limit_ = std::numeric_limits<double>::infinity();
-    scan(query, q, 0);
+    if (!is_crowded()) scan(query, q, 0);
     // Steps 3 to 5.
-    while (!complete_) {
+    while (!complete_ && !is_crowded()) {
       const double covered =
           (r0 + static_cast<double>(std::max<int64_t>(shell_, 0)) * edge_) * (1 - 1e-12) -
           kLevelGridError;
@@ -170,15 +171,25 @@ class CellSearch {
         break;
       const size_t known = points_.size();
       extend(r0);
-      scan(query, q, known);
+      if (!is_crowded()) scan(query, q, known);
     }
-    std::sort_heap(heap_.begin(), heap_.end(), nearer);
-    std::copy(heap_.begin(), heap_.end(), out.begin());
-    std::fill(out.begin() + static_cast<ptrdiff_t>(heap_.size()), out.end(),
+    size_t found = heap_.size();
+    if (is_crowded()) {
+      found = octree_.knn(query, static_cast<uint32_t>(k_), out);
+    } else {
+      std::sort_heap(heap_.begin(), heap_.end(), nearer);
+      std::copy(heap_.begin(), heap_.end(), out.begin());
+    }
+    std::fill(out.begin() + static_cast<ptrdiff_t>(found), out.end(),
               Neighbour{std::numeric_limits<double>::infinity(), kNoPoint});
   }
 
  private:
+  // Cells of one crowd hold it all, whatever their level: its points are found by the boxes in doubles.
+  bool is_crowded() const {
+    constexpr size_t kMostShared = 1024;
+    return tree_.has_exact_boxes() && points_.size() > kMostShared;
+  }
   double inscribed_radius(const Vec3& q) const {
     const uint32_t number[3] = {cell_.p, cell_.q, cell_.r};
     double r = std::numeric_limits<double>::infinity();
@@ -227,6 +238,7 @@ class CellSearch {
     }
   }
 
+  const Octree& octree_;
   const Octree::Impl& tree_;
   const LevelCells& cells_;
   size_t k_;
@@ -286,7 +298,7 @@ void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32
   });
   constexpr size_t kGrain = 256;
   parallel_for(task, sorted.size(), kGrain, [&](size_t begin, size_t end) {
-    CellSearch search(tree, cells, level, k);
+    CellSearch search(reference, cells, level, k);
     for (size_t i = begin; i < end; ++i) {
       if (i == begin || sorted[i].code != sorted[i - 1].code)
         search.enter(cell_numbers(sorted[i].code));

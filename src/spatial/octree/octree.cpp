@@ -62,7 +62,9 @@ std::shared_ptr<const Octree> Octree::build(std::span<const double> xyz, const C
     impl.sort_points(task);
   }
   ProgressSpan span(task, 0.9, 1);
+  impl.order_crowds(task);
   impl.build_boxes(task);
+  impl.build_exact_boxes(task);
   return tree;
 }
 
@@ -81,6 +83,7 @@ Vec3 Octree::local(size_t i) const { return impl_->grid_point(i) * impl_->step; 
 size_t Octree::memory_bytes() const {
   size_t bytes = impl_->count * 16 + impl_->leaf_first.size() * sizeof(uint32_t);
   for (const auto& level : impl_->levels) bytes += level.size() * sizeof(BoxBlock);
+  for (const auto& level : impl_->exact_levels) bytes += level.size() * sizeof(ExactBlock);
   return bytes;
 }
 

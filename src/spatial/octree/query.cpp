@@ -3,12 +3,13 @@
 
 // Single queries: depth-first through the box tree, nearest child first. Grid coordinates only rule points out; what
 // may belong to the answer is measured in doubles between the caller's own coordinates, so that answers equal brute
-// force.
+// force. Where the tree has boxes in doubles, these rule out (exact_walk.h).
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "spatial/octree/exact_walk.h"
 #include "spatial/octree/impl.h"
 
 namespace jalon {
@@ -78,6 +79,14 @@ void scan_leaf(const Octree::Impl& tree, size_t leaf, const Vec3& q_world, const
   }
 }
 
+// Calls found(position, exact squared distance) for the points of the boxes in doubles that may hold some.
+template <class MayHold, class Take>
+void measure(const Octree::Impl& tree, const Vec3& q, MayHold may_hold, Take found) {
+  exact_walk(tree, q, may_hold, [&](size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i) found(i, squared_norm(tree.exact_point(i) - q));
+  });
+}
+
 Vec3 to_grid(const Octree::Impl& tree, const Vec3& q) {
   return (q - tree.cube.origin) * tree.inverse_step;
 }
@@ -97,14 +106,14 @@ struct Found {
 };
 
 // The k nearest points of q, nearest first; heap has room for k. Returns how many there are.
-// reach_m: what lies farther may be left out.
+// squared_reach (m^2): what lies farther may be left out.
 size_t nearest(const Octree::Impl& tree, const Vec3& q, size_t k, Found* heap,
-               double reach_m = std::numeric_limits<double>::infinity()) {
+               double squared_reach = std::numeric_limits<double>::infinity()) {
   const size_t wanted = std::min(k, tree.count);
   if (wanted == 0) return 0;
   const Vec3 q_grid = to_grid(tree, q);
   size_t count = 0;  // heap[0, count): farthest first
-  double limit = limit_of(tree, reach_m * reach_m);
+  double limit = limit_of(tree, squared_reach);
   const auto found = [&](size_t position, double squared) {
     const Found candidate{squared, tree.order[position], static_cast<uint32_t>(position)};
     if (count < wanted) {
@@ -120,7 +129,15 @@ size_t nearest(const Octree::Impl& tree, const Vec3& q, size_t k, Found* heap,
     if (count == wanted) limit = std::min(limit, limit_of(tree, heap[0].squared));
   };
   const auto bound = [&] { return limit; };
-  walk(tree, q_grid, bound, [&](size_t leaf) { scan_leaf(tree, leaf, q, q_grid, bound, found); });
+  if (tree.has_exact_boxes()) {
+    const auto may_hold = [&](double squared, uint32_t least_index) {
+      return squared <= squared_reach &&
+             (count < wanted || Found{squared, least_index, kNoPoint} < heap[0]);
+    };
+    measure(tree, q, may_hold, found);
+  } else {
+    walk(tree, q_grid, bound, [&](size_t leaf) { scan_leaf(tree, leaf, q, q_grid, bound, found); });
+  }
   std::sort_heap(heap, heap + count);
   return count;
 }
@@ -133,9 +150,9 @@ void Octree::Impl::nearest_of_point(size_t position, uint32_t k, uint32_t* neigh
   for (size_t j = 0; j < k; ++j) neighbours[j] = j < found ? heap[j].position : kNoPoint;
 }
 
-uint32_t Octree::Impl::nearest_position(const Vec3& q) const {
+uint32_t Octree::Impl::nearest_position(const Vec3& q, double squared_reach) const {
   Found found;
-  return nearest(*this, q, 1, &found) == 0 ? kNoPoint : found.position;
+  return nearest(*this, q, 1, &found, squared_reach) == 0 ? kNoPoint : found.position;
 }
 
 namespace {
@@ -162,6 +179,10 @@ void for_each_in_ball(const Octree::Impl& tree, const Vec3& q, double radius, Ta
   const auto found = [&](size_t position, double squared) {
     if (squared <= squared_radius) take(position, squared);
   };
+  if (tree.has_exact_boxes()) {
+    const auto may_hold = [&](double squared, uint32_t) { return squared <= squared_radius; };
+    return measure(tree, q, may_hold, found);
+  }
   walk(tree, q_grid, bound, [&](size_t leaf) { scan_leaf(tree, leaf, q, q_grid, bound, found); });
 }
 
@@ -180,7 +201,7 @@ size_t Octree::knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
 
 bool Octree::nearest_within(const Vec3& q, double radius, Neighbour& out) const {
   Found found;
-  if (!(radius >= 0) || nearest(*impl_, q, 1, &found, radius) == 0 ||
+  if (!(radius >= 0) || nearest(*impl_, q, 1, &found, radius * radius) == 0 ||
       found.squared > radius * radius)
     return false;
   out = {found.squared, found.index};

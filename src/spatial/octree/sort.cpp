@@ -6,7 +6,9 @@
 //   then move);
 //   2. buckets that hold too much of the cloud are split again by their next differing levels (far outliers, uneven
 //   density);
-//   3. each bucket, now a cell that fits the L2 cache, is sorted by itself and cut into leaves.
+//   3. each bucket, now a cell that fits the L2 cache, is sorted by itself and cut into leaves; where more points than
+//   a leaf's share a deepest cell, the bits of the grid below it order them, and where they share a grid point, finer
+//   grids do (crowds.cpp).
 // All moves are stable and the cuts depend on the points only, so any number of threads gives the same bits.
 
 #include <algorithm>
@@ -59,7 +61,7 @@ void append_buckets(const std::vector<size_t>& begins, size_t offset, bool in_se
       buckets.push_back({offset + begins[b], begins[b + 1] - begins[b], in_second});
 }
 
-// First level at which points of the bucket differ, minus one; kMaxLevel when all share their code.
+// First level at which points of the bucket differ, minus one; kGridBits when all share their grid point.
 int common_levels(const GridPoint* points, size_t n, Task& task) {
   struct Bits {
     uint32_t x = 0;
@@ -77,7 +79,18 @@ int common_levels(const GridPoint* points, size_t n, Task& task) {
                                        (points[i].z ^ p.z));
         return Bits{all};
       });
-  return std::min(kMaxLevel, kGridBits - (32 - std::countl_zero(bits.x)));
+  return kGridBits - (32 - std::countl_zero(bits.x));
+}
+
+// Points of a bucket that is handed on although it is large, all of them on one grid point: they stand by index
+// already, and whole leaves of them are as good as all.
+constexpr size_t kMostSerial = size_t{1} << 19;  // a cancel has to wait for the sort of a bucket
+static_assert(kMostSerial % kLeafPoints == 0);
+
+void append_in_pieces(Bucket bucket, std::vector<Bucket>& buckets) {
+  for (; bucket.count > kMostSerial; bucket.first += kMostSerial, bucket.count -= kMostSerial)
+    buckets.push_back({bucket.first, kMostSerial, bucket.in_second});
+  buckets.push_back(bucket);
 }
 
 // Step 2: splits buckets larger than limit until none is left, in code order.
@@ -88,12 +101,12 @@ std::vector<Bucket> split_large(std::vector<Bucket> buckets, size_t limit, GridP
     std::vector<Bucket> split;
     for (const Bucket& bucket : buckets) {
       GridPoint* from = arrays[bucket.in_second] + bucket.first;
-      const int level = bucket.count > limit ? common_levels(from, bucket.count, task) : kMaxLevel;
-      if (level == kMaxLevel) {
-        split.push_back(bucket);
+      const int level = bucket.count > limit ? common_levels(from, bucket.count, task) : kGridBits;
+      if (level == kGridBits) {
+        append_in_pieces(bucket, split);
         continue;
       }
-      const Digit digit{level, std::min(4, kMaxLevel - level)};
+      const Digit digit{level, std::min(4, kGridBits - level)};
       const auto begins =
           partition(bucket.count, digit.bins(), digit, task,
                     arrays[!bucket.in_second] + bucket.first, [from](size_t i) { return from[i]; });
@@ -105,17 +118,21 @@ std::vector<Bucket> split_large(std::vector<Bucket> buckets, size_t limit, GridP
   return buckets;
 }
 
+// Equal pieces.
+void cut_evenly(size_t first, size_t last, size_t offset, std::vector<uint32_t>& leaves) {
+  for (size_t i = first; i < last; i += kLeafPoints)
+    leaves.push_back(static_cast<uint32_t>(offset + i));
+}
+
 // Cuts sorted codes into leaves: runs of at most kLeafPoints points that never leave a cell which is too large for one
-// leaf. Neighbouring children of such a cell share a leaf while they fit; many points of one deepest cell are cut into
-// equal pieces.
+// leaf. Neighbouring children of such a cell share a leaf while they fit; same_code(first, last) cuts more points of
+// one code, whose codes are not read any more.
+template <class SameCode>
 void cut_leaves(const uint64_t* codes, size_t first, size_t last, size_t offset,
-                std::vector<uint32_t>& leaves) {
+                std::vector<uint32_t>& leaves, const SameCode& same_code) {
+  if (last - first <= kLeafPoints) return leaves.push_back(static_cast<uint32_t>(offset + first));
   const uint64_t differing = codes[first] ^ codes[last - 1];
-  if (last - first <= kLeafPoints || differing == 0) {
-    for (size_t i = first; i < last; i += kLeafPoints)
-      leaves.push_back(static_cast<uint32_t>(offset + i));
-    return;
-  }
+  if (differing == 0) return same_code(first, last);
   const int shift = (63 - std::countl_zero(differing)) / 3 * 3;
   size_t open = first;  // where the leaf begins that still takes children
   for (size_t begin = first; begin < last;) {
@@ -124,7 +141,7 @@ void cut_leaves(const uint64_t* codes, size_t first, size_t last, size_t offset,
         static_cast<size_t>(std::lower_bound(codes + begin, codes + last, next) - codes);
     if (end - begin > kLeafPoints) {
       if (open < begin) leaves.push_back(static_cast<uint32_t>(offset + open));
-      cut_leaves(codes, begin, end, offset, leaves);
+      cut_leaves(codes, begin, end, offset, leaves, same_code);
       open = end;
     } else if (end - open > kLeafPoints) {
       leaves.push_back(static_cast<uint32_t>(offset + open));
@@ -133,6 +150,33 @@ void cut_leaves(const uint64_t* codes, size_t first, size_t last, size_t offset,
     begin = end;
   }
   if (open < last) leaves.push_back(static_cast<uint32_t>(offset + open));
+}
+
+// The code of a grid point within its deepest cell.
+uint64_t code_below(const GridPoint& p) {
+  constexpr uint32_t mask = (1u << (kGridBits - kMaxLevel)) - 1;
+  return morton_code(static_cast<uint32_t>(p.x) & mask, static_cast<uint32_t>(p.y) & mask,
+                     static_cast<uint32_t>(p.z) & mask);
+}
+
+// Step 3 for one bucket: the order of its points to sorted.values, its leaves behind the others.
+void sort_bucket(const GridPoint* points, size_t count, size_t offset, KeyedRange sorted,
+                 KeyedRange scratch, std::vector<uint32_t>& leaves) {
+  for (size_t i = 0; i < count; ++i) {
+    sorted.keys[i] = code_of(points[i].x, points[i].y, points[i].z);
+    sorted.values[i] = static_cast<uint32_t>(i);
+  }
+  sort_pairs(sorted, scratch, count);
+  const auto same_point = [&](size_t first, size_t last) {
+    cut_evenly(first, last, offset, leaves);
+  };
+  const auto same_cell = [&](size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i) sorted.keys[i] = code_below(points[sorted.values[i]]);
+    sort_pairs({sorted.keys + first, sorted.values + first},
+               {scratch.keys + first, scratch.values + first}, last - first);
+    cut_leaves(sorted.keys, first, last, offset, leaves, same_point);
+  };
+  cut_leaves(sorted.keys, 0, count, offset, leaves, same_cell);
 }
 
 }  // namespace
@@ -177,8 +221,6 @@ void Octree::Impl::sort_points(Task& task) {
   on_grid = all_on_grid;
   ProgressSpan rest(task, 0.5, 1);
   constexpr size_t kTaskPoints = size_t{1} << 15;
-  constexpr size_t kMostSerial = size_t{1}
-                                 << 19;  // points of a bucket: a cancel has to wait for its sort
   {
     ProgressSpan span(task, 0, 0.3);
     buckets = split_large(std::move(buckets), std::clamp(count / 16, 4 * kTaskPoints, kMostSerial),
@@ -202,12 +244,8 @@ void Octree::Impl::sort_points(Task& task) {
     for (size_t b = groups[g]; b < groups[g + 1]; ++b) {
       const Bucket& bucket = buckets[b];
       const GridPoint* from = arrays[bucket.in_second] + bucket.first;
-      for (size_t i = 0; i < bucket.count; ++i) {
-        keys[i] = code_of(from[i].x, from[i].y, from[i].z);
-        values[i] = static_cast<uint32_t>(i);
-      }
-      sort_pairs({keys.data(), values.data()}, {keys.data() + most, values.data() + most},
-                 bucket.count);
+      sort_bucket(from, bucket.count, bucket.first, {keys.data(), values.data()},
+                  {keys.data() + most, values.data() + most}, leaves_of[g]);
       for (size_t i = 0; i < bucket.count; ++i) {
         const GridPoint& q = from[values[i]];
         x[bucket.first + i] = q.x;
@@ -215,7 +253,6 @@ void Octree::Impl::sort_points(Task& task) {
         z[bucket.first + i] = q.z;
         order[bucket.first + i] = q.index;
       }
-      cut_leaves(keys.data(), 0, bucket.count, bucket.first, leaves_of[g]);
     }
   });
 

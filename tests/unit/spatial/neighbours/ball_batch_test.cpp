@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "unit/spatial/hostile_clouds.h"
 #include "unit/spatial/octree_fixture.h"
 
 using namespace jalon;
@@ -71,4 +72,17 @@ TEST_CASE("ball_batch__duplicates_are_in_each_other_s_balls_and_threads_change_n
   CHECK(balls == by_brute_force(xyz, 0.01));
   CHECK(balls[0].size() >= 300);
   CHECK(balls == all_balls(*tree, 0.01, 4));
+}
+
+TEST_CASE("ball_batch__equals_brute_force_where_the_grid_does_not_tell_points_apart") {
+  for (const HostileCloud& cloud : hostile_clouds(800)) {
+    CAPTURE(cloud.name);
+    const auto tree = build(cloud.xyz);
+    for (const double radius : {0.0, 1e-30, 2e-6, 0.3, 100.0}) {
+      CAPTURE(radius);
+      const Balls balls = all_balls(*tree, radius, 1);
+      CHECK(balls == by_brute_force(cloud.xyz, radius));
+      CHECK(balls == all_balls(*tree, radius, 3));
+    }
+  }
 }

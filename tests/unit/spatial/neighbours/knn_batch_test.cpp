@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
+#include "unit/spatial/hostile_clouds.h"
 #include "unit/spatial/octree_fixture.h"
 
 using namespace jalon;
@@ -60,4 +61,19 @@ TEST_CASE("knn_batch__visits_every_point_once_whatever_the_threads") {
     }
   });
   CHECK(std::count(visits.begin(), visits.end(), 1) == 5000);
+}
+
+TEST_CASE("knn_batch__equals_brute_force_where_the_grid_does_not_tell_points_apart") {
+  for (const HostileCloud& cloud : hostile_clouds(2000)) {
+    CAPTURE(cloud.name);
+    const auto tree = build(cloud.xyz);
+    for (const uint32_t k : {1u, 12u, 40u}) {
+      const AllNeighbours all = all_knn(*tree, k);
+      CHECK(all == all_knn(*tree, k, 1));
+      for (size_t i = 0; i < tree->size(); i += k) {
+        const auto truth = brute_force(cloud.xyz, point(cloud.xyz, i), k);
+        for (size_t j = 0; j < k; ++j) REQUIRE(all.index[i * k + j] == truth[j].index);
+      }
+    }
+  }
 }

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "spatial/neighbours/nearest_kernel.h"
 #include "spatial/octree/impl.h"
+#include "unit/spatial/hostile_clouds.h"
 #include "unit/spatial/octree_fixture.h"
 
 using namespace jalon;
@@ -156,4 +157,17 @@ TEST_CASE("nearest__both_instruction_sets_find_the_same") {
     REQUIRE((a.best == b.best && a.position == b.position));
   }
 #endif
+}
+
+TEST_CASE("nearest__equals_brute_force_where_the_grid_does_not_tell_points_apart") {
+  for (const HostileCloud& cloud : hostile_clouds(2000)) {
+    CAPTURE(cloud.name);
+    check_against_brute_force(cloud.xyz, cloud.xyz);
+    for (const Vec3& by : {Vec3{1e-9, 0, 0}, Vec3{0.125, 0.0625, 0}, Vec3{652000.5, 6861000, 0}}) {
+      check_against_brute_force(cloud.xyz, moved(cloud.xyz, by), kNoLimit, 7);
+      check_against_brute_force(moved(cloud.xyz, by), cloud.xyz, 0.01, 7);
+    }
+    check_against_brute_force(cloud.xyz, street(500), kNoLimit, 3);
+    check_against_brute_force(street(500), cloud.xyz, kNoLimit, 3);
+  }
 }

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "unit/spatial/hostile_clouds.h"
 #include "unit/spatial/octree_fixture.h"
 #include "spatial/neighbours/shape_kernel.h"
 #include "base/simd.h"
@@ -141,4 +142,33 @@ TEST_CASE("shape_search__empty_tree_and_one_point") {
   CHECK(search.ball({1, 2, 3}, 0).size() == 1);
   CHECK(search.cylinder({1, 2, 0}, {0, 0, 1}, 0, 3).size() == 1);
   CHECK(search.cylinder({1, 2, 0}, {0, 0, 1}, 0.1, 2.9).empty());
+}
+
+TEST_CASE("shape_search__equals_brute_force_where_the_grid_does_not_tell_points_apart") {
+  for (const HostileCloud& cloud : hostile_clouds(1500)) {
+    CAPTURE(cloud.name);
+    const auto tree = build(cloud.xyz);
+    ShapeSearch search(*tree);
+    RandomStream random(6, 0);
+    for (int trial = 0; trial < 200; ++trial) {
+      const Vec3 centre = point(cloud.xyz, random.below(1500));
+      const Vec3 axis = normalized({random.normal(), random.normal(), random.normal()});
+      const double radius = std::pow(10, 12 * random.uniform() - 11), half = 3 * radius;
+      std::vector<uint32_t> found;
+      for (const auto& p : search.cylinder(centre, axis, radius, half))
+        found.push_back(tree->order()[p.position]);
+      CHECK(ascending(found) == all_inside(cloud.xyz, [&](const Vec3& p) {
+              const Vec3 d = p - centre;
+              const double t = dot(d, axis);
+              return std::fabs(t) <= half && squared_norm(d - t * axis) <= radius * radius;
+            }));
+      search.ball(centre, radius);
+      found.clear();
+      for (const uint32_t position : search.ball_positions())
+        found.push_back(tree->order()[position]);
+      CHECK(ascending(found) == all_inside(cloud.xyz, [&](const Vec3& p) {
+              return squared_norm(p - centre) <= radius * radius;
+            }));
+    }
+  }
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "spatial/octree/morton.h"
+#include "unit/spatial/hostile_clouds.h"
 #include "unit/spatial/octree_fixture.h"
 
 using namespace jalon;
@@ -105,5 +106,23 @@ TEST_CASE("best_level__is_at_most_2_levels_from_the_one_of_least_work_and_all_gi
     MESSAGE("FIGURE " << std::string(c.name) << ": formula 4.2 picks " << chosen
                       << ", least work at " << best << "; seconds/work a query by level" << line);
     CHECK(std::abs(chosen - best) <= 2);
+  }
+}
+
+TEST_CASE("level__gives_the_neighbours_of_crowds_at_any_level") {
+  for (const HostileCloud& cloud : hostile_clouds(2000)) {
+    CAPTURE(cloud.name);
+    const auto tree = build(cloud.xyz);
+    Task task;
+    std::vector<Vec3> queries;
+    for (size_t i = 0; i < 2000; i += 41) queries.push_back(point(cloud.xyz, i));
+    for (const int level : {1, 12, 21}) {
+      std::vector<Neighbour> found(queries.size() * 6);
+      knn_at_level(*tree, queries, 6, level, task, found);
+      for (size_t q = 0; q < queries.size(); ++q) {
+        const auto truth = brute_force(cloud.xyz, queries[q], 6);
+        for (size_t j = 0; j < 6; ++j) REQUIRE(found[6 * q + j].index == truth[j].index);
+      }
+    }
   }
 }

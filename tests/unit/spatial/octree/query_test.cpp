@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 
+#include "unit/spatial/hostile_clouds.h"
 #include "unit/spatial/octree_fixture.h"
 
 using namespace jalon;
@@ -104,4 +106,31 @@ TEST_CASE("query__an_empty_tree_answers_nothing") {
   CHECK_FALSE(tree->nearest_within({0, 0, 0}, kInfinite, one));
   tree->radius({0, 0, 0}, 1e9, out);
   CHECK(out.empty());
+}
+
+TEST_CASE("query__equals_brute_force_where_the_grid_does_not_tell_points_apart") {
+  for (const HostileCloud& cloud : hostile_clouds(2000)) {
+    CAPTURE(cloud.name);
+    const auto tree = build(cloud.xyz);
+    std::vector<Neighbour> out(9);
+    for (size_t i = 0; i < 2000; i += 29)
+      for (const double beside_m : {0.0, 1e-11, 0.4}) {
+        const Vec3 q = point(cloud.xyz, i) + Vec3{beside_m, 0, -beside_m};
+        const auto truth = brute_force(cloud.xyz, q, 9);
+        out.resize(9);
+        REQUIRE(tree->knn(q, 9, out) == 9);
+        for (size_t j = 0; j < 9; ++j) {
+          REQUIRE(out[j].index == truth[j].index);
+          REQUIRE(out[j].squared_distance == truth[j].squared_distance);
+        }
+        REQUIRE(tree->nearest_within(q, std::sqrt(truth[0].squared_distance) * 1.01, out[0]));
+        CHECK(out[0].index == truth[0].index);
+        const double radius = std::sqrt(truth[8].squared_distance);
+        const auto all = brute_force(cloud.xyz, q, 2000);
+        size_t inside = 0;
+        while (inside < 2000 && all[inside].squared_distance <= radius * radius) ++inside;
+        tree->radius(q, radius, out);
+        REQUIRE(out.size() == inside);
+      }
+  }
 }
