@@ -54,7 +54,10 @@ typedef struct jalon_target {
 } jalon_target;
 
 /**
- * method, NULL = "icp":
+ * method, NULL = "automatic":
+ * - "automatic": "coarse", then "icp" from its pose, with the parameters of both: clouds that lie
+ *   anywhere. Without a pose, or with more than one, the result is that of "coarse"; else that of
+ *   "icp" with the scores of "coarse" in the summary. A start is one pose more to choose from.
  * - "icp": iterative closest points (Besl & McKay 1992; Chen & Medioni 1992) from a start that is
  *   about right: clouds of the same surfaces, half a metre and some degrees apart. Local planes of
  *   both clouds, steps on few points and then on all, a distance that shrinks down to three times
@@ -80,9 +83,6 @@ typedef struct jalon_target {
  *   pose fits about as well (JALON_STOPPED_AMBIGUOUS; the pose is the best one) and when none does
  *   (JALON_STOPPED_NOTHING_FOUND; the pose is the start). Both clouds are thinned to some 15 000
  *   cells: O(n) with a second or two for the search.
- * - "automatic": "coarse", then "icp" from its pose, with the parameters of both. Without a pose,
- *   or with more than one, the result is that of "coarse"; else that of "icp" with the scores of
- *   "coarse" in the summary.
  *
  * That steps have converged says little: two different objects, a mirrored scan, another floor of
  * a building converge as well. So the pose of "icp" and "automatic" is judged (column "verdict"):

@@ -31,4 +31,13 @@ std::string method_tables(const std::string& lead,
   return text;
 }
 
+/// The method of a worker that is taken when none is named: default_method(jalon_registrar_methods).
+inline std::string default_method(jalon_status (*methods)(const char* const** names,
+                                                          uint64_t* count)) {
+  const char* const* names = nullptr;
+  uint64_t count = 0;
+  must(methods(&names, &count));
+  return names[0];
+}
+
 }  // namespace jalon::cli

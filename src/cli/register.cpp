@@ -253,8 +253,8 @@ void add_register(Command& app) {
   command
       .option("--method", state->method,
               "automatic: from anywhere, coarse, then icp (the default); icp: from a start that is "
-              "about right "
-              "(the default with --start); coarse: from anywhere, roughly; targets: see --targets")
+              "about right, with --start or as they lie; coarse: from anywhere, roughly; targets: "
+              "see --targets")
       .type_name("NAME");
   command
       .option("--start", state->start,
@@ -292,7 +292,7 @@ void add_register(Command& app) {
   });
   command.on_run([state] {
     if (!state->targets.empty()) state->method = "targets";
-    if (state->method.empty()) state->method = state->start.empty() ? "automatic" : "icp";
+    if (state->method.empty()) state->method = default_method(jalon_registrar_methods);
     state->run();
   });
 }

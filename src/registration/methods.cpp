@@ -28,11 +28,11 @@ Registration run_targets(std::span<const Target> reference, std::span<const Targ
 }
 
 constexpr RegistrationMethod kMethods[] = {
+    {"automatic", "registrar automatic", automatic_rows, run<AutomaticSettings, register_automatic>,
+     nullptr},
     {"icp", "registrar icp", icp_rows, run<IcpSettings, register_icp>, nullptr},
     {"targets", "registrar targets", targets_rows, nullptr, run_targets},
     {"coarse", "registrar coarse", coarse_rows, run<CoarseSettings, register_coarse>, nullptr},
-    {"automatic", "registrar automatic", automatic_rows, run<AutomaticSettings, register_automatic>,
-     nullptr},
 };
 
 }  // namespace

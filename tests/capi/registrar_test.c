@@ -149,14 +149,32 @@ static jalon_cloud* corner(double shift) {
   return cloud;
 }
 
-static void icp__is_the_default_and_lays_a_corner_onto_itself(void** state) {
+static void automatic__is_the_default(void** state) {
+  (void)state;
+  const char* const* names = NULL;
+  uint64_t count = 0;
+  jalon_registrar* registrar = NULL;
+  jalon_params* params = NULL;
+  double shift_m = -1;
+  int64_t neighbours = 0;
+  MUST(jalon_registrar_methods(&names, &count));
+  assert_string_equal(names[0], "automatic");
+  MUST(jalon_registrar_create(NULL, &registrar));
+  MUST(jalon_registrar_params(registrar, &params));
+  MUST(jalon_params_get_double(params, "max_shift_m", &shift_m)); /* of "coarse" */
+  MUST(jalon_params_get_int64(params, "k", &neighbours));         /* of "icp" */
+  jalon_params_release(params);
+  jalon_registrar_release(registrar);
+}
+
+static void icp__lays_a_corner_onto_itself(void** state) {
   (void)state;
   jalon_registrar* registrar = NULL;
   jalon_registration* registration = NULL;
   jalon_cloud *reference = corner(0), *moving = corner(0.03), *few = NULL;
   jalon_transform pose, wild = {{1, 0, 0, NAN, 0, 1, 0, 0, 0, 0, 1, 0}};
   jalon_fields* log = NULL;
-  MUST(jalon_registrar_create(NULL, &registrar));
+  MUST(jalon_registrar_create("icp", &registrar));
   MUST(jalon_registrar_run(registrar, reference, moving, NULL, NULL, &registration));
   MUST(jalon_registration_pose(registration, &pose));
   assert_true(fabs(pose.m[3] + 0.03) < 1e-5);
@@ -291,7 +309,8 @@ int main(void) {
       cmocka_unit_test(automatic__finds_a_cloud_that_was_turned_and_shifted),
       cmocka_unit_test(automatic__outlives_a_registrar_that_its_progress_callback_releases),
       cmocka_unit_test(targets__that_cannot_give_a_pose_are_refused),
-      cmocka_unit_test(icp__is_the_default_and_lays_a_corner_onto_itself),
+      cmocka_unit_test(automatic__is_the_default),
+      cmocka_unit_test(icp__lays_a_corner_onto_itself),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
