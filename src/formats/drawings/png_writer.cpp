@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/drawings/png_writer.h"
 
-#include <array>
-
+#include "base/crc32.h"
 #include "formats/files/deflate.h"
 
 namespace jalon {
@@ -16,27 +15,11 @@ std::string big_endian(uint32_t value) {
   return out;
 }
 
-// ISO 3309, as annex D of the PNG standard computes it.
-uint32_t crc32(std::string_view bytes) {
-  static constexpr auto kTable = [] {
-    std::array<uint32_t, 256> table{};
-    for (uint32_t n = 0; n < 256; ++n) {
-      uint32_t c = n;
-      for (int k = 0; k < 8; ++k) c = c & 1 ? 0xedb88320u ^ c >> 1 : c >> 1;
-      table[n] = c;
-    }
-    return table;
-  }();
-  uint32_t c = 0xffffffffu;
-  for (const char byte : bytes) c = kTable[(c ^ static_cast<unsigned char>(byte)) & 0xff] ^ c >> 8;
-  return ~c;
-}
-
 void add_chunk(std::string& out, std::string_view type, std::string_view content) {
   const std::string body = std::string(type).append(content);
   out += big_endian(static_cast<uint32_t>(content.size()));
   out += body;
-  out += big_endian(crc32(body));
+  out += big_endian(crc32(0, body.data(), body.size()));
 }
 
 }  // namespace
