@@ -23,7 +23,7 @@ ARRAYS = {
     "automatic_m2": "count", "reference_m2": "count", "intersection_m2": "count",
     "automatic_xyz": "count", "reference_xyz": "count",
     "ranges_m": "count", "measured_m": "count", "known_m": "count",
-    "wavelengths_m": "count", "remainders_m": "count",
+    "wavelengths_m": "count", "remainders_m": "count", "bytes": "byte_count",
 }
 # With those that may be NULL beside an array of the same count.
 COUNTS = {

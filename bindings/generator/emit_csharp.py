@@ -13,7 +13,7 @@ from csharp_names import CLASSES, FACTORS, KEYWORDS, camel, documentation, pasca
 from csharp_params import emit_constants, emit_options, worker_properties  # noqa: E402
 from emit_swig import has_result, inputs_seen, result_fields  # noqa: E402
 from headers import Header, header_names, nouns  # noqa: E402
-from shapes import SMALL, class_of, methods  # noqa: E402
+from shapes import SMALL, class_nouns, class_of, methods  # noqa: E402
 
 HEAD = "// Generated from the public headers by bindings/generator.\nusing System;\nusing System.Collections.Generic;\n" \
        "using System.Runtime.InteropServices;\nusing System.Threading;\n\nnamespace Jalon {\n"
@@ -23,7 +23,7 @@ SCALARS = {"uint32_t": "long", "uint64_t": "long", "int32_t": "int", "jalon_stat
 # Inputs that C wants and a caller seldom does, with what stands for them.
 DEFAULTS = {("jalon_cloud_knn", "level"): "Constants.LevelAutomatic", "flags": "0"}
 NO_INLINING = "[System.Runtime.CompilerServices.MethodImpl(System.Runtime.CompilerServices.MethodImplOptions.NoInlining)]"
-VERBS = {"seal"}
+VERBS = {"seal", "copy"}
 
 
 def class_name(noun):
@@ -38,7 +38,7 @@ def rows_and_columns(o):
 # ---- inputs ---------------------------------------------------------------------------------------------------------
 
 def input_type(i):
-    if i.kind in ("rows", "packed", "small", "poses"):
+    if i.kind in ("rows", "packed", "bytes", "small", "poses"):
         return "ArrayArgument"
     if i.kind in ("handle", "options"):
         return class_name(i.type)
@@ -122,7 +122,7 @@ def output_type(o):
         return "double[]"
     if o.kind in ("view", "filled", "copied"):
         return "ArrayView"
-    return {"text": "string", "texts": "string[]", "flag": "bool"}.get(o.kind) or SCALARS[o.type]
+    return {"text": "string", "texts": "string[]", "flag": "bool", "bytes": "byte[]"}.get(o.kind) or SCALARS[o.type]
 
 
 def managed(o, type_, native):
@@ -134,6 +134,8 @@ def managed(o, type_, native):
         return "Small.%s(%s)" % ("Row" if rows_and_columns(o)[0] == 1 else "Rows", native)
     if kind == "doubles":
         return "Small.Row(%s)" % native
+    if kind == "bytes":
+        return "Small.Octets(%s)" % native
     if kind in ("view", "filled", "copied"):
         return "ArrayView.Wrap(%s)" % native
     if kind == "text":
@@ -315,7 +317,7 @@ def api(tables):
     out = [HEAD] + emit_constants()
     for m in wrapped:
         out += emit_result(m) if has_result(m) else []
-    for noun in sorted(known):
+    for noun in sorted(class_nouns()):
         out += emit_class(noun, wrapped, tables, known)
     out += summary("The functions that belong to no object.", "") + ["public static class Library {"]
     out += ["  private static Box Of(Noun noun) {", "    return Noun.Of(noun);", "  }", ""]

@@ -5,7 +5,7 @@
 from api_description import ROWS
 from emit_swig import has_result, inputs_seen, result_fields
 from headers import Header, constants, header_names, nouns, read
-from shapes import SMALL, class_of, methods
+from shapes import SMALL, class_nouns, class_of, methods
 from texts import BOOL, CHOICE, DOUBLE, DOUBLES, INT64, STRING, row_text, translated, worker_rows, wrap
 
 HEAD = '# Generated from the public headers by bindings/generator: do not edit.\n'
@@ -16,7 +16,7 @@ DEFAULTS = {"flags": "0", "level": "-1", "part": "WHOLE_MODEL", "other_part": "W
 MAKERS = {"Cloud": "_new_cloud"}
 # Fields of named tuples that take the place of a method of tuples.
 SHADOWS = {"count": "  # type: ignore[assignment]", "index": "  # type: ignore[assignment]"}
-NO_PROPERTY = {"to_json", "seal"}
+NO_PROPERTY = {"to_json", "seal", "copy", "to_bytes"}
 
 
 def is_property(m):
@@ -34,7 +34,7 @@ def setters(noun, wrapped):
 
 def hint_in(i):
     base = {"handle": lambda: class_of(i.type), "text": lambda: "Path" if i.name == "path" else "str", "flag": lambda: "bool",
-            "number": lambda: "float" if i.type == "double" else "int", "list": lambda: list_hint(i)}.get(i.kind, lambda: "ArrayLike")()
+            "number": lambda: "float" if i.type == "double" else "int", "list": lambda: list_hint(i), "bytes": lambda: "Bytes"}.get(i.kind, lambda: "ArrayLike")()
     return "Optional[%s]" % base if i.nullable else base
 
 
@@ -55,7 +55,7 @@ def field_hint(o, c_type=None):
     if o is None:
         return {"std::string": "str", "double": "float"}.get(c_type, "int")
     return {"handle": lambda: class_of(o.type), "text": lambda: "str", "texts": lambda: "List[str]", "flag": lambda: "bool",
-            "number": lambda: "float" if o.type == "double" else "int"}.get(o.kind, lambda: "Array")()
+            "bytes": lambda: "bytes", "number": lambda: "float" if o.type == "double" else "int"}.get(o.kind, lambda: "Array")()
 
 
 class Signature:
@@ -106,6 +106,8 @@ def converted(o, call):
     """The native answer as Python hands it out."""
     if o is not None and o.kind == "small":
         return "_out(%s, %d, %d)" % ((call,) + (o.type if isinstance(o.type, tuple) else SMALL[o.type]))
+    if o is not None and o.kind == "bytes":
+        return "bytes(%s)" % call
     return "_out(%s)" % call if o is not None and o.kind in ("view", "filled", "copied", "doubles") else call
 
 
@@ -255,7 +257,7 @@ def module(tables):
             "from ._support import _array, _clouds, _files, _new_cloud, _numbers, _options, _out, _path, _task", "from ._mixins import _ResultMixin", ""]
     stub = [HEAD, "import os", "from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Union", "",
             "from . import _mixins", "from ._mixins import Gauge, Targets", "", "Array = Any  # numpy.ndarray, or memoryview without NumPy", "ArrayLike = Any",
-            "Path = Union[str, bytes, os.PathLike]", "Progress = Callable[[float, str], Optional[bool]]", ""]
+            "Bytes = Union[bytes, bytearray, memoryview]", "Path = Union[str, bytes, os.PathLike]", "Progress = Callable[[float, str], Optional[bool]]", ""]
     names = []
     for name, value, comment, _ in constants():
         code.append("%s = %d%s" % (name, value, "  # " + comment if comment else ""))
@@ -264,7 +266,7 @@ def module(tables):
     code += ["", ""]
     results, result_stubs = emit_results(wrapped)
     code, stub = code + results, stub + [""] + result_stubs
-    for noun in sorted(known):
+    for noun in sorted(class_nouns()):
         lines, stubs = emit_class(noun, wrapped, tables, known)
         code, stub = code + lines, stub + stubs
         names.append(class_of(noun))

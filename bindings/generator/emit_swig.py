@@ -4,7 +4,7 @@
 
 from api_description import BY_RINGS, COUNTS, ROWS
 from headers import constants, nouns, structs
-from shapes import SMALL, class_of, methods
+from shapes import SMALL, class_nouns, class_of, methods
 
 LICENSE = "/* Generated from the public headers by bindings/generator. */\n"
 ELEMENT = {"const double*": "double", "const uint64_t*": "std::uint64_t", "const uint32_t*": "std::uint32_t"}
@@ -16,7 +16,7 @@ def input_type(i):
     if i.kind in ("handle", "options", "task"):
         return class_of(i.type) + "*"
     return {"text": "const char*", "flag": "bool", "list": i.type + "*", "rows": "const ArrayIn*", "packed": "const ArrayIn*",
-            "small": "const ArrayIn*", "poses": "const ArrayIn*"}.get(i.kind) or SCALARS.get(i.type, i.type)
+            "bytes": "const ArrayIn*", "small": "const ArrayIn*", "poses": "const ArrayIn*"}.get(i.kind) or SCALARS.get(i.type, i.type)
 
 
 def output_type(o):
@@ -26,6 +26,8 @@ def output_type(o):
         return "Numbers*"
     if o.kind in ("view", "filled", "copied"):
         return "Array*"
+    if o.kind == "bytes":
+        return "Octets*"
     return {"text": "std::string", "texts": "Texts", "flag": "bool"}.get(o.kind) or SCALARS.get(o.type, o.type)
 
 
@@ -53,6 +55,8 @@ def declarations(m):
                 i.name, i.name, rows or "%s == nullptr ? 1 : %s->components" % (i.name, i.name), i.name)
         elif i.kind == "packed":
             yield 'const Packed<%s> %s_(%s, %d, "%s");' % (ELEMENT[i.c.type], i.name, i.name, ROWS.get(i.name, 1), i.name)
+        elif i.kind == "bytes":
+            yield 'const OctetsIn %s_(%s, "%s");' % (i.name, i.name, i.name)
         elif i.kind == "poses":
             yield 'const Packed<double> %s_(%s, 12, "%s");' % (i.name, i.name, i.name)
         elif i.kind == "small":
@@ -64,7 +68,7 @@ def declarations(m):
 
 def slots(m):
     for o in m.outputs:
-        if o.kind == "handle":
+        if o.kind in ("handle", "bytes"):
             yield "Owned<%s> %s_out;" % (o.type, o.name)
         elif o.kind == "text" and o.c is not None:
             yield "const char* %s_out = nullptr;" % o.name
@@ -130,6 +134,8 @@ def argument(m, p):
             return "reinterpret_cast<const %s*>(%s_.data())" % (i.type, i.name)
         if i.kind == "rows" and len(rows) == 1:
             return i.name + "_.data"
+        if i.kind == "bytes":
+            return i.name + "_.data()"
         if i.kind in ("packed", "rows"):
             if i.name in BY_RINGS:
                 return "%s_.data_like(sum_of(%s_))" % (i.name, BY_RINGS[i.name])
@@ -139,7 +145,7 @@ def argument(m, p):
             return "%s_.data_like(%s)" % (i.name, count_argument(m, next(q for q in m.c.parameters if q.name == COUNTS[i.name])))
         return i.name + (" ? 1 : 0" if i.kind == "flag" else "")
     if o is not None:
-        return {"handle": "%s_out.slot()", "small": "reinterpret_cast<" + p.type + ">(%s_out)" if not p.extent else "%s_out",
+        return {"handle": "%s_out.slot()", "bytes": "%s_out.slot()", "small": "reinterpret_cast<" + p.type + ">(%s_out)" if not p.extent else "%s_out",
                 "filled": "%s_data", "copied": "const_cast<void*>(%s_out->data())"}.get(o.kind, "&%s_out") % o.name
     if p.name in ("type", "stride_bytes", "components") and rows:
         if len(rows) > 1:
@@ -159,6 +165,7 @@ def value(m, o):
         "handle": "boxed(%s_out)", "text": "text_of(%s_out)", "flag": "%s_out != 0", "number": "%s_out",
         "doubles": "Array::of(%s_out, %s_count, 1)", "texts": "texts_of(%s_out, %s_count)",
         "filled": "%s_out.release()", "copied": "%s_out.release()",
+        "bytes": "octets_of(%s_out)",
         "view": "view_of<" + (m.noun or "") + ">(%s_out, " + (m.inputs[0].name if m.inputs else "") + "_)",
         "small": "Array::of(%s_out, {}, {})".format(*(o.type if isinstance(o.type, tuple) else SMALL.get(o.type, (0, 0)))),
     }[o.kind].replace("%s", o.name)
@@ -236,7 +243,8 @@ def calls_header():
     out = [LICENSE + "#ifndef JALON_CALLS_H", "#define JALON_CALLS_H", '#include "lists.h"', "namespace jalon_binding {"]
     for noun in nouns():
         out.append('JALON_OWNERSHIP(%s, "the %s")' % (noun, noun[len("jalon_"):].replace("_", " ")))
-        out.append("typedef Handle<%s> %s;" % (noun, class_of(noun)))
+        if noun in class_nouns():
+            out.append("typedef Handle<%s> %s;" % (noun, class_of(noun)))
     out.append('#include "calls_support.h"')
     wrapped = methods()
     for m in wrapped:
@@ -261,11 +269,11 @@ def interface():
             out.append("%%nodefaultctor %s;" % m.result_name)
             out += ["class %s {" % m.result_name, " public:", "  ~%s();" % m.result_name]
             out += ["  %s %s() const;" % (type_, name) for name, _, type_, _ in result_fields(m)] + ["};"]
-    for noun in sorted(nouns()):
+    for noun in sorted(class_nouns()):
         name = class_of(noun)
         mine = [m for m in wrapped if m.noun == noun]
         out += ["%%newobject %s::%s;" % (name, m.name) for m in mine if return_type(m).endswith("*")]
-        out += ["%%nodefaultctor %s;" % name, "class %s {" % name, " public:", "  ~%s();" % name, "  void close();",
+        out += ["%%newobject %s::again;" % name, "%%nodefaultctor %s;" % name, "class %s {" % name, " public:", "  ~%s();" % name, "  void close();",
                 "  bool closed() const;", "};", "%%extend %s {" % name]
         for m in mine:
             seen = inputs_seen(m)
@@ -275,7 +283,7 @@ def interface():
             returns = "" if return_type(m) == "void" else "return "
             out.append("  %s%s %s(%s) { %s%s(%s); }" % ("static " if m.is_static else "", return_type(m), m.name, parameters,
                                                         returns, "jalon_binding::calls::" + m.full_name, arguments))
-        out.append("}")
+        out += ["#ifdef SWIGPYTHON", "  %s* again() { return jalon_binding::again($self); }" % name, "#endif", "}"]
     for m in wrapped:
         if m.noun is None:
             parameters = ", ".join("%s %s%s" % (input_type(i), i.name, " = NULL" if i.kind in ("options", "task") else "")

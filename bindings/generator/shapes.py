@@ -14,9 +14,12 @@ REPLACED = {
     "_retain": "objects share handles by themselves",
     "_release": "close() and the end of the object",
     "jalon_last_error_message": "the message of the exception",
+    "jalon_bytes_view": "the bytes that to_bytes gives, in the language's own form",
     "jalon_task_set_progress": "the progress callback of the language",
     "jalon_task_set_log": "the log callback of the language",
 }
+# Handles that are no class: what looks at them is made from them (REPLACED says how).
+NO_CLASS = {"jalon_bytes"}
 # Memory that the caller gives in C: rows and columns, as expressions of the other parameters.
 FILLED = {
     ("jalon_cloud_knn", "indices"): ("uint64_t", "queries_.count", "k"),
@@ -32,19 +35,23 @@ SMALL = {"jalon_vec3": (1, 3), "jalon_box": (2, 3), "jalon_transform": (3, 4)}
 LISTS = {"jalon_gauge_piece": "Gauge", "jalon_target": "Targets", "jalon_cloud": "CloudList"}
 
 
+def class_nouns():
+    return [noun for noun in nouns() if noun not in NO_CLASS]
+
+
 def class_of(noun):
     return "".join(part.capitalize() for part in noun[len("jalon_"):].split("_"))
 
 
 class Input:
-    """kind: handle, text, number, flag, rows (strided), packed, small, list, options, task."""
+    """kind: handle, text, number, flag, rows (strided), packed, bytes, small, list, options, task."""
 
     def __init__(self, kind, name, type_, nullable, c=None):
         self.kind, self.name, self.type, self.nullable, self.c = kind, name, type_, nullable, c
 
 
 class Output:
-    """kind: handle, text, texts, number, flag, small, view, filled, doubles; type: noun, C type or struct."""
+    """kind: handle, text, texts, number, flag, small, view, filled, doubles, bytes; type: noun, C type or struct."""
 
     def __init__(self, kind, name, type_, c):
         self.kind, self.name, self.type, self.c = kind, name, type_, c
@@ -131,6 +138,8 @@ class Reader:
             return self.add("text", p)
         if p.type == "const void*":
             return self.add("rows", p)
+        if p.type == "const uint8_t*":
+            return self.add("bytes", p)
         if p.name in BY_RINGS or p.name == "hull_points" or p.type in ("const double*", "const uint64_t*", "const uint32_t*"):
             return self.add("merged" if p.name == "hull_points" else "packed", p)
         if p.type.startswith("const ") and bare in SMALL:
@@ -146,7 +155,7 @@ class Reader:
         if (self.f.name, p.name) in FILLED:
             return out("filled", FILLED[(self.f.name, p.name)])
         if p.type.endswith("**") and bare in self.known:
-            return out("handle", bare)
+            return out("bytes" if bare in NO_CLASS else "handle", bare)
         if p.type == "const char**":
             return out("text", "std::string")
         if p.type == "const char*const**":

@@ -15,8 +15,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "generator"))
 from api_description import ROWS  # noqa: E402
 from emit_swig import has_result, inputs_seen, result_fields  # noqa: E402
-from headers import Header, header_names, nouns, read  # noqa: E402
-from shapes import SMALL, class_of, methods  # noqa: E402
+from headers import Header, header_names, read  # noqa: E402
+from shapes import SMALL, class_nouns, class_of, methods  # noqa: E402
 from texts import parts  # noqa: E402
 
 LICENSE = "/* Generated from the public headers by bindings/java/generate.py. */\n"
@@ -72,6 +72,8 @@ def notes(m):
             if i.kind == "small":
                 shape = "%d numbers" % (SMALL[i.type][0] * SMALL[i.type][1])
             yield "%s: numbers, see {@link Rows}%s%s" % (i.name, "; " + shape if shape else "", "; may be null" if i.nullable else "")
+        elif i.kind == "bytes":
+            yield "%s: byte[] or ByteBuffer" % i.name
         elif i.kind == "options":
             operation = m.operation
             link = "{@link %sParams}, " % title(operation) if operation else ""
@@ -92,7 +94,7 @@ def method_comments(wrapped, documents):
 
 
 def class_comments(documents):
-    for noun in nouns():
+    for noun in class_nouns():
         for name in header_names():
             if "typedef struct %s %s;" % (noun, noun) not in read("include/jalon/" + name):
                 continue

@@ -260,6 +260,29 @@ class Array {
 
 /** Small arrays of doubles, which languages hand out as their own arrays. */
 typedef Array Numbers;
+/** An object's bytes, which languages hand out as their own bytes. */
+typedef Array Octets;
+
+/** Bytes of the language, borrowed for one call. */
+class OctetsIn {
+ public:
+  OctetsIn(const ArrayIn* array, const char* name) {
+    if (array == nullptr) return;
+    const bool is_packed = array->components <= 1 && (array->count < 2 || array->stride_bytes == 1);
+    if (size_of_type(array->type) != 1 || !is_packed)
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    std::string(name) + " must be bytes side by side"};
+    static const std::uint8_t nothing = 0;  // so that no bytes are not taken for none given
+    data_ = array->data == nullptr ? &nothing : static_cast<const std::uint8_t*>(array->data);
+    count_ = array->count;
+  }
+  const std::uint8_t* data() const { return data_; }
+  std::uint64_t count() const { return count_; }
+
+ private:
+  const std::uint8_t* data_ = nullptr;
+  std::uint64_t count_ = 0;
+};
 
 /** The view of an array that this handle owns. */
 template <class H>

@@ -31,6 +31,13 @@ inline std::uint64_t sum_of(const Packed<std::uint64_t>& rings) {
   return sum;
 }
 
+/** The bytes, which keep their handle. */
+inline Octets* octets_of(const Owned<jalon_bytes>& bytes) {
+  jalon_array_view view = {};
+  check(jalon_bytes_view(bytes.get(), &view));
+  return view_of<jalon_bytes>(view, bytes.get());
+}
+
 template <class H>
 void move_into(Owned<H>& to, Owned<H>& from) {
   *to.slot() = from.give();

@@ -188,6 +188,14 @@ Handle<H>* boxed_copy(const Owned<H>& owned) {
   return boxed(copy);
 }
 
+/** One more box of the same handle: a copy, where objects never change. */
+template <class H>
+Handle<H>* again(Handle<H>* box) {
+  const Use<H> use(box);
+  Owned<H> copy(Ownership<H>::retain(use));
+  return boxed(copy);
+}
+
 }  // namespace jalon_binding
 
 #endif

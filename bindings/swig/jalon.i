@@ -39,6 +39,7 @@ class Array {
   uint64_t stride_bytes() const;
 };
 typedef Array Numbers;
+typedef Array Octets;
 
 class Gauge {
  public:

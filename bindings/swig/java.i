@@ -103,6 +103,13 @@
 %typemap(out) Numbers* { $result = jalon_java::doubles_of(jenv, $1); }
 %typemap(javaout) Numbers* { return $jnicall; }
 
+/* Bytes out: a Java array, which ends at 2^31 - 1 of them. */
+%typemap(jni) Octets* "jbyteArray"
+%typemap(jtype) Octets* "byte[]"
+%typemap(jstype) Octets* "byte[]"
+%typemap(out) Octets* { $result = jalon_java::octets_of(jenv, $1); }
+%typemap(javaout) Octets* { return $jnicall; }
+
 /* Large ones: class Array, whose memory direct buffers show. */
 %typemap(jstype) Array* "Array"
 %typemap(javaout) Array* { return Array.of($jnicall); }

@@ -151,6 +151,20 @@ inline jdoubleArray doubles_of(JNIEnv* env, Array* numbers) {
   return array;
 }
 
+inline jbyteArray octets_of(JNIEnv* env, Array* octets) {
+  const std::unique_ptr<Array> taken(octets);
+  if (taken->count() > 0x7ffffff7) {  // what virtual machines leave for their headers is not in it
+    raise_failure(env,
+                  Failure{JALON_ERROR_LIMIT, "more bytes than a Java array holds: write a file"});
+    return nullptr;
+  }
+  const jsize size = static_cast<jsize>(taken->count());
+  jbyteArray array = env->NewByteArray(size);
+  if (array != nullptr)
+    env->SetByteArrayRegion(array, 0, size, static_cast<const jbyte*>(taken->data()));
+  return array;
+}
+
 /** The memory of so many items; it must not outlive the array. */
 inline jobject buffer_of(JNIEnv* env, const Array& array, std::uint64_t first,
                          std::uint64_t items) {

@@ -27,7 +27,7 @@
 %typemap(out) Array* {
   $result = jalon_python::view_of_array($1);
 }
-%apply Array* { Numbers* };
+%apply Array* { Numbers*, Octets* };
 
 %typemap(in) Task* task (jalon_python::CallTask call) {
   void* given = nullptr;

@@ -47,6 +47,11 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_create_columns(const void* x, con
                                                               const void* z, int32_t type,
                                                               uint64_t count, uint64_t stride_bytes,
                                                               uint32_t flags, jalon_cloud** out);
+/**
+ * A cloud of its own with the same points, fields, stations and CRS: what is set on one of them later is not set on the
+ * other. Shares the storage and the index: O(fields).
+ */
+JALON_API JALON_CHECK jalon_status jalon_cloud_copy(const jalon_cloud* cloud, jalon_cloud** out);
 JALON_API jalon_cloud* jalon_cloud_retain(jalon_cloud* cloud);
 JALON_API void jalon_cloud_release(jalon_cloud* cloud);
 

@@ -49,6 +49,9 @@ JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jal
 /** The names of the methods, the default first. Static texts. */
 JALON_API JALON_CHECK jalon_status jalon_comparer_methods(const char* const** names,
                                                           uint64_t* count);
+/** A comparer of its own of the same method, with the same values. */
+JALON_API JALON_CHECK jalon_status jalon_comparer_copy(const jalon_comparer* comparer,
+                                                       jalon_comparer** out);
 JALON_API jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer);
 JALON_API void jalon_comparer_release(jalon_comparer* comparer);
 /** The comparer's own parameter set: setting it changes the comparer. The caller releases it. */

@@ -37,6 +37,7 @@
 #include <jalon/volumes.h>
 #include <jalon/scanner.h>
 #include <jalon/io.h>
+#include <jalon/bytes.h>
 #include <jalon/report.h>
 
 #endif

@@ -51,12 +51,18 @@ JALON_API JALON_CHECK jalon_status jalon_modeller_create(const char* method, jal
 /** The names of the methods, the default first. Static texts. */
 JALON_API JALON_CHECK jalon_status jalon_modeller_methods(const char* const** names,
                                                           uint64_t* count);
+/** A modeller of its own of the same method, with the same values. */
+JALON_API JALON_CHECK jalon_status jalon_modeller_copy(const jalon_modeller* modeller,
+                                                       jalon_modeller** out);
 JALON_API jalon_modeller* jalon_modeller_retain(jalon_modeller* modeller);
 JALON_API void jalon_modeller_release(jalon_modeller* modeller);
 /** The modeller's own parameter set: setting it changes the modeller. The caller releases it. */
 JALON_API JALON_CHECK jalon_status jalon_modeller_params(jalon_modeller* modeller,
                                                          jalon_params** out);
-/** cloud must be the cloud that was segmented. A segmentation without segments gives a model without faces. */
+/**
+ * cloud must be the cloud that was segmented, or have the same points. A segmentation without segments gives a model
+ * without faces.
+ */
 JALON_API JALON_CHECK jalon_status jalon_modeller_run(const jalon_modeller* modeller,
                                                       const jalon_cloud* cloud,
                                                       const jalon_segmentation* segmentation,

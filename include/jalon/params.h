@@ -54,6 +54,9 @@ JALON_API JALON_CHECK jalon_status jalon_params_create(const char* operation, ja
 JALON_API JALON_CHECK jalon_status jalon_params_operation_count(uint64_t* out);
 /** Name of operation i. Static text. */
 JALON_API JALON_CHECK jalon_status jalon_params_operation_name(uint64_t i, const char** out);
+/** A set of its own with the same values; of a worker's set one that changes no worker. */
+JALON_API JALON_CHECK jalon_status jalon_params_copy(const jalon_params* params,
+                                                     jalon_params** out);
 JALON_API jalon_params* jalon_params_retain(jalon_params* params);
 JALON_API void jalon_params_release(jalon_params* params);
 

@@ -108,6 +108,9 @@ JALON_API JALON_CHECK jalon_status jalon_registrar_create(const char* method,
 /** The names of the methods, the default first. Static texts. */
 JALON_API JALON_CHECK jalon_status jalon_registrar_methods(const char* const** names,
                                                            uint64_t* count);
+/** A registrar of its own of the same method, with the same values. */
+JALON_API JALON_CHECK jalon_status jalon_registrar_copy(const jalon_registrar* registrar,
+                                                        jalon_registrar** out);
 JALON_API jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar);
 JALON_API void jalon_registrar_release(jalon_registrar* registrar);
 /** The registrar's own parameter set: setting it changes the registrar. The caller releases it. */

@@ -24,6 +24,9 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_create(const char* method, jalo
 /** The names of the methods, the default first. Static texts. */
 JALON_API JALON_CHECK jalon_status jalon_scanner_methods(const char* const** names,
                                                          uint64_t* count);
+/** A scanner of its own of the same method, with the same values, with its stations. */
+JALON_API JALON_CHECK jalon_status jalon_scanner_copy(const jalon_scanner* scanner,
+                                                      jalon_scanner** out);
 JALON_API jalon_scanner* jalon_scanner_retain(jalon_scanner* scanner);
 JALON_API void jalon_scanner_release(jalon_scanner* scanner);
 /**

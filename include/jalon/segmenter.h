@@ -52,6 +52,9 @@ JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method,
 /** The names of the methods, the default first. Static texts. */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_methods(const char* const** names,
                                                            uint64_t* count);
+/** A segmenter of its own of the same method, with the same values. */
+JALON_API JALON_CHECK jalon_status jalon_segmenter_copy(const jalon_segmenter* segmenter,
+                                                        jalon_segmenter** out);
 JALON_API jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter);
 JALON_API void jalon_segmenter_release(jalon_segmenter* segmenter);
 /** The segmenter's own parameter set: setting it changes the segmenter. The caller releases it. */

@@ -78,6 +78,8 @@ struct FieldInfo {
   std::string meaning = {};
 };
 
+constexpr uint32_t kMostComponents = 4096;  ///< of a column that comes from outside
+
 /// One named column: count items of components elements, packed, written once and then shared read-only
 /// through shared_ptr<const Column>. New elements are uninitialised.
 class Column {
@@ -125,6 +127,8 @@ class FieldTable {
   /// Error(kNotFound) that lists the names there are.
   const Column& require(std::string_view name) const;
   void set(ColumnPtr column);  ///< adds, or replaces the one of that name in its place
+  /// Adds one whose name is new, which the caller has seen to: O(1), where set() looks at all names.
+  void add(ColumnPtr column) { columns_.push_back(std::move(column)); }
   bool remove(std::string_view name);
   auto begin() const { return columns_.begin(); }
   auto end() const { return columns_.end(); }

@@ -14,15 +14,14 @@ namespace jalon::capi {
 
 FieldInfo require_field_info(const char* name, int32_t type, uint32_t components, const char* unit,
                              const char* meaning) {
-  constexpr uint32_t kMaxComponents = 4096;
   constexpr size_t kMaxName = 255;
   FieldInfo info;
   info.name = require_text(name, "name", kMaxName);
   if (info.name.empty()) fail(Status::kInvalidArgument, "the name of a field is empty");
   info.type = require_type(type);
-  if (components == 0 || components > kMaxComponents)
+  if (components == 0 || components > kMostComponents)
     fail(Status::kInvalidArgument, "field \"%s\": %u components; 1 ... %u are possible",
-         info.name.c_str(), components, kMaxComponents);
+         info.name.c_str(), components, kMostComponents);
   info.components = components;
   if (unit != nullptr) info.unit = require_text(unit, "unit");
   if (meaning != nullptr) info.meaning = require_text(meaning, "meaning");
@@ -137,6 +136,14 @@ jalon_status jalon_cloud_create_columns(const void* x, const void* y, const void
         }
     });
     *out = new_cloud(checked_cloud(std::move(coordinates), drop));
+  });
+}
+
+jalon_status jalon_cloud_copy(const jalon_cloud* cloud, jalon_cloud** out) {
+  return guard([&] {
+    require(cloud, "cloud");
+    require(out, "out");
+    *out = new_cloud(*cloud->cloud);
   });
 }
 

@@ -30,6 +30,10 @@ jalon_status jalon_comparer_methods(const char* const** names, uint64_t* count) 
   return guard([&] { give_names(compare_method_names(), names, count); });
 }
 
+jalon_status jalon_comparer_copy(const jalon_comparer* comparer, jalon_comparer** out) {
+  return copy_worker(comparer, "comparer", out);
+}
+
 jalon_comparer* jalon_comparer_retain(jalon_comparer* comparer) { return retain(comparer); }
 void jalon_comparer_release(jalon_comparer* comparer) { release(comparer); }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/evaluate.h"
 
+#include "capi/support/evaluation_handles.h"
 #include "capi/support/guard.h"
 #include "capi/support/worker_handles.h"
 #include "segment/evaluation/confusion.h"
@@ -10,10 +11,6 @@
 
 using namespace jalon;
 using namespace jalon::capi;
-
-struct jalon_evaluation : jalon::capi::Counted {
-  Evaluation evaluation;
-};
 
 namespace {
 

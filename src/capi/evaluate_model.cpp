@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include "capi/support/evaluation_handles.h"
 #include "capi/support/guard.h"
 #include "capi/support/model_handles.h"
 #include "jalon/evaluate.h"
@@ -9,10 +10,6 @@
 
 using namespace jalon;
 using namespace jalon::capi;
-
-struct jalon_model_evaluation : jalon::capi::Counted {
-  ModelEvaluation evaluation;
-};
 
 namespace {
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/modeller.h"
 
+#include <cstring>
+
 #include "capi/support/guard.h"
 #include "capi/support/methods.h"
 #include "capi/support/model_handles.h"
@@ -10,12 +12,27 @@
 using namespace jalon;
 using namespace jalon::capi;
 
+namespace {
+
+// Clouds share their points, whatever fields were added since; a segmentation that came from bytes has its own.
+bool has_same_points(const Cloud& a, const Cloud& b) {
+  if (a.xyz_buffer == b.xyz_buffer || a.size() + b.size() == 0) return true;
+  return a.size() == b.size() &&
+         std::memcmp(a.xyz_buffer->data(), b.xyz_buffer->data(), a.xyz().size_bytes()) == 0;
+}
+
+}  // namespace
+
 jalon_status jalon_modeller_create(const char* method, jalon_modeller** out) {
   return create_worker(modelling_methods(), method, "modelling method", out);
 }
 
 jalon_status jalon_modeller_methods(const char* const** names, uint64_t* count) {
   return guard([&] { give_names(modelling_method_names(), names, count); });
+}
+
+jalon_status jalon_modeller_copy(const jalon_modeller* modeller, jalon_modeller** out) {
+  return copy_worker(modeller, "modeller", out);
 }
 
 jalon_modeller* jalon_modeller_retain(jalon_modeller* modeller) { return retain(modeller); }
@@ -33,8 +50,7 @@ jalon_status jalon_modeller_run(const jalon_modeller* modeller, const jalon_clou
     require(cloud, "cloud");
     require(segmentation, "segmentation");
     require(out, "out");
-    // Points are shared, never copied: the same buffer is the same cloud, whatever fields were added since.
-    if (cloud->cloud->xyz_buffer != segmentation->segmentation->cloud->xyz_buffer)
+    if (!has_same_points(*cloud->cloud, *segmentation->segmentation->cloud))
       fail(Status::kInvalidArgument, "the segmentation is of another cloud");
     *out = run_worker(*modeller, task, [&](const ParamSet& values, Task& t) {
              return own(new_model(modeller->method->run(*segmentation->segmentation, values, t)));

@@ -140,6 +140,17 @@ jalon_status jalon_params_operation_name(uint64_t i, const char** out) {
   });
 }
 
+jalon_status jalon_params_copy(const jalon_params* params, jalon_params** out) {
+  return guard([&] {
+    require(params, "params");
+    require(out, "out");
+    auto handle = std::make_unique<jalon_params>();
+    handle->operation = params->operation;
+    handle->values = std::make_shared<ParamSet>(*params->values);
+    *out = handle.release();
+  });
+}
+
 jalon_params* jalon_params_retain(jalon_params* params) { return retain(params); }
 void jalon_params_release(jalon_params* params) { release(params); }
 

@@ -72,6 +72,10 @@ jalon_status jalon_registrar_methods(const char* const** names, uint64_t* count)
   return guard([&] { give_names(registration_method_names(), names, count); });
 }
 
+jalon_status jalon_registrar_copy(const jalon_registrar* registrar, jalon_registrar** out) {
+  return copy_worker(registrar, "registrar", out);
+}
+
 jalon_registrar* jalon_registrar_retain(jalon_registrar* registrar) { return retain(registrar); }
 void jalon_registrar_release(jalon_registrar* registrar) { release(registrar); }
 

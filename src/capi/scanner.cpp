@@ -20,6 +20,16 @@ jalon_status jalon_scanner_methods(const char* const** names, uint64_t* count) {
   return guard([&] { give_names(scanner_method_names(), names, count); });
 }
 
+jalon_status jalon_scanner_copy(const jalon_scanner* scanner, jalon_scanner** out) {
+  return guard([&] {
+    require(scanner, "scanner");
+    require(out, "out");
+    auto handle = copy_of(*scanner);
+    handle->stations = scanner->stations;
+    *out = handle.release();
+  });
+}
+
 jalon_scanner* jalon_scanner_retain(jalon_scanner* scanner) { return retain(scanner); }
 void jalon_scanner_release(jalon_scanner* scanner) { release(scanner); }
 

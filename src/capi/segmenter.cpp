@@ -19,6 +19,10 @@ jalon_status jalon_segmenter_methods(const char* const** names, uint64_t* count)
   return guard([&] { give_names(segment_method_names(), names, count); });
 }
 
+jalon_status jalon_segmenter_copy(const jalon_segmenter* segmenter, jalon_segmenter** out) {
+  return copy_worker(segmenter, "segmenter", out);
+}
+
 jalon_segmenter* jalon_segmenter_retain(jalon_segmenter* segmenter) { return retain(segmenter); }
 void jalon_segmenter_release(jalon_segmenter* segmenter) { release(segmenter); }
 

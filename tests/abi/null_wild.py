@@ -36,6 +36,7 @@ HANDLES = {
     "jalon_task": ("fx_task", []),
     "jalon_noise_law": ("fx_law", []),
     "jalon_params": ("fx_options(\"normals\")", []),
+    "jalon_bytes": ("fx_bytes_of(\"cloud\")", []),
 }
 # Functions that refuse even the baseline: no part of the fixtures' models is a copy; the registrar is one of targets.
 REFUSED = {"jalon_model_remove_copy", "jalon_registrar_run"}
@@ -108,6 +109,11 @@ def wild_values(values_, expectation_=ANY, **others):
     return [(v, v, expectation_, others) for v in values_]
 
 
+def noun_of_bytes(function):
+    """Of jalon_cloud_from_bytes the cloud."""
+    return function.name[len("jalon_"):-len("_from_bytes")]
+
+
 def scalar(function, p):
     """Numbers, by name."""
     n = p.name
@@ -153,6 +159,8 @@ def scalar(function, p):
             wild = []
             for data in datas:
                 wild += wild_values(COUNT_WILD, INVALID, **{data: "NULL"})
+            if n == "byte_count":  # cut, or none at all
+                return Case('fx_size("%s")' % noun_of_bytes(function), wild + wild_values(["0", "31", "32", "100"], FAIL))
             return Case("8", wild)
         if n == "stride_bytes":
             return Case("0", wild_values(["1", "7", "UINT64_MAX", "(uint64_t)1 << 63"], INVALID))
@@ -225,6 +233,11 @@ def pointer_in(function, p):
         if p.name in ARRAYS:
             return Case(arrays[p.type], [], PASS if function.name == "jalon_params_set_doubles" else INVALID)
         return Case(arrays[p.type], [], null)
+    if p.type == "const uint8_t*":
+        noun = noun_of_bytes(function)
+        other = "params" if noun == "cloud" else "cloud"
+        sized = {"byte_count": 'fx_size("%s")' % other}
+        return Case('fx_data("%s")' % noun, wild_values(['fx_data("%s")' % other], INVALID, **sized), INVALID)
     callbacks = {"jalon_progress_callback": "fx_progress", "jalon_log_callback": "fx_log"}
     if p.type in callbacks:
         return Case(callbacks[p.type], [], null)

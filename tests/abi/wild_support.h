@@ -58,6 +58,10 @@ extern char* fx_deep_json; /* 20 000 brackets */
 jalon_params* fx_options(const char* operation);
 /* A path in the test's own folder; an existing readable file of that kind when it is "scan.las", "model.obj" ... */
 const char* fx_path(const char* name);
+/* The bytes of a fixture, by its noun ("cloud"), good until those of another are asked for. */
+jalon_bytes* fx_bytes_of(const char* noun);
+const uint8_t* fx_data(const char* noun);
+uint64_t fx_size(const char* noun);
 int32_t fx_progress(double fraction, const char* stage, void* user);
 void fx_log(int32_t level, const char* text, void* user);
 

@@ -17,7 +17,7 @@ from source import ROOT, Tally, public_functions, read, strings_of, tree_files, 
 
 MAX_LINES, LONG_LINES, MAX_COLUMNS = 400, 250, 120
 # Every function of the C surface has its status from guard(); these return something else and cannot fail.
-GUARDED = r"\s*return (guard|give_fields|create_worker|give_worker_params)\("  # they are guard() themselves
+GUARDED = r"\s*return (guard|give_fields|create_worker|copy_worker|give_worker_params|worker_to_bytes|worker_from_bytes)\("  # they are guard() themselves
 NO_STATUS = re.compile(r"_(retain|release)$|^jalon_(version|version_number|instruction_set|status_name|last_error_message)$")
 
 

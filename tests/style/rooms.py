@@ -15,7 +15,8 @@ ROOMS = {
     "segment": ["cloud"], "modelling": ["segment", "model"], "registration": ["segment", "model"],
     "compare": ["fieldtools", "model", "solid"],
     "report": ["formats", "modelling", "segment", "registration", "compare"],
-    "capi": ["report", "scan"], "cli": [],
+    "bytes": ["formats", "modelling", "segment", "registration", "compare"],
+    "capi": ["report", "bytes", "scan"], "cli": [],
 }
 
 # The sub-rooms of a room and those straight below them in the same room; transitive as well. What stands in the room's own

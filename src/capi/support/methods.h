@@ -44,6 +44,24 @@ jalon_status create_worker(std::span<const Method> methods, const char* name, co
   });
 }
 
+/// A new worker of the same method with values of its own.
+template <class Worker>
+std::unique_ptr<Worker> copy_of(const Worker& worker) {
+  auto handle = std::make_unique<Worker>();
+  handle->method = worker.method;
+  handle->values = std::make_shared<ParamSet>(*worker.values);
+  return handle;
+}
+/// jalon_..._copy of workers that hold nothing else.
+template <class Worker>
+jalon_status copy_worker(const Worker* worker, const char* name, Worker** out) {
+  return guard([&] {
+    require(worker, name);
+    require(out, "out");
+    *out = copy_of(*worker).release();
+  });
+}
+
 /// jalon_..._methods: the static names that the table has (kNamesOf).
 inline void give_names(std::span<const char* const> from, const char* const** names,
                        uint64_t* count) {

@@ -208,6 +208,15 @@ Change one_sided(const Job& job, ChangedObject object, bool is_after) {
   return out;
 }
 
+// The nearest points of one comparison are points of the other, or none.
+void require_both_ways(const Comparison& comparison, const Comparison& other) {
+  for (const uint32_t nearest : comparison.points.require("nearest").values<uint32_t>())
+    if (nearest != kNoPoint && nearest >= other.cloud->size())
+      fail(Status::kInvalidArgument,
+           "the two comparisons are not of the same two clouds: one names point %u of %zu", nearest,
+           other.cloud->size());
+}
+
 }  // namespace
 
 Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
@@ -216,6 +225,8 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
     if (c->points.find("nearest") == nullptr)
       fail(Status::kInvalidArgument,
            "the diagnosis needs two comparisons of method distance between clouds");
+  require_both_ways(forward, reverse);
+  require_both_ways(reverse, forward);
   const double threshold_m = settings.threshold_m;
   if (!(threshold_m > 0))
     fail(Status::kInvalidArgument,
