@@ -10,6 +10,10 @@ internal static class Small {
     using (ArrayView view = ArrayView.Wrap(array)) return view == null ? null : view.ToDoubles();
   }
 
+  internal static byte[] Octets(IntPtr array) {
+    using (ArrayView view = ArrayView.Wrap(array)) return view == null ? null : view.ToArray<byte>();
+  }
+
   internal static double[,] Rows(IntPtr array) {
     using (ArrayView view = ArrayView.Wrap(array)) return view == null ? null : (double[,])view.ToRows();
   }

@@ -5,7 +5,7 @@
 import json
 import operator
 
-from . import _native
+from . import _native, _pickling
 from ._support import _array, _numbers, _out, numpy
 
 _DOUBLE, _INT64, _BOOL, _STRING, _CHOICE, _DOUBLES = range(1, 7)
@@ -45,8 +45,14 @@ class Handle:
     def __exit__(self, *_):
         self.close()
 
-    def __reduce__(self):
-        raise TypeError("%s objects cannot be pickled" % type(self).__name__)
+    def __copy__(self):
+        return _pickling.copied(self)
+
+    def __deepcopy__(self, memo):
+        return _pickling.copied(self)
+
+    def __reduce_ex__(self, protocol):
+        return _pickling.reduced(self, protocol)
 
     def __init_subclass__(cls, **kwargs):
         super().__init_subclass__(**kwargs)

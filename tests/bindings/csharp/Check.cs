@@ -49,7 +49,8 @@ static class Check {
   }
 
   static int Main(string[] args) {
-    foreach (Type type in new[] {typeof(Arrays), typeof(Calls), typeof(Texts), typeof(Parameters), typeof(Lifetimes), typeof(Wild)}) {
+    foreach (Type type in new[] {typeof(Arrays), typeof(Calls), typeof(Texts), typeof(Parameters), typeof(Lifetimes),
+                                 typeof(ObjectBytes), typeof(Wild)}) {
       foreach (MethodInfo test in type.GetMethods(BindingFlags.Public | BindingFlags.Static | BindingFlags.DeclaredOnly)) {
         if (args.Length == 0 || (type.Name + "." + test.Name).Contains(args[0])) Run(test);
       }

@@ -21,6 +21,7 @@ final class Behaviours {
     Tasks.addTo(all);
     Lifetimes.addTo(all);
     Methods.addTo(all);
+    ObjectBytes.addTo(all);
     return all;
   }
 
