@@ -190,6 +190,7 @@ void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, cons
       found.offsets.assign(1, 0);
     };
     for (size_t leaf = begin; leaf < end; ++leaf) {
+      if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       search.enter(leaf);
       for (size_t point = impl_->leaf_first[leaf]; point < impl_->leaf_first[leaf + 1]; ++point) {
         found.reserve(search.candidates(point));
@@ -197,7 +198,10 @@ void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, cons
         const size_t more =
             search.pick(point, found.neighbours.data() + at, found.squared.data() + at);
         found.offsets.push_back(static_cast<uint32_t>(at + more));
-        if (found.count() >= kMostNeighbours) hand_on();
+        if (found.count() < kMostNeighbours) continue;
+        hand_on();
+        // Where balls hold much of the cloud, a chunk takes long.
+        if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       }
     }
     if (found.offsets.size() > 1) hand_on();

@@ -331,6 +331,7 @@ void Octree::knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batc
     Buffer<uint32_t> neighbours(count * k);
     Buffer<float> squared(count * k);
     for (size_t leaf = begin; leaf < end; ++leaf) {
+      if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       const size_t at = (impl_->leaf_first[leaf] - first) * k;
       search->leaf(leaf, neighbours.data() + at, squared.data() + at);
     }

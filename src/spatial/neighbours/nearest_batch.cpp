@@ -322,8 +322,10 @@ void nearest_batches(const Octree& reference, const Octree& compared, double max
                                                      max_distance_m, coarse, kernels);
     Buffer<uint32_t> nearest(count);
     Buffer<double> squared(count);
-    for (size_t leaf = begin; leaf < end; ++leaf)
+    for (size_t leaf = begin; leaf < end; ++leaf) {
+      if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       search->leaf(leaf, nearest.data() + queries.leaf_first[leaf] - first);
+    }
     for (uint32_t& position : std::span(nearest.data(), count))
       if (position != kNoPoint) position = distinct.position(position);
     measure(reference.impl(), queries, first, count, max_distance_m, nearest.data(),

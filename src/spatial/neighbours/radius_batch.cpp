@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/error.h"
 #include "base/parallel.h"
 
 namespace jalon {
@@ -54,6 +55,8 @@ RadiusNeighbours radius_neighbours(const Octree& tree, std::span<const Vec3> que
     std::vector<Neighbour> found;
     auto& chunk = chunks[begin / kGrain];
     for (size_t i = begin; i < end; ++i) {
+      // A ball may hold most of the cloud.
+      if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       tree.radius(queries[i], radius_m, found);
       chunk.insert(chunk.end(), found.begin(), found.end());
       firsts[i + 1] = found.size();

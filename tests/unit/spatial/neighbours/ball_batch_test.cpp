@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <map>
 
 #include "base/error.h"
@@ -85,4 +86,22 @@ TEST_CASE("ball_batch__equals_brute_force_where_the_grid_does_not_tell_points_ap
       CHECK(balls == all_balls(*tree, radius, 3));
     }
   }
+}
+
+// What a cancel has to wait for: the neighbours that are handed on at once, not those of a chunk of leaves.
+TEST_CASE("ball_batch__obeys_a_cancel_between_two_hand_overs_of_a_chunk") {
+  const std::vector<double> xyz(3 * 6000, 0.25);  // 6000 neighbours a point, handed on at 2^21
+  const auto tree = build(xyz);
+  std::atomic<bool> cancel{false};
+  Task::Hooks hooks = threads(1);
+  hooks.cancel = &cancel;
+  Task task(hooks);
+  size_t points = 0;
+  CHECK_THROWS_AS(tree->for_each_ball(1, task,
+                                      [&](const Octree::BallBatch& batch) {
+                                        points += batch.count;
+                                        cancel = true;
+                                      }),
+                  Error);
+  CHECK(points == 350);  // the first whose neighbours are 2^21 or more
 }
