@@ -211,4 +211,15 @@ inline PairScene corridor_with_doors(uint64_t seed, uint64_t contents) {
   return s;
 }
 
+/// One thing on a table, seen from around it; the table is not scanned.
+inline PairScene thing(uint64_t seed) {
+  RandomStream random(seed, 14);
+  PairScene s;
+  s.lump({0, 0, 0}, 1, 0.7, random);
+  s.lump({between(random, -0.4, 0.4), between(random, -0.4, 0.4), 1}, between(random, 0.4, 0.6),
+         0.6, random);
+  s.standpoints = {{6, 0, 1}, {5.4, 2.6, 1.2}, {5.6, -2, 0.6}};
+  return s;
+}
+
 }  // namespace jalon::test

@@ -75,14 +75,25 @@ inline PairScene wood(uint64_t seed) {
   return s;
 }
 
-/// One thing on a table, seen from around it; the table is not scanned.
-inline PairScene thing(uint64_t seed) {
-  RandomStream random(seed, 14);
+/// A machine on its frame, scanned from outside: cabinets, a tank, pipes between them.
+inline PairScene machine(uint64_t seed) {
+  RandomStream random(seed, 16);
   PairScene s;
-  s.lump({0, 0, 0}, 1, 0.7, random);
-  s.lump({between(random, -0.4, 0.4), between(random, -0.4, 0.4), 1}, between(random, 0.4, 0.6),
-         0.6, random);
-  s.standpoints = {{6, 0, 1}, {5.4, 2.6, 1.2}, {5.6, -2, 0.6}};
+  const double length = between(random, 2.5, 4);
+  s.box({0, 0, 0.1}, {length, 1.2, 0.15});
+  const int cabinets = 2 + static_cast<int>(random.below(3));
+  for (int k = 0; k < cabinets; ++k)
+    s.box({between(random, 0, length - 0.9), between(random, 0, 0.5), 0.25},
+          {between(random, 0.3, 0.9), between(random, 0.3, 0.7), between(random, 0.5, 1.6)},
+          between(random, -0.15, 0.15));
+  const double x = between(random, 0.4, length - 0.4);
+  s.pipe({x, 0.6, 0.25}, {x, 0.6, between(random, 1.2, 1.9)}, between(random, 0.2, 0.35));
+  for (int k = 0; k < 6; ++k)
+    s.pipe({between(random, 0, length), between(random, 0, 1.2), between(random, 0.4, 1.5)},
+           {between(random, 0, length), between(random, 0, 1.2), between(random, 0.4, 1.5)},
+           between(random, 0.03, 0.08));
+  s.standpoints = {
+      {length / 2, -4, 1.6}, {length / 2 + 1.8, -3.6, 1.7}, {length / 2 - 1.4, -4.2, 1.5}};
   return s;
 }
 

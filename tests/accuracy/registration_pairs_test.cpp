@@ -26,11 +26,12 @@ constexpr PairKind kDeveloped[] = {
     {"room", [](uint64_t seed) { return furnished(seed, seed); }},
     {"boulders", boulders},
     {"front", [](uint64_t seed) { return front(seed, seed); }},
-    {"corridor", [](uint64_t seed) { return corridor_with_doors(seed, seed); }}};
+    {"corridor", [](uint64_t seed) { return corridor_with_doors(seed, seed); }},
+    {"thing", thing}};
 constexpr PairKind kReported[] = {{"plant", plant},
                                   {"columns", [](uint64_t seed) { return columns(seed, seed); }},
                                   {"wood", wood},
-                                  {"thing", thing},
+                                  {"machine", machine},
                                   {"stairs", stairs}};
 
 /// Some hundredths of the scene away from the truth, and two degrees turned.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Right and wrong pairs of scans of ten kinds of scenes: what the verdict of "icp" says of them. The weights of the
-// verdict come from the first five kinds, seeds 1 to 30 (registration/verdict/verdict.cpp); what is reported are the
-// other five.
+// Right and wrong pairs of scans of eleven kinds of scenes: what the verdict of "icp" says of them. The weights of the
+// verdict come from the first five kinds, seeds 1 to 30 (registration/verdict/verdict.cpp), the search for stations was mended on
+// the sixth; what is reported are the other five.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -30,15 +30,14 @@ template <PairScene (*Make)(uint64_t)>
 PairScene without_contents(uint64_t seed, uint64_t) {
   return Make(seed);
 }
-constexpr PairKind kDeveloped[] = {{"crossing", without_contents<crossing>},
-                                   {"room", furnished},
-                                   {"boulders", without_contents<boulders>},
-                                   {"front", front},
-                                   {"corridor", corridor_with_doors}};
+constexpr PairKind kDeveloped[] = {
+    {"crossing", without_contents<crossing>}, {"room", furnished},
+    {"boulders", without_contents<boulders>}, {"front", front},
+    {"corridor", corridor_with_doors},        {"thing", without_contents<thing>}};
 constexpr PairKind kReported[] = {{"plant", without_contents<plant>},
                                   {"columns", columns},
                                   {"wood", without_contents<wood>},
-                                  {"thing", without_contents<thing>},
+                                  {"machine", without_contents<machine>},
                                   {"stairs", without_contents<stairs>}};
 
 struct Tally {
@@ -176,9 +175,9 @@ Tally tally_of(std::span<const PairKind> kinds, uint64_t seeds, const char* what
     Tally of_kind;
     for (uint64_t seed = kFirstSeed; seed < kFirstSeed + seeds; ++seed)
       of_kind += Trial(kind, seed).run();
-    MESSAGE("FIGURE verdict, " << what << ", " << kind.name << ": accepted " << of_kind.accepted
-                               << " of " << of_kind.right << " right (refused "
-                               << of_kind.right_refused << "), not accepted "
+    MESSAGE("FIGURE verdict, " << std::string(what) << ", " << std::string(kind.name)
+                               << ": accepted " << of_kind.accepted << " of " << of_kind.right
+                               << " right (refused " << of_kind.right_refused << "), not accepted "
                                << of_kind.not_accepted << " of " << of_kind.wrong
                                << " wrong (refused " << of_kind.wrong_refused << "), Brier "
                                << of_kind.squares / (of_kind.right + of_kind.wrong));
@@ -196,10 +195,11 @@ void check_kinds(std::span<const PairKind> kinds, const char* what) {
   CHECK(all.right >= (is_full ? 200 : 10));
   CHECK(all.wrong >= (is_full ? 200 : 10));
   const auto share = [](int part, int whole) { return static_cast<double>(part) / whole; };
-  MESSAGE("FIGURE verdict, " << what << ": accepted " << 100 * share(all.accepted, all.right)
-                             << " % of " << all.right << " right, not accepted "
-                             << 100 * share(all.not_accepted, all.wrong) << " % of " << all.wrong
-                             << " wrong, Brier " << all.squares / (all.right + all.wrong));
+  MESSAGE("FIGURE verdict, " << std::string(what) << ": accepted "
+                             << 100 * share(all.accepted, all.right) << " % of " << all.right
+                             << " right, not accepted " << 100 * share(all.not_accepted, all.wrong)
+                             << " % of " << all.wrong << " wrong, Brier "
+                             << all.squares / (all.right + all.wrong));
   CHECK(share(all.accepted, all.right) >= least_of(all.right));
   CHECK(share(all.not_accepted, all.wrong) >= least_of(all.wrong));
 }

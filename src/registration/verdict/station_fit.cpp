@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace jalon {
@@ -13,9 +14,13 @@ namespace {
 
 constexpr size_t kMostSurfels = 500;  // their mean deviation is sure to 3 %; places differ by tens
 constexpr size_t kLeastSurfels = 30;
-constexpr int kPlaces = 2000;     // of the search
-constexpr int kMostAcross = 24;   // of them along one axis
-constexpr double kBeyond = 0.2;   // of the box, on each side
+constexpr int kPlaces = 2000;    // of the search
+constexpr int kMostAcross = 24;  // of them along one axis
+constexpr double kBeyond = 0.2;  // of the box, on each side
+// Things are scanned from outside: directions evenly all round, at distances from the middle of the box in half
+// diagonals.
+constexpr int kDirections = 150;
+constexpr double kDistances[] = {1.5, 2.5, 4, 7, 12};
 constexpr size_t kDescents = 12;  // from the best places: a narrow room has many poor minima
 constexpr int kSteps = 40;
 constexpr double kMostDeviation = 2;  // outliers count for no more
@@ -78,6 +83,20 @@ std::vector<Vec3> places_in(const Box3& box) {
   return out;
 }
 
+// Points of a Fibonacci lattice (Gonzalez 2010) on spheres about the box.
+void add_outside(const Box3& box, std::vector<Vec3>& places) {
+  const Vec3 middle = (box.min + box.max) * 0.5;
+  const double half_m = 0.5 * norm(box.max - box.min);
+  const double golden_rad = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (const double distance : kDistances)
+    for (int i = 0; i < kDirections; ++i) {
+      const double z = 1 - (2 * i + 1.0) / kDirections, flat = std::sqrt(1 - z * z);
+      places.push_back(middle +
+                       Vec3{flat * std::cos(golden_rad * i), flat * std::sin(golden_rad * i), z} *
+                           (distance * half_m));
+    }
+}
+
 // Steps along the axes, halved when none helps.
 StationFit descend(DensityLaw& law, StationFit from, double step_m) {
   for (int i = 0; i < kSteps; ++i) {
@@ -104,20 +123,22 @@ StationFit fit_station(std::span<const Surfel> surfels, Spreading spreading, Tas
   // 1. Everywhere in the box and about it.
   const Box3 box = law.box();
   std::vector<StationFit> found;
-  for (const Vec3& place : places_in(box)) {
+  std::vector<Vec3> places = places_in(box);
+  add_outside(box, places);
+  for (const Vec3& place : places) {
     if (found.size() % 64 == 0) task.checkpoint(0);
     found.push_back({place, law.spread_at(place)});
   }
-  // 2. Downhill from the best.
+  // 2. Downhill from the best, in steps that suit how far off they are.
   const size_t most = std::min(kDescents, found.size());
   std::partial_sort(found.begin(), found.begin() + static_cast<ptrdiff_t>(most), found.end(),
                     [](const StationFit& a, const StationFit& b) { return a.spread < b.spread; });
-  const Vec3 size = box.max - box.min;
-  const double step_m = 0.5 * std::max({size.x, size.y, size.z}) / kMostAcross;
+  const Vec3 size = box.max - box.min, middle = (box.min + box.max) * 0.5;
   StationFit best = kNoFit;
   for (size_t i = 0; i < most; ++i) {
     task.checkpoint(0);
-    const StationFit fit = descend(law, found[i], step_m);
+    const double across_m = std::max({size.x, size.y, size.z, norm(found[i].place - middle)});
+    const StationFit fit = descend(law, found[i], 0.5 * across_m / kMostAcross);
     if (fit.spread < best.spread) best = fit;
   }
   return best;

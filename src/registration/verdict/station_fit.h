@@ -22,7 +22,7 @@ struct StationFit {
 
 /// Where a cloud was taken from, by how dense its points lie: a scanner leaves cos(incidence) / range^2 points an
 /// area, over the cosine of the height angle with even angles. The place at which the logarithm of density times its
-/// inverse varies least, by a search over the box of the surfels and a fifth beyond, and from the best places
+/// inverse varies least, by a search over the box of the surfels and about it, and from the best places
 /// downhill. O(surfels).
 StationFit fit_station(std::span<const Surfel> surfels, Spreading spreading, Task& task);
 
