@@ -115,7 +115,8 @@ void rank_groups(std::vector<DepthGroup>& groups) {
 }
 
 // Front faces from near to far, those within half a step of the main plane together, the others as far as a step
-// reaches; the steps double until the groups can be told apart by colour.
+// reaches; the steps double until the groups can be told apart by colour. Faces of one plane, whose depths rounding
+// alone tells apart, are one colour wherever a step ends.
 std::vector<DepthGroup> group_depths(std::vector<DrawnFace>& faces) {
   std::vector<DrawnFace*> front;
   for (DrawnFace& face : faces)
@@ -126,13 +127,15 @@ std::vector<DepthGroup> group_depths(std::vector<DrawnFace>& faces) {
   std::vector<DepthGroup> groups;
   for (double step = kFirstStep_m;; step *= 2) {
     groups.clear();
-    for (DrawnFace* face : front) {
-      const double depth = face->depth_m;
+    double depth = 0;  // of the first face of the plane
+    for (size_t i = 0; i < front.size(); ++i) {
+      DrawnFace* face = front[i];
+      if (i == 0 || face->depth_m - front[i - 1]->depth_m > kRounding_m) depth = face->depth_m;
       const int side = std::fabs(depth) <= step / 2 ? 0 : depth < 0 ? -1 : 1;
       if (groups.empty() || side != groups.back().side ||
           (side != 0 && depth - groups.back().from_m > step))
         groups.push_back({depth, depth, 0, side, 0});
-      groups.back().to_m = depth;
+      groups.back().to_m = face->depth_m;
       ++groups.back().faces;
       face->group = groups.size() - 1;
     }

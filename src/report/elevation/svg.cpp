@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "base/setting_rows.h"
+#include "formats/units/crs_code.h"
 #include "report/elevation/elevation.h"
 #include "report/elevation/legend.h"
 #include "report/report.h"
@@ -64,7 +65,7 @@ ElevationContent content_of(const Segmentation& segmentation, const ElevationVie
   out.id = settings.facade == 0 ? "" : "-" + std::to_string(settings.facade);
   out.points = segmentation.cloud->size();
   out.planes = plane_count(segmentation.segments);
-  out.has_north = !segmentation.cloud->crs.empty();
+  out.has_north = !segmentation.cloud->crs.empty() && !is_local_crs(segmentation.cloud->crs.str());
   out.view_azimuth_rad = view.azimuth_rad();
   return out;
 }

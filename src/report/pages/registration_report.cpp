@@ -48,16 +48,23 @@ CloudPtr as_registered(const CloudPtr& reference, const Registration& r, Task& t
       one_per_voxel(*reference, cell->number(0), Keep::kCentroid, task));
 }
 
-// Distances from local planes of the reference: the spacing of its points is no part of them.
-std::vector<double> distances(const CloudPtr& reference, Cloud cloud, Task& task) {
+struct Distances {
+  std::vector<double> sorted;
+  uint64_t modelled = 0;  ///< those from a plane
+};
+
+// Distances from local planes of the reference: the spacing of its points is no part of them. Where none
+// reaches, the nearest of its points stands for it.
+Distances distances(const CloudPtr& reference, Cloud cloud, Task& task) {
   DistanceSettings settings;
   settings.local_model = LocalModelKind::kPlane;
   const Comparison made =
       compare_distance(reference, std::make_shared<const Cloud>(std::move(cloud)), settings, task);
-  std::vector<double> out;
+  Distances out;
   for (const double d : made.points.require("distance").values<double>())
-    if (std::isfinite(d)) out.push_back(std::abs(d));
-  std::sort(out.begin(), out.end());
+    if (std::isfinite(d)) out.sorted.push_back(std::abs(d));
+  std::sort(out.sorted.begin(), out.sorted.end());
+  out.modelled = made.summary.require("modelled").values<uint64_t>()[0];
   return out;
 }
 
@@ -66,8 +73,9 @@ double share_below(const std::vector<double>& sorted, double share) {
                          static_cast<size_t>(share * static_cast<double>(sorted.size())))];
 }
 
-void add_histogram(Page& page, const char* title, const std::vector<double>& sorted, int64_t bins,
+void add_histogram(Page& page, const char* title, const Distances& found, int64_t bins,
                    Task& task) {
+  const std::vector<double>& sorted = found.sorted;
   page.html().open("div").element("h3", {}, title);
   if (sorted.empty()) {
     page.note("No point of the moving cloud has a distance.");
@@ -83,6 +91,10 @@ void add_histogram(Page& page, const char* title, const std::vector<double>& sor
     page.note("median " + text_of(1000 * share_below(sorted, 0.5), 2) + " mm, 95 % below " +
               text_of(1000 * share_below(sorted, 0.95), 2) + " mm, rms " +
               text_of(1000 * std::sqrt(squares / static_cast<double>(sorted.size())), 2) + " mm");
+    if (const uint64_t bare = sorted.size() - found.modelled; bare > 0)
+      page.note("The figures have " + std::to_string(bare) +
+                (bare == 1 ? " distance" : " distances") +
+                " from the nearest point of the reference, where no plane of it is nearer.");
   }
   page.html().close();
 }

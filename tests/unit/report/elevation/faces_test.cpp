@@ -143,6 +143,25 @@ TEST_CASE("faces__groups_hold_faces_of_about_one_depth_and_are_no_more_than_colo
   }
 }
 
+TEST_CASE(
+    "faces__of_one_plane_are_one_colour_although_rounding_lays_them_on_both_sides_of_a_step") {
+  constexpr double kRounding = 4e-7;
+  // Half a step from the main plane, on both its sides, and a whole step behind another plane.
+  for (const double depth : {-0.01, 0.01, 0.52}) {
+    CAPTURE(depth);
+    Model m;
+    add_upright(m, add_part(m, "wall"), 0, 0, 0, 50, 50);
+    const uint32_t element = add_part(m, "element");
+    add_upright(m, element, 3, 0.5, 0);
+    add_upright(m, element, 0, depth - kRounding, 0);
+    add_upright(m, element, 6, depth + kRounding, 0);
+    const ElevationFaces seen = faces_seen(m);
+    std::vector<size_t> groups(5);
+    for (const DrawnFace& face : seen.faces) groups[face.face] = face.group;
+    CHECK(groups[2] == groups[3]);
+  }
+}
+
 TEST_CASE("faces__the_box_the_ground_and_the_lower_left_corner_in_the_world") {
   named_facade::Setting s;
   s.shift = {652000, 6861000, 137};

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "report/report.h"
 #include "unit/compare/refusal.h"
@@ -73,6 +75,22 @@ TEST_CASE("svg__the_table_of_settings_starts_from_their_defaults_and_refuses_oth
     CAPTURE(json);
     const std::string text = json, name = text.substr(2, text.find('"', 2) - 2);
     CHECK(test::refuses([&] { settings_of(json); }, Status::kInvalidArgument, name));
+  }
+}
+
+TEST_CASE("svg__north_is_that_of_a_map_and_a_local_system_has_an_axis") {
+  const Model m = named_facade::make({});
+  for (const auto& [crs, axis] :
+       {std::pair{"", "view from +Y"},
+        {"EPSG:2154", "view from north"},
+        {"LOCAL_CS[\"scene, metres\",UNIT[\"metre\",1]]", "view from +Y"}}) {
+    CAPTURE(crs);
+    Segmentation segmentation = walls::segmentation_of({});
+    Cloud cloud = *segmentation.cloud;
+    cloud.crs = crs;
+    segmentation.cloud = std::make_shared<const Cloud>(cloud);
+    Task task;
+    CHECK(elevation_svg(segmentation, m, {}, task).find(axis) != std::string::npos);
   }
 }
 

@@ -87,6 +87,24 @@ TEST_CASE("registration_report__histograms_hold_no_more_points_than_asked_for") 
   CHECK(number_after(page_of(lifted(), reference, moving, 1501), "Distances of ") == 1501);
 }
 
+TEST_CASE("registration_report__tells_how_many_distances_are_from_points_and_not_planes") {
+  Task task;
+  const CloudPtr floor = floor_points(2000, 4, 0, 0, 7),
+                 low = floor_points(500, 3, -kShift_m, 0, 8);
+  CHECK(!has(page_of(lifted(), floor, low), "nearest point of the reference"));
+  Buffer<double> beyond(9);  // a metre and more outside the floor, which ends at 2 m
+  for (size_t i = 0; i < 3; ++i) {
+    beyond[3 * i] = 4.0 + static_cast<double>(i);
+    beyond[3 * i + 1] = 0;
+    beyond[3 * i + 2] = -kShift_m;
+  }
+  const auto more =
+      std::make_shared<const Cloud>(append(*low, make_cloud(std::move(beyond)), task));
+  const std::string html = page_of(lifted(), floor, more);
+  CHECK(number_after(html, "The figures have ") == 3);
+  CHECK(has(html, "nearest point of the reference"));
+}
+
 TEST_CASE("registration_report__has_only_the_chapters_of_what_there_is") {
   const CloudPtr floor = floor_points(500, 2, 0, 0, 5), nothing = floor_points(0, 1, 0, 0, 6);
   Registration r = lifted();
