@@ -51,7 +51,9 @@ class Holding {
     const Sides sides = sides_of(surfel, place, normal);
     Answer out;
     out.is_seen = sides.seen == Sighted::kSurface || sides.seen == Sighted::kThrough;
-    const Said near = ask_neighbours(place, normal, out.is_near);
+    // Where the points lie farther apart than usual a surface is known as far between them.
+    const double reach_m = std::max(reach_m_, surfel.radius_m);
+    const Said near = ask_neighbours(place, normal, reach_m, out.is_near);
     if (sides.seen == Sighted::kThrough) out.said = Said::kPierced;
     // From the other side of the surface: a wall has two faces, and both clouds cannot have seen this one.
     else if (sides.is_behind && near == Said::kExplained) out.said = Said::kUnexplained;
@@ -96,12 +98,12 @@ class Holding {
     return out;
   }
 
-  Said ask_neighbours(const Vec3& place, const Vec3& normal, bool& is_near) const {
+  Said ask_neighbours(const Vec3& place, const Vec3& normal, double reach_m, bool& is_near) const {
     const SurfacePlanes& surface = *with_.surface;
     std::array<Neighbour, kNeighbours> found;
     const size_t n =
         surface.tree->knn_positions(surface.tree->cube().origin + place, kNeighbours, found);
-    is_near = n > 0 && std::sqrt(found[0].squared_distance) <= kNear * reach_m_;
+    is_near = n > 0 && std::sqrt(found[0].squared_distance) <= kNear * reach_m;
     if (!is_near) return Said::kNothing;
     bool is_beside = false;
     for (size_t i = 0; i < n; ++i) {
@@ -111,11 +113,12 @@ class Holding {
       const Vec3 d = place - surface.place(position), unit = plane.unit();
       const double height = dot(unit, d) - double{plane.height_m};
       const double sideways = std::sqrt(std::max(0.0, squared_norm(d) - height * height));
-      const bool is_level = std::abs(height) <= kLevel * reach_m_;
-      if (sideways > kBeside * reach_m_) {
+      const double local_m = std::max(reach_m, double{plane.radius_m});
+      const bool is_level = std::abs(height) <= kLevel * local_m;
+      if (sideways > kBeside * local_m) {
         is_beside = is_beside || is_level;
       } else if (std::abs(dot(unit, normal)) >= kFacing &&
-                 std::abs(height) <= kHeightNoises * noise_m_ + kUneven * reach_m_) {
+                 std::abs(height) <= kHeightNoises * noise_m_ + kUneven * local_m) {
         return Said::kExplained;
       }
     }
