@@ -19,7 +19,7 @@ def _refuse(handle, what):
 def copied(handle):
     """An object of its own. Points, fields and results never change and are shared; what can be set is not."""
     name = _native_name(handle)
-    if hasattr(_native, name + "_copy"):
+    if hasattr(_native, name + "_create") and hasattr(_native, name + "_copy"):  # that of a table copies a column
         return getattr(_native, name + "_copy")(handle)
     if not hasattr(_native, name + "_to_bytes"):
         _refuse(handle, "copied")
