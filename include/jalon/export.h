@@ -17,7 +17,9 @@
 #define JALON_END_C
 #endif
 
-#if defined(_WIN32)
+#if defined(_WIN32) && defined(JALON_STATIC)
+#define JALON_API
+#elif defined(_WIN32)
 #if defined(JALON_BUILDING)
 #define JALON_API __declspec(dllexport)
 #else

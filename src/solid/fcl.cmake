@@ -4,12 +4,7 @@
 # FCL and libccd for the room solid: its files fcl_*.cpp, and no other, are built with them; without them
 # fcl_absent.cpp stands in. jalon_solid must exist when it does at all: a test includes this file for its checks alone.
 if(JALON_WITH_FCL)
-  find_package(ccd QUIET CONFIG)
-  find_package(fcl 0.7 QUIET CONFIG)
-  if(NOT fcl_FOUND OR NOT ccd_FOUND)
-    message(FATAL_ERROR "FCL 0.7 and libccd were not found (Debian: libfcl-dev, libccd-dev). "
-                        "-DJALON_WITH_FCL=OFF builds without the clearance between two models.")
-  endif()
+  find_package(ccd REQUIRED CONFIG)
   # libccd is built for single or for double precision, and only its header tells.
   include(CheckCXXSourceCompiles)
   set(CMAKE_REQUIRED_INCLUDES "${CCD_INCLUDE_DIRS}")
