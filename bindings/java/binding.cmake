@@ -12,12 +12,13 @@ set(java_params "${CMAKE_CURRENT_BINARY_DIR}/java_params/org/jalon")
 set(java_folder "${CMAKE_CURRENT_BINARY_DIR}/java")
 set(java_written "${CMAKE_CURRENT_SOURCE_DIR}/java/src/main/java/org/jalon")
 
-# Comments, results and setters that only Java has.
+# Comments, overloads, results and setters that only Java has.
+file(GLOB java_generator CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/java/*.py")
 add_custom_command(
   OUTPUT "${generated}/java_api.i"
   COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/java/generate.py" "${generated}/java_api.i" "${java_params}" "${params_json}"
   COMMAND "${CMAKE_COMMAND}" -E touch "${generated}/java_api.i"
-  DEPENDS "${params_json}" "${CMAKE_CURRENT_SOURCE_DIR}/java/generate.py" ${generator} ${public_headers} VERBATIM)
+  DEPENDS "${params_json}" ${java_generator} ${generator} ${public_headers} VERBATIM)
 set(common_files ${generated_files})
 list(APPEND generated_files "${generated}/java_api.i")
 jalon_wrapper(jalon_java java "${java_swig}" -package org.jalon)
@@ -45,7 +46,7 @@ add_custom_command(
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${java_params}" "${java_merged}"
   COMMAND "${CMAKE_COMMAND}" -E make_directory "${java_folder}/resources/META-INF"
   COMMAND "${CMAKE_COMMAND}" -E copy "${third_party}" "${PROJECT_SOURCE_DIR}/LICENSE" "${java_folder}/resources/META-INF"
-  COMMAND sh -c "'${Java_JAVAC_EXECUTABLE}' --release 11 -Xlint:all -Werror -encoding UTF-8 -d '${java_folder}/classes' '${java_merged}'/*.java"
+  COMMAND sh -c "'${Java_JAVAC_EXECUTABLE}' --release 11 -parameters -Xlint:all -Werror -encoding UTF-8 -d '${java_folder}/classes' '${java_merged}'/*.java"
   COMMAND "${Java_JAR_EXECUTABLE}" cf "${java_folder}/jalon.jar" -C "${java_folder}/classes" . -C "${java_folder}/resources" .
   DEPENDS jalon_java "${natives_stamp}" ${java_sources} "${generated}/java_api.i" VERBATIM)
 add_custom_target(jalon_jar DEPENDS "${java_folder}/jalon.jar")

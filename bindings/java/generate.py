@@ -12,10 +12,12 @@ import re
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "generator"))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "generator")]
+import overloads  # noqa: E402
 from api_description import ROWS  # noqa: E402
 from emit_swig import has_result, inputs_seen, result_fields  # noqa: E402
 from headers import Header, header_names, read  # noqa: E402
+from overloads import camel, proxy_code  # noqa: E402
 from shapes import SMALL, class_nouns, class_of, methods  # noqa: E402
 from texts import parts  # noqa: E402
 
@@ -24,11 +26,6 @@ TYPES = {"std::string": "String", "bool": "boolean", "double": "double", "int32_
          "uint64_t": "long", "int64_t": "long", "Numbers*": "double[]"}
 DOUBLE, INT64, BOOL, STRING, CHOICE, DOUBLES = range(1, 7)
 PARAM_TYPES = {DOUBLE: "double", INT64: "long", BOOL: "boolean", STRING: "String", CHOICE: "String", DOUBLES: "double[]"}
-
-
-def camel(name):
-    first, *rest = name.split("_")
-    return first + "".join(part.capitalize() for part in rest)
 
 
 def title(name):
@@ -68,12 +65,13 @@ def notes(m):
     for i in inputs_seen(m)[0 if m.is_static else 1:]:
         if i.kind in ("rows", "packed", "poses", "small"):
             columns = 12 if i.kind == "poses" else ROWS.get(i.name)
-            shape = "rows of %d" % columns if columns else ""
+            shape = "%s: rows of %d" % (i.name, columns) if columns else i.name + ": numbers"
             if i.kind == "small":
-                shape = "%d numbers" % (SMALL[i.type][0] * SMALL[i.type][1])
-            yield "%s: numbers, see {@link Rows}%s%s" % (i.name, "; " + shape if shape else "", "; may be null" if i.nullable else "")
+                count = SMALL[i.type][0] * SMALL[i.type][1]
+                shape = "%s: %s numbers" % (i.name, "12 or 16" if count == 12 else count)
+            yield shape + ("; may be null" if overloads.default_of(m, i) == "null" else "")
         elif i.kind == "bytes":
-            yield "%s: byte[] or ByteBuffer" % i.name
+            yield "%s: what toBytes gave" % i.name
         elif i.kind == "options":
             operation = m.operation
             link = "{@link %sParams}, " % title(operation) if operation else ""
@@ -125,6 +123,9 @@ def result_class(m):
     if closed:
         lines += ["", "  @Override", "  public void close() {"]
         lines += ["    if (%s != null) {\n      %s.close();\n    }" % (camel(n), camel(n)) for n in closed] + ["  }"]
+    values = ['"%s"' % camel(n) + (", java.util.Arrays.toString(%s)" if java == "double[]" else ", %s") % camel(n) for n, java, _ in fields]
+    lines += ["", "  /** The values of all parts. */", "  @Override", "  public String toString() {",
+              '    return Described.result("%s", %s);' % (name, ", ".join(values)), "  }"]
     return "\n".join(lines + ["%}"])
 
 
@@ -161,13 +162,20 @@ def worker_code(noun, tables, documents):
             with_it = [m for m, t in tables.items() if any(r["name"] == row["name"] for r in t)]
             rows.append((row, "" if len(with_it) == len(tables) else " Of " + ", ".join(with_it) + "."))
     use = lambda what: ["try (Params params = params()) {", "  params.%s;" % what, "}"]  # noqa: E731
-    out = ["%%typemap(javacode) %s %%{" % owner]
+    out = []
     for java in ("double", "long", "boolean", "String", "double[]"):
         out += ["  /** Sets a parameter of this worker by its name; see {@link Params}. */",
                 "  public %s set(String name, %s value) {" % (owner, java)]
         out += ["    " + line for line in use("set(name, value)")] + ["    return this;", "  }", ""]
     out += setters(owner, rows, documents, lambda row: use('set("%s", value)' % row["name"]))
-    return "\n".join(out + ["%}"])
+    return proxy_code("jalon_" + noun, out)
+
+
+def texts_of_objects():
+    """toString of each noun, by class Described."""
+    for noun in class_nouns():
+        yield proxy_code(noun, ["  /** One line: what it is and how much of it there is; never an exception. */", "  @Override",
+                                "  public String toString() {", "    return Described.of(this);", "  }"])
 
 
 def params_class(operation, rows, documents):
@@ -192,6 +200,7 @@ def main():
     wrapped = methods()
     documents = Documents(wrapped)
     parts = [LICENSE] + list(class_comments(documents)) + list(method_comments(wrapped, documents))
+    parts += list(texts_of_objects()) + list(overloads.code(wrapped, class_nouns()))
     parts += [result_class(m) for m in wrapped if has_result(m)]
     parts += [worker_code(noun, methods_, documents) for noun, methods_ in tables["workers"].items()]
     write(interface, "\n".join(parts + [""]))

@@ -8,6 +8,7 @@
 #include "java_task.h"
 %}
 
+%feature("compactdefaultargs"); // java_api.i has the forms without them
 %rename("%(lowercamelcase)s", %$isfunction) "";
 %rename(isClosed) closed;
 /* The classes of these names are written in Java; what SWIG writes is theirs alone. */
@@ -75,11 +76,11 @@
 %typemap(out) Texts { $result = jalon_java::bytes_of(jenv, jalon_binding::block_of($1)); }
 %typemap(javaout) Texts { return Text.listOf($jnicall); }
 
-/* Arrays in: primitive arrays and buffers, described by class Rows; null is no array. */
+/* Arrays in, described by class Rows; null is no array. The overloads of java_api.i take primitive arrays and buffers. */
 %typemap(jni) const ArrayIn* "jobject"
 %typemap(jtype) const ArrayIn* "Rows"
-%typemap(jstype) const ArrayIn* "Object"
-%typemap(javain) const ArrayIn* "Rows.of($javainput)"
+%typemap(jstype) const ArrayIn* "Rows"
+%typemap(javain) const ArrayIn* "$javainput"
 %typemap(in) const ArrayIn* (jalon_java::Elements elements) {
   if (!elements.take(jenv, $input, &$1)) return $null;
 }
@@ -149,7 +150,8 @@
   }
 %}
 
-%typemap(javacode) Params %{
+%extend Params {
+%proxycode %{
   /** Sets a number. {@link NotFoundException} for an unknown name, {@link InvalidArgumentException} for a wrong value. */
   public Params set(String name, double value) {
     setDouble(name, value);
@@ -179,9 +181,29 @@
     setDoubles(name, values);
     return this;
   }
-%}
 
-%typemap(javacode) Fields %{
+  /** The names of the parameters, in the order of the table. */
+  public java.util.List<String> names() {
+    final java.util.List<String> names = new java.util.ArrayList<>();
+    for (long i = 0; i < count(); ++i) {
+      names.add(info(i).name());
+    }
+    return names;
+  }
+%}
+}
+
+%extend Fields {
+%proxycode %{
+  /** The names of the columns. */
+  public java.util.List<String> names() {
+    final java.util.List<String> names = new java.util.ArrayList<>();
+    for (long i = 0; i < count(); ++i) {
+      names.add(info(i).name());
+    }
+    return names;
+  }
+
   /** A copy of the column as doubles, whatever its type, row by row. */
   public double[] doubles(String name) {
     try (Array column = view(name)) {
@@ -189,5 +211,24 @@
     }
   }
 %}
+}
+
+%extend Cloud {
+%proxycode %{
+  /** As {@link #crop(boolean[], Task)}. */
+  public CloudCropResult crop(boolean[] mask) {
+    return crop(mask, null);
+  }
+
+  /**
+   * The points for which the mask is true, and the others, as clouds of their own.
+   *
+   * <p>mask: one a point; {@link InvalidArgumentException} for another number of them.
+   */
+  public CloudCropResult crop(boolean[] mask, Task task) {
+    return new CloudCropResult(select(mask, task), () -> select(Masks.inverted(mask), task));
+  }
+%}
+}
 
 %include "java_api.i"

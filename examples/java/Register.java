@@ -29,7 +29,7 @@ class Register {
     try (Cloud reference = Cloud.read(files[0]);
         Cloud moving = Cloud.read(files[1]);
         Registrar registrar = Registrar.create("icp");
-        Registration registration = registrar.run(reference, moving, null)) {
+        Registration registration = registrar.run(reference, moving)) {
       print(registration);
       try (Cloud registered = registration.apply(moving)) {
         registered.write(files[2]);

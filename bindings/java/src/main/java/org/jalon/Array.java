@@ -169,4 +169,10 @@ public final class Array implements AutoCloseable {
     }
     source = null;
   }
+
+  /** How many items of how many elements of which type. */
+  @Override
+  public String toString() {
+    return "Array: " + Described.shape(count, components, type);
+  }
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.jalon;
 
-import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.DoubleBuffer;
@@ -12,15 +11,12 @@ import java.nio.LongBuffer;
 import java.nio.ShortBuffer;
 
 /**
- * Numbers on their way into the library. Every parameter of type Object takes
+ * Numbers on their way into the library, whatever array holds them. Calls take arrays and buffers themselves; their form with
+ * Rows is for arrays of different kinds in one call, and for what has more elements an item than the call can know:
+ * {@code Rows.of(values).by(3)} is a field of vectors.
  *
- * <ul>
- *   <li>double[], float[], long[], int[], short[], byte[] (0..255): row by row, (x, y, z, x, ...);
- *   <li>double[][]: one array a row;
- *   <li>the NIO buffers of these, from position to limit: direct ones in native byte order without a copy;
- *   <li>an {@link Array} that the library gave;
- *   <li>Rows.of(numbers, components), where the number of elements an item is not known otherwise: a field of vectors.
- * </ul>
+ * <p>Arrays hold the numbers row by row, (x, y, z, x, ...). Buffers count from position to limit; direct ones in native byte
+ * order are used where they are, all others are copied. Rows refer to what they were made of, until the call has ended.
  */
 public final class Rows {
   // Read by name from java_support.h.
@@ -38,55 +34,135 @@ public final class Rows {
     this.strideBytes = strideBytes;
   }
 
-  /** The numbers as rows of so many elements. */
-  public static Rows of(Object numbers, int components) {
-    final Rows rows = of(numbers);
-    final long elements = rows == null ? 0 : rows.count * rows.components;
-    if (rows == null || components < 1 || elements % components != 0) {
-      throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT,
-          elements + " elements are no rows of " + components);
+  /** The same numbers as rows of so many elements. */
+  public Rows by(int elements) {
+    final long all = count * components;
+    if (elements < 1 || all % elements != 0) {
+      throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT, all + " elements are no rows of " + elements);
     }
-    if (rows.strideBytes * rows.count != elements * size(rows.type)) {
+    if (strideBytes * count != all * size(type)) {
       throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT, "the items do not stand side by side");
     }
-    return new Rows(rows.memory, rows.type, elements / components, components, (long) size(rows.type) * components);
+    return new Rows(memory, type, all / elements, elements, (long) size(type) * elements);
   }
 
-  /** What a parameter was given, null for null. */
-  static Rows of(Object numbers) {
-    if (numbers == null || numbers instanceof Rows) {
-      return (Rows) numbers;
+  /** Of double[]; null for null. */
+  public static Rows of(double[] numbers) {
+    return numbers == null ? null : flat(numbers, Jalon.FLOAT64, numbers.length);
+  }
+
+  /** Of float[]; null for null. */
+  public static Rows of(float[] numbers) {
+    return numbers == null ? null : flat(numbers, Jalon.FLOAT32, numbers.length);
+  }
+
+  /** Of long[]; null for null. */
+  public static Rows of(long[] numbers) {
+    return numbers == null ? null : flat(numbers, Jalon.INT64, numbers.length);
+  }
+
+  /** Of int[]; null for null. */
+  public static Rows of(int[] numbers) {
+    return numbers == null ? null : flat(numbers, Jalon.INT32, numbers.length);
+  }
+
+  /** Of short[]; null for null. */
+  public static Rows of(short[] numbers) {
+    return numbers == null ? null : flat(numbers, Jalon.INT16, numbers.length);
+  }
+
+  /** Of byte[]: 0 to 255; null for null. */
+  public static Rows of(byte[] numbers) {
+    return numbers == null ? null : flat(numbers, Jalon.UINT8, numbers.length);
+  }
+
+  /** Of one array a row, all of one length; null for null. */
+  public static Rows of(double[][] rows) {
+    if (rows == null) {
+      return null;
     }
-    if (numbers instanceof double[]) {
-      return flat(numbers, Jalon.FLOAT64, ((double[]) numbers).length);
+    final int columns = rows.length == 0 ? 1 : rows[0].length;
+    final double[] all = new double[Math.multiplyExact(rows.length, columns)];
+    for (int i = 0; i < rows.length; ++i) {
+      if (rows[i].length != columns) {
+        throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT,
+            "row " + i + " has " + rows[i].length + " numbers, the first one has " + columns);
+      }
+      System.arraycopy(rows[i], 0, all, i * columns, columns);
     }
-    if (numbers instanceof float[]) {
-      return flat(numbers, Jalon.FLOAT32, ((float[]) numbers).length);
+    return new Rows(all, Jalon.FLOAT64, rows.length, Math.max(1, columns), 8L * Math.max(1, columns));
+  }
+
+  /** Of an array that the library gave, without a copy; null for null. */
+  public static Rows of(Array array) {
+    return array == null ? null
+        : new Rows(array.bytes(), array.type(), array.count(), array.components(), array.strideBytes());
+  }
+
+  /** Of the buffer's numbers from position to limit; null for null. */
+  public static Rows of(DoubleBuffer numbers) {
+    if (numbers == null) {
+      return null;
     }
-    if (numbers instanceof long[]) {
-      return flat(numbers, Jalon.INT64, ((long[]) numbers).length);
+    return isNative(numbers.isDirect(), numbers.order()) ? flat(numbers.slice(), Jalon.FLOAT64, numbers.remaining())
+        : of(DoubleBuffer.allocate(numbers.remaining()).put(numbers.duplicate()).array());
+  }
+
+  /** Of the buffer's numbers from position to limit; null for null. */
+  public static Rows of(FloatBuffer numbers) {
+    if (numbers == null) {
+      return null;
     }
-    if (numbers instanceof int[]) {
-      return flat(numbers, Jalon.INT32, ((int[]) numbers).length);
+    return isNative(numbers.isDirect(), numbers.order()) ? flat(numbers.slice(), Jalon.FLOAT32, numbers.remaining())
+        : of(FloatBuffer.allocate(numbers.remaining()).put(numbers.duplicate()).array());
+  }
+
+  /** Of the buffer's numbers from position to limit; null for null. */
+  public static Rows of(LongBuffer numbers) {
+    if (numbers == null) {
+      return null;
     }
-    if (numbers instanceof short[]) {
-      return flat(numbers, Jalon.INT16, ((short[]) numbers).length);
+    return isNative(numbers.isDirect(), numbers.order()) ? flat(numbers.slice(), Jalon.INT64, numbers.remaining())
+        : of(LongBuffer.allocate(numbers.remaining()).put(numbers.duplicate()).array());
+  }
+
+  /** Of the buffer's numbers from position to limit; null for null. */
+  public static Rows of(IntBuffer numbers) {
+    if (numbers == null) {
+      return null;
     }
-    if (numbers instanceof byte[]) {
-      return flat(numbers, Jalon.UINT8, ((byte[]) numbers).length);
+    return isNative(numbers.isDirect(), numbers.order()) ? flat(numbers.slice(), Jalon.INT32, numbers.remaining())
+        : of(IntBuffer.allocate(numbers.remaining()).put(numbers.duplicate()).array());
+  }
+
+  /** Of the buffer's numbers from position to limit; null for null. */
+  public static Rows of(ShortBuffer numbers) {
+    if (numbers == null) {
+      return null;
     }
-    if (numbers instanceof double[][]) {
-      return nested((double[][]) numbers);
+    return isNative(numbers.isDirect(), numbers.order()) ? flat(numbers.slice(), Jalon.INT16, numbers.remaining())
+        : of(ShortBuffer.allocate(numbers.remaining()).put(numbers.duplicate()).array());
+  }
+
+  /** Of the buffer's bytes, 0 to 255, from position to limit; null for null. */
+  public static Rows of(ByteBuffer numbers) {
+    if (numbers == null) {
+      return null;
     }
-    if (numbers instanceof Array) {
-      final Array array = (Array) numbers;
-      return new Rows(array.bytes(), array.type(), array.count(), array.components(), array.strideBytes());
+    return numbers.isDirect() ? flat(numbers.slice(), Jalon.UINT8, numbers.remaining())
+        : of(ByteBuffer.allocate(numbers.remaining()).put(numbers.duplicate()).array());
+  }
+
+  /** A field of 0 and 1. Not public: as indices it would mean the points 0 and 1. */
+  static Rows flags(boolean[] flags) {
+    if (flags == null) {
+      return null;
     }
-    if (numbers instanceof Buffer) {
-      return buffer((Buffer) numbers);
+    final byte[] bytes = new byte[flags.length];
+    for (int i = 0; i < flags.length; ++i) {
+      bytes[i] = (byte) (flags[i] ? 1 : 0);
     }
-    throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT,
-        "numbers are needed (double[], DoubleBuffer, ..., see Rows), not " + numbers.getClass().getName());
+    return of(bytes);
   }
 
   private static int size(int type) {
@@ -99,55 +175,13 @@ public final class Rows {
     return new Rows(memory, type, count, 1, size(type));
   }
 
-  private static Rows nested(double[][] rows) {
-    final int components = rows.length == 0 ? 1 : rows[0].length;
-    final double[] all = new double[Math.multiplyExact(rows.length, components)];
-    for (int i = 0; i < rows.length; ++i) {
-      if (rows[i].length != components) {
-        throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT,
-            "row " + i + " has " + rows[i].length + " numbers, the first one has " + components);
-      }
-      System.arraycopy(rows[i], 0, all, i * components, components);
-    }
-    return new Rows(all, Jalon.FLOAT64, rows.length, Math.max(1, components), 8L * Math.max(1, components));
+  private static boolean isNative(boolean direct, ByteOrder order) {
+    return direct && order == ByteOrder.nativeOrder();
   }
 
-  private static Rows buffer(Buffer given) {
-    final boolean direct = given.isDirect();
-    final int count = given.remaining();
-    if (given instanceof DoubleBuffer) {
-      final DoubleBuffer from = (DoubleBuffer) given;
-      return direct && nativeOrder(from.order()) ? flat(from.slice(), Jalon.FLOAT64, count)
-          : of(DoubleBuffer.allocate(count).put(from.duplicate()).array());
-    }
-    if (given instanceof FloatBuffer) {
-      final FloatBuffer from = (FloatBuffer) given;
-      return direct && nativeOrder(from.order()) ? flat(from.slice(), Jalon.FLOAT32, count)
-          : of(FloatBuffer.allocate(count).put(from.duplicate()).array());
-    }
-    if (given instanceof LongBuffer) {
-      final LongBuffer from = (LongBuffer) given;
-      return direct && nativeOrder(from.order()) ? flat(from.slice(), Jalon.INT64, count)
-          : of(LongBuffer.allocate(count).put(from.duplicate()).array());
-    }
-    if (given instanceof IntBuffer) {
-      final IntBuffer from = (IntBuffer) given;
-      return direct && nativeOrder(from.order()) ? flat(from.slice(), Jalon.INT32, count)
-          : of(IntBuffer.allocate(count).put(from.duplicate()).array());
-    }
-    if (given instanceof ShortBuffer) {
-      final ShortBuffer from = (ShortBuffer) given;
-      return direct && nativeOrder(from.order()) ? flat(from.slice(), Jalon.INT16, count)
-          : of(ShortBuffer.allocate(count).put(from.duplicate()).array());
-    }
-    if (given instanceof ByteBuffer) {
-      final ByteBuffer from = (ByteBuffer) given;
-      return direct ? flat(from.slice(), Jalon.UINT8, count) : of(ByteBuffer.allocate(count).put(from.duplicate()).array());
-    }
-    throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT, "a buffer of numbers is needed, not of characters");
-  }
-
-  private static boolean nativeOrder(ByteOrder order) {
-    return order == ByteOrder.nativeOrder();
+  /** How many rows of how many numbers of which type. */
+  @Override
+  public String toString() {
+    return "Rows: " + Described.shape(count, components, type);
   }
 }

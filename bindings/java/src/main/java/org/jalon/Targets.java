@@ -10,14 +10,19 @@ import java.util.function.Consumer;
 public final class Targets {
   private final List<Consumer<NativeTargets>> targets = new ArrayList<>();
 
+  /** A target without a name at xyz (3 numbers, m): found by its distances to the others. */
+  public Targets add(double[] xyz) {
+    return add(null, xyz, null);
+  }
+
   /** A target at xyz (3 numbers, m), as certain as the parameter "sigma_m" says. name may be null. */
-  public Targets add(String name, Object xyz) {
+  public Targets add(String name, double[] xyz) {
     return add(name, xyz, null);
   }
 
-  /** covariance: 9 numbers (m2). */
-  public Targets add(String name, Object xyz, Object covariance) {
-    final Consumer<NativeTargets> target = list -> list.add(name, xyz, covariance);
+  /** covariance: 9 numbers (m2), or null. */
+  public Targets add(String name, double[] xyz, double[] covariance) {
+    final Consumer<NativeTargets> target = list -> list.add(name, Rows.of(xyz), Rows.of(covariance));
     try (NativeTargets probe = new NativeTargets()) { // says now what is wrong with it
       target.accept(probe);
     }
@@ -28,6 +33,12 @@ public final class Targets {
   /** Number of targets. */
   public int count() {
     return targets.size();
+  }
+
+  /** How many targets. */
+  @Override
+  public String toString() {
+    return "Targets: " + count();
   }
 
   static NativeTargets made(Targets given) {

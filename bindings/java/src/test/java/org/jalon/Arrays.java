@@ -23,6 +23,7 @@ final class Arrays {
     all.put("arrays__views_are_read_only_and_outlive_their_cloud", Arrays::views);
     all.put("arrays__pieces_of_an_array", Arrays::pieces);
     all.put("arrays__fields_keep_type_and_components", Arrays::fields);
+    all.put("arrays__masks_are_of_as_many_points_as_the_cloud", Arrays::masks);
     all.put("arrays__values_above_2_to_the_40", Arrays::large);
     all.put("arrays__what_is_no_array_is_refused", Arrays::refused);
     all.put("texts__utf8_in_names_and_files", Arrays::texts);
@@ -34,8 +35,8 @@ final class Arrays {
     }
   }
 
-  private static void check(Object numbers) {
-    try (Cloud cloud = Cloud.create(numbers, 0); Array points = cloud.points()) {
+  private static void check(Cloud made) {
+    try (Cloud cloud = made; Array points = cloud.points()) {
       same(3L, cloud.count());
       same(3, points.components());
       same(DoubleBuffer.wrap(XYZ), points.doubles());
@@ -44,22 +45,28 @@ final class Arrays {
   }
 
   private static void everyKind() {
-    check(XYZ);
-    check(DoubleBuffer.wrap(XYZ));
-    check(new double[][] {{1, 2, 3}, {4, 5, 6}, {1e6 + 0.001, 5e6 + 0.002, 7}});
+    check(Cloud.create(XYZ));
+    check(Cloud.create(DoubleBuffer.wrap(XYZ)));
+    check(Cloud.create(new double[][] {{1, 2, 3}, {4, 5, 6}, {1e6 + 0.001, 5e6 + 0.002, 7}}));
     for (ByteOrder order : new ByteOrder[] {ByteOrder.LITTLE_ENDIAN, ByteOrder.BIG_ENDIAN}) {
       final DoubleBuffer longer = ByteBuffer.allocateDirect(8 * 12).order(order).asDoubleBuffer();
       longer.position(2);
       longer.put(XYZ).limit(11).position(2);
-      check(longer);
+      check(Cloud.create(longer));
       same(2, longer.position());
-      check(Rows.of(longer, 3));
+      check(Cloud.create(Rows.of(longer).by(3), 0));
     }
-    try (Cloud cloud = Cloud.create(XYZ, 0); Array points = cloud.points()) {
-      check(points);
+    try (Cloud cloud = Cloud.create(XYZ); Array points = cloud.points()) {
+      check(Cloud.create(points));
     }
-    try (Cloud floats = Cloud.create(new float[] {1, 2, 3.5f}, 0); Cloud ints = Cloud.create(new int[] {1, 2, 3}, 0);
-        Cloud none = Cloud.create(new double[0], 0)) {
+    final double[][] axes = new double[3][3];
+    for (int i = 0; i < XYZ.length; ++i) {
+      axes[i % 3][i / 3] = XYZ[i];
+    }
+    check(Cloud.createColumns(axes[0], axes[1], axes[2]));
+    check(Cloud.createColumns(Rows.of(axes[0]), Rows.of(DoubleBuffer.wrap(axes[1])), Rows.of(axes[2])));
+    try (Cloud floats = Cloud.create(new float[] {1, 2, 3.5f}); Cloud ints = Cloud.create(Rows.of(new int[] {1, 2, 3}));
+        Cloud none = Cloud.create(new double[0])) {
       same(3.5, floats.points().doubles().get(2));
       same(2.0, ints.points().doubles().get(1));
       same(0L, none.count());
@@ -94,18 +101,42 @@ final class Arrays {
   }
 
   private static void fields() {
-    try (Cloud cloud = Cloud.create(XYZ, 0)) {
-      cloud.setField("class", new byte[] {1, 2, (byte) 200}, "", "");
-      cloud.setField("normal", Rows.of(new float[] {0, 0, 1, 0, 1, 0, 1, 0, 0}, 3), "1", "normal");
-      cloud.setField("time", new long[] {1L << 40, -5, Long.MAX_VALUE}, "s", null);
+    try (Cloud cloud = Cloud.create(XYZ)) {
+      cloud.setField("class", new byte[] {1, 2, (byte) 200});
+      cloud.setField("normal", Rows.of(new float[] {0, 0, 1, 0, 1, 0, 1, 0, 0}).by(3), "1", "normal");
+      cloud.setField("time", new long[] {1L << 40, -5, Long.MAX_VALUE}, "s");
+      cloud.setField("shift", new double[][] {{1, 2}, {3, 4}, {5, 6}}, "m");
       try (Fields fields = cloud.fields(); Array normal = fields.view("normal"); Array time = fields.view("time")) {
         same(3, normal.components());
         same(1f, normal.floats().get(4));
         same(1L << 40, time.longs().get(0));
         same(Long.MAX_VALUE, time.longs().get(2));
         same(200.0, fields.doubles("class")[2]);
+        same(6.0, fields.doubles("shift")[5]);
+        same(java.util.List.of("class", "normal", "time", "shift"), fields.names());
         expect(thrown(NotFoundException.class, () -> fields.view("none")).getMessage().contains("normal"), "no names");
       }
+    }
+  }
+
+  private static void masks() {
+    final boolean[] mask = {true, false, true};
+    try (Cloud cloud = Cloud.create(XYZ); Cloud some = cloud.select(mask); CloudCropResult halves = cloud.crop(mask);
+        Cloud none = cloud.select(new boolean[3])) {
+      same(2L, some.count());
+      same(XYZ[6], some.points().doubles().get(3));
+      same(0L, none.count());
+      same(2L, halves.inside().count());
+      same(4.0, halves.outside().points().doubles().get(0));
+      same(1L, cloud.select(new int[] {1}).count());
+      final boolean[] longer = {true, false, true, false};
+      final String message = thrown(InvalidArgumentException.class, () -> cloud.select(longer)).getMessage();
+      expect(message.contains("4 items") && message.contains("3 points"), message);
+      thrown(InvalidArgumentException.class, () -> cloud.crop(new boolean[1]));
+      thrown(InvalidArgumentException.class, () -> cloud.fitSphere(new boolean[2]));
+      cloud.setField("kept", mask);
+      same(DoubleBuffer.wrap(new double[] {1, 0, 1}), DoubleBuffer.wrap(cloud.fields().doubles("kept")));
+      thrown(InvalidArgumentException.class, () -> cloud.setField("kept", longer));
     }
   }
 
@@ -115,7 +146,7 @@ final class Arrays {
     }
     same(-1L, Jalon.NO_POINT);
     try (Cloud cloud = Cloud.create(XYZ, 0)) {
-      thrown(InvalidArgumentException.class, () -> cloud.knn(XYZ, 1L << 33, -1));
+      thrown(InvalidArgumentException.class, () -> cloud.knn(XYZ, 1L << 33));
       expect(thrown(InvalidArgumentException.class, () -> cloud.station(1L << 40)).getMessage().contains("1099511627776"), "which");
     }
   }
@@ -133,7 +164,7 @@ final class Arrays {
       for (int first = 0; first < rows; first += atOnce) {
         final int items = Math.min(atOnce, rows - first);
         builder.appendPoints(new double[3 * items]);
-        builder.appendField("many", Rows.of(java.util.Arrays.copyOf(values, items * columns), columns));
+        builder.appendField("many", Rows.of(java.util.Arrays.copyOf(values, items * columns)).by(columns));
       }
       try (Cloud cloud = builder.seal(); Fields fields = cloud.fields(); Array many = fields.view("many")) {
         expect(many.count() * many.components() > 1L << 31, "too few");
@@ -148,11 +179,10 @@ final class Arrays {
   }
 
   private static void refused() {
-    expect(thrown(InvalidArgumentException.class, () -> Cloud.create("text", 0)).getMessage().contains("String"), "which");
     thrown(InvalidArgumentException.class, () -> Cloud.create(new double[] {1, 2}, 0));
     thrown(InvalidArgumentException.class, () -> Cloud.create(new double[][] {{1, 2, 3}, {1, 2}}, 0));
     thrown(InvalidArgumentException.class, () -> Cloud.create(new double[] {1, 2, Double.NaN}, 0));
-    thrown(InvalidArgumentException.class, () -> Rows.of(new double[4], 3));
+    thrown(InvalidArgumentException.class, () -> Rows.of(new double[4]).by(3));
   }
 
   private static void texts() throws Exception {
@@ -199,7 +229,7 @@ final class Arrays {
 
   private static void results() throws Exception {
     try (Cloud cloud = Cloud.create(XYZ, 0);
-        CloudCropBoxResult halves = cloud.cropBox(new double[] {0, 0, 0, 2, 3, 4}, null)) {
+        CloudCropBoxResult halves = cloud.cropBox(new double[] {0, 0, 0, 2, 3, 4})) {
       same(1L, halves.inside().count());
       same(2L, halves.outside().count());
       final AutoCloseable early = halves;
@@ -225,9 +255,9 @@ final class Arrays {
         expect(Math.abs(pose[i] - turned[i]) < 1e-9, "pose[" + i + "] = " + pose[i]);
       }
     }
-    final Gauge gauge = new Gauge().addBox(new double[] {1, 2, 3}, null).addSphere(0.5, turned);
+    final Gauge gauge = new Gauge().addBox(new double[] {1, 2, 3}).addSphere(0.5, turned);
     same(2, gauge.count());
-    thrown(InvalidArgumentException.class, () -> gauge.addBox(new double[] {1}, null));
+    thrown(InvalidArgumentException.class, () -> gauge.addBox(new double[] {1}));
     same(2, gauge.count());
     try (Cloud a = Cloud.create(XYZ, 0); Cloud b = Cloud.create(XYZ, 0)) {
       Cloud.shareOctree(java.util.List.of(a, b));

@@ -41,7 +41,7 @@ final class Lifetimes {
     cloud.prepare(task);
     cloud.setField("n", new int[] {n, n, n, n}, "", "");
     final Fields fields = cloud.fields();
-    final CloudCropBoxResult halves = cloud.cropBox(new double[] {-1, -1, -1, 0.5, 2, 2}, null, task);
+    final CloudCropBoxResult halves = cloud.cropBox(new double[] {-1, -1, -1, 0.5, 2, 2}, task);
     final Segmenter segmenter = Segmenter.create("ransac").set("min_points", 3);
     final Params params = segmenter.params();
     expect(fields.doubles("n")[3] == n && params.getInt64("min_points") == 3, "the values");

@@ -62,8 +62,8 @@ final class ObjectBytes {
     try (Cloud cloud = made()) {
       final byte[] bytes = cloud.toBytes();
       thrown(InvalidArgumentException.class, () -> Model.fromBytes(bytes));
-      thrown(InvalidArgumentException.class, () -> Cloud.fromBytes(null));
-      thrown(InvalidArgumentException.class, () -> Cloud.fromBytes(new double[3]));
+      thrown(InvalidArgumentException.class, () -> Cloud.fromBytes((byte[]) null));
+      thrown(InvalidArgumentException.class, () -> Cloud.fromBytes(Rows.of(new double[3])));
       thrown(FormatException.class, () -> Cloud.fromBytes(new byte[0]));
       bytes[100] ^= 1;
       final String message = thrown(FormatException.class, () -> Cloud.fromBytes(bytes)).getMessage();
@@ -72,15 +72,17 @@ final class ObjectBytes {
   }
 
   private static void copies() {
-    try (Cloud cloud = made(); Cloud copy = cloud.copy()) {
+    final Cloud cloud = made();
+    try (Cloud copy = cloud.copy()) {
       copy.setCrs("");
       same("EPSG:2154", cloud.crs());
       cloud.close();
       same(1600L, copy.count());
     }
     try (Scanner scanner = Scanner.create("sample").setSeed(9); Scanner copy = scanner.copy().setSeed(10);
-        Params params = scanner.params()) {
+        Params params = scanner.params(); Params others = copy.params()) {
       same(9L, params.getInt64("seed"));
+      same(10L, others.getInt64("seed"));
     }
   }
 }
