@@ -9,7 +9,10 @@ import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from csharp_names import CLASSES, FACTORS, KEYWORDS, camel, documentation, pascal, summary  # noqa: E402
+from csharp_inputs import (SCALARS, class_name, default_of, input_type, native_argument, parameter_list,  # noqa: E402
+                           seen_by_caller, takes_task, usings)
+from csharp_names import FACTORS, KEYWORDS, camel, documentation, pascal, summary  # noqa: E402
+from csharp_overloads import emit_overloads  # noqa: E402
 from csharp_params import emit_constants, emit_options, worker_properties  # noqa: E402
 from emit_swig import has_result, inputs_seen, result_fields  # noqa: E402
 from headers import Header, header_names, nouns  # noqa: E402
@@ -17,98 +20,12 @@ from shapes import SMALL, class_nouns, class_of, methods  # noqa: E402
 
 HEAD = "// Generated from the public headers by bindings/generator.\nusing System;\nusing System.Collections.Generic;\n" \
        "using System.Runtime.InteropServices;\nusing System.Threading;\n\nnamespace Jalon {\n"
-UNSIGNED = ("uint32_t", "uint64_t")
-SCALARS = {"uint32_t": "long", "uint64_t": "long", "int32_t": "int", "jalon_status": "int", "int64_t": "long", "double": "double",
-           "std::string": "string"}
-# Inputs that C wants and a caller seldom does, with what stands for them.
-DEFAULTS = {("jalon_cloud_knn", "level"): "Constants.LevelAutomatic", "flags": "0"}
 NO_INLINING = "[System.Runtime.CompilerServices.MethodImpl(System.Runtime.CompilerServices.MethodImplOptions.NoInlining)]"
 VERBS = {"seal", "copy"}
 
 
-def class_name(noun):
-    name = class_of(noun)
-    return CLASSES.get(name, name)
-
-
 def rows_and_columns(o):
     return o.type if isinstance(o.type, tuple) else SMALL[o.type]
-
-
-# ---- inputs ---------------------------------------------------------------------------------------------------------
-
-def input_type(i):
-    if i.kind in ("rows", "packed", "bytes", "small", "poses"):
-        return "ArrayArgument"
-    if i.kind in ("handle", "options"):
-        return class_name(i.type)
-    if i.kind == "list":
-        return "IEnumerable<Cloud>" if i.type == "CloudList" else i.type
-    return {"text": "string", "flag": "bool"}.get(i.kind) or SCALARS[i.type]
-
-
-def default_of(m, i):
-    """The text of the default, or None where the caller must say."""
-    if (m.c.name, i.name) in DEFAULTS or i.name in DEFAULTS:
-        return DEFAULTS.get((m.c.name, i.name)) or DEFAULTS[i.name]
-    if not i.nullable and i.kind != "options":
-        return None
-    if i.kind in ("number", "flag"):
-        return None
-    return "default(ArrayArgument)" if input_type(i) == "ArrayArgument" else "null"
-
-
-def seen_by_caller(m):
-    inputs = [i for i in inputs_seen(m) if i.kind != "task"]
-    return inputs if m.is_static else inputs[1:]
-
-
-def takes_task(m):
-    return m.noun != "jalon_task" and m.input("task") is not None
-
-
-def parameter_list(m):
-    seen = seen_by_caller(m)
-    texts = ["%s %s" % (input_type(i), camel(i.name)) for i in seen if default_of(m, i) is None]
-    texts += ["%s %s = %s" % (input_type(i), camel(i.name), default_of(m, i)) for i in seen if default_of(m, i) is not None]
-    if takes_task(m):
-        texts += ["Progress progress = null", "JalonTask task = null", "CancellationToken cancel = default(CancellationToken)"]
-    return ", ".join(texts)
-
-
-def native_argument(m, i):
-    name = camel(i.name)
-    if not m.is_static and i is m.inputs[0]:
-        return "self_.Pointer"
-    if i.kind == "task":
-        return "run_.Pointer" if takes_task(m) else name + "_.Pointer"
-    if input_type(i) == "ArrayArgument":
-        return name + "_.Pointer"
-    if i.kind in ("handle", "options"):
-        return name + "_.Pointer"
-    if i.kind in ("list", "text"):
-        return name + "_.Pointer"
-    if i.type in UNSIGNED:
-        return 'Number.%s(%s, "%s")' % ("UInt32" if i.type == "uint32_t" else "UInt64", name, name)
-    return name
-
-
-def usings(m):
-    if not m.is_static:
-        yield "using (var self_ = new Held(Live()))"
-    for i in seen_by_caller(m):
-        name = camel(i.name)
-        if input_type(i) == "ArrayArgument":
-            yield 'using (var %s_ = new Pinned(%s, "%s", %s))' % (name, name, name, "false" if default_of(m, i) else "true")
-        elif i.kind == "list" and i.type == "CloudList":
-            yield 'using (var %s_list = new CloudList(%s, "%s"))' % (name, name, name)
-            yield "using (var %s_ = new Held(Of(%s_list)))" % (name, name)
-        elif i.kind in ("list", "handle", "options"):
-            yield "using (var %s_ = new Held(Of(%s)))" % (name, name)
-        elif i.kind == "text":
-            yield "using (var %s_ = new NativeText(%s))" % (name, name)
-    if takes_task(m):
-        yield "using (var run_ = new Run(progress, task, cancel))"
 
 
 # ---- outputs --------------------------------------------------------------------------------------------------------
@@ -175,8 +92,10 @@ def emit_result(m):
         out += summary("For var (%s) = ..." % ", ".join(camel(f[4]) for f in fields), "  ")
         out += ["  public void Deconstruct(%s) {" % ", ".join("out %s %s" % (f[1], camel(f[4])) for f in fields)]
         out += ["    %s = %s;" % (camel(f[4]), f[0]) for f in fields] + ["  }", ""]
+    out += summary("The values of all outputs.", "  ") + ["  public override string ToString() {"]
+    out += ['    return Described.Result("%s", %s);' % (m.result_name, ", ".join('"%s", %s' % (f[0], f[0]) for f in fields)), "  }"]
     if owned:
-        out += summary("Disposes of all of them.", "  ") + ["  public void Dispose() {"]
+        out += [""] + summary("Disposes of all of them.", "  ") + ["  public void Dispose() {"]
         out += ["    if (%s != null) %s.Dispose();" % (f[0], f[0]) for f in owned] + ["  }"]
     return out + ["}", ""]
 
@@ -306,7 +225,8 @@ def emit_class(noun, wrapped, tables, known):
         elif is_property(m):
             inner += emit_property(m, mine, known)
         else:
-            inner += emit_method(m, known)
+            inner += emit_method(m, known) + emit_overloads(m, member_name(m), return_type(m))
+    inner += ["internal override string About() {", "  return Described.About(this);", "}", ""]
     if works:
         inner += worker_properties(tables, noun[len("jalon_"):])
     return out + ["  " + line if line else "" for line in inner] + ["}", ""]

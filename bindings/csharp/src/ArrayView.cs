@@ -35,6 +35,10 @@ public sealed class ArrayView : Noun {
     data = LibraryPINVOKE.Array_memory_of(array);
   }
 
+  internal override string About() {
+    return Described.Shape(Count, Components, Type);
+  }
+
   /// <summary>Number of items, e.g. points.</summary>
   public long Count { get; private set; }
 

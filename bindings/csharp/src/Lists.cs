@@ -73,6 +73,10 @@ public sealed class Gauge : Noun {
       using (var self_ = new Held(Live())) return Number.Of(LibraryPINVOKE.Gauge_count(self_.Pointer));
     }
   }
+
+  internal override string About() {
+    return Count == 1 ? "1 piece" : Count + " pieces";
+  }
 }
 
 /// <summary>Points known in one frame, for a registration.</summary>
@@ -108,6 +112,15 @@ public sealed class Targets : Noun {
     Failure.Check();
   }
 
+  /// <summary>One target without a name: found by its distances to the others.</summary>
+  public void Add(ArrayArgument xyz) {
+    Add(null, xyz);
+  }
+
+  internal override string About() {
+    return "" + Count;
+  }
+
   /// <summary>Number of targets.</summary>
   public long Count {
     get {
@@ -118,6 +131,10 @@ public sealed class Targets : Noun {
 
 /// <summary>Several clouds as one argument.</summary>
 internal sealed class CloudList : Noun {
+  internal override string About() {
+    return "";
+  }
+
   [DllImport(Loader.Name, EntryPoint = "CSharp_Jalon_delete_CloudList")]
   private static extern void DeleteCloudList(IntPtr list);
 

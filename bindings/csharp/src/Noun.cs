@@ -35,6 +35,23 @@ public abstract class Noun : IDisposable {
     box.Dispose();
   }
 
+  /// <summary>One line: what it is and how much of it there is; never an exception.</summary>
+  public override string ToString() {
+    string name = GetType().Name;
+    if (IsDisposed) return name + " (disposed of)";
+    try {
+      string about = About();
+      return about == "" ? name : name + ": " + about;
+    } catch (ObjectDisposedException) {
+      return name + " (disposed of)";  // by another thread just now
+    } catch (JalonException failure) {
+      return name + " (" + failure.Message + ")";
+    }
+  }
+
+  /// <summary>What ToString says beside the name.</summary>
+  internal abstract string About();
+
   /// <summary>Empties the native box, unless a call uses it.</summary>
   internal virtual void Close(Box box) {}
 

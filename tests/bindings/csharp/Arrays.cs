@@ -32,6 +32,7 @@ static class Arrays {
         new byte[] {1, 2, 3, 4, 5, 6}, new long[,] {{1, 2, 3}, {4, 5, 6}},
 #if JALON_SPANS
         new ReadOnlyMemory<double>(flat), new ReadOnlyMemory<float>(new float[] {0, 1, 2, 3, 4, 5, 6}, 1, 6),
+        new ReadOnlySpan<double>(flat), new ReadOnlySpan<float>(new float[] {0, 1, 2, 3, 4, 5, 6}, 1, 6),
 #endif
     };
     foreach (ArrayArgument kind in kinds) {
@@ -45,14 +46,36 @@ static class Arrays {
   }
 
   public static void Wrong_shapes__are_refused_by_name() {
-    var wrong = new ArrayArgument[] {new double[5], new double[4, 2], new[] {new double[3], new double[2]}, new string[3],
-                                     new bool[3], new double[2, 3, 4], new double[][] {null}, default(ArrayArgument)};
+    var wrong = new ArrayArgument[] {new double[5], new double[4, 2], new[] {new double[3], new double[2]}, new double[][] {null},
+                                     default(ArrayArgument)};
     foreach (ArrayArgument array in wrong) {
       ArrayArgument given = array;
       string message = Check.Throws<InvalidArgumentException>(() => new Cloud(given)).Message;
       Check.That(message.Contains("xyz"), "the message names no argument: " + message);
     }
     using (var empty = new Cloud(new double[0, 3])) Check.Equal(0L, empty.Count, "an empty cloud");
+  }
+
+  public static void Masks__are_of_as_many_points_as_the_cloud() {
+    bool[] mask = {true, false, true}, longer = {true, false, true, false};
+    using (var cloud = new Cloud(new double[] {1, 2, 3, 4, 5, 6, 7, 8, 9}))
+    using (Cloud some = cloud.Select(mask))
+    using (Cloud none = cloud.Select(new bool[3]))
+    using (CloudCropResult halves = cloud.Crop(mask)) {
+      Check.Equal(2L, some.Count, "points");
+      Check.Equal(7.0, some.GetPoints()[1], "the third point");
+      Check.Equal(0L, none.Count, "none");
+      Check.Equal(2L, halves.Inside.Count, "inside");
+      Check.Equal(4.0, halves.Outside.GetPoints()[0], "outside");
+      Check.Equal(4.0, cloud.Select(new int[] {1}).GetPoints()[0], "by index");
+      string message = Check.Throws<InvalidArgumentException>(() => cloud.Select(longer)).Message;
+      Check.That(message.Contains("4 items") && message.Contains("3 points"), message);
+      Check.Throws<InvalidArgumentException>(() => cloud.Crop(new bool[1]));
+      Check.Throws<InvalidArgumentException>(() => cloud.FitSphere(new bool[2]));
+      cloud.SetField("kept", mask);
+      Check.Equal("1 0 1", string.Join(" ", cloud.GetFields().Doubles("kept")), "a field of flags");
+      Check.Throws<InvalidArgumentException>(() => cloud.SetField("kept", longer));
+    }
   }
 
   public static void Invalid_coordinates__are_refused_or_dropped() {
