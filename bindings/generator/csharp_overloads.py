@@ -37,7 +37,8 @@ def emit_overloads(m, name, result):
     out = []
     for i in seen_by_caller(m):
         if m.noun == "jalon_cloud" and not m.is_static and i.kind == "packed" and i.name in ("indices", "seeds"):
-            out += replaced(m, name, result, i, "bool[] mask", "Masks.Indices(mask, Count)",
+            taken = "Masks.%s(mask, Count)" % ("Indices" if m.name == "select" else "Some")
+            out += replaced(m, name, result, i, "bool[] mask", taken,
                             "The same of a mask: one a point of this cloud, true for those that are meant.")
         if i.name == "data":
             out += replaced(m, name, result, i, "bool[] data", "Masks.Flags(data)", "The same of flags, kept as 0 and 1.")

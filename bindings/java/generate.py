@@ -163,7 +163,8 @@ def worker_code(noun, tables, documents):
             rows.append((row, "" if len(with_it) == len(tables) else " Of " + ", ".join(with_it) + "."))
     use = lambda what: ["try (Params params = params()) {", "  params.%s;" % what, "}"]  # noqa: E731
     out = []
-    for java in ("double", "long", "boolean", "String", "double[]"):
+    used = {PARAM_TYPES[row["type"]] for row, _ in rows} | {"long"}  # whole numbers where a double is wanted too
+    for java in (t for t in ("double", "long", "boolean", "String", "double[]") if t in used):
         out += ["  /** Sets a parameter of this worker by its name; see {@link Params}. */",
                 "  public %s set(String name, %s value) {" % (owner, java)]
         out += ["    " + line for line in use("set(name, value)")] + ["    return this;", "  }", ""]

@@ -128,7 +128,9 @@ def argument(m, i, taken):
     if not is_array(i) or type_ == ROWS_CLASS:
         return i.name
     if type_ == MASK:
-        return "Masks.indices(mask, count())" if is_mask(m, i) else "Rows.flags(%s)" % i.name
+        if not is_mask(m, i):
+            return "Rows.flags(%s)" % i.name
+        return "Masks.%s(mask, count())" % ("indices" if m.name == "select" else "some")
     return "Rows.of(%s)" % i.name
 
 
@@ -204,5 +206,5 @@ def code(wrapped, nouns):
     yield from typemaps(wrapped)
     for noun in nouns:
         yield proxy_code(noun, [line for m in wrapped if m.noun == noun for line in overloads(m)])
-    lines = [line for m in wrapped if m.noun is None for line in overloads(m)]
+    lines = ["  private Jalon() {}", ""] + [line for m in wrapped if m.noun is None for line in overloads(m)]
     yield "%%pragma(java) modulecode=%%{\n%s\n%%}" % "\n".join(lines)

@@ -42,6 +42,15 @@ JALON_FULL='' check "JNI's checks find nothing" bash -c '
   "$@" >"$0" 2>&1 && ! grep -E "^(WARNING|FATAL)" "$0"' "$work/jni.log" \
   "${java[@]}" -Xcheck:jni -cp "$work/jalon.jar:$work/tests" org.jalon.Behaviours
 
+# ---- every public member is called with real data: seen by the virtual machine ----
+record=$build/work/bindings_called/java
+mkdir "$work/classes" && (cd "$work/classes" && jar xf "$work/jalon.jar" org)
+"${clean[@]}" java "$root/tests/bindings/java/Called.java" "$work/classes" "$work/jalon.jar:$work/tests" "$record" \
+  "org.jalon.Behaviours every_call setters errors__one lists tasks__progress" -Xmx256m "-Djava.io.tmpdir=$work/tmp" >"$work/log" 2>&1 ||
+  miss "the tests pass under the debugger's interface"
+python3 "$root/tests/bindings/called_jvm.py" java "$record" >"$work/called.log" 2>&1
+counts_of "$work/called.log"
+
 # ---- the loader ----
 check "the loader leaves nothing behind" test -z "$(ls "$work/tmp")"
 mkdir "$work/bare" && (cd "$work/bare" && jar xf "$work/jalon.jar" org)

@@ -20,6 +20,13 @@ internal static class Masks {
     return indices;
   }
 
+  /// <summary>The same; one that means no point is refused, because no indices stand for all points there.</summary>
+  internal static ArrayArgument Some(bool[] mask, long points) {
+    ArrayArgument indices = Indices(mask, points);
+    if (mask != null && indices.Managed.LongLength == 0) throw new InsufficientDataException("the mask means no point");
+    return indices;
+  }
+
   internal static bool[] Inverted(bool[] mask) {
     var others = new bool[mask.LongLength];
     for (long i = 0; i < mask.LongLength; ++i) others[i] = !mask[i];

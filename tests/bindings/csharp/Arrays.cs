@@ -72,6 +72,7 @@ static class Arrays {
       Check.That(message.Contains("4 items") && message.Contains("3 points"), message);
       Check.Throws<InvalidArgumentException>(() => cloud.Crop(new bool[1]));
       Check.Throws<InvalidArgumentException>(() => cloud.FitSphere(new bool[2]));
+      Check.That(Check.Throws<InsufficientDataException>(() => cloud.FitSphere(new bool[3])).Message.Contains("mask"), "which");
       cloud.SetField("kept", mask);
       Check.Equal("1 0 1", string.Join(" ", cloud.GetFields().Doubles("kept")), "a field of flags");
       Check.Throws<InvalidArgumentException>(() => cloud.SetField("kept", longer));

@@ -29,6 +29,15 @@ final class Masks {
     return Rows.of(indices);
   }
 
+  /** The same; one that means no point is refused, because no indices stand for all points there. */
+  static Rows some(boolean[] mask, long points) {
+    final Rows indices = indices(mask, points);
+    if (indices != null && indices.count == 0) {
+      throw new InsufficientDataException(Jalon.ERROR_INSUFFICIENT_DATA, "the mask means no point");
+    }
+    return indices;
+  }
+
   static boolean[] inverted(boolean[] mask) {
     final boolean[] others = new boolean[mask.length];
     for (int i = 0; i < mask.length; ++i) {

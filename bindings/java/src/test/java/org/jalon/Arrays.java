@@ -134,6 +134,7 @@ final class Arrays {
       expect(message.contains("4 items") && message.contains("3 points"), message);
       thrown(InvalidArgumentException.class, () -> cloud.crop(new boolean[1]));
       thrown(InvalidArgumentException.class, () -> cloud.fitSphere(new boolean[2]));
+      expect(thrown(InsufficientDataException.class, () -> cloud.fitSphere(new boolean[3])).getMessage().contains("mask"), "which");
       cloud.setField("kept", mask);
       same(DoubleBuffer.wrap(new double[] {1, 0, 1}), DoubleBuffer.wrap(cloud.fields().doubles("kept")));
       thrown(InvalidArgumentException.class, () -> cloud.setField("kept", longer));

@@ -22,6 +22,8 @@ final class Behaviours {
     Lifetimes.addTo(all);
     Methods.addTo(all);
     ObjectBytes.addTo(all);
+    Setters.addTo(all);
+    EveryCall.addTo(all);
     return all;
   }
 
@@ -59,10 +61,13 @@ final class Behaviours {
     return xyz;
   }
 
-  /** Prints one line a behaviour and the sum; for machines without JUnit. */
+  /** Prints one line a behaviour and the sum; for machines without JUnit. arguments: beginnings of names, none = all. */
   public static void main(String[] arguments) {
     int failed = 0;
     final Map<String, Body> all = all();
+    if (arguments.length > 0) {
+      all.keySet().removeIf(name -> java.util.Arrays.stream(arguments).noneMatch(name::startsWith));
+    }
     for (Map.Entry<String, Body> behaviour : all.entrySet()) {
       try {
         behaviour.getValue().run();

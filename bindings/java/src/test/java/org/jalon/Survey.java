@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+package org.jalon;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** A small survey: a scene, two scans of it, what is made of them. Real data for every call. */
+final class Survey {
+  static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  static final double[] BALL = {3, 4, 5}; // its radius is 0.0725 m
+
+  private static Survey made;
+
+  final Path folder;
+  final Model scene = Jalon.sceneCreate();
+  final Cloud scan = scanned(1);
+  final Cloud second = scanned(2);
+  final Cloud ball = Cloud.create(sphere(400));
+  final Cloud pipe = Cloud.create(cylinder(400));
+  final Segmentation segmentation;
+  final double[] onWall; // a point of the largest plane
+  final Model model;
+  final Model repeated; // with a copy of an element where data are missing
+  final int copy;
+  final Comparison comparison;
+  final Comparison reverse;
+  final Registration registration;
+  final NoiseLaw law;
+  final Fields forwardPoints;
+  final Fields reversePoints;
+  final Fields changes;
+
+  private Survey() {
+    try {
+      folder = Files.createTempDirectory("jalon_survey");
+      Runtime.getRuntime().addShutdownHook(new Thread(this::removeFiles));
+      Files.writeString(folder.resolve("m3c2.txt"), "[General]\nM3C2VER=1\nNormalScale=0.5\n");
+    } catch (IOException failure) {
+      throw new UncheckedIOException(failure);
+    }
+    withFields(scan);
+    withFields(second);
+    try (Segmenter segmenter = Segmenter.create().set("distance_tolerance_m", 0.02).set("min_points", 30);
+        Modeller modeller = Modeller.create(); Comparer comparer = Comparer.create();
+        Registrar registrar = Registrar.create("targets")) {
+      segmentation = segmenter.run(scan);
+      model = modeller.run(scan, segmentation);
+      comparison = comparer.run(scan, second);
+      reverse = comparer.run(second, scan);
+      registration = registrar.runTargets(targets(), targets());
+    }
+    final int first = indexOf(segmentation.points().doubles("label"), 1);
+    onWall = java.util.Arrays.copyOfRange(scan.points().toDoubles(), 3 * first, 3 * first + 3);
+    repeated = insa();
+    copy = indexOf(repeated.parts().doubles("evidence"), Jalon.EVIDENCE_COPIED);
+    law = NoiseLaw.fit(scan, "deviation");
+    final ComparisonDiagnoseResult diagnosis = comparison.diagnose(reverse);
+    forwardPoints = diagnosis.forward();
+    reversePoints = diagnosis.reverse();
+    changes = diagnosis.changes();
+    scan.write(path("scan.las"));
+    model.write(path("model.obj"));
+  }
+
+  private void removeFiles() {
+    for (java.io.File file : folder.toFile().listFiles()) {
+      file.delete();
+    }
+    folder.toFile().delete();
+  }
+
+  static synchronized Survey get() {
+    if (made == null) {
+      made = new Survey();
+    }
+    return made;
+  }
+
+  String path(String name) {
+    return folder.resolve(name).toString();
+  }
+
+  /** A copy that may be changed. */
+  static Cloud copy(Cloud cloud) {
+    final boolean[] all = new boolean[(int) cloud.count()];
+    java.util.Arrays.fill(all, true);
+    return cloud.select(all);
+  }
+
+  /** Without stations, whose rays would say that nothing is missing. */
+  private static Model insa() {
+    try (SceneParams options = new SceneParams().setName("insa"); Model insa = Jalon.sceneCreate(options);
+        Scanner scanner = Scanner.create().set("horizontal_step_rad", 0.01).set("vertical_step_rad", 0.01);
+        Cloud scan = scanner.run(insa); Array points = scan.points(); Cloud cloud = Cloud.create(points); Segmenter segmenter = Segmenter.create(); Segmentation planes = segmenter.run(cloud);
+        Modeller modeller = Modeller.create("facade")) {
+      return modeller.run(cloud, planes);
+    }
+  }
+
+  private static int indexOf(double[] values, double wanted) {
+    int i = 0;
+    while (values[i] != wanted) {
+      ++i;
+    }
+    return i;
+  }
+
+  private Cloud scanned(long seed) {
+    try (Scanner scanner = Scanner.create().set("horizontal_step_rad", 0.02).set("vertical_step_rad", 0.02).set("seed", seed)) {
+      return scanner.run(scene);
+    }
+  }
+
+  /** What field tools work on: deviations, their gradient, classes and labels. */
+  private static void withFields(Cloud cloud) {
+    final int n = (int) cloud.count();
+    final double[] deviation = new double[n];
+    final int[] label = new int[n];
+    for (int i = 0; i < n; ++i) {
+      deviation[i] = 0.001 + 0.004 * ((i * 7919L) % 1009) / 1009.0;
+      label[i] = 1 + i % 2;
+    }
+    cloud.setField("deviation", deviation, "m");
+    cloud.setField("slope", deviation);
+    cloud.setField("label", label);
+    cloud.setField("truth", label);
+  }
+
+  static Targets targets() {
+    final Targets targets = new Targets();
+    final double[][] places = {{0, 0, 0}, {10, 0, 0}, {0, 7, 0}, {0, 0, 4}, {3, 5, 2}};
+    for (int i = 0; i < places.length; ++i) {
+      targets.add("T" + i, places[i]);
+    }
+    return targets;
+  }
+
+  /** A gauge as a model. */
+  static Model tetrahedron() {
+    return Model.createMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+  }
+
+  static Gauge gauge() {
+    return new Gauge().addBox(new double[] {1, 1, 2});
+  }
+
+  static List<Cloud> clouds() {
+    return List.of(copy(get().scan), copy(get().second));
+  }
+
+  /** A spiral of points on the ball. */
+  private static double[][] sphere(int n) {
+    final double[][] xyz = new double[n][];
+    for (int i = 0; i < n; ++i) {
+      final double z = 1 - 2 * (i + 0.5) / n;
+      final double r = 0.0725 * Math.sqrt(1 - z * z);
+      xyz[i] = new double[] {BALL[0] + r * Math.cos(2.4 * i), BALL[1] + r * Math.sin(2.4 * i), BALL[2] + 0.0725 * z};
+    }
+    return xyz;
+  }
+
+  private static double[][] cylinder(int n) {
+    final double[][] xyz = new double[n][];
+    for (int i = 0; i < n; ++i) {
+      xyz[i] = new double[] {0.3 * Math.cos(2.4 * i), 0.3 * Math.sin(2.4 * i), 2.0 * i / n};
+    }
+    return xyz;
+  }
+}
