@@ -29,7 +29,8 @@ def csharp_names():
     names = {}
     for m in methods():
         owner, name = class_name(m.noun) if m.noun else "Library", member_name(m)
-        names[m.c.name] = {owner + "." + n for n in (name, "get_" + name, name.replace("Set", "set_", 1), ".ctor" if m.name == "create" else name)}
+        forms = [name, "get_" + name, name.replace("Set", "set_", 1)] + ([".ctor"] if m.name == "create" else [])
+        names[m.c.name] = {owner + "." + form for form in forms}
         if m.name == "params":  # of a worker: its property Parameters
             names[m.c.name].add("Worker.get_Parameters")
     return names

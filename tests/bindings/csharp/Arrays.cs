@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 using System;
+using System.Linq;
+using System.Reflection;
 using Jalon;
 
 static class Arrays {
@@ -43,6 +45,29 @@ static class Arrays {
         using (var again = new Cloud(view)) Check.Equal(2L, again.Count, "from a view");
       }
     }
+  }
+
+  /// <summary>Each conversion of the public type, on what it converts.</summary>
+  public static void Every_type_of_array__is_an_argument() {
+    int conversions = 0;
+    foreach (MethodInfo conversion in typeof(ArrayArgument).GetMethods().Where(m => m.Name == "op_Implicit")) {
+      Type type = conversion.GetParameters()[0].ParameterType;
+      if (!type.IsArray) continue;
+      Type element = type.GetElementType();
+      Array rows = type.GetArrayRank() == 2 ? Array.CreateInstance(element, 2, 3) : Array.CreateInstance(element, element.IsArray ? 2 : 6);
+      if (element.IsArray) {
+        for (int i = 0; i < 2; ++i) rows.SetValue(Array.CreateInstance(element.GetElementType(), 3), i);
+      }
+      using (var cloud = new Cloud((ArrayArgument)conversion.Invoke(null, new object[] {rows}))) Check.Equal(2L, cloud.Count, type.Name);
+      ++conversions;
+    }
+    Check.Equal(24, conversions, "conversions");
+#if JALON_SPANS
+    using (var cloud = new Cloud(new double[9])) {
+      Check.Equal(2L, cloud.Select(new ReadOnlySpan<long>(new long[] {0, 2})).Count, "a span of indices");
+      Check.Equal(1L, cloud.Select(new ReadOnlySpan<int>(new[] {1})).Count, "a span of indices");
+    }
+#endif
   }
 
   public static void Wrong_shapes__are_refused_by_name() {

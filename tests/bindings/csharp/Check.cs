@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 using System;
+using System.Linq;
 using System.Reflection;
 using Jalon;
 
@@ -49,10 +50,14 @@ static class Check {
   }
 
   static int Main(string[] args) {
+    if (args.Length == 1 && args[0] == "--public") {
+      PublicMembers.Print();
+      return 0;
+    }
     foreach (Type type in new[] {typeof(Arrays), typeof(Calls), typeof(Texts), typeof(Parameters), typeof(Lifetimes),
-                                 typeof(ObjectBytes), typeof(Wild)}) {
+                                 typeof(ObjectBytes), typeof(EveryCall), typeof(Wild)}) {
       foreach (MethodInfo test in type.GetMethods(BindingFlags.Public | BindingFlags.Static | BindingFlags.DeclaredOnly)) {
-        if (args.Length == 0 || (type.Name + "." + test.Name).Contains(args[0])) Run(test);
+        if (args.Length == 0 || args.Any(a => (type.Name + "." + test.Name).Contains(a))) Run(test);
       }
     }
     Console.WriteLine("{0} passed, {1} failed, 0 skipped", passed, failed);

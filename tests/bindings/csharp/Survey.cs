@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+using System;
+using System.IO;
+using System.Linq;
+using Jalon;
+
+/// <summary>A small survey: a scene, two scans of it, what is made of them. Real data for every call.</summary>
+static class Survey {
+  public static readonly double[] Ball = {3, 4, 5};  // its radius is 0.0725 m
+  public static readonly double[,] Identity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+
+  public static readonly string Folder = Path.Combine(Path.GetTempPath(), "jalon_survey_" + Guid.NewGuid().ToString("N"));
+  public static readonly Model Scene = Library.SceneCreate();
+  public static readonly Cloud Scan = Scanned(1), Second = Scanned(2);
+  public static readonly Cloud Sphere = new Cloud(Spiral(400)), Pipe = new Cloud(Cylinder(400));
+  public static readonly Segmentation Planes;
+  public static readonly Model Facade, Repeated;
+  public static readonly Comparison Forward, Reverse;
+  public static readonly Registration Registered;
+  public static readonly NoiseLaw Law;
+  public static readonly ComparisonDiagnoseResult Diagnosis;
+  public static readonly double[] OnWall;  // a point of the largest plane
+  public static readonly long Copy;        // the part of Repeated that completes a pattern
+
+  static Survey() {
+    Directory.CreateDirectory(Folder);
+    AppDomain.CurrentDomain.ProcessExit += (sender, end) => Directory.Delete(Folder, true);
+    File.WriteAllText(At("m3c2.txt"), "[General]\nM3C2VER=1\nNormalScale=0.5\n");
+    Planes = new Segmenter { DistanceToleranceM = 0.02, MinPoints = 30 }.Run(Scan);
+    Facade = new Modeller().Run(Scan, Planes);
+    Forward = new Comparer().Run(Scan, Second);
+    Reverse = new Comparer().Run(Second, Scan);
+    Registered = new Registrar("targets").RunTargets(Targets(), Targets());
+    Law = NoiseLaw.Fit(Scan, "deviation");
+    Diagnosis = Forward.Diagnose(Reverse);
+    int first = Array.IndexOf(Planes.GetPoints().Doubles("label"), 1.0);
+    OnWall = Enumerable.Range(0, 3).Select(c => Scan.GetPoints()[first, c]).ToArray();
+    Repeated = Insa();
+    Copy = Array.IndexOf(Repeated.GetParts().Doubles("evidence"), (double)Constants.EvidenceCopied);
+    Scan.Write(At("scan.las"));
+    Facade.Write(At("model.obj"));
+  }
+
+  public static string At(string name) {
+    return Path.Combine(Folder, name);
+  }
+
+  /// <summary>One that may be changed.</summary>
+  public static Cloud CopyOf(Cloud cloud) {
+    return cloud.Select(Enumerable.Repeat(true, (int)cloud.Count).ToArray());
+  }
+
+  public static Targets Targets() {
+    var targets = new Targets();
+    foreach (double[] place in new[] {new double[] {0, 0, 0}, new double[] {10, 0, 0}, new double[] {0, 7, 0}, new double[] {0, 0, 4}}) {
+      targets.Add("T" + targets.Count, place);
+    }
+    return targets;
+  }
+
+  public static Gauge Gauge() {
+    var gauge = new Gauge();
+    gauge.AddBox(new double[] {1, 1, 2});
+    return gauge;
+  }
+
+  /// <summary>A gauge as a model.</summary>
+  public static Model Tetrahedron() {
+    return Model.CreateMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+  }
+
+  static Cloud Scanned(long seed) {
+    using (var scanner = new Scanner { HorizontalStepRad = 0.02, VerticalStepRad = 0.02, Seed = seed }) {
+      Cloud cloud = scanner.Run(Scene);
+      int n = (int)cloud.Count;
+      double[] deviation = Enumerable.Range(0, n).Select(i => 0.001 + 0.004 * (i * 7919L % 1009) / 1009.0).ToArray();
+      int[] label = Enumerable.Range(0, n).Select(i => 1 + i % 2).ToArray();
+      cloud.SetField("deviation", deviation, "m");
+      cloud.SetField("slope", deviation);
+      cloud.SetField("label", label);
+      cloud.SetField("truth", label);
+      return cloud;
+    }
+  }
+
+  /// <summary>With a copy of an element where data are missing; without stations, whose rays would say that none are.</summary>
+  static Model Insa() {
+    using (var options = new SceneOptions { Name = "insa" })
+    using (Model insa = Library.SceneCreate(options))
+    using (var scanner = new Scanner { HorizontalStepRad = 0.01, VerticalStepRad = 0.01 })
+    using (Cloud scan = scanner.Run(insa))
+    using (ArrayView points = scan.GetPoints())
+    using (var cloud = new Cloud(points))
+    using (Segmentation planes = new Segmenter().Run(cloud)) return new Modeller("facade").Run(cloud, planes);
+  }
+
+  static double[] Spiral(int n) {
+    return Enumerable.Range(0, n).SelectMany(i => {
+      double z = 1 - 2 * (i + 0.5) / n, r = 0.0725 * Math.Sqrt(1 - z * z);
+      return new[] {Ball[0] + r * Math.Cos(2.4 * i), Ball[1] + r * Math.Sin(2.4 * i), Ball[2] + 0.0725 * z};
+    }).ToArray();
+  }
+
+  static double[] Cylinder(int n) {
+    return Enumerable.Range(0, n).SelectMany(i => new[] {0.3 * Math.Cos(2.4 * i), 0.3 * Math.Sin(2.4 * i), 2.0 * i / n}).ToArray();
+  }
+}
