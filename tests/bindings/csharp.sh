@@ -125,5 +125,26 @@ check "example 04_register prints what C prints" same 04_register "$work/facade.
 check "example 05_changes prints what C prints" same 05_changes "$work/day1.las" "$work/day3.las"
 check "example 05_changes has something to compare" grep -q '^region 2' "$work/cs.txt"
 
+# The page: its programs compile and run, its commands do what they say.
+page=$work/page
+python3 "$root/tests/bindings/pages.py" "$root/bindings/csharp/README.md" "$page" .cs >"$work/programs"
+cp "$package" "$page" && cp "$work/facade.las" "$page/scan.las"
+for command in unzip mcs MONO_PATH; do
+  line=$(grep "^$command" "$page/commands.txt")
+  check "the page's command runs: $line" bash -c "cd '$page' && ${line%% \#*}"
+done
+# said CLASS PATTERN ARGUMENT ...: the program compiles, ends well and says so.
+said() {
+  local class=$1 pattern=$2
+  shift 2
+  mcs -nologo -warnaserror "-r:$work/package/lib/netstandard2.0/Jalon.dll" "-out:$page/$class.exe" "$page/$class.cs" &&
+    clean netstandard2.0 mono "$page/$class.exe" "$@" >"$work/said.txt" 2>&1 && grep -q "$pattern" "$work/said.txt" ||
+    { cat "$work/said.txt"; return 1; }
+}
+check "the page's Planes runs" said Planes ' planes, the largest of ' "$work/facade.las"
+check "the page's FirstDay runs" said FirstDay 'nearest: 0[.,][12]' "$work/facade.las" "$work/second.las" "$work/first"
+check "the page's FirstDay writes a scan, a cloud and a report" test -s "$work/first.las" -a -s "$work/first_changes.ply" -a -s "$work/first_changes.html"
+check "the page has no other program" test "$(sort "$work/programs" | tr '\n' ' ')" = "FirstDay Planes "
+
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-# What a user does who has the sources: pip install . in a fresh virtual environment, and mvn package over a build.
+# What a user does who has the sources: pip install . in a fresh virtual environment, mvn package over a build, and what the pages of
+# Java and C# say for an installed library.
 # from_source.sh BUILD_FOLDER. It compiles the library once more and needs PyPI and Maven Central; a part whose index cannot be
 # reached is skipped, visibly.
 set -uo pipefail
@@ -38,6 +39,37 @@ if "$work/venv/bin/pip" download --disable-pip-version-check -q --no-deps -d "$w
   }
 else
   skip "PyPI cannot be reached"
+fi
+
+# ---- the pages of Java and C#: the binding alone, over an installed library ----
+# over_installed LANGUAGE MADE: the two commands of the page, in a copy of the sources; MADE is what they make.
+over_installed() {
+  local language=$1 made=$2
+  python3 "$root/tests/bindings/pages.py" "$root/bindings/$language/README.md" "$work/$language" .txt >/dev/null
+  grep -E "JALON_INSTALLED|^ninja -C build/$language" "$work/$language/commands.txt" |
+    sed "s|PREFIX_PATH=PREFIX|PREFIX_PATH=$work/prefix|; s| *#.*||" >"$work/$language/commands.sh"
+  check "the page of $language has its two commands" test "$(wc -l <"$work/$language/commands.sh")" -eq 2
+  check "the page's commands make the binding of $language" bash -ec "cd '$work/tree' && . '$work/$language/commands.sh'"
+  check "they make $made" bash -c "ls '$work/tree/build/$language/bindings/'$made"
+}
+check "the library is installed" cmake --install "$build" --prefix "$work/prefix"
+check "the sources are cloned once more" git clone -q "$root" "$work/tree"
+"$build/examples/example_02_progress" >"$work/c.txt"
+if command -v swig >/dev/null && command -v javac >/dev/null; then
+  over_installed java java/jalon.jar
+  elsewhere java -cp "$work/tree/build/java/bindings/java/jalon.jar" "$root/examples/java/Progress.java" >"$work/java.txt"
+  check "example Progress over an installed library prints what C prints" diff "$work/c.txt" "$work/java.txt"
+else
+  skip "SWIG or a JDK is missing"
+fi
+if command -v swig >/dev/null && command -v mcs >/dev/null; then
+  over_installed csharp 'Jalon.*.nupkg'
+  unzip -q -d "$work/nuget" "$work"/tree/build/csharp/bindings/Jalon.*.nupkg
+  mcs -nologo "-r:$work/nuget/lib/netstandard2.0/Jalon.dll" "-out:$work/progress.exe" "$root"/examples/csharp/{02_progress,Print}.cs
+  elsewhere env "MONO_PATH=$work/nuget/lib/netstandard2.0" mono "$work/progress.exe" >"$work/csharp.txt"
+  check "example 02_progress over an installed library prints what C prints" diff "$work/c.txt" "$work/csharp.txt"
+else
+  skip "SWIG or mcs is missing"
 fi
 
 # ---- mvn package: the jar of the pom, tested by its own JUnit tests ----

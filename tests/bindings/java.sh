@@ -90,6 +90,28 @@ twin 03_model FacadeModel "$work/sample.las" "$work/model.dxf"
 twin 04_register Register "$work/sample.las" "$work/second.las" "$work/registered.las"
 twin 05_changes Changes "$work/day1.las" "$work/day3.las"
 
+# ---- the page: its programs compile and run, its commands do what they say ----
+page=$work/page
+python3 "$root/tests/bindings/pages.py" "$root/bindings/java/README.md" "$page" .java >"$work/programs"
+mkdir -p "$page/build" && ln -s "$build" "$page/build/release" && cp "$work/sample.las" "$page/scan.las"
+for command in javac java; do
+  line=$(grep "^$command -cp" "$page/commands.txt")
+  check "the page's command runs: $line" bash -c "cd '$page' && ${line%% \#*}"
+done
+check "the page's programs compile" javac --release 11 -Xlint:all -Werror -cp "$work/jalon.jar" -d "$page" "$page"/*.java
+# said CLASS PATTERN ARGUMENT ...: the program ends well and says so.
+said() {
+  local class=$1 pattern=$2
+  shift 2
+  (cd "$page" && "${clean[@]}" java -cp "$work/jalon.jar:." "$class" "$@") >"$work/said.txt" 2>&1 && grep -q "$pattern" "$work/said.txt" ||
+    { cat "$work/said.txt"; return 1; }
+}
+check "the page's Planes runs" said Planes '^[0-9.]* m2$' "$work/sample.las"
+check "the page's Patience runs" said Patience cancelled "$work/sample.las"
+check "the page's FirstDay runs" said FirstDay 'nearest: 0[.][12]' "$work/sample.las" "$work/second.las" "$work/first"
+check "the page's FirstDay writes a scan, a cloud and a report" test -s "$work/first.las" -a -s "$work/first_changes.ply" -a -s "$work/first_changes.html"
+check "the page has no other program" test "$(sort "$work/programs" | tr '\n' ' ')" = "FirstDay Patience Planes "
+
 # ---- every public class and method of nouns has its comment; the documentation builds ----
 check "Javadoc builds" javadoc -quiet -Xdoclint:none -public -encoding UTF-8 -d "$work/doc" "$build"/bindings/java/sources/org/jalon/*.java
 check "Javadoc has the comments of the headers" grep -q "distinct clouds are free of each other\|Distinct clouds are free of each other" \
