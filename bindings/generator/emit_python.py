@@ -2,21 +2,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """jalon/_api.py and its stub: the classes of Python, with keyword arguments and texts from the headers and the tables."""
 
-from api_description import ROWS
-from emit_swig import has_result, inputs_seen, result_fields
-from headers import Header, constants, header_names, nouns, read
-from shapes import SMALL, class_nouns, class_of, methods
-from texts import BOOL, CHOICE, DOUBLE, DOUBLES, INT64, STRING, row_text, translated, worker_rows, wrap
+from emit_swig import has_result, result_fields
+from headers import Header, header_names, nouns, read
+from python_names import ENUM_FIELDS, dtype_of, enums, is_pose, is_table, shape_of, table_of
+from python_signature import PYTHON_TYPES, Signature, literal, row_hint
+from shapes import class_nouns, class_of, methods
+from texts import CHOICE, row_text, translated, worker_rows, wrap
 
 HEAD = '# Generated from the public headers by bindings/generator: do not edit.\n'
-PYTHON_TYPES = {DOUBLE: "float", INT64: "int", BOOL: "bool", STRING: "str", CHOICE: "str", DOUBLES: "Sequence[float]"}
-# What an argument is when it is not given.
-DEFAULTS = {"flags": "0", "level": "-1", "part": "WHOLE_MODEL", "other_part": "WHOLE_MODEL", "centred": "True", "components": "1"}
 # Makers in _support.py that choose among the functions of C.
 MAKERS = {"Cloud": "_new_cloud"}
 # Fields of named tuples that take the place of a method of tuples.
 SHADOWS = {"count": "  # type: ignore[assignment]", "index": "  # type: ignore[assignment]"}
 NO_PROPERTY = {"to_json", "seal", "copy", "to_bytes"}
+# Files of the package with classes that a generated class extends.
+MIXINS = ("_mixins", "_clouds", "_tables")
 
 
 def is_property(m):
@@ -32,83 +32,46 @@ def setters(noun, wrapped):
             and len(m.inputs) == 2}
 
 
-def hint_in(i):
-    base = {"handle": lambda: class_of(i.type), "text": lambda: "Path" if i.name == "path" else "str", "flag": lambda: "bool",
-            "number": lambda: "float" if i.type == "double" else "int", "list": lambda: list_hint(i), "bytes": lambda: "Bytes"}.get(i.kind, lambda: "ArrayLike")()
-    return "Optional[%s]" % base if i.nullable else base
-
-
-def list_hint(i):
-    return "Sequence[Cloud]" if i.type == "CloudList" else i.type
-
-
 def hint_out(m):
     if has_result(m):
         return m.result_name[:-len("Result")]
-    if not m.outputs:
-        return "None"
-    o = m.outputs[0]
-    return field_hint(o)
+    return field_hint(m, m.outputs[0]) if m.outputs else "None"
 
 
-def field_hint(o, c_type=None):
+def field_hint(m, o, c_type=None, name=None):
     if o is None:
-        return {"std::string": "str", "double": "float"}.get(c_type, "int")
+        return ENUM_FIELDS.get((m.result_name, name)) or {"std::string": "str", "double": "float"}.get(c_type, "int")
+    if is_table(o):
+        kind, record, _ = table_of(m, o)
+        return "Summary" if kind == "summary" else "Fields[%s]" % (record or "Record")
     return {"handle": lambda: class_of(o.type), "text": lambda: "str", "texts": lambda: "List[str]", "flag": lambda: "bool",
-            "bytes": lambda: "bytes", "number": lambda: "float" if o.type == "double" else "int"}.get(o.kind, lambda: "Array")()
+            "bytes": lambda: "bytes", "number": lambda: "float" if o.type == "double" else "int"}.get(o.kind, lambda: array_hint(m, o))()
 
 
-class Signature:
-    """The parameters of a Python function: [(text for the stub, text for the code)], and the arguments of the native call."""
-
-    def __init__(self, m, tables):
-        self.m = m
-        self.rows = tables["operations"][m.operation] if m.operation else []
-        seen = inputs_seen(m)
-        own = seen if m.is_static or not m.noun else seen[1:]
-        plain = [i for i in own if i.kind not in ("options", "task")]
-        required = [i for i in plain if not i.nullable and i.name not in DEFAULTS]
-        optional = [i for i in plain if i not in required]
-        self.code = [i.name for i in required] + ["%s=%s" % (i.name, DEFAULTS.get(i.name, "None")) for i in optional]
-        self.stub = (["%s: %s" % (i.name, hint_in(i)) for i in required]
-                     + ["%s: %s = ..." % (i.name, hint_in(i)) for i in optional])
-        has_options, has_task = m.input("options") is not None, m.input("task") is not None
-        if has_options or has_task:
-            self.code.append("*")
-            self.stub.append("*")
-        if has_options:
-            self.code += ["%s=None" % r["name"] for r in self.rows] + ["options=None"]
-            self.stub += ["%s: Optional[%s] = ..." % (r["name"], PYTHON_TYPES[r["type"]]) for r in self.rows]
-            self.stub.append("options: Union[Params, Mapping[str, Any], None] = ...")
-        if has_task:
-            self.code += ["progress=None", "task=None"]
-            self.stub += ["progress: Optional[Progress] = ...", "task: Optional[Task] = ..."]
-        self.arguments = [self.argument(i) for i in seen]
-
-    def argument(self, i):
-        m = self.m
-        if m.noun and not m.is_static and i is m.inputs[0]:
-            return "self"
-        if i.kind == "options":
-            return "_options(%r, options, %s)" % (m.operation, ", ".join("%s=%s" % (r["name"], r["name"]) for r in self.rows))
-        if i.kind == "task":
-            return "_task(progress, task)"
-        if i.kind in ("rows", "packed"):
-            return "_array(%s, %r, %s)" % (i.name, i.name, ROWS.get(i.name, 0 if i.kind == "rows" else 1))
-        if i.kind in ("small", "poses"):
-            return "_numbers(%s, %r)" % (i.name, i.name)
-        if i.kind == "list":
-            return "_clouds(%s)" % i.name if i.type == "CloudList" else i.name
-        return "_path(path)" if i.name == "path" else i.name
+def array_hint(m, o):
+    dtype = dtype_of(m, o)
+    return "NDArray[numpy.%s]" % dtype if dtype else "Array"
 
 
-def converted(o, call):
+def converted(m, o, call, name=None):
     """The native answer as Python hands it out."""
-    if o is not None and o.kind == "small":
-        return "_out(%s, %d, %d)" % ((call,) + (o.type if isinstance(o.type, tuple) else SMALL[o.type]))
-    if o is not None and o.kind == "bytes":
+    if o is None:
+        enum = ENUM_FIELDS.get((m.result_name, name))
+        return "_known(%s, %s)" % (enum, call) if enum else call
+    if is_table(o):
+        kind, record, columns = table_of(m, o)
+        known = "{%s}" % ", ".join("%r: %s" % item for item in sorted(columns.items()))
+        more = [record, known] + (["_mixins.FacesOf(self)"] if record == "Face" else []) if record else [known] * bool(columns)
+        if kind == "table" and columns and not record:
+            more = ["None", known]
+        return "_%s(%s)" % (kind, ", ".join([call] + more))
+    if is_pose(o):
+        return "_pose_out(%s)" % call
+    if o.kind == "bytes":
         return "bytes(%s)" % call
-    return "_out(%s)" % call if o is not None and o.kind in ("view", "filled", "copied", "doubles") else call
+    if o.kind == "small":
+        return "_out(%s, %d, %d)" % ((call,) + shape_of(o))
+    return "_out(%s)" % call if o.kind in ("view", "filled", "copied", "doubles") else call
 
 
 def doc_of(m, rows, known, null="None"):
@@ -137,10 +100,10 @@ def call_lines(m, signature, indent):
         indent += "    "
     if has_result(m):
         lines.append("%sresult = %s" % (indent, call))
-        values = [converted(o, "_native.%s_%s(result)" % (m.result_name, name)) for name, o, _, _ in result_fields(m)]
+        values = [converted(m, o, "_native.%s_%s(result)" % (m.result_name, name), name) for name, o, _, _ in result_fields(m)]
         lines.append("%sreturn %s(%s)" % (indent, m.result_name[:-len("Result")], ", ".join(values)))
     else:
-        lines.append("%s%s%s" % (indent, "return " if m.outputs else "", converted(m.outputs[0], call) if m.outputs else call))
+        lines.append("%s%s%s" % (indent, "return " if m.outputs else "", converted(m, m.outputs[0], call) if m.outputs else call))
     return lines
 
 
@@ -169,12 +132,12 @@ def emit_results(wrapped):
         if has_result(m):
             name = m.result_name[:-len("Result")]
             where = ("%s.%s" % (m.class_name, m.name)) if m.noun else m.name
-            head = ["class %s(_ResultMixin, NamedTuple(%r, [%s])):" % (
+            head = ["class %s(_mixins.ResultMixin, NamedTuple(%r, [%s])):" % (
                 name, name, ", ".join("(%r, object)" % n for n, _, _, _ in result_fields(m)))]
             code += head + ['    """What %s gives."""' % where, "    __slots__ = ()", "", ""]
             code += ["class _%s:" % m.result_name, "    __swig_destroy__ = _native.delete_%s" % m.result_name, "", "",
                      "_native.%s_swigregister(_%s)" % (m.result_name, m.result_name), "", ""]
-            stub += ["class %s(NamedTuple):" % name] + ["    %s: %s%s" % (n, field_hint(o, t), SHADOWS.get(n, "")) for n, o, t, _ in result_fields(m)]
+            stub += ["class %s(NamedTuple):" % name] + ["    %s: %s%s" % (n, field_hint(m, o, t, n), SHADOWS.get(n, "")) for n, o, t, _ in result_fields(m)]
             stub += ["    def to_dict(self) -> Dict[str, Any]: ...", ""]
     return code, stub
 
@@ -189,8 +152,10 @@ def class_doc(noun, known):
 
 
 def base_in_stub(name, worker):
-    mixins = read("bindings/python/jalon/_mixins.py")
-    return name if "class %s(" % name in mixins else "_Worker" if worker else "Handle"
+    if name == "Fields":
+        return "_tables.Fields[R]"
+    file = next((f for f in MIXINS if "\nclass %s(" % name in read("bindings/python/jalon/%s.py" % f)), None)
+    return "%s.%s" % (file, name) if file else "_mixins._Worker" if worker else "_handles.Handle"
 
 
 def emit_class(noun, wrapped, tables, known):
@@ -200,7 +165,7 @@ def emit_class(noun, wrapped, tables, known):
     rows = worker_rows(tables, worker)
     create = next((m for m in mine if m.name == "create"), None)
     code = ["class %s(_mixins.base(%r, %r)):" % (name, name, bool(rows))]
-    stub = ["class %s(_mixins.%s):" % (name, base_in_stub(name, bool(rows)))]
+    stub = ["class %s(%s):" % (name, base_in_stub(name, bool(rows)))]
     body, body_stub = docstring(class_doc(noun, known), "    "), []
     body += ["    __swig_destroy__ = _native.delete_%s" % name, "    _native_close = _native.%s_close" % name,
              "    _native_closed = _native.%s_closed" % name,
@@ -209,14 +174,15 @@ def emit_class(noun, wrapped, tables, known):
         given = ", ".join("%s=None" % r["name"] for r in rows)
         body += ["    def __init__(self, method=None, *, %s):" % given]
         body += docstring(doc_of(create, rows, known), "        ")
-        body += ["        self._take(_native.%s_create(method))" % name,
+        body += ["        self._take(_native.%s_create(_text(method, 'method', optional=True)))" % name,
                  "        self._set(%s)" % ", ".join("%s=%s" % (r["name"], r["name"]) for r in rows), ""]
-        hints = ", ".join("%s: Optional[%s] = ..." % (r["name"], PYTHON_TYPES[r["type"]]) for r in rows)
-        body_stub += ["    def __init__(self, method: Optional[str] = ..., *, %s) -> None: ..." % hints]
+        hints = ", ".join("%s: Optional[%s] = ..." % (r["name"], row_hint(r)) for r in rows)
+        names = literal(tables["workers"][worker])
+        body_stub += ["    def __init__(self, method: Optional[%s] = ..., *, %s) -> None: ..." % (names, hints)]
         for r in rows:
             help_text = (row_text(r) + ("" if len(r["of"]) == len(tables["workers"][worker]) else " Of: %s." % ", ".join(r["of"])))
             body += ["    %s = _mixins.parameter(%r, %r)" % (r["name"], r["name"], help_text)]
-            body_stub += ["    %s: %s" % (r["name"], PYTHON_TYPES[r["type"]])]
+            body_stub += ["    %s: %s" % (r["name"], row_hint(r))]
         body.append("")
     elif create is not None and create.outputs:
         signature = Signature(create, tables)
@@ -234,9 +200,10 @@ def emit_class(noun, wrapped, tables, known):
         body += ["    " + line if line else "" for line in lines]
         body_stub += ["    " + line for line in stubs]
         if is_property(m) and m.name in change:
-            body += ["    @%s.setter" % m.name, "    def %s(self, value):" % m.name,
-                     "        _native.%s_set_%s(self, value)" % (name, m.name), ""]
-            body_stub += ["    @%s.setter" % m.name, "    def %s(self, value: %s) -> None: ..." % (m.name, hint_out(m))]
+            put = change[m.name]
+            body += ["    @%s.setter" % m.name, "    def %s(self, %s):" % (m.name, put.inputs[1].name),
+                     "        _native.%s_set_%s(%s)" % (name, m.name, ", ".join(Signature(put, tables).arguments)), ""]
+            body_stub += ["    @%s.setter" % m.name, "    def %s(self, %s) -> None: ..." % (m.name, Signature(put, tables).stub[0])]
     register = ["_native.%s_swigregister(%s)" % (name, name), "", ""]
     return code + body + [""] + register, stub + (body_stub or ["    ..."]) + [""]
 
@@ -249,27 +216,101 @@ def _mixin_extra(name):
     return [], [], []
 
 
-def module(tables):
-    """(text of _api.py, text of _api.pyi)."""
-    wrapped, known = methods(), nouns()
-    code = [HEAD + '"""The classes and functions of Jalon; the package jalon hands them on."""', "",
-            "from typing import NamedTuple", "", "from . import _mixins, _native",
-            "from ._support import _array, _clouds, _files, _new_cloud, _numbers, _options, _out, _path, _task", "from ._mixins import _ResultMixin", ""]
-    stub = [HEAD, "import os", "from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Union", "",
-            "from . import _mixins", "from ._mixins import Gauge, Targets", "", "Array = Any  # numpy.ndarray, or memoryview without NumPy", "ArrayLike = Any",
-            "Bytes = Union[bytes, bytearray, memoryview]", "Path = Union[str, bytes, os.PathLike]", "Progress = Callable[[float, str], Optional[bool]]", ""]
-    names = []
-    for name, value, comment, _ in constants():
+def emit_constants():
+    """(code, stub, names): enums, each member also a constant by the name that it has in C, and numbers that stand alone."""
+    code, stub, names = [], [], []
+    classes, alone = enums()
+    for name, members in classes.items():
+        code += ["", "", "class %s(enum.IntEnum):" % name,
+                 '    """%s"""' % "; ".join("%s%s" % (member, ": " + comment if comment else "") for member, _, _, comment in members), ""]
+        code += ["    %s = %d" % (member, value) for member, _, value, _ in members]
+        stub += ["class %s(enum.IntEnum):" % name] + ["    %s = %d" % (member, value) for member, _, value, _ in members] + [""]
+        names.append(name)
+    code += ["", ""]
+    for name, members in classes.items():
+        code += ["%s = %s.%s" % (constant, name, member) for member, constant, _, _ in members]
+        stub += ["%s: %s" % (constant, name) for _, constant, _, _ in members]
+        names += [constant for _, constant, _, _ in members]
+    for name, value, comment in alone:
         code.append("%s = %d%s" % (name, value, "  # " + comment if comment else ""))
         stub.append("%s: int" % name)
         names.append(name)
-    code += ["", ""]
+    return code + ["", ""], stub + [""], names
+
+
+IMPORTS = """
+import enum
+from typing import NamedTuple
+
+from . import _mixins, _native, _tables
+from ._arguments import crs as _crs, flag as _flag, instance as _instance, integer as _integer, number as _number
+from ._arguments import path as _path, text as _text
+from ._arrays import flat as _flat, indices as _indices, numbers as _numbers, octets as _octets, values as _values
+from ._lists import clouds as _clouds, gauge as _gauge, targets as _targets
+from ._records import Face, Part, Point, Record, Region, Segment, known as _known
+from ._shapes import box as _box, out as _out, point as _point, pose as _pose, pose_out as _pose_out, poses as _poses
+from ._support import files as _files, new_cloud as _new_cloud, options as _options, task as _task
+from ._tables import table as _table
+"""
+STUB_IMPORTS = """
+import enum
+import os
+from typing import Any, Callable, Dict, Iterable, List, Literal, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple, TypeVar, Union
+
+import numpy
+import numpy.typing
+from numpy.typing import ArrayLike, NDArray
+
+from . import _clouds, _handles, _mixins, _tables
+from ._lists import Gauge, Targets
+from ._records import Face, Part, Point, Record, Region, Segment
+
+R = TypeVar("R", bound=Record)
+Array = NDArray[Any]  # a memoryview without NumPy
+ValuesLike = Union[ArrayLike, float]  # one number stands for all
+Indices = Union[NDArray[numpy.integer[Any]], NDArray[numpy.bool_], Sequence[int], Sequence[bool]]  # or a mask
+Bytes = Union[bytes, bytearray, memoryview, NDArray[numpy.uint8], NDArray[numpy.int8]]
+Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]
+Progress = Callable[[float, str], Optional[bool]]
+TargetsLike = Union[Targets, Iterable[Tuple[Any, ...]]]
+
+class HasWkt(Protocol):
+    def to_wkt(self) -> str: ...
+
+CrsLike = Union[str, HasWkt, None]
+"""
+SUMMARY = """
+class Summary(_tables.SummaryMixin, Fields):
+    \"\"\"A table of one row: summary["rms"], or summary.rms, is a number, of vectors an array; dict(summary) has them all.\"\"\"
+
+
+def _summary(made, enums=None):
+    made.__class__ = Summary
+    return _table(made, None, enums)
+
+
+"""
+SUMMARY_STUB = """class Summary(_tables.SummaryMixin, Fields[Record]):
+    ...
+"""
+
+
+def module(tables):
+    """(text of _api.py, text of _api.pyi)."""
+    wrapped, known = methods(), nouns()
+    code = [HEAD + '"""The classes and functions of Jalon; the package jalon hands them on."""', IMPORTS]
+    stub = [HEAD + STUB_IMPORTS]
+    constants, constant_stubs, names = emit_constants()
     results, result_stubs = emit_results(wrapped)
-    code, stub = code + results, stub + [""] + result_stubs
+    code, stub = code + constants + results, stub + constant_stubs + result_stubs
     for noun in sorted(class_nouns()):
         lines, stubs = emit_class(noun, wrapped, tables, known)
         code, stub = code + lines, stub + stubs
         names.append(class_of(noun))
+        if class_of(noun) == "Fields":
+            code.append(SUMMARY.strip("\n") + "\n\n")
+            stub.append(SUMMARY_STUB)
+            names.append("Summary")
     for m in wrapped:
         if m.noun is None:
             lines, stubs = emit_function(m, tables, known)

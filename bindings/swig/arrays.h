@@ -41,7 +41,9 @@ inline ArrayIn rows_of(const ArrayIn* array, std::uint32_t components, const cha
   if (array == nullptr) return ArrayIn();
   ArrayIn rows = *array;
   const bool packed = rows.stride_bytes == size_of_type(rows.type) * rows.components;
-  if (rows.components != components && packed && (rows.flat || components % 4 == 0)) {
+  // A 3 x 4 map may come as its three rows.
+  const bool rows_of_map = components == 12 && rows.components == 4;
+  if (rows.components != components && packed && (rows.flat || rows_of_map)) {
     const std::uint64_t elements = rows.count * rows.components;
     if (elements % components == 0) {
       rows.count = elements / components;

@@ -13,7 +13,10 @@ namespace jalon_python {
 using jalon_binding::Array;
 using jalon_binding::ArrayIn;
 
-/** The element type of a struct-module format; 0 for one that no array of Jalon has. Native byte order only. */
+/**
+ * The element type of a struct-module format; 0 for one that no array of Jalon has: truth values ('?') are masks and
+ * characters ('c') texts, not numbers. Native byte order only.
+ */
 inline std::int32_t type_of_format(const char* format, Py_ssize_t size) {
   if (format == nullptr) return JALON_UINT8;
   if (*format == '@' || *format == '=') ++format;
@@ -24,7 +27,7 @@ inline std::int32_t type_of_format(const char* format, Py_ssize_t size) {
 #endif
   if (format[0] == '\0' || format[1] != '\0') return 0;
   const bool is_signed = std::strchr("bhilqn", format[0]) != nullptr;
-  if (is_signed || std::strchr("BHILQN?c", format[0]) != nullptr) {
+  if (is_signed || std::strchr("BHILQN", format[0]) != nullptr) {
     switch (size) {
       case 1:
         return is_signed ? JALON_INT8 : JALON_UINT8;

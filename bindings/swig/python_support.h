@@ -127,6 +127,14 @@ struct Callbacks {
   }
 };
 
+/** Whether an answer is False, Python's own or NumPy's; what is merely false when asked, such as None, is not. */
+inline bool says_false(PyObject* answer) {
+  const char* type = Py_TYPE(answer)->tp_name;  // "numpy.bool_" up to NumPy 1, "numpy.bool" since 2
+  if (std::strcmp(type, "numpy.bool_") != 0 && std::strcmp(type, "numpy.bool") != 0)
+    return answer == Py_False;
+  return PyObject_IsTrue(answer) == 0;
+}
+
 /** Ctrl-C first, then the callable: False cancels, an exception cancels and surfaces as itself. */
 inline int32_t on_progress(double fraction, const char* stage, void* user) {
   const Locked locked;
@@ -137,7 +145,7 @@ inline int32_t on_progress(double fraction, const char* stage, void* user) {
   }
   if (progress == nullptr) return 0;
   PyObject* answer = PyObject_CallFunction(progress, "ds", fraction, stage);
-  const bool stop = answer == Py_False;
+  const bool stop = answer != nullptr && says_false(answer);
   if (answer == nullptr) keep_exception();
   Py_XDECREF(answer);
   return answer == nullptr || stop ? 1 : 0;

@@ -9,7 +9,7 @@ import jalon
 
 reference, moving = jalon.Cloud.read(sys.argv[1]), jalon.Cloud.read(sys.argv[2])
 registration = jalon.Registrar("icp").run(reference, moving)
-for row in registration.pose:
+for row in registration.pose[:3]:
     print("%.6f %.6f %.6f %.4f" % tuple(row))
 summary = registration.summary.to_dict()
 sigmas = [1000 * math.sqrt(summary["covariance"][7 * i]) for i in (3, 4, 5)]  # of rotation and shift, 6 x 6

@@ -55,7 +55,7 @@ JALON_API JALON_CHECK jalon_status jalon_model_vertices(const jalon_model* model
  *                                     are the openings
  *     ring_count  uint64        -     outline and openings
  *     id          uint32        -     e.g. label of the segment
- *     class       uint8         -     orientation class
+ *     class       uint8         -     JALON_ORIENTATION_... of its plane
  *     normal      float64 x 3   1     unit length
  *     offset      float64       m     normal . p = offset
  *     area        float64       m2    openings taken off

@@ -12,10 +12,11 @@ read-only views that keep their owner alive. Failures are subclasses of jalon.Er
 (fraction, stage) that may return False to cancel, and end within a quarter of a second at Ctrl-C.
 """
 
-from . import _api, _errors
+from . import _api, _errors, _records
 from ._api import *  # noqa: F401,F403
 from ._errors import *  # noqa: F401,F403
-from ._mixins import Gauge, Targets
+from ._lists import Gauge, Targets
+from ._records import *  # noqa: F401,F403
 from ._native import live_handle_count as _live_handle_count  # noqa: F401
 from ._native import version as _version
 
@@ -23,3 +24,4 @@ __version__ = _version()
 __all__ = ["Gauge", "Targets"]
 __all__ += _api.__all__
 __all__ += _errors.__all__
+__all__ += _records.__all__

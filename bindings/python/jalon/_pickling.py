@@ -7,6 +7,9 @@ import pickle
 from . import _native
 
 
+COPY_OF_A_COLUMN = "Fields_copy"  # not of the table
+
+
 def _native_name(handle):
     """The name by which native code knows the class, also of a class that a user derived from it."""
     return next(c.__name__ for c in type(handle).__mro__ if hasattr(_native, c.__name__ + "_close"))
@@ -19,11 +22,13 @@ def _refuse(handle, what):
 def copied(handle):
     """An object of its own. Points, fields and results never change and are shared; what can be set is not."""
     name = _native_name(handle)
-    if hasattr(_native, name + "_create") and hasattr(_native, name + "_copy"):  # that of a table copies a column
-        return getattr(_native, name + "_copy")(handle)
     if not hasattr(_native, name + "_to_bytes"):
         _refuse(handle, "copied")
-    return getattr(_native, name + "_again")(handle)
+    has_copy = hasattr(_native, name + "_copy") and name + "_copy" != COPY_OF_A_COLUMN
+    made = getattr(_native, name + ("_copy" if has_copy else "_again"))(handle)
+    if handle._manner() is not None:
+        made.__setstate__(handle._manner())
+    return made
 
 
 def revived(name, data):
@@ -37,4 +42,4 @@ def reduced(handle, protocol):
     if not hasattr(_native, name + "_to_bytes"):
         _refuse(handle, "pickled")
     view = getattr(_native, name + "_to_bytes")(handle)
-    return revived, (name, pickle.PickleBuffer(view) if protocol >= 5 else bytes(view))
+    return revived, (name, pickle.PickleBuffer(view) if protocol >= 5 else bytes(view)), handle._manner()

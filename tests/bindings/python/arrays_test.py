@@ -13,19 +13,16 @@ import jalon
 from scenes import SANITIZED, box_cloud
 
 
-def ratio_of(work, measure, limit, rounds=7):
+def ratio_of(work, measure, rounds=7):
     """Processor time of the work against that of the measure, the best of each; in turns, so that a machine under other load
-    meets both alike, and again when it did not."""
-    for _ in range(4):
-        best = [1e9, 1e9]
-        for _ in range(rounds):
-            for i, each in enumerate((work, measure)):
-                begin = time.process_time()
-                made = each()
-                best[i] = min(best[i], time.process_time() - begin)
-                del made
-        if best[0] < limit * best[1]:
-            break
+    meets both alike. To be printed, not to be judged: that is the benchmarks' part."""
+    best = [1e9, 1e9]
+    for _ in range(rounds):
+        for i, each in enumerate((work, measure)):
+            begin = time.process_time()
+            made = each()
+            best[i] = min(best[i], time.process_time() - begin)
+            del made
     return best[0] / max(best[1], 1e-9)
 
 
@@ -60,7 +57,7 @@ class Arrays(unittest.TestCase):
     def python__wrong_shapes_and_types_say_what_is_wanted(self):
         for wrong in (np.zeros((5, 2)), np.zeros(9), np.zeros((5, 4))):
             self.assertRaises(ValueError, jalon.Cloud, wrong)
-        for wrong in (self.xyz.astype(">f8"), self.xyz.astype(complex), object()):
+        for wrong in (self.xyz.astype(complex), self.xyz.astype(np.longdouble), self.xyz.astype(str), self.xyz > 0, object()):
             self.assertRaises(TypeError, jalon.Cloud, wrong)
         with self.assertRaisesRegex(ValueError, "point 2"):
             jalon.Cloud([(0, 0, 0), (1, 1, 1), (0, float("nan"), 0)])
@@ -100,7 +97,9 @@ class Arrays(unittest.TestCase):
         for indices in ([2, 1], np.array([2, 1]), np.array([2, 1], "u1"), np.array([9, 2, 9, 1])[1::2], range(2, 0, -1)):
             self.assertTrue(np.array_equal(cloud.select(indices).points, self.xyz[[2, 1]]))
         self.assertRaises(ValueError, cloud.select, [-1])
-        self.assertRaises(ValueError, cloud.select, [0.5])
+        for wrong in ([0.5], [2.0], np.array([2.0]), "2", {1, 2}, None):
+            with self.assertRaisesRegex(TypeError, "indices"):
+                cloud.select(wrong)
 
     def python__neighbours_and_transforms_have_natural_shapes(self):
         cloud = jalon.Cloud(self.xyz)
@@ -114,21 +113,19 @@ class Arrays(unittest.TestCase):
         self.assertEqual(cloud.bounds.shape, (2, 3))
         self.assertEqual(cloud.crop_box(cloud.bounds).inside.count, 1000)
 
-    @unittest.skipIf(SANITIZED, "times mean nothing under a sanitizer")
-    def python__ten_million_points_cost_about_a_copy_in_and_nothing_out(self):
+    @unittest.skipIf(SANITIZED, "times and memory mean nothing under a sanitizer")
+    def python__many_points_are_copied_once_in_and_not_at_all_out(self):
         count = 10000000 if os.environ.get("JALON_FULL") or os.environ.get("JALON_FIGURES") else 2000000
         xyz = np.random.default_rng(5).random((count, 3))
-
-        ratio = ratio_of(lambda: jalon.Cloud(xyz), xyz.copy, limit=1.2)
-        print("FIGURE %d points enter in %.2f x the time of one copy (limit 1.2)" % (count, ratio))
+        print("FIGURE %d points enter in %.2f x the time of one copy" % (count, ratio_of(lambda: jalon.Cloud(xyz), xyz.copy)))
         cloud = jalon.Cloud(xyz)
         begin = time.perf_counter()
         for _ in range(100):
-            cloud.points
-        each = (time.perf_counter() - begin) / 100
-        print("FIGURE a view of them leaves in %.1f us" % (1e6 * each))
-        self.assertLess(ratio, 1.2)
-        self.assertLess(each, 1e-3)
+            self.assertTrue(np.shares_memory(cloud.points, cloud.points))
+        print("FIGURE a view of them leaves in %.1f us" % (1e6 * (time.perf_counter() - begin) / 200))
+        peak = peak_bytes_of("import numpy, jalon\nxyz = numpy.ones((4000000, 3))\n", "cloud = jalon.Cloud(xyz)\nviews = [cloud.points] * 9")
+        print("FIGURE packed points take %.2f x their size while they enter (limit 1.2)" % (peak / 96e6))
+        self.assertLess(peak / 96e6, 1.2)
 
     @unittest.skipIf(SANITIZED, "times mean nothing under a sanitizer")
     def python__arrays_in_column_order_are_copied_once(self):
@@ -139,9 +136,8 @@ class Arrays(unittest.TestCase):
         print("FIGURE an array in column order takes %.2f x its size while it enters (limit 1.2)" % (peak / 96e6))
         self.assertLess(peak / 96e6, 1.2)
         self.assertTrue(np.array_equal(jalon.Cloud(columns).points, columns))
-        ratio = ratio_of(lambda: jalon.Cloud(columns), lambda: np.ascontiguousarray(columns), limit=1.5)
-        print("FIGURE it enters in %.2f x the time of one copy into row order (limit 1.5)" % ratio)
-        self.assertLess(ratio, 1.5)
+        ratio = ratio_of(lambda: jalon.Cloud(columns), lambda: np.ascontiguousarray(columns))
+        print("FIGURE it enters in %.2f x the time of one copy into row order" % ratio)
         columns[1234567, 1] = float("inf")
         with self.assertRaisesRegex(ValueError, "1234567"):
             jalon.Cloud(columns)
@@ -170,4 +166,9 @@ class Arrays(unittest.TestCase):
         except ImportError:
             self.skipTest("pandas is not installed")
         self.assertEqual(len(frame), len(segmentation))
-        self.assertIn("normal_2", frame.columns)
+        self.assertLessEqual({"area", "normal_x", "normal_y", "normal_z", "covariance"}, set(frame.columns))
+        self.assertTrue(np.array_equal(frame["normal_z"], segmentation.segments["normal"][:, 2]))
+        self.assertEqual(frame["covariance"][0].shape, (16,))
+        told = box_cloud().to_pandas()
+        self.assertTrue(np.array_equal(told[["x", "y", "z"]], box_cloud().points))
+        self.assertIn("true_xyz_z", told.columns)

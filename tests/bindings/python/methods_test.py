@@ -44,4 +44,4 @@ class Methods(unittest.TestCase):
             self.assertGreater(len(jalon.Comparer(name).run(box_cloud(), box_cloud()).points), 0, name)
         few = jalon.Scanner("sample", spacing_m=0.5).run(box_model())
         for name in set(jalon.Registrar.methods()) - {"targets"}:
-            self.assertEqual(jalon.Registrar(name).run(few, few).pose.shape, (3, 4), name)
+            self.assertEqual(jalon.Registrar(name).run(few, few).pose.shape, (4, 4), name)

@@ -17,7 +17,7 @@ CONFIG = "[mypy]\n" + "".join("[mypy-%s.*]\nignore_missing_imports = True\n" % n
 ALLOWED = r"""jalon\.__all__
 jalon\._native\..*
 jalon\._api\..*\.__swig_destroy__
-jalon\._api\.(Array|ArrayLike|Path|Progress)
+jalon\._api\.(Array|Bytes|CrsLike|HasWkt|Indices|Path|Progress|R|TargetsLike|ValuesLike)
 """
 
 
