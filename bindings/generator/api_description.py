@@ -90,7 +90,7 @@ NULLABLE = {
 NOT_NULLABLE = {"jalon_model_clearance_to_model.other", "jalon_scanner_add_station.pose"}
 # Parameters of which the headers leave it open: with NULL the call succeeds or is refused.
 OPEN = {
-    "inside", "crs",
+    "inside", "crs", "jalon_comparison_outlines.reverse_points",
     "jalon_cloud_builder_begin_station.name", "jalon_cloud_set_station.name",
     "jalon_cloud_fit_cylinder.direction",
     "jalon_cloud_knn_all.squared_distances",

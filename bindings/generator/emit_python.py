@@ -242,15 +242,15 @@ IMPORTS = """
 import enum
 from typing import NamedTuple
 
-from . import _mixins, _native, _tables
+from . import _mixins, _native
 from ._arguments import crs as _crs, flag as _flag, instance as _instance, integer as _integer, number as _number
 from ._arguments import path as _path, text as _text
 from ._arrays import flat as _flat, indices as _indices, numbers as _numbers, octets as _octets, values as _values
 from ._lists import clouds as _clouds, gauge as _gauge, targets as _targets
-from ._records import Face, Part, Point, Record, Region, Segment, known as _known
+from ._records import Face, Region, Segment, Part, known as _known
 from ._shapes import box as _box, out as _out, point as _point, pose as _pose, pose_out as _pose_out, poses as _poses
 from ._support import files as _files, new_cloud as _new_cloud, options as _options, task as _task
-from ._tables import table as _table
+from ._tables import summary as _summary, table as _table
 """
 STUB_IMPORTS = """
 import enum
@@ -263,7 +263,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _clouds, _handles, _mixins, _tables
 from ._lists import Gauge, Targets
-from ._records import Face, Part, Point, Record, Region, Segment
+from ._records import Face, Part, Point, Record, Region, Segment, Summary
 
 R = TypeVar("R", bound=Record)
 Array = NDArray[Any]  # a memoryview without NumPy
@@ -279,21 +279,6 @@ class HasWkt(Protocol):
 
 CrsLike = Union[str, HasWkt, None]
 """
-SUMMARY = """
-class Summary(_tables.SummaryMixin, Fields):
-    \"\"\"A table of one row: summary["rms"], or summary.rms, is a number, of vectors an array; dict(summary) has them all.\"\"\"
-
-
-def _summary(made, enums=None):
-    made.__class__ = Summary
-    return _table(made, None, enums)
-
-
-"""
-SUMMARY_STUB = """class Summary(_tables.SummaryMixin, Fields[Record]):
-    ...
-"""
-
 
 def module(tables):
     """(text of _api.py, text of _api.pyi)."""
@@ -307,10 +292,6 @@ def module(tables):
         lines, stubs = emit_class(noun, wrapped, tables, known)
         code, stub = code + lines, stub + stubs
         names.append(class_of(noun))
-        if class_of(noun) == "Fields":
-            code.append(SUMMARY.strip("\n") + "\n\n")
-            stub.append(SUMMARY_STUB)
-            names.append("Summary")
     for m in wrapped:
         if m.noun is None:
             lines, stubs = emit_function(m, tables, known)

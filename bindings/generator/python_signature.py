@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The parameters of a Python function: how they are declared, what their types are, and how they are checked on their way in."""
 
-from api_description import COUNTS, NOT_NULLABLE, OPEN, ROWS, says
+from api_description import COUNTS, NOT_NULLABLE, ROWS, says
 from emit_swig import inputs_seen
 from python_names import ENUM_INPUTS
 from shapes import class_of
@@ -13,6 +13,8 @@ PYTHON_TYPES = {DOUBLE: "float", INT64: "int", BOOL: "bool", STRING: "str", DOUB
 DEFAULTS = {"flags": "0", "level": "-1", "part": "WHOLE_MODEL", "other_part": "WHOLE_MODEL", "centred": "True", "components": "1"}
 # Arrays of indices of the points of the cloud whose method it is: a mask does too.
 INDICES = {"indices", "seeds"}
+# Not of NULLABLE, for other things than their absence may be refused with them, but the headers say that NULL stands for something.
+OPTIONAL = {"jalon_cloud_fit_cylinder.direction", "jalon_comparison_outlines.reverse_points"}
 RANGES = {"uint64_t": (0, 2 ** 64 - 1), "uint32_t": (0, 2 ** 32 - 1), "int64_t": (-2 ** 63, 2 ** 63 - 1),
           "int32_t": (-2 ** 31, 2 ** 31 - 1), "jalon_status": (-2 ** 31, 2 ** 31 - 1)}
 SMALL_CHECKS = {"jalon_vec3": "_point", "jalon_box": "_box", "jalon_transform": "_pose"}
@@ -29,7 +31,7 @@ def literal(names):
 
 def is_optional(m, i):
     """Whether None may be given."""
-    return (i.nullable or says(OPEN, m.c.name, i.name)) and not says(NOT_NULLABLE, m.c.name, i.name)
+    return (i.nullable or says(OPTIONAL, m.c.name, i.name)) and not says(NOT_NULLABLE, m.c.name, i.name)
 
 
 def hint_in(m, i):
@@ -60,10 +62,7 @@ class Signature:
         seen = inputs_seen(m)
         own = seen if m.is_static or not m.noun else seen[1:]
         plain = [i for i in own if i.kind not in ("options", "task")]
-        required = []
-        for i in reversed(plain):  # what may be None has that for a default, unless something must be given behind it
-            may_lack = i.name in DEFAULTS or (is_optional(m, i) and i.name != "crs" and (i.nullable or not required))
-            required = required if may_lack else [i] + required
+        required = [i for i in plain if not is_optional(m, i) and i.name not in DEFAULTS]
         optional = [i for i in plain if i not in required]
         self.code = [i.name for i in required] + ["%s=%s" % (i.name, DEFAULTS.get(i.name, "None")) for i in optional]
         self.stub = (["%s: %s" % (i.name, hint_in(m, i)) for i in required]

@@ -14,11 +14,11 @@ mkdir -p "$work"
 skip() { echo "skipped: $1"; echo "0 passed, 0 failed, 1 skipped"; exit 77; }
 fail() { echo "not ok - $1"; tail -n 15 "$work/log"; echo "0 passed, 1 failed, 0 skipped"; exit 1; }
 
-has_packages() { "$venv/bin/python" -c "import numpy, pandas, matplotlib, scikit_build_core, mypy" 2>/dev/null; }
+has_packages() { "$venv/bin/python" -c "import numpy, pandas, matplotlib, pyproj, scikit_build_core, mypy" 2>/dev/null; }
 
 if ! has_packages; then
   python3 -m venv "$venv" >"$work/log" 2>&1 &&
-    "$venv/bin/pip" install --disable-pip-version-check numpy pandas matplotlib scikit-build-core pathspec mypy >>"$work/log" 2>&1
+    "$venv/bin/pip" install --disable-pip-version-check numpy pandas matplotlib pyproj scikit-build-core pathspec mypy >>"$work/log" 2>&1
   if ! has_packages; then
     [ -z "${CI:-}" ] || fail "numpy and scikit-build-core cannot be installed"
     skip "numpy and scikit-build-core cannot be installed"
@@ -47,4 +47,6 @@ fi
 
 # Away from the tree, with nothing of it on the path: the installed package alone answers.
 mkdir -p "$work/run"
-cd "$work/run" && exec env -u PYTHONPATH -u LD_LIBRARY_PATH JALON_BUILD="$build" JALON_HIDE="$hide" "$venv/bin/python" -P "$here/python/run.py"
+cd "$work/run" && env -u PYTHONPATH -u LD_LIBRARY_PATH JALON_BUILD="$build" JALON_HIDE="$hide" JALON_CALLED="$work/called.txt" \
+  "$venv/bin/python" -P "$here/python/run.py" || exit 1
+python3 "$here/called.py" python "$work/called.txt"

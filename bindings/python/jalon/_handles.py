@@ -90,7 +90,7 @@ class Handle:
         for name, value in self._told():
             if isinstance(value, (int, float)):
                 yield "%s %r" % (name, value)
-            elif hasattr(value, "_row_count") and not hasattr(value, "_is_summary"):
+            elif hasattr(value, "_row_count"):
                 yield "%d %s" % (value._row_count(), name.replace("_", " "))
 
     def __repr__(self):

@@ -11,7 +11,7 @@ from ._arrays import flat
 from ._clouds import Cloud  # noqa: F401 (base() finds it)
 from ._handles import Handle
 from ._records import Part, Record, Segment
-from ._tables import Fields, SummaryMixin  # noqa: F401
+from ._tables import Fields  # noqa: F401
 
 _DOUBLE, _INT64, _BOOL, _STRING, _CHOICE, _DOUBLES = range(1, 7)
 
@@ -23,7 +23,7 @@ class ResultMixin:
 
     def to_dict(self):
         """The parts by name; tables as dictionaries of columns."""
-        return {name: value.to_dict() if isinstance(value, Fields) else value.tolist() if hasattr(value, "tolist") else value
+        return {name: value.to_dict() if isinstance(value, (Fields, Record)) else value.tolist() if hasattr(value, "tolist") else value
                 for name, value in self._asdict().items()}
 
 
@@ -166,6 +166,10 @@ class Model(Handle):
         told = self.part(i)
         return Part({"index": i, "name": told.name, "part_class": told.part_class, **row})
 
+    def _parts(self):
+        for name in ("parts", "faces", "triangles"):
+            yield "%d %s" % (len(getattr(self, name)), name)
+
     @property
     def __geo_interface__(self: Any) -> Dict[str, Any]:
         """The faces as a GeoJSON feature collection, in the model's coordinates, arcs as chords: what write makes of it."""
@@ -211,7 +215,7 @@ class Registration(Handle):
 
     def _parts(self):
         summary = self.summary
-        for name in ("stopped", "converged"):
+        for name in ("stopped", "converged", "verdict"):
             if name in summary:
                 value = summary[name]
                 yield "%s %s" % (name, getattr(value, "name", value))

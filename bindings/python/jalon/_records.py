@@ -56,6 +56,9 @@ class Record(collections.abc.Mapping):
     def __dir__(self):
         return [*super().__dir__(), *self._columns]
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Record) and self.to_dict() == other.to_dict()
+
     def __reduce__(self):
         return type(self), (self._columns,)
 
@@ -69,9 +72,33 @@ class Record(collections.abc.Mapping):
 
 
 def _short(value):
+    if hasattr(value, "tolist"):
+        value = tuple(value.tolist())
     if isinstance(value, tuple):
         return "(%s)" % ", ".join(map(_short, value[:4])) if len(value) <= 4 else "<%d numbers>" % len(value)
     return "%.6g" % value if isinstance(value, float) and abs(value) < 1e5 else repr(value)
+
+
+class Summary(Record):
+    """What a table of one row says: summary.rms, summary["rms"]. Several numbers are an array (without NumPy a tuple)."""
+
+    __slots__ = ()
+
+    @property
+    def table(self) -> Any:
+        """The table itself, with units and meanings (Fields.info)."""
+        return self._owner
+
+    def __reduce__(self):
+        if self._owner is None or self._owner.closed:
+            return super().__reduce__()
+        from ._tables import summary  # which needs this module
+        return summary, (self._owner, self._owner._rows[1])
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The values by name, several numbers as lists."""
+        return {name: value.tolist() if hasattr(value, "tolist") else list(value) if isinstance(value, tuple) else value
+                for name, value in self._columns.items()}
 
 
 class Point(Record):
@@ -132,4 +159,4 @@ class Region(Record):
                 "geometry": {"type": "Polygon", "coordinates": (ring,)}}
 
 
-__all__ = ["Record", "Point", "Segment", "Part", "Face", "Region"]
+__all__ = ["Record", "Summary", "Point", "Segment", "Part", "Face", "Region"]

@@ -31,8 +31,8 @@ def box(value, name, optional=False):
 
 
 def square(value, name):
-    """A 3 x 3 covariance, or None."""
-    return _shaped(value, name, [(3, 3)], True)
+    """A 3 x 3 covariance, as such or in the nine numbers of a table, or None."""
+    return _shaped(value, name, [(3, 3), (9,)], True)
 
 
 def pose(value, name, optional=False):

@@ -31,7 +31,7 @@ def files(path):
         raise missing from None
 
 
-def options(operation, options, **given):
+def options(operation, options, /, **given):
     """The parameter set of an operation; None when nothing differs from its defaults."""
     given = {name: value for name, value in given.items() if value is not None}
     if options is None and not given:

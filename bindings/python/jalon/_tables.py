@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-"""Tables: columns by name, rows as records; a summary is a table of one row, whose values are numbers."""
+"""Tables: columns by name, rows as records; a summary is the row of a table of one."""
 
 from typing import Any, Dict, Generic, Iterator, List, TypeVar, Union, overload
 
 from . import _arguments
 from ._arguments import numpy
 from ._handles import Handle
-from ._records import Record, known, plain
+from ._records import Record, Summary, known, plain
 
 R = TypeVar("R", bound=Record)
 BLOCK_ROWS = 4096  # turned into Python's numbers at once: large blocks are quick, small ones cost little memory
@@ -110,44 +110,16 @@ class Fields(Handle, Generic[R]):
             type(self).__name__, self._row_count(), ", ".join(self.keys()))
 
 
-class SummaryMixin:
-    """A table of one row: summary["rms"], or summary.rms, is a number, of vectors an array; dict(summary) has them all."""
-
-    _is_summary = True
-
-    def __getitem__(self, name):
-        if not isinstance(name, str):
-            return super().__getitem__(name)
-        enum = self._rows[1].get(name)
-        column = self.view(name)
-        if memoryview(column).ndim > 1:
-            return column[0] if numpy else plain(column.tolist()[0])
-        value = memoryview(column).tolist()[0]
-        return value if enum is None else known(enum, value)
-
-    def __getattr__(self, name):
-        found = None if name.startswith("_") or name == "this" or self.closed else next(
-            (n for n in (name, name.rstrip("_")) if n in self.keys()), None)
-        if found is None:
-            raise AttributeError("%r object has no attribute %r" % (type(self).__name__, name))
-        return self[found]
-
-    def __dir__(self):
-        return [*super().__dir__(), *self.keys()]
-
-    def items(self):
-        """Names and values."""
-        return [(name, self[name]) for name in self.keys()]
-
-    def to_dict(self):
-        """The values by name."""
-        return {name: memoryview(self.view(name)).tolist()[0] for name in self.keys()}
-
-    def __repr__(self):
-        return "<jalon.Summary closed>" if self.closed else "<jalon.%s>" % repr(self[0]).replace("Record", "Summary", 1)
-
-
 def table(made, record=None, enums=None, owner=None):
     """A table that a function gave, with what its rows are."""
     made._rows = (record or Record, enums or {}, owner)
     return made
+
+
+def summary(made, enums=None):
+    """A table of one row that a function gave, as its row."""
+    row = table(made, Summary, enums, made)[0]
+    vectors = {name: numpy.array(value) for name, value in row.items() if isinstance(value, tuple)} if numpy else {}
+    for vector in vectors.values():
+        vector.flags.writeable = False
+    return Summary({**row.to_dict(), **vectors}, made)

@@ -123,7 +123,8 @@ class Arrays(unittest.TestCase):
         for _ in range(100):
             self.assertTrue(np.shares_memory(cloud.points, cloud.points))
         print("FIGURE a view of them leaves in %.1f us" % (1e6 * (time.perf_counter() - begin) / 200))
-        peak = peak_bytes_of("import numpy, jalon\nxyz = numpy.ones((4000000, 3))\n", "cloud = jalon.Cloud(xyz)\nviews = [cloud.points] * 9")
+        peak = peak_bytes_of("import numpy, jalon\nxyz = numpy.ones((4000000, 3))\n",
+                             "cloud = jalon.Cloud(xyz)\nviews = [cloud.points] * 9")
         print("FIGURE packed points take %.2f x their size while they enter (limit 1.2)" % (peak / 96e6))
         self.assertLess(peak / 96e6, 1.2)
 

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the *_test.py beside it against the package jalon that Python finds: run.py [PATTERN]. Behaviours are named as elsewhere."""
+"""Runs the *_test.py beside it against the package jalon that Python finds: run.py [PATTERN]. Behaviours are named as elsewhere.
+
+JALON_CALLED names a file for the list of what the tests called (calls_trace.py, ../called.py).
+"""
 
 import os
 import sys
@@ -11,6 +14,13 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 class Result(unittest.TestResult):
+    trace = None
+
+    def startTest(self, test):
+        super().startTest(test)
+        if self.trace is not None:
+            self.trace.test = self.name(test)
+
     def name(self, test):
         return test.id().split(".")[-1]
 
@@ -39,7 +49,13 @@ def main():
     if len(sys.argv) > 1:
         loader.testNamePatterns = ["*%s*" % sys.argv[1]]
     result = Result()
+    if os.environ.get("JALON_CALLED"):
+        import calls_trace
+        result.trace = calls_trace.Trace()
+        result.trace.watch()
     loader.discover(HERE, "*_test.py").run(result)
+    if result.trace is not None:
+        result.trace.write(os.environ["JALON_CALLED"])
     failed = len(result.failures) + len(result.errors)
     print("%d passed, %d failed, %d skipped" % (getattr(result, "passed", 0), failed, len(result.skipped)))
     return 1 if failed else 0
