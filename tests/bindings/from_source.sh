@@ -54,10 +54,10 @@ over_installed() {
 }
 check "the library is installed" cmake --install "$build" --prefix "$work/prefix"
 check "the sources are cloned once more" git clone -q "$root" "$work/tree"
-"$build/examples/example_02_progress" >"$work/c.txt"
+"$build/examples/example_02_progress" >"$work/c.txt" 2>/dev/null
 if command -v swig >/dev/null && command -v javac >/dev/null; then
   over_installed java java/jalon.jar
-  elsewhere java -cp "$work/tree/build/java/bindings/java/jalon.jar" "$root/examples/java/Progress.java" >"$work/java.txt"
+  elsewhere java -cp "$work/tree/build/java/bindings/java/jalon.jar" "$root/examples/java/Progress.java" >"$work/java.txt" 2>/dev/null
   check "example Progress over an installed library prints what C prints" diff "$work/c.txt" "$work/java.txt"
 else
   skip "SWIG or a JDK is missing"
@@ -66,7 +66,7 @@ if command -v swig >/dev/null && command -v mcs >/dev/null; then
   over_installed csharp 'Jalon.*.nupkg'
   unzip -q -d "$work/nuget" "$work"/tree/build/csharp/bindings/Jalon.*.nupkg
   mcs -nologo "-r:$work/nuget/lib/netstandard2.0/Jalon.dll" "-out:$work/progress.exe" "$root"/examples/csharp/{02_progress,Print}.cs
-  elsewhere env "MONO_PATH=$work/nuget/lib/netstandard2.0" mono "$work/progress.exe" >"$work/csharp.txt"
+  elsewhere env "MONO_PATH=$work/nuget/lib/netstandard2.0" mono "$work/progress.exe" >"$work/csharp.txt" 2>/dev/null
   check "example 02_progress over an installed library prints what C prints" diff "$work/c.txt" "$work/csharp.txt"
 else
   skip "SWIG or mcs is missing"

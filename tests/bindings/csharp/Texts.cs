@@ -42,6 +42,31 @@ static class Texts {
     }
   }
 
+  public static void Objects__say_what_they_are() {
+    var cloud = new Cloud(new double[] {0, 0, 0, 1, 0, 0});
+    Check.Equal("Cloud: 2 points", cloud.ToString(), "cloud");
+    cloud.SetField("intensity", new short[2], "1");
+    cloud.SetStation("S1");
+    Check.Equal("Cloud: 2 points; fields: intensity; stations: 1", cloud.ToString(), "with a field");
+    using (Fields fields = cloud.GetFields()) Check.Equal("Fields: intensity (1, 2 Int16)", fields.ToString(), "fields");
+    using (ArrayView points = cloud.GetPoints()) Check.Equal("ArrayView: 2 x 3 Float64", points.ToString(), "view");
+    using (var task = new JalonTask()) {
+      Check.Equal("JalonTask", task.ToString(), "task");
+      task.Cancel();
+      Check.Equal("JalonTask: cancelled", task.ToString(), "cancelled");
+    }
+    using (var options = new NormalsOptions()) Check.That(options.ToString().StartsWith("NormalsOptions: {"), options.ToString());
+    using (var segmenter = new Segmenter()) Check.That(segmenter.ToString().StartsWith("Segmenter: {"), segmenter.ToString());
+    using (CloudCropBoxResult halves = cloud.CropBox(new double[] {-1, -1, -1, 0.5, 1, 1})) {
+      Check.Equal("CloudCropBoxResult: Inside = " + halves.Inside + ", Outside = " + halves.Outside, halves.ToString(), "result");
+    }
+    Check.Equal("Gauge: 1 piece", Survey.Gauge().ToString(), "gauge");
+    CloudOctreeCubeResult cube = cloud.OctreeCube();
+    Check.That(cube.ToString().StartsWith("CloudOctreeCubeResult: Origin = [") && !cube.ToString().Contains(",5"), cube.ToString());
+    cloud.Dispose();
+    Check.Equal("Cloud (disposed of)", cloud.ToString(), "disposed of");
+  }
+
   public static void Version__is_a_text() {
     Check.That(Library.Version().Split('.').Length == 3, Library.Version());
     Check.Equal("invalid argument", Library.StatusName((int)Status.ErrorInvalidArgument), "status");

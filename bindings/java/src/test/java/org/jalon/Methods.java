@@ -10,12 +10,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 
-/** The lists of methods of the workers. */
+/** The lists of methods of the workers; what objects say of themselves. */
 final class Methods {
   private Methods() {}
 
   static void addTo(Map<String, Behaviours.Body> all) {
     all.put("methods__are_those_that_can_be_created", Methods::created);
+    all.put("texts__of_objects_say_what_they_are", Methods::described);
     all.put("methods__cannot_be_changed", Methods::unchanged);
     all.put("methods__of_segmenters_and_comparers_work_on_a_cloud", Methods::run);
   }
@@ -46,6 +47,31 @@ final class Methods {
     } catch (Exception failure) {
       throw new AssertionError(name, failure);
     }
+  }
+
+  private static void described() {
+    final Cloud cloud = Cloud.create(new double[] {0, 0, 0, 1, 0, 0});
+    same("Cloud: 2 points", cloud.toString());
+    cloud.setField("intensity", new short[2], "1");
+    cloud.setStation("S1");
+    same("Cloud: 2 points; fields: intensity; stations: 1", cloud.toString());
+    try (Fields fields = cloud.fields(); Array points = cloud.points(); Task task = Task.create();
+        Segmenter segmenter = Segmenter.create(); NormalsParams options = new NormalsParams();
+        CloudCropBoxResult halves = cloud.cropBox(new double[] {-1, -1, -1, 0.5, 1, 1})) {
+      same("Fields: intensity (1, 2 int16)", fields.toString());
+      same("Array: 2 x 3 float64", points.toString());
+      same("Task", task.toString());
+      task.cancel();
+      same("Task: cancelled", task.toString());
+      expect(segmenter.toString().startsWith("Segmenter: {") && segmenter.toString().contains("distance_tolerance_m"), segmenter.toString());
+      expect(options.toString().startsWith("NormalsParams: {"), options.toString());
+      same("CloudCropBoxResult: inside = " + halves.inside() + ", outside = " + halves.outside(), halves.toString());
+    }
+    same("Gauge: 1 piece", new Gauge().addSphere(1).toString());
+    same("Targets: 5", Survey.targets().toString());
+    same("Rows: 2 x 3 float32", Rows.of(new float[6]).by(3).toString());
+    cloud.close();
+    same("Cloud (closed)", cloud.toString());
   }
 
   private static void unchanged() {
