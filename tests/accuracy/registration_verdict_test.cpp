@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Right and wrong pairs of scans of eleven kinds of scenes: what the verdict of "icp" says of them. The weights of the
-// verdict come from the first five kinds, seeds 1 to 30 (registration/verdict/verdict.cpp), the search for stations was mended on
-// the sixth; what is reported are the other five.
+// Right and wrong pairs of scans of eleven kinds of scenes: what the verdict of "icp" says of them. The weights of
+// the verdict come from the first five kinds, seeds 1 to 30 (registration/verdict/verdict.cpp), the search for
+// stations was mended on the sixth; what is reported are the other five.
 #include <doctest/doctest.h>
 
 #include <cstdlib>

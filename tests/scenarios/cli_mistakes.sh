@@ -204,7 +204,7 @@ says 'area m2   sigma mm' segment wall_mm.xyz -o seg_mm --unit mm
 lacks 'units' segment wall_mm.xyz -o seg_mm --unit mm
 judge "a report tells that no unit was named" grep -q 'not named by wall.xyz: taken as metres' seg/report.html
 judge "a report tells the unit" grep -q '>metre<' seg_mm/report.html
-says 'rms 0\.[0-9]+ units' register wall.xyz wall.xyz -o same --method icp
+says 'rms 0\.[0-9]+ units' register wall.xyz wall.xyz -o same --method icp --force
 says ' mm, ' compare wall.xyz wall_mm.xyz -o same_wall --reference-unit m --compared-unit mm
 lacks 'units|warning' compare wall.xyz wall_mm.xyz -o same_wall --reference-unit m --compared-unit mm
 says 'warning: wall_mm.xyz is about 1 000 times as large as wall.xyz' compare wall.xyz wall_mm.xyz -o large

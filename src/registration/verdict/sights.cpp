@@ -16,9 +16,9 @@ constexpr double kRangeNoises = 5;     // that a range may be off
 // Share of a cloud's surfels that a believed station could not have seen. Found where the station is known: 0 to
 // 0.014; where the fit was off by a metre in a corridor 0.14.
 constexpr double kMostImpossible = 0.05;
-// Of the logarithm of a density that 16 neighbours give: by chance alone 0.2, found at true stations 0.22 to 0.37, where
-// the fit was lost 0.41 to 0.6. Less than chance have points that were thinned to a grid: nobody can tell from where
-// these were seen, and the inside of a thing may pass for its outside.
+// Of the logarithm of a density that 16 neighbours give: by chance alone 0.2, found at true stations 0.22 to 0.37,
+// where the fit was lost 0.41 to 0.6. Less than chance have points that were thinned to a grid: nobody can tell from
+// where these were seen, and the inside of a thing may pass for its outside.
 constexpr double kLeastSpread = 0.18, kMostSpread = 0.39;
 constexpr uint32_t kDensityPoints = 16;
 constexpr size_t kLeastTold = 100;  // surfels of which the station's view tells anything
