@@ -27,8 +27,8 @@ constexpr double kLittleContradicted = 0.01, kLittleUnexplained = 0.02, kLittleP
 struct Weights {
   double constant, contradicted, unexplained, worst_pierced, pierced;
 };
-constexpr Weights kWithSights{4.55, -1.12, 0, -3.35, -1.36};
-constexpr Weights kWithoutSights{2.73, -1.34, -0.33, 0, 0};
+constexpr Weights kWithSights{5.17, -1.22, 0, -2.53, -1.73};
+constexpr Weights kWithoutSights{5.18, -1.74, -1.08, 0, 0};
 
 struct Against {
   double contradicted = 0, unexplained = 0, worst_pierced = 0, pierced = 0;  ///< shares
