@@ -5,6 +5,7 @@ import copy
 import multiprocessing
 import pickle
 import unittest
+import zlib
 
 import numpy as np
 
@@ -154,6 +155,27 @@ class Pickling(unittest.TestCase):
         self.assertRaises(jalon.FormatError, jalon.Cloud.from_bytes, b"")
         self.assertRaises(jalon.FormatError, jalon.Cloud.from_bytes, data[:-1])
         self.assertRaisesRegex(ValueError, "the bytes of a cloud, not of a model", jalon.Model.from_bytes, data)
+
+    def python__bytes_of_a_later_release_are_told_from_damaged_ones(self):
+        data = bytearray(rich_cloud().to_bytes())
+        data[8:12] = (2).to_bytes(4, "little")  # the layout
+        checksum = zlib.crc32(data[:24])
+        for begin in range(32, len(data), 1 << 20):
+            checksum = zlib.crc32(zlib.crc32(data[begin:begin + (1 << 20)]).to_bytes(4, "little"), checksum)
+        data[24:28] = checksum.to_bytes(4, "little")
+        self.assertRaises(jalon.UnsupportedError, jalon.Cloud.from_bytes, data)
+
+    def python__a_result_brings_the_points_that_it_looks_at(self):
+        cloud = box_cloud().copy()
+        segmentation = jalon.Segmenter(min_points=20).run(cloud)
+        data = pickle.dumps(segmentation)
+        self.assertGreater(len(data), cloud.points.nbytes)
+        faces = len(jalon.Modeller().run(cloud, segmentation).faces)
+        cloud.close()
+        segmentation.close()
+        back = pickle.loads(data)
+        self.assertEqual(len(jalon.Modeller().run(box_cloud(), back).faces), faces)
+        self.assertEqual(len(back.points), len(box_cloud()))
 
     def python__damaged_pickles_are_refused(self):
         data = bytearray(pickle.dumps(rich_cloud()))
