@@ -69,6 +69,8 @@ class Cloud(Handle):
     def __array__(self, dtype=None, copy=None):
         if copy is False and dtype not in (None, float):
             raise ValueError("another type needs a copy")
+        if numpy is None:
+            raise ImportError("an array of a cloud needs numpy")
         made = numpy.asarray(self.points, dtype=dtype)
         return made.copy() if copy else made
 

@@ -144,18 +144,6 @@ class Arrays(unittest.TestCase):
             jalon.Cloud(columns)
         self.assertEqual(len(jalon.Cloud(columns, flags=jalon.CLOUD_DROP_INVALID)), 1999999)
 
-    def python__works_without_numpy(self):
-        code = ("import sys; sys.modules['numpy'] = None\n"
-                "import jalon\n"
-                "cloud = jalon.Cloud([(0, 0, 0), (1, 2, 3), (4, 5, 6)])\n"
-                "assert cloud.points.tolist()[1] == [1, 2, 3], cloud.points\n"
-                "assert cloud.bounds == [[0, 0, 0], [4, 5, 6]], cloud.bounds\n"
-                "cloud['level'] = [1, 2, 3]\n"
-                "assert cloud['level'].tolist() == [1, 2, 3]\n"
-                "assert cloud.fields.to_dict() == {'level': [1, 2, 3]}\n"
-                "assert cloud.select([2]).points.tolist() == [[4, 5, 6]]\n")
-        subprocess.run([sys.executable, "-c", code], check=True)
-
     def python__results_become_dictionaries_and_frames(self):
         segmentation = jalon.Segmenter(distance_tolerance_m=0.02).run(box_cloud())
         told = segmentation.to_dict()
