@@ -28,6 +28,36 @@ install(FILES ${python_sources} "${generated}/_api.py" "${generated}/_api.pyi" D
         EXCLUDE_FROM_ALL)
 set(python_natives "${CMAKE_CURRENT_BINARY_DIR}/python_natives")
 jalon_natives(python_natives "${python_natives}" "${CMAKE_CURRENT_BINARY_DIR}/python_natives.txt")
-add_custom_target(jalon_python_natives DEPENDS "${natives_stamp}")
+# The command line tool, for those who have pip alone: of this build, or of the Jalon that is installed.
+set(python_tool "")
+if(TARGET jalon_cli)
+  set(python_tool jalon_cli)
+  set(python_tool_file "$<TARGET_FILE:jalon_cli>")
+elseif(JALON_INSTALLED)
+  get_target_property(jalon_location jalon::jalon LOCATION)
+  get_filename_component(jalon_folder "${jalon_location}" DIRECTORY)
+  find_program(JALON_TOOL jalon HINTS "${jalon_folder}/.." "${jalon_folder}/../.." PATH_SUFFIXES bin NO_DEFAULT_PATH)
+  if(JALON_TOOL)
+    set(python_tool "${JALON_TOOL}")
+    set(python_tool_file "${JALON_TOOL}")
+  endif()
+endif()
+set(python_tool_copy "")
+if(python_tool)
+  set(python_tool_copy "${python_natives}/bin/jalon${CMAKE_EXECUTABLE_SUFFIX}")
+  set(look_above "")
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND PATCHELF_EXECUTABLE)
+    set(look_above COMMAND "${PATCHELF_EXECUTABLE}" --force-rpath --set-rpath "$ORIGIN/.." "${python_tool_copy}")
+  endif()
+  add_custom_command(
+    OUTPUT "${python_tool_copy}"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${python_natives}/bin"
+    COMMAND "${CMAKE_COMMAND}" -E copy "${python_tool_file}" "${python_tool_copy}"
+    ${look_above}
+    DEPENDS ${python_tool} "${natives_stamp}" VERBATIM)
+else()
+  message(STATUS "Bindings: the Python package has no command jalon, the tool is missing")
+endif()
+add_custom_target(jalon_python_natives DEPENDS "${natives_stamp}" ${python_tool_copy})
 add_dependencies(bindings jalon_python_natives)
 install(DIRECTORY "${python_natives}/" DESTINATION jalon COMPONENT python EXCLUDE_FROM_ALL USE_SOURCE_PERMISSIONS)

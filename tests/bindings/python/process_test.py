@@ -50,3 +50,29 @@ cloud.prepare(task=holder.task)
                 subprocess.run(["cc", "-shared", "-fPIC", "-Wl,-soname," + name, "-x", "c", os.devnull, "-o", path], check=True)
                 loads += "ctypes.CDLL(%r, ctypes.RTLD_GLOBAL)\n" % path
             self.assertEqual(self.run_python(loads + CLEARANCE), self.run_python(CLEARANCE))
+
+    @unittest.skipIf("site-packages" not in jalon.__file__, "of the installed package: the build tree has the tool beside it")
+    def python__the_package_brings_the_command_jalon(self):
+        beside = os.path.join(os.path.dirname(sys.executable), "jalon")
+        version = "jalon %s\n" % jalon.version()
+        for command in ([beside], [sys.executable, "-m", "jalon"]):
+            told = subprocess.run([*command, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
+            self.assertTrue((told + "\n").startswith(version), told)
+        with tempfile.TemporaryDirectory() as folder:
+            cloud = os.path.join(folder, "box with façade.las")
+            subprocess.run([beside, "scan", "--quiet", "--scene", "box", "-o", cloud, "--set", "horizontal_step_rad=0.02", "--set",
+                            "vertical_step_rad=0.02"], check=True)
+            self.assertGreater(len(jalon.Cloud.read(cloud)), 100)
+            failed = subprocess.run([beside, "info", os.path.join(folder, "none.las")], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            self.assertNotEqual(failed.returncode, 0)
+
+    def python__without_the_tool_the_command_says_so(self):
+        self.assertEqual(self.run_python("""
+import contextlib, io
+from jalon import _tool
+_tool.TOOL = "no such file"
+told = io.StringIO()
+with contextlib.redirect_stderr(told):
+    assert _tool.main() == 1
+print(told.getvalue(), end="")
+"""), "jalon: this package was built without the command line tool (-DJALON_BUILD_CLI=ON builds it)\n")
