@@ -30,9 +30,9 @@ class FourPlanes {
     const Four c1 = (a * d - b * b) + (a * f - c * c) + (d * f - e * e);
     const Four c0 = a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d);
     Four root{}, step{};
-    constexpr int kSteps =
+    constexpr int kNewtonSteps =
         7;  // doubles the digits each time once it is near; ok says where these were too few
-    for (int n = 0; n < kSteps; ++n) {
+    for (int n = 0; n < kNewtonSteps; ++n) {
       const Four value = ((root - 1) * root + c1) * root - c0, slope = (3 * root - 2) * root + c1;
       step = value / slope;
       root -= step;

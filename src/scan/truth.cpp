@@ -70,14 +70,14 @@ Truth find_truth(const Model& model, double min_area_m2, Task& task) {
 
 FieldTable truth_table(const Truth& truth, const Vec3& shift, std::span<const uint32_t> labels,
                        Task& task) {
-  constexpr size_t kGrain = 1 << 16;
+  constexpr size_t kLabelGrain = 1 << 16;
   const size_t n = truth.planes.size();
   std::vector<uint32_t> segment, face, part;
   std::vector<double> normal, offset, area;
   std::vector<uint64_t> count(n, 0);
-  for (size_t begin = 0; begin < labels.size(); begin += kGrain) {
+  for (size_t begin = 0; begin < labels.size(); begin += kLabelGrain) {
     task.checkpoint(static_cast<double>(begin) / static_cast<double>(labels.size()));
-    for (size_t i = begin; i < std::min(labels.size(), begin + kGrain); ++i)
+    for (size_t i = begin; i < std::min(labels.size(), begin + kLabelGrain); ++i)
       if (labels[i] != kNoSegment && labels[i] <= n) ++count[labels[i] - 1];
   }
   for (const TruePlane& p : truth.planes) {

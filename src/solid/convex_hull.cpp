@@ -92,14 +92,16 @@ std::pair<Corner, double> farthest(const std::vector<Corner>& p, F&& distance) {
 // From a wide base, since a narrow one would magnify that.
 bool flat(const Grid& grid) {
   const Corner a = grid.points[0];
-  const auto [b, far] = farthest(grid.points, [&](const Corner& q) {
+  const auto [second, far] = farthest(grid.points, [&](const Corner& q) {
     return length({static_cast<double>(q[0] - a[0]), static_cast<double>(q[1] - a[1]),
                    static_cast<double>(q[2] - a[2])});
   });
+  const Corner b = second;
   const double least = kFlatRoundings * grid.rounding;
   if (!(far > least)) return true;
-  const auto [c, area] =
+  const auto [third, area] =
       farthest(grid.points, [&](const Corner& q) { return length(twice_area(a, b, q)); });
+  const Corner c = third;
   if (!(area > least * far)) return true;
   const double most = farthest(grid.points, [&](const Corner& q) {
                         return std::fabs(static_cast<double>(volume(a, b, c, q)));

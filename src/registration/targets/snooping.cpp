@@ -32,7 +32,6 @@ Vec3 times_of_snooping(const Square<3>& m, const Vec3& v) {
 double controlled_form(const Square<3>& whole, const Square<3>& controlled, const Vec3& v,
                        int& rank) {
   // L^-1 M L^-T with W = L L^T has eigenvalues between 0 and 1: the redundancies along its own axes.
-  std::array<Vec3, 3> rows;
   Square<3> l{};
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j <= i; ++j) {

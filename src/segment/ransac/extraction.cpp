@@ -210,8 +210,8 @@ bool wide_enough(const SurfaceSettings& settings, const PlaneFit& fit) {
 bool too_rough(const SurfaceSettings& settings, double sigma_m) {
   // Points evenly spread over the tolerance, as where a plane cuts through clutter, a pipe or a step, have an rms of
   // 0.46 tolerances after the core is cut and more before; noise with the tolerance at 2.5 sigma has 0.38.
-  constexpr double kMaxRoughness = 0.42;
-  return settings.uses_normals() && sigma_m > kMaxRoughness * settings.distance_tolerance_m;
+  constexpr double kMaxPlaneRoughness = 0.42;
+  return settings.uses_normals() && sigma_m > kMaxPlaneRoughness * settings.distance_tolerance_m;
 }
 
 double core_reach(const SurfaceSettings& settings, double sigma_m) {
