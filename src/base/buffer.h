@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -12,6 +11,11 @@
 #include <utility>
 
 namespace jalon {
+
+/// Memory for vector loops, uninitialised; std::bad_alloc where there is none. By the operators of C++, since Windows
+/// has no aligned_alloc.
+inline void* allocate_aligned(size_t bytes) { return ::operator new (bytes, std::align_val_t{64}); }
+inline void free_aligned(void* memory) { ::operator delete (memory, std::align_val_t{64}); }
 
 /// Fixed-length array of plain values, left uninitialised: for large buffers that are written whole before
 /// they are read. 64-byte aligned, with at least 64 zero bytes behind the end so that vector loops may over-read.
@@ -25,15 +29,14 @@ class Buffer {
     if (size > (std::numeric_limits<size_t>::max() / 2) / sizeof(T)) throw std::bad_alloc();
     if (size == 0) return;
     const size_t bytes = (size * sizeof(T) + 64 + 63) / 64 * 64;
-    data_ = static_cast<T*>(std::aligned_alloc(64, bytes));
-    if (data_ == nullptr) throw std::bad_alloc();
+    data_ = static_cast<T*>(allocate_aligned(bytes));
     std::memset(reinterpret_cast<char*>(data_) + size * sizeof(T), 0, bytes - size * sizeof(T));
   }
   Buffer(Buffer&& other) noexcept
       : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
   Buffer& operator=(Buffer&& other) noexcept {
     if (this != &other) {
-      std::free(data_);
+      free_aligned(data_);
       data_ = std::exchange(other.data_, nullptr);
       size_ = std::exchange(other.size_, 0);
     }
@@ -41,7 +44,7 @@ class Buffer {
   }
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
-  ~Buffer() { std::free(data_); }
+  ~Buffer() { free_aligned(data_); }
 
   T* data() { return data_; }
   const T* data() const { return data_; }

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "base/printf_format.h"
+
 namespace jalon {
 
 /// The numbers of jalon/status.h; capi/guard.cpp asserts that they agree.
@@ -41,7 +43,6 @@ class Error : public std::exception {
 
 /// Throws an Error whose text is made as by printf, without locale-dependent conversions of numbers
 /// (use %s, %d, %llu; doubles through text_of in base/text_number.h).
-[[noreturn]] void fail(Status status, const char* format, ...)
-    __attribute__((format(printf, 2, 3)));
+[[noreturn]] void fail(Status status, const char* format, ...) JALON_PRINTF(2, 3);
 
 }  // namespace jalon

@@ -3,11 +3,11 @@
 #include "base/field.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <new>
 
+#include "base/buffer.h"
 #include "base/error.h"
 
 namespace jalon {
@@ -29,16 +29,14 @@ const char* name_of(ElementType type) {
   return kNames[static_cast<int32_t>(type)];
 }
 
-void Column::Free::operator()(void* p) const { std::free(p); }
+void Column::Free::operator()(void* p) const { free_aligned(p); }
 
 Column::Column(FieldInfo info, size_t count) : info_(std::move(info)), count_(count) {
   const size_t item = size_of(info_.type) * info_.components;
   if (item != 0 && count > (std::numeric_limits<size_t>::max() / 2) / item) throw std::bad_alloc();
   if (item * count == 0) return;
   // 64 readable bytes behind the end, as in Buffer.
-  void* p = std::aligned_alloc(64, (item * count + 64 + 63) / 64 * 64);
-  if (p == nullptr) throw std::bad_alloc();
-  data_.reset(p);
+  data_.reset(allocate_aligned((item * count + 64 + 63) / 64 * 64));
 }
 
 void Column::check(ElementType type) const {

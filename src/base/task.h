@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "base/printf_format.h"
+
 namespace jalon {
 
 class Pool;
@@ -45,7 +47,7 @@ class Task {
   /// only; elsewhere it only throws when cancelled.
   void checkpoint(double fraction);
   /// Sends a line to the host's log, if any. Calling thread only.
-  void log(LogLevel level, const char* format, ...) __attribute__((format(printf, 3, 4)));
+  void log(LogLevel level, const char* format, ...) JALON_PRINTF(3, 4);
   /// Reports 1.0; capi calls it once, on success.
   void finish();
   /// The threads of this operation, started when first needed, ended with the task: nothing outlives a call, so a

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <charconv>
 #include <cmath>
@@ -11,6 +9,8 @@
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
+
+#include "cli/terminal.h"
 
 namespace jalon::cli {
 
@@ -27,7 +27,7 @@ extern "C" void on_interrupt(int) {
 
 }  // namespace
 
-Console::Console(const Common& common) : common_(common), terminal_(isatty(STDERR_FILENO) != 0) {
+Console::Console(const Common& common) : common_(common), terminal_(prepare_terminal()) {
   must(jalon_task_create(Out(task_)));
   must(jalon_task_set_threads(task_.get(), common.threads));
   if (!common.quiet) must(jalon_task_set_log(task_.get(), on_log, this));
@@ -35,7 +35,7 @@ Console::Console(const Common& common) : common_(common), terminal_(isatty(STDER
     must(jalon_task_set_progress(task_.get(), on_progress, this));
   interruptible = task_.get();
   std::signal(SIGINT, on_interrupt);
-  std::signal(SIGPIPE, SIG_IGN);
+  ignore_broken_pipes();
   step("working");
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/folder_lock.h"
+
 namespace jalon::cli {
 
 /// Results appear in a folder together: they are written into a private folder inside it and renamed by commit(). When
@@ -25,7 +27,7 @@ class OutputFolder {
  private:
   std::filesystem::path folder_, private_;
   std::vector<std::string> names_;
-  int lock_ = -1;
+  FolderLock lock_;
   bool created_ = false;
 };
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/files/system_file.h"
+
 namespace jalon {
 
 /// A file that appears whole or not at all: written beside the target under a private name, renamed
@@ -32,7 +34,7 @@ class AtomicFile {
   void flush();
   [[noreturn]] void refuse(const char* action) const;
   std::string path_, temporary_;
-  int descriptor_ = -1;
+  FileHandle file_ = kNoFile;
   std::vector<char> buffer_;
   size_t filled_ = 0;
 };

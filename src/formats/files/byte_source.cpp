@@ -6,42 +6,35 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include "base/error.h"
 #include "formats/files/system_error.h"
 
 namespace jalon {
 
 ByteSource::ByteSource(std::string path) : path_(std::move(path)) {
-  // Non-blocking, so that a named pipe is refused below instead of waited for.
-  do descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  while (descriptor_ < 0 && errno == EINTR);
-  if (descriptor_ < 0) {
+  // Without waiting, so that a named pipe is refused below.
+  file_ = open_to_read(path_);
+  if (file_ == kNoFile) {
     const int code = errno;
     const std::string cause = system_error_text(code);
     fail(code == ENOENT || code == ENOTDIR ? Status::kNotFound : Status::kIo, "%s: cannot open: %s",
          path_.c_str(), cause.c_str());
   }
-  struct stat info {};
-  if (::fstat(descriptor_, &info) != 0 || !S_ISREG(info.st_mode)) {
-    ::close(descriptor_);
+  const FileState state = state_of(file_);
+  if (state.kind != FileKind::kRegular) {
+    close_file(file_);
     fail(Status::kIo, "%s: cannot read: %s", path_.c_str(),
-         S_ISDIR(info.st_mode) ? "it is a folder" : "it is no regular file");
+         state.kind == FileKind::kFolder ? "it is a folder" : "it is no regular file");
   }
-  size_ = static_cast<uint64_t>(info.st_size);
+  size_ = state.size;
 }
 
-ByteSource::~ByteSource() { ::close(descriptor_); }
+ByteSource::~ByteSource() { close_file(file_); }
 
 size_t ByteSource::read_some(uint64_t offset, void* out, size_t bytes) const {
   size_t done = 0;
   while (done < bytes) {
-    const ssize_t n = ::pread(descriptor_, static_cast<char*>(out) + done, bytes - done,
-                              static_cast<off_t>(offset + done));
-    if (n < 0 && errno == EINTR) continue;
+    const int64_t n = read_at(file_, offset + done, static_cast<char*>(out) + done, bytes - done);
     if (n < 0) {
       const std::string cause = system_error_text(errno);
       fail(Status::kIo, "%s: offset %llu: cannot read: %s", path_.c_str(),

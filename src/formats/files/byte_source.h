@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <string>
 
+#include "base/printf_format.h"
+#include "formats/files/system_file.h"
+
 namespace jalon {
 
 /// A regular file to be read at any offset, by any number of threads. It knows its true size, so
@@ -29,12 +32,11 @@ class ByteSource {
     return offset <= size_ && bytes <= size_ - offset;
   }
   /// Error(kFormat) "path: offset N: reason".
-  [[noreturn]] void refuse(uint64_t offset, const char* format, ...) const
-      __attribute__((format(printf, 3, 4)));
+  [[noreturn]] void refuse(uint64_t offset, const char* format, ...) const JALON_PRINTF(3, 4);
 
  private:
   std::string path_;
-  int descriptor_ = -1;
+  FileHandle file_ = kNoFile;
   uint64_t size_ = 0;
 };
 

@@ -4,11 +4,13 @@
 
 #include <string>
 
+#include "formats/files/system_file.h"
+
 namespace jalon {
 
-/// A new file beside a target, locked (flock) for as long as its descriptor is open.
+/// A new file beside a target, locked for as long as it is open.
 struct PrivateFile {
-  int descriptor = -1;  ///< -1: none could be made, errno says why
+  FileHandle handle = kNoFile;  ///< kNoFile: none could be made, errno says why
   std::string path;
 };
 

@@ -23,8 +23,10 @@ inline std::string system_error_text(int code) {
       return "the file system is read-only";
     case ENOSPC:
       return "no space left on the disk";
+#if defined(EDQUOT)  // not on Windows
     case EDQUOT:
       return "the disk quota is used up";
+#endif
     case EFBIG:
       return "the file would be too large";
     case ENAMETOOLONG:
@@ -32,6 +34,8 @@ inline std::string system_error_text(int code) {
     case EMFILE:
     case ENFILE:
       return "too many open files";
+    case EBUSY:
+      return "another program uses it";
     case EIO:
       return "the device failed";
     case ELOOP:

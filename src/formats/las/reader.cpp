@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "base/error.h"
+#include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/files/endian.h"
 #include "formats/files/finish_cloud.h"
-#include "formats/files/large_pages.h"
 #include "formats/las/fields.h"
 #include "formats/las/las.h"
 #include "formats/las/layout.h"
@@ -179,8 +179,8 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
   for (const ExtraDimension& dimension : extra)
     extractions.push_back(extraction_of(dimension, core, count));
   Buffer<double> xyz(3 * count);
-  prefer_large_pages(xyz.data(), xyz.size() * sizeof(double));
-  for (const Extraction& e : extractions) prefer_large_pages(e.column->raw(), e.column->bytes());
+  advise_large_pages(xyz.data(), xyz.size() * sizeof(double));
+  for (const Extraction& e : extractions) advise_large_pages(e.column->raw(), e.column->bytes());
   {
     ProgressSpan span(task, 0, 0.95, "reading LAS");
     decode_points(source, header, units, xyz, extractions, task);

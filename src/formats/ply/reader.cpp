@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/files/finish_cloud.h"
-#include "formats/files/large_pages.h"
 #include "formats/files/utf8.h"
 #include "formats/ply/cursor.h"
 #include "formats/ply/ply.h"
@@ -59,7 +59,7 @@ Vertices prepare(const ByteSource& source, const Header& header, const Element& 
   const size_t count = element.count;
   Vertices out;
   out.xyz = Buffer<double>(3 * count);
-  prefer_large_pages(out.xyz.data(), out.xyz.size() * sizeof(double));
+  advise_large_pages(out.xyz.data(), out.xyz.size() * sizeof(double));
   const bool normals = with_fields && is_property(element, "nx") && is_property(element, "ny") &&
                        is_property(element, "nz");
   std::shared_ptr<Column> normal;

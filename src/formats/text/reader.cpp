@@ -9,10 +9,10 @@
 #include <memory>
 
 #include "base/error.h"
+#include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/files/fast_number.h"
 #include "formats/files/finish_cloud.h"
-#include "formats/files/large_pages.h"
 #include "formats/files/utf8.h"
 #include "formats/text/layout.h"
 #include "formats/text/text.h"
@@ -134,7 +134,7 @@ class TextReader {
   Cloud run() {
     count();
     Buffer<double> xyz(3 * points_);
-    prefer_large_pages(xyz.data(), xyz.size() * sizeof(double));
+    advise_large_pages(xyz.data(), xyz.size() * sizeof(double));
     prepare(xyz);
     Ranges ranges;
     {

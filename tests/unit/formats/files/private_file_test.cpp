@@ -68,9 +68,9 @@ TEST_CASE("private_file__a_writer_at_work_keeps_its_file") {
   write_whole(folder.file("a.las"), "whole");
   CHECK(folder.entries() == 2);
   const PrivateFile mine = open_private_file(folder.file("a.las"));
-  REQUIRE(mine.descriptor >= 0);
+  REQUIRE(mine.handle != kNoFile);
   CHECK(folder.entries() == 3);
-  ::close(mine.descriptor);
+  close_file(mine.handle);
   kill_and_wait(child);
   write_whole(folder.file("a.las"), "again");
   CHECK(folder.entries() == 1);
