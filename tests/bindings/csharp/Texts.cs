@@ -60,7 +60,10 @@ static class Texts {
     using (CloudCropBoxResult halves = cloud.CropBox(new double[] {-1, -1, -1, 0.5, 1, 1})) {
       Check.Equal("CloudCropBoxResult: Inside = " + halves.Inside + ", Outside = " + halves.Outside, halves.ToString(), "result");
     }
-    Check.Equal("Gauge: 1 piece", Survey.Gauge().ToString(), "gauge");
+    using (var gauge = new Gauge()) {
+      gauge.AddBox(new double[] {1, 1, 2});
+      Check.Equal("Gauge: 1 piece", gauge.ToString(), "gauge");
+    }
     CloudOctreeCubeResult cube = cloud.OctreeCube();
     Check.That(cube.ToString().StartsWith("CloudOctreeCubeResult: Origin = [") && !cube.ToString().Contains(",5"), cube.ToString());
     cloud.Dispose();
