@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/folder_lock.h"
+#include "cli/system/folder_lock.h"
 
 namespace jalon::cli {
 

@@ -47,7 +47,7 @@ SUBROOMS = {
         "pictures": ["elevation"], "pages": ["pictures", "charts"],
     },
     "capi": {"support": []},
-    "cli": {"inputs": []},
+    "cli": {"inputs": [], "system": []},
 }
 MOST_FILES = 45  # of one folder: above, a room wants sub-rooms
 CODE = (".c", ".cpp", ".h", ".inc")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/folder_lock.h"
+#include "cli/system/folder_lock.h"
 
 #include <cerrno>
 
