@@ -11,7 +11,7 @@ namespace jalon {
 namespace {
 
 constexpr int kFaces = 6;
-constexpr int kCoarseEdge = 16, kLeastEdge = 8, kMostEdge = 1024;
+constexpr int kCoarseEdge = 16, kLeastEdge = 8;
 constexpr size_t kCoarsePoints = 1 << 14;  // enough to tell which of the coarse cells were measured
 // Of a measured cell, on average: with fewer many are empty by chance, with more the edges of things take up the view.
 constexpr double kPointsPerCell = 4;
@@ -56,7 +56,7 @@ void SightMap::fill(std::span<const double> xyz, const Vec3& origin, size_t stri
 }
 
 SightMap SightMap::build(std::span<const double> xyz, const Vec3& origin, const Vec3& station,
-                         Task& task) {
+                         int most_edge, Task& task) {
   SightMap out;
   out.station_ = station;
   const size_t points = xyz.size() / 3;
@@ -68,7 +68,7 @@ SightMap SightMap::build(std::span<const double> xyz, const Vec3& origin, const 
                        static_cast<double>(out.cells_.size());
   // 2. Cells of some points each.
   const double edge = std::sqrt(static_cast<double>(points) / (kPointsPerCell * kFaces * share));
-  out.edge_ = std::clamp(static_cast<int>(edge), kLeastEdge, kMostEdge);
+  out.edge_ = std::clamp(static_cast<int>(edge), kLeastEdge, most_edge);
   out.fill(xyz, origin, 1, task);
   return out;
 }

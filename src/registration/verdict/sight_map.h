@@ -25,9 +25,10 @@ enum class Sighted : uint8_t {
 /// It answers by all nine cells about a direction, which must agree: at the edge of a surface nothing is told.
 class SightMap {
  public:
-  /// xyz: 3 a point; less origin they are in the frame of the station. O(points).
+  /// xyz: 3 a point; less origin they are in the frame of the station. most_edge: cells along a face at most, no finer
+  /// than the station is known. O(points).
   static SightMap build(std::span<const double> xyz, const Vec3& origin, const Vec3& station,
-                        Task& task);
+                        int most_edge, Task& task);
 
   const Vec3& station() const { return station_; }
   /// normal: of the surface at the place, of either sign: one that slants spans ranges within a cell. margin_m: what

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
+#include "geometry/plane.h"
 #include "registration/verdict/station_fit.h"
 
 namespace jalon {
@@ -15,12 +17,16 @@ constexpr size_t kSurfelCells = 4000;  // a share of 1 % of them is known to a f
 constexpr double kRangeNoises = 5;     // that a range may be off
 // Share of a cloud's surfels that a believed station could not have seen. Found where the station is known: 0 to
 // 0.014; where the fit was off by a metre in a corridor 0.14.
-constexpr double kMostImpossible = 0.05;
+constexpr double kMostImpossible = 0.08;
 // Of the logarithm of a density that 16 neighbours give: by chance alone 0.2, found at true stations 0.22 to 0.37,
 // where the fit was lost 0.41 to 0.6. Less than chance have points that were thinned to a grid: nobody can tell from
 // where these were seen, and the inside of a thing may pass for its outside.
 constexpr double kLeastSpread = 0.18, kMostSpread = 0.39;
 constexpr uint32_t kDensityPoints = 16;
+constexpr size_t kDensitySample =
+    40000;  // points: of denser ones neighbours are as near as their noise
+// Cells along a face of the cube of directions: a station that was found is off by some decimetres.
+constexpr int kFittedEdge = 64, kKnownEdge = 256;
 constexpr size_t kLeastTold = 100;  // surfels of which the station's view tells anything
 
 // The stations with a pose, each over its own points; surfels know theirs.
@@ -34,7 +40,7 @@ void use_known(const Cloud& raw, std::span<const uint32_t> raw_index, JudgedClou
     sight_of[i] = static_cast<int>(out.sights.size());
     const auto points = raw.xyz().subspan(3 * station.first, 3 * station.count);
     out.sights.push_back(
-        SightMap::build(points, origin, station.pose.translation() - origin, task));
+        SightMap::build(points, origin, station.pose.translation() - origin, kKnownEdge, task));
   }
   for (Surfel& surfel : out.surfels) {
     const Station* station = station_of(raw, raw_index[surfel.position]);
@@ -55,28 +61,46 @@ double impossible_share(const SightMap& sight, const JudgedCloud& cloud) {
   return told < kLeastTold ? 1 : static_cast<double>(impossible) / static_cast<double>(told);
 }
 
-// What a thinned surface has lost: how dense the scanner's own points lie.
-void measure_density(const Cloud& raw, JudgedCloud& cloud, Task& task) {
-  const auto tree = raw.octree(task);
+// By the surfels themselves where these are few points' neighbours; else by an even sample of the cloud: not by a
+// thinned surface, nor by points so many that their noise is as wide as they are apart.
+std::vector<DensityPlace> density_of(const Cloud& raw, const JudgedCloud& cloud, Task& task) {
+  std::vector<DensityPlace> out;
+  for (const Surfel& s : cloud.surfels) out.push_back({s.place, s.normal, s.radius_m});
+  if (raw.size() == cloud.surface->size() && raw.size() <= kDensitySample) return out;
   const Vec3& origin = cloud.surface->tree->cube().origin;
-  std::array<Neighbour, kDensityPoints> found;
-  for (Surfel& surfel : cloud.surfels) {
-    const size_t n = tree->knn(origin + surfel.place, kDensityPoints, found);
-    surfel.radius_m = std::sqrt(found[n - 1].squared_distance);
+  std::vector<double> xyz;
+  Box3 box;
+  for (size_t i = 0; i < raw.size(); i += raw.size() / kDensitySample + 1) {
+    const Vec3 place = raw.point(i) - origin;
+    for (int axis = 0; axis < 3; ++axis) xyz.push_back(place[axis]);
+    box.add(place);
   }
+  const auto tree = Octree::build(xyz, enclosing_cube(box), task);
+  std::array<Neighbour, kDensityPoints> found;
+  for (DensityPlace& at : out) {
+    const size_t n = tree->knn(at.place, kDensityPoints, found);
+    Moments moments;
+    moments.reference = at.place;
+    for (size_t k = 0; k < n; ++k) {
+      const double* p = xyz.data() + 3 * size_t{found[k].index};
+      moments.add({p[0], p[1], p[2]});
+    }
+    at.normal = symmetric_eigen(moments.covariance()).vectors[0];
+    at.spacing_m = std::sqrt(found[n - 1].squared_distance);
+  }
+  return out;
 }
 
 void find_one(const Cloud& raw, JudgedCloud& out, Task& task) {
-  double least = kMostImpossible;
+  const std::vector<DensityPlace> density = density_of(raw, out, task);
   for (const Spreading spreading : {Spreading::kEvenAngles, Spreading::kEvenDirections}) {
-    const StationFit fit = fit_station(out.surfels, spreading, task);
+    const StationFit fit = fit_station(density, spreading, task);
     if (!(fit.spread >= kLeastSpread && fit.spread <= kMostSpread)) continue;
-    SightMap sight = SightMap::build(raw.xyz(), out.surface->tree->cube().origin, fit.place, task);
-    const double share = impossible_share(sight, out);
-    if (!(share < least)) continue;
-    least = share;
-    out.sights.clear();
+    SightMap sight =
+        SightMap::build(raw.xyz(), out.surface->tree->cube().origin, fit.place, kFittedEdge, task);
+    if (impossible_share(sight, out) > kMostImpossible) continue;
     out.sights.push_back(std::move(sight));
+    break;
   }
   if (out.sights.empty()) return;
   for (Surfel& surfel : out.surfels) surfel.sight = 0;
@@ -89,7 +113,6 @@ JudgedCloud judged_cloud(const Cloud& raw, const SurfacePlanes& surface,
   JudgedCloud out{&surface, sample_surface(surface, kSurfelCells, task), {}};
   use_known(raw, raw_index, out, task);
   if (!out.sights.empty()) return out;
-  if (raw.size() != surface.size()) measure_density(raw, out, task);
   find_one(raw, out, task);
   return out;
 }

@@ -12,37 +12,39 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kMostSurfels = 500;  // their mean deviation is sure to 3 %; places differ by tens
-constexpr size_t kLeastSurfels = 30;
-constexpr int kPlaces = 2000;    // of the search
+constexpr size_t kSearched = 150;    // of the search over all stations
+constexpr size_t kMostPlaces = 500;  // their mean deviation is sure to 3 %; places differ by tens
+constexpr size_t kLeastPlaces = 30;
+constexpr int kStations = 2000;  // of the search
 constexpr int kMostAcross = 24;  // of them along one axis
 constexpr double kBeyond = 0.2;  // of the box, on each side
 // Things are scanned from outside: directions evenly all round, at distances from the middle of the box in half
 // diagonals.
 constexpr int kDirections = 150;
 constexpr double kDistances[] = {1.5, 2.5, 4, 7, 12};
-constexpr size_t kDescents = 12;  // from the best places: a narrow room has many poor minima
-constexpr int kSteps = 40;
+constexpr size_t kDescents = 8;  // from the best places: a narrow room has many poor minima
+constexpr int kSteps = 30;
 constexpr double kMostDeviation = 2;  // outliers count for no more
 constexpr double kLeastFitCosine = 1e-3;
 
 class DensityLaw {
  public:
-  DensityLaw(std::span<const Surfel> surfels, Spreading spreading) : spreading_(spreading) {
-    const size_t stride = surfels.size() / kMostSurfels + 1;
-    for (size_t i = 0; i < surfels.size(); i += stride)
-      if (surfels[i].radius_m > 0) surfels_.push_back(surfels[i]);
-    logs_.resize(surfels_.size());
+  DensityLaw(std::span<const DensityPlace> places, Spreading spreading, size_t most)
+      : spreading_(spreading) {
+    const size_t stride = places.size() / most + 1;
+    for (size_t i = 0; i < places.size(); i += stride)
+      if (places[i].spacing_m > 0) places_.push_back(places[i]);
+    logs_.resize(places_.size());
   }
-  size_t size() const { return surfels_.size(); }
+  size_t size() const { return places_.size(); }
   Box3 box() const {
     Box3 out;
-    for (const Surfel& s : surfels_) out.add(s.place);
+    for (const DensityPlace& s : places_) out.add(s.place);
     return out;
   }
   double spread_at(const Vec3& station) {
-    for (size_t i = 0; i < surfels_.size(); ++i) {
-      const Surfel& s = surfels_[i];
+    for (size_t i = 0; i < places_.size(); ++i) {
+      const DensityPlace& s = places_[i];
       const Vec3 d = s.place - station;
       const double range2 = std::max(squared_norm(d), 1e-12), range = std::sqrt(range2);
       const double cosine = std::max(std::abs(dot(s.normal, d)) / range, kLeastFitCosine);
@@ -50,7 +52,7 @@ class DensityLaw {
       if (spreading_ == Spreading::kEvenAngles)
         area *= std::sqrt(
             std::max((d.x * d.x + d.y * d.y) / range2, kLeastFitCosine * kLeastFitCosine));
-      logs_[i] = std::log(area / (s.radius_m * s.radius_m));
+      logs_[i] = std::log(area / (s.spacing_m * s.spacing_m));
     }
     const auto middle = logs_.begin() + static_cast<ptrdiff_t>(logs_.size() / 2);
     std::nth_element(logs_.begin(), middle, logs_.end());
@@ -62,15 +64,15 @@ class DensityLaw {
 
  private:
   Spreading spreading_;
-  std::vector<Surfel> surfels_;
+  std::vector<DensityPlace> places_;
   std::vector<double> logs_;
 };
 
-// A grid of about kPlaces places of cells that are as long as wide, over the box and beyond.
+// A grid of about kStations places of cells that are as long as wide, over the box and beyond.
 std::vector<Vec3> places_in(const Box3& box) {
   const Vec3 size = (box.max - box.min) * (1 + 2 * kBeyond),
              from = box.min - (box.max - box.min) * kBeyond;
-  double step = std::cbrt(std::max(size.x * size.y * size.z, 1e-9) / kPlaces);
+  double step = std::cbrt(std::max(size.x * size.y * size.z, 1e-9) / kStations);
   step = std::max(step, std::max({size.x, size.y, size.z}) / kMostAcross);
   std::vector<Vec3> out;
   const auto count = [&](double length) { return std::max(3, static_cast<int>(length / step)); };
@@ -116,18 +118,18 @@ StationFit descend(DensityLaw& law, StationFit from, double step_m) {
 
 }  // namespace
 
-StationFit fit_station(std::span<const Surfel> surfels, Spreading spreading, Task& task) {
+StationFit fit_station(std::span<const DensityPlace> places, Spreading spreading, Task& task) {
   constexpr StationFit kNoFit{{0, 0, 0}, std::numeric_limits<double>::infinity()};
-  DensityLaw law(surfels, spreading);
-  if (law.size() < kLeastSurfels) return kNoFit;
+  DensityLaw law(places, spreading, kMostPlaces), few(places, spreading, kSearched);
+  if (law.size() < kLeastPlaces || few.size() < kLeastPlaces) return kNoFit;
   // 1. Everywhere in the box and about it.
   const Box3 box = law.box();
   std::vector<StationFit> found;
-  std::vector<Vec3> places = places_in(box);
-  add_outside(box, places);
-  for (const Vec3& place : places) {
+  std::vector<Vec3> stations = places_in(box);
+  add_outside(box, stations);
+  for (const Vec3& place : stations) {
     if (found.size() % 64 == 0) task.checkpoint(0);
-    found.push_back({place, law.spread_at(place)});
+    found.push_back({place, few.spread_at(place)});
   }
   // 2. Downhill from the best, in steps that suit how far off they are.
   const size_t most = std::min(kDescents, found.size());
@@ -138,6 +140,7 @@ StationFit fit_station(std::span<const Surfel> surfels, Spreading spreading, Tas
   for (size_t i = 0; i < most; ++i) {
     task.checkpoint(0);
     const double across_m = std::max({size.x, size.y, size.z, norm(found[i].place - middle)});
+    found[i].spread = law.spread_at(found[i].place);
     const StationFit fit = descend(law, found[i], 0.5 * across_m / kMostAcross);
     if (fit.spread < best.spread) best = fit;
   }

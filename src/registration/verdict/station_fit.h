@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 
-#include "registration/verdict/surface_sample.h"
+#include "base/task.h"
+#include "geometry/vec.h"
 
 namespace jalon {
 
@@ -12,6 +14,12 @@ namespace jalon {
 enum class Spreading : uint8_t {
   kEvenAngles,      ///< even steps of both angles about the z axis: dense above and below
   kEvenDirections,  ///< alike in all directions
+};
+
+/// How dense a scanner's points lie at a place of a surface: as neighbours spread over so much.
+struct DensityPlace {
+  Vec3 place, normal;  ///< normal of either sign
+  double spacing_m = 0;
 };
 
 struct StationFit {
@@ -22,8 +30,8 @@ struct StationFit {
 
 /// Where a cloud was taken from, by how dense its points lie: a scanner leaves cos(incidence) / range^2 points an
 /// area, over the cosine of the height angle with even angles. The place at which the logarithm of density times its
-/// inverse varies least, by a search over the box of the surfels and about it, and from the best places
-/// downhill. O(surfels).
-StationFit fit_station(std::span<const Surfel> surfels, Spreading spreading, Task& task);
+/// inverse varies least, by a search over their box and about it, and from the best places
+/// downhill. O(places).
+StationFit fit_station(std::span<const DensityPlace> places, Spreading spreading, Task& task);
 
 }  // namespace jalon

@@ -17,8 +17,8 @@ namespace jalon {
 //   with, of  the surfels of one cloud are held against the other cloud; T_with_of
 
 struct Surfel {
-  Vec3 place, normal;   ///< normal of either sign
-  double radius_m = 0;  ///< of the neighbours that its plane goes through: how dense the points lie
+  Vec3 place, normal;     ///< normal of either sign
+  double radius_m = 0;    ///< of the neighbours that its plane goes through
   uint32_t position = 0;  ///< in the surface
   int sight = -1;         ///< of the station that saw it; -1: not known
 };

@@ -26,7 +26,7 @@ std::vector<double> wall_points(bool has_hole) {
 
 SightMap map_of(const std::vector<double>& xyz) {
   Task task;
-  return SightMap::build(xyz, kOrigin, kStation, task);
+  return SightMap::build(xyz, kOrigin, kStation, 64, task);
 }
 
 }  // namespace
