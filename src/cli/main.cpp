@@ -14,13 +14,13 @@ namespace jalon::cli {
 namespace {
 
 constexpr const char* kFooter = R"(
-Exit codes (README.md has the same table; nothing is written but with 0):
+Exit codes (README.md has the same table; nothing is written but with 0, and the report of a registration with 5):
     0  done
     1  internal error: please report it
     2  wrong command, option, parameter or method
     3  input missing, unreadable or malformed, or without a field that was asked for
     4  output cannot be written
-    5  too few points, or nothing found in them
+    5  too few points, or nothing found in them; a registration that is not accepted
     6  not supported: a format, or a parameter together with another
     7  out of memory
   130  cancelled by Ctrl-C
