@@ -77,7 +77,7 @@ def release_suites():
         script("abi", "tests/abi/check.sh", ["jalon"]),
         script("install", "tests/install/check.sh", ["jalon", "jalon_cli"]),
         script("libccd", "tests/install/single_ccd.sh", [], []),
-        script("missing", "tests/install/missing.sh", []),
+        script("missing", "tests/install/missing.sh", [], full=True),
         script("comma_locale", "tests/capi/comma_locale.sh", ["c_tests", "jalon_cli"]),
         script("bits", "tests/scenarios/bits.sh", ["bits"]),
         script("cli", "tests/scenarios/cli.sh", ["jalon_cli"], [tool]),
