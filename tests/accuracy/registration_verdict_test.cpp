@@ -191,7 +191,7 @@ double least_of(int draws) { return 0.97 - 3 * std::sqrt(0.97 * 0.03 / draws); }
 
 void check_kinds(std::span<const PairKind> kinds, const char* what) {
   const bool is_full = std::getenv("JALON_FULL") != nullptr;
-  const Tally all = tally_of(kinds, is_full ? 10 : 1, what);
+  const Tally all = tally_of(kinds, is_full ? 14 : 1, what);
   CHECK(all.right >= (is_full ? 200 : 10));
   CHECK(all.wrong >= (is_full ? 200 : 10));
   const auto share = [](int part, int whole) { return static_cast<double>(part) / whole; };

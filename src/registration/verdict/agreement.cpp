@@ -77,7 +77,7 @@ class Holding {
       own = cosine(surfel.place - of_.sights[static_cast<size_t>(surfel.sight)].station(),
                    surfel.normal);
     out.is_visible = false;
-    out.is_behind = surfel.sight >= 0;
+    out.is_behind = surfel.sight >= 0 && of_.are_told && with_.are_told;
     bool is_hidden = true;
     for (const SightMap& sight : with_.sights) {
       const double other = cosine(place - sight.station(), normal);

@@ -112,8 +112,8 @@ JudgedCloud judged_cloud(const Cloud& raw, const SurfacePlanes& surface,
                          std::span<const uint32_t> raw_index, Task& task) {
   JudgedCloud out{&surface, sample_surface(surface, kSurfelCells, task), {}};
   use_known(raw, raw_index, out, task);
-  if (!out.sights.empty()) return out;
-  find_one(raw, out, task);
+  out.are_told = !out.sights.empty();
+  if (!out.are_told) find_one(raw, out, task);
   return out;
 }
 

@@ -16,6 +16,7 @@ struct JudgedCloud {
   const SurfacePlanes* surface = nullptr;
   std::vector<Surfel> surfels;
   std::vector<SightMap> sights;  ///< empty: nobody knows where the cloud was taken from
+  bool are_told = false;  ///< the stations by the cloud; found ones may lie behind what they saw
 };
 
 /// Surfels and what the stations saw. The stations are those of the cloud that have a pose. A cloud without any may
