@@ -56,8 +56,10 @@ typedef struct jalon_target {
 /**
  * method, NULL = "automatic":
  * - "automatic": "coarse", then "icp" from its pose, with the parameters of both: clouds that lie
- *   anywhere. Without a pose, or with more than one, the result is that of "coarse"; else that of
- *   "icp" with the scores of "coarse" in the summary. A start is one pose more to choose from.
+ *   anywhere. The result is that of "icp", with the scores of "coarse" in the summary, from the
+ *   first pose that is accepted. Where "coarse" is not sure of its best pose up to three are tried:
+ *   two different ones that are accepted make it ambiguous; with none accepted it is that of
+ *   "coarse". A start is one pose more to choose from.
  * - "icp": iterative closest points (Besl & McKay 1992; Chen & Medioni 1992) from a start that is
  *   about right: clouds of the same surfaces, half a metre and some degrees apart. Local planes of
  *   both clouds, steps on few points and then on all, a distance that shrinks down to three times
@@ -94,9 +96,9 @@ typedef struct jalon_target {
  * The pose is doubtful besides when the clouds want different scales (by 0.2 % and five sigmas),
  * when directions of it stay open, when little of one cloud lies on the other and when the steps
  * have not settled. "confidence" is the probability that the pose is right: a logistic regression
- * (Berkson 1944) on simulated pairs of ten kinds of scenes, five of them for the check alone. What
- * has changed between two scans speaks against their pose as another place would. Unless a pose is
- * accepted its covariance and all sigmas are NaN. The pose of targets is accepted when it is the
+ * (Berkson 1944) on simulated pairs of five kinds of scenes, one right to two wrong, tried on
+ * others. What has changed between two scans speaks against their pose as another place would.
+ * Unless a pose is accepted its covariance and all sigmas are NaN. The pose of targets is accepted when it is the
  * only one, fixed in all directions, and sigma0 agrees with the covariances given (else doubtful);
  * its sigmas stay.
  *

@@ -23,7 +23,8 @@ constexpr KnownColumn kSummaryColumns[] = {{"converged", ElementType::kUint8, 1,
 template <Maybe<Registration> T>
 auto registration_members(T& r) {
   return std::tie(r.pose, r.scale, r.converged, r.stopped, r.centre, r.covariance, r.pairs,
-                  r.iterations, r.rms_m, r.extent_m, r.unobservable);
+                  r.iterations, r.rms_m, r.extent_m, r.unobservable, r.judgement.verdict,
+                  r.judgement.confidence, r.judgement.reasons);
 }
 
 void require_whole_registration(const ByteReader& reader, const Registration& r) {
@@ -32,6 +33,7 @@ void require_whole_registration(const ByteReader& reader, const Registration& r)
     reader.refuse("the pose is not finite");
   if (r.stopped < StopReason::kConverged || r.stopped > StopReason::kNothingFound)
     reader.refuse("the reason for the end is unknown");
+  if (r.judgement.verdict > Verdict::kRefused) reader.refuse("the verdict is unknown");
   require_known(reader, r.summary, kSummaryColumns);
   require_rows(reader, r.summary, "columns of the summary", 1);
   require_known(reader, r.directions, kDirectionColumns);

@@ -178,7 +178,7 @@ jalon_status jalon_registration_reasons(const jalon_registration* registration, 
   return guard([&] {
     require(registration, "registration");
     require(out, "out");
-    *out = registration->registration->reasons.c_str();
+    *out = registration->registration->judgement.reasons.c_str();
   });
 }
 

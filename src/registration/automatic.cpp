@@ -18,8 +18,7 @@ namespace {
 constexpr auto kAutomaticRows = setting_rows(nested_rows<&AutomaticSettings::coarse, kCoarseRows>(),
                                              nested_rows<&AutomaticSettings::icp, kIcpRows>());
 
-constexpr size_t kMostTried =
-    3;  // of the poses that coarse found: of right ones the first or the second was the right one
+constexpr size_t kMostTried = 3;  // of the poses that coarse found: each costs a fine registration
 // Poses that put the moving cloud's centre or its outer points farther apart than this share of its extent are
 // different.
 constexpr double kDifferent = 0.02;

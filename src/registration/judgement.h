@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace jalon {
 
@@ -16,7 +15,12 @@ struct PoseJudgement {
   Verdict verdict = Verdict::kNone;
   /// Probability that the pose is right; NaN where it was not measured.
   double confidence = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::string> reasons;  ///< sentences, why it is not accepted
+  std::string reasons;  ///< why it is not accepted: sentences, a line each
+
+  void add_reason(const std::string& sentence) {
+    if (!reasons.empty()) reasons += '\n';
+    reasons += sentence;
+  }
 };
 
 }  // namespace jalon

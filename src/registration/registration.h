@@ -47,8 +47,7 @@ struct Registration {
   uint64_t unobservable = 0;  ///< directions of the six that nothing fixes
   FieldTable summary, iteration_log, residuals, directions;
   std::vector<std::string>
-      pair_names;       ///< of the rows of residuals; empty where pairs have no names
-  std::string reasons;  ///< of the judgement, a line each
+      pair_names;  ///< of the rows of residuals; empty where pairs have no names
   std::string parameters_json;
 };
 using RegistrationPtr = std::shared_ptr<const Registration>;

@@ -100,9 +100,6 @@ void fill_judgement(Registration& r, PoseJudgement judgement) {
                      static_cast<uint8_t>(judgement.verdict));
   add_value<double>(r.summary, "confidence", "1", "probability that the pose is right",
                     judgement.confidence);
-  r.reasons.clear();
-  for (const std::string& reason : judgement.reasons) r.reasons += reason + "\n";
-  if (!r.reasons.empty()) r.reasons.pop_back();
   r.judgement = std::move(judgement);
 }
 
@@ -111,15 +108,15 @@ PoseJudgement judgement_of_search(StopReason stopped) {
     case StopReason::kConverged:
       return {};
     case StopReason::kAmbiguous:
-      return {Verdict::kDoubtful, kNaN, {"a clearly different pose fits about as well"}};
+      return {Verdict::kDoubtful, kNaN, "a clearly different pose fits about as well"};
     case StopReason::kIterationLimit:
-      return {Verdict::kDoubtful, kNaN, {"the steps have not settled"}};
+      return {Verdict::kDoubtful, kNaN, "the steps have not settled"};
     case StopReason::kTooFewPairs:
-      return {Verdict::kRefused, kNaN, {"what both have in common does not carry a pose"}};
+      return {Verdict::kRefused, kNaN, "what both have in common does not carry a pose"};
     case StopReason::kNothingFound:
       break;
   }
-  return {Verdict::kRefused, kNaN, {"no pose explains both"}};
+  return {Verdict::kRefused, kNaN, "no pose explains both"};
 }
 
 void hide_sigmas(Registration& r) {

@@ -24,7 +24,7 @@ void fill_tables(Registration& registration, const std::array<PoseDirection, 6>&
 
 /// Sets the columns "converged" and "stopped" of the summary anew.
 void set_stopped(Registration& registration);
-/// Sets the verdict: its columns of the summary, after those of fill_tables(), and its reasons as one text.
+/// Sets the judgement and its columns of the summary, after those of fill_tables().
 void fill_judgement(Registration& registration, PoseJudgement judgement);
 /// The judgement by why a search stopped: not judged where it found its pose, else refused.
 PoseJudgement judgement_of_search(StopReason stopped);

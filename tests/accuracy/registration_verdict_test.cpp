@@ -9,9 +9,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "accuracy/pair_scenes_reported.h"
+#include "accuracy/pair_kinds.h"
 #include "accuracy/recipe.h"
-#include "accuracy/registration_pairs.h"
 #include "cloud/select.h"
 #include "registration/icp/icp.h"
 
@@ -21,24 +20,6 @@ using namespace jalon::test;
 namespace {
 
 constexpr uint64_t kFirstSeed = 101;  // beyond those that the weights come from
-
-struct PairKind {
-  const char* name;
-  PairScene (*make)(uint64_t seed, uint64_t contents);
-};
-template <PairScene (*Make)(uint64_t)>
-PairScene without_contents(uint64_t seed, uint64_t) {
-  return Make(seed);
-}
-constexpr PairKind kDeveloped[] = {
-    {"crossing", without_contents<crossing>}, {"room", furnished},
-    {"boulders", without_contents<boulders>}, {"front", front},
-    {"corridor", corridor_with_doors},        {"thing", without_contents<thing>}};
-constexpr PairKind kReported[] = {{"plant", without_contents<plant>},
-                                  {"columns", columns},
-                                  {"wood", without_contents<wood>},
-                                  {"machine", without_contents<machine>},
-                                  {"stairs", without_contents<stairs>}};
 
 struct Tally {
   int right = 0, accepted = 0, right_refused = 0;
@@ -83,8 +64,8 @@ class Trial {
     const PairScene floor = kind_.make(seed_, seed_ + 500);
     if (are_different(floor, scene_)) lay(floor, other, scanner_, {}, 0, false);
     lay(kind_.make(seed_ + 700, seed_ + 700), other, scanner_, {}, 0, false);
-    const PairKind& next =
-        kReported[seed_ % 5].make == kind_.make ? kDeveloped[seed_ % 5] : kReported[seed_ % 5];
+    const PairKind& next = kReportedKinds[seed_ % 5].make == kind_.make ? kDevelopedKinds[seed_ % 5]
+                                                                        : kReportedKinds[seed_ % 5];
     lay(next.make(seed_ + 900, seed_), other, scanner_, {}, 0, false);
     lay_apart(other);
     return tally_;
@@ -129,14 +110,8 @@ class Trial {
   }
 
   Transform start(const StandScan& moving, const Vec3& off_world_m, double turn_rad) const {
-    RandomStream random(seed_, 7);
-    const Vec3 turn{random.normal(), random.normal(), random.normal()};
-    const Vec3 shift{random.normal(), random.normal(), random.normal()};
-    const Transform T_reference_world = inverse(reference_.T_world_scan);
-    return motion_about(T_reference_world.point(scene_.standpoints[0]),
-                        turn * 0.02 + Vec3{0, 0, turn_rad},
-                        shift * 0.05 + T_reference_world.direction(off_world_m)) *
-           truth(moving);
+    return start_near(truth(moving), reference_, scene_, seed_, 0.05, {0, 0, turn_rad},
+                      inverse(reference_.T_world_scan).direction(off_world_m));
   }
 
   void judge(const CloudPtr& reference, const CloudPtr& moving, const Transform& from,
@@ -144,11 +119,7 @@ class Trial {
     if (reference->size() < 100 || moving->size() < 100) return;
     Task task;
     const Registration found = register_icp(reference, moving, from, {}, task);
-    double miss_m = 0;
-    for (size_t i = 0; i < moving->size(); i += 200)
-      miss_m = std::max(miss_m,
-                        norm(found.pose.point(moving->point(i)) - truth.point(moving->point(i))));
-    const bool is_right = has_truth && miss_m < kRight_m;
+    const bool is_right = has_truth && greatest_miss_m(found.pose, truth, *moving) < kRight_m;
     const Verdict verdict = found.judgement.verdict;
     (is_right ? tally_.right : tally_.wrong) += 1;
     if (is_right)
@@ -207,8 +178,8 @@ void check_kinds(std::span<const PairKind> kinds, const char* what) {
 }  // namespace
 
 TEST_CASE("verdict__tells_right_from_wrong_pairs_of_kinds_it_was_made_with") {
-  check_kinds(kDeveloped, "developed");
+  check_kinds(kDevelopedKinds, "developed");
 }
 TEST_CASE("verdict__tells_right_from_wrong_pairs_of_kinds_it_never_saw") {
-  check_kinds(kReported, "reported");
+  check_kinds(kReportedKinds, "reported");
 }

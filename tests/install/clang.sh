@@ -5,26 +5,12 @@
 # Library, tool and tests without a warning; the tests pass (of the first version, the others build what bits.sh runs); the results
 # have the bits of those in BUILD_FOLDER, by GCC.
 set -uo pipefail
-root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$(dirname "$0")/builds.sh"
 reference=$(realpath "${1:?usage: clang.sh BUILD_FOLDER [VERSION ...]}")
 shift
 versions=("$@")
 [ ${#versions[@]} -gt 0 ] || versions=(14 19)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-passed=0 failed=0 skipped=0
-export CMAKE_GENERATOR=Ninja
 
-# check NAME COMMAND...: the command succeeds.
-check() {
-  local name=$1
-  shift
-  if "$@" >"$work/log" 2>&1; then
-    passed=$((passed + 1)); echo "ok - clang-$version: $name"
-  else
-    failed=$((failed + 1)); echo "not ok - clang-$version: $name"; tail -n 25 "$work/log" | sed 's/^/    /'
-  fi
-}
 configured() {
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DJALON_WERROR=ON -DJALON_BUILD_TESTS=ON \
     -DCMAKE_C_COMPILER="clang-$version" -DCMAKE_CXX_COMPILER="clang++-$version"
@@ -33,7 +19,7 @@ built() { cmake --build "$build" --target "$@" && ! grep -n 'warning:' "$work/lo
 same_bits() { "$reference/tests/bits" 1 >"$work/gcc" && "$build/tests/bits" 1 >"$work/clang" && diff "$work/gcc" "$work/clang"; }
 
 for version in "${versions[@]}"; do
-  build=$root/build/clang-$version
+  build=$root/build/clang-$version subject=clang-$version
   if ! command -v "clang++-$version" >/dev/null; then
     echo "skipped: clang++-$version is missing"
     skipped=$((skipped + 1))
@@ -55,5 +41,4 @@ for version in "${versions[@]}"; do
   done < <(cd "$build/tests" && ls -d unit_* capi_* | grep -v '\.')
   check "the tool" bash "$root/tests/scenarios/cli.sh" "$build/src/jalon"
 done
-echo "$passed passed, $failed failed, $skipped skipped"
-[ $failed -eq 0 ]
+finish

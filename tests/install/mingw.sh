@@ -6,29 +6,11 @@
 # Without FCL, which Debian has for its own system alone.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-root=$(cd "$here/../.." && pwd)
+. "$here/builds.sh"
+subject=mingw
 build=${1:-$root/build/mingw}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 prefix=$work/prefix
 release=$(sed -n 's/.*JALON_VERSION_STRING "\(.*\)".*/\1/p' "$root/include/jalon/version.h")
-passed=0 failed=0 skipped=0
-export CMAKE_GENERATOR=Ninja
-
-check() {
-  local name=$1
-  shift
-  if "$@" >"$work/log" 2>&1; then
-    passed=$((passed + 1)); echo "ok - mingw: $name"
-  else
-    failed=$((failed + 1)); echo "not ok - mingw: $name"; tail -n 25 "$work/log" | sed 's/^/    /'
-  fi
-}
-finish() {
-  echo "$passed passed, $failed failed, $skipped skipped"
-  [ $failed -eq 0 ]
-  exit
-}
 
 # The headers of other libraries, and nothing else of the system's: its own would be in the way of those of Windows.
 headers=$build/headers

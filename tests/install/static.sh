@@ -4,25 +4,11 @@
 # -DBUILD_SHARED_LIBS=OFF: the library as one archive, installed, and programs in C that link it: static.sh [BUILD_FOLDER]
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-root=$(cd "$here/../.." && pwd)
+. "$here/builds.sh"
+subject=static
 build=${1:-$root/build/static}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 prefix=$work/prefix
 release=$(sed -n 's/.*JALON_VERSION_STRING "\(.*\)".*/\1/p' "$root/include/jalon/version.h")
-passed=0 failed=0
-export CMAKE_GENERATOR=Ninja
-
-# check NAME COMMAND...: the command succeeds.
-check() {
-  local name=$1
-  shift
-  if "$@" >"$work/log" 2>&1; then
-    passed=$((passed + 1)); echo "ok - static: $name"
-  else
-    failed=$((failed + 1)); echo "not ok - static: $name"; tail -n 15 "$work/log" | sed 's/^/    /'
-  fi
-}
 
 check "is configured" cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DJALON_WERROR=ON -DBUILD_SHARED_LIBS=OFF
 check "is built" cmake --build "$build"
@@ -52,5 +38,4 @@ refuses_bindings() {
 }
 check "the bindings are refused, and the line says why" refuses_bindings
 
-echo "$passed passed, $failed failed, 0 skipped"
-[ $failed -eq 0 ]
+finish

@@ -11,14 +11,6 @@ namespace jalon {
 
 namespace {
 
-JudgedCloud judged(const Cloud& raw, const ThinnedCloud& thinned, const SurfacePlanes& surface,
-                   Task& task) {
-  const auto order = surface.tree->order();
-  std::vector<uint32_t> raw_index(order.begin(), order.end());
-  for (uint32_t& index : raw_index) index = thinned.raw(index);
-  return judged_cloud(raw, surface, raw_index, task);
-}
-
 void add_evidence(const PoseEvidence& evidence, FieldTable& summary) {
   const auto add = [&](const char* name, const char* meaning, double of_moving,
                        double of_reference) {
@@ -46,9 +38,10 @@ void add_evidence(const PoseEvidence& evidence, FieldTable& summary) {
 void icp_judge(const Cloud& reference, const Cloud& moving, const IcpProblem& problem,
                const IcpState& state, Registration& out, Task& task) {
   const IcpClouds& clouds = problem.clouds;
-  const JudgedCloud of_reference =
-                        judged(reference, problem.thinned_reference, clouds.reference, task),
-                    of_moving = judged(moving, problem.thinned_moving, clouds.moving, task);
+  const JudgedCloud of_reference = judged_cloud(reference, clouds.reference,
+                                                problem.thinned_reference.index, task),
+                    of_moving =
+                        judged_cloud(moving, clouds.moving, problem.thinned_moving.index, task);
   const PoseEvidence evidence =
       evidence_of(of_reference, of_moving, state.T_reference_moving, task);
   add_evidence(evidence, out.summary);

@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "cloud/neighbour_planes.h"
+#include "geometry/nearest_axis.h"
 #include "registration/surface/face_plane.h"
 #include "registration/surface/quadric_plane.h"
 
@@ -100,12 +101,6 @@ double median_of(const Buffer<SurfacePlane>& planes, Value value) {
   return *middle;
 }
 
-int axis_of(const SurfacePlane& plane) {
-  const float x = std::fabs(plane.normal[0]), y = std::fabs(plane.normal[1]),
-              z = std::fabs(plane.normal[2]);
-  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-}
-
 }  // namespace
 
 SurfacePlanes surface_planes(std::shared_ptr<const Octree> tree, uint32_t k, Task& task) {
@@ -152,7 +147,7 @@ std::vector<uint32_t> flattest_points(const SurfacePlanes& planes, int level, Ta
       uint32_t best[3] = {kNoPoint, kNoPoint, kNoPoint};
       for (size_t i = cells[c].first; i < cells[c].first + cells[c].count; ++i) {
         if (!planes.flat(i)) continue;
-        uint32_t& held = best[axis_of(planes.planes[i])];
+        uint32_t& held = best[nearest_axis(planes.planes[i].unit())];
         if (held == kNoPoint || planes.planes[i].sigma_m < planes.planes[held].sigma_m)
           held = static_cast<uint32_t>(i);
       }

@@ -44,9 +44,9 @@ constexpr auto kTargetsRows = setting_rows(
 PoseJudgement judgement_of_targets(const Registration& found) {
   PoseJudgement out = judgement_of_search(found.stopped);
   if (out.verdict != Verdict::kNone) return out;
-  if (found.unobservable > 0) out.reasons.push_back("directions of the pose are not fixed");
+  if (found.unobservable > 0) out.add_reason("directions of the pose are not fixed");
   if (found.summary.require("global_accepted").values<uint8_t>()[0] == 0)
-    out.reasons.push_back("the residuals do not agree with the covariances of the targets");
+    out.add_reason("the residuals do not agree with the covariances of the targets");
   out.verdict = out.reasons.empty() ? Verdict::kAccepted : Verdict::kDoubtful;
   return out;
 }

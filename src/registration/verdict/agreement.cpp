@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "geometry/nearest_axis.h"
 
 namespace jalon {
 
@@ -165,11 +166,6 @@ std::vector<bool> of_things(std::span<const Surfel> surfels, std::span<const Ans
   return out;
 }
 
-int axis_of(const Vec3& n) {
-  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-}
-
 }  // namespace
 
 Agreement agreement_of(const JudgedCloud& of, const JudgedCloud& with, const Transform& T_with_of,
@@ -186,7 +182,7 @@ Agreement agreement_of(const JudgedCloud& of, const JudgedCloud& with, const Tra
   size_t seen[3] = {kPrior, kPrior, kPrior}, pierced[3] = {};
   for (size_t i = 0; i < answers.size(); ++i) {
     const Answer& answer = answers[i];
-    const int axis = axis_of(of.surfels[i].normal);
+    const int axis = nearest_axis(of.surfels[i].normal);
     const bool is_pierced = is_thing[i] && answer.said == Said::kPierced;
     out.near += answer.is_near;
     out.explained += answer.said == Said::kExplained;

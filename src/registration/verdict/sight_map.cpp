@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/nearest_axis.h"
+
 namespace jalon {
 
 namespace {
@@ -30,8 +32,7 @@ struct SightMap::Window {
 };
 
 SightMap::Place SightMap::place_of(const Vec3& d) const {
-  const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
-  const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const int axis = nearest_axis(d);
   const double depth = d[axis], a = axis == 0 ? d.y : d.x, b = axis == 2 ? d.y : d.z;
   const double scale = depth == 0 ? 0 : 0.5 / std::abs(depth);
   const auto cell = [&](double u) {

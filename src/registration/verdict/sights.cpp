@@ -15,8 +15,8 @@ namespace {
 
 constexpr size_t kSurfelCells = 4000;  // a share of 1 % of them is known to a fifth of itself
 constexpr double kRangeNoises = 5;     // that a range may be off
-// Share of a cloud's surfels that a believed station could not have seen. Found where the station is known: 0 to
-// 0.014; where the fit was off by a metre in a corridor 0.14.
+// Share of a cloud's surfels that a believed station could not have seen. Found where the fit was right to decimetres:
+// 0 to 0.057; where it was off by a metre in a corridor 0.14.
 constexpr double kMostImpossible = 0.08;
 // Of the logarithm of a density that 16 neighbours give: by chance alone 0.2, found at true stations 0.22 to 0.37,
 // where the fit was lost 0.41 to 0.6. Less than chance have points that were thinned to a grid: nobody can tell from
@@ -30,7 +30,7 @@ constexpr int kFittedEdge = 64, kKnownEdge = 256;
 constexpr size_t kLeastTold = 100;  // surfels of which the station's view tells anything
 
 // The stations with a pose, each over its own points; surfels know theirs.
-void use_known(const Cloud& raw, std::span<const uint32_t> raw_index, JudgedCloud& out,
+void use_known(const Cloud& raw, std::span<const uint32_t> thinned_index, JudgedCloud& out,
                Task& task) {
   const Vec3& origin = out.surface->tree->cube().origin;
   std::vector<int> sight_of(raw.stations.size(), -1);
@@ -42,8 +42,10 @@ void use_known(const Cloud& raw, std::span<const uint32_t> raw_index, JudgedClou
     out.sights.push_back(
         SightMap::build(points, origin, station.pose.translation() - origin, kKnownEdge, task));
   }
+  const auto order = out.surface->tree->order();
   for (Surfel& surfel : out.surfels) {
-    const Station* station = station_of(raw, raw_index[surfel.position]);
+    const uint32_t index = order[surfel.position];
+    const Station* station = station_of(raw, thinned_index.empty() ? index : thinned_index[index]);
     if (station != nullptr)
       surfel.sight = sight_of[static_cast<size_t>(station - raw.stations.data())];
   }
@@ -109,9 +111,9 @@ void find_one(const Cloud& raw, JudgedCloud& out, Task& task) {
 }  // namespace
 
 JudgedCloud judged_cloud(const Cloud& raw, const SurfacePlanes& surface,
-                         std::span<const uint32_t> raw_index, Task& task) {
+                         std::span<const uint32_t> thinned_index, Task& task) {
   JudgedCloud out{&surface, sample_surface(surface, kSurfelCells, task), {}};
-  use_known(raw, raw_index, out, task);
+  use_known(raw, thinned_index, out, task);
   out.are_told = !out.sights.empty();
   if (!out.are_told) find_one(raw, out, task);
   return out;

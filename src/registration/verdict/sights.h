@@ -23,8 +23,9 @@ struct JudgedCloud {
 /// be of one station, which is then found by the density of its points and believed when it could have seen all but a
 /// few of them.
 ///
-/// raw_index: of the point at each position of the surface, in the cloud. The surface outlives the result.
+/// thinned_index: where the surface is of a thinned cloud, of each of its points one of the raw ones; empty: it is of
+/// the raw cloud. The surface outlives the result.
 JudgedCloud judged_cloud(const Cloud& raw, const SurfacePlanes& surface,
-                         std::span<const uint32_t> raw_index, Task& task);
+                         std::span<const uint32_t> thinned_index, Task& task);
 
 }  // namespace jalon

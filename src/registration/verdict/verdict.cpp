@@ -11,6 +11,7 @@ namespace jalon {
 
 namespace {
 
+// Of the confidence. At 0.8 the developed kinds had 1 % of their wrong poses accepted, and lost 2 % of the right ones.
 constexpr double kAccepted = 0.8, kRefused = 0.1;
 constexpr size_t kLeastExplained = 100;  // surfels of each cloud: fewer may lie there by chance
 // A scale that is off by less may be the scanners' (some 1e-4); by more, and five sigmas, the clouds differ.
@@ -71,23 +72,22 @@ PoseJudgement judge_pose(const PoseEvidence& evidence, bool has_converged, uint6
   out.confidence = confidence_of(against, evidence.has_sights() ? kWithSights : kWithoutSights);
   if (!is_enough) out.confidence *= static_cast<double>(explained) / kLeastExplained;
   // 1. What speaks against the pose.
-  if (!is_enough) out.reasons.push_back("hardly anything of one scan lies on the other");
+  if (!is_enough) out.add_reason("hardly anything of one scan lies on the other");
   if (is_enough && out.confidence < kAccepted)
-    out.reasons.push_back("of the surfaces that both scans should share " +
-                          percent(against.unexplained) + " differ");
+    out.add_reason("of the surfaces that both scans should share " + percent(against.unexplained) +
+                   " differ");
   if (out.confidence < kAccepted && against.pierced > kLittlePierced)
-    out.reasons.push_back("one scan looked through " + percent(against.pierced) +
-                          " of the surfaces of the other");
+    out.add_reason("one scan looked through " + percent(against.pierced) +
+                   " of the surfaces of the other");
   // 2. What leaves it open.
   const ScaleTest& scale = evidence.scale;
   if (scale.sigma > 0 &&
       std::abs(scale.scale - 1) > std::max(kMostScaleOff, kScaleSigmas * scale.sigma))
-    out.reasons.push_back("the scans differ in scale by about " +
-                          percent(std::abs(scale.scale - 1), 2));
+    out.add_reason("the scans differ in scale by about " + percent(std::abs(scale.scale - 1), 2));
   if (unobservable > 0)
-    out.reasons.push_back(std::to_string(unobservable) +
-                          " of the six directions of the pose are not fixed by the data");
-  if (!has_converged) out.reasons.push_back("the steps have not settled");
+    out.add_reason(std::to_string(unobservable) +
+                   " of the six directions of the pose are not fixed by the data");
+  if (!has_converged) out.add_reason("the steps have not settled");
   out.verdict = out.confidence <= kRefused ? Verdict::kRefused
                 : out.reasons.empty()      ? Verdict::kAccepted
                                            : Verdict::kDoubtful;

@@ -23,6 +23,7 @@ Registration registration_of_two_pairs() {
   r.pair_names = {"A", "B\xC3\xA9"};
   r.parameters_json = "{\"k\":12}";
   fill_tables(r, {});
+  fill_judgement(r, {Verdict::kDoubtful, 0.5, "the steps have not settled"});
   return r;
 }
 
@@ -45,6 +46,9 @@ TEST_CASE("registration_bytes__bring_back_pose_covariance_tables_and_names") {
   CHECK(back.covariance == from.covariance);
   CHECK(back.converged);
   CHECK(back.stopped == StopReason::kConverged);
+  CHECK(back.judgement.verdict == Verdict::kDoubtful);
+  CHECK(back.judgement.confidence == 0.5);
+  CHECK(back.judgement.reasons == from.judgement.reasons);
   CHECK(back.pair_names == from.pair_names);
   CHECK(back.directions.require("direction").info().components == 6);
   CHECK(back.summary.require("rms").number(0) == 0.003);
@@ -56,6 +60,8 @@ TEST_CASE("registration_bytes__that_no_registrar_could_have_made_are_refused") {
   CHECK(has_text(registration_back([](R& r) { r.pose.m[0] = INFINITY; }), "pose is not finite"));
   CHECK(has_text(registration_back([](R& r) { r.stopped = static_cast<StopReason>(6); }),
                  "reason for the end"));
+  CHECK(has_text(registration_back([](R& r) { r.judgement.verdict = static_cast<Verdict>(4); }),
+                 "verdict is unknown"));
   CHECK(has_text(registration_back([](R& r) { r.pair_names.resize(3); }), "more names than pairs"));
   CHECK(has_text(registration_back([](R& r) { r.directions.remove("sigma"); }),
                  "no column \"sigma\""));

@@ -35,7 +35,7 @@ TEST_CASE("icp_judge__adds_its_findings_and_accepts_a_right_pose") {
   for (const double cell_m : {0.0, 0.05}) {  // of all points, and of thinned ones
     const Registration r = registered(room_scan(0, 3).cloud, room_scan(1, 3).cloud, cell_m);
     CHECK(r.judgement.verdict == Verdict::kAccepted);
-    CHECK(r.reasons.empty());
+    CHECK(r.judgement.reasons.empty());
     CHECK(r.summary.require("verdict").values<uint8_t>()[0] == 1);
     CHECK(value(r, "confidence") == r.judgement.confidence);
     CHECK(value(r, "explained_moving") > 0.9);
@@ -51,5 +51,5 @@ TEST_CASE("icp_judge__does_not_accept_another_floor_that_converges") {
   const Registration r = registered(room_scan(0, 3).cloud, room_scan(1, 77).cloud);
   CHECK(r.converged);
   CHECK(r.judgement.verdict != Verdict::kAccepted);
-  CHECK_FALSE(r.reasons.empty());
+  CHECK_FALSE(r.judgement.reasons.empty());
 }

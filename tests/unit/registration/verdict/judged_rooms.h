@@ -25,7 +25,7 @@ inline std::shared_ptr<JudgedScan> judged_scan(const PairScene& scene, size_t st
   out->cloud = scan_from(scene, standpoint, scanner, seed).cloud;
   out->surface = surface_planes(out->cloud->octree(task), 16, task);
   out->station = scene.standpoints[standpoint] - out->surface.tree->cube().origin;
-  out->judged = judged_cloud(*out->cloud, out->surface, out->surface.tree->order(), task);
+  out->judged = judged_cloud(*out->cloud, out->surface, {}, task);
   return out;
 }
 

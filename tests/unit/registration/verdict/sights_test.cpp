@@ -13,7 +13,7 @@ namespace {
 
 JudgedCloud judged(const Cloud& cloud, const SurfacePlanes& surface) {
   Task task;
-  return judged_cloud(cloud, surface, surface.tree->order(), task);
+  return judged_cloud(cloud, surface, {}, task);
 }
 
 }  // namespace

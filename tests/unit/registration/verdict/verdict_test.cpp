@@ -28,9 +28,7 @@ PoseEvidence clean_evidence() {
 }
 
 bool has_reason(const PoseJudgement& judgement, const char* words) {
-  for (const std::string& reason : judgement.reasons)
-    if (reason.find(words) != std::string::npos) return true;
-  return false;
+  return judgement.reasons.find(words) != std::string::npos;
 }
 
 }  // namespace

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The verdict of the same two scans when their points are jittered, rounded, shuffled, halved, turned or moved to a
+// national grid: a right pair and a wrong one of each kind to report.
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "accuracy/pair_kinds.h"
+#include "cloud/select.h"
+#include "registration/icp/icp.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+constexpr uint64_t kSeed = 301;
+constexpr double kNoise_m = 0.004;
+
+CloudPtr changed(const Cloud& cloud, const std::function<Vec3(const Vec3&)>& change) {
+  Buffer<double> xyz(3 * cloud.size());
+  for (size_t i = 0; i < cloud.size(); ++i) {
+    const Vec3 p = change(cloud.point(i));
+    for (int axis = 0; axis < 3; ++axis) xyz[3 * i + static_cast<size_t>(axis)] = p[axis];
+  }
+  return std::make_shared<const Cloud>(make_cloud(std::move(xyz)));
+}
+
+CloudPtr picked(const Cloud& cloud, const std::vector<uint64_t>& indices) {
+  Task task;
+  return std::make_shared<const Cloud>(select(cloud, indices, task));
+}
+
+CloudPtr jittered(const Cloud& cloud) {
+  RandomStream random(kSeed, 9);
+  return changed(cloud, [&](const Vec3& p) {
+    const Vec3 by{random.normal(), random.normal(), random.normal()};
+    return p + by * (0.1 * kNoise_m);
+  });
+}
+
+CloudPtr rounded(const Cloud& cloud) {
+  return changed(cloud, [](const Vec3& p) {
+    const auto to_mm = [](double v) { return std::round(1000 * v) / 1000; };
+    return Vec3{to_mm(p.x), to_mm(p.y), to_mm(p.z)};
+  });
+}
+
+CloudPtr shuffled(const Cloud& cloud) {
+  RandomStream random(kSeed, 10);
+  std::vector<uint64_t> order(cloud.size());
+  for (uint64_t i = 0; i < order.size(); ++i) {
+    const uint64_t k = random.below(i + 1);
+    order[i] = order[k];
+    order[k] = i;
+  }
+  return picked(cloud, order);
+}
+
+CloudPtr halved(const Cloud& cloud) {
+  std::vector<uint64_t> even;
+  for (uint64_t i = 0; i < cloud.size(); i += 2) even.push_back(i);
+  return picked(cloud, even);
+}
+
+struct Pair {
+  CloudPtr reference, moving;
+  Transform start;
+
+  Verdict verdict() const {
+    Task task;
+    return register_icp(reference, moving, start, {}, task).judgement.verdict;
+  }
+  Pair with(const std::function<CloudPtr(const Cloud&)>& change) const {
+    return {change(*reference), change(*moving), start};
+  }
+  /// Both clouds moved alike.
+  Pair moved(const Transform& by) const {
+    const auto move = [&](const Cloud& c) {
+      return changed(c, [&](const Vec3& p) { return by.point(p); });
+    };
+    return {move(*reference), move(*moving), by * start * inverse(by)};
+  }
+};
+
+Pair pair_of(const PairKind& kind, uint64_t contents) {
+  ScanSettings scanner;
+  scanner.noise_m = kNoise_m;
+  const PairScene scene = kind.make(kSeed, kSeed);
+  const StandScan reference = scan_from(scene, 0, scanner, 1);
+  const StandScan moving = scan_from(kind.make(contents, contents), 1, scanner, 2);
+  const Transform truth = inverse(reference.T_world_scan) * moving.T_world_scan;
+  return {reference.cloud, moving.cloud, start_near(truth, reference, scene, kSeed, 0.05)};
+}
+
+struct Change {
+  const char* name;
+  Pair (*make)(const Pair&);
+};
+constexpr Change kChanges[] = {
+    {"jittered by a tenth of the noise", [](const Pair& p) { return p.with(jittered); }},
+    {"rounded to millimetres", [](const Pair& p) { return p.with(rounded); }},
+    {"shuffled", [](const Pair& p) { return p.with(shuffled); }},
+    {"halved", [](const Pair& p) { return p.with(halved); }},
+    {"turned",
+     [](const Pair& p) {
+       return p.moved(motion_about({}, {0, 0, 0.7}, {}));
+     }},
+    {"on a national grid", [](const Pair& p) {
+       return p.moved(motion_about({}, {}, {652000, 6862000, 120}));
+     }}};
+
+}  // namespace
+
+TEST_CASE(
+    "verdict__stays_when_points_are_jittered_rounded_shuffled_halved_turned_or_far_from_the_"
+    "origin") {
+  int checked = 0;
+  for (const PairKind& kind : kReportedKinds) {
+    const Pair right = pair_of(kind, kSeed), wrong = pair_of(kind, kSeed + 1);
+    CAPTURE(std::string(kind.name));
+    CHECK(right.verdict() == Verdict::kAccepted);
+    CHECK(wrong.verdict() != Verdict::kAccepted);
+    for (const Change& change : kChanges) {
+      CAPTURE(std::string(change.name));
+      CHECK(change.make(right).verdict() == Verdict::kAccepted);
+      CHECK(change.make(wrong).verdict() != Verdict::kAccepted);
+      checked += 2;
+    }
+  }
+  MESSAGE("FIGURE verdict, changes of the points looked at: " << checked);
+}
