@@ -75,7 +75,9 @@ typedef struct jalon_target {
  *     have in common (a station's tilt, a warped mirror) is not in it, nor where neighbours of k
  *     points are wider than the surfaces are flat;
  *   - the directions that nothing fixes: those in which the pairs say no more than the noise of the
- *     planes' normals alone would. The pose keeps the start there, and the covariance is NaN.
+ *     planes' normals alone would, and along which the pose can be slid without the surfaces of both
+ *     clouds agreeing less. No step is taken along them once they show; where the pose lies there
+ *     hangs on the start and on the steps before, and the covariance is NaN.
  * - "targets": the rigid or similarity motion ("transform") from three or more targets known in
  *   both frames: closed form (Arun, Huang & Blostein 1987; Umeyama 1991), then the adjustment
  *   weighted with the covariances of both sides (Gauss-Helmert model; Pope 1972), and a test of
@@ -97,7 +99,8 @@ typedef struct jalon_target {
  * when directions of it stay open, when little of one cloud lies on the other and when the steps
  * have not settled. "confidence" is the probability that the pose is right: a logistic regression
  * (Berkson 1944) on simulated pairs of five kinds of scenes, one right to two wrong, tried on
- * others. What has changed between two scans speaks against their pose as another place would.
+ * others; it is of the directions that are fixed. What has changed between two scans speaks against their pose as
+ * another place would.
  * Unless a pose is accepted its covariance and all sigmas are NaN. The pose of targets is accepted when it is the
  * only one, fixed in all directions, and sigma0 agrees with the covariances given (else doubtful);
  * its sigmas stay.
@@ -304,7 +307,7 @@ jalon_registration_pair_name(const jalon_registration* registration, uint64_t i,
  *     direction   float64 x 6  -     turn about the centre (rad), shift (m); a step of 1 m by the
  *                                    extent
  *     sigma       float64      m     standard deviation along it
- *     observable  uint8        -     0 = the data do not fix it; the pose keeps the start there
+ *     observable  uint8        -     0 = the data do not fix it; where the pose lies there means nothing
  */
 JALON_API JALON_CHECK jalon_status
 jalon_registration_directions(const jalon_registration* registration, jalon_fields** out);

@@ -104,7 +104,7 @@ IcpCovariance icp_covariance(const IcpProblem& problem, const IcpState& state, T
   const IcpLevel all;
   const IcpPairing at{problem.clouds, all, state.last.neighbours, heard, state.T_reference_moving};
   const IcpSums sums = icp_sums(at, {KernelKind::kNone, kernel.sigma_m}, frame, task);
-  const IcpDirections directions = icp_directions(sums);
+  const IcpDirections directions = icp_directions(sums, state.over_noise);
   const bool by_planes =
       heard.metric == IcpMetric::kPointToPlane;  // else the sigma of each pair is in the scores
   if (by_planes) out.sigma0 = sigma0_of(at, kernel.sigma_m, task);

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/table_columns.h"
-#include "registration/icp/judge.h"
+#include "registration/icp/confirm.h"
 #include "registration/icp/result.h"
 #include "registration/icp/rows.h"
 #include "registration/icp/settle.h"
@@ -83,7 +83,8 @@ IcpProblem problem_of(const CloudPtr& reference, const CloudPtr& moving,
 }
 
 // Step 2, on the way to all points on a tenth of many: their steps cost little and leave the last ones little to do.
-void iterate(IcpProblem& problem, IcpState& state, Task& task) {
+// Returns the level of all points.
+IcpLevel iterate(IcpProblem& problem, IcpState& state, Task& task) {
   const IcpSettings& settings = problem.settings;
   const IcpClouds& clouds = problem.clouds;
   const IcpLevel few = level_of_cells(clouds, kFewest, 0, task);
@@ -93,14 +94,15 @@ void iterate(IcpProblem& problem, IcpState& state, Task& task) {
                          : first_distance(clouds, few, state.T_reference_moving, task);
   IcpLevel all;
   if (settings.coarse_to_fine) {
-    if (!icp_iterate(problem, few, state, task)) return;
+    if (!icp_iterate(problem, few, state, task)) return all;
     ++all.number;
     if (std::min(clouds.reference.size(), clouds.moving.size()) >= kMany) {
       const IcpLevel more = level_of_cells(clouds, kMore, all.number++, task);
-      if (!icp_iterate(problem, more, state, task)) return;
+      if (!icp_iterate(problem, more, state, task)) return all;
     }
   }
   icp_iterate(problem, all, state, task);
+  return all;
 }
 
 }  // namespace
@@ -123,19 +125,22 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
   }
   IcpState state;
   state.T_reference_moving = problem.clouds.to_local(T_start);
+  IcpLevel all;
   {
     ProgressSpan span(task, 0.5, 0.85, "iterations");
-    iterate(problem, state, task);
+    all = iterate(problem, state, task);
   }
   {
     ProgressSpan span(task, 0.85, 0.95, "patches of both clouds");
     icp_settle(problem, state, task);
   }
   ProgressSpan span(task, 0.95, 1, "covariance, verdict");
+  const IcpJudged judged = icp_judged(*reference, *moving, problem, task);
+  const double better_m = icp_confirm(problem, judged, all, state, task);
   Registration out = icp_result(problem, state, task);
   add_value<double>(out.summary, "thinning_cell", "m",
                     "edge of the cubes thinned to a point; 0: none", cell_m);
-  icp_judge(*reference, *moving, problem, state, out, task);
+  icp_judge(judged, state, better_m, out, task);
   return out;
 }
 

@@ -84,7 +84,7 @@ bool sum_up(const IcpProblem& problem, const IcpLevel& level, IcpState& state, I
 // Moves; how many standard deviations of the pose the step was.
 double move(const IcpProblem& problem, IcpState& state, IcpIteration& row) {
   const IcpSums& sums = state.last.sums;
-  state.last.directions = icp_directions(sums);
+  state.last.directions = icp_directions(sums, state.over_noise);
   Coefficients<6> step = icp_step(sums, state.last.directions);
   const double lengthening = sums.weights / std::max(sums.slopes, sums.weights / kMostLengthening);
   for (double& s : step) s *= std::max(1.0, lengthening);

@@ -32,8 +32,9 @@ struct IcpLastStep {
 /// Where the iterations are, and how they got there.
 struct IcpState {
   Transform T_reference_moving;
-  double distance_m = 0;  ///< greatest residual of a pair, as it shrinks
-  double sigma_m = 0;     ///< of the residuals, from their median
+  double distance_m = 0;           ///< greatest residual of a pair, as it shrinks
+  double sigma_m = 0;              ///< of the residuals, from their median
+  double over_noise = kOverNoise;  ///< of directions that are observable
   StopReason stopped = StopReason::kIterationLimit;
   std::vector<IcpIteration> log;
   IcpLastStep last;

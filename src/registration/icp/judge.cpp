@@ -35,15 +35,18 @@ void add_evidence(const PoseEvidence& evidence, FieldTable& summary) {
 
 }  // namespace
 
-void icp_judge(const Cloud& reference, const Cloud& moving, const IcpProblem& problem,
-               const IcpState& state, Registration& out, Task& task) {
+IcpJudged icp_judged(const Cloud& reference, const Cloud& moving, const IcpProblem& problem,
+                     Task& task) {
   const IcpClouds& clouds = problem.clouds;
-  const JudgedCloud of_reference = judged_cloud(reference, clouds.reference,
-                                                problem.thinned_reference.index, task),
-                    of_moving =
-                        judged_cloud(moving, clouds.moving, problem.thinned_moving.index, task);
-  const PoseEvidence evidence =
-      evidence_of(of_reference, of_moving, state.T_reference_moving, task);
+  return {judged_cloud(reference, clouds.reference, problem.thinned_reference.index, task),
+          judged_cloud(moving, clouds.moving, problem.thinned_moving.index, task)};
+}
+
+void icp_judge(const IcpJudged& judged, const IcpState& state, double better_m, Registration& out,
+               Task& task) {
+  PoseEvidence evidence =
+      evidence_of(judged.reference, judged.moving, state.T_reference_moving, task);
+  evidence.better_m = better_m;
   add_evidence(evidence, out.summary);
   fill_judgement(out, judge_pose(evidence, out.converged, out.unobservable));
 }

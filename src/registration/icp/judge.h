@@ -4,12 +4,21 @@
 
 #include "registration/icp/iterations.h"
 #include "registration/registration.h"
+#include "registration/verdict/sights.h"
 
 namespace jalon {
 
-/// Judges the pose that the steps ended with by both clouds, and adds what was found to the result. O(points), to
-/// find where the clouds were taken from.
-void icp_judge(const Cloud& reference, const Cloud& moving, const IcpProblem& problem,
-               const IcpState& state, Registration& out, Task& task);
+/// Both clouds as the verdict looks at them. The problem outlives it.
+struct IcpJudged {
+  JudgedCloud reference, moving;
+};
+
+/// O(points), to find where the clouds were taken from.
+IcpJudged icp_judged(const Cloud& reference, const Cloud& moving, const IcpProblem& problem,
+                     Task& task);
+
+/// Judges the pose that the steps ended with, and adds what was found to the result. better_m: PoseEvidence.
+void icp_judge(const IcpJudged& judged, const IcpState& state, double better_m, Registration& out,
+               Task& task);
 
 }  // namespace jalon

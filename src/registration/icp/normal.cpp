@@ -14,9 +14,6 @@ namespace {
 constexpr size_t kNormalGrain = 1 << 13;
 constexpr size_t kResidualSample =
     1 << 15;  // of either side: a median of so many is within 1 % of that of all
-// Information that stands out of noise: twice as much again as noise alone would give. The estimate of the noise is
-// good to some per cent where normals scatter alike in all directions, and to a factor of two where they do not.
-constexpr double kOverNoise = 10;
 constexpr double kNormalLeastShare =
     1e-9;  // of the strongest direction: what rounding leaves of a noise-free plane
 
@@ -129,7 +126,7 @@ std::vector<float> icp_residual_sample(const IcpPairing& at) {
   return out;
 }
 
-IcpDirections icp_directions(const IcpSums& sums) {
+IcpDirections icp_directions(const IcpSums& sums, double over_noise) {
   using Matrix = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
   const Eigen::Map<const Matrix> normal(sums.normal.data()), noise(sums.noise.data());
   const Eigen::SelfAdjointEigenSolver<Matrix> solver(normal - noise);
@@ -140,7 +137,7 @@ IcpDirections icp_directions(const IcpSums& sums) {
     for (size_t i = 0; i < 6; ++i) out.unit[k][i] = v(static_cast<Eigen::Index>(i));
     out.information[k] = solver.eigenvalues()(static_cast<Eigen::Index>(k));
     const double of_noise = v.dot(noise * v);
-    out.observable[k] = out.information[k] > kOverNoise * of_noise &&
+    out.observable[k] = out.information[k] > over_noise * of_noise &&
                         out.information[k] > kNormalLeastShare * strongest;
   }
   return out;

@@ -46,10 +46,15 @@ struct IcpDirections {
   std::array<double, 6> information{};    ///< without the share of noise
   std::array<bool, 6> observable{};
 };
-/// A direction is observable when its information stands out of what noise of the normals alone
-/// would give: a plane whose normals scatter by a degree looks as if it held shifts along itself.
+/// Times that the information of a direction must stand out of what noise of the normals alone would
+/// give: a plane whose normals scatter by a degree looks as if it held shifts along itself. Where
+/// nothing but pairs speaks for it twice as much again: the estimate of the noise is good to some per
+/// cent where normals scatter alike in all directions, and to a factor of two where they do not.
+inline constexpr double kOverNoise = 10;
+/// ... where the surfaces themselves hold it (registration/verdict/slide.h).
+inline constexpr double kOverNoiseConfirmed = 1;
 /// After: the units are orthonormal.
-IcpDirections icp_directions(const IcpSums& sums);
+IcpDirections icp_directions(const IcpSums& sums, double over_noise = kOverNoise);
 /// The step x in the observable directions, 0 along the others.
 Coefficients<6> icp_step(const IcpSums& sums, const IcpDirections& directions);
 

@@ -44,7 +44,7 @@ class Holding {
       : of_(of),
         with_(with),
         T_with_of_(T_with_of),
-        reach_m_(std::max(of.surface->radius_m, with.surface->radius_m)),
+        reach_m_(reach_of(of, with)),
         noise_m_(std::hypot(of.surface->noise_m, with.surface->noise_m)) {}
 
   Answer ask(const Surfel& surfel) const {
@@ -141,7 +141,7 @@ bool is_against(Said said) { return said == Said::kUnexplained || said == Said::
 
 // Of each surfel, whether it speaks against the pose and so do most of those about it that say anything: at the edges
 // of things single ones do at right poses too.
-std::vector<bool> of_things(std::span<const Surfel> surfels, std::span<const Answer> answers,
+std::vector<bool> of_things(std::span<const Surfel* const> surfels, std::span<const Answer> answers,
                             Task& task) {
   std::vector<bool> out(surfels.size());
   std::vector<double> xyz;
@@ -149,16 +149,16 @@ std::vector<bool> of_things(std::span<const Surfel> surfels, std::span<const Ans
   Box3 box;
   for (size_t i = 0; i < surfels.size(); ++i) {
     if (answers[i].said == Said::kNothing) continue;
-    for (int axis = 0; axis < 3; ++axis) xyz.push_back(surfels[i].place[axis]);
+    for (int axis = 0; axis < 3; ++axis) xyz.push_back(surfels[i]->place[axis]);
     saying.push_back(i);
-    box.add(surfels[i].place);
+    box.add(surfels[i]->place);
   }
   if (saying.size() < kAbout) return out;
   const auto tree = Octree::build(xyz, enclosing_cube(box), task);
   std::array<Neighbour, kAbout> about;
   for (const size_t i : saying) {
     if (!is_against(answers[i].said)) continue;
-    const size_t n = tree->knn(surfels[i].place, kAbout, about);
+    const size_t n = tree->knn(surfels[i]->place, kAbout, about);
     size_t like = 0;
     for (size_t j = 0; j < n; ++j) like += is_against(answers[saying[about[j].index]].said);
     out[i] = like >= kMostOfThem;
@@ -168,21 +168,27 @@ std::vector<bool> of_things(std::span<const Surfel> surfels, std::span<const Ans
 
 }  // namespace
 
+double reach_of(const JudgedCloud& a, const JudgedCloud& b) {
+  return std::max(a.surface->radius_m, b.surface->radius_m);
+}
+
 Agreement agreement_of(const JudgedCloud& of, const JudgedCloud& with, const Transform& T_with_of,
-                       Task& task) {
+                       Task& task, size_t every) {
   const Holding holding(of, with, T_with_of);
-  std::vector<Answer> answers(of.surfels.size());
+  std::vector<const Surfel*> asked;
+  for (size_t i = 0; i < of.surfels.size(); i += every) asked.push_back(&of.surfels[i]);
+  std::vector<Answer> answers(asked.size());
   parallel_for(task, answers.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) answers[i] = holding.ask(of.surfels[i]);
+    for (size_t i = begin; i < end; ++i) answers[i] = holding.ask(*asked[i]);
   });
-  const std::vector<bool> is_thing = of_things(of.surfels, answers, task);
+  const std::vector<bool> is_thing = of_things(asked, answers, task);
   Agreement out;
   out.surfels = answers.size();
   out.has_sights = !with.sights.empty();
   size_t seen[3] = {kPrior, kPrior, kPrior}, pierced[3] = {};
   for (size_t i = 0; i < answers.size(); ++i) {
     const Answer& answer = answers[i];
-    const int axis = nearest_axis(of.surfels[i].normal);
+    const int axis = nearest_axis(asked[i]->normal);
     const bool is_pierced = is_thing[i] && answer.said == Said::kPierced;
     out.near += answer.is_near;
     out.explained += answer.said == Said::kExplained;

@@ -31,8 +31,11 @@ struct Agreement {
   }
 };
 
-/// Holds the surfels of one cloud against the other. The reach is the larger spacing of the two. O(surfels log n).
+/// As far as two clouds know where a surface is between their points: the larger spacing of the two, m.
+double reach_of(const JudgedCloud& a, const JudgedCloud& b);
+
+/// Holds surfels of one cloud, every so many of them, against the other. O(surfels log n).
 Agreement agreement_of(const JudgedCloud& of, const JudgedCloud& with, const Transform& T_with_of,
-                       Task& task);
+                       Task& task, size_t every = 1);
 
 }  // namespace jalon

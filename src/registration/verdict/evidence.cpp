@@ -10,7 +10,7 @@ PoseEvidence evidence_of(const JudgedCloud& reference, const JudgedCloud& moving
                          const Transform& T_reference_moving, Task& task) {
   return {agreement_of(moving, reference, T_reference_moving, task),
           agreement_of(reference, moving, inverse(T_reference_moving), task),
-          scale_test(reference, moving, T_reference_moving)};
+          scale_test(reference, moving, T_reference_moving), 0};
 }
 
 }  // namespace jalon

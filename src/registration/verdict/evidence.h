@@ -11,6 +11,8 @@ namespace jalon {
 struct PoseEvidence {
   Agreement of_moving, of_reference;  ///< each held against the other
   ScaleTest scale;
+  /// Where along an open direction they agree clearly better, m; 0: nowhere, or no direction is open.
+  double better_m = 0;
 
   /// Of both clouds it is known where they were taken from.
   bool has_sights() const { return of_moving.has_sights && of_reference.has_sights; }

@@ -13,6 +13,8 @@ namespace {
 
 // Of the confidence. At 0.8 the developed kinds had 1 % of their wrong poses accepted, and lost 2 % of the right ones.
 constexpr double kAccepted = 0.8, kRefused = 0.1;
+// What is left of the confidence where the clouds agree clearly better along a direction that the pairs leave open.
+constexpr double kBetterElsewhere = 0.1;
 constexpr size_t kLeastExplained = 100;  // surfels of each cloud: fewer may lie there by chance
 // A scale that is off by less may be the scanners' (some 1e-4); by more, and five sigmas, the clouds differ.
 constexpr double kMostScaleOff = 0.002, kScaleSigmas = 5;
@@ -71,6 +73,7 @@ PoseJudgement judge_pose(const PoseEvidence& evidence, bool has_converged, uint6
   const bool is_enough = explained >= kLeastExplained;
   out.confidence = confidence_of(against, evidence.has_sights() ? kWithSights : kWithoutSights);
   if (!is_enough) out.confidence *= static_cast<double>(explained) / kLeastExplained;
+  if (evidence.better_m != 0) out.confidence *= kBetterElsewhere;
   // 1. What speaks against the pose.
   if (!is_enough) out.add_reason("hardly anything of one scan lies on the other");
   if (is_enough && out.confidence < kAccepted)
@@ -79,6 +82,9 @@ PoseJudgement judge_pose(const PoseEvidence& evidence, bool has_converged, uint6
   if (out.confidence < kAccepted && against.pierced > kLittlePierced)
     out.add_reason("one scan looked through " + percent(against.pierced) +
                    " of the surfaces of the other");
+  if (evidence.better_m != 0)
+    out.add_reason("slid by " + text_of(std::abs(evidence.better_m), 2) +
+                   " m along a direction that the data leave open the scans agree better");
   // 2. What leaves it open.
   const ScaleTest& scale = evidence.scale;
   if (scale.sigma > 0 &&

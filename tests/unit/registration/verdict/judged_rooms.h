@@ -16,16 +16,21 @@ struct JudgedScan {
   JudgedCloud judged;
 };
 
+inline std::shared_ptr<JudgedScan> judged_cloud_of(CloudPtr cloud) {
+  Task task;
+  auto out = std::make_shared<JudgedScan>();
+  out->cloud = std::move(cloud);
+  out->surface = surface_planes(out->cloud->octree(task), 16, task);
+  out->judged = judged_cloud(*out->cloud, out->surface, {}, task);
+  return out;
+}
+
 /// In the frame of the room, unturned, so that the right pose is a shift between the cubes of both.
 inline std::shared_ptr<JudgedScan> judged_scan(const PairScene& scene, size_t standpoint,
                                                uint64_t seed, ScanSettings scanner = {}) {
-  Task task;
   scanner.is_turned = false;
-  auto out = std::make_shared<JudgedScan>();
-  out->cloud = scan_from(scene, standpoint, scanner, seed).cloud;
-  out->surface = surface_planes(out->cloud->octree(task), 16, task);
+  auto out = judged_cloud_of(scan_from(scene, standpoint, scanner, seed).cloud);
   out->station = scene.standpoints[standpoint] - out->surface.tree->cube().origin;
-  out->judged = judged_cloud(*out->cloud, out->surface, {}, task);
   return out;
 }
 
