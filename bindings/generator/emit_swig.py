@@ -54,14 +54,15 @@ def declarations(m):
             yield 'const ArrayIn %s_ = rows_of(%s, %s, "%s");' % (
                 i.name, i.name, rows or "%s == nullptr ? 1 : %s->components" % (i.name, i.name), i.name)
         elif i.kind == "packed":
+            if i.name == "indices" and i.nullable:
+                yield 'refuse_none(%s, "%s");' % (i.name, i.name)
             yield 'const Packed<%s> %s_(%s, %d, "%s");' % (ELEMENT[i.c.type], i.name, i.name, ROWS.get(i.name, 1), i.name)
         elif i.kind == "bytes":
             yield 'const OctetsIn %s_(%s, "%s");' % (i.name, i.name, i.name)
         elif i.kind == "poses":
-            yield 'const Packed<double> %s_(%s, 12, "%s");' % (i.name, i.name, i.name)
+            yield 'const Poses %s_(%s, "%s");' % (i.name, i.name, i.name)
         elif i.kind == "small":
-            rows, columns = SMALL[i.type]
-            yield 'const Numbers12 %s_(%s, %d, "%s");' % (i.name, i.name, rows * columns, i.name)
+            yield 'const Numbers12 %s_(%s, %d, %d, "%s");' % ((i.name, i.name) + SMALL[i.type] + (i.name,))
         elif i.kind == "list":
             yield 'if (%s == nullptr) throw Failure{JALON_ERROR_INVALID_ARGUMENT, "%s must be given"};' % (i.name, i.name)
 
@@ -131,7 +132,7 @@ def argument(m, p):
         if i.kind == "small":
             return "%s_.as<%s>()" % (i.name, i.type)
         if i.kind == "poses":
-            return "reinterpret_cast<const %s*>(%s_.data())" % (i.type, i.name)
+            return i.name + "_.data()"
         if i.kind == "rows" and len(rows) == 1:
             return i.name + "_.data"
         if i.kind == "bytes":

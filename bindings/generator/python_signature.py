@@ -13,8 +13,6 @@ PYTHON_TYPES = {DOUBLE: "float", INT64: "int", BOOL: "bool", STRING: "str", DOUB
 DEFAULTS = {"flags": "0", "level": "-1", "part": "WHOLE_MODEL", "other_part": "WHOLE_MODEL", "centred": "True", "components": "1"}
 # Arrays of indices of the points of the cloud whose method it is: a mask does too.
 INDICES = {"indices", "seeds"}
-# Not of NULLABLE, for other things than their absence may be refused with them, but the headers say that NULL stands for something.
-OPTIONAL = {"jalon_cloud_fit_cylinder.direction", "jalon_comparison_outlines.reverse_points"}
 RANGES = {"uint64_t": (0, 2 ** 64 - 1), "uint32_t": (0, 2 ** 32 - 1), "int64_t": (-2 ** 63, 2 ** 63 - 1),
           "int32_t": (-2 ** 31, 2 ** 31 - 1), "jalon_status": (-2 ** 31, 2 ** 31 - 1)}
 SMALL_CHECKS = {"jalon_vec3": "_point", "jalon_box": "_box", "jalon_transform": "_pose"}
@@ -31,7 +29,7 @@ def literal(names):
 
 def is_optional(m, i):
     """Whether None may be given."""
-    return (i.nullable or says(OPTIONAL, m.c.name, i.name)) and not says(NOT_NULLABLE, m.c.name, i.name)
+    return i.nullable and not says(NOT_NULLABLE, m.c.name, i.name)
 
 
 def hint_in(m, i):

@@ -6,7 +6,7 @@ The C grammar is regular - jalon_noun_verb(handle, inputs, options, task, output
 A parameter of a kind that no rule here knows ends the generation with its name.
 """
 
-from api_description import BY_RINGS, COUNTS, NULLABLE, OPERATION, says
+from api_description import BY_RINGS, COUNTS, MAY_BE_LEFT_OUT, NULLABLE, OPERATION, says
 from headers import Header, header_names, nouns, public_functions, structs
 
 # What each language has its own form of, and which.
@@ -119,7 +119,8 @@ class Reader:
         return p.type == "uint64_t" and bool(arrays)
 
     def add(self, kind, p, type_=None):
-        may_be_null = says(NULLABLE, self.f.name, p.name) or (p.name == "indices" and kind == "packed" and self.m.name != "select")
+        may_be_null = says(NULLABLE | MAY_BE_LEFT_OUT, self.f.name, p.name)
+        may_be_null |= p.name == "indices" and kind == "packed" and self.m.name != "select"
         self.m.inputs.append(Input(kind, p.name, type_ or p.type, may_be_null, p))
         return True
 

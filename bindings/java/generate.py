@@ -64,8 +64,8 @@ def notes(m):
     """What the Java form of the inputs takes."""
     for i in inputs_seen(m)[0 if m.is_static else 1:]:
         if i.kind in ("rows", "packed", "poses", "small"):
-            columns = 12 if i.kind == "poses" else ROWS.get(i.name)
-            shape = "%s: rows of %d" % (i.name, columns) if columns else i.name + ": numbers"
+            columns = "12 or 16" if i.kind == "poses" else ROWS.get(i.name)
+            shape = "%s: rows of %s" % (i.name, columns) if columns else i.name + ": numbers"
             if i.kind == "small":
                 count = SMALL[i.type][0] * SMALL[i.type][1]
                 shape = "%s: %s numbers" % (i.name, "12 or 16" if count == 12 else count)

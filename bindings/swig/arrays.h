@@ -41,9 +41,7 @@ inline ArrayIn rows_of(const ArrayIn* array, std::uint32_t components, const cha
   if (array == nullptr) return ArrayIn();
   ArrayIn rows = *array;
   const bool packed = rows.stride_bytes == size_of_type(rows.type) * rows.components;
-  // A 3 x 4 map may come as its three rows.
-  const bool rows_of_map = components == 12 && rows.components == 4;
-  if (rows.components != components && packed && (rows.flat || rows_of_map)) {
+  if (rows.components != components && packed && rows.flat) {
     const std::uint64_t elements = rows.count * rows.components;
     if (elements % components == 0) {
       rows.count = elements / components;
@@ -79,6 +77,14 @@ template <>
 struct TypeOf<std::uint32_t> {
   static constexpr std::int32_t value = JALON_UINT32;
 };
+
+/** For indices of which none at all stand for all points: an array without any is no choice of points. */
+inline void refuse_none(const ArrayIn* array, const char* name) {
+  if (array != nullptr && array->count * array->components == 0) {
+    throw Failure{JALON_ERROR_INSUFFICIENT_DATA,
+                  std::string(name) + " means no point: where all points are meant, leave it out"};
+  }
+}
 
 /**
  * A packed array of T that a C function asks for: the caller's own memory where it is that already, else one converted
@@ -175,39 +181,6 @@ class Packed {
   const T* data_ = nullptr;
   std::uint64_t count_ = 0;
   std::vector<T> copy_;
-};
-
-/** A 3 x 4 map from 12 numbers in rows, or from 4 x 4 with the last row 0 0 0 1; a point from 3; a box from 2 x 3. */
-class Numbers12 {
- public:
-  Numbers12(const ArrayIn* array, std::uint32_t wanted, const char* name)
-      : given_(array != nullptr) {
-    if (!given_) return;
-    ArrayIn rows = *array;
-    const std::uint64_t elements = rows.count * rows.components;
-    const Packed<double> packed(&rows, rows.components, name);
-    const bool square = wanted == 12 && elements == 16;
-    if (elements != wanted && !square) {
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name) + " must have " +
-                                                      std::to_string(wanted) + " numbers, not " +
-                                                      std::to_string(elements)};
-    }
-    if (square && (packed.data()[12] != 0 || packed.data()[13] != 0 || packed.data()[14] != 0 ||
-                   packed.data()[15] != 1)) {
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
-                    std::string(name) + " must have the last row 0 0 0 1"};
-    }
-    std::memcpy(values_, packed.data(), wanted * sizeof(double));
-  }
-  /** As one of the C structs of doubles; NULL where nothing was given. */
-  template <class Struct>
-  const Struct* as() const {
-    return given_ ? reinterpret_cast<const Struct*>(values_) : nullptr;
-  }
-
- private:
-  bool given_;
-  double values_[12] = {};
 };
 
 /** An array on its way to the language: a view with whatever keeps it alive. The C side's memory is never copied here.

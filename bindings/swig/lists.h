@@ -6,7 +6,7 @@
 
 #include <deque>
 
-#include "arrays.h"
+#include "small_arrays.h"
 
 namespace jalon_binding {
 
@@ -14,7 +14,7 @@ namespace jalon_binding {
 class Gauge {
  public:
   void add_box(const ArrayIn* size, const ArrayIn* frame = nullptr) {
-    const Numbers12 edges(size, 3, "size");
+    const Numbers12 edges(size, 1, 3, "size");
     add(JALON_GAUGE_BOX, frame, edges.as<jalon_vec3>());
   }
   void add_sphere(double radius_m, const ArrayIn* frame = nullptr) {
@@ -41,7 +41,7 @@ class Gauge {
 
  private:
   void add(std::int32_t kind, const ArrayIn* frame, const jalon_vec3* size) {
-    const Numbers12 pose(frame, 12, "frame");
+    const Numbers12 pose(frame, 3, 4, "frame");
     jalon_gauge_piece piece = {};
     piece.kind = kind;
     piece.frame = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
@@ -59,7 +59,7 @@ class Targets {
  public:
   /** name may be nullptr; covariance: 9 numbers (m2), or nullptr = the parameter "sigma_m" on each axis. */
   void add(const char* name, const ArrayIn* xyz, const ArrayIn* covariance = nullptr) {
-    const Numbers12 point(xyz, 3, "xyz"), spread(covariance, 9, "covariance");
+    const Numbers12 point(xyz, 1, 3, "xyz"), spread(covariance, 3, 3, "covariance");
     if (xyz == nullptr) throw Failure{JALON_ERROR_INVALID_ARGUMENT, "xyz must be given"};
     jalon_target target = {};
     if (name != nullptr) {

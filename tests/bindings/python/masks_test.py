@@ -69,6 +69,20 @@ class Masks(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "a mask has one truth value a point, 900 and not 3"):
                 getattr(grid, name)([True, False, True])
 
+    def python__an_empty_choice_of_points_is_not_all_of_them(self):
+        calls = {"fit_sphere": (), "fit_circle": (), "fit_cylinder": ((0, 0, 1),), "range_precision": ()}
+        for name, more in calls.items():
+            for none in (np.zeros(1000, bool), [False] * 1000, [], (), np.array([], int), self.mask & ~self.mask, range(0)):
+                with self.assertRaisesRegex(jalon.InsufficientDataError, "^indices means no point: where all points are meant, leave it out$"):
+                    getattr(self.cloud, name)(none, *more)
+        for none in (np.zeros(1000, bool), []):
+            with self.assertRaises(jalon.InsufficientDataError):
+                self.cloud.compute_geodesic(none)
+            self.assertEqual(len(self.cloud.select(none)), 0)
+        self.assertEqual(self.cloud.range_precision().points, 1000)
+        self.assertEqual(self.cloud.range_precision(None).points, 1000)
+        self.assertEqual(self.cloud.range_precision(self.mask).points, self.mask.sum())
+
     def python__a_mask_becomes_a_field_of_zeros_and_ones(self):
         for mask in self.forms():
             self.cloud["high"] = mask

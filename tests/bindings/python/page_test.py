@@ -152,7 +152,8 @@ class Page(unittest.TestCase):
     @says("`cloud[5]` is a point, a small read-only record: `index`, `xyz`, `x`, `y`, `z`, and its fields by their names.",
           "`cloud[2:9]`, `cloud[mask]` and `cloud[[3, 1]]` are new clouds of those points with their fields.",
           "A mask is an array or a list of truth values, one a point.",
-          "It does wherever indices of points do, and a wrong length is a `ValueError`.", "Truth values are never taken for numbers.",
+          "It does wherever indices of points do, and a wrong length is a `ValueError`.",
+          "Where indices that are left out mean all points, an empty choice is an `InsufficientDataError`.", "Truth values are never taken for numbers.",
           "Running through a cloud gives its points, through a segmentation its segments, through a model its parts, through any table its rows.")
     def python__points_are_records_and_masks_choose_them(self):
         point = self.cloud[5]
@@ -164,6 +165,8 @@ class Page(unittest.TestCase):
             self.assertEqual(chosen["n"].tolist(), list(wanted))
         self.assertEqual(self.cloud.range_precision(mask).sigma, self.cloud.range_precision(np.flatnonzero(mask)).sigma)
         self.assertRaises(ValueError, self.cloud.select, mask[1:])
+        self.assertRaises(jalon.InsufficientDataError, self.cloud.range_precision, mask & ~mask)
+        self.assertEqual(self.cloud.range_precision().points, 500)
         self.assertRaises(TypeError, jalon.Cloud, np.ones((4, 3), bool))
         segmentation = jalon.Segmenter().run(box_cloud())
         for things, kind in ((self.cloud, jalon.Point), (segmentation, jalon.Segment), (box_model(), jalon.Part), (box_model().faces, jalon.Face),

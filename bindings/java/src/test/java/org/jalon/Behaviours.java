@@ -17,6 +17,7 @@ final class Behaviours {
   static Map<String, Body> all() {
     final Map<String, Body> all = new LinkedHashMap<>();
     Arrays.addTo(all);
+    Shapes.addTo(all);
     Errors.addTo(all);
     Tasks.addTo(all);
     Lifetimes.addTo(all);
