@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """jalon/_api.py and its stub: the classes of Python, with keyword arguments and texts from the headers and the tables."""
 
+import functools
+
 from emit_swig import has_result, result_fields
 from headers import Header, header_names, nouns, read
-from python_names import ENUM_FIELDS, dtype_of, enums, is_pose, is_table, shape_of, table_of
+from python_columns import stub_classes, table_hint, table_of
+from python_names import ENUM_FIELDS, dtype_of, enums, is_pose, is_table, shape_of
 from python_signature import PYTHON_TYPES, Signature, literal, row_hint
 from shapes import class_nouns, class_of, methods
 from texts import CHOICE, row_text, translated, worker_rows, wrap
@@ -17,6 +20,12 @@ SHADOWS = {"count": "  # type: ignore[assignment]", "index": "  # type: ignore[a
 NO_PROPERTY = {"to_json", "seal", "copy", "to_bytes"}
 # Files of the package with classes that a generated class extends.
 MIXINS = ("_mixins", "_clouds", "_tables")
+
+
+@functools.lru_cache(None)
+def functions():
+    """{full name: method} of all."""
+    return {m.full_name: m for m in methods()}
 
 
 def is_property(m):
@@ -42,8 +51,7 @@ def field_hint(m, o, c_type=None, name=None):
     if o is None:
         return ENUM_FIELDS.get((m.result_name, name)) or {"std::string": "str", "double": "float"}.get(c_type, "int")
     if is_table(o):
-        kind, record, _ = table_of(m, o)
-        return "Summary" if kind == "summary" else "Fields[%s]" % (record or "Record")
+        return table_hint(m, o, functions())
     return {"handle": lambda: class_of(o.type), "text": lambda: "str", "texts": lambda: "List[str]", "flag": lambda: "bool",
             "bytes": lambda: "bytes", "number": lambda: "float" if o.type == "double" else "int"}.get(o.kind, lambda: array_hint(m, o))()
 
@@ -59,7 +67,7 @@ def converted(m, o, call, name=None):
         enum = ENUM_FIELDS.get((m.result_name, name))
         return "_known(%s, %s)" % (enum, call) if enum else call
     if is_table(o):
-        kind, record, columns = table_of(m, o)
+        kind, record, columns = table_of(m, o, functions())
         known = "{%s}" % ", ".join("%r: %s" % item for item in sorted(columns.items()))
         more = [record, known] + (["_mixins.FacesOf(self)"] if record == "Face" else []) if record else [known] * bool(columns)
         if kind == "table" and columns and not record:
@@ -282,12 +290,12 @@ CrsLike = Union[str, HasWkt, None]
 
 def module(tables):
     """(text of _api.py, text of _api.pyi)."""
-    wrapped, known = methods(), nouns()
+    wrapped, known = list(functions().values()), nouns()
     code = [HEAD + '"""The classes and functions of Jalon; the package jalon hands them on."""', IMPORTS]
     stub = [HEAD + STUB_IMPORTS]
     constants, constant_stubs, names = emit_constants()
     results, result_stubs = emit_results(wrapped)
-    code, stub = code + constants + results, stub + constant_stubs + result_stubs
+    code, stub = code + constants + results, stub + constant_stubs + stub_classes(functions()) + result_stubs
     for noun in sorted(class_nouns()):
         lines, stubs = emit_class(noun, wrapped, tables, known)
         code, stub = code + lines, stub + stubs

@@ -10,6 +10,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import emit_python  # noqa: E402
 import emit_swig  # noqa: E402
+import python_columns  # noqa: E402
 
 
 def write(folder, name, text):
@@ -30,6 +31,7 @@ def main():
     code, stub = emit_python.module(tables)
     write(folder, "_api.py", code)
     write(folder, "_api.pyi", stub)
+    write(folder, "_columns.py", python_columns.module(emit_python.functions()))
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ ENUMS = {
 ENUM_INPUTS = {"primitive": "Primitive", "type": "ElementType", "status": "Status"}
 ENUM_FIELDS = {("FieldsInfoResult", "type"): "ElementType", ("ParamsInfoResult", "type"): "ParamType"}
 # Tables whose rows are records of a class of their own (bindings/python/jalon/_records.py).
-RECORDS = {"segments": "Segment", "faces": "Face", "regions": "Region", "parts": "Part"}
+RECORDS = {"Segmentation_segments": "Segment", "Model_faces": "Face", "Model_parts": "Part", "Comparison_regions.regions": "Region"}
 # Element types of arrays that functions give.
 ELEMENTS = {"uint64_t": "uint64", "uint32_t": "uint32", "double": "float64", "float": "float32"}
 
@@ -64,12 +64,6 @@ def is_single(m, o):
 
 def is_table(o):
     return o is not None and o.kind == "handle" and o.type == "jalon_fields"
-
-
-def table_of(m, o):
-    """(function of _tables.py, class of the records or None, {column: enum}) of an output that is a table."""
-    name = m.name if o.name == "out" else o.name[4:] if o.name.startswith("out_") else o.name
-    return "summary" if is_single(m, o) else "table", RECORDS.get(name), columns_of_enums(m.doc)
 
 
 def dtype_of(m, o):

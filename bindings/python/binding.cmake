@@ -15,7 +15,7 @@ file(GLOB python_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/python/j
 set(python_stamp "${CMAKE_CURRENT_BINARY_DIR}/python.stamp")
 add_custom_command(
   OUTPUT "${python_stamp}"
-  COMMAND "${CMAKE_COMMAND}" -E copy_if_different ${python_sources} "${generated}/_api.py" "${generated}/_api.pyi"
+  COMMAND "${CMAKE_COMMAND}" -E copy_if_different ${python_sources} "${generated}/_api.py" "${generated}/_api.pyi" "${generated}/_columns.py"
           "${python_package}"
   COMMAND "${CMAKE_COMMAND}" -E touch "${python_stamp}"
   DEPENDS ${python_sources} ${generated_files} jalon_python VERBATIM)
@@ -24,7 +24,7 @@ add_dependencies(bindings jalon_python_package)
 
 # The wheel: the package with the library beside the extension, which looks for it there.
 install(TARGETS jalon_python LIBRARY DESTINATION jalon COMPONENT python EXCLUDE_FROM_ALL)
-install(FILES ${python_sources} "${generated}/_api.py" "${generated}/_api.pyi" DESTINATION jalon COMPONENT python
+install(FILES ${python_sources} "${generated}/_api.py" "${generated}/_api.pyi" "${generated}/_columns.py" DESTINATION jalon COMPONENT python
         EXCLUDE_FROM_ALL)
 set(python_natives "${CMAKE_CURRENT_BINARY_DIR}/python_natives")
 jalon_natives(python_natives "${python_natives}" "${CMAKE_CURRENT_BINARY_DIR}/python_natives.txt")

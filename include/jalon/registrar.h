@@ -196,12 +196,21 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
  *     patches        uint64   -     of both clouds that the pose settled on; 0 = it rests on pairs
  *     redundancy     float64  -     pairs less unknowns
  *     thinning_cell  float64  m     edge of the cubes thinned to a point; 0 = all points were used
- * and of the verdict, each as NAME_moving and NAME_reference, of the surface of that cloud:
- *     near           float64  1     share within reach (four spacings) of the other cloud
- *     explained      float64  1     of what the other scan could see, share on its surfaces
- *     pierced        float64  1     ... share that its beams went through; NaN without stations
- *     contradicted   float64  1     ... share that differs together with what is about it
- *     wanted_scale, wanted_scale_sigma   of the moving cloud, were it free; NaN where not measured
+ * and of the verdict; NaN where not measured:
+ *     column                  type     unit  meaning
+ *     near_moving             float64  1     of the moving surface, share within reach (four
+ *                                            spacings) of the reference
+ *     near_reference          float64  1     of the reference's surface, of the moving cloud
+ *     explained_moving        float64  1     of the moving surface that the other scan could see,
+ *                                            share on its surfaces
+ *     explained_reference     float64  1     the same of the reference's
+ *     pierced_moving          float64  1     ... share that the other's beams went through; NaN
+ *                                            without stations
+ *     pierced_reference       float64  1     the same of the reference's
+ *     contradicted_moving     float64  1     ... share that differs together with what is about it
+ *     contradicted_reference  float64  1     the same of the reference's
+ *     wanted_scale            float64  1     of the moving cloud, were it free
+ *     wanted_scale_sigma      float64  1     its standard deviation
  *
  * Method "targets":
  *     column              type     unit  meaning

@@ -11,6 +11,8 @@ from ._records import Point, plain
 from ._tables import BLOCK_ROWS, frame_columns
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from . import _api
 
 
@@ -21,7 +23,7 @@ class Cloud(Handle):
         return self.count
 
     @overload
-    def __getitem__(self, key: str) -> Any: ...
+    def __getitem__(self, key: str) -> "NDArray[Any]": ...
     @overload
     def __getitem__(self, key: int) -> Point: ...
     @overload

@@ -4,7 +4,7 @@
 
 import json
 import tempfile
-from typing import Any, Dict, Iterator
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, overload
 
 from . import _arguments, _native
 from ._arrays import flat
@@ -12,6 +12,9 @@ from ._clouds import Cloud  # noqa: F401 (base() finds it)
 from ._handles import Handle
 from ._records import Part, Record, Segment
 from ._tables import Fields  # noqa: F401
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 _DOUBLE, _INT64, _BOOL, _STRING, _CHOICE, _DOUBLES = range(1, 7)
 
@@ -130,7 +133,7 @@ class Segmentation(Handle):
     """Labels and segments: running through it gives the segments, as records."""
 
     @property
-    def labels(self):
+    def labels(self: Any) -> "NDArray[Any]":
         """One label a point: 0 = noise, s = row s - 1 of the segments."""
         return self.points["label"]
 
@@ -139,6 +142,11 @@ class Segmentation(Handle):
 
     def __iter__(self: Any) -> Iterator[Segment]:
         return iter(self.segments)
+
+    @overload
+    def __getitem__(self, i: int) -> Segment: ...
+    @overload
+    def __getitem__(self, i: slice) -> List[Segment]: ...
 
     def __getitem__(self: Any, i: Any) -> Any:
         return self.segments[_row(i)]
@@ -153,6 +161,11 @@ class Model(Handle):
     def __iter__(self: Any) -> Iterator[Part]:
         for i, row in enumerate(self.parts):
             yield self._part(i, row)
+
+    @overload
+    def __getitem__(self, i: int) -> Part: ...
+    @overload
+    def __getitem__(self, i: slice) -> List[Part]: ...
 
     def __getitem__(self: Any, i: Any) -> Any:
         count = self.part_count
@@ -202,7 +215,7 @@ class Comparison(Handle):
     """Distances."""
 
     @property
-    def distances(self):
+    def distances(self: Any) -> "NDArray[Any]":
         """One distance a point (m); NaN where there is none."""
         return self.points["distance"]
 

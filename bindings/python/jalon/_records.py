@@ -5,6 +5,8 @@
 import collections.abc
 from typing import Any, Dict, Iterator, Mapping, Tuple
 
+from . import _columns
+
 
 def plain(value):
     """Python's own numbers; those of one row of several as a tuple."""
@@ -122,19 +124,22 @@ class Point(Record):
         return self._columns["xyz"][2]
 
 
-class Segment(Record):
+class Segment(Record, _columns.SegmentColumns):
     """A segment: a row of Segmentation.segments."""
 
     __slots__ = ()
 
 
-class Part(Record):
-    """A part of a model: index, name, part_class, and its row of Model.parts."""
+class Part(Record, _columns.PartColumns):
+    """A part of a model: its row of Model.parts; of parts that a model gives also index, name and part_class."""
 
     __slots__ = ()
+    index: int
+    name: str
+    part_class: str
 
 
-class Face(Record):
+class Face(Record, _columns.FaceColumns):
     """A face of a model: a row of Model.faces."""
 
     __slots__ = ()
@@ -145,8 +150,8 @@ class Face(Record):
         return self._owner.feature_of(self._row)
 
 
-class Region(Record):
-    """A region: a row of what Comparison.regions or Cloud.segment_propagation gives."""
+class Region(Record, _columns.RegionColumns):
+    """A region of changed points: a row of what Comparison.regions gives."""
 
     __slots__ = ()
 

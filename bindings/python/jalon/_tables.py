@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables: columns by name, rows as records; a summary is the row of a table of one."""
 
-from typing import Any, Dict, Generic, Iterator, List, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, Dict, Generic, Iterator, List, Tuple, TypeVar, Union, overload
 
 from . import _arguments
 from ._arguments import numpy
 from ._handles import Handle
 from ._records import Record, Summary, known, plain
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 R = TypeVar("R", bound=Record)
 BLOCK_ROWS = 4096  # turned into Python's numbers at once: large blocks are quick, small ones cost little memory
@@ -44,7 +47,7 @@ class Fields(Handle, Generic[R]):
         return name in self.keys()
 
     @overload
-    def __getitem__(self, name: str) -> Any: ...
+    def __getitem__(self, name: str) -> "NDArray[Any]": ...
     @overload
     def __getitem__(self, name: int) -> R: ...
     @overload
@@ -89,7 +92,7 @@ class Fields(Handle, Generic[R]):
         make, enums, owns_itself, owner = manner
         self._rows = (make, enums, self if owns_itself else owner)
 
-    def items(self):
+    def items(self: Any) -> "List[Tuple[str, NDArray[Any]]]":
         """Names and columns."""
         return [(name, self.view(name)) for name in self.keys()]
 

@@ -64,7 +64,7 @@ class Fields(unittest.TestCase):
         self.cloud.compute_gradient("wear", radius_m=0.25)
         regions = self.cloud.segment_propagation("wear", "gradient", cell_m=0.1, minimum_seed=0.03, min_points=20)
         self.assertGreaterEqual(len(regions), 1)
-        self.assertIsInstance(regions[0], jalon.Region)
+        self.assertIs(type(regions[0]), jalon.Record)
         self.assertEqual(regions[0].points, int((self.cloud["region"] == 1).sum()))
 
     def python__maps_of_distances_are_within_a_cell(self):
