@@ -142,8 +142,10 @@ said() {
     { cat "$work/said.txt"; return 1; }
 }
 check "the page's Planes runs" said Planes ' planes, the largest of ' "$work/facade.las"
-check "the page's FirstDay runs" said FirstDay 'nearest: 0[.,][12]' "$work/facade.las" "$work/second.las" "$work/first"
-check "the page's FirstDay writes a scan, a cloud and a report" test -s "$work/first.las" -a -s "$work/first_changes.ply" -a -s "$work/first_changes.html"
+bash "$root/tests/bindings/first_day.sh" scan "$build/src/jalon" "$work"
+check "the page's FirstDay runs" said FirstDay 'the lorry passes' "$work/before.las" "$work/after.las" "$work/first"
+check "the page's FirstDay prints what all languages print" bash "$root/tests/bindings/first_day.sh" said "$work/said.txt"
+check "the page's FirstDay writes a scan, a report and bytes" test -s "$work/first.las" -a -s "$work/first.html" -a -s "$work/first.bytes"
 check "the page has no other program" test "$(sort "$work/programs" | tr '\n' ' ')" = "FirstDay Planes "
 
 echo "$passed passed, $failed failed, $skipped skipped"

@@ -108,8 +108,10 @@ said() {
 }
 check "the page's Planes runs" said Planes '^[0-9.]* m2$' "$work/sample.las"
 check "the page's Patience runs" said Patience cancelled "$work/sample.las"
-check "the page's FirstDay runs" said FirstDay 'nearest: 0[.][12]' "$work/sample.las" "$work/second.las" "$work/first"
-check "the page's FirstDay writes a scan, a cloud and a report" test -s "$work/first.las" -a -s "$work/first_changes.ply" -a -s "$work/first_changes.html"
+bash "$root/tests/bindings/first_day.sh" scan "$cli" "$work"
+check "the page's FirstDay runs" said FirstDay 'the lorry passes' "$work/before.las" "$work/after.las" "$work/first"
+check "the page's FirstDay prints what all languages print" bash "$root/tests/bindings/first_day.sh" said "$work/said.txt"
+check "the page's FirstDay writes a scan, a report and bytes" test -s "$work/first.las" -a -s "$work/first.html" -a -s "$work/first.bytes"
 check "the page has no other program" test "$(sort "$work/programs" | tr '\n' ' ')" = "FirstDay Patience Planes "
 
 # ---- every public class and method of nouns has its comment; the documentation builds ----

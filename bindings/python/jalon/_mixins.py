@@ -222,6 +222,11 @@ class Comparison(Handle):
     def __len__(self: Any) -> int:
         return len(self.points)
 
+    def _parts(self):
+        yield "%d points" % len(self)
+        if len(self.parts):
+            yield "%d parts" % len(self.parts)
+
 
 class Registration(Handle):
     """A pose and what it is worth."""

@@ -44,6 +44,7 @@ class Compare(unittest.TestCase):
 
     def python__distances_and_their_summary_agree(self):
         self.assertEqual(len(self.forward), 6400)
+        self.assertEqual(repr(self.forward), "<jalon.Comparison of 6400 points>")
         self.assertAlmostEqual(self.forward.distances.max(), 1)
         summary = self.forward.summary
         self.assertEqual((summary.points, summary.compared), (6400, 6400))
