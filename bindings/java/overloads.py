@@ -27,8 +27,9 @@ FAMILIES = [("double[]", "long[]", "int[]"), ("float[]", "long[]", "int[]"), (NI
 DEFAULTS = {"flags": "0", "jalon_cloud_knn.level": "Jalon.LEVEL_AUTOMATIC", "jalon_cloud_builder_declare_field.components": "1",
             "jalon_model_clearance.part": "Jalon.WHOLE_MODEL", "jalon_model_clearance_to_model.part": "Jalon.WHOLE_MODEL",
             "jalon_model_clearance_to_model.other_part": "Jalon.WHOLE_MODEL"}
-# Calls of which one of several inputs must be given: the sets that make sense beside all of them.
-ALTERNATIVES = {"jalon_gauge_sweep": [["cloud"], ["model"]], "jalon_gauge_sweep_model": [["cloud"], ["model"]]}
+# Calls of which one of several inputs must be given, or some together: the sets that make sense beside all of them.
+ALTERNATIVES = {"jalon_gauge_sweep": [["cloud"], ["model"]], "jalon_gauge_sweep_model": [["cloud"], ["model"]],
+                "jalon_comparison_outlines": [["reverse", "reverse_points"], []]}
 
 
 def camel(name):
