@@ -280,7 +280,7 @@ Indices = Union[NDArray[numpy.integer[Any]], NDArray[numpy.bool_], Sequence[int]
 Bytes = Union[bytes, bytearray, memoryview, NDArray[numpy.uint8], NDArray[numpy.int8]]
 Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]
 Progress = Callable[[float, str], Optional[bool]]
-TargetsLike = Union[Targets, Iterable[Tuple[Any, ...]]]
+TargetsLike = Union[Targets, Mapping[str, ArrayLike], Iterable[Tuple[Any, ...]]]
 
 class HasWkt(Protocol):
     def to_wkt(self) -> str: ...

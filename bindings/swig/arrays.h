@@ -50,9 +50,10 @@ inline ArrayIn rows_of(const ArrayIn* array, std::uint32_t components, const cha
     }
   }
   if (rows.components != components && rows.count != 0) {
+    const std::string found = rows.flat ? std::to_string(rows.count) + " numbers"
+                                        : "rows of " + std::to_string(rows.components);
     throw Failure{JALON_ERROR_INVALID_ARGUMENT, std::string(name) + " must have rows of " +
-                                                    std::to_string(components) + ", not of " +
-                                                    std::to_string(rows.components)};
+                                                    std::to_string(components) + ", not " + found};
   }
   static const double nothing = 0;  // so that an empty array is not taken for none
   if (rows.data == nullptr) rows.data = &nothing;
@@ -159,8 +160,10 @@ class Packed {
     std::memcpy(&value, item + c * sizeof(From), sizeof(From));
     if (std::numeric_limits<T>::is_integer && !whole(value)) {
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
-                    std::string(name_) + " must hold whole numbers from 0 to " +
-                        std::to_string(std::numeric_limits<T>::max())};
+                    std::string(name_) + " must hold whole numbers from 0 to 2^" +
+                        std::to_string(std::numeric_limits<T>::digits) + " - 1" +
+                        (std::numeric_limits<From>::is_integer ? ", not " + std::to_string(value)
+                                                               : std::string())};
     }
     return static_cast<T>(value);
   }

@@ -21,7 +21,7 @@ for plane in planes[:3]:
 measured = {"A": (0, 8, 3), "B": (40, 7.75, 9), "C": (20, -8, 4), "D": (60, -7.7, 12)}  # in the scan
 known = {"A": (651992.004, 6861000.003, 43.004), "B": (651992.246, 6861040.000, 48.996),
          "C": (652007.997, 6861019.998, 44.004), "D": (652007.701, 6861060.002, 51.995)}  # control points, national
-national = jalon.Registrar("targets", sigma_m=0.003).run_targets(known.items(), measured.items())
+national = jalon.Registrar("targets", sigma_m=0.003).run_targets(known, measured)
 for i, target in enumerate(national.residuals):
     name, residual, sigma = national.pair_name(i), 1000 * np.array(target.residual), 1000 * np.array(target.sigma)
     print("%s: residuals %.1f %.1f %.1f mm, sigmas %.1f %.1f %.1f mm" % (name, *residual, *sigma))

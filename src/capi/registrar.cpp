@@ -96,8 +96,7 @@ jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_c
     require_rigid_start(from);
     const RegistrationMethod& method = *registrar->method;
     if (method.run == nullptr)
-      fail(Status::kUnsupported, "method \"%s\" registers targets; see jalon_registrar_run_targets",
-           method.name);
+      fail(Status::kUnsupported, "method \"%s\" registers targets, not clouds", method.name);
     *out = run_worker(*registrar, task, [&](const ParamSet& values, Task& t) {
              return handle_of(method.run(reference->cloud, moving->cloud, from, values, t), values,
                               reference->cloud->crs);

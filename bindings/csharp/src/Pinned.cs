@@ -72,7 +72,8 @@ internal sealed class Pinned : IDisposable {
     Array joined = Array.CreateInstance(element, rows.Length, columns);
     int row_bytes = columns * Elements.SizeOf(Elements.TypeOf(element));
     for (int i = 0; i < rows.Length; ++i) {
-      if (rows[i] == null || rows[i].Length != columns || rows[i].Rank != 1) {
+      if (rows[i] == null) throw new InvalidArgumentException(name + ": row " + i + " is null");
+      if (rows[i].Length != columns || rows[i].Rank != 1) {
         throw new InvalidArgumentException(name + " must have rows of equal length; row " + i + " differs from row 0");
       }
       Buffer.BlockCopy(rows[i], 0, joined, checked(i * row_bytes), row_bytes);

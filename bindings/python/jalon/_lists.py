@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lists that are filled piece by piece: gauges, targets, clouds."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from . import _native
@@ -55,7 +56,8 @@ _native.Gauge_swigregister(Gauge)
 
 
 class Targets(_List):
-    """Points known in one frame: Targets([("A", (x, y, z)), ...]); a third item is a 3 x 3 covariance (m2)."""
+    """Points known in one frame: Targets([("A", (x, y, z)), ...]) or Targets({"A": (x, y, z), ...}); a third item of a tuple is a
+    3 x 3 covariance (m2)."""
 
     __slots__ = ()
     _item = "target"
@@ -63,8 +65,8 @@ class Targets(_List):
 
     def __init__(self, targets=()):
         self.this = _native.new_Targets()
-        for target in targets:
-            if isinstance(target, str) or not 2 <= len(target) <= 3:
+        for target in targets.items() if isinstance(targets, Mapping) else targets:
+            if not isinstance(target, (tuple, list)) or not 2 <= len(target) <= 3 or not isinstance(target[0], (str, type(None))):
                 raise wrong_type("targets: an item", "(name, (x, y, z)) or (name, (x, y, z), covariance)", target)
             self.add(*target)
 
@@ -90,7 +92,7 @@ def targets(value, name):
     if isinstance(value, Targets):
         return value
     if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
-        raise wrong_type(name, "a jalon.Targets or a sequence of (name, (x, y, z))", value)
+        raise wrong_type(name, "a jalon.Targets, a dict of names and (x, y, z), or a sequence of (name, (x, y, z))", value)
     return Targets(value)
 
 

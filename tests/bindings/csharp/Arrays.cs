@@ -78,6 +78,8 @@ static class Arrays {
       string message = Check.Throws<InvalidArgumentException>(() => new Cloud(given)).Message;
       Check.That(message.Contains("xyz"), "the message names no argument: " + message);
     }
+    Check.Equal("xyz: row 0 is null", Check.Throws<InvalidArgumentException>(() => new Cloud(new double[][] {null, new double[3]})).Message, "a null row");
+    Check.Equal("xyz must have rows of 3, not 5 numbers", Check.Throws<InvalidArgumentException>(() => new Cloud(new double[5])).Message, "flat");
     using (var empty = new Cloud(new double[0, 3])) Check.Equal(0L, empty.Count, "an empty cloud");
   }
 

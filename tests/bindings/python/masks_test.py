@@ -69,6 +69,10 @@ class Masks(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "a mask has one truth value a point, 900 and not 3"):
                 getattr(grid, name)([True, False, True])
 
+    def python__indices_do_not_count_from_the_end(self):
+        with self.assertRaisesRegex(ValueError, r"^indices must hold whole numbers from 0 to 2\^64 - 1, not -1$"):
+            self.cloud.select([3, -1])
+
     def python__an_empty_choice_of_points_is_not_all_of_them(self):
         calls = {"fit_sphere": (), "fit_circle": (), "fit_cylinder": ((0, 0, 1),), "range_precision": ()}
         for name, more in calls.items():

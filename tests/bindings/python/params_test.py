@@ -94,6 +94,8 @@ class Parameters(unittest.TestCase):
                 (lambda: jalon.Task(threads="2"), "^threads: an int is needed, not str"),
                 (lambda: jalon.Task(log=3), "^log: a callable"),
                 (lambda: jalon.Targets(["A"]), "^targets: an item: .* needed, not str"),
+                (lambda: jalon.Registrar("targets").run_targets(np.eye(3), []), r"^targets: an item: \(name, \(x, y, z\)\) .* needed, not ndarray"),
+                (lambda: jalon.Targets([(0, 0, 0)]), r"^targets: an item: \(name, \(x, y, z\)\) .* needed, not tuple"),
                 (lambda: jalon.Targets([("A", "here")]), "^xyz: .* needed, not str"),
                 (lambda: jalon.Registrar("targets").run_targets(3, []), "^reference: a jalon.Targets"),
                 (lambda: cloud.fields.copy("face", "float64"), "^type: an int is needed, not str")):

@@ -52,6 +52,9 @@ class Register(unittest.TestCase):
         same = jalon.Targets([("A", (0, 0, 0)), ("", (9, 0, 0), np.eye(3) * 1e-6), (None, (0, 7, 1))])
         pose = jalon.Registrar("targets").run_targets(targets, same).pose
         self.assertTrue(np.allclose(pose, np.eye(4), atol=1e-9))
+        by_name = {"A": (0, 0, 0), "B": [9, 0, 0], "C": np.array([0, 7, 1.0])}
+        found = jalon.Registrar("targets").run_targets(by_name, jalon.Targets(by_name))
+        self.assertEqual([found.pair_name(i) for i in range(3)], ["A", "B", "C"])
 
     def python__clouds_are_registered_from_a_start_and_applied(self):
         reference = box_cloud()

@@ -87,7 +87,7 @@ public final class Array implements AutoCloseable {
   private ByteBuffer bytesOf(int wanted, int alternative, String name) {
     if (type != wanted && type != alternative) {
       throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT,
-          "the elements are of type " + type + ", not " + name + ": toDoubles() converts");
+          "the elements are of type " + Described.type(type) + ", not " + name + ": toDoubles() converts");
     }
     if (!packed()) {
       throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT,

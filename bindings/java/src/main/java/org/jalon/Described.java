@@ -98,6 +98,11 @@ final class Described {
     return line("Task", task.isClosed(), () -> task.isCancelled() ? "cancelled" : "");
   }
 
+  /** "float64". */
+  static String type(int type) {
+    return TYPES[type];
+  }
+
   /** "1000 x 3 float64". */
   static String shape(long count, long components, int type) {
     return count + (components == 1 ? " " : " x " + components + " ") + TYPES[type];

@@ -81,6 +81,11 @@ public final class Rows {
     if (rows == null) {
       return null;
     }
+    for (int i = 0; i < rows.length; ++i) {
+      if (rows[i] == null) {
+        throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT, "row " + i + " is null");
+      }
+    }
     final int columns = rows.length == 0 ? 1 : rows[0].length;
     final double[] all = new double[Math.multiplyExact(rows.length, columns)];
     for (int i = 0; i < rows.length; ++i) {

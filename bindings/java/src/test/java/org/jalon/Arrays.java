@@ -180,7 +180,15 @@ final class Arrays {
   }
 
   private static void refused() {
-    thrown(InvalidArgumentException.class, () -> Cloud.create(new double[] {1, 2}, 0));
+    same("xyz must have rows of 3, not 2 numbers", thrown(InvalidArgumentException.class, () -> Cloud.create(new double[] {1, 2}, 0)).getMessage());
+    same("row 1 is null", thrown(InvalidArgumentException.class, () -> Cloud.create(new double[][] {{1, 2, 3}, null})).getMessage());
+    same("row 0 is null", thrown(InvalidArgumentException.class, () -> Cloud.create(new double[][] {null})).getMessage());
+    try (Cloud cloud = Cloud.create(XYZ); Array points = cloud.points()) {
+      same("indices must hold whole numbers from 0 to 2^64 - 1, not -1",
+          thrown(InvalidArgumentException.class, () -> cloud.select(new long[] {2, -1})).getMessage());
+      same("the elements are of type float64, not float: toDoubles() converts",
+          thrown(InvalidArgumentException.class, points::floats).getMessage());
+    }
     thrown(InvalidArgumentException.class, () -> Cloud.create(new double[][] {{1, 2, 3}, {1, 2}}, 0));
     thrown(InvalidArgumentException.class, () -> Cloud.create(new double[] {1, 2, Double.NaN}, 0));
     thrown(InvalidArgumentException.class, () -> Rows.of(new double[4]).by(3));
