@@ -26,6 +26,10 @@ namespace {
 constexpr double kLevelGridError = 0.8661;  // as in octree_query.cpp
 constexpr double kLevelRounding = 1 + 1e-12;
 constexpr int64_t kEverything = int64_t{1} << 32;  // a Chebyshev distance beyond all cells
+// Points around a cell, or so many times k: with more of them the adaptive search of a query is faster than to look at
+// all. A cell holds most of the cloud where a single point lies far away, or where points crowd.
+constexpr size_t kMostShared = 1024;
+constexpr size_t kMostSharedTimesK = 16;
 
 bool nearer(const Neighbour& a, const Neighbour& b) {
   return a.squared_distance < b.squared_distance ||
@@ -44,8 +48,8 @@ class LevelCells {
     descend_nearest(c, inner, 0, 0, 0, cells_.size(), best);
     return best;
   }
-  // Appends the sorted positions of the points in shells (inner, outer].
-  void gather(const CellNumbers& c, int64_t inner, int64_t outer,
+  // Appends the sorted positions of the points in shells (inner, outer], until there are more than most.
+  void gather(const CellNumbers& c, int64_t inner, int64_t outer, size_t most,
               std::vector<uint32_t>& points) const {
     const double side = 2.0 * static_cast<double>(outer) + 1;
     if (side * side * side <= 27) {  // few cells: look each up
@@ -55,9 +59,9 @@ class LevelCells {
             if (inside(p) && inside(q) && inside(r) && distance(c, p, q, r) > inner)
               look_up(morton_code(static_cast<uint32_t>(p), static_cast<uint32_t>(q),
                                   static_cast<uint32_t>(r)),
-                      points);
+                      most, points);
     } else {
-      descend(c, inner, outer, 0, 0, 0, cells_.size(), points);
+      descend({c, inner, outer, most}, 0, 0, 0, cells_.size(), points);
     }
   }
 
@@ -66,17 +70,23 @@ class LevelCells {
   static int64_t distance(const CellNumbers& c, int64_t p, int64_t q, int64_t r) {
     return std::max({std::abs(p - c.p), std::abs(q - c.q), std::abs(r - c.r)});
   }
-  void take(const Octree::Cell& cell, std::vector<uint32_t>& points) const {
+  struct Shells {
+    CellNumbers centre;
+    int64_t inner, outer;
+    size_t most;
+  };
+  static void take(const Octree::Cell& cell, size_t most, std::vector<uint32_t>& points) {
     const size_t at = points.size();
-    points.resize(at + cell.count);
+    if (at > most) return;
+    points.resize(at + std::min(cell.count, most + 1));
     std::iota(points.begin() + static_cast<ptrdiff_t>(at), points.end(),
               static_cast<uint32_t>(cell.first));
   }
-  void look_up(uint64_t code, std::vector<uint32_t>& points) const {
+  void look_up(uint64_t code, size_t most, std::vector<uint32_t>& points) const {
     const auto at = std::lower_bound(
         cells_.begin(), cells_.end(), code,
         [](const Octree::Cell& cell, uint64_t wanted) { return cell.code < wanted; });
-    if (at != cells_.end() && at->code == code) take(*at, points);
+    if (at != cells_.end() && at->code == code) take(*at, most, points);
   }
   // Least and greatest Chebyshev distance between cell c and the cells below a prefix.
   std::pair<int64_t, int64_t> reach(const CellNumbers& c, int level, uint64_t prefix) const {
@@ -106,16 +116,17 @@ class LevelCells {
       begin = to;
     }
   }
-  void descend(const CellNumbers& c, int64_t inner, int64_t outer, int level, uint64_t prefix,
-               size_t begin, size_t end, std::vector<uint32_t>& points) const {
-    const auto [least, greatest] = reach(c, level, prefix);
-    if (least > outer || greatest <= inner) return;
-    if (level == level_ || (least > inner && greatest <= outer)) {
-      for (size_t i = begin; i < end; ++i) take(cells_[i], points);
+  void descend(const Shells& shells, int level, uint64_t prefix, size_t begin, size_t end,
+               std::vector<uint32_t>& points) const {
+    const auto [least, greatest] = reach(shells.centre, level, prefix);
+    if (least > shells.outer || greatest <= shells.inner || points.size() > shells.most) return;
+    if (level == level_ || (least > shells.inner && greatest <= shells.outer)) {
+      for (size_t i = begin; i < end && points.size() <= shells.most; ++i)
+        take(cells_[i], shells.most, points);
       return;
     }
     for_children(level, begin, end, [&](uint64_t child, size_t from, size_t to) {
-      descend(c, inner, outer, level + 1, child, from, to, points);
+      descend(shells, level + 1, child, from, to, points);
     });
   }
   void descend_nearest(const CellNumbers& c, int64_t inner, int level, uint64_t prefix,
@@ -144,6 +155,7 @@ class CellSearch {
         tree_(octree.impl()),
         cells_(cells),
         k_(std::min<size_t>(k, tree_.count)),
+        most_(std::max(kMostShared, kMostSharedTimesK * k_)),
         edge_(std::ldexp(1.0, kGridBits - level)) {}
 
   void enter(const CellNumbers& cell) {
@@ -185,11 +197,7 @@ class CellSearch {
   }
 
  private:
-  // Cells of one crowd hold it all, whatever their level: its points are found by the boxes in doubles.
-  bool is_crowded() const {
-    constexpr size_t kMostShared = 1024;
-    return tree_.has_exact_boxes() && points_.size() > kMostShared;
-  }
+  bool is_crowded() const { return points_.size() > most_; }
   double inscribed_radius(const Vec3& q) const {
     const uint32_t number[3] = {cell_.p, cell_.q, cell_.r};
     double r = std::numeric_limits<double>::infinity();
@@ -210,7 +218,7 @@ class CellSearch {
     } else {
       outer = shell_ < 0 ? 0 : cells_.next_shell(cell_, shell_);
     }
-    cells_.gather(cell_, shell_, outer, points_);
+    cells_.gather(cell_, shell_, outer, most_, points_);
     shell_ = outer;
     complete_ = outer >= kEverything || points_.size() == tree_.count;
   }
@@ -241,7 +249,7 @@ class CellSearch {
   const Octree& octree_;
   const Octree::Impl& tree_;
   const LevelCells& cells_;
-  size_t k_;
+  size_t k_, most_;
   double edge_, limit_ = 0;
   CellNumbers cell_{};
   int64_t shell_ = -1;     // shells 0 ... shell_ are gathered
@@ -302,6 +310,7 @@ void knn_at_level(const Octree& reference, std::span<const Vec3> queries, uint32
     for (size_t i = begin; i < end; ++i) {
       if (i == begin || sorted[i].code != sorted[i - 1].code)
         search.enter(cell_numbers(sorted[i].code));
+      if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       search.find(queries[sorted[i].index], out.subspan(sorted[i].index * k, k));
     }
   });

@@ -126,3 +126,23 @@ TEST_CASE("level__gives_the_neighbours_of_crowds_at_any_level") {
     }
   }
 }
+
+// A cell of any level but the deepest holds all points but one: to look at all of them for each query would be the
+// square of their number, and a cancel would come late.
+TEST_CASE("level__gives_the_neighbours_of_a_cloud_with_one_point_far_away") {
+  std::vector<double> xyz = street(40000);
+  xyz[0] = xyz[1] = -1e7;
+  const auto tree = build(xyz);
+  std::vector<Vec3> queries;
+  for (size_t i = 0; i < 40000; ++i) queries.push_back(point(xyz, i));
+  Task task;
+  std::vector<Neighbour> found(queries.size() * 6), truth(6);
+  knn_at_level(*tree, queries, 6, 1, task, found);
+  for (size_t q = 0; q < queries.size(); q += 97) {
+    REQUIRE(tree->knn(queries[q], 6, truth) == 6);
+    for (size_t j = 0; j < 6; ++j) {
+      REQUIRE(found[6 * q + j].index == truth[j].index);
+      REQUIRE(found[6 * q + j].squared_distance == truth[j].squared_distance);
+    }
+  }
+}
