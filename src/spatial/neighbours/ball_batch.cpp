@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/simd.h"
 #include "spatial/neighbours/ball_kernel.h"
+#include "spatial/neighbours/ball_ranges.h"
 #include "spatial/octree/exact_walk.h"
 #include "spatial/octree/impl.h"
 
@@ -27,6 +29,8 @@ constexpr double kBallBatchSqrt3 =
 constexpr size_t kVector = 16;  // room that the kernels may write beyond the end
 // Neighbours that are handed on at once, at least those of one point.
 constexpr size_t kMostNeighbours = size_t{1} << 21;
+// Points that a leaf of a crowded tree may gather; of balls with more of them, those of a place go together.
+constexpr size_t kManyInBall = size_t{1} << 12;
 
 struct BallBatchKernels {
   bool (*gather)(const OctreeView&, const GridBox&, BallCandidates&);
@@ -35,12 +39,15 @@ struct BallBatchKernels {
 
 class BallSearch {
  public:
-  BallSearch(const Octree::Impl& tree, double radius_m, const BallBatchKernels& kernels)
+  BallSearch(const Octree::Impl& tree, double radius_m, const BallBatchKernels& kernels,
+             size_t most_gathered)
       : tree_(tree),
         radius_m_(radius_m),
         radius_(radius_m * tree.inverse_step),
         kernels_(kernels),
-        exactly_(tree.has_exact_boxes() && radius_ < kFewSteps) {
+        most_gathered_(most_gathered),
+        few_steps_(tree.has_exact_boxes() && radius_ < kFewSteps),
+        ranges_(tree, radius_m) {
     constexpr double kRounding = 1 + 0x1p-20;  // of a squared distance in floats
     const double inner = std::max(0.0, radius_ - kBallBatchSqrt3),
                  outer = radius_ + kBallBatchSqrt3;
@@ -50,8 +57,9 @@ class BallSearch {
     reserve(size_t{1} << 12);
   }
 
-  /// Gathers what the points of a leaf need.
+  /// Gathers what the points of a leaf need, unless that is too much.
   void enter(size_t leaf) {
+    exactly_ = few_steps_;
     if (exactly_) return;
     const size_t first = tree_.leaf_first[leaf], last = tree_.leaf_first[leaf + 1];
     const auto reach =
@@ -66,14 +74,34 @@ class BallSearch {
     for (;;) {
       candidates_.count = 0;
       if (kernels_.gather(tree_.view, box, candidates_)) return;
+      exactly_ = candidates_.room >= most_gathered_;
+      if (exactly_) return;
       reserve(2 * candidates_.room);
     }
+  }
+
+  /// The ball of a point of that leaf by places, where it holds too many points for a list.
+  std::optional<std::span<const Octree::PlaceGroup>> crowd(size_t point) {
+    if (!exactly_) return std::nullopt;
+    const auto ranges = find(point);
+    if (ranges_.points() <= most_gathered_) return std::nullopt;
+    groups_.clear();
+    for (const BallRanges::Range& range : ranges)
+      for (size_t first = range.first; first < range.last;) {
+        const size_t last = tree_.end_of_place(first, range.last);
+        groups_.push_back({static_cast<uint32_t>(first), static_cast<uint32_t>(last),
+                           squared_on_grid(point, first)});
+        first = last;
+      }
+    return groups_;
   }
 
   /// The most points that pick() will give for a point of that leaf.
   size_t candidates(size_t point) {
     if (!exactly_) return candidates_.count;
-    find_exactly(point);
+    close_.clear();
+    for (const BallRanges::Range& range : find(point))
+      for (uint32_t i = range.first; i < range.last; ++i) close_.push_back(i);
     return close_.size();
   }
 
@@ -90,32 +118,25 @@ class BallSearch {
   }
 
  private:
-  void find_exactly(size_t point) {
-    const Vec3 centre = tree_.exact_point(point);
-    const double most = radius_m_ * radius_m_;
-    close_.clear();
-    exact_runs(
-        tree_,
-        [&](const ExactBlock& block, size_t slot) {
-          return squared_distance(block, slot, centre) <= most;
-        },
-        [&](size_t first, size_t last) {
-          for (size_t i = first; i < last; ++i)
-            if (squared_norm(tree_.exact_point(i) - centre) <= most)
-              close_.push_back(static_cast<uint32_t>(i));
-        });
+  std::span<const BallRanges::Range> find(size_t point) {
+    if (found_of_ != point) found_ = ranges_.find(tree_.exact_point(point));
+    found_of_ = point;
+    return found_;
   }
 
-  // What was found exactly, with the distances that the vector loop gives.
-  size_t write(size_t point, uint32_t* neighbours, float* squared) const {
+  // As the vector loop gives it.
+  float squared_on_grid(size_t a, size_t b) const {
     const auto square_step = static_cast<float>(tree_.step * tree_.step);
+    const auto dx = static_cast<float>(tree_.x[b] - tree_.x[a]),
+               dy = static_cast<float>(tree_.y[b] - tree_.y[a]),
+               dz = static_cast<float>(tree_.z[b] - tree_.z[a]);
+    return (dx * dx + dy * dy + dz * dz) * square_step;
+  }
+
+  size_t write(size_t point, uint32_t* neighbours, float* squared) const {
     for (size_t j = 0; j < close_.size(); ++j) {
-      const uint32_t i = close_[j];
-      const auto dx = static_cast<float>(tree_.x[i] - tree_.x[point]),
-                 dy = static_cast<float>(tree_.y[i] - tree_.y[point]),
-                 dz = static_cast<float>(tree_.z[i] - tree_.z[point]);
-      neighbours[j] = i;
-      squared[j] = (dx * dx + dy * dy + dz * dz) * square_step;
+      neighbours[j] = close_[j];
+      squared[j] = squared_on_grid(point, close_[j]);
     }
     return close_.size();
   }
@@ -143,8 +164,14 @@ class BallSearch {
   const Octree::Impl& tree_;
   const double radius_m_, radius_;  // radius_: grid steps
   const BallBatchKernels kernels_;
-  const bool exactly_;
+  const size_t most_gathered_;
+  const bool few_steps_;  // the grid tells too little of such balls
+  BallRanges ranges_;
+  size_t found_of_ = std::numeric_limits<size_t>::max();  // the point that was asked for last
+  std::span<const BallRanges::Range> found_;
+  bool exactly_ = false;  // point by point: few steps, or too much for a leaf
   std::vector<uint32_t> close_;
+  std::vector<Octree::PlaceGroup> groups_;
   float surely_ = 0, perhaps_ = 0;
   Buffer<int32_t> values_;
   Buffer<uint32_t> positions_;
@@ -174,13 +201,21 @@ struct Found {
 
 void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, const BallBatch&),
                           void* context) const {
+  crowded_ball_batches(radius_m, task, visit, context, nullptr, nullptr);
+}
+
+void Octree::crowded_ball_batches(double radius_m, Task& task,
+                                  void (*visit)(void*, const BallBatch&), void* context,
+                                  void (*crowded)(void*, const CrowdedBall&),
+                                  void* crowded_context) const {
   if (!(radius_m >= 0)) fail(Status::kInvalidArgument, "the radius is negative");
   const BallBatchKernels kernels =
       use_avx2() ? BallBatchKernels{gather_ball_candidates_avx2, points_in_ball_avx2}
                  : BallBatchKernels{gather_ball_candidates_baseline, points_in_ball_baseline};
   constexpr size_t kLeavesAtOnce = 32;
+  const size_t most = crowded != nullptr ? kManyInBall : std::numeric_limits<size_t>::max();
   parallel_for(task, impl_->leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
-    BallSearch search(*impl_, radius_m, kernels);
+    BallSearch search(*impl_, radius_m, kernels, most);
     Found found;
     size_t first = impl_->leaf_first[begin];
     const auto hand_on = [&] {
@@ -193,6 +228,13 @@ void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, cons
       if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       search.enter(leaf);
       for (size_t point = impl_->leaf_first[leaf]; point < impl_->leaf_first[leaf + 1]; ++point) {
+        if (const auto groups = crowded != nullptr ? search.crowd(point) : std::nullopt) {
+          if (found.offsets.size() > 1) hand_on();
+          crowded(crowded_context, {point, *groups});
+          first = point + 1;
+          if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
+          continue;
+        }
         found.reserve(search.candidates(point));
         const size_t at = found.count();
         const size_t more =

@@ -21,29 +21,12 @@ namespace {
 // Points that are worth a hand-over; larger crowds are sorted by all threads, one after the other.
 constexpr size_t kCrowdTask = size_t{1} << 15;
 
+constexpr size_t kPile = 512;  // points on a place: their pairs alone are 2^18
+
 // Consecutive sorted positions.
 struct Run {
   size_t first, count;
 };
-
-bool share_grid_point(const Octree::Impl& tree, size_t a, size_t b) {
-  return tree.x[a] == tree.x[b] && tree.y[a] == tree.y[b] && tree.z[a] == tree.z[b];
-}
-
-// The points of a grid point with more than a leaf's stand together: they end between two probes.
-size_t end_of_run(const Octree::Impl& tree, size_t first) {
-  size_t inside = first + kLeafPoints, step = kLeafPoints;
-  while (inside + step < tree.count && share_grid_point(tree, first, inside + step)) {
-    inside += step;
-    step *= 2;
-  }
-  size_t outside = std::min(tree.count, inside + step);
-  while (outside - inside > 1) {
-    const size_t middle = inside + (outside - inside) / 2;
-    (share_grid_point(tree, first, middle) ? inside : outside) = middle;
-  }
-  return outside;
-}
 
 // Grid points with more points than a leaf's; they begin with a leaf (cut_leaves).
 std::vector<Run> full_grid_points(const Octree::Impl& tree, Task& task) {
@@ -52,11 +35,10 @@ std::vector<Run> full_grid_points(const Octree::Impl& tree, Task& task) {
   parallel_for(task, tree.leaves, kGrain, [&](size_t begin, size_t end) {
     for (size_t leaf = begin; leaf < end; ++leaf) {
       const size_t first = tree.leaf_first[leaf];
-      if (first + kLeafPoints >= tree.count ||
-          !share_grid_point(tree, first, first + kLeafPoints) ||
-          (leaf > 0 && share_grid_point(tree, tree.leaf_first[leaf - 1], first)))
+      if (first + kLeafPoints >= tree.count || !tree.share_place(first, first + kLeafPoints) ||
+          (leaf > 0 && tree.share_place(tree.leaf_first[leaf - 1], first)))
         continue;
-      parts[begin / kGrain].push_back({first, end_of_run(tree, first) - first});
+      parts[begin / kGrain].push_back({first, tree.end_of_place(first, tree.count) - first});
     }
   });
   std::vector<Run> out;
@@ -126,6 +108,35 @@ class Crowds {
 };
 
 }  // namespace
+
+size_t Octree::Impl::end_of_place(size_t first, size_t last) const {
+  size_t inside = first;
+  while (inside + 1 < last && inside < first + kLeafPoints && share_place(first, inside + 1))
+    ++inside;
+  if (inside < first + kLeafPoints) return inside + 1;
+  // More points than a leaf's on one place stand together: they end between two probes.
+  size_t stride = kLeafPoints;
+  while (inside + stride < last && share_place(first, inside + stride)) {
+    inside += stride;
+    stride *= 2;
+  }
+  size_t outside = std::min(last, inside + stride);
+  while (outside - inside > 1) {
+    const size_t middle = inside + (outside - inside) / 2;
+    (share_place(first, middle) ? inside : outside) = middle;
+  }
+  return outside;
+}
+
+size_t Octree::end_of_place(size_t first) const { return impl_->end_of_place(first, size()); }
+
+bool Octree::has_crowds() const { return impl_->has_exact_boxes(); }
+
+bool Octree::Impl::has_pile() const {
+  for (size_t i = kPile; i < count; i += kPile)
+    if (share_place(i - kPile, i)) return true;
+  return false;
+}
 
 void Octree::Impl::order_crowds(Task& task) {
   if (on_grid) return;  // what shares a grid point is equal

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Boxes in doubles beside those on the grid, for clouds in which the grid does not tell the points of many leaves
-// apart: there, all of a crowd would be as near as its nearest point.
+// apart: there, all of a crowd would be as near as its nearest point. And for clouds with very many points on one
+// place: of equally near ones those of the smallest indices are asked for, which the boxes know.
 
 #include <algorithm>
 #include <limits>
@@ -95,7 +96,7 @@ bool Octree::Impl::is_crowded_at(int shift, Task& task) const {
 }
 
 void Octree::Impl::build_exact_boxes(Task& task) {
-  if (on_grid || !is_crowded_at(0, task)) return;
+  if (!has_pile() && (on_grid || !is_crowded_at(0, task))) return;
   const size_t runs = (count + kExactRun - 1) / kExactRun;
   exact_levels.push_back(blocks_of(runs, task, [&](size_t run, ExactBlock& block, size_t slot) {
     set_run(*this, run, block, slot);

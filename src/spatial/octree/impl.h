@@ -61,6 +61,13 @@ struct Octree::Impl {
   OctreeView view{};
 
   bool has_exact_boxes() const { return !exact_levels.empty(); }
+  bool share_place(size_t a, size_t b) const {
+    return x[a] == x[b] && y[a] == y[b] && z[a] == z[b];
+  }
+  /// Are there very many points on one place? O(n / 512).
+  bool has_pile() const;
+  /// The end of the points from first on, before last, that share its place of the grid and follow one another.
+  size_t end_of_place(size_t first, size_t last) const;
   /// Do the points of a leaf, not all equal, lie within so few steps of 2^shift of the grid that this hardly tells them
   /// apart?
   bool is_crowded(size_t leaf, int shift) const;

@@ -105,6 +105,31 @@ class Octree {
         [](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
         &visit);
   }
+  /// Do very many points share a place of the grid, or crowd below its step? Then balls may hold most of the cloud
+  /// about most of its points, and all pairs are too many. O(1).
+  bool has_crowds() const;
+  /// The end of the points from this sorted position on that share its place of the grid and follow one another.
+  size_t end_of_place(size_t first) const;
+  /// Points on one place of the grid that follow one another in the tree's order.
+  struct PlaceGroup {
+    uint32_t first, last;  ///< sorted positions [first, last)
+    float squared;         ///< squared distance of the place, m^2
+  };
+  struct CrowdedBall {
+    size_t point;                        ///< sorted position
+    std::span<const PlaceGroup> groups;  ///< ascending
+  };
+  /// for_each_ball for a tree that has crowds: of a ball that holds very many points crowded(CrowdedBall) is called in
+  /// the place of visit. Its groups are as many as its places, and in a crowd there are few.
+  template <class F, class G>
+  void for_each_crowded_ball(double radius, Task& task, F&& visit, G&& crowded) const {
+    crowded_ball_batches(
+        radius, task,
+        [](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
+        &visit,
+        [](void* p, const CrowdedBall& b) { (*static_cast<std::remove_reference_t<G>*>(p))(b); },
+        &crowded);
+  }
   /// Coordinates of a sorted position relative to the cube's origin, in metres, from the 31-bit grid (rounded down,
   /// error < edge / 2^31): enough for normals and features, and the same bits wherever the cloud lies.
   Vec3 local(size_t sorted_position) const;
@@ -122,6 +147,9 @@ class Octree {
   void knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batch&), void* context) const;
   void ball_batches(double radius, Task& task, void (*visit)(void*, const BallBatch&),
                     void* context) const;
+  void crowded_ball_batches(double radius, Task& task, void (*visit)(void*, const BallBatch&),
+                            void* context, void (*crowded)(void*, const CrowdedBall&),
+                            void* crowded_context) const;
   std::unique_ptr<Impl> impl_;
 };
 

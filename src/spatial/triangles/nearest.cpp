@@ -25,7 +25,8 @@ using triangle_tree::Node;
 constexpr double kNearestMaxSpan_m = 1e9;   // as of TriangleTree
 constexpr size_t kNearestBoxGrain = 65536;  // triangles a chunk, about 1 ms
 constexpr size_t kNodeGrain = 8192;
-constexpr size_t kAskGrain = 2048;  // points a chunk, about 1 ms
+constexpr size_t kAskGrain = 2048;       // points a chunk, about 1 ms
+constexpr size_t kSearchesPerCheck = 8;  // about 10 us
 constexpr size_t kRun = 256;  // points answered before they are looked at: they stay in the cache
 
 constexpr size_t kMostDoubles = 3 * 3 * kWidth;  // corners of a leaf whose triangles share none
@@ -261,6 +262,10 @@ void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t
   const TriangleBlocks tree = impl.view();
   const auto search = use_avx2() ? nearest_triangles_avx2 : nearest_triangles_baseline;
   const double limit2 = limit_of(max_distance);
+  // Where very many triangles lie on one another, a point looks at them all, and so does its side.
+  const auto check_cancel = [&] {
+    if (task.cancelled()) fail(Status::kCancelled, "cancelled");
+  };
   parallel_for(task, order.size(), kAskGrain, [&](size_t begin, size_t end) {
     double local[3 * kRun];
     NearestOfBlocks found[kRun];
@@ -272,11 +277,16 @@ void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t
           local[3 * i + static_cast<size_t>(axis)] = p[axis] - impl.origin[axis];
         found[i] = {limit2, kNoTriangle, 0, 0};
       }
-      if (impl.triangles > 0) search(tree, local, count, found);
-      for (size_t i = 0; i < count; ++i)
+      for (size_t i = 0; i < count && impl.triangles > 0; i += kSearchesPerCheck) {
+        check_cancel();
+        search(tree, local + 3 * i, std::min(kSearchesPerCheck, count - i), found + i);
+      }
+      for (size_t i = 0; i < count; ++i) {
+        check_cancel();
         visit(context, order[first + i],
               impl.answer_of(found[i], {local[3 * i], local[3 * i + 1], local[3 * i + 2]},
                              max_distance, questions));
+      }
     }
   });
 }

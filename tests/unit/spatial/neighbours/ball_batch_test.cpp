@@ -88,6 +88,52 @@ TEST_CASE("ball_batch__equals_brute_force_where_the_grid_does_not_tell_points_ap
   }
 }
 
+// The balls that are given by places hold what they hold otherwise, with the distances that they have otherwise.
+TEST_CASE("ball_batch__of_crowds_gives_places_in_few_groups_with_the_same_points_and_distances") {
+  constexpr size_t kPoints = 6000;
+  size_t all_crowded = 0;
+  for (const HostileCloud& cloud : hostile_clouds(kPoints)) {
+    const auto tree = build(cloud.xyz);
+    if (!tree->has_crowds()) continue;
+    CAPTURE(cloud.name);
+    for (const double radius : {1e-30, 0.7, 100.0}) {
+      CAPTURE(radius);
+      std::vector<std::map<uint32_t, float>> truth(kPoints);
+      const auto list = [&](const Octree::BallBatch& batch, auto& out) {
+        for (size_t i = 0; i < batch.count; ++i)
+          for (uint32_t j = batch.offsets[i]; j < batch.offsets[i + 1]; ++j)
+            if ((batch.first + i) % 50 == 0)
+              out[batch.first + i][batch.neighbours[j]] = batch.squared[j];
+      };
+      Task task(threads(1));
+      tree->for_each_ball(radius, task, [&](const auto& batch) { list(batch, truth); });
+      std::vector<std::map<uint32_t, float>> found(kPoints);
+      std::vector<int> times(kPoints, 0);
+      size_t crowded = 0, groups = 0;
+      tree->for_each_crowded_ball(
+          radius, task,
+          [&](const Octree::BallBatch& batch) {
+            for (size_t i = 0; i < batch.count; ++i) ++times[batch.first + i];
+            list(batch, found);
+          },
+          [&](const Octree::CrowdedBall& ball) {
+            ++times[ball.point];
+            ++crowded;
+            groups += ball.groups.size();
+            if (ball.point % 50 != 0) return;
+            for (const Octree::PlaceGroup& group : ball.groups)
+              for (uint32_t i = group.first; i < group.last; ++i)
+                found[ball.point][i] = group.squared;
+          });
+      CHECK(std::count(times.begin(), times.end(), 1) == kPoints);
+      CHECK(found == truth);
+      all_crowded += crowded;
+      if (radius < 1 && crowded > 0) CHECK(groups / crowded < kPoints * 2 / 3);
+    }
+  }
+  CHECK(all_crowded > 10 * kPoints);
+}
+
 // What a cancel has to wait for: the neighbours that are handed on at once, not those of a chunk of leaves.
 TEST_CASE("ball_batch__obeys_a_cancel_between_two_hand_overs_of_a_chunk") {
   const std::vector<double> xyz(3 * 6000, 0.25);  // 6000 neighbours a point, handed on at 2^21

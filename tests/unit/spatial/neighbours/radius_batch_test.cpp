@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "spatial/neighbours/radius_batch.h"
+#include "unit/spatial/hostile_clouds.h"
 #include "unit/spatial/octree_fixture.h"
 
 using namespace jalon;
@@ -37,6 +38,29 @@ TEST_CASE("radius_batch__equals_brute_force_in_order_for_any_threads") {
     }
     CHECK(at == index.size());
     CHECK(at > 1000);
+  }
+}
+
+TEST_CASE("radius_batch__equals_brute_force_where_the_grid_does_not_tell_points_apart") {
+  for (const HostileCloud& cloud : hostile_clouds(900)) {
+    CAPTURE(cloud.name);
+    const auto tree = build(cloud.xyz);
+    std::vector<Vec3> queries;
+    for (size_t i = 0; i < 900; i += 13) queries.push_back(point(cloud.xyz, i));
+    for (const double radius_m : {0.0, 1e-30, 0.3}) {
+      Task task;
+      const RadiusNeighbours found = radius_neighbours(*tree, queries, radius_m, task);
+      const auto first = found.ranges.require("first").values<uint64_t>();
+      const auto index = found.neighbours.require("index").values<uint64_t>();
+      size_t at = 0;
+      for (size_t q = 0; q < queries.size(); ++q) {
+        REQUIRE(first[q] == at);
+        for (size_t i = 0; i < 900; ++i)
+          if (squared_norm(point(cloud.xyz, i) - queries[q]) <= radius_m * radius_m)
+            REQUIRE(index[at++] == i);
+      }
+      CHECK(at == index.size());
+    }
   }
 }
 

@@ -37,12 +37,15 @@ double looked_at(const std::vector<double>& xyz, size_t k) {
 
 }  // namespace
 
-TEST_CASE("exact_boxes__are_made_only_where_the_grid_does_not_tell_points_apart") {
+TEST_CASE(
+    "exact_boxes__are_made_only_where_the_grid_does_not_tell_points_apart_or_many_are_equal") {
   CHECK_FALSE(build(street(20000))->impl().has_exact_boxes());
   CHECK_FALSE(build(street(20000, 1, 0x1p-10))->impl().has_exact_boxes());
   std::vector<double> pile = street(20000);
-  for (size_t i = 3; i < pile.size(); ++i) pile[i] = 0.3;
-  CHECK_FALSE(build(pile)->impl().has_exact_boxes());  // equal points need no order
+  for (size_t i = 0; i < 3 * 400; ++i) pile[i] = 0.3;
+  CHECK_FALSE(build(pile)->impl().has_exact_boxes());
+  for (size_t i = 0; i < 3 * 2000; ++i) pile[i] = 0.3;
+  CHECK(build(pile)->impl().has_exact_boxes());  // of equal points the first are asked for
   for (const HostileCloud& cloud : hostile_clouds(3000)) {
     const std::string name = cloud.name;
     if (name == "halving" || name == "two clusters far apart" ||
@@ -66,6 +69,18 @@ TEST_CASE("exact_boxes__hold_their_points_and_name_the_smallest_index") {
       }
     CHECK(*std::min_element(tree.exact_levels.back()[0].least_index,
                             tree.exact_levels.back()[0].least_index + kBoxes) == 0);
+  }
+}
+
+TEST_CASE("exact_boxes__let_searches_look_at_few_of_equal_points_however_many") {
+  for (const size_t n : {size_t{3000}, size_t{24000}}) {
+    CAPTURE(n);
+    std::vector<double> xyz = street(2 * n);
+    for (size_t i = 0; i < 3 * n; ++i) xyz[i] = 0.3;
+    CHECK(looked_at(xyz, 10) < 300);
+    std::vector<Neighbour> near(10);
+    REQUIRE(build(xyz)->knn({0.3, 0.3, 0.3}, 10, near) == 10);
+    for (uint32_t j = 0; j < 10; ++j) CHECK(near[j].index == j);
   }
 }
 
