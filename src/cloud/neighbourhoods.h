@@ -19,6 +19,16 @@ struct Neighbourhood {
   std::span<const float> squared;
 };
 
+template <class Scratch, class F>
+void visit_balls(const Octree::BallBatch& batch, F&& visit) {
+  Scratch scratch;
+  for (size_t i = 0; i < batch.count; ++i) {
+    const size_t begin = batch.offsets[i], n = batch.offsets[i + 1] - begin;
+    visit(Neighbourhood{batch.first + i, {batch.neighbours + begin, n}, {batch.squared + begin, n}},
+          scratch);
+  }
+}
+
 /// Calls visit(Neighbourhood, Scratch&) for
 /// every point, in parallel; one Scratch a batch. By radius_m when it is above 0, else the k
 /// nearest.
@@ -26,16 +36,8 @@ template <class Scratch, class F>
 void for_each_neighbourhood(const Octree& tree, uint32_t k, double radius_m, Task& task,
                             F&& visit) {
   if (radius_m > 0) {
-    tree.for_each_ball(radius_m, task, [&](const Octree::BallBatch& batch) {
-      Scratch scratch;
-      for (size_t i = 0; i < batch.count; ++i) {
-        const size_t begin = batch.offsets[i], n = batch.offsets[i + 1] - begin;
-        visit(
-            Neighbourhood{
-                batch.first + i, {batch.neighbours + begin, n}, {batch.squared + begin, n}},
-            scratch);
-      }
-    });
+    tree.for_each_ball(radius_m, task,
+                       [&](const Octree::BallBatch& batch) { visit_balls<Scratch>(batch, visit); });
     return;
   }
   tree.for_each_knn(k, task, [&](const Octree::Batch& batch) {
@@ -48,6 +50,19 @@ void for_each_neighbourhood(const Octree& tree, uint32_t k, double radius_m, Tas
             scratch);
     }
   });
+}
+
+/// The same by radius_m, with crowded(Octree::CrowdedBall, Scratch&) for balls of very many points of a tree that has
+/// crowds (Octree::has_crowds).
+template <class Scratch, class F, class G>
+void for_each_crowded_neighbourhood(const Octree& tree, double radius_m, Task& task, F&& visit,
+                                    G&& crowded) {
+  tree.for_each_crowded_ball(
+      radius_m, task, [&](const Octree::BallBatch& batch) { visit_balls<Scratch>(batch, visit); },
+      [&](const Octree::CrowdedBall& ball) {
+        Scratch scratch;
+        crowded(ball, scratch);
+      });
 }
 
 /// Principal axes of some points: n is the direction of least extent, u of the largest, u x v = n.

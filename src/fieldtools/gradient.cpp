@@ -3,12 +3,14 @@
 #include "fieldtools/gradient.h"
 
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
+#include "fieldtools/place_values.h"
 
 namespace jalon {
 
@@ -45,28 +47,81 @@ Vec3 mean_slope(const ValuedPoints& valued, const Neighbourhood& around, bool li
   return n > 0 ? sum / static_cast<double>(n) : kNoGradient;
 }
 
+/// The largest difference with which a pair at that distance takes part.
+double most_difference(double squared, bool lipschitz) {
+  return lipschitz ? (1 + kLipschitzSlack) * std::sqrt(squared)
+                   : std::numeric_limits<double>::infinity();
+}
+
+/// (3.9) over places that many points share.
+Vec3 mean_slope(const ValuedPoints& valued, const PlaceValues& places,
+                const Octree::CrowdedBall& ball, bool lipschitz) {
+  const Vec3 p = valued.tree->local(ball.point);
+  const double f = valued.values[ball.point];
+  Vec3 sum;
+  size_t n = 0;
+  for (const Octree::PlaceGroup& group : ball.groups) {
+    const Vec3 d = valued.tree->local(group.first) - p;
+    const double squared = squared_norm(d);
+    if (!(squared > 0)) continue;
+    const PlaceValues::Part part = places.within(group, f, most_difference(squared, lipschitz));
+    sum += d * (part.sum / squared);
+    n += part.count;
+  }
+  return n > 0 ? sum / static_cast<double>(n) : kNoGradient;
+}
+
+/// Sums over the points that take part in a fit of f.
+struct SlopeSums {
+  Moments moments;
+  Vec3 products;  // of d and f_j - f
+  double sum = 0;
+
+  Vec3 slope(const Vec3& p) const {
+    PrincipalFrame frame;
+    if (moments.n < kFewestForSlopes || !principal_frame(moments, frame)) return kNoGradient;
+    const auto n = static_cast<double>(moments.n);
+    const Vec3 cross_moments = products / n - (frame.centre - p) * (sum / n);
+    return frame.u * (dot(cross_moments, frame.u) / frame.eigenvalues[2]) +
+           frame.v * (dot(cross_moments, frame.v) / frame.eigenvalues[1]);
+  }
+};
+
 /// Least squares of f over the two axes of largest extent of the points.
 Vec3 fitted_slope(const ValuedPoints& valued, const Neighbourhood& around, bool lipschitz) {
   const Vec3 p = valued.tree->local(around.point);
   const double f = valued.values[around.point];
-  Moments moments;
-  moments.reference = p;
-  Vec3 products;  // sums of d (f_j - f)
-  double sum = 0;
+  SlopeSums sums;
+  sums.moments.reference = p;
   for (const uint32_t j : around.neighbours) {
     const Vec3 q = valued.tree->local(j), d = q - p;
     const double difference = valued.values[j] - f;
     if (j != around.point && !takes_part(difference, squared_norm(d), lipschitz)) continue;
-    moments.add(q);
-    products += d * difference;
-    sum += difference;
+    sums.moments.add(q);
+    sums.products += d * difference;
+    sums.sum += difference;
   }
-  PrincipalFrame frame;
-  if (moments.n < kFewestForSlopes || !principal_frame(moments, frame)) return kNoGradient;
-  const auto n = static_cast<double>(moments.n);
-  const Vec3 cross_moments = products / n - (frame.centre - p) * (sum / n);
-  return frame.u * (dot(cross_moments, frame.u) / frame.eigenvalues[2]) +
-         frame.v * (dot(cross_moments, frame.v) / frame.eigenvalues[1]);
+  return sums.slope(p);
+}
+
+/// The same over places that many points share.
+Vec3 fitted_slope(const ValuedPoints& valued, const PlaceValues& places,
+                  const Octree::CrowdedBall& ball, bool lipschitz) {
+  const Vec3 p = valued.tree->local(ball.point);
+  const double f = valued.values[ball.point];
+  SlopeSums sums;
+  sums.moments.reference = p;
+  sums.moments.add(p);
+  for (const Octree::PlaceGroup& group : ball.groups) {
+    const Vec3 q = valued.tree->local(group.first), d = q - p;
+    const double squared = squared_norm(d);
+    if (!(squared > 0)) continue;
+    const PlaceValues::Part part = places.within(group, f, most_difference(squared, lipschitz));
+    sums.moments.add(q, part.count);
+    sums.products += d * part.sum;
+    sums.sum += part.sum;
+  }
+  return sums.slope(p);
 }
 
 }  // namespace
@@ -93,11 +148,21 @@ std::vector<Vec3> field_gradients(const ValuedPoints& valued, double radius_m,
                                   GradientMethod method, bool lipschitz, Task& task) {
   std::vector<Vec3> out(valued.size());
   const double factor = method == GradientMethod::kCorrected ? 2 : 1;
-  for_each_neighbourhood<NoScratch>(
-      *valued.tree, 0, radius_m, task, [&](const Neighbourhood& around, NoScratch&) {
-        out[around.point] = method == GradientMethod::kLeastSquares
-                                ? fitted_slope(valued, around, lipschitz)
-                                : mean_slope(valued, around, lipschitz) * factor;
+  const auto of_ball = [&](const Neighbourhood& around, NoScratch&) {
+    out[around.point] = method == GradientMethod::kLeastSquares
+                            ? fitted_slope(valued, around, lipschitz)
+                            : mean_slope(valued, around, lipschitz) * factor;
+  };
+  if (!valued.tree->has_crowds()) {
+    for_each_neighbourhood<NoScratch>(*valued.tree, 0, radius_m, task, of_ball);
+    return out;
+  }
+  const PlaceValues places(valued, task);
+  for_each_crowded_neighbourhood<NoScratch>(
+      *valued.tree, radius_m, task, of_ball, [&](const Octree::CrowdedBall& ball, NoScratch&) {
+        out[ball.point] = method == GradientMethod::kLeastSquares
+                              ? fitted_slope(valued, places, ball, lipschitz)
+                              : mean_slope(valued, places, ball, lipschitz) * factor;
       });
   return out;
 }

@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
 
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
+#include "fieldtools/range_ranks.h"
+#include "fieldtools/range_values.h"
 
 namespace jalon {
 
@@ -25,6 +30,7 @@ constexpr double kRadiusSpacings = 4;
 
 struct SmoothingScratch {
   std::vector<double> work;
+  std::vector<RangeRanks::Range> ranges;
 };
 
 /// Middle value, or the mean of the two middle ones.
@@ -44,17 +50,83 @@ double reduced(Method method, std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
+/// The ranges of positions that the ball's groups make.
+void ranges_of(const Octree::CrowdedBall& ball, std::vector<RangeRanks::Range>& out) {
+  out.clear();
+  for (const Octree::PlaceGroup& group : ball.groups) {
+    if (!out.empty() && out.back().last == group.first) out.back().last = group.last;
+    else out.push_back({group.first, group.last});
+  }
+}
+
+/// reduced() of balls of very many points: of whole ranges, in the place of each value.
+class CrowdedReduction {
+ public:
+  CrowdedReduction(const ValuedPoints& valued, Method method, Task& task)
+      : method_(method),
+        sums_(valued.values, std::plus<>()),
+        least_(valued.values, [](double a, double b) { return std::min(a, b); }),
+        greatest_(valued.values, [](double a, double b) { return std::max(a, b); }) {
+    if (method == Method::kMedian) ranks_.emplace(valued.values, task);
+  }
+
+  double of(std::vector<RangeRanks::Range>& ranges) const {
+    if (method_ == Method::kMedian) return median(ranges);
+    if (method_ == Method::kMinimum) return join(least_, ranges, kInfinite);
+    if (method_ == Method::kMaximum) return join(greatest_, ranges, -kInfinite);
+    return join(sums_, ranges, 0) / static_cast<double>(count(ranges));
+  }
+
+ private:
+  static constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  static size_t count(const std::vector<RangeRanks::Range>& ranges) {
+    size_t n = 0;
+    for (const auto& range : ranges) n += range.last - range.first;
+    return n;
+  }
+  template <class Values>
+  static double join(const Values& values, const std::vector<RangeRanks::Range>& ranges,
+                     double start) {
+    for (const auto& range : ranges) start = values.over(range.first, range.last, start);
+    return start;
+  }
+  double median(const std::vector<RangeRanks::Range>& ranges) const {
+    const size_t n = count(ranges);
+    std::vector<RangeRanks::Range> work = ranges;
+    const double middle = ranks_->least(work, n / 2);
+    if (n % 2 == 1) return middle;
+    work = ranges;
+    return 0.5 * (middle + ranks_->least(work, n / 2 - 1));
+  }
+
+  using Pick = double (*)(double, double);
+  Method method_;
+  RangeValues<std::plus<>> sums_;
+  RangeValues<Pick> least_, greatest_;
+  std::optional<RangeRanks> ranks_;
+};
+
 std::vector<double> reduced_neighbourhoods(const Cloud& cloud, const ValuedPoints& valued,
                                            const FieldFilterSettings& settings, Task& task) {
   const uint32_t k = settings.k;
   const double radius_m =
       k > 0 ? 0 : radius_or_spacings(settings.radius_m, kRadiusSpacings, cloud, valued);
   std::vector<double> out(valued.size());
-  for_each_neighbourhood<SmoothingScratch>(
-      *valued.tree, k, radius_m, task, [&](const Neighbourhood& around, SmoothingScratch& scratch) {
-        scratch.work.clear();
-        for (const uint32_t j : around.neighbours) scratch.work.push_back(valued.values[j]);
-        out[around.point] = reduced(settings.method, scratch.work);
+  const auto of_ball = [&](const Neighbourhood& around, SmoothingScratch& scratch) {
+    scratch.work.clear();
+    for (const uint32_t j : around.neighbours) scratch.work.push_back(valued.values[j]);
+    out[around.point] = reduced(settings.method, scratch.work);
+  };
+  if (k > 0 || !valued.tree->has_crowds()) {
+    for_each_neighbourhood<SmoothingScratch>(*valued.tree, k, radius_m, task, of_ball);
+    return out;
+  }
+  const CrowdedReduction crowded(valued, settings.method, task);
+  for_each_crowded_neighbourhood<SmoothingScratch>(
+      *valued.tree, radius_m, task, of_ball,
+      [&](const Octree::CrowdedBall& ball, SmoothingScratch& scratch) {
+        ranges_of(ball, scratch.ranges);
+        out[ball.point] = crowded.of(scratch.ranges);
       });
   return out;
 }
@@ -84,16 +156,31 @@ std::vector<double> gaussian_means(const ValuedPoints& valued, double sigma_m, d
                                    Task& task) {
   std::vector<double> out(valued.size());
   const double factor = -0.5 / (sigma_m * sigma_m);
-  for_each_neighbourhood<SmoothingScratch>(
-      *valued.tree, 0, cut_sigmas * sigma_m, task,
-      [&](const Neighbourhood& around, SmoothingScratch&) {
+  const auto of_ball = [&](const Neighbourhood& around, SmoothingScratch&) {
+    double weights = 0, sum = 0;
+    for (size_t j = 0; j < around.neighbours.size(); ++j) {
+      const double w = std::exp(factor * double{around.squared[j]});
+      weights += w;
+      sum += w * valued.values[around.neighbours[j]];
+    }
+    out[around.point] = sum / weights;  // the point itself weighs 1
+  };
+  if (!valued.tree->has_crowds()) {
+    for_each_neighbourhood<SmoothingScratch>(*valued.tree, 0, cut_sigmas * sigma_m, task, of_ball);
+    return out;
+  }
+  // The points of a place weigh the same.
+  const RangeValues<std::plus<>> values(valued.values, std::plus<>());
+  for_each_crowded_neighbourhood<SmoothingScratch>(
+      *valued.tree, cut_sigmas * sigma_m, task, of_ball,
+      [&](const Octree::CrowdedBall& ball, SmoothingScratch&) {
         double weights = 0, sum = 0;
-        for (size_t j = 0; j < around.neighbours.size(); ++j) {
-          const double w = std::exp(factor * double{around.squared[j]});
-          weights += w;
-          sum += w * valued.values[around.neighbours[j]];
+        for (const Octree::PlaceGroup& group : ball.groups) {
+          const double w = std::exp(factor * double{group.squared});
+          weights += w * (group.last - group.first);
+          sum += w * values.over(group.first, group.last, 0);
         }
-        out[around.point] = sum / weights;  // the point itself weighs 1
+        out[ball.point] = sum / weights;
       });
   return out;
 }

@@ -38,6 +38,18 @@ struct Moments {
     products[4] += d.y * d.z;
     products[5] += d.z * d.z;
   }
+  /// As many equal points.
+  void add(const Vec3& p, uint64_t count) {
+    const Vec3 d = p - reference, sum_of_all = d * static_cast<double>(count);
+    n += count;
+    sum += sum_of_all;
+    products[0] += sum_of_all.x * d.x;
+    products[1] += sum_of_all.x * d.y;
+    products[2] += sum_of_all.x * d.z;
+    products[3] += sum_of_all.y * d.y;
+    products[4] += sum_of_all.y * d.z;
+    products[5] += sum_of_all.z * d.z;
+  }
   /// Both must have the same reference.
   Moments& operator+=(const Moments& b) {
     n += b.n;

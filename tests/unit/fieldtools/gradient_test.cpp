@@ -131,3 +131,55 @@ TEST_CASE("with_gradient__fields_units_and_points_without_a_gradient") {
   set.name = "";
   CHECK(refuses([&] { with_gradient(cloud, "d", set, task); }, Status::kInvalidArgument, "name"));
 }
+
+// Half of the points lie on one place, so that its ball holds thousands: they are taken together.
+TEST_CASE("field_gradients__of_a_pile_of_points_are_what_brute_force_makes_of_each_ball") {
+  constexpr size_t kPoints = 14000;
+  constexpr double kRadius_m = 0.05;
+  std::vector<Vec3> points = patch({0, 0, 1}, kPoints, 4);
+  for (size_t i = 0; i < kPoints; i += 2) points[i] = {0.125, -0.0625, 0};
+  const Cloud cloud = cloud_of(points);
+  RandomStream random(9, 3);
+  std::vector<double> values(kPoints);
+  for (size_t i = 0; i < kPoints; ++i) values[i] = 0.2 * points[i].x + 0.02 * random.normal();
+  Task task;
+  const ValuedPoints valued = valued_points(cloud, values, task);
+  for (const bool lipschitz : {true, false}) {
+    CAPTURE(lipschitz);
+    const auto thesis =
+        field_gradients(valued, kRadius_m, GradientMethod::kThesis, lipschitz, task);
+    const auto fitted =
+        field_gradients(valued, kRadius_m, GradientMethod::kLeastSquares, lipschitz, task);
+    size_t crowded = 0;
+    for (size_t i = 0; i < kPoints; i += 31) {
+      const Vec3 p = points[valued.points[i]];
+      const double f = valued.values[i];
+      Vec3 sum, mean;
+      double mean_difference = 0, uu = 0, uv = 0, vv = 0, uf = 0, vf = 0;
+      std::vector<std::pair<Vec3, double>> pairs{{{}, 0}};
+      for (size_t j = 0; j < kPoints; ++j) {
+        const Vec3 d = points[j] - p;
+        const double squared = squared_norm(d), difference = values[j] - f;
+        if (squared > kRadius_m * kRadius_m || !(squared > 0) ||
+            (lipschitz && std::abs(difference) > 1.001 * std::sqrt(squared)))
+          continue;
+        sum += d * (difference / squared);
+        pairs.emplace_back(d, difference);
+      }
+      crowded += pairs.size() > 4000;
+      if (pairs.size() < 10) continue;  // two close points make slopes that rounding changes
+      const auto n = static_cast<double>(pairs.size());
+      CHECK(norm(thesis[i] - sum / (n - 1)) < 1e-5 * (1 + norm(sum / (n - 1))));
+      for (const auto& [d, difference] : pairs) mean += d / n, mean_difference += difference / n;
+      for (const auto& [d, difference] : pairs) {
+        const Vec3 e = d - mean;
+        const double g = difference - mean_difference;
+        uu += e.x * e.x, uv += e.x * e.y, vv += e.y * e.y, uf += e.x * g, vf += e.y * g;
+      }
+      const double det = uu * vv - uv * uv;
+      const Vec3 slope{(vv * uf - uv * vf) / det, (uu * vf - uv * uf) / det, 0};
+      CHECK(norm(fitted[i] - slope) < 1e-5 * (1 + norm(slope)));
+    }
+    if (!lipschitz) CHECK(crowded > 0);
+  }
+}

@@ -133,3 +133,42 @@ TEST_CASE("with_filtered_field__keeps_the_unit_replaces_by_name_and_tells_what_i
   CHECK(refuses([&] { with_filtered_field(few, "f", set, task); }, Status::kInsufficientData,
                 "3 points"));
 }
+
+// Half of the points lie on one place, so that its ball holds thousands: all pairs of these would be looked at.
+TEST_CASE("with_filtered_field__of_a_pile_of_points_is_what_brute_force_makes_of_each_ball") {
+  constexpr size_t kPoints = 14000;
+  constexpr double kRadius_m = 0.4;
+  std::vector<Vec3> points = random_points(kPoints, 3, 8);
+  for (size_t i = 0; i < kPoints; i += 2) points[i] = {1.5, 1.25, 1.0};
+  RandomStream random(1, 7);
+  std::vector<double> f(kPoints);
+  for (size_t i = 0; i < kPoints; ++i) f[i] = i % 7 == 0 ? kNaN : random.normal();
+  const Cloud cloud = with_field<double>(cloud_of(points), "f", "s", "", f);
+  std::vector<std::vector<double>> found;
+  for (const FilterMethod method : kFilters) found.push_back(filtered(cloud, method, 0, kRadius_m));
+  size_t large = 0;
+  for (size_t i = 0; i < kPoints; i += 59) {
+    if (std::isnan(f[i])) continue;
+    double weights = 0, weighted = 0, sum = 0;
+    std::vector<double> some;
+    for (size_t j = 0; j < kPoints; ++j) {
+      const double squared = squared_norm(points[j] - points[i]);
+      if (std::isnan(f[j]) || squared > kRadius_m * kRadius_m) continue;
+      const double sigma = kRadius_m / 3, w = std::exp(-0.5 * squared / (sigma * sigma));
+      weights += w;
+      weighted += w * f[j];
+      sum += f[j];
+      some.push_back(f[j]);
+    }
+    large += some.size() > 5000;
+    std::sort(some.begin(), some.end());
+    const double middle = (some[(some.size() - 1) / 2] + some[some.size() / 2]) / 2;
+    const double n = static_cast<double>(some.size());
+    CHECK(found[0][i] == doctest::Approx(weighted / weights).scale(1).epsilon(1e-6));
+    CHECK(found[1][i] == doctest::Approx(sum / n).scale(1).epsilon(1e-12));
+    CHECK(found[2][i] == middle);
+    CHECK(found[3][i] == some.front());
+    CHECK(found[4][i] == some.back());
+  }
+  CHECK(large > 100);
+}
