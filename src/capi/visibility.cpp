@@ -46,7 +46,7 @@ jalon_status jalon_cloud_depth_map(const jalon_cloud* reference, uint64_t statio
     *out = with_task(task, [&](Task& t) {
              const DepthMap map = station_depth_map(*reference->cloud, station, settings, t);
              grid = map.grid();
-             return own(new_fields(depth_table(map)));
+             return own(new_fields(depth_table(map, t)));
            }).release();
     if (rows != nullptr) *rows = grid.rows;
     if (columns != nullptr) *columns = grid.columns;
@@ -62,7 +62,7 @@ jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t 
     const DepthSettings settings = settings_of_of_visibility(options);
     with_task(task, [&](Task& t) {
       AtomicFile file(target);
-      file.write(depth_png(station_depth_map(*reference->cloud, station, settings, t)));
+      file.write(depth_png(station_depth_map(*reference->cloud, station, settings, t), t));
       file.commit();
     });
   });

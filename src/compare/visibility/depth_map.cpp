@@ -113,9 +113,7 @@ DepthMap DepthMap::build(const Cloud& cloud, const Station& station, const Vec3&
 }
 
 void DepthMap::accumulate(std::span<const Seen> seen, uint64_t first, CellRule rule, Task& task) {
-  cells_.resize(grid_.size());
-  counts_.assign(grid_.size(), 0);
-  std::vector<float> nearest(grid_.size(), std::numeric_limits<float>::infinity());
+  cells_ = DepthCells(grid_.columns, grid_.rows);
   for (size_t i = 0; i < seen.size(); ++i) {
     if (i % kDepthMapPerCheck == 0)
       task.checkpoint(0.8 * static_cast<double>(i) / static_cast<double>(seen.size()));
@@ -124,14 +122,11 @@ void DepthMap::accumulate(std::span<const Seen> seen, uint64_t first, CellRule r
     // A point in the optical centre has no direction.
     if (!(range > 0) || !grid_.locate({seen[i].horizontal_rad, seen[i].vertical_rad, range}, place))
       continue;
-    const size_t c = grid_.index(place);
-    Cell& cell = cells_[c];
+    const auto [cell, count] = cells_.at(place.column, place.row);
     const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
-    const auto n = static_cast<float>(++counts_[c]);
-    if (range < nearest[c]) {
-      nearest[c] = range;
+    const auto n = static_cast<float>(++count);
+    if (cell.point == kNoPoint || range < seen[cell.point - first].range_m)
       cell.point = static_cast<uint32_t>(first + i);
-    }
     if (rule == CellRule::kMean) {
       cell.range_m += (range - cell.range_m) / n;
       cell.u += (u - cell.u) / n;
@@ -149,42 +144,49 @@ const DepthMap::Cell* DepthMap::neighbour(const AngularGrid::Place& place, int c
   int64_t column = int64_t{place.column} + columns;
   if (grid_.is_closed) column = (column + grid_.columns) % grid_.columns;
   if (row < 0 || row >= grid_.rows || column < 0 || column >= grid_.columns) return nullptr;
-  const Cell& cell = cells_[static_cast<size_t>(row) * grid_.columns + static_cast<size_t>(column)];
-  return cell.range_m > 0 ? &cell : nullptr;
+  const Cell& found = cell(static_cast<uint32_t>(column), static_cast<uint32_t>(row));
+  return found.range_m > 0 ? &found : nullptr;
+}
+
+float DepthMap::hole_range_m(uint32_t column, uint32_t row) const {
+  constexpr int kLeastNeighbours = 4;  // of eight: the sky stays open
+  if (cell(column, row).range_m > 0) return 0;
+  int n = 0;
+  double sum = 0;
+  for (int k = 0; k < 9; ++k)
+    if (const Cell* next = k == 4 ? nullptr : neighbour({column, row}, k % 3 - 1, k / 3 - 1)) {
+      ++n;
+      sum += double{next->range_m};
+    }
+  return n >= kLeastNeighbours ? static_cast<float>(sum / n) : 0;
 }
 
 void DepthMap::fill_holes(int passes, Task& task) {
-  constexpr int kLeastNeighbours = 4;  // of eight: the sky stays open
+  constexpr size_t kTilesAtOnce = 16;  // about 1 ms
+  constexpr uint32_t kSide = DepthCells::kSide;
   struct Hole {
-    size_t cell;
+    uint32_t column, row;
     float range_m;
   };
   for (int pass = 0; pass < passes; ++pass) {
     task.checkpoint(0.8 + 0.2 * pass / passes);
-    std::vector<std::vector<Hole>> found((grid_.rows + 15) / 16);
-    parallel_for(task, grid_.rows, 16, [&](size_t begin, size_t end) {
-      for (size_t row = begin; row < end; ++row)
-        for (uint32_t column = 0; column < grid_.columns; ++column) {
-          const AngularGrid::Place place{column, static_cast<uint32_t>(row)};
-          if (cells_[grid_.index(place)].range_m > 0) continue;
-          int n = 0;
-          double sum = 0;
-          for (int k = 0; k < 9; ++k)
-            if (const Cell* cell = k == 4 ? nullptr : neighbour(place, k % 3 - 1, k / 3 - 1)) {
-              ++n;
-              sum += double{cell->range_m};
-            }
-          if (n >= kLeastNeighbours)
-            found[begin / 16].push_back({grid_.index(place), static_cast<float>(sum / n)});
-        }
+    const std::vector<DepthCells::Corner> tiles = cells_.tiles_and_around(grid_.is_closed);
+    std::vector<std::vector<Hole>> found(tiles.size());
+    parallel_for(task, tiles.size(), kTilesAtOnce, [&](size_t begin, size_t end) {
+      for (size_t t = begin; t < end; ++t)
+        for (uint32_t row = tiles[t].row; row < std::min(grid_.rows, tiles[t].row + kSide); ++row)
+          for (uint32_t column = tiles[t].column;
+               column < std::min(grid_.columns, tiles[t].column + kSide); ++column)
+            if (const float range_m = hole_range_m(column, row); range_m > 0)
+              found[t].push_back({column, row, range_m});
     });
     for (const auto& holes : found)
-      for (const Hole& hole : holes) cells_[hole.cell].range_m = hole.range_m;
+      for (const Hole& hole : holes) cells_.at(hole.column, hole.row).cell.range_m = hole.range_m;
   }
 }
 
 double DepthMap::surface_range_m(const AngularGrid::Place& place) const {
-  const Cell& cell = cells_[grid_.index(place)];
+  const Cell& cell = this->cell(place);
   if (!(cell.range_m > 0)) return 0;
   const Cell *left = neighbour(place, -1, 0), *right = neighbour(place, 1, 0);
   const Cell *below = neighbour(place, 0, -1), *above = neighbour(place, 0, 1);
@@ -200,7 +202,7 @@ double DepthMap::surface_range_m(const AngularGrid::Place& place) const {
 }
 
 double DepthMap::spacing_m(const AngularGrid::Place& place) const {
-  const Cell& cell = cells_[grid_.index(place)];
+  const Cell& cell = this->cell(place);
   if (!(cell.range_m > 0)) return 0;
   const double across = cell.range_m * grid_.horizontal_step_rad,
                up = cell.range_m * grid_.vertical_step_rad;

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cloud/cloud.h"
 #include "compare/visibility/depth_angles.h"
+#include "compare/visibility/depth_cells.h"
 #include "compare/visibility/depth_steps.h"
 #include "compare/visibility/settings.h"
 
@@ -23,25 +23,26 @@ namespace jalon {
 class DepthMap {
  public:
   enum class Fill : uint8_t { kEmpty, kMeasured, kFilled };
-  struct Cell {
-    float range_m = 0;
-    float u = 0.5f, v = 0.5f;   ///< of the point in the cell, 0 ... 1
-    uint32_t point = kNoPoint;  ///< the nearest one, an index of the cloud
-  };
+  using Cell = DepthCell;
 
   /// From the points of a station with a pose; centre_m: of the optics in the scanner's frame. Errors: kLimit above
-  /// 2^28 cells. O(n + cells).
+  /// 2^28 cells. O(n), whatever lies between the points.
   static DepthMap build(const Cloud& cloud, const Station& station, const Vec3& centre_m,
                         const DepthSettings& settings, Task& task);
 
   const AngularGrid& grid() const { return grid_; }
-  std::span<const Cell> cells() const { return cells_; }
-  std::span<const uint32_t> counts() const { return counts_; }  ///< points of each cell
-  Fill fill(size_t cell) const {
-    return cells_[cell].range_m == 0 ? Fill::kEmpty
-           : counts_[cell] > 0       ? Fill::kMeasured
-                                     : Fill::kFilled;
+  const Cell& cell(uint32_t column, uint32_t row) const { return cells_.cell(column, row); }
+  const Cell& cell(const AngularGrid::Place& place) const { return cell(place.column, place.row); }
+  /// Points of the cell.
+  uint32_t count(uint32_t column, uint32_t row) const { return cells_.count(column, row); }
+  Fill fill(uint32_t column, uint32_t row) const {
+    return cell(column, row).range_m == 0 ? Fill::kEmpty
+           : count(column, row) > 0       ? Fill::kMeasured
+                                          : Fill::kFilled;
   }
+
+  /// How many tiles of cells exist: what the map costs.
+  size_t tiles() const { return cells_.tiles(); }
 
   /// A point of the world from the optical centre.
   Sighting sighting(const Vec3& p) const { return sighting_of(axes_.direction(p - centre_)); }
@@ -59,14 +60,15 @@ class DepthMap {
  private:
   void accumulate(std::span<const Seen> seen, uint64_t first, CellRule rule, Task& task);
   void fill_holes(int passes, Task& task);
+  /// What an empty cell gets from its neighbours; 0: nothing.
+  float hole_range_m(uint32_t column, uint32_t row) const;
   const Cell* neighbour(const AngularGrid::Place& place, int columns, int rows) const;
 
   Vec3 centre_;     ///< of the optics, in the world
   Transform axes_;  ///< the world's directions to the scanner's
   AngularGrid grid_;
   double cell_factor_ = 1;
-  std::vector<Cell> cells_;
-  std::vector<uint32_t> counts_;
+  DepthCells cells_;
 };
 
 }  // namespace jalon

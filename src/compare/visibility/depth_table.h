@@ -11,6 +11,6 @@ DepthMap station_depth_map(const Cloud& cloud, uint64_t station, const DepthSett
                            Task& task);
 
 /// One row a cell: "range", "fill", "points", "nearest", "horizontal", "vertical"; see jalon_cloud_depth_map.
-FieldTable depth_table(const DepthMap& map);
+FieldTable depth_table(const DepthMap& map, Task& task);
 
 }  // namespace jalon

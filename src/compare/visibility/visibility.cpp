@@ -68,7 +68,7 @@ Visibility VisibilityTest::from_map(const DepthMap& map, const Sighting& s,
   } else if (s.range_m <= surface * settings_.margin_factor + settings_.margin_m) {
     return Visibility::kVisible;
   }
-  if (occluder != nullptr) *occluder = map.cells()[map.grid().index(place)].point;
+  if (occluder != nullptr) *occluder = map.cell(place).point;
   return Visibility::kHidden;
 }
 

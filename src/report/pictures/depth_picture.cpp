@@ -26,28 +26,37 @@ std::vector<Rgb> greys() {
   return palette;
 }
 
+void check_cancel(const Task& task) {
+  if (task.cancelled()) fail(Status::kCancelled, "cancelled");
+}
+
 }  // namespace
 
-std::string depth_png(const DepthMap& map) {
+std::string depth_png(const DepthMap& map, Task& task) {
   float near = std::numeric_limits<float>::infinity(), far = 0;
-  for (const DepthMap::Cell& cell : map.cells())
-    if (cell.range_m > 0) {
-      near = std::min(near, cell.range_m);
-      far = std::max(far, cell.range_m);
-    }
+  const AngularGrid& grid = map.grid();
+  for (uint32_t row = 0; row < grid.rows; ++row) {
+    check_cancel(task);
+    for (uint32_t column = 0; column < grid.columns; ++column)
+      if (const float range = map.cell(column, row).range_m; range > 0) {
+        near = std::min(near, range);
+        far = std::max(far, range);
+      }
+  }
   if (!(far > 0)) fail(Status::kInsufficientData, "a depth map of a station without points");
 
-  const AngularGrid& grid = map.grid();
   IndexedImage image{grid.columns, grid.rows, std::vector<uint8_t>(grid.size()), greys(), {}};
   const double span = std::log(far / near);
-  for (size_t row = 0; row < grid.rows; ++row)
-    for (size_t column = 0; column < grid.columns; ++column) {
-      const float range = map.cells()[row * grid.columns + column].range_m;
+  for (uint32_t row = 0; row < grid.rows; ++row) {
+    check_cancel(task);
+    for (uint32_t column = 0; column < grid.columns; ++column) {
+      const float range = map.cell(column, row).range_m;
       const double part = span > 0 ? std::log(std::max(range, near) / near) / span : 0;
-      image.pixels[(grid.rows - 1 - row) * grid.columns + column] =
+      image.pixels[size_t{grid.rows - 1 - row} * grid.columns + column] =
           range > 0 ? static_cast<uint8_t>(std::lround(255 - part * (255 - kFarthestGrey)))
                     : uint8_t{0};
     }
+  }
   image.description = "Depth map: grey 255 = " + text_of(double{near}) + " m, " +
                       std::to_string(kFarthestGrey) + " = " + text_of(double{far}) +
                       " m, even in the logarithm of the range; blue = empty";

@@ -10,6 +10,6 @@ namespace jalon {
 
 /// A depth map as a PNG file: the highest row on top, one pixel a cell. Grey 255 for the nearest range, 30 for the
 /// farthest, even in the logarithm; dark blue where empty. Throws kInsufficientData for a map without a point.
-std::string depth_png(const DepthMap& map);
+std::string depth_png(const DepthMap& map, Task& task);
 
 }  // namespace jalon

@@ -41,13 +41,15 @@ TEST_CASE("depth_map__cells_keep_the_range_of_their_rule_and_the_nearest_point")
     settings.fill_passes = 0;
     settings.rule = rule;
     const DepthMap map = map_from(cloud, settings);
-    std::vector<std::vector<uint32_t>> members(map.cells().size());
+    std::vector<std::vector<uint32_t>> members(map.grid().size());
     for (uint32_t i = 0; i < cloud.size(); ++i)
       members[map.grid().index(place_in(map, cloud.point(i)))].push_back(i);
     size_t several = 0;
     for (size_t c = 0; c < members.size(); ++c) {
-      REQUIRE(map.counts()[c] == members[c].size());
-      REQUIRE((map.fill(c) == DepthMap::Fill::kEmpty) == members[c].empty());
+      const auto column = static_cast<uint32_t>(c % map.grid().columns),
+                 row = static_cast<uint32_t>(c / map.grid().columns);
+      REQUIRE(map.count(column, row) == members[c].size());
+      REQUIRE((map.fill(column, row) == DepthMap::Fill::kEmpty) == members[c].empty());
       if (members[c].empty()) continue;
       several += members[c].size() > 1;
       double low = 1e9, high = 0, sum = 0;
@@ -59,8 +61,9 @@ TEST_CASE("depth_map__cells_keep_the_range_of_their_rule_and_the_nearest_point")
         sum += range / static_cast<double>(members[c].size());
       }
       const double truth = rule == CellRule::kNearest ? low : rule == CellRule::kMean ? sum : high;
-      REQUIRE(map.cells()[c].range_m == doctest::Approx(truth).epsilon(1e-6));  // single precision
-      REQUIRE(map.cells()[c].point == nearest);
+      REQUIRE(map.cell(column, row).range_m ==
+              doctest::Approx(truth).epsilon(1e-6));  // single precision
+      REQUIRE(map.cell(column, row).point == nearest);
     }
     CHECK(several > 500);
   }
@@ -114,6 +117,34 @@ TEST_CASE("depth_map__spacing_across_an_edge_in_depth_is_less_by_as_much_as_cell
   }
 }
 
+// A stray point widens the field; the cells between it and the others hold nothing and cost nothing.
+TEST_CASE("depth_map__a_point_far_aside_widens_the_grid_and_changes_no_other_cell") {
+  Cloud cloud = lattice({}, {}, wall_at(10));
+  const DepthMap alone = map_from(cloud, {});
+  std::vector<double> xyz(cloud.xyz().begin(), cloud.xyz().end());
+  for (const double c : {2e5, -1e6, 7e5}) xyz.push_back(c);  // behind and above
+  Buffer<double> more(xyz.size());
+  std::copy(xyz.begin(), xyz.end(), more.data());
+  const auto stations = cloud.stations;
+  cloud = make_cloud(std::move(more));
+  cloud.stations = stations;
+  ++cloud.stations[0].count;
+  const DepthMap wide = map_from(cloud, {});
+  CHECK(wide.grid().size() > 4 * alone.grid().size());
+  CHECK(wide.tiles() < 2 * alone.tiles() + 10);
+  RandomStream random(63, 0);
+  size_t same = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 d = direction_of(0.9 * (random.uniform() - 0.5), 0.7 * (random.uniform() - 0.5));
+    const double range = wide.surface_range_m(place_in(wide, d));
+    same += std::abs(range - 10 / d.y) < 0.01;
+  }
+  CHECK(same > 490);
+  AngularGrid::Place far;
+  REQUIRE(wide.grid().locate(wide.sighting({2e5, -1e6, 7e5}), far));
+  CHECK(wide.cell(far).point == cloud.size() - 1);
+}
+
 TEST_CASE("depth_map__of_nothing_is_empty_and_of_too_many_cells_is_refused") {
   Cloud cloud = lattice({}, {}, wall_at(10));
   DepthSettings fine;
@@ -127,7 +158,7 @@ TEST_CASE("depth_map__of_nothing_is_empty_and_of_too_many_cells_is_refused") {
   }
   cloud.stations[0].count = 0;
   const DepthMap none = map_from(cloud, {});
-  CHECK(none.cells().empty());
+  CHECK(none.grid().size() == 0);
   AngularGrid::Place place;
   CHECK_FALSE(none.grid().locate({0, 0, 1}, place));
 }

@@ -32,7 +32,7 @@ TEST_CASE("depth_table__rows_are_the_cells_and_lead_back_to_the_points") {
   const Cloud cloud = thin_wall();
   DepthSettings settings;
   settings.cell_factor = 1;
-  const FieldTable t = depth_table(station_depth_map(cloud, 0, settings, task));
+  const FieldTable t = depth_table(station_depth_map(cloud, 0, settings, task), task);
   const auto of = [&](const char* name, size_t row) { return t.require(name).number(row); };
   const size_t cells = t.require("range").count();
   REQUIRE(cells > 7000);
@@ -66,7 +66,7 @@ TEST_CASE("depth_table__needs_a_station_with_a_pose_and_says_which") {
   const auto made = [&](uint64_t station, const DepthSettings& settings = {}) {
     return station_depth_map(cloud, station, settings, task);
   };
-  CHECK(made(0).cells().size() > 0);
+  CHECK(made(0).grid().size() > 0);
   CHECK(status_of([&] { made(1); }) == Status::kInvalidArgument);
   CHECK_THROWS_WITH_AS(made(1), doctest::Contains("station 1 "), Error);
   DepthSettings settings;

@@ -141,11 +141,13 @@ TEST_CASE("visibility__holes_are_filled_and_the_sky_is_not") {
   settings.cell_factor = 1;
   const DepthMap map = map_of(cloud, settings);
   size_t filled = 0, low_empty = 0, low = 0, high_empty = 0, high = 0;
-  for (size_t c = 0; c < map.cells().size(); ++c) {
-    const double v = map.grid().vertical_of(static_cast<uint32_t>(c / map.grid().columns));
-    filled += map.fill(c) == DepthMap::Fill::kFilled;
-    if (v < 0.18) ++low, low_empty += map.fill(c) == DepthMap::Fill::kEmpty;
-    if (v > 0.25) ++high, high_empty += map.fill(c) == DepthMap::Fill::kEmpty;
+  for (size_t c = 0; c < map.grid().size(); ++c) {
+    const auto column = static_cast<uint32_t>(c % map.grid().columns),
+               row = static_cast<uint32_t>(c / map.grid().columns);
+    const double v = map.grid().vertical_of(row);
+    filled += map.fill(column, row) == DepthMap::Fill::kFilled;
+    if (v < 0.18) ++low, low_empty += map.fill(column, row) == DepthMap::Fill::kEmpty;
+    if (v > 0.25) ++high, high_empty += map.fill(column, row) == DepthMap::Fill::kEmpty;
   }
   CHECK(filled > 500);
   CHECK(low_empty * 500 <= low);

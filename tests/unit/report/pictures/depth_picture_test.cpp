@@ -26,6 +26,11 @@ Vec3 seen_at(int across, int up, double range_m) {
           range_m * std::sin(v)};
 }
 
+std::string png_of_map(const DepthMap& map) {
+  Task task;
+  return depth_png(map, task);
+}
+
 DepthMap map_of(const std::vector<Vec3>& points) {
   const Cloud cloud = picture_pixels::cloud_of_points(points);
   Station station;
@@ -58,7 +63,7 @@ TEST_CASE("depth_picture__greys_are_even_in_the_logarithm_and_the_highest_row_is
   const DepthMap map = map_of(points);
   REQUIRE(map.grid().columns == 7);
   REQUIRE(map.grid().rows == 5);
-  const std::string png = depth_png(map);
+  const std::string png = png_of_map(map);
   CHECK(has_pixels(png, 7, pixels));
   CHECK(palette_entry(png, 0) == std::vector<int>{16, 32, 72});  // dark blue where empty
   for (const int grey : {1, 30, 86, 255})
@@ -72,15 +77,15 @@ TEST_CASE("depth_picture__one_range_everywhere_is_the_nearest") {
   for (int i = 0; i < 12; ++i) points.push_back(seen_at(i % 4, i / 4, 8));
   const DepthMap map = map_of(points);
   REQUIRE(map.grid().size() == 12);
-  CHECK(has_pixels(depth_png(map), 4, std::vector<uint8_t>(12, 255)));
-  CHECK(depth_png(map_of({{0, 3, 0}})).find("grey 255 = 3 m, 30 = 3 m") != std::string::npos);
-  CHECK(has_pixels(depth_png(map_of({{0, 3, 0}})), 1, std::vector<uint8_t>{255}));
+  CHECK(has_pixels(png_of_map(map), 4, std::vector<uint8_t>(12, 255)));
+  CHECK(png_of_map(map_of({{0, 3, 0}})).find("grey 255 = 3 m, 30 = 3 m") != std::string::npos);
+  CHECK(has_pixels(png_of_map(map_of({{0, 3, 0}})), 1, std::vector<uint8_t>{255}));
 }
 
 TEST_CASE("depth_picture__without_a_point_is_refused") {
   for (const DepthMap& map : {DepthMap{}, map_of({})}) {
     try {
-      depth_png(map);
+      png_of_map(map);
       CHECK(false);
     } catch (const Error& error) {
       CHECK(error.status() == Status::kInsufficientData);
