@@ -128,6 +128,8 @@ CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference,
     CoreNormals::Work normal_work = normals.work();
     CylinderComparer::Work work = cylinders.work();
     for (size_t position = begin; position < end; ++position) {
+      // A cylinder may hold most of the cloud.
+      if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       const size_t i = order[position];
       const CoreNormals::Normal normal = normals.at(i, normal_work);
       const CylinderResult result =

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.h"
 #include "base/numbers.h"
 #include "compare/visibility/recovery.h"
 #include "spatial/voxels/components.h"
@@ -17,6 +18,12 @@ namespace {
 
 constexpr size_t kFitPoints = 2000;  // of a zone, evenly chosen: a fit of six numbers needs no more
 constexpr int kFitSteps = 30;
+
+/// Before the search for point i of a zone, which may hold most of the cloud.
+void check_cancel(size_t i, const Task& task) {
+  constexpr size_t kSearchesPerCheck = 512;  // about 1 ms
+  if (i % kSearchesPerCheck == 0 && task.cancelled()) throw Error(Status::kCancelled, "cancelled");
+}
 
 /// The points of one zone or of its occluders, relative to whole metres.
 struct PointSet {
@@ -38,11 +45,12 @@ Neighbour nearest_in(const Octree& tree, const Vec3& p) {
 }
 
 /// Root mean square distance of the points from their next one.
-double spacing_of(const PointSet& points, const Octree& tree) {
+double spacing_of(const PointSet& points, const Octree& tree, const Task& task) {
   if (points.size() < 2) return 0;
   double sum = 0;
   std::array<Neighbour, 2> found{};
   for (size_t i = 0; i < points.size(); ++i) {
+    check_cancel(i, task);
     tree.knn(points.point(i), 2, found);
     sum += found[1].squared_distance;
   }
@@ -75,7 +83,8 @@ Transform rigid_fit(std::span<const Vec3> a, std::span<const Vec3> b) {
 }
 
 /// What is left between the zone and the occluders after a rigid fit, from centre on centre (ICP of Besl & McKay 1992).
-double fit_residual(const PointSet& zone, const PointSet& occluders, const Octree& tree) {
+double fit_residual(const PointSet& zone, const PointSet& occluders, const Octree& tree,
+                    const Task& task) {
   std::vector<Vec3> moving;
   const size_t stride = zone.size() / kFitPoints + 1;
   for (size_t i = 0; i < zone.size(); i += stride) moving.push_back(zone.point(i));
@@ -91,6 +100,7 @@ double fit_residual(const PointSet& zone, const PointSet& occluders, const Octre
   for (int step = 0; step < kFitSteps; ++step) {
     double sum = 0;
     for (size_t i = 0; i < moving.size(); ++i) {
+      check_cancel(i, task);
       const Neighbour found = nearest_in(tree, moving[i]);
       sum += found.squared_distance;
       targets[i] = occluders.point(found.index);
@@ -121,9 +131,10 @@ void match_zone(const Cloud& reference, const Cloud& compared, std::span<const u
   for (const uint32_t i : distinct) occluders.add(reference.point(i) - origin);
   for (const uint32_t k : members) zone.add(compared.point(points[k]) - origin);
   const auto tree = Octree::build(occluders.xyz, enclosing_cube(occluders.box()), task);
-  const double residual = fit_residual(zone, occluders, *tree),
-               spacing = spacing_of(occluders, *tree);
+  const double residual = fit_residual(zone, occluders, *tree, task),
+               spacing = spacing_of(occluders, *tree, task);
   for (size_t j = 0; j < members.size(); ++j) {
+    check_cancel(j, task);
     out.distances[members[j]] = std::sqrt(nearest_in(*tree, zone.point(j)).squared_distance);
     out.residuals[members[j]] = residual;
     // A single point has no shape.
@@ -144,6 +155,7 @@ OccluderMatch match_occluders(const Cloud& reference, const Cloud& compared,
   std::vector<uint32_t> hiders(points.size());
   PointSet all;
   for (size_t k = 0; k < points.size(); ++k) {
+    check_cancel(k, task);
     test.label(compared.point(points[k]), &hiders[k]);
     all.add(compared.point(points[k]));
   }
