@@ -25,8 +25,8 @@ using triangle_tree::Node;
 constexpr double kNearestMaxSpan_m = 1e9;   // as of TriangleTree
 constexpr size_t kNearestBoxGrain = 65536;  // triangles a chunk, about 1 ms
 constexpr size_t kNodeGrain = 8192;
-constexpr size_t kAskGrain = 2048;       // points a chunk, about 1 ms
-constexpr size_t kSearchesPerCheck = 8;  // about 10 us
+constexpr size_t kAskGrain = 2048;        // points a chunk, about 1 ms
+constexpr size_t kSearchesPerCheck = 32;  // about 30 us
 constexpr size_t kRun = 256;  // points answered before they are looked at: they stay in the cache
 
 constexpr size_t kMostDoubles = 3 * 3 * kWidth;  // corners of a leaf whose triangles share none

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -355,4 +356,28 @@ TEST_CASE("triangle_nearest__same_bits_for_any_threads_instructions_and_whole_me
     REQUIRE(shifted[i].triangle == reference[i].triangle);
     REQUIRE(std::abs(shifted[i].distance - reference[i].distance) < 1e-8);
   }
+}
+
+// What a cancel has to wait for where very many triangles lie on one another: not for a chunk of points.
+TEST_CASE("triangle_nearest__obeys_a_cancel_between_two_points") {
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                  std::vector<std::array<uint32_t, 3>>(500, {0, 1, 2})};
+  const auto tree = tree_of(mesh);
+  const std::vector<double> xyz(3 * 1000, -1.0);
+  std::vector<uint32_t> order(1000);
+  std::iota(order.begin(), order.end(), 0u);
+  std::atomic<bool> cancel{false};
+  Task::Hooks hooks;
+  hooks.threads = 1;
+  hooks.cancel = &cancel;
+  Task task(hooks);
+  size_t answered = 0;
+  CHECK_THROWS_AS(tree->for_each(xyz, order, 10.0, {true, true}, task,
+                                 [&](uint32_t, const TriangleAnswer& answer) {
+                                   CHECK(answer.triangle == 0);
+                                   ++answered;
+                                   cancel = true;
+                                 }),
+                  Error);
+  CHECK(answered == 1);
 }
