@@ -44,16 +44,26 @@ class NeighbourPlanes {
       sx += dx, sy += dy, sz += dz;
       xx += dx * dx, xy += dx * dy, xz += dx * dz, yy += dy * dy, yz += dy * dz, zz += dz * dz;
     }
-    const double inverse = 1 / static_cast<double>(count);
-    Symmetric3& m = covariance_[filled_];
-    m = {xx - sx * sx * inverse, xy - sx * sy * inverse, xz - sx * sz * inverse,
-         yy - sy * sy * inverse, yz - sy * sz * inverse, zz - sz * sz * inverse};
-    four_.set(filled_, m[0], m[1], m[2], m[3], m[4], m[5]);
-    count_[filled_] = count;
-    position_[filled_] = centre;
-    squared_offset_[filled_] = (sx * sx + sy * sy + sz * sz) * inverse * inverse;
-    offset_[filled_] = {sx * inverse, sy * inverse, sz * inverse};
-    if (++filled_ == 4) flush();
+    take(centre, count, {sx, sy, sz}, {xx, xy, xz, yy, yz, zz});
+  }
+
+  /// The same for neighbours by places.
+  void add(const Octree::CrowdedBall& ball) {
+    size_t count = 0;
+    Vec3 sum;
+    Symmetric3 products{};
+    const int32_t cx = x_[ball.point], cy = y_[ball.point], cz = z_[ball.point];
+    for (const Octree::PlaceGroup& group : ball.groups) {
+      const Vec3 d{static_cast<double>(x_[group.first] - cx),
+                   static_cast<double>(y_[group.first] - cy),
+                   static_cast<double>(z_[group.first] - cz)};
+      const Vec3 all = d * static_cast<double>(group.last - group.first);
+      count += group.last - group.first;
+      sum += all;
+      products[0] += all.x * d.x, products[1] += all.x * d.y, products[2] += all.x * d.z;
+      products[3] += all.y * d.y, products[4] += all.y * d.z, products[5] += all.z * d.z;
+    }
+    take(ball.point, count, sum, products);
   }
 
   void flush() {
@@ -69,6 +79,21 @@ class NeighbourPlanes {
   }
 
  private:
+  // From the sums of the neighbours' coordinates relative to the point and of their products.
+  void take(size_t centre, size_t count, const Vec3& sum, const Symmetric3& products) {
+    const double inverse = 1 / static_cast<double>(count);
+    const auto& [sx, sy, sz] = sum;
+    const auto& [xx, xy, xz, yy, yz, zz] = products;
+    Symmetric3& m = covariance_[filled_];
+    m = {xx - sx * sx * inverse, xy - sx * sy * inverse, xz - sx * sz * inverse,
+         yy - sy * sy * inverse, yz - sy * sz * inverse, zz - sz * sz * inverse};
+    four_.set(filled_, m[0], m[1], m[2], m[3], m[4], m[5]);
+    count_[filled_] = count;
+    position_[filled_] = centre;
+    squared_offset_[filled_] = (sx * sx + sy * sy + sz * sz) * inverse * inverse;
+    offset_[filled_] = {sx * inverse, sy * inverse, sz * inverse};
+    if (++filled_ == 4) flush();
+  }
   void solve_with_care(int i) {
     const Eigen3 e = symmetric_eigen(covariance_[i]);
     // All on a line: the second eigenvalue is what rounding leaves of the largest.

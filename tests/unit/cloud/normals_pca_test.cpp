@@ -99,6 +99,29 @@ TEST_CASE("pca_normals__equal_the_jacobi_solution") {
   }
 }
 
+// Thousands of points on one place: they are taken together, as they are one by one.
+TEST_CASE("pca_normals__by_radius_of_a_pile_equal_the_jacobi_solution") {
+  std::vector<double> xyz = sheet(16000, 0.01, {0, 0, 0});
+  for (size_t i = 0; i < 16000; i += 2)
+    for (size_t c = 0; c < 3; ++c) xyz[3 * i + c] = xyz[c];
+  const auto tree = build(xyz);
+  REQUIRE(tree->has_crowds());
+  Task task;
+  const PcaNormals normals = pca_normals_radius(*tree, 0.5, true, task);
+  std::vector<Neighbour> near;
+  size_t crowded = 0;
+  for (size_t i = 1; i < 16000; i += 331) {
+    tree->radius({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}, 0.5, near);
+    const Eigen3 truth = reference(xyz, near);
+    const float* n = normals.normal->values<float>().data() + 3 * i;
+    if (near.size() < 20 || truth.values[1] < 1.5 * truth.values[0]) continue;
+    crowded += near.size() > 8000;
+    const Vec3 found{n[0], n[1], n[2]};
+    CHECK(std::fabs(dot(found, truth.vectors[0])) > 1 - 1e-6);
+  }
+  CHECK(crowded > 0);
+}
+
 TEST_CASE("pca_normals__are_the_same_for_any_number_of_threads_and_after_a_shift") {
   auto xyz = sheet(9000, 0.003, {0, 0, 0});
   for (double& v : xyz) v = std::round(v * 0x1p20) * 0x1p-20;
