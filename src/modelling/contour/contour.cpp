@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "geometry/polygon2.h"
 #include "modelling/contour/band.h"
 #include "modelling/contour/boundary_rings.h"
@@ -66,7 +67,12 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
   task.checkpoint(0);
   // 2. Points near a contour: cells of half a gap, so that neighbours in the plane are neighbours in the raster.
   std::function<bool(uint32_t)> is_foreign;
-  if (foreign) is_foreign = [&](uint32_t point) { return foreign(point, out.spacing_m); };
+  if (foreign)
+    is_foreign = [&](uint32_t point) {
+      // The points around one may be most of the cloud.
+      if (task.cancelled()) fail(Status::kCancelled, "cancelled");
+      return foreign(point, out.spacing_m);
+    };
   const ContourBand band = contour_band(points, out.max_edge_m / 2, out.spacing_m, is_foreign);
   if (band.points.empty()) return out;
   task.checkpoint(0);

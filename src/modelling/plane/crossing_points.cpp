@@ -32,6 +32,7 @@ CrossingPoints::CrossingPoints(const Segmentation& segmentation, const Octree& t
     crosses_[other.label] =
         other.has_plane() &&
         std::fabs(dot(other.fit.plane.normal, own_.fit.plane.normal)) < kCrossingPointsFlattest;
+  any_crosses_ = std::find(crosses_.begin(), crosses_.end(), 1) != crosses_.end();
 }
 
 bool CrossingPoints::ends_at(const Segment& other, const Vec3& p,
@@ -56,6 +57,7 @@ bool CrossingPoints::ends_at(const Segment& other, const Vec3& p,
 }
 
 bool CrossingPoints::holds(uint32_t point, double reach_m) const {
+  if (!any_crosses_) return false;
   const Vec3 p = segmentation_.cloud->point(point);
   const auto labels = segmentation_.labels->values<uint32_t>();
   std::vector<Neighbour> near;

@@ -20,7 +20,8 @@ class CrossingPoints {
   CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment);
 
   /// Whether a plane that is not parallel to this one goes through the point, with points of its own before and behind
-  /// this plane within reach_m, while this plane has no points on both sides of that one. O(points within reach).
+  /// this plane within reach_m, while this plane has no points on both sides of that one. O(points within reach), O(1)
+  /// where all planes are parallel.
   bool holds(uint32_t point, double reach_m) const;
 
  private:
@@ -30,6 +31,7 @@ class CrossingPoints {
   const Octree& tree_;
   const Segment& own_;
   std::vector<uint8_t> crosses_;  ///< by label: a plane that is not parallel to this one
+  bool any_crosses_ = false;
 };
 
 }  // namespace jalon

@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "base/error.h"
 #include "base/random.h"
 #include "geometry/delaunay2.h"
 #include "geometry/polygon2.h"
@@ -123,4 +125,25 @@ TEST_CASE("plane_frame: v is up on walls, u follows the facade on floors, both r
     CHECK(std::fabs(dot(normal, p) - 2.5) < 1e-12);
     CHECK(norm(frame.project(p) - Vec2{1.5, -2}) < 1e-12);
   }
+}
+
+// What a cancel has to wait for where the points around one are most of the cloud: one of them.
+TEST_CASE("contour__obeys_a_cancel_between_two_points_that_may_be_foreign") {
+  std::vector<Vec2> points;
+  for (double u = 0; u < 4; u += 0.05)
+    for (double v = 0; v < 2; v += 0.05) points.push_back({u, v});
+  std::atomic<bool> cancel{false};
+  Task::Hooks hooks;
+  hooks.threads = 1;
+  hooks.cancel = &cancel;
+  Task task(hooks);
+  size_t asked = 0;
+  CHECK_THROWS_AS(extract_contour(points, {}, task,
+                                  [&](uint32_t, double) {
+                                    ++asked;
+                                    cancel = true;
+                                    return false;
+                                  }),
+                  Error);
+  CHECK(asked == 1);
 }
