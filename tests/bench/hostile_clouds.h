@@ -39,6 +39,51 @@ static inline void one_far_point(uint64_t i, uint64_t n, double p[3]) {
   p[0] = p[1] = p[2] = i == 17 ? 1e9 : 0.3;
 }
 
+static inline void equal_point(uint64_t i, uint64_t n, double p[3]) {
+  (void)i, (void)n;
+  p[0] = p[1] = p[2] = 0.3;
+}
+
+static inline void far_outlier_point(uint64_t i, uint64_t n, double p[3]) {
+  (void)n;
+  draw(i, p);
+  if (i == 17) p[0] = p[1] = -1e6, p[2] = 1e6;
+}
+
+/* Runs of 500 equal points. */
+static inline void runs_point(uint64_t i, uint64_t n, double p[3]) {
+  (void)n;
+  draw(i / 500, p);
+}
+
+static inline void straight_point(uint64_t i, uint64_t n, double p[3]) {
+  p[0] = (double)i / (double)n;
+  p[1] = p[2] = 0;
+}
+
+/* Fifty turns, one beside the other. */
+static inline void spiral_point(uint64_t i, uint64_t n, double p[3]) {
+  const double t = sqrt((double)i / (double)n);
+  p[0] = t * cos(314 * t);
+  p[1] = t * sin(314 * t);
+  p[2] = 0;
+}
+
+/* A logarithmic spiral of some fifty turns into its centre. */
+static inline void shrinking_point(uint64_t i, uint64_t n, double p[3]) {
+  const double t = (double)i / (double)n, radius = exp(-30 * t);
+  p[0] = radius * cos(300 * t);
+  p[1] = radius * sin(300 * t);
+  p[2] = 0;
+}
+
+static inline void lattice_point(uint64_t i, uint64_t n, double p[3]) {
+  const uint64_t side = (uint64_t)ceil(cbrt((double)n));
+  p[0] = (double)(i % side) / (double)side;
+  p[1] = (double)(i / side % side) / (double)side;
+  p[2] = (double)(i / side / side) / (double)side;
+}
+
 /* A cloud as they are, and one point at the origin of its national grid. */
 static inline void grid_origin_point(uint64_t i, uint64_t n, double p[3]) {
   (void)n;
@@ -91,6 +136,13 @@ static const struct {
     {"halving", halving_point},
     {"line", line_point},
     {"one far", one_far_point},
+    {"far outlier", far_outlier_point},
+    {"equal", equal_point},
+    {"runs", runs_point},
+    {"straight", straight_point},
+    {"spiral", spiral_point},
+    {"shrinking spiral", shrinking_point},
+    {"lattice", lattice_point},
     {"grid origin", grid_origin_point},
     {"two clusters", two_clusters_point},
     {"cantor", cantor_point},
