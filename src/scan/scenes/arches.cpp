@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scan/scenes/objects.h"
+#include "scan/builder/objects.h"
 #include "scan/scenes/scenes.h"
 
 namespace jalon {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "scan/scenes/builder.h"
+#include "scan/builder/builder.h"
 
 namespace jalon {
 

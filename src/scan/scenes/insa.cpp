@@ -4,7 +4,7 @@
 // Three buildings after the south-west facade of INSA Strasbourg: scanned, surveyed, and with the
 // balconies of its residence (Boulaassal 2010, 3.2, 5.5.3.2 and 5.6.3.2).
 #include "scan/scenes/grid_facade.h"
-#include "scan/scenes/objects.h"
+#include "scan/builder/objects.h"
 #include "scan/scenes/scenes.h"
 
 namespace jalon {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scan/scene.h"
-#include "scan/scenes/builder.h"
+#include "scan/builder/builder.h"
 
 // One function a scene; scan/scenes.cpp chooses. All facades stand about y = 0 and look along -Y.
 

@@ -9,7 +9,7 @@
 
 #include "base/distributions.h"
 #include "scan/scanner.h"
-#include "scan/scenes/builder.h"
+#include "scan/builder/builder.h"
 #include "unit/registration/target_scenes.h"
 
 namespace jalon {

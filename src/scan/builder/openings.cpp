@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geometry/polygon2.h"
-#include "scan/scenes/builder.h"
+#include "scan/builder/builder.h"
 
 namespace jalon {
 
@@ -151,13 +151,8 @@ void SceneBuilder::arched_recess(uint32_t part, const Frame& frame, const Rect& 
   face(reveals, {corner + frame.u * width, n, frame.v}, {0, depth_m, 0, springing});
   face(reveals, {corner, n, frame.u}, {0, depth_m, 0, width});
   // 3. The head.
-  const Outline head = arched_outline(opening, rise_m);
-  const uint32_t id = new_id();
-  for (size_t i = 2; i + 1 < head.size(); ++i) {
-    const Vec3 a = frame.point(head[i].u, head[i].v), b = frame.point(head[i + 1].u, head[i + 1].v);
-    triangle(a, b, b - n * depth_m, id);
-    triangle(a, b - n * depth_m, a - n * depth_m, id);
-  }
+  const Outline outline = arched_outline(opening, rise_m);
+  swept(frame, {outline.begin() + 2, outline.end()}, -depth_m, 0);
 }
 
 }  // namespace jalon

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "scan/scenes/builder.h"
+#include "scan/builder/builder.h"
 
 // What stands between the scanner and a facade; places are those of the foot.
 

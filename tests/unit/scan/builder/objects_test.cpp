@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "scan/scenes/objects.h"
+#include "scan/builder/objects.h"
 #include "unit/scan/scenes/built.h"
 
 using namespace jalon;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scan/scenes/builder.h"
+#include "scan/builder/builder.h"
 
 namespace jalon {
 
@@ -33,6 +33,17 @@ void SceneBuilder::sphere(const Vec3& centre, double radius_m, int facets) {
     const double latitude = std::numbers::pi * (part - 0.5), r = radius_m * std::cos(latitude);
     return centre + Vec3{r * std::cos(angle), r * std::sin(angle), radius_m * std::sin(latitude)};
   });
+}
+
+void SceneBuilder::swept(const Frame& frame, const Outline& path, double low_m, double high_m) {
+  const uint32_t id = new_id();
+  const Vec3 down = frame.normal() * (high_m - low_m);
+  for (size_t i = 0; i + 1 < path.size(); ++i) {
+    const Vec3 a = frame.point(path[i].u, path[i].v, high_m),
+               b = frame.point(path[i + 1].u, path[i + 1].v, high_m);
+    triangle(a, b, b - down, id);
+    triangle(a, b - down, a - down, id);
+  }
 }
 
 void SceneBuilder::relief(uint32_t columns, uint32_t rows,

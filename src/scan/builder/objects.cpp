@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "scan/scenes/objects.h"
+#include "scan/builder/objects.h"
 
 #include <cmath>
 #include <numbers>

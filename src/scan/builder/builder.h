@@ -66,6 +66,10 @@ class SceneBuilder {
   void arched_recess(uint32_t part, const Frame& frame, const Rect& opening, double rise_m,
                      double depth_m, bool has_joinery);
 
+  /// The strip that a path of the frame's plane sweeps between two heights over it, without a face: a curved surface,
+  /// seen from the left of the path.
+  void swept(const Frame& frame, const Outline& path, double low_m, double high_m);
+
   /// Upright or lying box seen from outside; without its bottom where it stands on something.
   void box(uint32_t part, const Vec3& corner, const Vec3& size, bool has_bottom);
 

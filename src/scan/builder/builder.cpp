@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "scan/scenes/builder.h"
+#include "scan/builder/builder.h"
 
 #include <algorithm>
 #include <cmath>
