@@ -82,7 +82,7 @@ NULLABLE = {
     "jalon_report_write_html.model", "jalon_report_write_json.model",
     "jalon_report_write_comparison.reverse", "jalon_report_write_comparison.changes",
     "jalon_report_write_registration.reference", "jalon_report_write_registration.moving",
-    "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud",
+    "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud", "jalon_scene_write_truth.scanner",
     "jalon_cloud_knn.squared_distances",
     "jalon_cloud_depth_map.columns",
 }
@@ -165,6 +165,8 @@ OPERATION = {
     "jalon_report_write_comparison": "comparison_report",
     "jalon_report_write_registration": "registration_report",
     "jalon_scene_create": "scene",
+    "jalon_scene_scanner": "scene",
+    "jalon_scene_write_truth": "scene",
     "jalon_cloud_measure_targets": "target",
     "jalon_cloud_compute_visibility": "visibility",
     "jalon_cloud_depth_map": "visibility",

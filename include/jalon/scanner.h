@@ -109,6 +109,11 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scan
  *   pit of 8 x 5 x 1.2 m, 40.6 m3, and an excavator; on day 4 that has moved 6 m and turned by 40
  *   degrees, and the free wall is gone). Ids on all days: ground 1, heap 2, pit 3, back and side
  *   wall 4 and 5, free wall 6 to 10, excavator from 11 on.
+ * - grammar: a facade made by rules, another one for each seed, of the kind asked for (town_house,
+ *   apartments, shops, arcade, offices, gabled, wings, loggias, church, factory, terrace, mansard),
+ *   with what stands in its windows, rooms behind the glass, and trees, cars and people in front.
+ *   It brings its own scanner (jalon_scene_scanner) and tells its walls and openings
+ *   (jalon_scene_write_truth).
  *
  * options may be NULL for the defaults. The model carries the true planes as faces with their
  * openings in a tree of parts with classes (wall, post, band, mullion, glass, curtain, sill,
@@ -116,6 +121,56 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scan
  */
 JALON_API JALON_CHECK jalon_status jalon_scene_create(const jalon_params* options, jalon_task* task,
                                                       jalon_model** out);
+
+/**
+ * The scanner that goes with a scene: method "static" with stations, field of view, steps, noise,
+ * misfit, beam and glass as the seed and the options of the scene "grammar" have them. Of other
+ * scenes one without stations, with the defaults. options may be NULL for the default scene.
+ */
+JALON_API JALON_CHECK jalon_status jalon_scene_scanner(const jalon_params* options,
+                                                       jalon_scanner** out);
+/**
+ * Writes what is true of the scene "grammar" and of a scan of it, as JSON.
+ *
+ * - scanner: the one of the scan, of method "static"; NULL or one without stations stands for the
+ *   scene's own.
+ * - options: those the model was made with; NULL stands for "grammar" with its defaults.
+ *   JALON_ERROR_UNSUPPORTED for other scenes.
+ *
+ * An object with "shape" ("jalon facade truth 1"), "scene", "kind", "seed", "walls" and "openings".
+ * A contour is a list of corners [u, v, sagitta]: metres along the wall and up; the sagitta of the
+ * edge to the next corner is 0 for a straight one, else an arc, that bulges outward when positive;
+ * counter-clockwise. Shares are from 0 to 1.
+ *
+ *     of a wall           meaning
+ *     name                "wall 1", "wing 2", "dormer 3", ...
+ *     origin              of its plane; with along, up and normal (out of the house) in the world
+ *     outline             contour that walks round the openings at the wall's border
+ *     covers              what lies flat on it (surrounds, panels, signs): outline and holes
+ *     area_m2             openings and covers taken off
+ *     seen_share          of that area: a beam reaches it
+ *     hidden_share        of that area: every beam towards it ends before
+ *     never_share         of that area: no station has a beam towards it
+ *     raster              the same in cells of cell_m from low on, rows from below, a letter a
+ *                         cell: s seen, h hidden, n never, c covered, o opening, . outside
+ *
+ *     of an opening       meaning
+ *     wall                number of its wall, from 0
+ *     class               window, door, gateway, shop_front, vent, other, recess
+ *     contour             in the wall's plane
+ *     depth_m             from the wall to what fills it; of a recess to its back wall
+ *     storey              0: on the ground
+ *     touches_ground      it stands on the ground
+ *     touches_border      it is cut into the wall's outline
+ *     outline_seen_share  of its edges without its foot on the ground: the wall beside is seen
+ *     area_seen_share     of its area: beams reach the wall's plane there or go through
+ *     spacing_m           of all stations' points on the wall's plane there; 0: none sees it
+ *     width_spacings      the lesser of width and height in these spacings
+ */
+JALON_API JALON_CHECK jalon_status jalon_scene_write_truth(const char* path,
+                                                           const jalon_scanner* scanner,
+                                                           const jalon_params* options,
+                                                           jalon_task* task);
 
 JALON_END_C
 

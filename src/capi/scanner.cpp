@@ -7,7 +7,6 @@
 #include "capi/support/model_handles.h"
 #include "capi/support/scan_handles.h"
 #include "scan/methods.h"
-#include "scan/scene.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -75,16 +74,6 @@ jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model
     const std::shared_ptr<const Cloud> points = cloud == nullptr ? nullptr : cloud->cloud;
     *out = with_task(task, [&](Task& t) {
              return own(new_fields(scanner->method->truth(*model->model, points.get(), values, t)));
-           }).release();
-  });
-}
-
-jalon_status jalon_scene_create(const jalon_params* options, jalon_task* task, jalon_model** out) {
-  return guard([&] {
-    require(out, "out");
-    const auto settings = settings_from<SceneSettings>(options_or_default(options, "scene"));
-    *out = with_task(task, [&](Task& t) {
-             return own(new_model(build_scene(settings, t)));
            }).release();
   });
 }

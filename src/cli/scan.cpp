@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/methods.h"
@@ -12,6 +13,9 @@ namespace {
 
 // Scenes are in metres, which the file is to tell.
 constexpr const char* kSceneCrs = "LOCAL_CS[\"scene, metres\",UNIT[\"metre\",1]]";
+
+constexpr const char* kOwnTruth =
+    "grammar";  // brings its scanner, and tells its walls and openings
 
 struct Scan {
   Common common;
@@ -27,23 +31,64 @@ struct Scan {
     }
   }
 
+  Params scene_options() const {
+    Params options = make_params("scene");
+    must(jalon_params_set_string(options.get(), "name", scene.c_str()));
+    if (scene == kOwnTruth) {  // one seed for all, unless the scene's is told
+      Scanner scanner;
+      Params params;
+      int64_t seed = 0;
+      must_know(jalon_scanner_create(method.c_str(), Out(scanner)));
+      must(jalon_scanner_params(scanner.get(), Out(params)));
+      settings.apply(params.get());
+      must(jalon_params_get_int64(params.get(), "seed", &seed));
+      must(jalon_params_set_int64(options.get(), "seed", seed));
+    }
+    scene_settings.apply(options.get());
+    return options;
+  }
+
+  /// The scene's own values stand before those told, its own stations where none are told.
+  Scanner make_scanner(const Params& options) const {
+    Scanner own, scanner;
+    Params own_params, params;
+    must(jalon_scene_scanner(options.get(), Out(own)));
+    if (method == "static" && stations.empty()) {
+      scanner = std::move(own);
+      must(jalon_scanner_params(scanner.get(), Out(params)));
+    } else {
+      must_know(jalon_scanner_create(method.c_str(), Out(scanner)));
+      must(jalon_scanner_params(scanner.get(), Out(params)));
+      if (method == "static") {
+        const char* values = nullptr;
+        must(jalon_scanner_params(own.get(), Out(own_params)));
+        must(jalon_params_to_json(own_params.get(), &values));
+        must(jalon_params_from_json(params.get(), values));
+      }
+    }
+    settings.apply(params.get());
+    add_stations(scanner.get());
+    return scanner;
+  }
+
+  /// Beside the cloud: NAME.truth.json. Of random points on all faces nothing is said to be seen or hidden.
+  std::string truth_output() const {
+    if (scene != kOwnTruth || method != "static") return "";
+    return std::filesystem::path(output).replace_extension(".truth.json").string();
+  }
+
   void run() const {
     check_output_file(output, "cloud");
+    const std::string truth_path = truth_output();
+    if (!truth_path.empty()) check_output_file(truth_path);
     if (!model_output.empty()) check_output_file(model_output, "model");
     Console console(common);
     console.step("scene");
-    const Params options = make_params("scene");
-    must(jalon_params_set_string(options.get(), "name", scene.c_str()));
-    scene_settings.apply(options.get());
+    const Params options = scene_options();
     Model model;
     must(jalon_scene_create(options.get(), console.task(), Out(model)));
     console.step("scanning");
-    Scanner scanner;
-    must_know(jalon_scanner_create(method.c_str(), Out(scanner)));
-    Params params;
-    must(jalon_scanner_params(scanner.get(), Out(params)));
-    settings.apply(params.get());
-    add_stations(scanner.get());
+    const Scanner scanner = make_scanner(options);
     Cloud cloud;
     must(jalon_scanner_run(scanner.get(), model.get(), console.task(), Out(cloud)));
     if (count_of(cloud) == 0)
@@ -59,13 +104,19 @@ struct Scan {
     must(jalon_cloud_write(cloud.get(), output.c_str(), nullptr, console.task()));
     if (!model_output.empty())
       must(jalon_model_write(model.get(), model_output.c_str(), nullptr, console.task()));
+    if (!truth_path.empty())
+      must(jalon_scene_write_truth(truth_path.c_str(), scanner.get(), options.get(),
+                                   console.task()));
     console.say(grouped(count_of(cloud)) + " points of scene \"" + scene + "\" in " +
                 fixed(seconds, 2) + " s -> " + output);
-    console.result({{"scene", scene},
-                    {"output", output},
-                    {"points", count_of(cloud)},
-                    {"true_planes", true_planes},
-                    {"seconds", seconds}});
+    if (!truth_path.empty()) console.say("walls and openings -> " + truth_path);
+    nlohmann::ordered_json result{{"scene", scene},
+                                  {"output", output},
+                                  {"points", count_of(cloud)},
+                                  {"true_planes", true_planes},
+                                  {"seconds", seconds}};
+    if (!truth_path.empty()) result["truth"] = truth_path;
+    console.result(result);
   }
 };
 
@@ -106,6 +157,8 @@ void add_scan(Command& app) {
            "          jalon scan --scene insa --set instrument=gx --set max_points=200000 --set "
            "glass_return_min=0.05 "
            "--set glass_return_max=0.3 -o insa.las\n"
+           "          jalon scan --scene grammar --set seed=7 -o street.las    (and "
+           "street.truth.json)\n"
            "          jalon scan --scene patches --method sample --set points=60000 -o patches.las";
   });
   command.on_run([state] { state->run(); });

@@ -48,6 +48,7 @@ bool PulseCaster::hit(Ray ray, RandomStream random, RayHit& out) const {
   while (tree_.nearest(ray, out)) {
     const double returned = surfaces_.returned(out.triangle);
     if (returned >= 1 || random.uniform() < returned) return true;
+    if (!surfaces_.lets_through(out.triangle)) return false;
     ray.t_min = out.t + kBehindGlass_m;
   }
   return false;

@@ -9,6 +9,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "model/model.h"
+#include "scan/grammar_settings.h"
 
 namespace jalon {
 
@@ -30,7 +31,8 @@ enum class SceneName {
   kLycee,
   kArches,
   kResidence,
-  kEarthworks
+  kEarthworks,
+  kGrammar
 };
 
 /// Of the operation "scene"; the table of the rows says what each member means.
@@ -47,6 +49,7 @@ struct SceneSettings {
   double depth_m = 0.25;
   bool crossing = false;
   uint64_t seed = 1;
+  GrammarSettings grammar{};
 };
 std::span<const ParamRow> scene_rows();
 Model build_scene(const SceneSettings& settings, Task& task);

@@ -15,6 +15,14 @@ namespace {
 
 constexpr uint64_t kGlassKey = 0x67'6c'61'73'73;  // "glass": its streams are none of the rays'
 
+std::unordered_set<uint32_t> dark_ids(const Model& model) {
+  std::unordered_set<uint32_t> ids;
+  for (const Face& face : model.faces)
+    if (face.part < model.parts.size() && model.parts[face.part].part_class == "dark")
+      ids.insert(face.id);
+  return ids;
+}
+
 /// Ids of the faces made of glass: parts of class "glass", and the panes of windows.
 std::unordered_set<uint32_t> glass_ids(const Model& model) {
   std::unordered_set<uint32_t> ids;
@@ -36,13 +44,20 @@ Surfaces::Surfaces(const Model& model, const ScannedSurfaceSettings& settings, u
   const double least = settings.glass_return_min, most = settings.glass_return_max;
   if (!(least <= most))
     fail(Status::kInvalidArgument, "glass_return_min is above glass_return_max");
-  if (least == 1) return;
-  const std::unordered_set<uint32_t> ids = glass_ids(model);
-  if (ids.empty()) return;
-  glass_.assign(model.triangles.size(), 1);
-  for (size_t t = 0; t < glass_.size(); ++t)
-    if (const uint32_t id = model.triangle_faces[t]; ids.contains(id))
-      glass_[t] = least + (most - least) * RandomStream(seed ^ kGlassKey, id).uniform();
+  // 1. What is dark, and what is glass that lets something through.
+  const std::unordered_set<uint32_t> dark = dark_ids(model);
+  const std::unordered_set<uint32_t> glass = least == 1 ? dark : glass_ids(model);
+  if (dark.empty() && (least == 1 || glass.empty())) return;
+  // 2. Their shares.
+  const size_t n = model.triangles.size();
+  returned_.assign(n, 1);
+  if (!dark.empty()) dark_.assign(n, 0);
+  for (size_t t = 0; t < n; ++t) {
+    const uint32_t id = model.triangle_faces[t];
+    if (dark.contains(id)) returned_[t] = 0, dark_[t] = 1;
+    else if (glass.contains(id))
+      returned_[t] = least + (most - least) * RandomStream(seed ^ kGlassKey, id).uniform();
+  }
 }
 
 Vec3 Surfaces::normal(uint32_t triangle) const {

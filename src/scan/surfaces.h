@@ -13,7 +13,8 @@
 
 namespace jalon {
 
-/// What a beam meets, triangle by triangle: face, true plane, and how often glass returns it. The model must be valid
+/// What a beam meets, triangle by triangle: face, true plane, how often glass returns it, and what swallows it: faces
+/// of parts of class "dark". The model must be valid
 /// and outlive it.
 class Surfaces {
  public:
@@ -26,14 +27,16 @@ class Surfaces {
   Vec3 normal(uint32_t triangle) const;
   /// Of two opposite vectors, as seen from both sides.
   double cosine(uint32_t triangle, const Vec3& direction) const;
-  bool has_glass() const { return !glass_.empty(); }
-  /// Share of the pulses that this triangle returns: 1 but for glass.
-  double returned(uint32_t triangle) const { return glass_.empty() ? 1 : glass_[triangle]; }
+  /// Share of the pulses that this triangle returns: 1 but for glass and what is dark.
+  double returned(uint32_t triangle) const { return returned_.empty() ? 1 : returned_[triangle]; }
+  /// Of the pulses that it does not return: whether they go on, or are lost.
+  bool lets_through(uint32_t triangle) const { return dark_.empty() || dark_[triangle] == 0; }
 
  private:
   const Model& model_;
   Truth truth_;
-  std::vector<double> glass_;  ///< empty when everything returns
+  std::vector<double> returned_;  ///< empty when everything returns
+  std::vector<char> dark_;        ///< of the triangles; empty when none is
 };
 
 /// The rows of ScannedSurfaceSettings, in the two places where the scanners' tables have them.

@@ -56,6 +56,7 @@ BASE = {
     "jalon_cloud_builder_append_field.name": '"extra"', "jalon_cloud_builder_declare_field.name": '"another"',
     "jalon_cloud_cells.level": "3", "jalon_cloud_cell_neighbours.level": "3",
     "jalon_cloud_crop_polygon.count": "4", "jalon_model_create_mesh.count_triangles": "2",
+    "jalon_scene_write_truth.path": 'fx_path("truth.json")', "jalon_scene_write_truth.options": "NULL",
     "jalon_scanner_run.model": "fx_mesh", "jalon_scanner_truth.cloud": "NULL",
     "jalon_cloud_share_octree.count": "3",
     "jalon_params_set_bool.value": "1", "jalon_cloud_split.value": "1.0",

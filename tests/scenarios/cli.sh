@@ -38,6 +38,16 @@ check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jal
 
 check "scan makes a sample" "$jalon" scan --scene facade -o sample.las --set horizontal_step_rad=0.003 --set vertical_step_rad=0.003
 check "scan samples a scene and tells its true planes" bash -c "'$jalon' scan --scene sills --method sample --set points=6060 -o sills.ply --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"points\"]==6060 and d[\"true_planes\"]==3, d'"
+check "scan of the grammar brings its scanner and writes the truth beside the cloud" bash -c "
+'$jalon' scan --scene grammar --set seed=7 --scene-set kind=shops --scene-set spacing_m=0.05 -o shops.las --json | python3 -c '
+import json,sys; d=json.load(sys.stdin); assert d[\"truth\"]==\"shops.truth.json\" and d[\"points\"]>5000, d
+t=json.load(open(d[\"truth\"])); assert t[\"kind\"]==\"shops\" and t[\"seed\"]==7, t[\"kind\"]
+assert any(o[\"class\"]==\"shop_front\" and o[\"area_seen_share\"]>0.5 for o in t[\"openings\"])'"
+check "scan of the grammar takes a seed of the scene and stations of the user" bash -c "
+'$jalon' scan --scene grammar --set seed=7 --scene-set seed=8 --set horizontal_step_rad=0.01 --set vertical_step_rad=0.01 --station 5,-9,1.7 \
+  -o one.las --quiet && python3 -c '
+import json; t=json.load(open(\"one.truth.json\")); assert t[\"seed\"]==8, t[\"seed\"]
+assert any(o[\"area_seen_share\"]>0.5 for o in t[\"openings\"])'"
 check "--help has the parameters of every method" bash -c "
 for pair in segment:ransac segment:region_growing compare:distance compare:m3c2 compare:preview register:icp register:targets \
             register:coarse register:automatic model:outlines model:facade model:extrusion model:region_growing scan:static; do

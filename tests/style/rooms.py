@@ -23,7 +23,7 @@ ROOMS = {
 # folder is either shared (sees no sub-room, seen by all of them) or its front (sees any, seen by none).
 SUBROOMS = {
     "spatial": {"octree": [], "neighbours": ["octree"], "triangles": [], "voxels": []},
-    "scan": {"builder": [], "scenes": ["builder"]},
+    "scan": {"builder": [], "grammar": ["builder"], "scenes": ["grammar"]},
     "formats": {
         "files": [], "units": ["files"], "text": ["files"], "las": ["units"], "ply": ["text"], "obj": ["text"],
         "stl": ["text"], "city": ["units"], "dxf": ["files"], "geojson": ["units"], "drawings": ["files"],

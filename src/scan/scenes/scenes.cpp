@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan/scenes/scenes.h"
 
-#include <cmath>
-
 #include "base/error.h"
 #include "base/setting_rows.h"
+#include "scan/builder/scene_frame.h"
+#include "scan/grammar/grammar.h"
 
 namespace jalon {
 
@@ -41,6 +41,7 @@ const Scene& find_scene(SceneName name) {
       {SceneName::kArches, build_arches},
       {SceneName::kResidence, build_residence},
       {SceneName::kEarthworks, build_earthworks},
+      {SceneName::kGrammar, build_grammar},
   };
   for (const Scene& scene : kScenes)
     if (name == scene.name) return scene;
@@ -55,7 +56,7 @@ std::span<const ParamRow> scene_rows() {
       choice_row<&S::name>(
           "name",
           "facade|street|room|box|surrounds|strips|insa|insa_surveyed|unwanted|std|normal|patches|"
-          "sills|robbery|lycee|arches|residence|earthworks",
+          "sills|robbery|lycee|arches|residence|earthworks|grammar",
           "",
           "facade: a town house with doors, windows, plinth, cornice and ground; street: 60 m, six "
           "facades, columns, gutters, boxes, a sphere (the panes of one facade share an id); room: "
@@ -67,7 +68,9 @@ std::span<const ParamRow> scene_rows() {
           "normal: one plane; patches: two of one plane; sills: a wall and two sills; robbery: a "
           "wall and a shelf; lycee: six facades, eight arched windows, two trees; arches: two "
           "walls, square and arched windows; earthworks: rolling ground of 60 x 40 m between "
-          "walls, on four days"),
+          "walls, on four days; grammar: a facade of the kind and by the seed told, which brings "
+          "its "
+          "own scanner and writes its truth"),
       number_row<&S::rotation_rad>("rotation_rad", -10, 10, "rad", "",
                                    "turns the scene about the vertical axis through its origin"),
       doubles_row<&S::shift_m>("shift_m", -1e9, 1e9, "m", "",
@@ -103,26 +106,17 @@ std::span<const ParamRow> scene_rows() {
       bool_row<&S::crossing>("crossing", "robbery",
                              "the shelf crosses the wall, half its depth behind it"),
       integer_row<&S::seed>("seed", 0, 9007199254740992.0, "1",
-                            "insa,insa_surveyed,residence,unwanted,lycee",
-                            "of open windows, curtains, furniture and leaves"));
+                            "insa,insa_surveyed,residence,unwanted,lycee,grammar",
+                            "of open windows, curtains, furniture and leaves; of grammar: of all "
+                            "that is not told"),
+      nested_rows<&S::grammar, kGrammarRows>());
   return kRows;
 }
 
 Model build_scene(const SceneSettings& settings, Task& task) {
   task.checkpoint(0);
   const Scene& scene = find_scene(settings.name);
-  const double angle = settings.rotation_rad + scene.angle_rad;
-  const auto& shift = settings.shift_m;
-  if (shift.size() != 3) fail(Status::kInvalidArgument, "shift_m takes three numbers");
-  Transform T_world_scene;
-  if (angle != 0) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    T_world_scene.m = {c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0};
-  }
-  for (int a = 0; a < 3; ++a)
-    T_world_scene.m[static_cast<size_t>(4 * a + 3)] =
-        scene.shift[a] + shift[static_cast<size_t>(a)];
-  SceneBuilder builder(T_world_scene);
+  SceneBuilder builder(scene_frame(settings, scene.angle_rad, scene.shift));
   scene.build(settings, builder);
   return builder.take();
 }

@@ -37,7 +37,8 @@ static class RealValues {
       {"Model.Write.path", "written.obj"}, {"Cloud.WriteDepthMap.path", "depth.png"}, {"Comparer.ReadM3c2File.path", "m3c2.txt"},
       {"Segmentation.WritePrimitives.path", "primitives.txt"}, {"Library.ReportWriteHtml.path", "report.html"},
       {"Library.ReportWriteJson.path", "report.json"}, {"Library.ReportWriteComparison.path", "comparison.html"},
-      {"Library.ReportWriteRegistration.path", "registration.html"}};
+      {"Library.ReportWriteRegistration.path", "registration.html"},
+      {"Library.SceneWriteTruth.path", "truth.json"}};
 
   static readonly Dictionary<string, double> scalars = new Dictionary<string, double> {
       {"k", 4}, {"Knn.level", -1}, {"level", 6}, {"reach", 1}, {"wMin", -100}, {"wMax", 100}, {"radiusM", 0.5}, {"lengthM", 2},

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Models: meshes, tables, files, volumes, clearance and gauges, against what their shapes say."""
 
+import json
 import os
 import tempfile
 import unittest
@@ -130,6 +131,20 @@ class Models(unittest.TestCase):
         self.assertAlmostEqual(both.summary.clearance, 0.5)
         self.assertEqual(both.to_dict()["summary"]["interferes"], 0)
         self.assertGreaterEqual(len(both.near_faces), 2)
+
+    def python__a_scene_brings_its_scanner_and_tells_its_openings(self):
+        options = dict(name="grammar", kind="arcade", seed=4, spacing_m=0.1, stations=2)
+        cloud = jalon.scene_scanner(**options).run(jalon.scene_create(**options))
+        self.assertEqual(cloud.station_count, 2)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "truth.json")
+            jalon.scene_write_truth(path, **options)
+            with open(path, encoding="utf-8") as f:
+                truth = json.load(f)
+        self.assertEqual(truth["kind"], "arcade")
+        arches = [o for o in truth["openings"] if o["class"] == "recess"]
+        self.assertGreaterEqual(len(arches), 3)
+        self.assertTrue(all(o["touches_ground"] and any(corner[2] > 0 for corner in o["contour"]) for o in arches))
 
     def python__gauges_are_swept(self):
         gauge = jalon.Gauge()

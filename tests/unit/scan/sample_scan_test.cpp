@@ -10,7 +10,7 @@ using namespace jalon::test;
 
 namespace {
 
-std::map<uint32_t, size_t> points_of_faces(const Cloud& cloud) {
+std::map<uint32_t, size_t> samples_of_faces(const Cloud& cloud) {
   std::map<uint32_t, size_t> out;
   for (const uint32_t id : values<uint32_t>(cloud, "face")) ++out[id];
   return out;
@@ -33,7 +33,7 @@ TEST_CASE("sample__gives_every_face_its_share_of_the_points_on_it") {
                          model.vertices[c] - model.vertices[a])) /
               2;
     }
-    for (const auto& [id, n] : points_of_faces(cloud)) {
+    for (const auto& [id, n] : samples_of_faces(cloud)) {
       const auto found = faces.find(id);
       if (found == faces.end()) continue;
       double of_face = 0;
@@ -87,7 +87,7 @@ TEST_CASE("sample__gives_equal_counts_glass_and_outliers_their_shares") {
   SampleSettings equal = {.points = 3000};
   equal.equal_counts = true;
   Task task;
-  const auto strips = points_of_faces(scan_sample(scene("std"), {}, equal, task));
+  const auto strips = samples_of_faces(scan_sample(scene("std"), {}, equal, task));
   CHECK(strips.size() == 10);
   for (const auto& [id, n] : strips) CHECK(std::abs(static_cast<double>(n) - 300) <= 2);
 

@@ -69,7 +69,6 @@ TEST_CASE("surfaces__of_glass_and_panes_of_windows_return_a_share_and_all_else_e
   const Model model = plates_of({part("window"), part("pane", 0), part("door"), part("pane", 2),
                                  part("glass"), part("wall")});
   const Surfaces surfaces = surfaces_of(model, 0.2, 0.4);
-  CHECK(surfaces.has_glass());
   for (uint32_t t = 0; t < 12; ++t) {
     const bool is_glass = t / 2 == 1 || t / 2 == 4;
     if (is_glass) {
@@ -86,8 +85,20 @@ TEST_CASE("surfaces__of_glass_and_panes_of_windows_return_a_share_and_all_else_e
 
 TEST_CASE("surfaces__without_panes_or_with_panes_that_return_all_have_no_glass") {
   const Model wall = plates_of({part("wall")}), pane = plates_of({part("glass")});
-  CHECK_FALSE(surfaces_of(wall, 0, 0).has_glass());
-  CHECK_FALSE(surfaces_of(pane, 1, 1).has_glass());
+  CHECK(surfaces_of(wall, 0, 0).returned(0) == 1);
+  CHECK(surfaces_of(pane, 1, 1).returned(0) == 1);
   CHECK(surfaces_of(pane, 0, 0).returned(0) == 0);
   CHECK_THROWS_AS(surfaces_of(pane, 0.5, 0.4), Error);
+}
+
+TEST_CASE("surfaces__that_are_dark_return_nothing_and_let_nothing_through") {
+  const Model model = plates_of({part("wall"), part("dark"), part("glass")});
+  for (const double least : {0.0, 1.0}) {
+    const Surfaces surfaces = surfaces_of(model, least, least);
+    CHECK(surfaces.returned(0) == 1);
+    CHECK(surfaces.returned(2) == 0);
+    CHECK_FALSE(surfaces.lets_through(2));
+    CHECK(surfaces.returned(4) == least);
+    CHECK(surfaces.lets_through(4));
+  }
 }

@@ -52,7 +52,8 @@ final class RealValues {
       Map.entry("Cloud.writeDepthMap.path", "depth.png"), Map.entry("Comparer.readM3c2File.path", "m3c2.txt"),
       Map.entry("Segmentation.writePrimitives.path", "primitives.txt"), Map.entry("Jalon.reportWriteHtml.path", "report.html"),
       Map.entry("Jalon.reportWriteJson.path", "report.json"), Map.entry("Jalon.reportWriteComparison.path", "comparison.html"),
-      Map.entry("Jalon.reportWriteRegistration.path", "registration.html"));
+      Map.entry("Jalon.reportWriteRegistration.path", "registration.html"),
+      Map.entry("Jalon.sceneWriteTruth.path", "truth.json"));
   private static final Map<String, Double> SCALARS = Map.ofEntries(
       Map.entry("k", 4.0), Map.entry("knn.level", -1.0), Map.entry("level", 6.0), Map.entry("code", 0.0), Map.entry("reach", 1.0),
       Map.entry("w_min", -100.0), Map.entry("w_max", 100.0), Map.entry("radius_m", 0.5), Map.entry("radiusM", 0.5),
