@@ -57,8 +57,8 @@ inline constexpr auto kGrammarRows = setting_rows(
                                           "storeys, as far as the kind has them; 0: by the seed"),
     number_row<&GrammarSettings::spacing_m>(
         "spacing_m", 0, 0.5, "m", "grammar",
-        "spacing of a station's points where it looks straight at the front; 0: 8 to 40 mm by the "
-        "seed"),
+        "spacing of a station's points where it looks straight at the front; 0: 3 to 40 mm by the "
+        "seed, as far as 2.5 million points allow"),
     number_row<&GrammarSettings::noise_m>("noise_m", -1, 0.1, "m", "grammar",
                                           "standard deviation of the measured distance; negative: "
                                           "2 to 8 mm by the seed"),

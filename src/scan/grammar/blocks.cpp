@@ -57,10 +57,11 @@ void plan_apartments(Sketch& k) {
   for (size_t i = 0; i < axes.size(); ++i) {
     const double u = axes[i];
     if (static_cast<int>(i) == door)
-      k.open(wall, entrance(dice, u, dice.length(1.0, 1.8), dice.length(2.1, 2.4)));
+      k.open(wall, entrance(dice, u, dice.length(1.0, 1.4), dice.length(2.1, 2.4)));
     else if (has_garages)
       k.open(wall, gateway(dice, u, dice.length(2.2, 2.5), dice.length(2.0, 2.3), false));
     else k.window(wall, window, u, 0);
+    if (static_cast<int>(i) == door && dice.chance(0.5)) k.niche(wall, u + 1.1, 0.8, 0.6, 1.0);
     const bool has_balcony = dice.chance(0.55), is_solid = dice.chance(0.5);
     const double reach = dice.length(0.9, 1.5);
     for (int storey = 1; storey < floors; ++storey) {

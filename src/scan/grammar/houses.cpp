@@ -59,6 +59,7 @@ void ground_floor(Sketch& k, size_t wall, const WindowStyle& style,
     k.window(wall, low, axes[i], 0);
     if (dice.chance(0.25)) k.vent(wall, axes[i], 0.1, 0.6, 0.25);
   }
+  if (dice.chance(0.3)) k.niche(wall, axes[door] + 1.05, 0.9, 0.4, 0.7);
 }
 
 /// One house between two sides; gives its wall.

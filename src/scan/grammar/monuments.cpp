@@ -77,6 +77,7 @@ void plan_church(Sketch& k) {
   k.storeys(1, dice.length(8, 11), 3);
   k.plan().has_rooms = false;
   const double eaves = k.eaves() * dice.between(0.6, 0.8), middle = front / 2;
+  k.plan().rooms_top_m = eaves;
   const double ridge = eaves + front * dice.between(0.4, 0.65);
   const size_t wall = k.wall(
       "wall 1", 0, {{{0, 0}}, {{front, 0}}, {{front, eaves}}, {{middle, ridge}}, {{0, eaves}}});

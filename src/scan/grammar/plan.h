@@ -86,7 +86,8 @@ struct Plan {
   std::vector<Block> blocks;
   std::vector<Pipe> pipes;
   double rooms_from_m = 0.45, rooms_to_m = 4;  ///< y of the rooms' floors and of their back wall
-  bool has_rooms = true;
+  bool has_rooms = true;                       ///< floors between the storeys
+  double rooms_top_m = 0;                      ///< of their outer walls; 0: the eaves
   bool has_gaps = false;
 
   double top_m() const;

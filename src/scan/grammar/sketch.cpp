@@ -152,6 +152,15 @@ bool Sketch::vent(size_t wall, double middle_u, double low_v, double width_m, do
   return open(wall, std::move(o));
 }
 
+bool Sketch::niche(size_t wall, double middle_u, double low_v, double width_m, double height_m) {
+  PlannedOpening o;
+  o.shape = Shape::flat({middle_u - width_m / 2, middle_u + width_m / 2, low_v, low_v + height_m});
+  o.opening_class = OpeningClass::kOther;
+  o.depth_m = dice_.between(0.04, 0.12);
+  o.filling.kind = Filling::Kind::kClosed;
+  return open(wall, std::move(o));
+}
+
 size_t Sketch::recess(size_t wall, const Rect& rect, double depth_m, int storey) {
   PlannedOpening o;
   o.shape = Shape::flat(rect);

@@ -51,6 +51,8 @@ class Sketch {
   /// Glass between posts over a low panel.
   bool shop_front(size_t wall, double u0, double u1, double height_m, double depth_m);
   bool vent(size_t wall, double middle_u, double low_v, double width_m, double height_m);
+  /// A closed box in the wall: letters, a meter, money.
+  bool niche(size_t wall, double middle_u, double low_v, double width_m, double height_m);
   /// A recess with a back wall of its own, whose number it gives back; no wall: SIZE_MAX.
   size_t recess(size_t wall, const Rect& rect, double depth_m, int storey);
 

@@ -37,7 +37,8 @@ void add_ground(const Plan& plan, double reach_m, SceneBuilder& out) {
 
 void add_rooms(const Plan& plan, SceneBuilder& out) {
   const uint32_t rooms = out.part("rooms", "interior");
-  const double from = plan.rooms_from_m, to = plan.rooms_to_m, top = plan.floors_m.back();
+  const double from = plan.rooms_from_m, to = plan.rooms_to_m;
+  const double top = plan.rooms_top_m > 0 ? plan.rooms_top_m : plan.floors_m.back();
   const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   out.face(rooms, {{0, to, 0}, x, z}, {0, plan.width_m, 0, top});
   for (const double side : {0.0, plan.width_m})
@@ -55,11 +56,18 @@ void add_occluders(const Plan& plan, uint64_t seed, SceneBuilder& out) {
   const int trees = dice.count(0, share), cars = dice.count(0, share),
             people = dice.count(0, 2 * share), posts = dice.count(0, share);
   for (int i = 0; i < trees; ++i) {
-    const double radius = dice.between(0.8, 1.7);
+    const double radius = dice.between(0.8, 2.2);
     const Vec3 crown{dice.between(0, width), -dice.between(2.2, 3.5) - radius / 2,
                      dice.between(2.8, 5.5)};
     add_tree(out, unwanted, crown, radius, dice.between(0.5, 0.9),
              {seed, kLeavesStream + static_cast<uint64_t>(i)});
+  }
+  const int bushes = dice.chance(0.3) ? dice.count(1, 2 * share) : 0;
+  for (int i = 0; i < bushes; ++i) {
+    const double radius = dice.between(0.35, 0.8);
+    add_crown(out, unwanted,
+              {dice.between(0, width), -radius - dice.between(0.25, 0.8), 0.8 * radius}, radius,
+              dice.between(0.7, 0.95), {seed, kLeavesStream + 500 + static_cast<uint64_t>(i)});
   }
   double x = dice.between(-2, 2);
   for (int i = 0; i < cars; ++i, x += dice.between(5.5, 8))

@@ -73,7 +73,7 @@ SceneSurvey survey_of(const Plan& plan, const GrammarSettings& settings, uint64_
   // 1. Stations. Every draw is made whether or not it is asked for: one choice changes no other.
   const int drawn = dice.count(1, 4);
   const int count = settings.stations > 0 ? static_cast<int>(settings.stations) : drawn;
-  const double scale = dice.scale(0.008, 0.04), noise = dice.between(0.002, 0.008),
+  const double scale = dice.scale(0.003, 0.04), noise = dice.between(0.002, 0.008),
                misfit = dice.between(0, 0.003), dropout = dice.between(0, 0.02),
                least = dice.between(0.02, 0.1), most = dice.between(0.2, 0.5);
   const bool has_beam = dice.chance(0.4);

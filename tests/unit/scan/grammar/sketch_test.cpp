@@ -51,13 +51,14 @@ TEST_CASE("sketch__doors_shops_vents_and_recesses_are_of_their_class") {
   CHECK(s.sketch.door(s.wall, 1, 1, 2.2, 0.2));
   CHECK(s.sketch.shop_front(s.wall, 2, 5, 2.5, 0.1));
   CHECK(s.sketch.vent(s.wall, 6, 0.2, 0.6, 0.3));
+  CHECK(s.sketch.niche(s.wall, 8, 1, 0.5, 0.7));
   const size_t back = s.sketch.recess(s.wall, {6, 9, 3.1, 5.5}, 1.5, 1);
   REQUIRE(back != SIZE_MAX);
   CHECK(s.plan.walls[back].y_m == doctest::Approx(1.5));
   CHECK(area_of(s.plan.walls[back].outline) == doctest::Approx(7.2));
   CHECK(s.sketch.recess(s.wall, {6, 9, 3.1, 5.5}, 1.5, 1) == SIZE_MAX);
-  for (const OpeningClass c :
-       {OpeningClass::kDoor, OpeningClass::kShopFront, OpeningClass::kVent, OpeningClass::kRecess})
+  for (const OpeningClass c : {OpeningClass::kDoor, OpeningClass::kShopFront, OpeningClass::kVent,
+                               OpeningClass::kOther, OpeningClass::kRecess})
     CHECK(count_of_class(s.plan, c) == 1);
 }
 

@@ -31,6 +31,8 @@ TEST_CASE("surroundings__rooms_have_a_back_wall_and_a_floor_a_storey_that_church
     CHECK(front_y(model, 3, 1) == doctest::Approx(plan.rooms_to_m));
     const size_t slabs = kind == FacadeKind::kChurch ? 0 : plan.floors_m.size() - 1;
     CHECK(model.faces.size() == 3 + slabs);
+    // None looks over the lowest eaves.
+    for (const Vec3& p : model.vertices) CHECK(p.z <= plan.walls[0].outline[2].at.v + kRounding_m);
   }
 }
 

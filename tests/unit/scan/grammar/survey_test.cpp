@@ -60,7 +60,7 @@ TEST_CASE("survey__by_the_seed_stays_within_what_the_parameters_promise") {
       CHECK(s.pose.translation().y <= -5);
     }
     const double spacing = survey.scanner.horizontal_step_rad * distance;
-    CHECK(spacing >= 0.008 - 1e-12);
+    CHECK(spacing >= 0.003 - 1e-12);
     CHECK(spacing <= 0.04 + 1e-12);
     CHECK(survey.scanner.range_noise_m >= 0.002);
     CHECK(survey.scanner.range_noise_m <= 0.008);
