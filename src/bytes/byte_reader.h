@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/printf_format.h"
 #include "base/task.h"
 #include "bytes/envelope.h"
 #include "bytes/members.h"
@@ -63,7 +64,7 @@ class ByteReader {
   /// Nothing may be left.
   void end() const;
 
-  [[noreturn]] void refuse(const char* format, ...) const __attribute__((format(printf, 2, 3)));
+  [[noreturn]] void refuse(const char* format, ...) const JALON_PRINTF(2, 3);
 
  private:
   const char* what_;

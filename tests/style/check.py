@@ -100,6 +100,7 @@ FORBIDDEN = [
     (r"(?<![\w:.>])(?:std::)?exit\s*\(|\bquick_exit\b|\b_Exit\b|\babort\s*\(|\bstd::terminate\b", "ends the process"),
     (r"\bassert\s*\(", "assert"),
     (r"\b(?:std::)?s?rand\s*\(|\bstd::random_device\b|\bstd::mt19937", "unseeded or other random numbers"),
+    (r"\bformat\s*\(\s*printf\s*,\s*\d", "a format of Linux alone: JALON_PRINTF of base/printf_format.h"),
 ]
 FORBIDDEN_IN_LIBRARY = [
     (r"\bsignal\s*\(|\bsigaction\s*\(|\bputenv\b|\bsetenv\b|\bfesetround\b|\bchdir\s*\(", "touches the host's process"),
