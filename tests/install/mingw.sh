@@ -30,7 +30,7 @@ check "library and tool compile without a warning" cmake --build "$build"
 [ $failed -eq 0 ] || finish
 check "is installed" cmake --install "$build" --prefix "$prefix"
 exports() { # the names that the library gives out
-  x86_64-w64-mingw32-objdump -p "$prefix/bin/libjalon.dll" | sed -n '/Name Pointer/,$s/^\s*\[ *[0-9]*\].* //p' | sort
+  x86_64-w64-mingw32-objdump -p "$prefix/bin/libjalon.dll" | sed -n '/^\[Ordinal/,/^$/s/^\s*\[ *[0-9]*\] //p' | sort
 }
 same_exports() { exports >"$work/exports" && diff "$work/exports" <(grep -v '^#' "$root/tests/abi/symbols.txt" | sort); }
 check "the library gives out the functions of the headers and nothing else" same_exports
