@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
 # What is missing is named before anything is built, with the line that installs it: missing.sh BUILD_FOLDER
-# Packages are hidden from CMake one by one and together; swig from pip, with the environment of the Python tests where there is one.
+# Packages are hidden from CMake one by one and together, also where pip runs it: with the environment of the Python tests, where there
+# is one.
 set -uo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 build=$(realpath "${1:?usage: missing.sh BUILD_FOLDER}")
@@ -47,16 +48,23 @@ result "what was not asked for may be missing" $?
 says "Bindings: none, swig or Python is missing"
 result "bindings that nobody named are left out, and the log says so" $?
 
-# pip on a machine without swig: a PATH of links to all programs but that one.
+# pip says the same: what CMake lacks is in its output, before anything is compiled.
+# pip_names PACKAGES LINE
+pip_names() {
+  local name options=()
+  for name in $1; do options+=(-C "cmake.define.CMAKE_DISABLE_FIND_PACKAGE_$name=ON"); done
+  rm -rf "$work/source/build"
+  ! "$python" -m pip install --disable-pip-version-check --no-build-isolation --no-deps --target "$work/target" "${options[@]}" \
+    "$work/source" >"$work/log" 2>&1 && says "$2" && ! says "Building CXX object"
+  result "pip install . without $1: $2" $?
+}
 python=$build/bindings_venv/bin/python
 if "$python" -c "import scikit_build_core" 2>/dev/null; then
-  mkdir "$work/programs"
-  find -L /usr/bin /usr/local/bin -maxdepth 1 -type f -executable ! -name 'swig*' -exec ln -sf -t "$work/programs" {} +
   git clone -q "$root" "$work/source"
-  env PATH="$work/programs" "$python" -m pip install --disable-pip-version-check --no-build-isolation --no-deps \
-    --target "$work/target" "$work/source" >"$work/log" 2>&1
-  [ $? -ne 0 ] && says "missing: SWIG 4. On Debian this installs it: apt install swig"
-  result "pip install . without swig names it and the line that installs it" $?
+  pip_names SWIG "missing: SWIG 4. On Debian this installs it: apt install swig"
+  pip_names Boost "missing: Boost 1.74. On Debian this installs it: apt install libboost-dev"
+  pip_names fcl "missing: FCL 0.7. On Debian this installs it: apt install libfcl-dev"
+  pip_names "Boost fcl ccd SWIG" "apt install libboost-dev libccd-dev libfcl-dev swig"
 else
   echo "skipped: pip, no environment with scikit-build-core was made"
   skipped=1
