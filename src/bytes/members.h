@@ -77,12 +77,12 @@ auto members(T& s) {
 
 /// Written as it lies in memory: numbers, and arrays of them.
 template <class T>
-constexpr bool kIsFlat =
+inline constexpr bool kIsFlat =
     (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_same_v<T, std::byte>;
 template <class T, size_t N>
-constexpr bool kIsFlat<std::array<T, N>> = kIsFlat<T>;
+inline constexpr bool kIsFlat<std::array<T, N>> = kIsFlat<T>;
 template <>
-constexpr bool kIsFlat<Vec3> = sizeof(Vec3) == 3 * sizeof(double);
+inline constexpr bool kIsFlat<Vec3> = sizeof(Vec3) == 3 * sizeof(double);
 
 template <class T>
 constexpr bool kIsText = std::is_same_v<T, std::string> || std::is_same_v<T, SharedText>;
