@@ -155,7 +155,9 @@ void check_planes(const Scan& scan, const Run& all, const Run& planes) {
   for (const uint32_t surface : scan.surfaces)
     if (surface != bench::kOutlier && !scan.is_curved(surface))
       ++points[scan.street.surfaces[surface].plane];
-  for (const auto& [plane, count] : without) {
+  for (const auto& counted : without) {
+    const auto plane = counted.first;
+    const auto count = counted.second;
     const double covered = static_cast<double>(count) / static_cast<double>(points[plane]);
     if (points[plane] < kLeastPoints || covered < kLeastCoverage) continue;
     CAPTURE(plane);

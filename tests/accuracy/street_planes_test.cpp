@@ -150,7 +150,9 @@ void check_plane(const TruePlane& truth, const Segmentation& s, size_t row, uint
 void check_true_planes(const Street& street, const Segmentation& s,
                        const std::vector<Match>& segments, Worst& worst) {
   worst.planes = worst.once = 0;
-  for (const auto& [id, truth] : street.truth) {
+  for (const auto& named : street.truth) {
+    const auto id = named.first;
+    const auto& truth = named.second;
     // In some draws one or two of the 288 reveals have 200 points as well: they are not of the 28.
     if (truth.points < kLeastPoints || truth.kind == Kind::kReveal) continue;
     ++worst.planes;

@@ -154,8 +154,8 @@ static void ransac_with_few_points_asked_for__gives_the_documented_status(void**
   const char* const kRows[] = {
       "{\"min_points\": 3, \"min_area_m2\": 0}",
       "{\"min_points\": 3, \"min_area_m2\": 0, \"normals\": \"none\", \"sampling\": \"global\"}",
-      "{\"min_points\": 3, \"min_area_m2\": 0, \"normals\": \"none\", \"refit\": false, "
-      "\"reassign\": false}",
+      ("{\"min_points\": 3, \"min_area_m2\": 0, \"normals\": \"none\", \"refit\": false, "
+       "\"reassign\": false}"),
       "{\"orientation_order\": \"vertical horizontal inclined parallel\"}",
       "{\"orientation_order\": \"inclined\", \"min_points\": 3}",
       "{\"draws\": 1}",

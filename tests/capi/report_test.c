@@ -161,8 +161,8 @@ static void report__draws_a_facade_model_with_dimensions_and_the_given_source(vo
   char* svg = text_of_file(in_folder("a.svg"));
   for (size_t i = 0; i < 5; ++i) {
     const char* texts[] = {"&lt;wall&gt;.las", "2026-11-21",
-                           "\xC2\xB1"
-                           "0.00",
+                           ("\xC2\xB1"
+                            "0.00"),
                            "Distance along the facade (m)", "class=\"face\""};
     if (strstr(svg, texts[i]) == NULL) fail_msg("no %s in the drawing", texts[i]);
   }

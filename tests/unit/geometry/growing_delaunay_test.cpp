@@ -30,7 +30,7 @@ std::vector<Vec2> random_nodes(size_t n, uint64_t side, uint64_t seed) {
 
 // From the smallest corner on.
 Triangle turned(Triangle t) {
-  std::ranges::rotate(t, std::ranges::min_element(t));
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
 }
 

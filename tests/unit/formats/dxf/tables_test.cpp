@@ -80,7 +80,9 @@ TEST_CASE("dxf_tables__count_their_entries_and_name_each_once") {
       CHECK(tables.contains(name));
     for (const char* name : {"DIMSTYLE", "BLOCK_RECORD"})
       CHECK(tables.contains(name) == (version == Version::kR2000));
-    for (const auto& [kind, table] : tables) {
+    for (const auto& named : tables) {
+      const auto& kind = named.first;
+      const auto& table = named.second;
       CAPTURE(kind);
       CHECK(table.head.number(70) == static_cast<double>(table.entries.size()));
       std::set<std::string> names;

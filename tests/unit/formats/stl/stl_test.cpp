@@ -138,6 +138,11 @@ TEST_CASE("geojson__a_feature_a_face_with_closed_rings_and_an_honest_system") {
     for (const auto& ring : feature["geometry"]["coordinates"]) CHECK(ring.front() == ring.back());
     copied += feature["properties"]["copied"].get<bool>() ? 1 : 0;
   }
+  size_t of_copies = 0;
+  for (const Face& face : model.faces)
+    of_copies += model.parts[face.part].evidence == Evidence::kCopied ? 1 : 0;
+  CHECK(of_copies > 0);
+  CHECK(copied == of_copies);
   CHECK(json["features"][0]["geometry"]["coordinates"].size() == 5);
   CHECK(json["features"][0]["geometry"]["coordinates"][0][0][0] == model.vertices[0].x);
   CHECK(!json["features"][1]["properties"].contains("depth_m"));  // not known

@@ -116,10 +116,9 @@ TEST_CASE("dimension_lines__height_marks_carry_signs_and_the_most_wanted_come_fi
   const std::string svg = drawn_marks(marks);
   const auto texts = drawn::elements(svg, "text");
   REQUIRE(texts.size() == 4);  // what is 1 and 3 mm from the ground is left out
-  const char* wanted[] = {
-      "\xC2\xB1"
-      "0.00",
-      "+4.00", "+2.00", "-1.00"};
+  const char* wanted[] = {("\xC2\xB1"
+                           "0.00"),
+                          "+4.00", "+2.00", "-1.00"};
   for (size_t i = 0; i < 4; ++i) CHECK(texts[i].text_after == wanted[i]);
   CHECK(meeting_texts(svg) == 0);
   for (const markup::Tag& line : drawn::elements(svg, "line"))

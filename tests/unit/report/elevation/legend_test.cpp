@@ -76,10 +76,11 @@ TEST_CASE("legend__a_sign_has_a_line_exactly_when_it_occurs") {
        }}};
   const auto plain = legend_items(legend_facade(), {});
   CHECK(lines_with(plain, "window") == 1);
-  for (const auto& [text, change] : changes) {
+  for (const auto& named : changes) {
+    const auto& text = named.first;
     CHECK_MESSAGE(lines_with(plain, text) == 0, text);
     ElevationFaces faces = legend_facade();
-    change(faces);
+    named.second(faces);
     CHECK_MESSAGE(lines_with(legend_items(faces, {}), text) == 1, text);
   }
   ElevationFaces empty = legend_facade();

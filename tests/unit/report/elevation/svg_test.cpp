@@ -80,17 +80,16 @@ TEST_CASE("svg__the_table_of_settings_starts_from_their_defaults_and_refuses_oth
 
 TEST_CASE("svg__north_is_that_of_a_map_and_a_local_system_has_an_axis") {
   const Model m = named_facade::make({});
-  for (const auto& [crs, axis] :
-       {std::pair{"", "view from +Y"},
-        {"EPSG:2154", "view from north"},
-        {"LOCAL_CS[\"scene, metres\",UNIT[\"metre\",1]]", "view from +Y"}}) {
-    CAPTURE(crs);
+  for (const auto& expected : {std::pair{"", "view from +Y"},
+                               {"EPSG:2154", "view from north"},
+                               {"LOCAL_CS[\"scene, metres\",UNIT[\"metre\",1]]", "view from +Y"}}) {
+    CAPTURE(expected.first);
     Segmentation segmentation = walls::segmentation_of({});
     Cloud cloud = *segmentation.cloud;
-    cloud.crs = crs;
+    cloud.crs = expected.first;
     segmentation.cloud = std::make_shared<const Cloud>(cloud);
     Task task;
-    CHECK(elevation_svg(segmentation, m, {}, task).find(axis) != std::string::npos);
+    CHECK(elevation_svg(segmentation, m, {}, task).find(expected.second) != std::string::npos);
   }
 }
 

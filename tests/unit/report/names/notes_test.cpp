@@ -56,8 +56,9 @@ TEST_CASE("notes__are_refused_with_the_name_of_what_is_wrong") {
       {R"({"input": "a.las"})", "\"input\""},
       {R"({"title": ["a"]})", "\"title\""},
       {R"([{"title": "a"}])", "object"}};
-  for (const auto& [text, name] : wrong) {
-    const auto read = [json = text] { read_notes(json); };
+  for (const auto& notes : wrong) {
+    const char* const name = notes.second;
+    const auto read = [json = notes.first] { read_notes(json); };
     CHECK_MESSAGE(test::refuses(read, Status::kInvalidArgument, name), name);
   }
 }

@@ -45,9 +45,9 @@ TEST_CASE("scene__faces_are_sound_at_the_ends_of_their_parameters") {
       {"sills", {{"gap_m", 1}}},
       {"robbery", {{"depth_m", 0.01}}},
       {"robbery", {{"depth_m", 5}}}};
-  for (const auto& [name, numbers] : ends) {
-    CAPTURE(std::string(name));
-    const Model model = scene(name, numbers);
+  for (const auto& end : ends) {
+    CAPTURE(std::string(end.first));
+    const Model model = scene(end.first, end.second);
     for (const Face& face : model.faces) {
       CAPTURE(face.id);
       CHECK(is_sound(model, face));

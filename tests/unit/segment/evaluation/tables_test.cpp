@@ -35,10 +35,11 @@ TEST_CASE("pair_table__a_row_a_pair_with_its_rates") {
                                                      {"angle", 0.01},
                                                      {"distance", 0.002},
                                                      {"offset_difference", -0.003}};
-  for (const auto& [name, number] : expected) {
+  for (const auto& column : expected) {
+    const char* const name = column.first;
     CAPTURE(name);
     CHECK(t.require(name).count() == 2);
-    CHECK(tables_value(t, name, 1) == doctest::Approx(number));
+    CHECK(tables_value(t, name, 1) == doctest::Approx(column.second));
   }
   CHECK(std::isnan(tables_value(t, "angle", 0)));
 }

@@ -232,7 +232,9 @@ TEST_CASE("octree__of_skewed_clouds_takes_no_more_memory_and_answers_as_brute_fo
          return Vec3{0.01 * static_cast<double>(i), 0, 0};
        })},
   };
-  for (const auto& [name, xyz] : skewed) {
+  for (const auto& points : skewed) {
+    const auto& name = points.first;
+    const auto& xyz = points.second;
     const double t = seconds(xyz);
     MESSAGE("FIGURE octree of " << name << ": " << 1e3 * t << " ms, " << t / fair
                                 << " times random points (" << 1e3 * fair << " ms)");
