@@ -29,6 +29,21 @@ inline constexpr PairKind kReportedKinds[] = {{"plant", without_contents<plant>}
                                               {"machine", without_contents<machine>},
                                               {"stairs", without_contents<stairs>}};
 
+/// Two scans of one scene, each in a frame of its own, and how they lie.
+struct ScannedPair {
+  PairScene scene;
+  StandScan reference, moving;
+  Transform truth;  ///< T_reference_moving
+
+  ScannedPair(const PairKind& kind, uint64_t seed, double noise_m) : scene(kind.make(seed, seed)) {
+    ScanSettings scanner;
+    scanner.noise_m = noise_m;
+    reference = scan_from(scene, 0, scanner, 10 * seed + 1);
+    moving = scan_from(scene, 1 + seed % 2, scanner, 10 * seed + 2);
+    truth = inverse(reference.T_world_scan) * moving.T_world_scan;
+  }
+};
+
 /// Two degrees turned and `shift_m` away from a pose, in each direction as the seed draws it; then by `more`.
 inline Transform start_near(const Transform& T_reference_moving, const StandScan& reference,
                             const PairScene& scene, uint64_t seed, double shift_m,

@@ -25,14 +25,11 @@ struct Tally {
 void count(const PairKind& kind, uint64_t first_seed, uint64_t seeds, Tally& all) {
   Tally out;
   for (uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
-    const PairScene scene = kind.make(seed, seed);
-    ScanSettings scanner;
-    const StandScan reference = scan_from(scene, 0, scanner, 10 * seed + 1);
-    const StandScan moving = scan_from(scene, 1 + seed % 2, scanner, 10 * seed + 2);
+    const ScannedPair pair(kind, seed, ScanSettings{}.noise_m);
     Task task;
-    const Registration found = register_automatic(reference.cloud, moving.cloud, {}, {}, task);
-    const Transform truth = inverse(reference.T_world_scan) * moving.T_world_scan;
-    const bool is_right = greatest_miss_m(found.pose, truth, *moving.cloud) < kRight_m;
+    const Registration found =
+        register_automatic(pair.reference.cloud, pair.moving.cloud, {}, {}, task);
+    const bool is_right = greatest_miss_m(found.pose, pair.truth, *pair.moving.cloud) < kRight_m;
     const bool is_accepted = found.judgement.verdict == Verdict::kAccepted;
     ++out.pairs;
     out.right += is_right;

@@ -20,19 +20,15 @@ namespace {
 std::vector<double> misses_of(const PairKind& kind, uint64_t seeds, double noise_m) {
   std::vector<double> out;
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
-    const PairScene scene = kind.make(seed, seed);
-    ScanSettings scanner;
-    scanner.noise_m = noise_m;
-    const StandScan reference = scan_from(scene, 0, scanner, 10 * seed + 1);
-    const StandScan moving = scan_from(scene, 1 + seed % 2, scanner, 10 * seed + 2);
-    const Transform truth = inverse(reference.T_world_scan) * moving.T_world_scan;
+    const ScannedPair pair(kind, seed, noise_m);
     Task task;
-    const Registration found = register_icp(
-        reference.cloud, moving.cloud, start_near(truth, reference, scene, seed, 0.15), {}, task);
+    const Registration found =
+        register_icp(pair.reference.cloud, pair.moving.cloud,
+                     start_near(pair.truth, pair.reference, pair.scene, seed, 0.15), {}, task);
     CAPTURE(std::string(kind.name));
     CAPTURE(seed);
     CHECK(found.converged);
-    out.push_back(greatest_miss_m(found.pose, truth, *moving.cloud));
+    out.push_back(greatest_miss_m(found.pose, pair.truth, *pair.moving.cloud));
   }
   std::sort(out.begin(), out.end());
   return out;

@@ -124,32 +124,20 @@ static inline jalon_status compare_lifted(const jalon_cloud* cloud, const struct
 static inline jalon_status op_regions_lifted(const jalon_cloud* cloud, jalon_task* task,
                                              made* out) {
   const struct both_ways* both;
-  jalon_params* options = NULL;
-  jalon_status status = compare_lifted(cloud, &both);
-  if (status == JALON_OK) status = options_from("regions", kChanges, &options);
-  if (status == JALON_OK)
-    status = jalon_comparison_regions(both->forward, options, task, NULL, &out->fields);
-  jalon_params_release(options);
-  return status;
+  const jalon_status status = compare_lifted(cloud, &both);
+  return status == JALON_OK ? regions_of(both, task, out) : status;
 }
 static inline jalon_status op_diagnose_lifted(const jalon_cloud* cloud, jalon_task* task,
                                               made* out) {
   const struct both_ways* both;
-  jalon_status status = compare_lifted(cloud, &both);
-  if (status == JALON_OK) status = diagnose(both, task, NULL, NULL, &out->fields);
-  return status;
+  const jalon_status status = compare_lifted(cloud, &both);
+  return status == JALON_OK ? diagnose(both, task, NULL, NULL, &out->fields) : status;
 }
 static inline jalon_status op_outlines_lifted(const jalon_cloud* cloud, jalon_task* task,
                                               made* out) {
   const struct both_ways* both;
-  jalon_model* model = NULL;
-  jalon_status status = compare_lifted(cloud, &both);
-  if (status == JALON_OK)
-    status = jalon_comparison_outlines(both->forward, both->forward_points, both->reverse,
-                                       both->reverse_points, both->changes, NULL, task, &model);
-  if (status == JALON_OK) status = jalon_model_vertices(model, &out->fields);
-  jalon_model_release(model);
-  return status;
+  const jalon_status status = compare_lifted(cloud, &both);
+  return status == JALON_OK ? outlines_of(both, task, out) : status;
 }
 
 static inline jalon_status op_deviations(const jalon_cloud* cloud, jalon_task* task, made* out) {
@@ -185,16 +173,8 @@ static inline jalon_status op_evaluate(const jalon_cloud* cloud, jalon_task* tas
 static inline jalon_status model_by(const char* method, const jalon_cloud* cloud, jalon_task* task,
                                     made* out) {
   made parts = {NULL, NULL, NULL};
-  jalon_modeller* modeller = NULL;
-  jalon_model* model = NULL;
   jalon_status status = op_labels(cloud, task, &parts);
-  if (status == JALON_OK) status = jalon_segmentation_cloud(parts.segmentation, &parts.cloud);
-  if (status == JALON_OK) status = jalon_modeller_create(method, &modeller);
-  if (status == JALON_OK)
-    status = jalon_modeller_run(modeller, parts.cloud, parts.segmentation, task, &model);
-  if (status == JALON_OK) status = jalon_model_vertices(model, &out->fields);
-  jalon_model_release(model);
-  jalon_modeller_release(modeller);
+  if (status == JALON_OK) status = model_of(method, &parts, task, out);
   release_made(&parts);
   return status;
 }

@@ -165,19 +165,24 @@ static inline jalon_status op_labels(const jalon_cloud* cloud, jalon_task* task,
   release_made(&parts);
   return status;
 }
-/* Walls and openings of those components; its vertices are the result. */
-static inline jalon_status op_facade(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  made parts = {NULL, NULL, NULL};
+/* A model of those components, whose cloud they get; its vertices are the result. */
+static inline jalon_status model_of(const char* method, made* parts, jalon_task* task, made* out) {
   jalon_modeller* modeller = NULL;
   jalon_model* model = NULL;
-  jalon_status status = op_labels(cloud, NULL, &parts);
-  if (status == JALON_OK) status = jalon_segmentation_cloud(parts.segmentation, &parts.cloud);
-  if (status == JALON_OK) status = jalon_modeller_create("facade", &modeller);
+  jalon_status status = jalon_segmentation_cloud(parts->segmentation, &parts->cloud);
+  if (status == JALON_OK) status = jalon_modeller_create(method, &modeller);
   if (status == JALON_OK)
-    status = jalon_modeller_run(modeller, parts.cloud, parts.segmentation, task, &model);
+    status = jalon_modeller_run(modeller, parts->cloud, parts->segmentation, task, &model);
   if (status == JALON_OK) status = jalon_model_vertices(model, &out->fields);
   jalon_model_release(model);
   jalon_modeller_release(modeller);
+  return status;
+}
+/* Walls and openings. */
+static inline jalon_status op_facade(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  made parts = {NULL, NULL, NULL};
+  jalon_status status = op_labels(cloud, NULL, &parts);
+  if (status == JALON_OK) status = model_of("facade", &parts, task, out);
   release_made(&parts);
   return status;
 }

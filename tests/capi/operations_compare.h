@@ -148,34 +148,40 @@ static inline jalon_status compare_both_ways(const jalon_cloud* cloud,
     status = diagnose(&both, NULL, &both.forward_points, &both.reverse_points, &both.changes);
   return status;
 }
-static inline jalon_status op_regions(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  const struct both_ways* both;
+/* What is asked of one comparison, whatever made it. */
+static inline jalon_status regions_of(const struct both_ways* both, jalon_task* task, made* out) {
   jalon_params* options = NULL;
-  jalon_status status = compare_both_ways(cloud, &both);
-  if (status == JALON_OK) status = options_from("regions", kChanges, &options);
+  jalon_status status = options_from("regions", kChanges, &options);
   if (status == JALON_OK)
     status = jalon_comparison_regions(both->forward, options, task, NULL, &out->fields);
   jalon_params_release(options);
   return status;
 }
-static inline jalon_status op_diagnose(const jalon_cloud* cloud, jalon_task* task, made* out) {
-  const struct both_ways* both;
-  jalon_status status = compare_both_ways(cloud, &both);
-  if (status == JALON_OK) status = diagnose(both, task, NULL, NULL, &out->fields);
-  return status;
-}
 /* The vertices of the outlines are the result. */
-static inline jalon_status op_change_outlines(const jalon_cloud* cloud, jalon_task* task,
-                                              made* out) {
-  const struct both_ways* both;
+static inline jalon_status outlines_of(const struct both_ways* both, jalon_task* task, made* out) {
   jalon_model* model = NULL;
-  jalon_status status = compare_both_ways(cloud, &both);
-  if (status == JALON_OK)
-    status = jalon_comparison_outlines(both->forward, both->forward_points, both->reverse,
-                                       both->reverse_points, both->changes, NULL, task, &model);
+  jalon_status status =
+      jalon_comparison_outlines(both->forward, both->forward_points, both->reverse,
+                                both->reverse_points, both->changes, NULL, task, &model);
   if (status == JALON_OK) status = jalon_model_vertices(model, &out->fields);
   jalon_model_release(model);
   return status;
+}
+static inline jalon_status op_regions(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  const struct both_ways* both;
+  const jalon_status status = compare_both_ways(cloud, &both);
+  return status == JALON_OK ? regions_of(both, task, out) : status;
+}
+static inline jalon_status op_diagnose(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  const struct both_ways* both;
+  const jalon_status status = compare_both_ways(cloud, &both);
+  return status == JALON_OK ? diagnose(both, task, NULL, NULL, &out->fields) : status;
+}
+static inline jalon_status op_change_outlines(const jalon_cloud* cloud, jalon_task* task,
+                                              made* out) {
+  const struct both_ways* both;
+  const jalon_status status = compare_both_ways(cloud, &both);
+  return status == JALON_OK ? outlines_of(both, task, out) : status;
 }
 
 static inline jalon_status op_visibility(const jalon_cloud* cloud, jalon_task* task, made* out) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/polygon2.h"
+#include "model/topology.h"
 
 namespace jalon {
 
@@ -45,43 +46,15 @@ void append_walk(const Contour& opening, size_t k, Contour& out) {
 
 }  // namespace
 
-Vec2 ContourArc::at(double share) const {
-  const double angle = from_rad + turn_rad * share;
-  return {centre.u + radius_m * std::cos(angle), centre.v + radius_m * std::sin(angle)};
-}
-
-ContourArc arc_between(const Vec2& a, const Vec2& b, double sagitta_m) {
-  const Vec2 chord = b - a;
-  const double length = norm(chord), s = std::fabs(sagitta_m), side = sagitta_m > 0 ? 1 : -1;
-  const double radius = (length * length / 4 + s * s) / (2 * s);
-  const Vec2 right{chord.v / length, -chord.u / length};
-  const Vec2 centre = (a + b) * 0.5 + right * (side * (s - radius));
-  return {centre, radius, std::atan2(a.v - centre.v, a.u - centre.u),
-          side * 4 * std::atan2(2 * s, length)};
-}
-
 Contour contour_of(const Rect& r) {
   return {{{r.u0, r.v0}}, {{r.u1, r.v0}}, {{r.u1, r.v1}}, {{r.u0, r.v1}}};
 }
 
-Outline inner_corners(const Vec2& a, const Vec2& b, double sagitta_m) {
-  Outline out;
-  if (sagitta_m == 0) return out;
-  const ContourArc arc = arc_between(a, b, sagitta_m);
-  const double step = 2 * std::sqrt(2 * kContourChord_m / arc.radius_m);
-  const auto pieces = static_cast<int>(std::ceil(std::fabs(arc.turn_rad) / step));
-  for (int i = 1; i < pieces; ++i) out.push_back(arc.at(static_cast<double>(i) / pieces));
-  return out;
-}
-
 Outline chords_of(const Contour& contour) {
   Outline out;
-  for (size_t k = 0; k < contour.size(); ++k) {
-    out.push_back(contour[k].at);
-    const Outline inner =
-        inner_corners(contour[k].at, contour[(k + 1) % contour.size()].at, contour[k].sagitta_m);
-    out.insert(out.end(), inner.begin(), inner.end());
-  }
+  for (size_t k = 0; k < contour.size(); ++k)
+    append_arc(out, contour[k].at, contour[(k + 1) % contour.size()].at, contour[k].sagitta_m,
+               kContourChord_m);
   return out;
 }
 
@@ -131,8 +104,8 @@ void add_sides(SceneBuilder& out, uint32_t part, const Frame& frame, const Conto
   for (size_t k = 0; k < contour.size(); ++k) {
     const Vec2 a = contour[k].at, b = contour[(k + 1) % contour.size()].at;
     if (contour[k].sagitta_m != 0) {
-      Outline path = inner_corners(a, b, contour[k].sagitta_m);
-      path.insert(path.begin(), a);
+      Outline path;
+      append_arc(path, a, b, contour[k].sagitta_m, kContourChord_m);
       path.push_back(b);
       if (!from_inside) std::reverse(path.begin(), path.end());
       out.swept(frame, path, low_m, high_m);

@@ -18,18 +18,8 @@ struct ContourCorner {
 /// A closed chain of straight edges and arcs in a face's own coordinates, counter-clockwise.
 using Contour = std::vector<ContourCorner>;
 
-/// The circle of an edge's arc, and the angles at its ends; the turn is positive counter-clockwise.
-struct ContourArc {
-  Vec2 centre;
-  double radius_m, from_rad, turn_rad;
-  Vec2 at(double share) const;
-};
-ContourArc arc_between(const Vec2& a, const Vec2& b, double sagitta_m);
-
 Contour contour_of(const Rect& rect);
-/// The corners of the edge's arc that lie between its ends; none of a straight one. Chords stay within 0.1 mm.
-Outline inner_corners(const Vec2& a, const Vec2& b, double sagitta_m);
-/// With chords for arcs.
+/// With chords for arcs, within 0.1 mm.
 Outline chords_of(const Contour& contour);
 Rect bounds_of(const Contour& contour);
 double area_of(const Contour& contour);

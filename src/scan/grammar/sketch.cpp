@@ -15,6 +15,15 @@ namespace {
 constexpr double kPier_m = 0.08;  // least wall between two openings, and between one and the border
 constexpr double kLeastOpening_m = 0.25;
 
+PlannedOpening flat_opening(double middle_u, double low_v, double width_m, double height_m,
+                            OpeningClass opening_class) {
+  PlannedOpening out;
+  out.shape =
+      Shape::flat({middle_u - width_m / 2, middle_u + width_m / 2, low_v, low_v + height_m});
+  out.opening_class = opening_class;
+  return out;
+}
+
 bool overlap(const Rect& a, const Rect& b, double margin_m) {
   return a.u0 < b.u1 + margin_m && b.u0 < a.u1 + margin_m && a.v0 < b.v1 + margin_m &&
          b.v0 < a.v1 + margin_m;
@@ -144,18 +153,14 @@ bool Sketch::shop_front(size_t wall, double u0, double u1, double height_m, doub
 }
 
 bool Sketch::vent(size_t wall, double middle_u, double low_v, double width_m, double height_m) {
-  PlannedOpening o;
-  o.shape = Shape::flat({middle_u - width_m / 2, middle_u + width_m / 2, low_v, low_v + height_m});
-  o.opening_class = OpeningClass::kVent;
+  PlannedOpening o = flat_opening(middle_u, low_v, width_m, height_m, OpeningClass::kVent);
   o.depth_m = dice_.between(0.08, 0.2);
   o.filling.kind = Filling::Kind::kLouvre;
   return open(wall, std::move(o));
 }
 
 bool Sketch::niche(size_t wall, double middle_u, double low_v, double width_m, double height_m) {
-  PlannedOpening o;
-  o.shape = Shape::flat({middle_u - width_m / 2, middle_u + width_m / 2, low_v, low_v + height_m});
-  o.opening_class = OpeningClass::kOther;
+  PlannedOpening o = flat_opening(middle_u, low_v, width_m, height_m, OpeningClass::kOther);
   o.depth_m = dice_.between(0.04, 0.12);
   o.filling.kind = Filling::Kind::kClosed;
   return open(wall, std::move(o));
