@@ -23,16 +23,17 @@ ARRAYS = {
     "automatic_m2": "count", "reference_m2": "count", "intersection_m2": "count",
     "automatic_xyz": "count", "reference_xyz": "count",
     "ranges_m": "count", "measured_m": "count", "known_m": "count",
-    "wavelengths_m": "count", "remainders_m": "count", "bytes": "byte_count",
+    "times_s": "count", "thetas_rad": "count", "phis_rad": "count", "positions_m": "count", "attitudes_rad": "count", "wavelengths_m": "count", "remainders_m": "count", "bytes": "byte_count",
 }
 # With those that may be NULL beside an array of the same count.
 COUNTS = {
-    **ARRAYS, "face_ids": "count_triangles", "vertical_rad": "count", "incidence_rad": "count",
+    **ARRAYS, "position_sigmas_m": "count", "velocity_sigmas_m_s": "count", "attitude_sigmas_rad": "count", "face_ids": "count_triangles", "vertical_rad": "count", "incidence_rad": "count",
 }
 # Elements an item, of packed arrays whose items are more than one.
 ROWS = {
     "xyz": 3, "queries": 3, "picks": 3, "places": 3, "vertices": 3, "triangles": 3,
-    "hull_points": 3, "automatic_xyz": 3, "reference_xyz": 3,
+    "hull_points": 3, "automatic_xyz": 3, "reference_xyz": 3, "positions_m": 3, "attitudes_rad": 3,
+    "position_sigmas_m": 3, "velocity_sigmas_m_s": 3, "attitude_sigmas_rad": 3,
     "polygon_uv": 2, "automatic_uv": 2, "reference_uv": 2,
 }
 # Arrays whose number of items no parameter tells: they must hold what the rings say.
@@ -56,8 +57,9 @@ NULLABLE = {
     # inputs
     "task", "options", "method", "other", "user", "callback",
     "pose", "origin", "covariance", "T_box_world", "T_prism_world",
-    "unit", "meaning", "notes_json",
+    "unit", "meaning", "notes_json", "sigma_path",
     "face_ids", "places", "vertical_rad", "incidence_rad",
+    "position_sigmas_m", "velocity_sigmas_m_s", "attitude_sigmas_rad",
     # outputs that a caller may leave aside
     "report", "outside", "interest", "unwanted", "centroid", "edge_m",
     "classes", "totals", "out_summary", "out_cells",
@@ -82,6 +84,10 @@ NULLABLE = {
     "jalon_report_write_html.model", "jalon_report_write_json.model",
     "jalon_report_write_comparison.reverse", "jalon_report_write_comparison.changes",
     "jalon_report_write_registration.reference", "jalon_report_write_registration.moving",
+    "jalon_trajectory_create.crs",
+    "jalon_model_building_strips.model", "jalon_model_building_strips.strips",
+    "jalon_model_perturb_strips.model", "block_offsets", "facade_offsets", "strip_offsets",
+    "jalon_scene_street_drive.model", "jalon_scene_street_drive.trajectory",
     "jalon_scanner_add_station.name", "jalon_scanner_truth.cloud", "jalon_scene_write_truth.scanner",
     "jalon_cloud_knn.squared_distances",
     "jalon_cloud_depth_map.columns",
@@ -174,4 +180,16 @@ OPERATION = {
     "jalon_cloud_volume": "volume",
     "jalon_model_volume": "volume",
     "jalon_model_sample": "model_sample",
+    "jalon_model_relations": "relations",
+    "jalon_segmentation_long_edges": "long_edges",
+    "jalon_trajectory_create": "trajectory",
+    "jalon_trajectory_read": "trajectory_file",
+    "jalon_trajectory_georeference": "georeference",
+    "jalon_cloud_ellipsoids": "ellipsoids",
+    "jalon_normality": "normality",
+    "jalon_model_building_strips": "building_strips",
+    "jalon_model_perturb_strips": "building_sigmas",
+    "jalon_scene_street_drive": "street_drive",
+    "jalon_cloud_field_normality": "normality",
+    "jalon_trajectory_write": "trajectory_file",
 }

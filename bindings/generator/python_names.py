@@ -12,7 +12,8 @@ ENUMS = {
     "CHANGE_APPEARANCE": ("Change", "CHANGE_"), "GAUGE_BOX": ("GaugeKind", "GAUGE_"), "COMPARED": ("PointStatus", ""),
     "EVIDENCE_NONE": ("Evidence", "EVIDENCE_"), "PARAM_DOUBLE": ("ParamType", "PARAM_"), "STOPPED_CONVERGED": ("Stopped", "STOPPED_"),
     "VERDICT_NONE": ("Verdict", "VERDICT_"), "POSE_FROM_FEATURES": ("PoseFrom", "POSE_FROM_"),
-    "ORIENTATION_NONE": ("Orientation", "ORIENTATION_"),
+    "ORIENTATION_NONE": ("Orientation", "ORIENTATION_"), "RELATION_DISJOINT": ("Relation", "RELATION_"),
+    "DIRECTION_LEFT": ("Direction", "DIRECTION_"), "FRONT_NONE": ("FrontSource", "FRONT_"),
     "PRIMITIVE_PLANE": ("Primitive", "PRIMITIVE_"), "OK": ("Status", ""), "TARGET_SPHERE": ("TargetKind", "TARGET_"),
     "LOG_DEBUG": ("LogLevel", "LOG_"), "INT8": ("ElementType", ""), "NOT_RECOVERED": ("Recovery", ""),
 }

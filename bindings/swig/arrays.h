@@ -21,7 +21,7 @@ inline std::uint64_t size_of_type(std::int32_t type) {
 
 /**
  * An array of the language, borrowed for one call: count items of components elements, side by side; stride_bytes from
- * one item to the next. flat: the language has no notion of rows, so (x, y, z, x, ...) may stand for rows of three.
+ * one item to the next. flat: numbers without rows, so (x, y, z, x, ...) may stand for rows of three.
  */
 struct ArrayIn {
   const void* data = nullptr;

@@ -32,8 +32,25 @@ inline bool& host_failed() {
   return failed;
 }
 
+/** What the language calls C's NULL. */
+#ifdef SWIGPYTHON
+constexpr char kNoObject[] = "None";
+#else
+constexpr char kNoObject[] = "null";
+#endif
+
+/** The library's message; where it ends with NULL, in the words of the language: "xyz is None". */
+inline std::string last_message() {
+  static const std::string ending = " NULL";
+  std::string message = jalon_last_error_message();
+  const std::size_t kept = message.size() < ending.size() ? 0 : message.size() - ending.size();
+  if (message.compare(kept, std::string::npos, ending) == 0)
+    message.replace(kept, std::string::npos, std::string(" ") + kNoObject);
+  return message;
+}
+
 inline void check(jalon_status status) {
-  if (status != JALON_OK) throw Failure{status, jalon_last_error_message()};
+  if (status != JALON_OK) throw Failure{status, last_message()};
   if (host_failed()) throw Failure{JALON_ERROR_CANCELLED, "cancelled by the host"};
 }
 

@@ -86,7 +86,7 @@ class Elements {
         env->GetIntField(rows, env->GetFieldID(type, "components", "I")));
     array_.stride_bytes = static_cast<std::uint64_t>(
         env->GetLongField(rows, env->GetFieldID(type, "strideBytes", "J")));
-    array_.flat = array_.components == 1;
+    array_.flat = env->GetBooleanField(rows, env->GetFieldID(type, "flat", "Z")) == JNI_TRUE;
     array_.data = env->GetDirectBufferAddress(object_);
     if (array_.data == nullptr && array_.count != 0) {
       if (!copy_elements()) {

@@ -102,6 +102,7 @@ class Buffer {
       return false;
     }
     array_.components = static_cast<std::uint32_t>(components);
+    array_.flat = view_.ndim < 2;
     const Py_ssize_t stride = view_.ndim == 0 ? view_.itemsize : view_.strides[0];
     array_.stride_bytes = static_cast<std::uint64_t>(stride);
     if (array_.count < 2) array_.stride_bytes = static_cast<std::uint64_t>(step);

@@ -29,7 +29,7 @@ class Numbers12 {
                                                       (is_map ? " (3 x 4), or 16 (4 x 4)" : "") +
                                                       ", not " + std::to_string(elements)};
     }
-    const bool has_shape = !array->flat && array->count > 1 && array->components > 1;
+    const bool has_shape = !array->flat && array->count > 1;
     if (has_shape && array->components != columns) {
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
                     std::string(name) + " must be " + std::to_string(rows) + " x " +

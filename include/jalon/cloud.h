@@ -73,7 +73,10 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_builder_declare_field(jalon_cloud
                                                                      uint32_t components,
                                                                      const char* unit,
                                                                      const char* meaning);
-/** Points appended from now on belong to this station. pose maps scanner to world coordinates; NULL = unknown. */
+/**
+ * Points appended from now on belong to this station. pose maps scanner to world coordinates and must be a rigid motion
+ * (a rotation within 1e-6, no scale, no mirror); NULL = unknown.
+ */
 JALON_API JALON_CHECK jalon_status jalon_cloud_builder_begin_station(jalon_cloud_builder* builder,
                                                                      const char* name,
                                                                      const jalon_transform* pose);
@@ -117,7 +120,10 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_station(const jalon_cloud* cloud,
                                                        const char** name, int32_t* has_pose,
                                                        jalon_transform* pose, uint64_t* first,
                                                        uint64_t* count);
-/** Declares one station with this pose for all points of the cloud, replacing what it had. pose may be NULL. */
+/**
+ * Declares one station with this pose for all points of the cloud, replacing what it had. pose: a rigid motion as of
+ * jalon_cloud_builder_begin_station, or NULL.
+ */
 JALON_API JALON_CHECK jalon_status jalon_cloud_set_station(jalon_cloud* cloud, const char* name,
                                                            const jalon_transform* pose);
 
@@ -145,7 +151,11 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_split(const jalon_cloud* cloud, c
 /** a then b. Fields of one only are filled with 0 (integers) or NaN; the CRS must agree or be unknown in one. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_append(const jalon_cloud* a, const jalon_cloud* b,
                                                       jalon_task* task, jalon_cloud** out);
-/** Points, station poses and the field "normal" moved by the transform, which must be invertible. */
+/**
+ * Points, station poses and the field "normal" moved by the transform, which must be invertible. Where it stretches or
+ * mirrors, a station goes where it is mapped and its frame stays a right-handed one: its z axis along the mapped one,
+ * its x axis as near the mapped one as is square to that.
+ */
 JALON_API JALON_CHECK jalon_status jalon_cloud_transform(const jalon_cloud* cloud,
                                                          const jalon_transform* transform,
                                                          jalon_task* task, jalon_cloud** out);

@@ -81,6 +81,40 @@ JALON_API void jalon_noise_law_release(jalon_noise_law* law);
 /* ---- looking at one field ---- */
 
 /**
+ * Are values a normal sample? Shapiro & Wilk's test (1965) with the p-value of Royston (1995, AS R94), and what the
+ * sample looks like. Values that are not finite are left out. O(n log n).
+ *
+ * - options: operation "normality": "alpha"; of more values than "most" (5000) so many are drawn for the test by
+ *   "seed".
+ *
+ * One row; numbers without a unit have that of the values:
+ *     column              type     unit    meaning
+ *     values              uint64   values  finite ones
+ *     mean                float64  -       of all values
+ *     median              float64  -       half of the values are not above it
+ *     standard_deviation  float64  -       about the mean, divided by n - 1
+ *     variance            float64  -       its square
+ *     range               float64  -       largest less least
+ *     quartile_range      float64  -       third quartile less first
+ *     skewness            float64  1       G1, without bias for normal samples
+ *     kurtosis            float64  1       G2, in excess of the normal law's
+ *     tested              uint64   values  in the test
+ *     W                   float64  1       Shapiro and Wilk's; near 1 for a normal sample
+ *     p                   float64  1       probability of such a W or a lesser one for a normal sample
+ *     is_normal           uint8    -       1: p is above alpha, the sample may be normal
+ *
+ * JALON_ERROR_INSUFFICIENT_DATA below 3 values, JALON_ERROR_DEGENERATE where all are equal.
+ */
+JALON_API JALON_CHECK jalon_status jalon_normality(const double* values, uint64_t count,
+                                                   const jalon_params* options, jalon_fields** out);
+/** The same of a field of one component: one row with the columns of jalon_normality. */
+JALON_API JALON_CHECK jalon_status jalon_cloud_field_normality(const jalon_cloud* cloud,
+                                                               const char* field,
+                                                               const jalon_params* options,
+                                                               jalon_task* task,
+                                                               jalon_fields** out);
+
+/**
  * Histogram of a field. JALON_ERROR_INSUFFICIENT_DATA when there is no value. O(n log n).
  *
  * - law: adds the columns that say so; may be NULL.

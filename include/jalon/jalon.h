@@ -22,6 +22,9 @@
 #include <jalon/cloud.h>
 #include <jalon/search.h>
 #include <jalon/model.h>
+#include <jalon/buildings.h>
+#include <jalon/trajectory.h>
+#include <jalon/georeference.h>
 #include <jalon/segmenter.h>
 #include <jalon/primitives.h>
 #include <jalon/evaluate.h>

@@ -9,6 +9,7 @@
 #define JALON_MODEL_H
 
 #include <jalon/fields.h>
+#include <jalon/params.h>
 #include <jalon/task.h>
 
 JALON_BEGIN_C
@@ -23,6 +24,28 @@ typedef struct jalon_model jalon_model;
 #define JALON_EVIDENCE_SHAPE 4   /**< an opening by its shape alone: nothing was seen through it */
 #define JALON_EVIDENCE_COPIED 5  /**< a copy of a repeated element where data are missing */
 #define JALON_EVIDENCE_DERIVED 6 /**< follows from other parts: reveals, sides of extrusions */
+
+/** How two regions lie to each other (column "relation" of jalon_model_relations; Egenhofer & Herring 1990). */
+enum {
+  JALON_RELATION_DISJOINT = 1,   /**< nothing is shared */
+  JALON_RELATION_MEET = 2,       /**< borders touch, interiors share nothing */
+  JALON_RELATION_OVERLAP = 3,    /**< interiors share something, and each has some of its own */
+  JALON_RELATION_COVERS = 4,     /**< the second lies in the first, their borders touch */
+  JALON_RELATION_COVERED_BY = 5, /**< the first lies in the second, their borders touch */
+  JALON_RELATION_CONTAINS = 6,   /**< the second lies in the first, away from its border */
+  JALON_RELATION_INSIDE = 7,     /**< the first lies in the second, away from its border */
+  JALON_RELATION_EQUAL = 8       /**< the same */
+};
+
+/** Bits of the column "direction" of jalon_model_relations, as somebody who looks at the facade says it. */
+enum {
+  JALON_DIRECTION_LEFT = 1,    /**< the second is left of the first */
+  JALON_DIRECTION_RIGHT = 2,   /**< right of it */
+  JALON_DIRECTION_BELOW = 4,   /**< below it */
+  JALON_DIRECTION_ABOVE = 8,   /**< above it */
+  JALON_DIRECTION_BEHIND = 16, /**< behind it, toward the inside of the building */
+  JALON_DIRECTION_BEFORE = 32  /**< before it, out of the facade */
+};
 
 /**
  * A model that is one triangle mesh.
@@ -123,6 +146,39 @@ JALON_API JALON_CHECK jalon_status jalon_model_solids(const jalon_model* model, 
  *     evidence     uint8    -     JALON_EVIDENCE_...
  */
 JALON_API JALON_CHECK jalon_status jalon_model_parts(const jalon_model* model, jalon_fields** out);
+/**
+ * Relations between the elements of a model: topology by the 9-intersection, distance, direction (Boulaassal 2010,
+ * 5.6.3.3; Egenhofer & Herring 1990). Operation "relations". One row a pair up to "max_distance_m" apart, ascending; a
+ * pair stands once, and read backwards its matrix is transposed.
+ *
+ * "elements" says what is compared:
+ * - parts (default): each with all that is below it, as regions in the plane of their facade, so that a wall contains
+ *   its windows and covers its doors, and overlaps what stands before it and beyond it. Parts of one facade are
+ *   compared with each other (of all the model where it has none). Those seen edge-on (the ground, reveals) have no
+ *   area there: such a pair is compared as surfaces in space, and left out where one is a part of the other.
+ * - faces: pairs in one plane as regions of it, others as surfaces, which share at most what lies on the line where
+ *   their planes meet.
+ * - solids: closed volumes.
+ *
+ *     column     type         unit  meaning
+ *     first      uint32       -     row of jalon_model_parts, _faces or _solids
+ *     second     uint32       -     another, behind it
+ *     relation   uint8        -     JALON_RELATION_...
+ *     matrix     int8 x 9     -     dimension of what border, interior and exterior of the first (rows)
+ *                                   share with those of the second: -1 nothing, 0 points, 1 lines,
+ *                                   2 surfaces, 3 volumes
+ *     distance   float64      m     least distance in space; 0: they touch
+ *     direction  uint8        -     bits: where the whole of the second lies beyond the whole of the
+ *                                   first; 0: nowhere
+ *     offset     float64 x 3  m     from the middle of the first to that of the second: to the right,
+ *                                   up, out of the facade
+ *
+ * Points within "tolerance_m" of a border are on it. JALON_ERROR_INSUFFICIENT_DATA for a model without such elements.
+ * O(n^2) boxes and the edges of near pairs.
+ */
+JALON_API JALON_CHECK jalon_status jalon_model_relations(const jalon_model* model,
+                                                         const jalon_params* options,
+                                                         jalon_task* task, jalon_fields** out);
 /** CRS text of the vertices (WKT, a URN ...), "" when unknown; that of the cloud it was made from. Lives as long as the
  * model. */
 JALON_API JALON_CHECK jalon_status jalon_model_crs(const jalon_model* model, const char** out);

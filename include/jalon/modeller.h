@@ -46,6 +46,20 @@ typedef struct jalon_modeller jalon_modeller;
  *   string_course: 3 times as long as high, before the wall, at its top, its foot, between. post: before the wall, up
  *   to 1 m wide, 3 times as high. element: all else.
  * - Openings are numbered by row from below and place from the left ("window 2.3"), other parts from the left.
+ *
+ * With parameter "evidence" (off by default) walls and openings are found otherwise:
+ * - Each upright plane becomes cells of 2.2 spacings that say what the cloud shows there: measured, seen through (a
+ *   point behind it), covered by relief up to 0.1 m before it, hidden, nothing. Rays from the stations decide where the
+ *   cloud has stations with poses, else what lies straight before and behind.
+ * - facade: upright parallel walls near each other; the largest comes first. wall: an upright plane of
+ *   min_wall_area_m2, with all pieces of it that lie in one plane, whatever gap parts them; not what fills another
+ *   wall's openings, covers it (surrounds, panels, parapets of balconies) or is a room's wall seen through them.
+ * - Openings are the shapes (rectangle, trapezium, triangle, gable, arch, circle) that explain the cells best: boxes of
+ *   the greatest score (Bentley 1984), then the shape by minimal description length (Rissanen 1978); curved and sloping
+ *   heads need wall measured along them. Lights parted by a mullion are one opening. What was seen through is an
+ *   opening; what is empty is one only with wall measured all round it and above the foot; the part's evidence says
+ *   how much is known. The rest is no wall: the wall's face has a hole there, and a part no_data the face that fills
+ *   it.
  */
 JALON_API JALON_CHECK jalon_status jalon_modeller_create(const char* method, jalon_modeller** out);
 /** The names of the methods, the default first. Static texts. */
@@ -67,6 +81,37 @@ JALON_API JALON_CHECK jalon_status jalon_modeller_run(const jalon_modeller* mode
                                                       const jalon_cloud* cloud,
                                                       const jalon_segmentation* segmentation,
                                                       jalon_task* task, jalon_model** out);
+
+/**
+ * The contour of a segment by long edges, to the letter of Boulaassal 2010, 4.2.3: the curve of sorted edge lengths of
+ * its Delaunay triangulation, a threshold on it, and the end points of longer edges. (The modellers bound triangles
+ * instead, by parameter "contour": their rings close and reach into corners.) Operation "long_edges".
+ *
+ * - label: of the segment, a plane; JALON_ERROR_NOT_FOUND for an unknown one.
+ *
+ * out_lengths, one row an edge, ascending:
+ *     column  type     unit  meaning
+ *     length  float64  m     of the edge
+ *
+ * out_points, one row a contour point, outer and inner contours together:
+ *     column  type    unit  meaning
+ *     point   uint64  -     index in the cloud, ascending
+ *
+ * out_summary, one row:
+ *     column     type     unit    meaning
+ *     spacing    float64  m       typical distance of neighbouring points
+ *     knee       float64  m       where the curve turns, 2 to 5 spacings
+ *     threshold  float64  m       "threshold_m", or the knee
+ *     edges      uint64   -       of the triangulation
+ *     longer     uint64   -       edges beyond the threshold
+ *     points     uint64   points  rows of out_points
+ *
+ * JALON_ERROR_DEGENERATE for points on one line. O(n log n).
+ */
+JALON_API JALON_CHECK jalon_status jalon_segmentation_long_edges(
+    const jalon_segmentation* segmentation, uint32_t label, const jalon_params* options,
+    jalon_task* task, jalon_fields** out_lengths, jalon_fields** out_points,
+    jalon_fields** out_summary);
 
 JALON_END_C
 

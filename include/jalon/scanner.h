@@ -10,6 +10,7 @@
 
 #include <jalon/cloud.h>
 #include <jalon/model.h>
+#include <jalon/trajectory.h>
 
 JALON_BEGIN_C
 
@@ -18,7 +19,8 @@ typedef struct jalon_scanner jalon_scanner;
 /**
  * method: "static" (NULL = the same): a tripod scanner turning about its vertical axis, with
  * shadows, noise, station misfit, beam width, mixed pixels and glass; "sample": random points on
- * all faces, seen or not, with noise along their normals.
+ * all faces, seen or not, with noise along their normals; "mobile": a vehicle along a trajectory with
+ * a plane scanner or a rotating head, run by jalon_scanner_drive.
  */
 JALON_API JALON_CHECK jalon_status jalon_scanner_create(const char* method, jalon_scanner** out);
 /** The names of the methods, the default first. Static texts. */
@@ -68,6 +70,30 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_add_station(jalon_scanner* scan
 JALON_API JALON_CHECK jalon_status jalon_scanner_run(const jalon_scanner* scanner,
                                                      const jalon_model* model, jalon_task* task,
                                                      jalon_cloud** out);
+
+/**
+ * Drives along the trajectory and scans the model with a scanner of method "mobile": every pulse from where the vehicle
+ * is at its time to the nearest triangle within range. Points are made of the measured range and angles, noise
+ * included, as jalon_trajectory_georeference makes them, whose parameters the scanner has for its mount. The trajectory
+ * is the true one: perturb it (jalon_trajectory_perturb) and georeference again to have its errors. Same seed, same
+ * bits, whatever the threads. JALON_ERROR_UNSUPPORTED for other methods.
+ *
+ * Fields beside those of jalon_trajectory_georeference; block, facade and strip are those of a model of
+ * jalon_model_building_strips, exact matches of the points:
+ *     column    type         unit  meaning
+ *     range     float64      m     as measured
+ *     theta     float64      rad   as measured
+ *     phi       float64      rad   as measured
+ *     face      uint32       -     the id of the face hit
+ *     block     uint32       -     number of the block hit; UINT32_MAX: the face has none above it
+ *     facade    uint32       -     number of the facade hit, or UINT32_MAX
+ *     strip     uint32       -     number of the strip hit, or UINT32_MAX
+ *     true_xyz  float64 x 3  m     where the beam ended, on the model
+ */
+JALON_API JALON_CHECK jalon_status jalon_scanner_drive(const jalon_scanner* scanner,
+                                                       const jalon_model* model,
+                                                       const jalon_trajectory* trajectory,
+                                                       jalon_task* task, jalon_cloud** out);
 
 /**
  * The true planes of the model: connected groups of coplanar faces (within 0.001 degrees and 0.1
@@ -121,6 +147,19 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scan
  */
 JALON_API JALON_CHECK jalon_status jalon_scene_create(const jalon_params* options, jalon_task* task,
                                                       jalon_model** out);
+
+/**
+ * A street of mobile mapping and the drive through it, without error: in an L or straight ("corner"). To either side of
+ * a leg stand blocks of four houses, four blocks outside of the corner and three inside, 3 m short of the next; fronts
+ * are set back 0, 0.3 ... 1.2 m from a line 8 m from the axis, and turned by up to 0.05 rad. Fronts alone, or whole
+ * houses with ground and things that a building model lacks ("closed"). options: operation "street_drive".
+ *
+ * - model: parts of classes building, ground, element; may be NULL.
+ * - trajectory: with sigmas, axes "enu"; may be NULL.
+ */
+JALON_API JALON_CHECK jalon_status jalon_scene_street_drive(const jalon_params* options,
+                                                            jalon_model** model,
+                                                            jalon_trajectory** trajectory);
 
 /**
  * The scanner that goes with a scene: method "static" with stations, field of view, steps, noise,

@@ -27,6 +27,14 @@ enum {
   JALON_ORIENTATION_INCLINED = 4    /**< everything else */
 };
 
+/** How the side of a plane's normal was found. */
+enum {
+  JALON_FRONT_NONE = 0,    /**< by convention: level planes upward, others toward the viewer of the
+                                wall next to them */
+  JALON_FRONT_STATION = 1, /**< toward the stations of its points */
+  JALON_FRONT_EVIDENCE = 2 /**< no station is known: by what lies before and behind the wall */
+};
+
 /** What a segment is (the type codes of Boulaassal 2010, 5.5.2). */
 enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CYLINDER = 3 };
 
@@ -91,8 +99,8 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_points(const jalon_segment
  *     type                 uint8         -       JALON_PRIMITIVE_...
  *     orientation          uint8         -       JALON_ORIENTATION_...
  *     inliers              uint64        points  number of its points
- *     normal               float64 x 3   -       plane: unit normal, toward the station where
- *                                                known; cylinder: direction of the axis
+ *     normal               float64 x 3   -       plane: unit normal, toward the viewer (see
+ *                                                front_source); cylinder: direction of the axis
  *     offset               float64       m       plane: normal . p = offset
  *     centroid             float64 x 3   m       plane: mean of its core points; sphere: centre;
  *                                                cylinder: point of the axis at mid height
@@ -105,6 +113,11 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_points(const jalon_segment
  *     length_u             float64       m       extent along axis_u
  *     length_v             float64       m       plane: extent along axis_v; cylinder: arc that its
  *                                                points cover
+ *     front_source         uint8         -       JALON_FRONT_...: what the side of a plane's normal
+ *                                                was taken from
+ *     front_confidence     float64       1       probability that the viewer was on that side: by
+ *                                                stations the share of the points seen from there;
+ *                                                NaN by convention
  *     covariance           float64 x 16  -       row-major; plane: of nx, ny, nz, offset, rank 3;
  *                                                sphere: of centre and radius
  *     cylinder_covariance  float64 x 49  -       row-major, of axis point, direction and radius,

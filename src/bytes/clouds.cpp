@@ -9,6 +9,7 @@
 #include "base/large_memory.h"
 #include "base/parallel.h"
 #include "bytes/tables.h"
+#include "geometry/rigid_motion.h"
 
 namespace jalon {
 
@@ -40,9 +41,7 @@ std::vector<Station> read_stations(ByteReader& reader, size_t points) {
   reader.list(stations);
   uint64_t end = 0;
   for (const Station& station : stations) {
-    const auto& m = station.pose.m;
-    if (!std::all_of(m.begin(), m.end(), [](double v) { return std::isfinite(v); }))
-      reader.refuse("the pose of a station is not finite");
+    if (!is_rigid(station.pose)) reader.refuse("the pose of a station is no rigid motion");
     if (station.first < end || station.first > points || station.count > points - station.first)
       reader.refuse("a station has points that another has, or more than there are");
     end = station.first + station.count;

@@ -19,7 +19,7 @@ constexpr KnownColumn kLabelColumns[] = {{"label", ElementType::kUint32, 1, true
 template <Maybe<Segment> T>
 auto segment_members(T& s) {
   return std::tie(s.label, s.source_label, s.type, s.orientation, s.fit, s.sphere, s.cylinder,
-                  s.area_m2, s.length_u_m, s.length_v_m);
+                  s.area_m2, s.length_u_m, s.length_v_m, s.front_source, s.front_confidence);
 }
 constexpr size_t kLeastSegmentBytes =
     least_bytes_of(std::type_identity<decltype(segment_members(std::declval<Segment&>()))>{});
@@ -32,6 +32,7 @@ bool is_unit(const Vec3& v) {
 bool is_possible(const Segment& s) {
   if (s.type < PrimitiveType::kPlane || s.type > PrimitiveType::kCylinder) return false;
   if (s.orientation > Orientation::kInclined) return false;
+  if (s.front_source > FrontSource::kEvidence) return false;
   if (s.has_plane())
     return is_unit(s.fit.plane.normal) && is_unit(s.fit.axis_u) && is_unit(s.fit.axis_v) &&
            is_finite(s.fit.centroid);

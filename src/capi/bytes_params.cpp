@@ -103,7 +103,7 @@ std::vector<ScanStation> read_stations(ByteReader& reader) {
     reader.item(station.name);
     reader.item(station.pose);
     try {
-      require_rigid(station.pose);
+      require_rigid(station.pose, "a station's pose");
     } catch (const Error& error) {
       reader.refuse("%s", error.what());
     }

@@ -5,6 +5,7 @@
 #include "capi/support/guard.h"
 #include "capi/support/model_handles.h"
 #include "compare/clearance/clearance.h"
+#include "geometry/rigid_motion.h"
 #include "solid/motion.h"
 
 using namespace jalon;

@@ -115,7 +115,7 @@ jalon_status jalon_cloud_builder_begin_station(jalon_cloud_builder* builder, con
     Station station;
     station.name = require_text(name, "name");
     station.has_pose = pose != nullptr;
-    if (pose != nullptr) station.pose = from_c(*pose);
+    if (pose != nullptr) station.pose = require_pose(*pose);
     station.first = builder->draft.size();
     builder->draft.stations.push_back(std::move(station));
   });

@@ -8,6 +8,7 @@
 #include "capi/support/model_handles.h"
 #include "capi/support/model_tables.h"
 #include "model/edit.h"
+#include "model/relations/relations.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -102,6 +103,17 @@ jalon_status jalon_model_parts(const jalon_model* model, jalon_fields** out) {
 
 jalon_status jalon_model_triangles(const jalon_model* model, jalon_fields** out) {
   return guard([&] { give_table(model, out, triangle_table); });
+}
+
+jalon_status jalon_model_relations(const jalon_model* model, const jalon_params* options,
+                                   jalon_task* task, jalon_fields** out) {
+  return guard([&] {
+    const Model& m = model_of(model);
+    require(out, "out");
+    const auto chosen = settings_from<RelationSettings>(options_or_default(options, "relations"));
+    *out = new_fields(
+        with_task(task, [&](Task& t) { return relation_table(find_relations(m, chosen, t)); }));
+  });
 }
 
 jalon_status jalon_model_crs(const jalon_model* model, const char** out) {

@@ -8,6 +8,7 @@
 #include "capi/support/methods.h"
 #include "capi/support/model_handles.h"
 #include "capi/support/worker_handles.h"
+#include "modelling/edge_curve.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -55,5 +56,26 @@ jalon_status jalon_modeller_run(const jalon_modeller* modeller, const jalon_clou
     *out = run_worker(*modeller, task, [&](const ParamSet& values, Task& t) {
              return own(new_model(modeller->method->run(*segmentation->segmentation, values, t)));
            }).release();
+  });
+}
+
+jalon_status jalon_segmentation_long_edges(const jalon_segmentation* segmentation, uint32_t label,
+                                           const jalon_params* options, jalon_task* task,
+                                           jalon_fields** out_lengths, jalon_fields** out_points,
+                                           jalon_fields** out_summary) {
+  return guard([&] {
+    require(segmentation, "segmentation");
+    require(out_lengths, "out_lengths");
+    require(out_points, "out_points");
+    require(out_summary, "out_summary");
+    const auto chosen = settings_from<EdgeCurveSettings>(options_or_default(options, "long_edges"));
+    const EdgeCurve curve = with_task(task, [&](Task& t) {
+      return find_edge_curve(*segmentation->segmentation, label, chosen, t);
+    });
+    auto lengths = own(new_fields(edge_length_table(curve)));
+    auto points = own(new_fields(contour_point_table(curve)));
+    *out_summary = new_fields(edge_summary_table(curve));
+    *out_lengths = lengths.release();
+    *out_points = points.release();
   });
 }

@@ -23,7 +23,15 @@
 #include "fieldtools/two_means.h"
 #include "compare/volumes/volume.h"
 #include "formats/formats.h"
+#include "model/relations/relations.h"
+#include "modelling/edge_curve.h"
+#include "formats/trajectory/trajectory_files.h"
 #include "modelling/evaluation/model_evaluation.h"
+#include "fieldtools/field_normality.h"
+#include "model/buildings/building_offsets.h"
+#include "model/buildings/building_tree.h"
+#include "model/trajectory/ellipsoids.h"
+#include "model/trajectory/trajectory_settings.h"
 #include "registration/targets/measure.h"
 #include "report/pages/change_outlines.h"
 #include "report/pages/comparison_report.h"
@@ -31,6 +39,8 @@
 #include "report/pictures/deviation_picture.h"
 #include "report/pictures/picture.h"
 #include "report/report.h"
+#include "scan/mobile/georeference.h"
+#include "scan/mobile/street_drive.h"
 #include "scan/scene.h"
 #include "segment/evaluation/confusion.h"
 #include "segment/evaluation/evaluation.h"
@@ -83,6 +93,16 @@ std::span<const Operation> operations() {
       {"distance_map", distance_map_rows},
       {"clearance", clearance_rows},
       {"target", target_rows},
+      {"relations", relation_rows},
+      {"long_edges", edge_curve_rows},
+      {"trajectory", trajectory_rows},
+      {"trajectory_file", trajectory_file_rows},
+      {"georeference", georeference_rows},
+      {"ellipsoids", ellipsoid_rows},
+      {"normality", normality_rows},
+      {"building_strips", building_strip_rows},
+      {"building_sigmas", building_sigma_rows},
+      {"street_drive", street_drive_rows},
   };
   return kOperations;
 }

@@ -26,20 +26,6 @@ std::unique_ptr<jalon_registration> handle_of(Registration made, const ParamSet&
   return handle;
 }
 
-// Lengths and right angles kept within 1e-6, and no mirror.
-void require_rigid_start(const Transform& pose) {
-  constexpr double kTolerance = 1e-6;
-  for (size_t i = 0; i < 3; ++i)
-    for (size_t j = 0; j <= i; ++j) {
-      double product = 0;
-      for (size_t k = 0; k < 3; ++k) product += pose.m[4 * i + k] * pose.m[4 * j + k];
-      if (!(std::abs(product - (i == j)) <= kTolerance))
-        fail(Status::kInvalidArgument, "the start is not a rigid motion");
-    }
-  if (pose.determinant() < 0)
-    fail(Status::kInvalidArgument, "the start is a mirror, not a rigid motion");
-}
-
 std::vector<Target> targets_from(const jalon_target* targets, uint64_t count, const char* what) {
   constexpr uint64_t kMost = 1'000'000;
   if (count > 0) require(targets, what);
@@ -93,7 +79,7 @@ jalon_status jalon_registrar_run(const jalon_registrar* registrar, const jalon_c
     require(out, "out");
     require_same_crs(reference->cloud->crs, moving->cloud->crs);
     const Transform from = start != nullptr ? from_c(*start) : Transform{};
-    require_rigid_start(from);
+    require_rigid(from, "the start");
     const RegistrationMethod& method = *registrar->method;
     if (method.run == nullptr)
       fail(Status::kUnsupported, "method \"%s\" registers targets, not clouds", method.name);

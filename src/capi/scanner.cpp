@@ -6,6 +6,7 @@
 #include "capi/support/methods.h"
 #include "capi/support/model_handles.h"
 #include "capi/support/scan_handles.h"
+#include "capi/support/trajectory_handles.h"
 #include "scan/methods.h"
 
 using namespace jalon;
@@ -43,8 +44,7 @@ jalon_status jalon_scanner_add_station(jalon_scanner* scanner, const char* name,
     require(pose, "pose");
     ScanStation station;
     if (name != nullptr) station.name = require_text(name, "name");
-    station.pose = from_c(*pose);
-    require_rigid(station.pose);
+    station.pose = require_pose(*pose);
     scanner->stations.push_back(std::move(station));
   });
 }
@@ -58,8 +58,26 @@ jalon_status jalon_scanner_run(const jalon_scanner* scanner, const jalon_model* 
     const ParamSet values =
         *scanner->values;  // a progress callback may set the next run's, and add stations
     const std::vector<ScanStation> stations = scanner->stations;
+    const auto run = require_run(scanner_methods(), *scanner->method, &ScannerMethod::scan,
+                                 "drives along a trajectory and has no stations");
     *out = with_task(task, [&](Task& t) {
-             return own(new_cloud(scanner->method->scan(*model->model, stations, values, t)));
+             return own(new_cloud(run(*model->model, stations, values, t)));
+           }).release();
+  });
+}
+
+jalon_status jalon_scanner_drive(const jalon_scanner* scanner, const jalon_model* model,
+                                 const jalon_trajectory* trajectory, jalon_task* task,
+                                 jalon_cloud** out) {
+  return guard([&] {
+    require(scanner, "scanner");
+    require(model, "model");
+    require(trajectory, "trajectory");
+    require(out, "out");
+    const auto drive = require_run(scanner_methods(), *scanner->method, &ScannerMethod::drive,
+                                   "does not drive along a trajectory");
+    *out = run_worker(*scanner, task, [&](const ParamSet& values, Task& t) {
+             return own(new_cloud(drive(*model->model, *trajectory->trajectory, values, t)));
            }).release();
   });
 }
@@ -72,8 +90,10 @@ jalon_status jalon_scanner_truth(const jalon_scanner* scanner, const jalon_model
     require(out, "out");
     const ParamSet values = *scanner->values;
     const std::shared_ptr<const Cloud> points = cloud == nullptr ? nullptr : cloud->cloud;
+    const auto truth = require_run(scanner_methods(), *scanner->method, &ScannerMethod::truth,
+                                   "numbers no planes");
     *out = with_task(task, [&](Task& t) {
-             return own(new_fields(scanner->method->truth(*model->model, points.get(), values, t)));
+             return own(new_fields(truth(*model->model, points.get(), values, t)));
            }).release();
   });
 }

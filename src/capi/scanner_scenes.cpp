@@ -5,9 +5,11 @@
 #include "capi/support/model_handles.h"
 #include "capi/support/report_files.h"
 #include "capi/support/scan_handles.h"
+#include "capi/support/trajectory_handles.h"
 #include "jalon/scanner.h"
 #include "scan/facade_truth.h"
 #include "scan/methods.h"
+#include "scan/mobile/street_drive.h"
 #include "scan/scene.h"
 
 using namespace jalon;
@@ -62,5 +64,17 @@ jalon_status jalon_scene_write_truth(const char* path, const jalon_scanner* scan
     const std::string target = require_text(path, "path");
     with_task(task,
               [&](Task& t) { write_whole(target, json_of(facade_truth(settings, survey, t))); });
+  });
+}
+
+jalon_status jalon_scene_street_drive(const jalon_params* options, jalon_model** model,
+                                      jalon_trajectory** trajectory) {
+  return guard([&] {
+    StreetDrive made = street_drive(
+        settings_from<StreetDriveSettings>(options_or_default(options, "street_drive")));
+    Owned<jalon_model> street = own(new_model(std::move(made.model)));
+    Owned<jalon_trajectory> drive = own(new_trajectory(std::move(made.trajectory)));
+    if (model != nullptr) *model = street.release();
+    if (trajectory != nullptr) *trajectory = drive.release();
   });
 }

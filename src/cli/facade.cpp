@@ -7,6 +7,7 @@
 #include "cli/options.h"
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
+#include "cli/outputs/facade_advice.h"
 
 namespace jalon::cli {
 
@@ -20,6 +21,11 @@ const char* orientation_name(uint8_t orientation) {
   return orientation < 5 ? kNames[orientation] : "?";
 }
 
+const char* front_name(uint8_t source) {
+  static constexpr const char* kNames[] = {"none", "station", "evidence"};
+  return source < 3 ? kNames[source] : "?";
+}
+
 struct Facade {
   Common common;
   Input input;
@@ -29,13 +35,28 @@ struct Facade {
   double tolerance_m = 0;  ///< 0 = the segmenter's default
 
   // Wrong parameters are told before a long read.
-  Segmenter segmenter() const {
+  Segmenter segmenter(const char* primitives = "planes") const {
     Params params;
     Segmenter made = make_segmenter("ransac", params);
+    must(jalon_params_set_string(params.get(), "primitives", primitives));
     if (tolerance_m > 0)
       must(jalon_params_set_double(params.get(), "distance_tolerance_m", tolerance_m));
     settings.apply(params.get());
     return made;
+  }
+
+  // The planes; where these may be strips of bent walls, and nobody said what to look for, those walls as cylinders
+  // with a word on them.
+  Segmentation surfaces(Console& console, const Cloud& cloud, const Segmenter& planes_of,
+                        std::string& hint) const {
+    Segmentation planes, all;
+    must(jalon_segmenter_run(planes_of.get(), cloud.get(), console.task(), Out(planes)));
+    if (settings.sets("primitives") || !may_be_bent(planes)) return planes;
+    console.step("bent walls");
+    must(jalon_segmenter_run(segmenter("planes+cylinders").get(), cloud.get(), console.task(),
+                             Out(all)));
+    hint = told_of_bent_walls(all);
+    return hint.empty() ? std::move(planes) : std::move(all);
   }
 
   Modeller modeller() const {
@@ -86,6 +107,8 @@ struct Facade {
     const auto* normal = values<double>(fields, "normal");
     const auto* offset = values<double>(fields, "offset");
     const auto* sigma = values<double>(fields, "sigma");
+    const auto* front_source = values<uint8_t>(fields, "front_source");
+    const auto* front_confidence = values<double>(fields, "front_confidence");
     const auto* area = values<double>(fields, "area");
     Json list = Json::array();
     console.say("plane  orientation     points " + lengths.heading("area", "m2", 10) +
@@ -97,7 +120,9 @@ struct Facade {
                       {"area_m2", area[i]},
                       {"sigma_m", sigma[i]},
                       {"offset_m", offset[i]},
-                      {"normal", {normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]}}});
+                      {"normal", {normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]}},
+                      {"front_source", front_name(front_source[i])},
+                      {"front_confidence", front_confidence[i]}});
       char line[200];
       std::snprintf(line, sizeof line, "%5u  %-11s %10s %10s %10s   %s %s %s", label[i],
                     orientation_name(orientation[i]), grouped(inliers[i]).c_str(),
@@ -124,9 +149,12 @@ struct Facade {
     notes["input"]["unit"] = lengths.in_report();
     notes["input"]["points"] = grouped(count_of(cloud));
     console.step("planes");
-    Segmentation segmentation;
-    must(jalon_segmenter_run(planes_of.get(), cloud.get(), console.task(), Out(segmentation)));
-    if (is_empty(segmentation)) found_nothing(input, cloud, "no plane", "--tolerance, --set");
+    std::string hint;
+    const Segmentation segmentation = surfaces(console, cloud, planes_of, hint);
+    if (is_empty(segmentation))
+      found_nothing(input, cloud, "no plane", "--tolerance, --segment-set");
+    if (const std::string why = why_no_facade(cloud, segmentation); !why.empty())
+      throw Failure{JALON_ERROR_DEGENERATE, input.path + ": " + why};
     notes["times"]["segment"] = console.seconds();
     console.step("model");
     Model model;
@@ -134,12 +162,14 @@ struct Facade {
                             Out(model)));
     const Json summary = summary_of(model.get());
     if (summary["faces"] == 0) found_nothing(input, cloud, "planes, but no face", "--model-set");
+    if (!hint.empty()) console.warn(hint);
     notes["times"]["model"] = console.seconds();
     console.step("writing");
     const auto names = write(console, segmentation, model, notes);
     const Json list = planes(console, segmentation, lengths);
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
+    if (const std::string note = front_note(segmentation.get()); !note.empty()) console.say(note);
     if (!lengths.is_known()) console.say(lengths.note());
     console.result({{"input", input.path},
                     {"points", count_of(cloud)},
@@ -154,7 +184,7 @@ struct Facade {
 std::string tables_of_facade() {
   Params planes;
   make_segmenter("ransac", planes);
-  return "Parameters of --set (planes):\n" + describe(planes.get()) + "\n" +
+  return "Parameters of --segment-set (or --set; planes):\n" + describe(planes.get()) + "\n" +
          modeller_tables("--model-set") + "Parameters of --drawing-set:\n" +
          describe(make_params("elevation").get()) +
          "\nParameters of --scanner-set (precision of the scanner):\n" +
@@ -175,7 +205,8 @@ void add_facade(Command& app) {
       .option("--tolerance", state->tolerance_m,
               "Half-thickness of a plane (m); default: the segmenter's")
       .positive();
-  state->settings.add_to(command);
+  state->settings.add_to(command, "segment-");
+  state->settings.add_short_to(command);
   command
       .option("--model-method", state->model_method,
               "How the model is made; the parameters below tell which methods there are")
@@ -187,7 +218,7 @@ void add_facade(Command& app) {
   command.footer([] {
     return tables_of_facade() +
            "\nExamples:\n  jalon facade scan.las -o result\n"
-           "  jalon facade scan.txt -o result --columns \"x y z intensity\" --set seed=7";
+           "  jalon facade scan.txt -o result --columns \"x y z intensity\" --segment-set seed=7";
   });
   command.on_run([state] { state->run(); });
 }

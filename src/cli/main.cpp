@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
     add_info(app);
     add_convert(app);
     add_clean(app);
+    add_cut(app);
     add_normals(app);
     add_facade(app);
     add_segment(app);

@@ -100,7 +100,8 @@ struct ModelJob {
                             Out(model)));
     const Json summary = summary_of(model.get());
     if (summary["faces"] == 0)
-      found_nothing(input, cloud, "no face", labels.empty() ? "--tolerance, --set" : "--set");
+      found_nothing(input, cloud, "no face",
+                    labels.empty() ? "--tolerance, --segment-set, --model-set" : "--model-set");
     notes["times"]["model"] = console.seconds();
     console.step("writing");
     const auto names = write(console, segmentation, model, notes);
@@ -108,6 +109,7 @@ struct ModelJob {
     must(jalon_params_to_json(tools.modeller_params.get(), &parameters));
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
+    if (const std::string note = front_note(segmentation.get()); !note.empty()) console.say(note);
     console.result({{"input", input.path},
                     {"points", count_of(cloud)},
                     {"output", output},
@@ -152,12 +154,13 @@ void add_model(Command& app) {
       .option("--tolerance", state->tolerance_m,
               "Half-thickness of a plane (m); default: the segmenter's")
       .positive();
-  state->settings.add_to(command);
+  state->settings.add_to(command, "model-");
+  state->settings.add_short_to(command);
   state->segment_settings.add_to(command, "segment-");
   state->files.add_to(command);
   add_common(command, state->common);
   command.footer([] {
-    return modeller_tables("--set") + segmenter_tables("--segment-set") +
+    return modeller_tables("--model-set (or --set)") + segmenter_tables("--segment-set") +
            "Parameters of --drawing-set:\n" + describe(make_params("elevation").get()) +
            "\nParameters of --scanner-set (precision of the scanner):\n" +
            describe(make_params("precision").get()) +

@@ -8,6 +8,7 @@
 
 #include "cli/methods.h"
 #include "cli/output_check.h"
+#include "cli/table.h"
 
 namespace jalon::cli {
 
@@ -62,6 +63,15 @@ Json told(jalon_params* params) {
   return out;
 }
 
+void write_relations(const Console& console, jalon_model* model, const std::string& of,
+                     const std::string& path) {
+  const Params options = make_params("relations");
+  must(jalon_params_set_string(options.get(), "elements", of.c_str()));
+  Fields fields;
+  must(jalon_model_relations(model, options.get(), console.task(), Out(fields)));
+  write_text_file(path, Table(std::move(fields)).csv());
+}
+
 }  // namespace
 
 Segmenter make_segmenter(const std::string& method, Params& params) {
@@ -93,6 +103,13 @@ std::string modeller_tables(const std::string& option) {
 void ModelFiles::add_to(Command& command) {
   drawing.add_to(command, "drawing-");
   scanner.add_to(command, "scanner-");
+  command
+      .option(
+          "--relations", relations,
+          "Write relations.csv too: how parts, faces or solids lie to each other (9-intersection, "
+          "distance, direction)")
+      .among({"parts", "faces", "solids"})
+      .type_name("OF");
 }
 
 void ModelFiles::check() const {
@@ -136,6 +153,10 @@ std::vector<std::string> ModelFiles::write(const Console& console, jalon_segment
     names.push_back("elevation_" + std::to_string(k) + ".svg");
     draw(console, segmentation, model, options.get(), k, folder.path(names.back()));
   }
+  if (!relations.empty()) {
+    names.push_back("relations.csv");
+    write_relations(console, model, relations, folder.path(names.back()));
+  }
   return names;
 }
 
@@ -155,6 +176,29 @@ std::string summary_line(const Json& summary) {
     separator = ", ";
   }
   return text;
+}
+
+std::string front_note(jalon_segmentation* segmentation) {
+  constexpr double kSure = 0.95;
+  constexpr double kWall_m2 = 4;  // as the modeller's smallest wall
+  Fields fields;
+  must(jalon_segmentation_segments(segmentation, Out(fields)));
+  uint64_t count = 0, walls = 0, guessed = 0;
+  const auto* source = values<uint8_t>(fields, "front_source", &count);
+  const auto* confidence = values<double>(fields, "front_confidence");
+  const auto* area = values<double>(fields, "area");
+  const auto* label = values<uint32_t>(fields, "label");
+  uint64_t weakest = 0;
+  for (uint64_t i = 0; i < count; ++i) {
+    if (source[i] != JALON_FRONT_EVIDENCE || area[i] < kWall_m2) continue;
+    ++walls;
+    if (confidence[i] >= kSure) continue;
+    if (guessed++ == 0 || confidence[i] < confidence[weakest]) weakest = i;
+  }
+  if (guessed == 0) return "";
+  return "the viewing side of " + std::to_string(guessed) + " of " + std::to_string(walls) +
+         " walls is a guess (plane " + std::to_string(label[weakest]) + ": probability " +
+         fixed(confidence[weakest], 2) + "); --station X,Y,Z tells it";
 }
 
 std::string joined(const std::vector<std::string>& names) {

@@ -21,8 +21,9 @@ std::string modeller_tables(const std::string& option);
 
 /// Files of a model: what "facade" and "model" both write.
 struct ModelFiles {
-  Settings drawing;  ///< of operation "elevation"
-  Settings scanner;  ///< of operation "precision"; none: not told
+  Settings drawing;       ///< of operation "elevation"
+  Settings scanner;       ///< of operation "precision"; none: not told
+  std::string relations;  ///< "parts", "faces" or "solids": relations.csv too; "": not asked for
 
   void add_to(Command& command);
   /// Refuses wrong parameters of the drawing and the scanner, before a long read.
@@ -30,7 +31,7 @@ struct ModelFiles {
   /// The notes of a report with what was told of the scanner. Refuses it for a cloud without stations.
   void note_scanner(jalon_cloud* cloud, nlohmann::ordered_json& notes) const;
   /// model.obj, model.dxf ...: each vector format that the library writes; elevation.svg of the whole, elevation_1.svg
-  /// ... of each facade where there are several. Returns their names.
+  /// ... of each facade where there are several; relations.csv where asked for. Returns their names.
   std::vector<std::string> write(const Console& console, jalon_segmentation* segmentation,
                                  jalon_model* model, const std::string& source,
                                  OutputFolder& folder) const;
@@ -38,6 +39,8 @@ struct ModelFiles {
 
 /// "faces", "openings" and the number of parts of each class.
 nlohmann::ordered_json summary_of(jalon_model* model);
+/// A line where walls' viewing side is a guess and --station would tell it; "" where it is sure or known.
+std::string front_note(jalon_segmentation* segmentation);
 /// "12 faces; 1 facade, 3 wall, 21 window"
 std::string summary_line(const nlohmann::ordered_json& summary);
 /// Names for the closing line: "a, b, c".

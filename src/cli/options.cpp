@@ -29,6 +29,21 @@ void Settings::add_to(Command& command, const std::string& name_prefix) {
       .type_name("FILE");
 }
 
+void Settings::add_short_to(Command& command) {
+  command.option("--set", short_assignments, "The same as --" + prefix + "set")
+      .type_name("NAME=VALUE")
+      .one_each_time();
+  command.option("--params", short_json_file, "The same as --" + prefix + "params")
+      .type_name("FILE");
+}
+
+bool Settings::sets(const std::string& name) const {
+  for (const auto* all : {&assignments, &short_assignments})
+    for (const std::string& assignment : *all)
+      if (assignment.starts_with(name + "=")) return true;
+  return false;
+}
+
 namespace {
 
 // What people write, and the choices of the parameter "unit".
@@ -107,11 +122,12 @@ void assign(jalon_params* params, const std::string& option, const std::string& 
 }  // namespace
 
 void Settings::apply(jalon_params* params) const {
-  if (!json_file.empty() &&
-      jalon_params_from_json(params, read_text_file(json_file).c_str()) != JALON_OK)
-    throw usage(json_file + ": " + jalon_last_error_message());
+  for (const std::string& file : {json_file, short_json_file})
+    if (!file.empty() && jalon_params_from_json(params, read_text_file(file).c_str()) != JALON_OK)
+      throw usage(file + ": " + jalon_last_error_message());
   for (const std::string& assignment : assignments)
     assign(params, "--" + prefix + "set", assignment);
+  for (const std::string& assignment : short_assignments) assign(params, "--set", assignment);
 }
 
 Params make_params(const char* operation) {

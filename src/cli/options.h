@@ -14,14 +14,21 @@ namespace jalon::cli {
 
 /// "--set name=value" and "--params FILE" of a command, applied to a parameter set.
 struct Settings {
-  std::vector<std::string> assignments;
-  std::string json_file;
+  std::vector<std::string> assignments, short_assignments;  ///< the latter by "--set" alone
+  std::string json_file, short_json_file;
   std::string prefix;  ///< of the options' names, for messages
 
-  /// name_prefix: "" or e.g. "outline-" for a command with two sets.
+  /// name_prefix: "" or that of a stage, "segment-", "model-", "drawing-" ..., the same in all commands that have it.
   void add_to(Command& command, const std::string& name_prefix = "");
+  /// "--set" and "--params" mean this stage too: the one that the command is about.
+  void add_short_to(Command& command);
   void apply(jalon_params* params) const;
-  bool is_given() const { return !assignments.empty() || !json_file.empty(); }
+  bool is_given() const {
+    return !assignments.empty() || !short_assignments.empty() || !json_file.empty() ||
+           !short_json_file.empty();
+  }
+  /// Whether this parameter is among the assignments.
+  bool sets(const std::string& name) const;
 };
 
 void add_common(Command& command, Common& common);
@@ -55,6 +62,7 @@ jalon_transform pose_at(const std::string& text);
 void add_info(Command& app);
 void add_convert(Command& app);
 void add_clean(Command& app);
+void add_cut(Command& app);
 void add_normals(Command& app);
 void add_facade(Command& app);
 void add_segment(Command& app);

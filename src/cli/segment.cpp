@@ -5,10 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/lengths.h"
+#include "cli/outputs/edge_curve.h"
 #include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
+#include "cli/inputs/picks.h"
 #include "cli/table.h"
 
 namespace jalon::cli {
@@ -23,6 +25,8 @@ struct Segment {
   Settings settings;
   std::string method = "ransac", output, view = "front";
   double tolerance_m = 0;  ///< 0 = the method's default
+  Picks picks;
+  EdgeCurveFiles edge_curve;
 
   Segmenter segmenter(Params& params) const {
     Segmenter made;
@@ -44,8 +48,9 @@ struct Segment {
                                     console.task()));
   }
 
-  void write(const Console& console, const Segmentation& segmentation, const Table& table,
-             Json notes, Json result) const {
+  /// The names of the files beyond those of every run.
+  std::vector<std::string> write(const Console& console, const Segmentation& segmentation,
+                                 const Table& table, Json notes, Json result) const {
     OutputFolder folder(output);
     Cloud labelled;
     must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
@@ -57,6 +62,8 @@ struct Segment {
     must(jalon_segmentation_write_primitives(segmentation.get(),
                                              folder.path("primitives.txt").c_str()));
     draw(console, segmentation, folder.path("segments.svg"));
+    std::vector<std::string> more = edge_curve.write(
+        console, segmentation, [&](const char* name) { return folder.path(name); });
     notes["times"]["write"] = console.seconds();
     result["times"] = notes["times"];
     write_text_file(folder.path("segments.json"),
@@ -65,6 +72,7 @@ struct Segment {
     must(jalon_report_write_html(segmentation.get(), nullptr, text.c_str(),
                                  folder.path("report.html").c_str(), nullptr, console.task()));
     folder.commit();
+    return more;
   }
 
   static std::string shape(const Table& table, uint64_t row) {
@@ -96,8 +104,13 @@ struct Segment {
     Params params;
     check_output_folder(output);
     const Segmenter worker = segmenter(params);  // wrong parameters are told before a long read
+    picks.check();
+    edge_curve.check();
+    if (picks.are_given() && (settings.is_given() || tolerance_m > 0))
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "--pick grows segments by --pick-set: no --tolerance, no --segment-set"};
     Json notes{{"title", "Segments"},
-               {"input", {{"file", input.path}, {"method", method}}},
+               {"input", {{"file", input.path}, {"method", picks.are_given() ? "pick" : method}}},
                {"times", Json::object()}};
     console.step("reading");
     const Cloud cloud = input.read(console);
@@ -106,35 +119,43 @@ struct Segment {
     notes["input"]["unit"] = lengths.in_report();
     console.step("segments");
     Segmentation segmentation;
-    must(jalon_segmenter_run(worker.get(), cloud.get(), console.task(), Out(segmentation)));
+    if (picks.are_given()) segmentation = picks.grown(console, cloud);
+    else must(jalon_segmenter_run(worker.get(), cloud.get(), console.task(), Out(segmentation)));
     notes["times"]["segment"] = console.seconds();
     Fields fields;
     must(jalon_segmentation_segments(segmentation.get(), Out(fields)));
     const Table table(std::move(fields));
-    if (table.rows() == 0) found_nothing(input, cloud, "no segment", "--tolerance, --set");
+    if (table.rows() == 0) found_nothing(input, cloud, "no segment", "--tolerance, --segment-set");
     const char* parameters = nullptr;
+    if (picks.are_given()) {
+      params = make_params("pick");
+      picks.settings.apply(params.get());
+    }
     must(jalon_params_to_json(params.get(), &parameters));
     Json result{{"input", input.path},
                 {"points", count_of(cloud)},
                 {"output", output},
-                {"method", method},
+                {"method", picks.are_given() ? "pick" : method},
                 {"parameters", Json::parse(parameters)},
                 {"times", notes["times"]},
                 {"segments", table.list()}};
     console.step("writing");
-    write(console, segmentation, table, notes, result);
+    const auto more = write(console, segmentation, table, notes, result);
     list(console, table, lengths);
-    console.say("wrote " + output +
-                ": report.html, segments.svg, segments.csv, segments.json, segments.las, "
-                "segments.ply, primitives.txt");
+    std::string names =
+        "report.html, segments.svg, segments.csv, segments.json, segments.las, segments.ply, "
+        "primitives.txt";
+    for (const std::string& name : more) names += ", " + name;
+    console.say("wrote " + output + ": " + names);
     if (!lengths.is_known()) console.say(lengths.note());
     console.result(result);
   }
 };
 
 std::string tables_of_segment() {
-  return method_tables<Segmenter>("Parameters of --set with --method ", jalon_segmenter_methods,
-                                  jalon_segmenter_create, jalon_segmenter_params);
+  return method_tables<Segmenter>("Parameters of --segment-set (or --set) with --method ",
+                                  jalon_segmenter_methods, jalon_segmenter_create,
+                                  jalon_segmenter_params);
 }
 
 }  // namespace
@@ -159,13 +180,19 @@ void add_segment(Command& app) {
   command.option("--view", state->view, "What the picture shows")
       .among({"front", "plan"})
       .shows_default();
-  state->settings.add_to(command);
+  state->settings.add_to(command, "segment-");
+  state->settings.add_short_to(command);
+  state->picks.add_to(command);
+  state->edge_curve.add_to(command);
   add_common(command, state->common);
   command.footer([] {
-    return tables_of_segment() +
+    return tables_of_segment() + "Parameters of --pick-set:\n" +
+           describe(make_params("pick").get()) + "\n" +
            "Examples:\n  jalon segment scan.las -o result\n"
            "  jalon segment scan.txt -o result --method ransac --tolerance 0.02 --set "
            "min_area_m2=0.2\n"
+           "  jalon segment scan.las -o result --pick \"2.5,0,1.2\" --pick \"sphere:4,-1,1\"\n"
+           "  jalon segment scan.las -o result --edge-curve 1\n"
            "  jalon segment plant.las -o result --set primitives=all --set max_radius_m=1\n"
            "  jalon evaluate-segmentation result/segments.las reference.las";
   });

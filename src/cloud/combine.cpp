@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "cloud/cloud.h"
+#include "geometry/rigid_motion.h"
 
 namespace jalon {
 
@@ -68,6 +69,25 @@ void require_invertible(const Transform& t) {
   for (size_t i = 0; i < 3; ++i) lengths *= norm(Vec3{t.m[4 * i], t.m[4 * i + 1], t.m[4 * i + 2]});
   if (!(std::fabs(t.determinant()) > kSingular * lengths) || !std::isfinite(lengths))
     fail(Status::kInvalidArgument, "the transform is not invertible: its determinant is 0");
+}
+
+/// A map that stretches or mirrors makes the scanner's frame no frame any more. Its upright axis keeps its direction,
+/// for that is what vertical angles are measured from, and its first axis stays beside it (Gram and Schmidt).
+Transform rigid_pose(const Transform& mapped) {
+  if (is_rigid(mapped)) return mapped;
+  const auto column = [&](size_t j) {
+    return normalized({mapped.m[j], mapped.m[4 + j], mapped.m[8 + j]});
+  };
+  const Vec3 z = column(2), first = column(0), x = normalized(first - z * dot(z, first)),
+             y = cross(z, x);
+  Transform out = mapped;
+  for (int i = 0; i < 3; ++i) {
+    double* row = out.m.data() + 4 * i;
+    row[0] = x[i];
+    row[1] = y[i];
+    row[2] = z[i];
+  }
+  return out;
 }
 
 /// Normals go by the inverse transpose, so that they stay square to their surface under any affine map.
@@ -161,7 +181,7 @@ Cloud transformed(const Cloud& cloud, const Transform& transform, Task& task) {
     out.fields.set(transformed_normals(*normal, transform, task));
   out.stations = cloud.stations;
   for (Station& station : out.stations)
-    if (station.has_pose) station.pose = transform * station.pose;
+    if (station.has_pose) station.pose = rigid_pose(transform * station.pose);
   out.crs = cloud.crs;
   out.attachments = cloud.attachments;
   return out;

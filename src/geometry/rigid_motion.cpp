@@ -2,10 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/rigid_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "base/error.h"
+#include "base/text_number.h"
+
 namespace jalon {
+
+namespace {
+
+constexpr double kRigid = 1e-6;  // what poses in text files with seven digits keep
+
+bool holds_finite_numbers(const Transform& t) {
+  return std::all_of(t.m.begin(), t.m.end(), [](double v) { return std::isfinite(v); });
+}
+
+Vec3 column(const Transform& t, size_t j) { return {t.m[j], t.m[4 + j], t.m[8 + j]}; }
+
+}  // namespace
 
 Transform rotation_by(const Vec3& rotation) {
   const double angle = norm(rotation);
@@ -47,6 +63,32 @@ Vec3 rotation_vector(const Transform& motion) {
   for (const Vec3& column : columns)
     if (squared_norm(column) > squared_norm(*largest)) largest = &column;
   return normalized(*largest) * std::numbers::pi;
+}
+
+bool is_rigid(const Transform& transform) {
+  const Vec3 x = column(transform, 0), y = column(transform, 1), z = column(transform, 2);
+  const double off = std::max({std::abs(dot(x, y)), std::abs(dot(y, z)), std::abs(dot(z, x)),
+                               std::abs(squared_norm(x) - 1), std::abs(squared_norm(y) - 1),
+                               std::abs(squared_norm(z) - 1)});
+  return off <= kRigid && holds_finite_numbers(transform) && transform.determinant() > 0;
+}
+
+void require_rigid(const Transform& transform, const char* name) {
+  if (is_rigid(transform)) return;
+  if (!holds_finite_numbers(transform))
+    fail(Status::kInvalidArgument, "%s is no rigid motion: it holds a value that is not finite",
+         name);
+  Transform mirrored = transform;
+  for (size_t i = 2; i < 12; i += 4) mirrored.m[i] = -mirrored.m[i];
+  if (is_rigid(mirrored))
+    fail(Status::kInvalidArgument, "%s is no rigid motion: it mirrors (determinant -1)", name);
+  fail(Status::kInvalidArgument,
+       "%s is no rigid motion: the columns of its 3 x 3 part have the lengths %s, %s and %s, and "
+       "must "
+       "have 1 and be square to one another within 1e-6",
+       name, text_of(norm(column(transform, 0)), 6).c_str(),
+       text_of(norm(column(transform, 1)), 6).c_str(),
+       text_of(norm(column(transform, 2)), 6).c_str());
 }
 
 double MotionModel::residual(const PlanePair& pair, Coefficients<6>& derivatives) const {

@@ -16,6 +16,11 @@ Transform motion_about(const Vec3& centre, const Vec3& rotation, const Vec3& shi
 /// The rotation vector of a rigid motion, its length in [0, pi].
 Vec3 rotation_vector(const Transform& motion);
 
+/// Orthonormal within 1e-6, keeping orientation, of finite numbers.
+bool is_rigid(const Transform& transform);
+/// Throws kInvalidArgument unless it is; name: "pose 3" ... The message tells what is wrong with it.
+void require_rigid(const Transform& transform, const char* name);
+
 /// A point that a motion should bring onto a plane through another point (Chen & Medioni 1992).
 struct PlanePair {
   Vec3 from, to, normal;

@@ -6,8 +6,10 @@
 // to them.
 namespace jalon::part_class {
 
+inline constexpr char kBlock[] = "block";  ///< buildings that touch one another
 inline constexpr char kBuilding[] = "building";
 inline constexpr char kFacade[] = "facade";
+inline constexpr char kStrip[] = "strip";  ///< of a facade, from the ground to the top
 inline constexpr char kWall[] = "wall";
 inline constexpr char kOpening[] = "opening";  ///< neither window nor door for certain
 inline constexpr char kWindow[] = "window";
@@ -23,7 +25,7 @@ inline constexpr char kGround[] = "ground";
 inline constexpr char kRoof[] = "roof";
 inline constexpr char kElement[] = "element";  ///< any other plane
 inline constexpr char kNoData[] =
-    "no_data";  ///< a shadow: part of the wall that no station saw; no hole of its face
+    "no_data";  ///< nothing was measured there; its face fills a hole of the wall's
 
 // Of the outlines of change regions; "_before" or "_after" behind those of what is there in both epochs.
 inline constexpr char kChanges[] = "changes";  ///< all of them

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
-#include "base/text_number.h"
 #include "scan/scanner.h"
 
 namespace jalon {
@@ -19,7 +17,6 @@ constexpr double kBeside = 0.25;        // of the length, either side of the mid
 constexpr double kLeastDistance_m = 2.0;
 constexpr double kUpright = 0.17;  // |normal z| below sin(10 degrees)
 constexpr double kOneSided = 0.4;  // share of the area that has to look one way to make a front
-constexpr double kRigid = 1e-6;    // what poses in text files with seven digits keep
 
 /// Sums over the upright triangles, relative to a vertex of the model.
 struct Upright {
@@ -92,21 +89,6 @@ std::vector<double> spread(const Extent& length, uint64_t count) {
 }
 
 }  // namespace
-
-void require_rigid(const Transform& pose) {
-  const auto& m = pose.m;
-  bool rigid = pose.determinant() > 0;
-  for (size_t i = 0; i < 12; ++i) rigid = rigid && std::isfinite(m[i]);
-  for (size_t i = 0; i < 3; ++i)
-    for (size_t j = 0; j < 3; ++j) {
-      const double product =
-          m[4 * i] * m[4 * j] + m[4 * i + 1] * m[4 * j + 1] + m[4 * i + 2] * m[4 * j + 2];
-      rigid = rigid && std::abs(product - (i == j ? 1 : 0)) <= kRigid;
-    }
-  if (!rigid)
-    fail(Status::kInvalidArgument, "a station's pose is no rigid motion (determinant %s)",
-         text_of(pose.determinant()).c_str());
-}
 
 std::vector<ScanStation> automatic_stations(const Model& model, uint64_t count, double distance_m) {
   if (model.triangles.empty()) return {};

@@ -3,6 +3,7 @@
 #include "scan/methods.h"
 
 #include "base/names_of.h"
+#include "scan/mobile/mobile_scan.h"
 
 namespace jalon {
 
@@ -20,11 +21,17 @@ FieldTable truth_by(const Model& model, const Cloud* cloud, const ParamSet& para
   return true_planes(model, cloud, settings.surfaces.truth_min_area_m2, settings.offset_m, task);
 }
 
+Cloud drive_by(const Model& model, const Trajectory& trajectory, const ParamSet& params,
+               Task& task) {
+  return scan_mobile(model, trajectory, settings_from<MobileSettings>(params), task);
+}
+
 constexpr ScannerMethod kMethods[] = {
     {"static", "scanner static", static_scanner_rows, scan_by<StaticSettings, scan_static>,
-     truth_by<StaticSettings>},
+     truth_by<StaticSettings>, nullptr},
     {"sample", "scanner sample", sample_scanner_rows, scan_by<SampleSettings, scan_sample>,
-     truth_by<SampleSettings>},
+     truth_by<SampleSettings>, nullptr},
+    {"mobile", "scanner mobile", mobile_scanner_rows, nullptr, nullptr, drive_by},
 };
 
 }  // namespace

@@ -19,9 +19,6 @@ struct ScanStation {
   Transform pose;  ///< T_world_scanner, a rigid motion
 };
 
-/// Throws kInvalidArgument unless the transform is a rotation and a shift (to 1e-6) of finite numbers.
-void require_rigid(const Transform& pose);
-
 /// Two or four tripods 1.7 m above the lowest point of the model, by the way its upright triangles face: in front of
 /// a facade at 0.6 x its width; inside a street or a room, on its long axis; at the corners around a building. None
 /// without upright triangles. A count puts so many evenly along the facade or the axis, or on a circle around the

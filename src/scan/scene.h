@@ -32,7 +32,8 @@ enum class SceneName {
   kArches,
   kResidence,
   kEarthworks,
-  kGrammar
+  kGrammar,
+  kBow
 };
 
 /// Of the operation "scene"; the table of the rows says what each member means.

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
+#include "geometry/rigid_motion.h"
 #include "scan/misfit.h"
 #include "scan/pulse.h"
 #include "scan/returns.h"
@@ -221,7 +222,7 @@ Cloud scan_static(const Model& model, std::span<const ScanStation> stations,
     stations = automatic;
   }
   if (stations.size() > kMaxStations) fail(Status::kLimit, "more than 2^26 stations");
-  for (const ScanStation& station : stations) require_rigid(station.pose);
+  for (const ScanStation& station : stations) require_rigid(station.pose, "a station's pose");
 
   // 2. The surfaces, and the tree of their triangles.
   std::shared_ptr<const TriangleTree> tree;

@@ -30,6 +30,12 @@ void drop_other_classes(RansacScene& scene, std::vector<Surface>& surfaces) {
   std::erase_if(surfaces, [&](const Surface& surface) { return !asked_for(surface); });
 }
 
+// No surface that a cloud shows bends about an axis further from it than the cloud is wide.
+double widest_m(const Cloud& cloud, Task& task) {
+  const Box3 box = bounds(cloud, task);
+  return norm(box.max - box.min);
+}
+
 }  // namespace
 
 // 1. sequence of planes; 2. coplanar neighbours joined; 3. points shared out anew among all planes; 4. last fit; 5.
@@ -38,10 +44,12 @@ Segmentation segment_ransac(const CloudPtr& cloud, const RansacSettings& setting
   const OrientationOrder order = orientation_order(settings.draw.orientation_order);
   require_area(*cloud, task);
   std::vector<Surface> surfaces;
-  RansacSettings used = settings;  // the tolerance may come from the cloud
+  RansacSettings used = settings;  // the tolerance and the largest radius may come from the cloud
+  if (used.surface.max_radius_m == 0 && used.surface.curved())
+    used.surface.max_radius_m = std::max(widest_m(*cloud, task), used.surface.min_radius_m);
   RansacScene scene = [&] {
     ProgressSpan span(task, 0, 0.3, "indexing");
-    RansacScene made{indexed_scene(*cloud, settings.surface, task), settings.draw, order};
+    RansacScene made{indexed_scene(*cloud, used.surface, task), settings.draw, order};
     const Tolerance tolerance = tolerance_of(*cloud, *made.tree, settings, task);
     used.surface.distance_tolerance_m = tolerance.distance_tolerance_m;
     used.tolerance.sigma_m = tolerance.sigma_m;

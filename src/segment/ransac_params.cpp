@@ -104,8 +104,9 @@ constexpr auto kRansacSurface = setting_rows(
         "min_radius_m", 1e-4, 1000, "m", "ransac",
         "Smallest radius of a sphere or cylinder; below 2 tolerances a pipe cannot be told "
         "from a bar."),
-    number_row<&SurfaceSettings::max_radius_m>("max_radius_m", 1e-4, 1000, "m", "ransac",
-                                               "Largest radius of a sphere or cylinder."),
+    number_row<&SurfaceSettings::max_radius_m>(
+        "max_radius_m", 0, 1e5, "m", "ransac",
+        "Largest radius of a sphere or cylinder; 0 = the diagonal of the cloud's box."),
     bool_row<&SurfaceSettings::reassign>(
         "reassign", "ransac",
         "Shares the points out anew once all planes are known, and splits what falls apart "

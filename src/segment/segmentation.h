@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/field.h"
+#include "base/numbers.h"
 #include "base/params.h"
 #include "cloud/cloud.h"
 #include "geometry/cylinder.h"
@@ -25,13 +26,18 @@ struct GrowingSettings;  // growing_settings.h
 /// What a segment is; the numbers of jalon/segmenter.h (type codes of Boulaassal 2010, 5.5.2).
 enum class PrimitiveType : uint8_t { kPlane = 1, kSphere = 2, kCylinder = 3 };
 
+/// How the side of a plane's normal was found; the numbers of jalon/segmenter.h.
+enum class FrontSource : uint8_t { kNone = 0, kStation = 1, kEvidence = 2 };
+
 /// One architectural surface. Of the three fits the one of its type counts.
 struct Segment {
   uint32_t label = 0;        ///< 1-based; points carry it
   int64_t source_label = 0;  ///< value in the field it was made from; 0: found by a method
   PrimitiveType type = PrimitiveType::kPlane;
   Orientation orientation = Orientation::kNone;  ///< kNone for spheres and cylinders
-  PlaneFit fit;                                  ///< normal toward the station where known
+  PlaneFit fit;                                  ///< normal toward the viewer where known
+  FrontSource front_source = FrontSource::kNone;
+  double front_confidence = kNaN;  ///< the probability that the viewer was on the normal's side
   SphereFit sphere;
   CylinderFit cylinder;
   double area_m2 = 0;  ///< occupied raster cells

@@ -28,7 +28,7 @@ struct SurfaceSettings {
   double least_radius_m = 1;  ///< surfaces curved more tightly are no planes; 0 = they are
   Primitives primitives = Primitives::kPlanes;
   double min_radius_m = 0.03;  ///< of spheres and cylinders
-  double max_radius_m = 5;
+  double max_radius_m = 0;     ///< 0 = as wide as the cloud
   bool reassign = true;
   double orientation_tolerance_rad = 0.0174533;
   bool facade_frame = true;

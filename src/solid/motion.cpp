@@ -5,13 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
-
 namespace jalon {
 
 namespace {
-
-constexpr double kRigid = 1e-6;
 
 Vec3 column(const Transform& t, size_t j) { return {t.m[j], t.m[4 + j], t.m[8 + j]}; }
 
@@ -43,16 +39,6 @@ double axis_and_angle(const Vec3& x, const Vec3& y, const Vec3& z, Vec3& axis) {
 }
 
 }  // namespace
-
-void require_rigid(const Transform& transform, const char* name) {
-  const Vec3 x = column(transform, 0), y = column(transform, 1), z = column(transform, 2);
-  const double off = std::max({std::abs(dot(x, y)), std::abs(dot(y, z)), std::abs(dot(z, x)),
-                               std::abs(squared_norm(x) - 1), std::abs(squared_norm(y) - 1),
-                               std::abs(squared_norm(z) - 1)});
-  if (!(off <= kRigid) || !is_finite(transform.translation()) || !(transform.determinant() > 0))
-    fail(Status::kInvalidArgument,
-         "%s is no rigid motion: its rotation is not orthonormal within 1e-6", name);
-}
 
 Transform orthonormal(const Transform& transform) {
   const Vec3 x = normalized(column(transform, 0)), z = normalized(cross(x, column(transform, 1))),

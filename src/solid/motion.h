@@ -14,7 +14,7 @@ namespace jalon {
 /// Seen from the gauge, an obstacle moves: q(t) = Rot(axis, -t angle) (start - t travel).
 class Motion {
  public:
-  /// T_world_gauge at both ends; rigid (see require_rigid).
+  /// T_world_gauge at both ends; rigid (see geometry/rigid_motion.h).
   Motion(const Transform& from, const Transform& to);
 
   /// Where a point of the world is at t = 0, in the gauge's frame.
@@ -33,8 +33,6 @@ class Motion {
   double angle_ = 0;
 };
 
-/// Throws kInvalidArgument unless the rotation is orthonormal within 1e-6 and keeps orientation; name: "pose 3" ...
-void require_rigid(const Transform& transform, const char* name);
 /// The nearest rigid motion to a nearly rigid one: the rotation by Gram and Schmidt.
 Transform orthonormal(const Transform& transform);
 

@@ -33,6 +33,7 @@ HANDLES = {
     "jalon_registrar": ("fx_registrar", []),
     "jalon_registration": ("fx_registration", []),
     "jalon_scanner": ("fx_scanner", []),
+    "jalon_trajectory": ("fx_trajectory", ["fx_bare_trajectory"]),
     "jalon_task": ("fx_task", []),
     "jalon_noise_law": ("fx_law", []),
     "jalon_params": ("fx_options(\"normals\")", []),
@@ -74,6 +75,12 @@ BASE = {
     "jalon_area_indices.intersection_m2": "fx_areas",
     "jalon_precision_budget.ranges_m": "fx_ranges", "jalon_precision_budget.vertical_rad": "NULL",
     "jalon_precision_budget.incidence_rad": "NULL", "jalon_angular_precision.ranges_m": "fx_ranges",
+    "jalon_trajectory_create.times_s": "fx_ranges", "jalon_trajectory_interpolate.times_s": "fx_ranges",
+    "jalon_trajectory_create.position_sigmas_m": "NULL", "jalon_trajectory_create.velocity_sigmas_m_s": "NULL",
+    "jalon_trajectory_create.attitude_sigmas_rad": "NULL",
+    "jalon_scanner_drive.scanner": "fx_mobile", "jalon_model_perturb_strips.strips": "fx_strips",
+    "jalon_trajectory_georeference.times_s": "fx_ranges", "jalon_trajectory_georeference.ranges_m": "fx_ranges",
+    "jalon_trajectory_read.path": 'fx_path("drive.txt")', "jalon_trajectory_write.path": 'fx_path("driven.txt")',
     "jalon_phase_range.wavelengths_m": "fx_ranges", "jalon_phase_range.remainders_m": "fx_areas",
     "jalon_comparer_use_registration.comparer": "fx_m3c2",
     "jalon_comparison_outlines.forward_points": "fx_changed", "jalon_comparison_outlines.reverse_points": "fx_changed",
@@ -172,15 +179,17 @@ def scalar(function, p):
                         + wild_values(["0", "1"]))
         if n == "code":
             return Case("0", wild_values(["UINT64_MAX", "(uint64_t)1 << 63", "12345678901"]))
+        if n == "seed":
+            return Case("1", wild_values(["0", "UINT64_MAX"], PASS if function.name == "jalon_trajectory_perturb" else ANY))
         if n == "capacity_elements":
             return Case("4096", wild_values(["0", "1"], INVALID) + wild_values(["UINT64_MAX"], PASS))
     if p.type == "int64_t" and n == "value":
         return Case("fx_int64_value", wild_values(["INT64_MIN", "INT64_MAX", "-1"]))
     if p.type == "double":
         base = {"value": "fx_double_value", "radius_m": "0.5", "tolerance_m": "1e-4", "w_min": "-100.0",
-                "w_max": "100.0"}.get(n)
+                "w_max": "100.0", "spacing_s": "10.0"}.get(n)
         refuse = [] if function.name == "jalon_cloud_split" else ["NAN"]
-        if n in ("radius_m", "tolerance_m"):
+        if n in ("radius_m", "tolerance_m", "spacing_s"):
             refuse += ["-1.0", "-INFINITY"]
         return Case(base, wild_values(refuse, INVALID) + wild_values([d for d in DOUBLES if d not in refuse])) if base else None
     return None
@@ -191,7 +200,7 @@ def text(function, p):
     base = {"crs": '"EPSG:2154"', "name": '"intensity"', "unit": '"m"', "meaning": '"a meaning"', "field": '"intensity"', "other": "NULL", "gradient_field": '"intensity"',
             "label_field": '"intensity"', "class_field": '"intensity"', "reference_field": '"intensity"',
             "part_class": '"wall"', "method": "NULL", "operation": '"normals"', "json": '"{}"', "notes_json": r'"{\"title\":\"t\"}"',
-            "value": "fx_text_value", "path": 'fx_path("out.xyz")'}.get(p.name)
+            "value": "fx_text_value", "path": 'fx_path("out.xyz")', "sigma_path": "NULL"}.get(p.name)
     if base is None:
         return None
     wild = wild_values(TEXTS)
@@ -200,7 +209,7 @@ def text(function, p):
     if p.name == "notes_json":  # keys it does not know are left aside, an empty text is as good as none
         open_texts = (r'"{\"no_such_name\":1}"', '""')
         wild = wild_values(open_texts) + wild_values([t for t in JSON + TEXTS if t not in open_texts], FAIL)
-    if p.name == "path":
+    if p.name in ("path", "sigma_path"):
         wild = wild_values(TEXTS + PATHS, ANY)
     if p.name in ("method", "operation"):
         wild = wild_values(TEXTS + ['"no such"'], FAIL)

@@ -27,7 +27,9 @@ jalon_comparison* fx_comparison;
 jalon_registrar* fx_registrar;
 jalon_registration* fx_registration;
 jalon_noise_law* fx_law;
-jalon_scanner* fx_scanner;
+jalon_scanner *fx_scanner, *fx_mobile;
+jalon_model* fx_strips;
+jalon_trajectory *fx_trajectory, *fx_bare_trajectory;
 jalon_task *fx_task, *fx_task_own;
 jalon_params* fx_typed[7];
 const char* fx_typed_name[7];
@@ -96,7 +98,7 @@ static int made_options;
 static struct {
   const char* operation;
   jalon_params* params;
-} options[32];
+} options[64];
 
 static void must(jalon_status status, const char* what) {
   if (status == JALON_OK) return;
@@ -129,7 +131,7 @@ void fx_log(int32_t level, const char* text, void* user) { (void)level, (void)te
 static void make_params(void) {
   uint64_t count, rows;
   MUST(jalon_params_operation_count(&count));
-  for (uint64_t i = 0; i < count && made_options < 32; ++i) {
+  for (uint64_t i = 0; i < count && made_options < 64; ++i) {
     jalon_params* params;
     MUST(jalon_params_operation_name(i, &options[made_options].operation));
     MUST(jalon_params_create(options[made_options].operation, &params));
@@ -186,6 +188,7 @@ static void make_clouds(void) {
   MUST(jalon_cloud_set_field(fx_cloud, "intensity", intensity, JALON_FLOAT32, 1, n, 0, NULL, NULL));
   MUST(jalon_cloud_set_field(fx_cloud, "deviation", deviation, JALON_FLOAT32, 1, n, 0, NULL, NULL));
   MUST(jalon_cloud_compute_normals(fx_cloud, NULL, NULL));
+  MUST(jalon_cloud_compute_covariances(fx_cloud, NULL, NULL));
   MUST(jalon_cloud_fields(fx_cloud, &fx_fields));
   fx_small = cloud_of(fx_xyz, 12);
   fx_empty = cloud_of(NULL, 0);
@@ -255,6 +258,26 @@ static void make_workers(void) {
   MUST(jalon_scanner_add_station(fx_scanner, "tripod", &fx_identity));
 }
 
+/* Eight epochs from 1 to 128 s, those of fx_ranges, with and without sigmas. */
+static void make_trajectories(void) {
+  double positions[24], attitudes[24] = {0}, sigmas[24];
+  for (int i = 0; i < 8; ++i) {
+    positions[3 * i] = 5 * fx_ranges[i], positions[3 * i + 1] = 0, positions[3 * i + 2] = 2;
+    for (int k = 0; k < 3; ++k) sigmas[3 * i + k] = 0.01 + 0.01 * k;
+  }
+  MUST(jalon_trajectory_create(fx_ranges, positions, attitudes, sigmas, sigmas, sigmas, 8, NULL,
+                               NULL, &fx_trajectory));
+  jalon_params* params;
+  MUST(jalon_scanner_create("mobile", &fx_mobile));
+  MUST(jalon_scanner_params(fx_mobile, &params));
+  MUST(jalon_params_set_int64(params, "pulses", 20));
+  MUST(jalon_params_set_double(params, "revolutions_per_s", 1));
+  jalon_params_release(params);
+  MUST(jalon_model_building_strips(fx_mesh, NULL, NULL, &fx_strips, NULL));
+  MUST(jalon_trajectory_create(fx_ranges, positions, attitudes, NULL, NULL, NULL, 8, "EPSG:2154",
+                               NULL, &fx_bare_trajectory));
+}
+
 static void make_files(void) {
   char made[200];
   snprintf(made, sizeof made, "%s/jalon_wild_XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
@@ -266,6 +289,7 @@ static void make_files(void) {
   free(whole);
   MUST(jalon_cloud_write(fx_cloud, fx_path("scan.las"), NULL, NULL));
   MUST(jalon_model_write(fx_mesh, fx_path("model.obj"), NULL, NULL));
+  MUST(jalon_trajectory_write(fx_trajectory, fx_path("drive.txt"), NULL, NULL, NULL));
   FILE* m3c2 = fopen(fx_path("m3c2.txt"), "wb");
   if (m3c2 == NULL || fputs("M3C2VER=1\n", m3c2) < 0 || fclose(m3c2) != 0) exit(1);
 }
@@ -282,6 +306,7 @@ void fx_begin(void) {
   make_clouds();
   make_builders();
   make_workers();
+  make_trajectories();
   make_files();
 }
 
@@ -319,6 +344,10 @@ void fx_end(void) {
   jalon_comparer_release(fx_comparer);
   jalon_comparer_release(fx_m3c2);
   jalon_scanner_release(fx_scanner);
+  jalon_scanner_release(fx_mobile);
+  jalon_model_release(fx_strips);
+  jalon_trajectory_release(fx_trajectory);
+  jalon_trajectory_release(fx_bare_trajectory);
   jalon_task_release(fx_task);
   jalon_task_release(fx_task_own);
   free(fx_long_text);

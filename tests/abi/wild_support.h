@@ -33,7 +33,9 @@ extern jalon_comparison* fx_comparison;
 extern jalon_registrar* fx_registrar;
 extern jalon_registration* fx_registration;
 extern jalon_noise_law* fx_law;
-extern jalon_scanner* fx_scanner;
+extern jalon_scanner *fx_scanner, *fx_mobile;
+extern jalon_model* fx_strips;
+extern jalon_trajectory *fx_trajectory, *fx_bare_trajectory;
 extern jalon_task *fx_task, *fx_task_own;
 extern jalon_params* fx_typed[7];    /* a set with a row of each type ... */
 extern const char* fx_typed_name[7]; /* ... and that row's name */

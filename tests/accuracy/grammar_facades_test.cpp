@@ -43,8 +43,10 @@ FacadeFigures figures_of(uint64_t seed, std::string& kind) {
   const auto cloud = std::make_shared<const Cloud>(
       scan_static(build_scene(settings, task), survey.stations, survey.scanner, task));
   kind = truth.kind;
+  FacadeSettings settings_of_chain;
+  settings_of_chain.walls.plan.by_evidence = true;
   const Segmentation planes = segment_ransac(cloud, RansacSettings{}, task);
-  return compare_facade(found_facade(model_facade(planes, FacadeSettings{}, task), truth), truth);
+  return compare_facade(found_facade(model_facade(planes, settings_of_chain, task), truth), truth);
 }
 
 /// "7-12" or "7" of the environment.

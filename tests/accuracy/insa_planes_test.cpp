@@ -25,10 +25,12 @@ constexpr double kMisfit_m = 0.004;  // recipe: 3-5 mm between stations
 constexpr double kLarge_m2 = 20;
 constexpr double kLargeAngle_deg = 0.05, kLargeShift_m = 0.002;
 constexpr double kOwnPointsFactor = 1.2;
-constexpr double kChiSquare99 = 11.345;      // 3 degrees of freedom
-constexpr double kLeastInside = 0.97;        // over 20 seeds
-constexpr double kLeastInsideOfFew = 0.955;  // three standard errors less, for two seeds
-constexpr double kLeastTdr = 0.97, kLeastTda = 0.94;
+constexpr double kChiSquare99 = 11.345;               // 3 degrees of freedom
+constexpr double kLeastInside = 0.97;                 // over 20 seeds
+constexpr double kLeastInsideOfFew = 0.955;           // three standard errors less, for two seeds
+constexpr double kLeastTdr = 0.97, kLeastTda = 0.94;  // of the thesis: over paired planes alone
+// Unmatched planes as 0: what the segmenter reaches today (0.912 and 0.961 of two seeds), less 0.01.
+constexpr double kLeastDetection = 0.90, kLeastAccuracy = 0.95;
 
 bool full() { return std::getenv("JALON_FULL") != nullptr; }
 
@@ -161,8 +163,8 @@ TEST_CASE("chain_insa__planes_lie_within_their_covariance_and_large_ones_within_
 TEST_CASE(
     "chain_insa__with_misfit_between_stations_detection_and_accuracy_are_those_of_the_thesis") {
   const Insa insa;
-  const uint64_t seeds = full() ? 20 : 1;
-  double tdr = 0, tda = 0;
+  const uint64_t seeds = full() ? 20 : 2;
+  double tdr = 0, tda = 0, detection = 0, accuracy = 0;
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     CAPTURE(seed);
     Task task;
@@ -173,17 +175,24 @@ TEST_CASE(
     const EvaluationSettings settings{.min_points = 50};  // the segmenter's own
     const EvaluationTotals totals =
         evaluate_segmentation(automatic, reference, settings, task).totals;
-    tdr += totals.mean_tdr / static_cast<double>(seeds);
-    tda += totals.mean_tda / static_cast<double>(seeds);
+    const auto share = 1 / static_cast<double>(seeds);
+    tdr += share * totals.mean_tdr;
+    tda += share * totals.mean_tda;
+    detection += share * totals.detection;
+    accuracy += share * totals.accuracy;
     CHECK(totals.pairs >= 400);  // of some 480 true planes with 50 points
     MESSAGE("FIGURE insa with misfit, seed "
             << seed << ": " << totals.pairs << " pairs, mean TDR " << totals.mean_tdr
-            << ", mean TDA " << totals.mean_tda << "; unmatched as 0: " << totals.detection
-            << " of " << totals.pairs + totals.unmatched_reference << ", " << totals.accuracy
-            << " of " << totals.pairs + totals.unmatched_automatic);
+            << ", mean TDA " << totals.mean_tda
+            << "; with unmatched planes as 0: " << totals.detection << " of "
+            << totals.pairs + totals.unmatched_reference << " true planes, " << totals.accuracy
+            << " of " << totals.pairs + totals.unmatched_automatic << " found");
   }
-  MESSAGE("FIGURE insa with misfit, " << seeds << " seeds: mean TDR " << tdr << ", mean TDA "
-                                      << tda);
+  MESSAGE("FIGURE insa with misfit, " << seeds << " seeds: mean TDR " << tdr << ", mean TDA " << tda
+                                      << "; with unmatched planes as 0: " << detection << ", "
+                                      << accuracy);
   CHECK(tdr >= kLeastTdr);
   CHECK(tda >= kLeastTda);
+  CHECK(detection >= kLeastDetection);
+  CHECK(accuracy >= kLeastAccuracy);
 }

@@ -17,6 +17,30 @@ static inline jalon_status op_normals_radius(const jalon_cloud* cloud, jalon_tas
                                              made* out) {
   return change(cloud, task, out, jalon_cloud_compute_normals, "normals", "{\"radius_m\": 0.05}");
 }
+static inline jalon_status op_quadric_radius(const jalon_cloud* cloud, jalon_task* task,
+                                             made* out) {
+  return change(cloud, task, out, jalon_cloud_compute_normals, "normals",
+                "{\"method\": \"quadric\", \"radius_m\": 0.05}");
+}
+/* As op_chi_square, but within a stated radius. */
+static inline jalon_status op_chi_square_radius(const jalon_cloud* cloud, jalon_task* task,
+                                                made* out) {
+  jalon_cloud* own = NULL;
+  jalon_noise_law* law = NULL;
+  jalon_params* options = NULL;
+  jalon_status status = options_from("chi_square", "{\"radius_m\": 0.05}", &options);
+  if (status == JALON_OK) status = with_ripple(cloud, &own);
+  if (status == JALON_OK)
+    status =
+        jalon_noise_law_from_json("{\"law\": \"weibull\", \"shape\": 2, \"scale\": 0.005}", &law);
+  if (status == JALON_OK)
+    status = jalon_cloud_compute_chi_square(own, "ripple", law, options, task, &out->fields);
+  jalon_params_release(options);
+  jalon_noise_law_release(law);
+  if (status == JALON_OK) out->cloud = own;
+  else jalon_cloud_release(own);
+  return status;
+}
 static inline jalon_status op_features_radius(const jalon_cloud* cloud, jalon_task* task,
                                               made* out) {
   return change(cloud, task, out, jalon_cloud_compute_features, "features", "{\"radius_m\": 0.05}");

@@ -18,6 +18,8 @@ static const struct {
 } kMore[] = {
     {"normals triangulation", op_triangulation},
     {"normals radius", op_normals_radius},
+    {"normals quadric radius", op_quadric_radius},
+    {"chi-square radius", op_chi_square_radius},
     {"features radius", op_features_radius},
     {"outliers radius", op_outliers_radius},
     {"octree sample", op_octree_sample},
@@ -90,15 +92,25 @@ struct call {
   jalon_task* task;
   operation run;
   jalon_status status;
-  double took_s; /* of the processor */
+  double took_s;     /* of the processor */
+  uint64_t answered; /* rows of what a radius search found; of other operations 1 */
   volatile int ended;
 };
+
+/* The answer of a radius search is as long as there are neighbours: its time is told for each of them as well. */
+static uint64_t answered_by(operation run, const made* out) {
+  jalon_array_view index;
+  if (run != op_radius || out->fields == NULL) return 1;
+  MUST(jalon_fields_view(out->fields, "index", &index));
+  return index.count > 0 ? index.count : 1;
+}
 
 static void* run_call(void* argument) {
   struct call* call = argument;
   made out = {NULL, NULL, NULL};
   call->status = call->run(call->cloud, call->task, &out);
   call->took_s = seconds_of(CLOCK_THREAD_CPUTIME_ID);
+  call->answered = answered_by(call->run, &out);
   release_made(&out);
   call->ended = 1;
   return NULL;
@@ -107,8 +119,8 @@ static void* run_call(void* argument) {
 /* Processor seconds of the call, or those that it went on for after the cancel at limit_s: they hold on a busy machine
  * as well. */
 static double run_until(const jalon_cloud* cloud, int operation_number, double limit_s,
-                        jalon_status* status) {
-  struct call call = {cloud, NULL, operation_of(operation_number), JALON_OK, 0, 0};
+                        jalon_status* status, uint64_t* answered) {
+  struct call call = {cloud, NULL, operation_of(operation_number), JALON_OK, 0, 1, 0};
   pthread_t thread;
   clockid_t clock;
   MUST(jalon_task_create(&call.task));
@@ -125,6 +137,7 @@ static double run_until(const jalon_cloud* cloud, int operation_number, double l
   pthread_join(thread, NULL);
   jalon_task_release(call.task);
   *status = call.status;
+  *answered = call.answered;
   return call.status == JALON_ERROR_CANCELLED ? call.took_s - asked_s : call.took_s;
 }
 
@@ -140,31 +153,39 @@ static void make_ready(const jalon_cloud* cloud, int operation_number) {
     (void)!compare_lifted(cloud, &both);
 }
 
-static double time_of(const jalon_cloud* cloud, int operation_number, jalon_status* status) {
-  const double a = run_until(cloud, operation_number, 1e9, status);
+static double time_of(const jalon_cloud* cloud, int operation_number, jalon_status* status,
+                      uint64_t* answered) {
+  const double a = run_until(cloud, operation_number, 1e9, status, answered);
   if (a > 0.5) return a;
-  const double b = run_until(cloud, operation_number, 1e9, status);
+  const double b = run_until(cloud, operation_number, 1e9, status, answered);
   return a < b ? a : b;
 }
 
-static void measure(int cloud_number, int operation_number, uint64_t n, double random_s) {
+static void measure(int cloud_number, int operation_number, uint64_t n, double random_s,
+                    uint64_t random_answered) {
   jalon_cloud* cloud = hostile_cloud(cloud_number, n);
   jalon_status status = JALON_OK, again = JALON_OK;
   make_ready(cloud, operation_number);
   const double limit_s = kMostTimes * random_s + kLeast_s;
-  const double s = run_until(cloud, operation_number, limit_s, &status);
+  uint64_t answered = 1, again_answered = 1;
+  const double s = run_until(cloud, operation_number, limit_s, &status, &answered);
   const int cancelled = status == JALON_ERROR_CANCELLED;
   double late_s = cancelled ? s : 0;
   for (int i = 0; i < kCancels; ++i) {
     const double most_s = cancelled ? limit_s : s;
     const double after_s = (most_s < kLatest_s ? most_s : kLatest_s) * uniform(5, (uint64_t)i);
-    const double t = run_until(cloud, operation_number, after_s, &again);
+    const double t = run_until(cloud, operation_number, after_s, &again, &again_answered);
     if (again == JALON_ERROR_CANCELLED && t > late_s) late_s = t;
   }
   printf("%-14s %-24s %s%7.1f times %.4f s, cancel %6.1f ms%s%s\n", kHostile[cloud_number].name,
          name_of(operation_number), cancelled ? ">" : " ", (cancelled ? limit_s : s) / random_s,
          random_s, 1e3 * late_s, status == JALON_OK || cancelled ? "" : ", ",
          status == JALON_OK || cancelled ? "" : jalon_status_name(status));
+  if (status == JALON_OK && random_answered > 1)
+    printf("%-14s %-24s  %7.1f times for each of %llu found (random %llu)\n",
+           kHostile[cloud_number].name, name_of(operation_number),
+           s / random_s * (double)random_answered / (double)answered, (unsigned long long)answered,
+           (unsigned long long)random_answered);
   fflush(stdout);
   jalon_cloud_release(cloud);
 }
@@ -183,10 +204,12 @@ int main(int argc, char** argv) {
     jalon_cloud* cloud = hostile_cloud(0, n);
     jalon_status status = JALON_OK;
     make_ready(cloud, operation_number);
-    const double random_s = time_of(cloud, operation_number, &status);
+    uint64_t answered = 1;
+    const double random_s = time_of(cloud, operation_number, &status, &answered);
     jalon_cloud_release(cloud);
     for (int c = 1; c < kHostileCount; ++c)
-      if (named(argc, argv, 2, kHostile[c].name)) measure(c, operation_number, n, random_s);
+      if (named(argc, argv, 2, kHostile[c].name))
+        measure(c, operation_number, n, random_s, answered);
   }
   return 0;
 }

@@ -29,6 +29,7 @@ PROMISES = [
     Promise("bench/thesis_mesh", [], r"triangles: .* ([\d.]+) x faster", at_least=10),  # each row by itself
     Promise("bench/thesis_fields", [], r"T[67], .* ([\d.]+) x faster", at_least=THIRTY),
     Promise("capi_cancel_test", [], r"cancel latency.* p99 ([\d.]+) ms", at_most=100),  # task.h says so
+    Promise("bench/georeference_jalon", [], r"with covariances: ([\d.]+) M points a second on 2 threads", at_least=5),
     Promise("accuracy/accuracy", ["-tc=chain_street__columns*"], r"([\d.]+) x the time of planes alone", at_most=2),
 ]
 

@@ -87,6 +87,61 @@ static void transforms__must_be_finite_in_every_number(void** state) {
   jalon_cloud_release(cloud);
 }
 
+static void poses_of_stations__must_be_rigid_motions(void** state) {
+  (void)state;
+  const struct {
+    jalon_transform pose;
+    const char* told;
+  } wrong[] = {
+      {{{0}},
+       "the pose is no rigid motion: the columns of its 3 x 3 part have the lengths 0.000000"},
+      {{{1, 0, 0, 5, 0, 1, 0, 6, 0, 0, -1, 7}}, "the pose is no rigid motion: it mirrors"},
+      {{{0.001, 0, 0, 0, 0, 0.001, 0, 0, 0, 0, 0.001, 0}}, "the lengths 0.001000"},
+      {{{1, 0.01, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}, "square to one another within 1e-6"}};
+  const double xyz[3] = {1, 2, 3};
+  jalon_cloud *cloud = cloud_of(xyz, 1), *built = NULL;
+  jalon_cloud_builder* builder = NULL;
+  MUST(jalon_cloud_builder_create(0, &builder));
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+    REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_cloud_set_station(cloud, "S", &wrong[i].pose));
+    expect_message(wrong[i].told);
+    REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+            jalon_cloud_builder_begin_station(builder, "S", &wrong[i].pose));
+    expect_message(wrong[i].told);
+  }
+  uint64_t stations = 7;
+  MUST(jalon_cloud_station_count(cloud, &stations));
+  assert_int_equal(stations, 0); /* none of them came about */
+  MUST(jalon_cloud_builder_seal(builder, &built));
+  MUST(jalon_cloud_station_count(built, &stations));
+  assert_int_equal(stations, 0);
+  jalon_cloud_release(built);
+  jalon_cloud_builder_release(builder);
+  jalon_cloud_release(cloud);
+}
+
+/* Millimetres made metres, and a mirror: the station goes along and stays a place to look from. */
+static void transform__that_stretches_or_mirrors__leaves_stations_rigid(void** state) {
+  (void)state;
+  const double xyz[3] = {1, 2, 3};
+  const jalon_transform pose = {{0, -1, 0, 1000, 1, 0, 0, 2000, 0, 0, 1, 1700}};
+  const jalon_transform maps[] = {{{0.001, 0, 0, 0, 0, 0.001, 0, 0, 0, 0, 0.001, 0}},
+                                  {{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}};
+  const jalon_transform expected[] = {{{0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 1, 1.7}},
+                                      {{0, -1, 0, -1000, 1, 0, 0, 2000, 0, 0, 1, 1700}}};
+  for (size_t i = 0; i < 2; ++i) {
+    jalon_cloud *cloud = cloud_of(xyz, 1), *moved = NULL;
+    jalon_transform back;
+    MUST(jalon_cloud_set_station(cloud, "S", &pose));
+    MUST(jalon_cloud_transform(cloud, &maps[i], NULL, &moved));
+    MUST(jalon_cloud_station(moved, 0, NULL, NULL, &back, NULL, NULL));
+    for (size_t k = 0; k < 12; ++k) assert_true(fabs(back.m[k] - expected[i].m[k]) < 1e-12);
+    MUST(jalon_cloud_set_station(cloud, "S", &back));
+    jalon_cloud_release(moved);
+    jalon_cloud_release(cloud);
+  }
+}
+
 static void messages__of_long_names_are_cut_and_stay_on_one_line(void** state) {
   (void)state;
   jalon_cloud_builder* builder = NULL;
@@ -161,6 +216,8 @@ int main(void) {
       cmocka_unit_test(arrays__are_checked_by_type_stride_and_size),
       cmocka_unit_test(texts__are_utf_8_of_a_bounded_length),
       cmocka_unit_test(transforms__must_be_finite_in_every_number),
+      cmocka_unit_test(poses_of_stations__must_be_rigid_motions),
+      cmocka_unit_test(transform__that_stretches_or_mirrors__leaves_stations_rigid),
       cmocka_unit_test(messages__of_long_names_are_cut_and_stay_on_one_line),
       cmocka_unit_test(messages__hold_whole_characters_wherever_names_are_cut),
   };

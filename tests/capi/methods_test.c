@@ -218,13 +218,17 @@ static void every_scanner__scans_a_house(void** state) {
     jalon_cloud* cloud = NULL;
     MUST(jalon_scanner_create(names[i], &scanner));
     MUST(jalon_scanner_params(scanner, &params));
-    MUST(jalon_params_from_json(params,
-                                strcmp(names[i], "static") == 0
-                                    ? "{\"horizontal_step_rad\":0.01,\"vertical_step_rad\":0.01}"
-                                    : "{\"spacing_m\":0.1}"));
-    MUST(jalon_scanner_run(scanner, house, NULL, &cloud));
-    assert_true(count_of(cloud) > 1000);
-    jalon_cloud_release(cloud);
+    if (strcmp(names[i], "mobile") == 0) {  // it needs a trajectory, and a call of its own
+      assert_int_equal(jalon_scanner_run(scanner, house, NULL, &cloud), JALON_ERROR_UNSUPPORTED);
+    } else {
+      MUST(jalon_params_from_json(params,
+                                  strcmp(names[i], "static") == 0
+                                      ? "{\"horizontal_step_rad\":0.01,\"vertical_step_rad\":0.01}"
+                                      : "{\"spacing_m\":0.1}"));
+      MUST(jalon_scanner_run(scanner, house, NULL, &cloud));
+      assert_true(count_of(cloud) > 1000);
+      jalon_cloud_release(cloud);
+    }
     jalon_params_release(params);
     jalon_scanner_release(scanner);
   }

@@ -184,6 +184,72 @@ static void model__parts_are_renamed_in_a_new_model(void** state) {
   release_scene(&scene);
 }
 
+static void segmentation__long_edges_tell_the_curve_and_its_contour_points(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_params* options = NULL;
+  jalon_fields *lengths = NULL, *points = NULL, *summary = NULL;
+  MUST(jalon_params_create("long_edges", &options));
+  MUST(jalon_params_set_double(options, "threshold_m", 0.3));
+  MUST(jalon_segmentation_long_edges(scene.segmentation, 1, options, NULL, &lengths, &points,
+                                     &summary));
+  jalon_array_view length, point, xyz, longer, threshold;
+  MUST(jalon_fields_view(lengths, "length", &length));
+  MUST(jalon_fields_view(points, "point", &point));
+  MUST(jalon_fields_view(summary, "longer", &longer));
+  MUST(jalon_fields_view(summary, "threshold", &threshold));
+  MUST(jalon_cloud_points(scene.cloud, &xyz));
+  const double* l = length.data;
+  uint64_t beyond = 0;
+  for (uint64_t i = 0; i < length.count; ++i) {
+    if (i > 0) assert_true(l[i] >= l[i - 1]);
+    beyond += l[i] > 0.3;
+  }
+  assert_true(beyond > 0 && beyond == *(const uint64_t*)longer.data);
+  assert_true(*(const double*)threshold.data == 0.3);
+  /* 0.3 m is ten steps of the lattice: only the borders of the window and of the wall have such edges */
+  assert_true(point.count > 10);
+  for (uint64_t i = 0; i < point.count; ++i) {
+    const double* p = (const double*)xyz.data + 3 * ((const uint64_t*)point.data)[i];
+    const int at_window = p[0] > 1.9 && p[0] < 3.3 && p[2] > 0.9 && p[2] < 2.6;
+    const int at_border = p[0] < 0.1 || p[0] > 5.9 || p[2] < 0.1 || p[2] > 3.9;
+    assert_true(at_window || at_border);
+  }
+  REFUSED(JALON_ERROR_NOT_FOUND, jalon_segmentation_long_edges(scene.segmentation, 99, NULL, NULL,
+                                                               &lengths, &points, &summary));
+  jalon_fields_release(lengths), jalon_fields_release(points), jalon_fields_release(summary);
+  jalon_params_release(options);
+  release_scene(&scene);
+}
+
+static void modeller__lines_by_ransac_find_the_same_wall(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_modeller* modeller = NULL;
+  jalon_params* params = NULL;
+  jalon_model* model = NULL;
+  jalon_fields *faces = NULL, *corners = NULL;
+  MUST(jalon_modeller_create("outlines", &modeller));
+  MUST(jalon_modeller_params(modeller, &params));
+  MUST(jalon_params_set_string(params, "lines", "ransac"));
+  MUST(jalon_params_set_double(params, "line_gap_m", 0.2));
+  MUST(jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, &model));
+  MUST(jalon_model_faces(model, &faces));
+  MUST(jalon_model_corners(model, &corners));
+  jalon_array_view area, vertex;
+  MUST(jalon_fields_view(faces, "area", &area));
+  MUST(jalon_fields_view(corners, "vertex", &vertex));
+  assert_int_equal(area.count, 1);
+  assert_int_equal(vertex.count, 8); /* four corners of the wall, four of its window */
+  assert_true(fabs(*(const double*)area.data - (24 - 1.8)) < (20 + 5.4) * 0.03);
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_string(params, "lines", "hough"));
+  jalon_fields_release(faces), jalon_fields_release(corners);
+  jalon_model_release(model);
+  jalon_params_release(params);
+  jalon_modeller_release(modeller);
+  release_scene(&scene);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(modeller__draws_the_wall_with_its_window),
@@ -193,6 +259,8 @@ int main(void) {
       cmocka_unit_test(modeller__facade_makes_a_tree_with_a_window),
       cmocka_unit_test(modeller__extrusion_needs_a_depth_and_gives_a_closed_solid),
       cmocka_unit_test(model__parts_are_renamed_in_a_new_model),
+      cmocka_unit_test(segmentation__long_edges_tell_the_curve_and_its_contour_points),
+      cmocka_unit_test(modeller__lines_by_ransac_find_the_same_wall),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

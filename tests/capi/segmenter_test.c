@@ -63,9 +63,20 @@ static void segmenter__finds_two_planes_with_their_tables(void** state) {
     assert_true(fabs(d[s]) < 1e-3);
     assert_true(fabs(m[3 * s + 1]) > 0.9999 || m[3 * s + 2] > 0.9999); /* the floor looks up */
   }
-  const char* names[] = {"label",  "type",     "orientation", "centroid",
-                         "radius", "axis_u",   "axis_v",      "sigma",
-                         "area",   "length_u", "length_v",    "cylinder_covariance"};
+  const char* names[] = {"label",
+                         "type",
+                         "orientation",
+                         "centroid",
+                         "radius",
+                         "axis_u",
+                         "axis_v",
+                         "sigma",
+                         "area",
+                         "length_u",
+                         "length_v",
+                         "front_source",
+                         "front_confidence",
+                         "cylinder_covariance"};
   for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
     jalon_array_view view;
     MUST(jalon_fields_view(segments, names[i], &view));
@@ -91,6 +102,47 @@ static void segmenter__finds_two_planes_with_their_tables(void** state) {
   jalon_fields_release(points);
   jalon_fields_release(segments);
   jalon_segmentation_release(segmentation);
+}
+
+/* The corner's wall without a station and with one on either side. */
+static void segmenter__tells_what_the_side_of_a_normal_was_taken_from(void** state) {
+  (void)state;
+  jalon_cloud* cloud = corner_cloud();
+  double side[3] = {0, -5, 5};
+  for (int k = 0; k < 3; ++k) {
+    jalon_transform pose = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+    pose.m[3] = 1;
+    pose.m[7] = side[k];
+    pose.m[11] = 1;
+    if (k > 0) MUST(jalon_cloud_set_station(cloud, "station", &pose));
+    jalon_segmentation* segmentation = segment(cloud);
+    jalon_fields* segments = NULL;
+    MUST(jalon_segmentation_segments(segmentation, &segments));
+    jalon_array_view normal, source, confidence;
+    MUST(jalon_fields_view(segments, "normal", &normal));
+    MUST(jalon_fields_view(segments, "front_source", &source));
+    MUST(jalon_fields_view(segments, "front_confidence", &confidence));
+    assert_int_equal(source.type, JALON_UINT8);
+    assert_int_equal(confidence.type, JALON_FLOAT64);
+    for (uint64_t s = 0; s < source.count; ++s) {
+      const double* n = (const double*)normal.data + 3 * s;
+      const int told = ((const uint8_t*)source.data)[s];
+      const double p = ((const double*)confidence.data)[s];
+      if (k > 0) {
+        assert_int_equal(told, JALON_FRONT_STATION);
+        assert_true(p == 1);
+        if (fabs(n[1]) > 0.9) assert_true(n[1] * side[k] > 0);
+      } else if (told == JALON_FRONT_EVIDENCE) {
+        assert_true(fabs(n[1]) > 0.9 && p >= 0.5 && p <= 1);
+      } else {
+        assert_int_equal(told, JALON_FRONT_NONE);
+        assert_true(isnan(p));
+      }
+    }
+    jalon_fields_release(segments);
+    jalon_segmentation_release(segmentation);
+  }
+  jalon_cloud_release(cloud);
 }
 
 static void segmenter__tells_parameters_and_distribution(void** state) {
@@ -267,6 +319,7 @@ static void segmenter__stops_when_cancelled_and_runs_again(void** state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(segmenter__finds_two_planes_with_their_tables),
+      cmocka_unit_test(segmenter__tells_what_the_side_of_a_normal_was_taken_from),
       cmocka_unit_test(segmenter__grows_the_same_two_planes),
       cmocka_unit_test(segmenter__tells_parameters_and_distribution),
       cmocka_unit_test(segmenter__shares_its_parameters),

@@ -82,6 +82,7 @@ def release_suites():
         script("bits", "tests/scenarios/bits.sh", ["bits"]),
         script("cli", "tests/scenarios/cli.sh", ["jalon_cli"], [tool]),
         script("cli_mistakes", "tests/scenarios/cli_mistakes.sh", ["jalon_cli"], [tool]),
+        script("cli_facades", "tests/scenarios/cli_facades.sh", ["jalon_cli"], [tool]),
         script("malformed", "tests/fuzz/malformed.sh", ["malformed_files"]),
         script("laspy", "tests/fuzz/laspy.sh", ["jalon"]),
         script("laspy_offline", "tests/offline.sh", [], ["tests/fuzz/laspy.sh", "laspy"]),

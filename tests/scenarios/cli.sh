@@ -70,6 +70,14 @@ d=json.load(sys.stdin)
 assert sorted(os.listdir(\"named\"))==sorted(d[\"files\"]), d[\"files\"]'"
 files=$(ls -A result | wc -l)
 check "the report is self-contained" bash -c "! grep -qE '(src|href)=\"(https?:|//|/)' result/report.html"
+check "facade tells the viewing side of the walls by evidence" bash -c "'$jalon' facade sample.las -o sides --json | python3 -c '
+import json,sys
+wall=max(json.load(sys.stdin)[\"planes\"], key=lambda p: p[\"area_m2\"] if p[\"orientation\"]==\"parallel\" else 0)
+assert wall[\"front_source\"]==\"evidence\" and wall[\"front_confidence\"]>0.99 and wall[\"normal\"][1]<0, wall'"
+check "facade has no guess to tell where the evidence is strong" bash -c "! '$jalon' facade sample.las -o sides | grep -q 'is a guess'"
+"$jalon" scan --scene normal -o bare.las --quiet --set horizontal_step_rad=0.01 --set vertical_step_rad=0.01
+check "facade says in one line that the side of a bare wall is a guess" bash -c "'$jalon' facade bare.las -o bare | grep -c 'of 1 walls is a guess.*--station X,Y,Z' | grep -qx 1"
+check "facade --station tells the side" bash -c "! '$jalon' facade bare.las -o bare --station 5,-10,1.7 | grep -q 'is a guess'"
 check "facade --json lists the planes" bash -c "'$jalon' facade sample.las -o result --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"planes\"])>5 and d[\"times\"][\"segment\"]>0, d'"
 check "the same seed gives the same files" bash -c "'$jalon' facade sample.las -o again --quiet --threads 1 && cmp result/model.obj again/model.obj && cmp result/segments.las again/segments.las && cmp result/segments.ply again/segments.ply"
 check "a terminal sees a progress bar" bash -c "script -qec \"'$jalon' facade sample.las -o bar\" /dev/null | grep -q '%'"

@@ -22,32 +22,36 @@ ROOMS = {
 # The sub-rooms of a room and those straight below them in the same room; transitive as well. What stands in the room's own
 # folder is either shared (sees no sub-room, seen by all of them) or its front (sees any, seen by none).
 SUBROOMS = {
+    "geometry": {"geodesy": []},
+    "model": {"relations": [], "trajectory": [], "buildings": []},
     "spatial": {"octree": [], "neighbours": ["octree"], "triangles": [], "voxels": []},
-    "scan": {"builder": [], "grammar": ["builder"], "scenes": ["grammar"]},
+    "scan": {"mobile": [], "builder": [], "grammar": ["builder"], "scenes": ["grammar"]},
     "formats": {
         "files": [], "units": ["files"], "text": ["files"], "las": ["units"], "ply": ["text"], "obj": ["text"],
         "stl": ["text"], "city": ["units"], "dxf": ["files"], "geojson": ["units"], "drawings": ["files"],
+        "trajectory": ["text"],
     },
     "segment": {
-        "surface": [], "labels": ["surface", "result"], "result": [], "ransac": ["surface"],
+        "surface": [], "front": [], "labels": ["surface", "result"], "result": ["front"], "ransac": ["surface"],
         "settle": ["ransac", "result"], "growing": ["ransac"], "picks": ["surface", "result"], "evaluation": ["labels"],
     },
     "modelling": {
         "plane": [], "contour": ["plane"], "edges/find": ["plane"], "edges/adjust": ["edges/find"],
-        "edges/join": ["edges/adjust", "contour"], "walls": ["contour", "edges/adjust"], "patterns": ["walls"],
-        "facade": ["patterns", "edges/join"], "evaluation": ["plane"],
+        "edges/join": ["edges/adjust", "contour"], "evidence": ["edges/join"],
+        "walls": ["contour", "edges/adjust", "evidence"], "patterns": ["walls"],
+        "facade": ["patterns", "edges/join", "evidence"], "evaluation": ["plane"],
     },
     "compare": {
         "visibility": [], "distance": ["visibility"], "preview": [], "m3c2": [], "matching": [],
         "changes": ["matching", "visibility"], "volumes": ["distance"], "clearance": [],
     },
-    "registration": {"surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": []},
+    "registration": {"joint": [], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": []},
     "report": {
         "sheet": [], "names": [], "elevation": ["sheet", "names"], "charts": ["sheet"],
         "pictures": ["elevation"], "pages": ["pictures", "charts"],
     },
     "capi": {"support": []},
-    "cli": {"inputs": [], "system": []},
+    "cli": {"inputs": [], "outputs": [], "system": []},
 }
 MOST_FILES = 45  # of one folder: above, a room wants sub-rooms
 CODE = (".c", ".cpp", ".h", ".inc")

@@ -69,6 +69,10 @@ internal static class Described {
     return "segments: " + RowsOf(segmentation.GetSegments()) + " in " + Points(RowsOf(segmentation.GetPoints()));
   }
 
+  internal static string About(Trajectory trajectory) {
+    return "epochs: " + trajectory.Count + "; axes: " + trajectory.Axes;
+  }
+
   /// <summary>"1000 x 3 Float64".</summary>
   internal static string Shape(long count, long components, ElementType type) {
     return count + (components == 1 ? " " : " x " + components + " ") + type;

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/field.h"
 #include "capi/support/handles.h"
+#include "geometry/rigid_motion.h"
 #include "jalon/status.h"
 
 namespace jalon::capi {
@@ -55,6 +56,12 @@ inline Transform from_c(const jalon_transform& t) {
       fail(Status::kInvalidArgument, "the transform holds a value that is not finite");
     out.m[i] = t.m[i];
   }
+  return out;
+}
+/// Of a scanner: a rigid motion.
+inline Transform require_pose(const jalon_transform& pose) {
+  const Transform out = from_c(pose);
+  require_rigid(out, "the pose");
   return out;
 }
 inline jalon_transform to_c(const Transform& t) {

@@ -11,7 +11,7 @@
 #include "base/numbers.h"
 #include "base/table_columns.h"
 #include "compare/clearance/clearance.h"
-#include "solid/motion.h"
+#include "geometry/rigid_motion.h"
 #include "solid/sweep.h"
 
 namespace jalon {

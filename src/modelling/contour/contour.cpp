@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/polygon2.h"
@@ -26,12 +28,34 @@ double widest_gap(std::span<const Vec2> points, double spacing_m, const ContourS
   return long_edge_threshold(edge_lengths(band.points, all_triangles(band, task)), spacing_m);
 }
 
+constexpr double kApartSpacings = 0.01;  // far below what a contour point is worth
+
+// A corner of an opening, away from its surface: the opening lies to the right of the walk.
+Vec2 moved_into_opening(const Chain& chain, size_t i, double by_m) {
+  const size_t n = chain.size();
+  const Vec2 in = chain[i] - chain[(i + n - 1) % n], out = chain[(i + 1) % n] - chain[i];
+  const Vec2 along = in * (1 / norm(in)) + out * (1 / norm(out));
+  const Vec2 right{along.v, -along.u};
+  return norm(right) > 0 ? chain[i] + right * (by_m / norm(right))
+                         : chain[i] + in * (-by_m / norm(in));
+}
+
+// Rings of a piece may touch in a point; faces are sound only where they do not. `taken`: points of the rings before.
+void keep_apart(const std::vector<uint32_t>& ring, double by_m, std::unordered_set<uint32_t>& taken,
+                Chain& opening) {
+  const Chain before = opening;
+  for (size_t i = 0; i < ring.size(); ++i)
+    if (!taken.insert(ring[i]).second) opening[i] = moved_into_opening(before, i, by_m);
+}
+
 // Step 5: rings of one piece become its outline and the openings that are large enough.
 ContourPiece make_piece(const BoundaryPiece& rings, std::span<const Vec2> points,
-                        const ContourSetting& setting) {
+                        const ContourSetting& setting, double spacing_m) {
   ContourPiece piece;
   piece.area_m2 = rings.area;
+  const std::vector<uint32_t>* outline = nullptr;
   double outline_area = 0;
+  std::vector<std::pair<const std::vector<uint32_t>*, Chain>> openings;
   for (const auto& ring : rings.rings) {
     Chain chain;
     chain.reserve(ring.size());
@@ -39,11 +63,18 @@ ContourPiece make_piece(const BoundaryPiece& rings, std::span<const Vec2> points
     const double area = signed_area(chain);
     if (area > outline_area) {
       outline_area = area;
+      outline = &ring;
       piece.outline = std::move(chain);
     } else if (area < 0 && -area >= setting.min_opening_area_m2 &&
                equivalent_width(-area, perimeter(chain)) >= setting.min_opening_width_m) {
-      piece.openings.push_back(std::move(chain));
+      openings.emplace_back(&ring, std::move(chain));
     }
+  }
+  if (outline == nullptr) return piece;
+  std::unordered_set<uint32_t> taken(outline->begin(), outline->end());
+  for (auto& [ring, chain] : openings) {
+    keep_apart(*ring, kApartSpacings * spacing_m, taken, chain);
+    piece.openings.push_back(std::move(chain));
   }
   return piece;
 }
@@ -86,7 +117,7 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
   // 4. Their borders as rings, piece by piece.  5. Outline and openings.
   for (const auto& rings : boundary_rings(triangles, band.points))
     if (rings.area >= setting.min_area_m2)
-      out.pieces.push_back(make_piece(rings, band.points, setting));
+      out.pieces.push_back(make_piece(rings, band.points, setting, out.spacing_m));
   std::erase_if(out.pieces, [](const ContourPiece& piece) { return piece.outline.size() < 3; });
   std::stable_sort(
       out.pieces.begin(), out.pieces.end(),

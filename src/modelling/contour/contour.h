@@ -29,7 +29,8 @@ struct ContourSetting {
 };
 
 /// Closed chain of points of the cloud, in plane coordinates. Outlines run anticlockwise, openings clockwise; no point
-/// twice.
+/// twice, in the chains of a piece neither: where an opening touches another chain its corner gives way by a hundredth
+/// of the spacing.
 using Chain = std::vector<Vec2>;
 
 /// One connected piece of a segment.
@@ -37,6 +38,9 @@ struct ContourPiece {
   Chain outline;
   std::vector<Chain> openings;
   double area_m2 = 0;  ///< of the kept triangles
+  /// One an opening, or empty: 1 where its chain is its form, and points about it tell no more (relief covers the wall
+  /// there).
+  std::vector<uint8_t> is_settled = {};
 };
 
 struct Contour {

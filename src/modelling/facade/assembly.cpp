@@ -148,10 +148,13 @@ class Assembly {
       if (wall.openings[o].copied_from >= 0)
         model_.parts[openings[o]].copied_from =
             openings[static_cast<size_t>(wall.openings[o].copied_from)];
+    std::vector<uint32_t> shadows;
+    for (const FacadeShadow& shadow : wall.shadows)
+      shadows.push_back(add_shadow_part(planned.plane, shadow, part));
     // 2. The wall's faces.
     const VectorPlane& plane = plan_.planes[planned.plane];
     for (const VectorFace& face : plane.faces)
-      add_wall_face(planned.plane, face, wall, openings, part);
+      add_wall_face(planned.plane, face, wall, {openings, shadows, part});
     // 3. What fills the openings, and what was not seen.
     for (size_t o = 0; o < wall.openings.size() && !setting_.walls_only; ++o) {
       Face joinery;
@@ -160,7 +163,9 @@ class Assembly {
       append_opening_faces(model_, vertices_[planned.plane], wall.openings[o], openings[o], joinery,
                            !setting_.solids);
     }
-    for (const FacadeShadow& shadow : wall.shadows) add_shadow(planned.plane, shadow, part);
+    for (size_t k = 0; k < shadows.size(); ++k)
+      append_face(model_, face_of(planned.plane, shadows[k]),
+                  {part_ring(vertices_[planned.plane], wall.shadows[k].outline)});
   }
 
   uint32_t add_opening_part(const FacadeWall& wall, const FacadeOpening& opening,
@@ -176,19 +181,32 @@ class Assembly {
     return part;
   }
 
+  // The parts of a wall: what its faces, and each of their holes, belong to.
+  struct WallParts {
+    const std::vector<uint32_t>&openings, &shadows;
+    uint32_t wall;
+  };
+
   void add_wall_face(size_t plane, const VectorFace& face, const FacadeWall& wall,
-                     const std::vector<uint32_t>& openings, uint32_t part) {
+                     const WallParts& parts) {
+    const uint32_t part = parts.wall;
     std::vector<uint32_t> hole_parts(face.openings.size(), kNoPart),
         reveal_parts(face.openings.size(), part);
+    std::vector<uint8_t> is_opening(face.openings.size(), 0);
     for (size_t r = 0; r < face.openings.size(); ++r) {
       const VectorRing outline = reversed(face.openings[r]);
+      for (size_t k = 0; k < wall.shadows.size(); ++k)
+        if (same_corners(wall.shadows[k].outline.corners, outline.corners))
+          hole_parts[r] = parts.shadows[k];
       for (size_t o = 0; o < wall.openings.size(); ++o)
-        if (same_corners(wall.openings[o].outline.corners, outline.corners))
-          hole_parts[r] = openings[o];
+        if (same_corners(wall.openings[o].outline.corners, outline.corners)) {
+          hole_parts[r] = parts.openings[o];
+          is_opening[r] = 1;
+        }
     }
     if (setting_.solids) {
       for (size_t r = 0; r < hole_parts.size(); ++r)
-        if (hole_parts[r] != kNoPart)
+        if (is_opening[r] != 0)
           reveal_parts[r] =
               append_part(model_, "reveal", part_class::kReveal, hole_parts[r], Evidence::kDerived);
       append_wall_solid(model_, vertices_[plane], face, face_of(plane, part), hole_parts,
@@ -203,11 +221,11 @@ class Assembly {
     append_face(model_, face_of(plane, part), rings);
   }
 
-  void add_shadow(size_t plane, const FacadeShadow& shadow, uint32_t wall_part) {
+  uint32_t add_shadow_part(size_t plane, const FacadeShadow& shadow, uint32_t wall_part) {
     const uint32_t part = append_part(model_, "no data " + std::to_string(++shadow_count_),
                                       part_class::kNoData, wall_part, Evidence::kNone);
     set_size(part, box_in(facade_->group.frame, plan_.planes[plane].frame, shadow.outline));
-    append_face(model_, face_of(plane, part), {part_ring(vertices_[plane], shadow.outline)});
+    return part;
   }
 
   // Faces that are no wall: each a part of its own, named by class and number.

@@ -3,26 +3,53 @@
 #include "modelling/facade/facade.h"
 
 #include "modelling/edges/join/vectorise.h"
+#include "modelling/evidence/coplanar.h"
+#include "modelling/evidence/evidence.h"
 #include "modelling/facade/assembly.h"
+#include "modelling/plane/ring_tools.h"
 
 namespace jalon {
 
 namespace {
 
-Model run(const Segmentation& segmentation, const ExtrusionSettings& settings,
+constexpr double kLeastEdge_m = 1e-6;  // below what any coordinate is told apart by
+
+EvidenceSetting evidence_setting(const SurveySetting& survey) {
+  EvidenceSetting out;
+  out.cells.on_m = survey.min_depth_m;
+  out.cells.behind_m = survey.max_depth_m;
+  return out;
+}
+
+Model run(const Segmentation& given, const ExtrusionSettings& settings,
           const AssemblySetting& assembly, Task& task) {
-  if (plane_count(segmentation.segments) == 0) return {};
+  if (plane_count(given.segments) == 0) return {};
+  const bool by_evidence = settings.plan.by_evidence;
+  const Segmentation segmentation =
+      by_evidence ? with_whole_walls(given, settings.plan.survey.min_depth_m, task) : given;
+  std::vector<WallEvidence> evidence;
+  if (by_evidence) {
+    const ProgressSpan span(task, 0, 0.15, "looking through openings");
+    evidence = gather_evidence(segmentation, evidence_setting(settings.plan.survey), task);
+  }
   std::vector<VectorPlane> planes;
   {
-    const ProgressSpan span(task, 0, 0.6);
-    planes = vectorise(segmentation, settings.vectorise, task);
+    const ProgressSpan span(task, 0.15, 0.65);
+    planes = vectorise(segmentation, settings.vectorise, task,
+                       by_evidence ? contours_by(evidence) : ContourMaker{});
   }
   FacadePlan plan;
   {
-    const ProgressSpan span(task, 0.6, 0.9);
+    const ProgressSpan span(task, 0.65, 0.9);
     std::vector<SharedCorner> shared =
         join_planes(planes, segmentation.segments, settings.joints, task);
-    plan = plan_facades(segmentation, std::move(planes), settings.plan, task);
+    // Edges drawn to one joint leave nothing of the step that was between them.
+    for (VectorPlane& plane : planes)
+      for (VectorFace& face : plane.faces) {
+        drop_short_edges(face.outline, kLeastEdge_m);
+        for (VectorRing& ring : face.openings) drop_short_edges(ring, kLeastEdge_m);
+      }
+    plan = plan_facades(segmentation, std::move(planes), settings.plan, task, evidence);
     plan.shared = std::move(shared);
   }
   const ProgressSpan span(task, 0.9, 1, "putting faces together");

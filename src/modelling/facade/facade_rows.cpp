@@ -69,12 +69,17 @@ constexpr auto kPatternRows = setting_rows(
         "Rows and columns make a regular grid when so large a share of their crossings that can be "
         "seen is taken"));
 
+constexpr auto kEvidenceRows = setting_rows(bool_row<&PlanSetting::by_evidence>(
+    "evidence", "",
+    "Walls and openings by what the cloud shows at each place of a wall's plane: pieces of a wall "
+    "are one, and what nobody measured is no wall; else by the contours of the planes"));
 constexpr auto kWallRows = setting_rows(nested_rows<&PlanSetting::group, kGroupRows>(),
                                         nested_rows<&PlanSetting::survey, kSurveyRows>());
 constexpr auto kOpeningRows = setting_rows(nested_rows<&PlanSetting::group, kDoorRows>(),
                                            nested_rows<&PlanSetting::patterns, kPatternRows>());
 
 constexpr auto kExtrusionRows = setting_rows(
+    nested_rows<&ExtrusionSettings::plan, kEvidenceRows>(),
     nested_rows<&ExtrusionSettings::vectorise, kVectoriseRows>(),
     nested_rows<&ExtrusionSettings::plan, kWallRows>(),
     nested_rows<&ExtrusionSettings::joints, kJointRows>(),

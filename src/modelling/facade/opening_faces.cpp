@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kLeastReveal_m = 0.005;  // shallower: the pane is flush with the wall
 
-void append_pane(Model& model, PlaneVertices& wall, const FacadeOpening& opening, uint32_t part,
-                 Face face) {
+void append_pane(Model& model, PlaneVertices& wall, const FacadeOpening& opening, double depth_m,
+                 uint32_t part, Face face) {
   face.part = part;
   face.id = opening.joinery_label;
   const Vec3& n = wall.frame().normal;
-  face.plane = {n, dot(n, wall.lift(opening.outline.corners.front(), -opening.depth_m))};
-  append_face(model, face, {part_ring(wall, opening.outline, -opening.depth_m)});
+  face.plane = {n, dot(n, wall.lift(opening.outline.corners.front(), -depth_m))};
+  append_face(model, face, {part_ring(wall, opening.outline, -depth_m)});
 }
 
 }  // namespace
@@ -39,7 +39,11 @@ void append_sides(Model& model, PlaneVertices& wall, const VectorRing& ring, dou
 
 void append_opening_faces(Model& model, PlaneVertices& wall, const FacadeOpening& opening,
                           uint32_t opening_part, const Face& joinery, bool with_reveals) {
-  if (!std::isfinite(opening.depth_m)) return;
+  if (!std::isfinite(opening.depth_m)) {
+    // A hole of the wall shows where it is; at the border nothing else would.
+    if (opening.is_notch) append_pane(model, wall, opening, 0, opening_part, joinery);
+    return;
+  }
   if (with_reveals && opening.depth_m >= kLeastReveal_m) {
     const uint32_t reveal =
         append_part(model, "reveal", part_class::kReveal, opening_part, Evidence::kDerived);
@@ -49,7 +53,7 @@ void append_opening_faces(Model& model, PlaneVertices& wall, const FacadeOpening
   const Evidence evidence = opening.copied_from >= 0 ? Evidence::kCopied : Evidence::kMeasured;
   const uint32_t pane = append_part(model, "joinery", part_class::kJoinery, opening_part, evidence);
   model.parts[pane].depth_m = opening.depth_m;
-  append_pane(model, wall, opening, pane, joinery);
+  append_pane(model, wall, opening, opening.depth_m, pane, joinery);
 }
 
 }  // namespace jalon

@@ -14,8 +14,9 @@ constexpr double kRevealChord_m = 0.001;
 /// opening's depth, of the outline projected along the wall's normal; and a part "reveal" with one
 /// planar face a straight edge of the outline, and strips along its arcs.
 ///
-/// After: they use the vertices of the wall's hole, so that no gap is left; nothing where the depth
-/// is unknown; no reveals where the pane does not lie behind the wall.
+/// After: they use the vertices of the wall's hole, so that no gap is left; where the depth is unknown
+/// nothing but, at the wall's border, the opening's own face in the wall's plane; no reveals where the pane does not
+/// lie behind the wall.
 void append_opening_faces(Model& model, PlaneVertices& wall, const FacadeOpening& opening,
                           uint32_t opening_part, const Face& joinery, bool with_reveals);
 

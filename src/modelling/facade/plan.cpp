@@ -7,6 +7,7 @@
 
 #include "modelling/plane/ring_tools.h"
 #include "modelling/walls/bays.h"
+#include "modelling/walls/evident_holes.h"
 #include "modelling/walls/openings.h"
 #include "modelling/walls/sills.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kConsumedShare =
     0.6;  // of a segment's points in openings: it is their joinery or reveal
 
+constexpr double kHiddenByCopy = 0.3;    // of a copy's box and of what was not seen there, together
 constexpr double kChordOfSpacing = 0.1;  // of arcs, where only soundness is asked
 
 // Points of each segment that lie in openings, no further before the wall than what is fixed there.
@@ -51,9 +53,19 @@ struct WallList {
   std::vector<SurveyedWall> walls;
 };
 
-// The holes of a wall's faces, and the bays between its pieces.
+// The evidence that a plane was drawn by; none for panes and the like.
+std::span<const OpeningCandidate> drawn_openings(std::span<const WallEvidence> evidence,
+                                                 size_t plane) {
+  if (evidence.empty() || !evidence[plane].is_drawn()) return {};
+  return evidence[plane].openings;
+}
+
+// The holes of a wall's faces, and the bays between its pieces; walls drawn by their evidence have no bays.
 std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, size_t wall,
+                                       std::span<const WallEvidence> evidence,
                                        const FacadeGroup& group, const PlanSetting& setting) {
+  if (!evidence.empty() && evidence[wall].is_drawn())
+    return evident_holes(planes[wall], evidence[wall].openings);
   std::vector<WallHole> out = holes_of(planes[wall], setting.group.notch);
   std::vector<WallHole> bays = bays_of(planes[wall], out, setting.group.notch);
   std::erase_if(bays, [&](const WallHole& bay) {
@@ -67,11 +79,11 @@ std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, s
 }
 
 WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan,
-                    const PlanSetting& setting) {
+                    std::span<const WallEvidence> evidence, const PlanSetting& setting) {
   WallList out;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)
-      out.holes.push_back(interruptions_of(plan.planes, plane, facade.group, setting));
+      out.holes.push_back(interruptions_of(plan.planes, plane, evidence, facade.group, setting));
   size_t k = 0;
   for (const PlannedFacade& facade : plan.facades)
     for (const size_t plane : facade.group.walls)
@@ -80,7 +92,7 @@ WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan,
   return out;
 }
 
-// Shadows are no holes: the faces and the outlines close over them.
+// Where no evidence says more, shadows are no holes: the faces and the outlines close over them.
 void close_shadows(std::span<const WallHole> holes, std::span<const int32_t> opening_of,
                    VectorPlane& plane, FacadeWall& wall) {
   for (size_t h = 0; h < holes.size(); ++h)
@@ -88,11 +100,15 @@ void close_shadows(std::span<const WallHole> holes, std::span<const int32_t> ope
   for (size_t f = 0; f < plane.faces.size(); ++f) wall.outlines[f] = plane.faces[f].outline;
 }
 
-// The wall's faces with these openings as their holes; notches are in the outlines.
-std::vector<VectorFace> faces_with(const VectorPlane& plane,
-                                   std::span<const FacadeOpening> openings) {
+// The wall's faces with these openings as their holes beside those where nothing was looked at; notches are in the
+// outlines.
+std::vector<VectorFace> faces_with(const VectorPlane& plane, std::span<const FacadeShadow> shadows,
+                                   bool is_closed, std::span<const FacadeOpening> openings) {
   std::vector<VectorFace> faces = plane.faces;
   for (VectorFace& face : faces) face.openings.clear();
+  for (const FacadeShadow& shadow : shadows)
+    if (!shadow.is_notch && !is_closed)
+      faces[shadow.piece].openings.push_back(reversed(shadow.outline));
   for (const FacadeOpening& opening : openings)
     if (!opening.is_notch) faces[opening.piece].openings.push_back(reversed(opening.outline));
   return faces;
@@ -100,7 +116,8 @@ std::vector<VectorFace> faces_with(const VectorPlane& plane,
 
 // Copies of repeated openings go into the faces; one after the other, so that one that does not fit between its
 // neighbours is left out alone.
-void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& wall) {
+void add_copies(const PatternSetting& setting, bool is_closed, VectorPlane& plane,
+                FacadeWall& wall) {
   std::vector<FacadeOpening> before = wall.openings;
   if (!setting.enabled || complete_patterns(wall, setting) == 0) return;
   std::vector<FacadeOpening> kept = before;
@@ -113,10 +130,17 @@ void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& w
     std::vector<FacadeOpening> trial = kept;
     if (is_new) trial.push_back(copy);
     else trial[i] = copy;
-    std::vector<VectorFace> faces = faces_with(plane, trial);
+    // What hid the opening left no data of about its size: the copy says what was there.
+    std::vector<FacadeShadow> shadows = wall.shadows;
+    const RingBox place = ring_box(copy.outline);
+    std::erase_if(shadows, [&](const FacadeShadow& shadow) {
+      return !is_closed && overlap(ring_box(shadow.outline), place) >= kHiddenByCopy;
+    });
+    std::vector<VectorFace> faces = faces_with(plane, shadows, is_closed, trial);
     if (!is_sound(faces[copy.piece], kChordOfSpacing * plane.spacing_m)) continue;
     plane.faces = std::move(faces);
     kept = std::move(trial);
+    wall.shadows = std::move(shadows);
   }
   wall.openings = std::move(kept);
 }
@@ -124,21 +148,25 @@ void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& w
 }  // namespace
 
 FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes,
-                        const PlanSetting& setting, Task& task) {
+                        const PlanSetting& setting, Task& task,
+                        std::span<const WallEvidence> evidence) {
   FacadePlan plan;
   plan.planes = std::move(planes);
   // 1. Facades and their walls.
-  for (FacadeGroup& group : group_facades(plan.planes, setting.group))
+  std::vector<WallClaim> claims;
+  for (const WallEvidence& e : evidence)
+    claims.push_back({e.role != PlaneRole::kWall, e.gross_m2, e.measured_m2});
+  for (FacadeGroup& group : group_facades(plan.planes, setting.group, claims))
     plan.facades.push_back({std::move(group), {}, {}});
   task.checkpoint(0.05);
   // 2. One look at the cloud for the holes of all walls.
-  WallList list = list_walls(segmentation, plan, setting);
+  WallList list = list_walls(segmentation, plan, evidence, setting);
   std::vector<WallSurvey> surveys;
   {
     const ProgressSpan span(task, 0.05, 0.8, "looking through openings");
     surveys = survey_walls(segmentation, list.walls, setting.survey, task);
   }
-  // 3. Openings and shadows.
+  // 3. Openings, and what was not looked at.
   std::vector<uint64_t> in_openings(segmentation.segments.size() + 1, 0);
   size_t k = 0;
   for (PlannedFacade& facade : plan.facades)
@@ -146,11 +174,11 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
       task.checkpoint(0.8);
       end_at_sills(plan.planes, index, surveys[k], setting.survey.front_m, list.holes[k]);
       PlannedWall wall = planned_wall(segmentation, plan.planes[index], index);
-      const auto opening_of =
-          judge_holes(segmentation, list.holes[k], surveys[k], setting.survey, wall.wall, task);
+      const auto opening_of = judge_holes(segmentation, list.holes[k], surveys[k], setting.survey,
+                                          wall.wall, task, drawn_openings(evidence, index));
       count_points(opening_of, surveys[k], wall.wall, in_openings);
-      close_shadows(list.holes[k], opening_of, plan.planes[index], wall.wall);
-      add_copies(setting.patterns, plan.planes[index], wall.wall);
+      if (evidence.empty()) close_shadows(list.holes[k], opening_of, plan.planes[index], wall.wall);
+      add_copies(setting.patterns, evidence.empty(), plan.planes[index], wall.wall);
       facade.walls.push_back(std::move(wall));
       ++k;
     }

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/task.h"
+#include "modelling/evidence/evidence.h"
 #include "modelling/patterns/patterns.h"
 #include "modelling/plane/plane_joints.h"
 #include "modelling/walls/facade_groups.h"
@@ -34,6 +36,7 @@ struct FacadePlan {
 };
 
 struct PlanSetting {
+  bool by_evidence = false;  ///< walls and openings; else by the contours of their planes
   GroupSetting group;
   SurveySetting survey;
   PatternSetting patterns;
@@ -41,11 +44,12 @@ struct PlanSetting {
 
 /// Facades, walls, their openings and shadows from the 2D models of the planes.
 ///
-/// Before: planes[s] is that of segments[s]; edges are joined (join_planes). After: shadows are
-/// closed in the planes' faces; each opening that is neither a copy nor a bay is a hole or notch of
+/// Before: planes[s] is that of segments[s]; edges are joined (join_planes); evidence[s] is what they were drawn by, or
+/// there is none at all. After: each opening that is neither a copy nor a bay is a hole or notch of
 /// the face that it names; elements are neither walls, nor joinery, nor reveals. shared is empty:
 /// the caller sets it.
 FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlane> planes,
-                        const PlanSetting& setting, Task& task);
+                        const PlanSetting& setting, Task& task,
+                        std::span<const WallEvidence> evidence = {});
 
 }  // namespace jalon

@@ -39,6 +39,31 @@ void RingBox::add(std::span<const Vec2> points) {
   for (const Vec2& p : points) add(p);
 }
 
+void drop_short_edges(VectorRing& ring, double least_m) {
+  for (size_t i = 0; i < ring.corners.size() && ring.corners.size() > 3;) {
+    const size_t next = (i + 1) % ring.corners.size();
+    if (ring.edges[i].sagitta_m != 0 || norm(ring.corners[next] - ring.corners[i]) >= least_m) {
+      ++i;
+      continue;
+    }
+    // Edge `next` now begins at corner i.
+    ring.corners.erase(ring.corners.begin() + static_cast<ptrdiff_t>(next));
+    ring.edges.erase(ring.edges.begin() + static_cast<ptrdiff_t>(i));
+    if (next == 0) {  // the first corner went: its edge belongs to the last one
+      std::rotate(ring.corners.begin(), ring.corners.end() - 1, ring.corners.end());
+      break;
+    }
+  }
+}
+
+double overlap(const RingBox& a, const RingBox& b) {
+  const double width = std::min(a.high.u, b.high.u) - std::max(a.low.u, b.low.u),
+               height = std::min(a.high.v, b.high.v) - std::max(a.low.v, b.low.v);
+  if (width <= 0 || height <= 0) return 0;
+  const double both = width * height;
+  return both / (a.width() * a.height() + b.width() * b.height() - both);
+}
+
 VectorRing reversed(const VectorRing& ring) {
   VectorRing out;
   const size_t n = ring.corners.size();

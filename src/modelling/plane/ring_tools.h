@@ -31,6 +31,10 @@ struct RingBox {
   }
 };
 
+/// Takes out the straight edges that are shorter than this, with their second corners; a ring keeps three corners.
+void drop_short_edges(VectorRing& ring, double least_m);
+/// Area that two boxes share, of what they cover together.
+double overlap(const RingBox& a, const RingBox& b);
 /// The same ring walked the other way: an outline becomes a hole and back. Edges keep their places,
 /// sagittas their sides.
 VectorRing reversed(const VectorRing& ring);

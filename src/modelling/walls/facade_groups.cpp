@@ -19,6 +19,7 @@ constexpr double kFacadeGroupsUpright =
 constexpr double kSameDirection = 0.985;  // 10 degrees
 constexpr double kChord_m = 0.005;        // of arcs, where only "inside or not" is asked
 constexpr double kInsideShare = 0.6;      // of a face's probes in a wall's holes: it fills them
+constexpr double kMeasuredShare = 0.5;    // of the least area of a wall
 constexpr int kProbes = 8;                // per side of a face's box
 
 bool is_upright(const VectorPlane& plane) {
@@ -30,19 +31,47 @@ struct Candidate {
   double gross_m2 = 0, width_m = 0, height_m = 0;
 };
 
-// Planes that may be walls, by falling gross area of their largest face; ties by index.
-std::vector<Candidate> wall_candidates(const std::vector<VectorPlane>& planes) {
+// By the largest face of a plane.
+Candidate by_face(const VectorPlane& plane, size_t index) {
+  Candidate c{index};
+  for (const VectorFace& face : plane.faces) {
+    const double area = signed_area(face.outline);
+    if (area <= c.gross_m2) continue;
+    c.gross_m2 = area;
+    c.height_m = ring_box(face.outline).height();
+    c.width_m = equivalent_width(area, perimeter(face.outline.corners));
+  }
+  return c;
+}
+
+// By all that was measured of it: a wall in pieces, between shop fronts, is as wide as its border.
+Candidate by_claim(const VectorPlane& plane, size_t index, const WallClaim& claim,
+                   const GroupSetting& setting) {
+  Candidate c{index};
+  if (plane.faces.empty() || claim.measured_m2 < kMeasuredShare * setting.min_wall_area_m2)
+    return c;
+  RingBox box;
+  for (const VectorFace& face : plane.faces) {
+    const RingBox own = ring_box(face.outline);
+    box.add(own.low);
+    box.add(own.high);
+  }
+  c.gross_m2 = claim.gross_m2;
+  c.height_m = box.height();
+  c.width_m = std::min(box.width(), box.height());
+  return c;
+}
+
+// Planes that may be walls, by falling gross area; ties by index.
+std::vector<Candidate> wall_candidates(const std::vector<VectorPlane>& planes,
+                                       const GroupSetting& setting,
+                                       std::span<const WallClaim> claims) {
   std::vector<Candidate> out;
   for (size_t i = 0; i < planes.size(); ++i) {
-    if (!is_upright(planes[i])) continue;
-    Candidate c{i};
-    for (const VectorFace& face : planes[i].faces) {
-      const double area = signed_area(face.outline);
-      if (area <= c.gross_m2) continue;
-      c.gross_m2 = area;
-      c.height_m = ring_box(face.outline).height();
-      c.width_m = equivalent_width(area, perimeter(face.outline.corners));
-    }
+    if (!is_upright(planes[i]) || (!claims.empty() && claims[i].is_none)) continue;
+    const bool is_claimed = !claims.empty() && claims[i].gross_m2 > 0;
+    const Candidate c =
+        is_claimed ? by_claim(planes[i], i, claims[i], setting) : by_face(planes[i], i);
     if (c.gross_m2 > 0) out.push_back(c);
   }
   std::stable_sort(out.begin(), out.end(),
@@ -110,10 +139,11 @@ bool is_beside(const FacadeGroup& group, const Box3& box, const GroupSetting& se
 
 // Walls of the facades, main walls by falling area; further ones join the first facade they belong to.
 std::vector<FacadeGroup> group_walls(const std::vector<VectorPlane>& planes,
-                                     const GroupSetting& setting) {
+                                     const GroupSetting& setting,
+                                     std::span<const WallClaim> claims) {
   std::vector<FacadeGroup> groups;
   std::vector<std::vector<Holes>> holes;
-  const std::vector<Candidate> candidates = wall_candidates(planes);
+  const std::vector<Candidate> candidates = wall_candidates(planes, setting, claims);
   for (const Candidate& c : candidates) {
     if (c.gross_m2 < setting.min_wall_area_m2 || c.width_m < setting.min_wall_width_m) continue;
     const VectorPlane& plane = planes[c.plane];
@@ -166,8 +196,9 @@ std::vector<Vec3> outline_corners(const VectorPlane& plane) {
 }
 
 std::vector<FacadeGroup> group_facades(const std::vector<VectorPlane>& planes,
-                                       const GroupSetting& setting) {
-  std::vector<FacadeGroup> groups = group_walls(planes, setting);
+                                       const GroupSetting& setting,
+                                       std::span<const WallClaim> claims) {
+  std::vector<FacadeGroup> groups = group_walls(planes, setting, claims);
   if (groups.empty()) groups.emplace_back();
   std::vector<uint8_t> is_wall(planes.size(), 0);
   for (const FacadeGroup& group : groups)

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/vec.h"
@@ -34,6 +36,13 @@ struct FacadeFrame {
   }
 };
 
+/// What the evidence says of a plane.
+struct WallClaim {
+  bool is_none = false;    ///< a pane, a surround, a room's wall
+  double gross_m2 = 0;     ///< within its border, openings included; 0: nothing is known
+  double measured_m2 = 0;  ///< of that
+};
+
 /// One facade: parallel walls near each other, and the other planes nearest to them. Indices of the planes given.
 struct FacadeGroup {
   FacadeFrame frame;
@@ -46,8 +55,11 @@ struct FacadeGroup {
 /// Walls are upright planes with a large face that does not lie in the holes of a wall before it (a pane, a parapet in
 /// its bay). Ranked by gross area, so that a lattice of posts and string courses comes before the panes in its bays.
 /// O(planes x facades) and the point-in-polygon tests of parallel planes.
+/// claims: what is known of the planes from their evidence, one a plane, or empty; it counts in place of the area and
+/// width of the largest face.
 std::vector<FacadeGroup> group_facades(const std::vector<VectorPlane>& planes,
-                                       const GroupSetting& setting);
+                                       const GroupSetting& setting,
+                                       std::span<const WallClaim> claims = {});
 
 /// Corners of the plane's outlines in 3D, arcs by their end points.
 std::vector<Vec3> outline_corners(const VectorPlane& plane);

@@ -9,6 +9,7 @@
 #include "modelling/plane/ring_tools.h"
 #include "modelling/walls/bays.h"
 #include "modelling/walls/border_evidence.h"
+#include "modelling/walls/evident_holes.h"
 #include "modelling/walls/joinery.h"
 
 namespace jalon {
@@ -64,6 +65,13 @@ Verdict judge(const WallHole& hole, const HoleSurvey& survey, const HoleContent&
   if (share(survey.hidden) >= kHiddenShare) return {};
   if (is_revealed) return {true, Evidence::kRevealed};
   return {has_shape_of_opening(hole.outline), Evidence::kShape};
+}
+
+// The wall was drawn by its evidence: a hole is what the candidate is that it was drawn for.
+Verdict by_candidates(const Verdict& verdict, const WallHole& hole,
+                      std::span<const OpeningCandidate> candidates) {
+  if (candidate_of(hole, candidates) < 0) return {};
+  return verdict.is_opening ? verdict : Verdict{true, Evidence::kShape};
 }
 
 OpeningKind kind_of(const RingBox& box, bool reaches_ground, const FacadeOpening& opening) {
@@ -125,19 +133,22 @@ void lower_to_foot(const HoleFiller* joinery, VectorRing& outline) {
 
 std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<const WallHole> holes,
                                  WallSurvey& survey, const SurveySetting& setting, FacadeWall& wall,
-                                 Task& task) {
+                                 Task& task, std::span<const OpeningCandidate> candidates) {
   wall.map = std::move(survey.map);
   std::vector<int32_t> opening_of(holes.size(), -1);
   for (size_t h = 0; h < holes.size(); ++h) {
     task.checkpoint(0);
     WallHole hole = holes[h];
     const HoleSurvey& seen = survey.holes[h];
-    if (hole.is_bay && !fit_to_content(hole, seen, wall.map, survey.tolerance_m)) continue;
+    if (hole.is_bay && candidates.empty() &&
+        !fit_to_content(hole, seen, wall.map, survey.tolerance_m))
+      continue;
     const HoleContent content =
         content_of(seen, wall.map, segmentation, wall.frame.normal, wall.label, task);
     Joinery closing = joinery_of(content, setting.min_depth_m);
     const HoleFiller* joinery = closing.filler;
-    const Verdict verdict = judge(hole, seen, content, joinery, survey.tolerance_m);
+    Verdict verdict = judge(hole, seen, content, joinery, survey.tolerance_m);
+    if (!candidates.empty()) verdict = by_candidates(verdict, hole, candidates);
     if (!verdict.is_opening) {
       wall.shadows.push_back({hole.outline, hole.piece, hole.is_notch});
       continue;

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "modelling/evidence/find_openings.h"
 #include "modelling/walls/facade_parts.h"
 #include "modelling/walls/holes.h"
 #include "modelling/walls/survey.h"
@@ -20,12 +21,14 @@ namespace jalon {
 /// sides and a straight or arched head. It is a shadow when things in front hide it, and when
 /// nothing is known and its shape is none.
 ///
+/// Where the wall was drawn by its evidence the candidates tell instead which holes are openings.
+///
 /// Before: wall.frame, outlines and spacing are set; survey is of these holes. After:
 /// - for each hole its index in wall.openings, or -1 for a shadow (or a bay that is none);
 /// - openings have evidence, kind, depth and what was measured of their border;
 /// - survey.map has moved to wall.map.
 std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<const WallHole> holes,
                                  WallSurvey& survey, const SurveySetting& setting, FacadeWall& wall,
-                                 Task& task);
+                                 Task& task, std::span<const OpeningCandidate> candidates = {});
 
 }  // namespace jalon

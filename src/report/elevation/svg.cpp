@@ -88,7 +88,7 @@ std::string elevation_svg(const Segmentation& segmentation, const Model& model,
                           const ElevationSettings& settings, Task& task) {
   const ProgressSpan span(task, 0, 1, "drawing the elevation");
   OpeningList openings = list_openings(model, settings.type_tolerance_m);
-  const ElevationView view = elevation_view(segmentation, model, openings, settings.facade);
+  const ElevationView view = elevation_view(segmentation, model, settings.facade);
   const ElevationContent content = content_of(segmentation, view, settings);
   ElevationFaces faces = elevation_faces(model, view, settings.limits, task);
   faces.list = std::move(openings);

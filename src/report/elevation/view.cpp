@@ -46,58 +46,6 @@ WallSum sum_walls(const Model& model, const ElevationView& view, bool walls_only
   return sum;
 }
 
-Vec3 middle_of(const Model& model, uint64_t ring) {
-  Vec3 sum;
-  const Ring& r = model.rings[ring];
-  for (uint64_t i = 0; i < r.count; ++i)
-    sum += model.vertices[model.corners[r.first + i]] / static_cast<double>(r.count);
-  return sum;
-}
-
-// |cos| between a wall and the view: other walls say nothing about its front.
-constexpr double kSameWay = 0.7;
-
-// How many more openings of the walls shown have their joinery behind the wall, when seen against this normal, than
-// before it.
-int64_t front_votes(const Model& model, const ElevationView& view, const OpeningList& openings,
-                    const Vec3& outward) {
-  int64_t votes = 0;
-  for (const OpeningRow& row : openings.rows) {
-    if (row.contour.empty() || row.joinery.empty() || !view.shows(row.contour.front().face))
-      continue;
-    if (std::fabs(dot(model.faces[row.wall].plane.normal, normalized(outward))) < kSameWay)
-      continue;
-    const Vec3 inward = middle_of(model, model.faces[row.joinery.front()].first_ring) -
-                        middle_of(model, row.contour.front().ring);
-    const double behind = -dot(inward, outward);
-    votes += (behind > 0) - (behind < 0);
-  }
-  return votes;
-}
-
-bool has_station_poses(const Segmentation& segmentation) {
-  return std::any_of(segmentation.cloud->stations.begin(), segmentation.cloud->stations.end(),
-                     [](const Station& s) { return s.has_pose; });
-}
-
-Vec3 front_of(const Segmentation& segmentation, const Model& model, const ElevationView& view,
-              const OpeningList& openings, const Vec3& normal) {
-  if (has_station_poses(segmentation)) return normal;
-  const int64_t votes = front_votes(model, view, openings, normal);
-  const bool is_away = votes != 0 ? votes < 0 : segmentation.T_facade_world.direction(normal).y > 0;
-  return is_away ? -normal : normal;
-}
-
-// The facade frame of a segmentation without stations may look at the back of its main facade.
-Transform whole_view(const Segmentation& segmentation, const Model& model,
-                     const ElevationView& view, const OpeningList& openings) {
-  const Transform& frame = segmentation.T_facade_world;
-  const Vec3 outward{-frame.m[4], -frame.m[5], -frame.m[6]};
-  const bool is_front =
-      has_station_poses(segmentation) || front_votes(model, view, openings, outward) >= 0;
-  return is_front ? frame : Transform{{-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0}} * frame;
-}
-
 }  // namespace
 
 double ElevationView::azimuth_rad() const {
@@ -111,10 +59,9 @@ std::vector<uint32_t> facade_parts(const Model& model) {
   return out;
 }
 
-ElevationView elevation_view(const Segmentation& segmentation, const Model& model,
-                             const OpeningList& openings, int64_t facade) {
+ElevationView elevation_view(const Segmentation& segmentation, const Model& model, int64_t facade) {
   ElevationView view;
-  view.T_view_world = whole_view(segmentation, model, view, openings);
+  view.T_view_world = segmentation.T_facade_world;
   if (facade == 0) return view;
   const auto facades = facade_parts(model);
   if (facade < 0 || static_cast<uint64_t>(facade) > facades.size())
@@ -134,8 +81,7 @@ ElevationView elevation_view(const Segmentation& segmentation, const Model& mode
   WallSum sum = sum_walls(model, view, true);
   if (!sum.found) sum = sum_walls(model, view, false);
   if (std::hypot(sum.normal.x, sum.normal.y) > 0)
-    view.T_view_world =
-        view_against(front_of(segmentation, model, view, openings, sum.normal), sum.origin);
+    view.T_view_world = view_against(sum.normal, sum.origin);
   for (size_t f = 0; f < model.faces.size(); ++f)
     if (facade_of(model.faces[f]) == kNoPart) view.shown[f] = true;
   return view;

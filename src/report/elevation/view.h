@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/model.h"
-#include "report/elevation/opening_list.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
@@ -34,10 +33,8 @@ struct ElevationView {
 std::vector<uint32_t> facade_parts(const Model& model);
 
 /// facade 0: the whole model from the front of the segmentation's main facade. k = 1 ...: the k-th facade alone, and
-/// what belongs to no facade, against the mean normal of its walls. Where no station is known normals may point either
-/// way: then most joinery lies behind its walls; a facade without is seen from where the main facade is. Throws
-/// kInvalidArgument when there are fewer facades.
-ElevationView elevation_view(const Segmentation& segmentation, const Model& model,
-                             const OpeningList& openings, int64_t facade);
+/// what belongs to no facade, against the mean normal of its walls: drawing, frame and model tell the same side, that
+/// of the segmentation's normals. Throws kInvalidArgument when there are fewer facades.
+ElevationView elevation_view(const Segmentation& segmentation, const Model& model, int64_t facade);
 
 }  // namespace jalon

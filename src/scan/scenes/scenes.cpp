@@ -42,6 +42,7 @@ const Scene& find_scene(SceneName name) {
       {SceneName::kResidence, build_residence},
       {SceneName::kEarthworks, build_earthworks},
       {SceneName::kGrammar, build_grammar},
+      {SceneName::kBow, build_bow},
   };
   for (const Scene& scene : kScenes)
     if (name == scene.name) return scene;
@@ -56,7 +57,7 @@ std::span<const ParamRow> scene_rows() {
       choice_row<&S::name>(
           "name",
           "facade|street|room|box|surrounds|strips|insa|insa_surveyed|unwanted|std|normal|patches|"
-          "sills|robbery|lycee|arches|residence|earthworks|grammar",
+          "sills|robbery|lycee|arches|residence|earthworks|grammar|bow",
           "",
           "facade: a town house with doors, windows, plinth, cornice and ground; street: 60 m, six "
           "facades, columns, gutters, boxes, a sphere (the panes of one facade share an id); room: "
@@ -70,7 +71,8 @@ std::span<const ParamRow> scene_rows() {
           "walls, square and arched windows; earthworks: rolling ground of 60 x 40 m between "
           "walls, on four days; grammar: a facade of the kind and by the seed told, which brings "
           "its "
-          "own scanner and writes its truth"),
+          "own scanner and writes its truth; bow: a wall 8 m high, bent about an axis 6 m behind "
+          "it"),
       number_row<&S::rotation_rad>("rotation_rad", -10, 10, "rad", "",
                                    "turns the scene about the vertical axis through its origin"),
       doubles_row<&S::shift_m>("shift_m", -1e9, 1e9, "m", "",

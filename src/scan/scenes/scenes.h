@@ -18,6 +18,8 @@ constexpr double kStreetAngle_rad = 17 * 0.017453292519943295;
 
 /// 6 x 5 x 2.8 m, seen from inside.
 void build_room(const SceneSettings& settings, SceneBuilder& out);
+/// A wall 8 m high, bent about an upright axis 6 m behind it, on the ground before it.
+void build_bow(const SceneSettings& settings, SceneBuilder& out);
 /// 4.2 x 1.8 x 1.5 m on a ground of 20 x 20 m.
 void build_box(const SceneSettings& settings, SceneBuilder& out);
 

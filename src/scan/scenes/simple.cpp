@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "scan/scenes/scenes.h"
@@ -28,6 +30,19 @@ void build_box(const SceneSettings&, SceneBuilder& out) {
   const Rect foot{-size.x / 2, size.x / 2, -size.y / 2, size.y / 2};
   out.face(out.part("ground", "ground"), {{}, {1, 0, 0}, {0, 1, 0}},
            {-kGround / 2, kGround / 2, -kGround / 2, kGround / 2}, {&foot, 1});
+}
+
+void build_bow(const SceneSettings&, SceneBuilder& out) {
+  constexpr double kRadius_m = 6, kHeight_m = 8, kHalfArc_rad = 70 * std::numbers::pi / 180;
+  constexpr int kChords = 140;  // within 0.1 mm of the arc
+  out.part("wall", "wall");
+  Outline path;  // from right to left: its left side is the outer one
+  for (int k = 0; k <= kChords; ++k) {
+    const double angle = kHalfArc_rad * (1 - 2.0 * k / kChords);
+    path.push_back({kRadius_m * std::sin(angle), kRadius_m * (1 - std::cos(angle))});
+  }
+  out.swept({{}, {1, 0, 0}, {0, 1, 0}}, path, 0, kHeight_m);
+  out.face(out.part("ground", "ground"), {{}, {1, 0, 0}, {0, 1, 0}}, {-8, 8, -6, 0});
 }
 
 void build_strips(const SceneSettings&, SceneBuilder& out) {

@@ -22,8 +22,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kNearPlane_m =
-    0.025;  // the segmenter's default tolerance: tells front from back of the facade
 constexpr size_t kFromLabelsPointsPerChunk = 1 << 15;
 
 // Which row (1-based) a key has: by falling number of points, ties by value.
@@ -134,7 +132,7 @@ Segmentation segmentation_from_labels(const CloudPtr& cloud, std::string_view fi
     });
   }
   ProgressSpan inner(task, 0.9, 1);
-  const FacadeContext context{*cloud, origin, settings.orientation_tolerance_rad, kNearPlane_m,
+  const FacadeContext context{*cloud, origin, settings.orientation_tolerance_rad,
                               settings.facade_frame};
   turn_normals(context, dense, out.segments, task);
   classify(context, out.segments);

@@ -72,8 +72,7 @@ void add_members(const Segmentation& before, const Vec3& origin, const Picked& p
 
 // Orientation of the new plane; when it is the new main facade, of all planes and of the frame.
 void orient(const Segmentation& before, const PickSettings& settings, Segmentation& out) {
-  const FacadeContext context{
-      *out.cloud, {}, settings.orientation_tolerance_rad, settings.primitive.tolerance_m, true};
+  const FacadeContext context{*out.cloud, {}, settings.orientation_tolerance_rad, true};
   std::vector<Segment> classed = out.segments;
   classify(context, classed);
   if (main_facade(out.segments) == main_facade(before.segments)) {

@@ -6,89 +6,51 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "segment/front/fronts.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kVerticalSine =
-    0.1736;  // |nz| of a plane within 10 degrees of the vertical: walls lean
-constexpr double kNearFacade_m = 1;  // depth of what tells a facade's back from its front
-constexpr double kFoot =
-    0.1;  // part of the height left out of that: ground and plants lie in front
-constexpr double kSameDirection = 0.985;  // 10 degrees
 constexpr size_t kFacadePointsPerChunk = 1 << 15;
-
-struct Sides {
-  int64_t front = 0, behind = 0;
-  Sides& operator+=(const Sides& b) {
-    front += b.front;
-    behind += b.behind;
-    return *this;
-  }
-};
-
-// Points in front of and behind a facade, within its outline's box and beyond the tolerance.
-Sides count_sides(const FacadeContext& c, const Segment& facade, std::span<const uint32_t> labels,
-                  Task& task) {
-  struct Extent {
-    double low = INFINITY, high = -INFINITY, left = INFINITY, right = -INFINITY;
-    Extent& operator+=(const Extent& b) {
-      low = std::min(low, b.low);
-      high = std::max(high, b.high);
-      left = std::min(left, b.left);
-      right = std::max(right, b.right);
-      return *this;
-    }
-  };
-  const Plane& plane = facade.fit.plane;
-  const Vec3 along = normalized(cross({0, 0, 1}, plane.normal));
-  const size_t n = c.cloud.size();
-  const Extent extent =
-      parallel_reduce(task, n, kFacadePointsPerChunk, Extent{}, [&](size_t begin, size_t end) {
-        Extent e;
-        for (size_t i = begin; i < end; ++i) {
-          if (labels[i] != facade.label) continue;
-          const Vec3 p = c.cloud.point(i) - c.origin;
-          e += Extent{p.z, p.z, dot(p, along), dot(p, along)};
-        }
-        return e;
-      });
-  const double low = extent.low + kFoot * (extent.high - extent.low);
-  return parallel_reduce(task, n, kFacadePointsPerChunk, Sides{}, [&](size_t begin, size_t end) {
-    Sides sides;
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 p = c.cloud.point(i) - c.origin;
-      const double d = plane.distance(p), a = dot(p, along);
-      if (std::fabs(d) <= 2 * c.distance_tolerance_m || std::fabs(d) > kNearFacade_m) continue;
-      if (p.z < low || p.z > extent.high || a < extent.left || a > extent.right) continue;
-      ++(d > 0 ? sides.front : sides.behind);
-    }
-    return sides;
-  });
-}
 
 bool has_poses(const Cloud& cloud) {
   return std::any_of(cloud.stations.begin(), cloud.stations.end(),
                      [](const Station& s) { return s.has_pose; });
 }
 
-// For each segment: points seen from its front minus those seen from behind.
-std::vector<int64_t> station_votes(const FacadeContext& c, std::span<const uint32_t> labels,
-                                   const std::vector<Segment>& segments) {
-  std::vector<int64_t> votes(segments.size(), 0);
+struct Votes {
+  uint64_t before = 0, behind = 0;  ///< points seen from there
+};
+
+std::vector<Votes> station_votes(const FacadeContext& c, std::span<const uint32_t> labels,
+                                 const std::vector<Segment>& segments) {
+  std::vector<Votes> votes(segments.size());
   for (const Station& station : c.cloud.stations) {
     if (!station.has_pose) continue;
-    std::vector<int64_t> seen(segments.size(), 0);
+    std::vector<uint64_t> seen(segments.size(), 0);
     const size_t end = std::min<size_t>(c.cloud.size(), station.first + station.count);
     for (size_t i = station.first; i < end; ++i)
       if (labels[i] != 0) ++seen[labels[i] - 1];
     const Vec3 eye = station.pose.translation() - c.origin;
     for (size_t s = 0; s < segments.size(); ++s)
       if (segments[s].is_plane())
-        votes[s] += segments[s].fit.plane.distance(eye) >= 0 ? seen[s] : -seen[s];
+        (segments[s].fit.plane.distance(eye) >= 0 ? votes[s].before : votes[s].behind) += seen[s];
   }
   return votes;
+}
+
+void turn_by_stations(const FacadeContext& c, std::span<const uint32_t> labels,
+                      std::vector<Segment>& segments) {
+  const std::vector<Votes> votes = station_votes(c, labels, segments);
+  for (size_t s = 0; s < segments.size(); ++s) {
+    const auto [before, behind] = votes[s];
+    if (before + behind == 0) continue;
+    if (behind > before) turn_over(segments[s].fit);
+    segments[s].front_source = FrontSource::kStation;
+    segments[s].front_confidence =
+        static_cast<double>(std::max(before, behind)) / static_cast<double>(before + behind);
+  }
 }
 
 Vec3 middle_of(const FacadeContext& c, Task& task) {
@@ -102,27 +64,39 @@ Vec3 middle_of(const FacadeContext& c, Task& task) {
   return sum / static_cast<double>(c.cloud.size());
 }
 
-void turn_without_stations(const FacadeContext& c, std::span<const uint32_t> labels,
-                           std::vector<Segment>& segments, Task& task) {
-  const int facade = main_facade(segments);
-  const Vec3 middle = middle_of(c, task);
-  Vec3 front;
+// The wall's planes and those that belong to it.
+void turn_wall(const WallFront& front, std::vector<Segment>& segments) {
+  const Vec3 normal = segments[front.group.main].fit.plane.normal;
+  const Vec3 outward = front.is_before() ? normal : -normal;
+  for (const auto* planes : {&front.group.members, &front.group.attendants})
+    for (const size_t s : *planes) {
+      Segment& segment = segments[s];
+      if (dot(segment.fit.plane.normal, outward) < 0) turn_over(segment.fit);
+      segment.front_source = FrontSource::kEvidence;
+      segment.front_confidence = front.confidence();
+    }
+}
+
+void turn_by_evidence(const FacadeContext& c, std::span<const uint32_t> labels,
+                      std::vector<Segment>& segments, Task& task) {
+  const std::vector<WallFront> fronts = wall_fronts(c.cloud, c.origin, labels, segments, task);
+  const Vec3 middle = fronts.empty() ? middle_of(c, task) : Vec3{};
+  for (const WallFront& front : fronts) turn_wall(front, segments);
+  const auto viewer_of = [&](const Segment& segment) {
+    const auto distance = [&](const WallFront& front) {
+      return norm(segments[front.group.main].fit.centroid - segment.fit.centroid);
+    };
+    return std::min_element(
+               fronts.begin(), fronts.end(),
+               [&](const WallFront& a, const WallFront& b) { return distance(a) < distance(b); })
+        ->viewer;
+  };
   for (Segment& segment : segments) {
-    if (!segment.is_plane()) continue;
-    const Vec3& n = segment.fit.plane.normal;
-    if (std::fabs(n.z) > kSameDirection ? n.z < 0 : segment.fit.plane.distance(middle) < 0)
-      turn_over(segment.fit);
-  }
-  if (facade < 0) return;
-  Segment& main = segments[static_cast<size_t>(facade)];
-  const Sides sides = count_sides(c, main, labels, task);
-  if (sides.front > sides.behind) turn_over(main.fit);
-  front = main.fit.plane.normal;
-  for (Segment& segment : segments) {
-    if (!segment.is_plane()) continue;
-    const double cosine = dot(segment.fit.plane.normal, front);
-    if (cosine < -kSameDirection &&
-        std::fabs(main.fit.plane.distance(segment.fit.centroid)) < kNearFacade_m)
+    if (!segment.has_plane() || segment.front_source != FrontSource::kNone) continue;
+    const Plane& plane = segment.fit.plane;
+    if (std::fabs(plane.normal.z) > kSameDirection
+            ? plane.normal.z < 0
+            : plane.distance(fronts.empty() ? middle : viewer_of(segment)) < 0)
       turn_over(segment.fit);
   }
 }
@@ -133,8 +107,7 @@ int main_facade(const std::vector<Segment>& segments) {
   int best = -1;
   double area = 0;
   for (size_t s = 0; s < segments.size(); ++s)
-    if (segments[s].is_plane() && std::fabs(segments[s].fit.plane.normal.z) <= kVerticalSine &&
-        segments[s].area_m2 > area) {
+    if (is_upright(segments[s]) && segments[s].area_m2 > area) {
       best = static_cast<int>(s);
       area = segments[s].area_m2;
     }
@@ -143,13 +116,8 @@ int main_facade(const std::vector<Segment>& segments) {
 
 void turn_normals(const FacadeContext& c, std::span<const uint32_t> labels,
                   std::vector<Segment>& segments, Task& task) {
-  if (!has_poses(c.cloud)) {
-    turn_without_stations(c, labels, segments, task);
-    return;
-  }
-  const std::vector<int64_t> votes = station_votes(c, labels, segments);
-  for (size_t s = 0; s < segments.size(); ++s)
-    if (votes[s] < 0) turn_over(segments[s].fit);
+  if (has_poses(c.cloud)) turn_by_stations(c, labels, segments);
+  else turn_by_evidence(c, labels, segments, task);
 }
 
 void classify(const FacadeContext& c, std::vector<Segment>& segments) {

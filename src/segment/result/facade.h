@@ -13,7 +13,6 @@ struct FacadeContext {
   const Cloud& cloud;
   Vec3 origin;
   double orientation_tolerance_rad;
-  double distance_tolerance_m;
   bool facade_frame;
   const FacadeAxes* axes = nullptr;  ///< known before the planes, or null
 };
@@ -21,9 +20,10 @@ struct FacadeContext {
 /// Index of the main facade: the vertical plane of the largest area; -1 when there is none.
 int main_facade(const std::vector<Segment>& segments);
 
-/// Turns normals toward the station that saw most of the segment's points. Without stations: horizontal planes
-/// upward; the main facade and planes parallel to it away from what lies behind it (panes, recesses, rooms: ghosts
-/// lie behind a facade, not in front); others toward the middle of the cloud.
+/// Turns normals toward the station that saw most of the segment's points, and says which share of them did. Without
+/// stations: horizontal planes upward; walls and what belongs to them toward the likelier viewer, with the probability
+/// (front/fronts.h); others toward the viewer of the wall nearest to them, or without any toward the middle of the
+/// cloud.
 void turn_normals(const FacadeContext& context, std::span<const uint32_t> labels,
                   std::vector<Segment>& segments, Task& task);
 

@@ -106,9 +106,9 @@ FieldTable segment_table(const Segmentation& s) {
       [](const P& p, uint32_t) { return p.orientation; }));
   table.set(segment_column<uint64_t>(s, "inliers", 1, "points", "number of its points",
                                      [](const P& p, uint32_t) { return p.point_count(); }));
-  table.set(vector_column(
-      s, "normal", "",
-      "plane: unit normal, toward the station where known; cylinder: axis direction", normal_of));
+  table.set(vector_column(s, "normal", "",
+                          "plane: unit normal, toward the viewer; cylinder: axis direction",
+                          normal_of));
   table.set(length_column(s, "offset", "m", "normal . p = offset (planes)",
                           [](const P& p) { return p.is_plane() ? p.fit.plane.offset : kNaN; }));
   table.set(vector_column(
@@ -129,6 +129,12 @@ FieldTable segment_table(const Segmentation& s) {
   table.set(length_column(s, "length_v", "m",
                           "plane: extent along axis_v; cylinder: arc around the axis",
                           [](const P& p) { return p.length_v_m; }));
+  table.set(segment_column<uint8_t>(
+      s, "front_source", 1, "", "side of the normal: 1 by stations, 2 by evidence, 0 by convention",
+      [](const P& p, uint32_t) { return p.front_source; }));
+  table.set(segment_column<double>(s, "front_confidence", 1, "",
+                                   "probability that the viewer was on the normal's side",
+                                   [](const P& p, uint32_t) { return p.front_confidence; }));
   table.set(segment_column<double>(
       s, "covariance", 16, "",
       "plane: of nx, ny, nz, offset, rank 3; sphere: of centre and radius; row by row",

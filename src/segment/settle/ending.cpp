@@ -129,12 +129,8 @@ Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scen
   const auto label_column = label_points(scene, surfaces);
   const auto labels = label_column->values<uint32_t>();
   out.labels = label_column;
-  const FacadeContext context{*cloud,
-                              scene.origin,
-                              settings.orientation_tolerance_rad,
-                              settings.distance_tolerance_m,
-                              settings.facade_frame,
-                              scene.axes ? &*scene.axes : nullptr};
+  const FacadeContext context{*cloud, scene.origin, settings.orientation_tolerance_rad,
+                              settings.facade_frame, scene.axes ? &*scene.axes : nullptr};
   turn_normals(context, labels, out.segments, task);
   classify(context, out.segments);
   out.T_facade_world = facade_transform(context, out.segments);

@@ -79,6 +79,11 @@ static class Arrays {
       Check.That(message.Contains("xyz"), "the message names no argument: " + message);
     }
     Check.Equal("xyz: row 0 is null", Check.Throws<InvalidArgumentException>(() => new Cloud(new double[][] {null, new double[3]})).Message, "a null row");
+    Check.Equal("xyz must have rows of 3, not rows of 1", Check.Throws<InvalidArgumentException>(() => new Cloud(new double[3, 1])).Message, "a column");
+    using (var cloud = new Cloud(new double[3])) {
+      Check.Equal("transform must be 3 x 4 or 4 x 4, not 12 x 1",
+                  Check.Throws<InvalidArgumentException>(() => cloud.Transform(new double[12, 1])).Message, "a pose as a column");
+    }
     Check.Equal("xyz must have rows of 3, not 5 numbers", Check.Throws<InvalidArgumentException>(() => new Cloud(new double[5])).Message, "flat");
     using (var empty = new Cloud(new double[0, 3])) Check.Equal(0L, empty.Count, "an empty cloud");
   }

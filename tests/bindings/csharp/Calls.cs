@@ -118,7 +118,9 @@ static class Calls {
       Check.Equal(Status.ErrorNotFound, Check.Throws<NotFoundException>(() => Cloud.Read("/nowhere/none.las")).Status, "read");
       Check.Throws<NotFoundException>(() => cloud.RemoveField("none"));
       using (var segmenter = new Segmenter()) Check.Throws<InsufficientDataException>(() => segmenter.Run(cloud));
-      using (var segmenter = new Segmenter()) Check.Throws<InvalidArgumentException>(() => segmenter.Run(null));
+      using (var segmenter = new Segmenter()) {
+        Check.Equal("cloud is null", Check.Throws<InvalidArgumentException>(() => segmenter.Run(null)).Message, "no cloud");
+      }
       using (var line = new Cloud(new double[] {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3}))
       using (var segmenter = new Segmenter()) Check.Throws<DegenerateException>(() => segmenter.Run(line));
       Check.Throws<UnsupportedException>(() => cloud.Write("cloud.unknownformat"));

@@ -17,6 +17,8 @@ static class Objects {
     }
     if (type == typeof(Registrar)) return new Registrar(member == "RunTargets" ? "targets" : "icp");
     if (type == typeof(Model) && member == "RemoveCopy") return Survey.Repeated;
+    if (type == typeof(Model) && member == "PerturbStrips") return Survey.Scene.BuildingStrips().Model;
+    if (type == typeof(Scanner) && member == "Drive") return new Scanner("mobile") { Pulses = 50 };
     if (type == typeof(Segmentation) && member == "Pick") return Segmentation.Start(Survey.Scan);
     return Of(type, type.Name + "." + member, "self");
   }
@@ -60,6 +62,7 @@ static class Objects {
     if (type == typeof(Segmentation)) return Survey.Planes;
     if (type == typeof(Registration)) return Survey.Registered;
     if (type == typeof(NoiseLaw)) return Survey.Law;
+    if (type == typeof(Trajectory)) return Survey.Drive();
     if (type == typeof(Evaluation)) return Survey.Planes.Evaluate(Survey.Planes);
     if (type == typeof(ModelEvaluation)) return Survey.Facade.Evaluate(Survey.Scene);
     if (type == typeof(Gauge)) return Survey.Gauge();

@@ -22,6 +22,9 @@ static class RealValues {
       {"poses", new double[] {1, 0, 0, 2, 0, 1, 0, -2, 0, 0, 1, 2, 1, 0, 0, 20, 0, 1, 0, -2, 0, 0, 1, 2}},
       {"indices", new[] {0, 1, 2, 3, 40, 50, 60, 70}}, {"seeds", new[] {0, 1}}, {"box", new double[,] {{-5, -10, -1}, {12, 10, 20}}},
       {"size", new double[] {1, 2, 3}}, {"foot", new double[] {5, 0, -1}}, {"top", new double[] {5, 0, 20}},
+      {"timesS", three}, {"thetasRad", new double[] {0.1, 2, 3}}, {"phisRad", new double[] {1.5, 1.6, 1.7}},
+       {"positionsM", Survey.Path3}, {"attitudesRad", new double[3, 3]},
+      {"positionSigmasM", Survey.Sigmas}, {"velocitySigmasMS", Survey.Sigmas}, {"attitudeSigmasRad", Survey.Sigmas},
       {"direction", new double[] {0, 0, 1}}, {"covariance", new[,] {{1e-6, 0, 0}, {0, 1e-6, 0}, {0, 0, 1e-6}}}};
 
   static readonly Dictionary<string, string> texts = new Dictionary<string, string> {
@@ -38,10 +41,11 @@ static class RealValues {
       {"Segmentation.WritePrimitives.path", "primitives.txt"}, {"Library.ReportWriteHtml.path", "report.html"},
       {"Library.ReportWriteJson.path", "report.json"}, {"Library.ReportWriteComparison.path", "comparison.html"},
       {"Library.ReportWriteRegistration.path", "registration.html"},
+      {"Trajectory.Read.path", "drive.txt"}, {"Trajectory.Write.path", "driven.txt"},
       {"Library.SceneWriteTruth.path", "truth.json"}};
 
   static readonly Dictionary<string, double> scalars = new Dictionary<string, double> {
-      {"k", 4}, {"Knn.level", -1}, {"level", 6}, {"reach", 1}, {"wMin", -100}, {"wMax", 100}, {"radiusM", 0.5}, {"lengthM", 2},
+      {"k", 4}, {"Knn.level", -1}, {"level", 6}, {"reach", 1}, {"wMin", -100}, {"wMax", 100}, {"radiusM", 0.5}, {"lengthM", 2}, {"spacingS", 4},
       {"toleranceM", 0.01}, {"Split.value", 1}, {"value", 12}, {"a", 1}, {"c", 1}, {"type", 10}, {"components", 1}, {"label", 1}, {"bins", 10},
       {"primitive", 1}, {"threads", 1}, {"status", -1}, {"part", -1}, {"otherPart", -1}, {"RemoveCopy.i", Survey.Copy}, {"count", 1},
       {"ArrayView.get_Item.c", 0}};

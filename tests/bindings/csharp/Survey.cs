@@ -10,6 +10,9 @@ static class Survey {
   public static readonly double[] Ball = {3, 4, 5};  // its radius is 0.0725 m
   public static readonly double[,] Identity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 
+  public static readonly double[,] Path3 = {{0, 0, 2}, {50, 0, 2}, {100, 10, 2}};
+  public static readonly double[,] Sigmas = {{0.02, 0.02, 0.03}, {0.02, 0.02, 0.03}, {0.05, 0.06, 0.07}};
+
   public static readonly string Folder = Path.Combine(Path.GetTempPath(), "jalon_survey_" + Guid.NewGuid().ToString("N"));
   public static readonly Model Scene = Library.SceneCreate();
   public static readonly Cloud Scan = Scanned(1), Second = Scanned(2);
@@ -39,6 +42,7 @@ static class Survey {
     Repeated = Insa();
     Copy = Array.IndexOf(Repeated.GetParts().Doubles("evidence"), (double)Constants.EvidenceCopied);
     Scan.Write(At("scan.las"));
+    Drive().Write(At("drive.txt"));
     Facade.Write(At("model.obj"));
   }
 
@@ -65,6 +69,11 @@ static class Survey {
     return gauge;
   }
 
+  /// <summary>Three epochs of mobile mapping, at the times 10, 20 and 30 s.</summary>
+  public static Trajectory Drive() {
+    return new Trajectory(new double[] {10, 20, 30}, Path3, new double[3, 3], Sigmas, Sigmas, Sigmas, "EPSG:2154");
+  }
+
   /// <summary>A gauge as a model.</summary>
   public static Model Tetrahedron() {
     return Model.CreateMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
@@ -80,6 +89,7 @@ static class Survey {
       cloud.SetField("slope", deviation);
       cloud.SetField("label", label);
       cloud.SetField("truth", label);
+      cloud.ComputeCovariances();
       return cloud;
     }
   }

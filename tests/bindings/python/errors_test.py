@@ -40,6 +40,12 @@ class Errors(unittest.TestCase):
                 pathlib.Path(path).write_bytes(b"LASF" + bytes(100))
                 jalon.Cloud.read(path)
 
+    def python__what_is_missing_is_called_none(self):
+        with self.assertRaisesRegex(ValueError, "^cloud and model are both None$"):
+            gauge = jalon.Gauge()
+            gauge.add_sphere(1)
+            jalon.gauge_sweep(gauge, [np.eye(4)])
+
     def python__keyword_arguments_are_checked(self):
         self.assertRaises(TypeError, jalon.Segmenter, no_such=1)
         self.assertRaises(ValueError, jalon.Segmenter, distance_tolerance_m=-1)

@@ -101,6 +101,22 @@ class Models(unittest.TestCase):
         less = model.remove_copy(copies[0].index)
         self.assertEqual(sum(part.part_class == "window" for part in less), 9)
 
+    def python__parts_and_faces_know_how_they_lie_to_each_other(self):
+        model = jalon.Modeller("facade").run(*seen_past_a_screen())
+        of = {part.index: part.part_class for part in model}
+        table = model.relations()
+        pairs = {(of[a], of[b]): r for a, b, r in zip(table["first"], table["second"], table["relation"])}
+        self.assertEqual(pairs["wall", "window"], jalon.Relation.CONTAINS)
+        self.assertEqual(table["matrix"].shape, (len(table["first"]), 9))
+        self.assertTrue((table["distance"] <= 0.5).all())
+        row = model.relations(max_distance_m=20)
+        beside = [d for a, b, d in zip(row["first"], row["second"], row["direction"]) if of[a] == of[b] == "window"]
+        self.assertTrue(all(d & (jalon.Direction.LEFT | jalon.Direction.RIGHT | jalon.Direction.ABOVE | jalon.Direction.BELOW) for d in beside))
+        faces = model.relations(elements="faces")
+        self.assertIn(jalon.Relation.MEET, faces["relation"])
+        with self.assertRaises(jalon.Error):
+            model.relations(elements="solids")
+
     def python__points_are_sampled_on_all_faces(self):
         points = cube(2).sample(points=6000, seed=1)
         self.assertEqual(len(points), 6000)

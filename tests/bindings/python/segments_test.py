@@ -53,6 +53,14 @@ class Segments(unittest.TestCase):
         self.assertEqual(self.segmentation.facade_frame.shape, (4, 4))
         self.assertEqual(self.segmentation.facade_frame[3].tolist(), [0, 0, 0, 1])
 
+    def python__long_edges_have_a_curve_and_contour_points(self):
+        lengths, points, summary = self.segmentation.long_edges(1)
+        self.assertTrue((np.diff(lengths["length"]) >= 0).all())
+        self.assertEqual(summary.longer, (lengths["length"] > summary.threshold).sum())
+        self.assertEqual(summary.points, len(points))
+        self.assertTrue((self.segmentation.cloud["label"][points["point"]] == 1).all())
+        self.assertEqual(self.segmentation.long_edges(1, threshold_m=0.5)[2].threshold, 0.5)
+
     def python__labels_of_the_truth_evaluate_a_segmentation(self):
         truth = jalon.Segmentation.from_labels(box_cloud(), "segment")
         evaluation = self.segmentation.evaluate(truth)

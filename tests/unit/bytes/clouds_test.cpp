@@ -54,8 +54,12 @@ TEST_CASE("cloud_bytes__that_break_a_promise_of_clouds_are_refused") {
   cloud.stations[1].first = 1;  // of A already
   CHECK(cloud_read_back(cloud, back) != "");
   cloud = cloud_with_stations();
-  cloud.stations[0].pose.m[3] = NAN;
-  CHECK(cloud_read_back(cloud, back).find("pose") != std::string::npos);
+  for (const auto& [i, value] : {std::pair{3, NAN}, {0, 0.0}, {0, 2.0}, {10, -1.0}}) {
+    cloud = cloud_with_stations();
+    cloud.stations[0].pose.m[static_cast<size_t>(i)] = value;
+    CHECK(cloud_read_back(cloud, back).find("the pose of a station is no rigid motion") !=
+          std::string::npos);
+  }
   CHECK(cloud_read_back(test::cloud_of({{0, INFINITY, 0}}), back).find("not finite") !=
         std::string::npos);
   cloud = cloud_with_stations();

@@ -27,6 +27,8 @@ Segmentation one_of_each() {
     s.segments[i].type = static_cast<PrimitiveType>(i + 1);
   }
   s.segments[0].orientation = Orientation::kInclined;
+  s.segments[0].front_source = FrontSource::kEvidence;
+  s.segments[0].front_confidence = 0.75;
   s.segments[0].fit.axis_u = {1, 0, 0};
   s.segments[0].fit.axis_v = {0, 1, 0};
   s.segments[1].sphere.sphere.radius = 0.3;
@@ -57,6 +59,8 @@ TEST_CASE("segmentation_bytes__bring_back_labels_segments_and_parameters") {
   CHECK(back.labels->values<uint32_t>()[3] == 3);
   CHECK(back.residuals->values<float>()[2] == -0.1f);
   CHECK(back.segments.at(0).source_label == -5);
+  CHECK(back.segments.at(0).front_source == FrontSource::kEvidence);
+  CHECK(back.segments.at(0).front_confidence == 0.75);
   CHECK(back.segments.at(1).sphere.sphere.radius == 0.3);
   CHECK(back.segments.at(2).cylinder.cylinder.radius == 0.2);
   CHECK(back.parameters_json == "{\"a\":1}");

@@ -95,8 +95,10 @@ TEST_CASE("normals__exact_plane__every_method_gives_its_normal") {
   const Vec3 u = normalized(cross(truth, {0, 0, 1})), v = cross(truth, u);
   RandomStream random(22, 0);
   std::vector<Vec3> points;
-  for (int i = 0; i < 5000; ++i)
-    points.push_back(u * (10 * random.uniform()) + v * (10 * random.uniform()));
+  for (int i = 0; i < 5000; ++i) {
+    const double a = 10 * random.uniform(), b = 10 * random.uniform();
+    points.push_back(u * a + v * b);
+  }
   Task task;
   for (const char* method : {"pca", "quadric", "triangulation"}) {
     const Cloud out = with_normals(cloud_of(points), normal_options(method), task);

@@ -45,26 +45,26 @@ TEST_CASE("precision__adds_influences_as_the_root_of_the_sum_of_squares") {
     "level_sensitivity_rad":1e-4,"range_ppm":20})";
   const PointBudget b = budget({0, 60, 25}, all);
   const double d = std::hypot(60, 25);
-  CHECK(b.range_m == doctest::Approx(0.007 + 20e-6 * d));
-  CHECK(b.horizontal_m == doctest::Approx(60 * 60e-6));
-  CHECK(b.azimuth_m == doctest::Approx(60 * std::sqrt(2.0) * 0.002 / 40));
-  CHECK(b.levelling_m == doctest::Approx(0.2e-4 * std::hypot(d, 25)));
-  CHECK(b.station_m == doctest::Approx(std::sqrt(2 * 9e-6 + 4e-6 + 1e-6)));
+  CHECK(b.range_m == doctest::Approx(0.007 + 20e-6 * d).scale(0));
+  CHECK(b.horizontal_m == doctest::Approx(60 * 60e-6).scale(0));
+  CHECK(b.azimuth_m == doctest::Approx(60 * std::sqrt(2.0) * 0.002 / 40).scale(0));
+  CHECK(b.levelling_m == doctest::Approx(0.2e-4 * std::hypot(d, 25)).scale(0));
+  CHECK(b.station_m == doctest::Approx(std::sqrt(2 * 9e-6 + 4e-6 + 1e-6)).scale(0));
   const double parts[] = {b.range_m,   b.pulse_m,     b.horizontal_m, b.vertical_m,
                           b.azimuth_m, b.levelling_m, b.station_m};
   double sum = 2 * b.beam_m * b.beam_m;  // in both directions across the ray
   for (const double part : parts) sum += part * part;
-  CHECK(b.point_m() == doctest::Approx(std::sqrt(sum)).epsilon(1e-12));
+  CHECK(b.point_m() == doctest::Approx(std::sqrt(sum)).epsilon(1e-12).scale(0));
   CHECK(budget({0, 60, 25}, "{}").point_m() ==
-        doctest::Approx(budget({0, 60, 25}, "{}").instrument_m()));
+        doctest::Approx(budget({0, 60, 25}, "{}").instrument_m()).scale(0));
 }
 
 TEST_CASE("precision__snr_follows_the_returned_intensity") {
   const char* json = R"({"pulse_bandwidth_hz":1e9,"snr":50,"snr_range_m":10,"reflectance":0.5})";
   const double near_by = budget({0, 10, 0}, json).pulse_m;
-  CHECK(budget({0, 20, 0}, json).pulse_m == doctest::Approx(4 * near_by));
+  CHECK(budget({0, 20, 0}, json).pulse_m == doctest::Approx(4 * near_by).scale(0));
   CHECK(budget({0, 10, 0}, json, 1.0).pulse_m ==
-        doctest::Approx(near_by / std::pow(std::cos(1.0), 4)));
+        doctest::Approx(near_by / std::pow(std::cos(1.0), 4)).scale(0));
   CHECK(std::isfinite(budget({0, 10, 0}, json, 1.5707963).point_m()));
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("precision__biases_stay_out_of_the_standard_deviations") {
       R"({"temperature_drift_m_per_k":1.333e-4,"temperature_difference_k":-15,"rise_time_s":1e-9,
     "time_walk_factor":0.1,"amplitude":2})";
   const PointBudget b = budget({0, 10, 0}, json);
-  CHECK(b.range_bias_m == doctest::Approx(-15 * 1.333e-4 + 299792458 * 1e-10 * 0.5));
+  CHECK(b.range_bias_m == doctest::Approx(-15 * 1.333e-4 + 299792458 * 1e-10 * 0.5).scale(0));
   CHECK(b.point_m() == budget({0, 10, 0}, "{}").point_m());
 }
 
@@ -94,8 +94,8 @@ TEST_CASE("precision__covariances_of_a_cloud_cover_what_the_scanner_does") {
     const double d = 5 + 45 * random.uniform(), h = 6.2 * random.uniform(),
                  v = -0.9 + 2 * random.uniform();
     truth.push_back(place(d, h, v));
-    measured.push_back(
-        place(d + sd * random.normal(), h + sh * random.normal(), v + sv * random.normal()));
+    const Vec3 off{random.normal(), random.normal(), random.normal()};
+    measured.push_back(place(d + sd * off.x, h + sh * off.y, v + sv * off.z));
   }
   Task task;
   const Cloud cloud = with_point_covariances(

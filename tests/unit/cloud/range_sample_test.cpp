@@ -27,8 +27,9 @@ TEST_CASE("range_sample__divides_by_n_minus_1_where_the_fit_divides_by_n_minus_3
   for (const Vec3& at : {Vec3{}, kFar}) {
     Task task;
     const RangeSample sample = range_sample(cloud_of(shifted(rocking_square(), at)), {}, task);
-    CHECK(sample.range_precision_m == doctest::Approx(0.003 * std::sqrt(4.0 / 3)).epsilon(1e-6));
-    CHECK(sample.fit.sigma == doctest::Approx(0.003 * std::sqrt(4.0)).epsilon(1e-6));
+    CHECK(sample.range_precision_m ==
+          doctest::Approx(0.003 * std::sqrt(4.0 / 3)).epsilon(1e-6).scale(0));
+    CHECK(sample.fit.sigma == doctest::Approx(0.003 * std::sqrt(4.0)).epsilon(1e-6).scale(0));
     CHECK(std::abs(sample.fit.plane.normal.z) == doctest::Approx(1));
     CHECK(std::isnan(sample.mean_intensity));
   }
@@ -41,7 +42,7 @@ TEST_CASE("range_sample__takes_only_the_points_named") {
   const std::vector<uint64_t> square = {3, 1, 0, 2};
   Task task;
   CHECK(range_sample(cloud_of(points), square, task).range_precision_m ==
-        doctest::Approx(0.003 * std::sqrt(4.0 / 3)));
+        doctest::Approx(0.003 * std::sqrt(4.0 / 3)).scale(0));
 }
 
 TEST_CASE("range_sample__intensities_leave_out_what_is_no_number") {

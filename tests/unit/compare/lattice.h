@@ -34,9 +34,10 @@ inline Cloud lattice(const Look& look, const Transform& pose,
       static_cast<int>(std::floor((look.high - look.low) / look.vertical_step + 1e-9));
   for (int i = 0; i <= columns; ++i)
     for (int j = 0; j <= rows; ++j) {
-      const Vec3 d =
-          direction_of(look.left + i * look.horizontal_step + look.angle_noise * random.normal(),
-                       look.low + j * look.vertical_step + look.angle_noise * random.normal());
+      const double aside = look.angle_noise * random.normal(),
+                   up = look.angle_noise * random.normal();
+      const Vec3 d = direction_of(look.left + i * look.horizontal_step + aside,
+                                  look.low + j * look.vertical_step + up);
       const double r = range(d);
       if (!(r > 0)) continue;
       const Vec3 p = pose.point(d * r);

@@ -68,8 +68,10 @@ TEST_CASE("geodesic__on_planes__the_straight_distance") {
     const Vec3 v = normalized(cross(tilt == 0 ? Vec3{0, 0, 1} : Vec3{0.3, -0.2, 1}, u));
     RandomStream random(1, static_cast<uint64_t>(tilt));
     std::vector<Vec3> points{u * 3.0 + v * 3.0};
-    for (size_t i = 0; i < 90000; ++i)
-      points.push_back(u * (10 * random.uniform()) + v * (10 * random.uniform()));
+    for (size_t i = 0; i < 90000; ++i) {
+      const double a = 10 * random.uniform(), b = 10 * random.uniform();
+      points.push_back(u * a + v * b);
+    }
     for (const double cell_m : {0.2, 0.1}) {
       const auto found = geodesic(cloud_of(points), {0}, cell_m);
       const Error2 e = errors(found, cell_m, [&](size_t i) { return norm(points[i] - points[0]); });

@@ -22,7 +22,10 @@ std::vector<Vec3> patch(const Vec3& n, size_t count, uint64_t seed) {
   const Vec3 v = cross(n, u);
   RandomStream random(seed, 3);
   std::vector<Vec3> out(count);
-  for (Vec3& p : out) p = u * (random.uniform() - 0.5) + v * (random.uniform() - 0.5);
+  for (Vec3& p : out) {
+    const double a = random.uniform() - 0.5, b = random.uniform() - 0.5;
+    p = u * a + v * b;
+  }
   return out;
 }
 

@@ -20,7 +20,10 @@ namespace {
 std::vector<double> two_groups(size_t n, uint64_t seed) {
   RandomStream random(seed, 8);
   std::vector<double> out(n);
-  for (double& v : out) v = (random.uniform() < 0.3 ? 10 : 0) + random.normal();
+  for (double& v : out) {
+    const double group = random.uniform() < 0.3 ? 10 : 0;
+    v = group + random.normal();
+  }
   std::sort(out.begin(), out.end());
   return out;
 }

@@ -99,10 +99,12 @@ inline ColumnPtr random_column(const std::string& name, ElementType type, uint32
   visit(type, [&](auto zero) {
     using T = decltype(zero);
     for (T& value : column->values<T>()) {
-      if constexpr (std::is_floating_point_v<T>)
-        value = static_cast<T>(random.normal() *
-                               std::pow(10.0, static_cast<double>(random.below(9)) - 4));
-      else value = static_cast<T>(random.bits());
+      if constexpr (std::is_floating_point_v<T>) {
+        const double size = std::pow(10.0, static_cast<double>(random.below(9)) - 4);
+        value = static_cast<T>(random.normal() * size);
+      } else {
+        value = static_cast<T>(random.bits());
+      }
     }
   });
   return column;

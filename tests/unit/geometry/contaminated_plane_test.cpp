@@ -33,7 +33,7 @@ ContaminatedPlaneDraw strip(uint64_t seed, size_t own, size_t foreign) {
     out.zones.push_back(u > 0.025 && u < 0.375 ? 1 : 0);
   }
   while (out.points.size() < own + foreign) {
-    const double z = -0.1 * random.uniform() + kSigma_m * random.normal();
+    const double depth = 0.1 * random.uniform(), z = kSigma_m * random.normal() - depth;
     if (std::abs(z) > kTolerance_m) continue;
     out.points.push_back({0.4, 2.4 * random.uniform(), z});
     out.zones.push_back(0);
@@ -149,9 +149,9 @@ TEST_CASE("contamination_table__derivatives_are_those_of_its_log_density") {
     front.front += kStep;
     behind.behind += kStep;
     CHECK((density(front, r) - density(c, r)) / kStep ==
-          doctest::Approx(d[ContaminationTable::kF]).epsilon(0.01));
+          doctest::Approx(d[ContaminationTable::kF]).epsilon(0.01).scale(0));
     CHECK((density(behind, r) - density(c, r)) / kStep ==
-          doctest::Approx(d[ContaminationTable::kB]).epsilon(0.01));
+          doctest::Approx(d[ContaminationTable::kB]).epsilon(0.01).scale(0));
     const auto sum = table.weights(r);
     CHECK(sum.core + sum.front + sum.behind == doctest::Approx(1));
   }

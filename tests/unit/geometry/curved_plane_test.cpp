@@ -52,8 +52,10 @@ TEST_CASE("largest_bend__noise_on_a_plane__stays_within_its_own_sigma") {
   int beyond = 0;
   for (int draw = 0; draw < 200; ++draw) {
     BendSums sums;
-    for (int i = 0; i < 100; ++i)
-      sums.add(2 * noise.uniform() - 1, 2 * noise.uniform() - 1, 0.003 * noise.normal());
+    for (int i = 0; i < 100; ++i) {
+      const double u = 2 * noise.uniform() - 1, v = 2 * noise.uniform() - 1;
+      sums.add(u, v, 0.003 * noise.normal());
+    }
     Bend bend;
     REQUIRE(largest_bend(sums, kLengthU_m, kLengthV_m, bend));
     beyond += std::fabs(bend.curvature) > 3 * bend.sigma;

@@ -57,18 +57,19 @@ TEST_CASE("polar_covariance__is_that_of_drawn_observations") {
 
 TEST_CASE("polar_covariance__holds_overhead_and_adds_beam_and_levelling") {
   const Symmetric3 above = polar_covariance({0, 0, 10}, kUp, kGx);
-  CHECK(above[5] == doctest::Approx(0.007 * 0.007));
-  CHECK(above[0] == doctest::Approx(above[3]));
-  CHECK(point_sigma(above) == doctest::Approx(std::hypot(0.007, 7e-4)));
+  CHECK(above[5] == doctest::Approx(0.007 * 0.007).scale(0));
+  CHECK(above[0] == doctest::Approx(above[3]).scale(0));
+  CHECK(point_sigma(above) == doctest::Approx(std::hypot(0.007, 7e-4)).scale(0));
   const Symmetric3 nearly = polar_covariance({1e-9, 0, 10}, kUp, kGx);
-  CHECK(point_sigma(nearly) == doctest::Approx(point_sigma(above)));
+  CHECK(point_sigma(nearly) == doctest::Approx(point_sigma(above)).scale(0));
   // 2 mm of beam in each direction across the ray, none along it.
   const Symmetric3 beam = polar_covariance({0, 50, 0}, kUp, {0.001, 0, 0, 0, 0.002});
-  CHECK(beam[0] == doctest::Approx(4e-6));
-  CHECK(beam[3] == doctest::Approx(1e-6));
-  CHECK(beam[5] == doctest::Approx(4e-6));
+  CHECK(beam[0] == doctest::Approx(4e-6).scale(0));
+  CHECK(beam[3] == doctest::Approx(1e-6).scale(0));
+  CHECK(beam[5] == doctest::Approx(4e-6).scale(0));
   // An axis tilted sideways moves what is high up, and nothing at the horizon.
-  CHECK(polar_covariance({0, 30, 40}, kUp, {0, 0, 0, 1e-3, 0})[0] == doctest::Approx(0.04 * 0.04));
+  CHECK(polar_covariance({0, 30, 40}, kUp, {0, 0, 0, 1e-3, 0})[0] ==
+        doctest::Approx(0.04 * 0.04).scale(0));
   CHECK(point_sigma(polar_covariance({0, 50, 0}, kUp, {0, 0, 0, 1e-3, 0})) == 0);
-  CHECK(variance_along(beam, {0, 1, 0}) == doctest::Approx(1e-6));
+  CHECK(variance_along(beam, {0, 1, 0}) == doctest::Approx(1e-6).scale(0));
 }

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "base/error.h"
 #include "base/random.h"
 #include "geometry/adjustment.h"
 
@@ -101,4 +102,34 @@ TEST_CASE("motion_model__adjusts_to_the_motion_that_made_the_pairs") {
   Task task;
   REQUIRE(adjust<MotionModel>(pairs, {INFINITY, false}, task, model, adjusted));
   CHECK(largest_difference(model.motion(), truth) < 1e-9);
+}
+
+TEST_CASE("require_rigid__takes_rotations_and_tells_what_is_wrong_with_the_rest") {
+  const auto told = [](const Transform& t) -> std::string {
+    try {
+      require_rigid(t, "pose 1");
+    } catch (const Error& error) {
+      CHECK(error.status() == Status::kInvalidArgument);
+      return error.what();
+    }
+    return "";
+  };
+  const auto with = [](size_t i, double value) {
+    Transform t;
+    t.m[i] = value;
+    return t;
+  };
+  CHECK(told(Transform()) == "");
+  CHECK(told(with(0, 1 + 1e-7)) == "");
+  CHECK(told(motion_about({1e6, -5, 3}, {0.3, -2, 1}, {7, 8, 9})) == "");
+  const std::string lengths =
+      "pose 1 is no rigid motion: the columns of its 3 x 3 part have the lengths ";
+  Transform zeros;
+  zeros.m.fill(0);
+  CHECK(told(zeros).rfind(lengths + "0.000000, 0.000000 and 0.000000", 0) == 0);
+  CHECK(told(with(0, 1.001)).rfind(lengths + "1.001000, 1.000000 and 1.000000", 0) == 0);
+  CHECK(told(with(1, 0.01)).find("square to one another within 1e-6") != std::string::npos);
+  CHECK(told(with(10, -1)) == "pose 1 is no rigid motion: it mirrors (determinant -1)");
+  CHECK(told(with(0, NAN)).find("not finite") != std::string::npos);
+  CHECK(told(with(3, INFINITY)).find("not finite") != std::string::npos);
 }

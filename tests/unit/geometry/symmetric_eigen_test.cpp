@@ -37,7 +37,10 @@ TEST_CASE("symmetric_eigen__random_matrices_of_all_sizes__values_and_frame") {
   for (int i = 0; i < 2000; ++i) {
     Symmetric3 m;
     const double size = std::pow(10, 200 * random.uniform() - 100);
-    for (double& x : m) x = size * random.normal() * (random.below(3) == 0 ? 1e-9 : 1);
+    for (double& x : m) {
+      const double share = random.below(3) == 0 ? 1e-9 : 1;
+      x = size * random.normal() * share;
+    }
     check_promises(m, symmetric_eigen(m));
   }
 }

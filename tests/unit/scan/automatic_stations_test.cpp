@@ -74,16 +74,3 @@ TEST_CASE("automatic_stations__shift_with_the_model_and_need_something_upright")
   floor.triangle_faces = {1};
   CHECK(automatic_stations(floor).empty());
 }
-
-TEST_CASE("require_rigid__refuses_scale_mirror_and_nan") {
-  Transform t;
-  CHECK_NOTHROW(require_rigid(t));
-  t.m = {0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7};
-  CHECK_NOTHROW(require_rigid(t));
-  t.m[0] = 0.001;
-  CHECK_THROWS_AS(require_rigid(t), Error);
-  t.m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0};
-  CHECK_THROWS_AS(require_rigid(t), Error);
-  t.m = {1, 0, 0, std::nan(""), 0, 1, 0, 0, 0, 0, 1, 0};
-  CHECK_THROWS_AS(require_rigid(t), Error);
-}

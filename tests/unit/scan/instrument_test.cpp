@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "geometry/rigid_motion.h"
 #include "scan/misfit.h"
 #include "unit/scan/fixture.h"
 
@@ -121,7 +122,7 @@ TEST_CASE("misfit__is_a_small_rigid_error_with_the_deviations_asked_for") {
   Vec3 shifts, turns, mean_shift;
   for (size_t s = 0; s < kStations; ++s) {
     const Transform recorded = Misfit(settings, s).recorded(station.pose);
-    REQUIRE_NOTHROW(require_rigid(recorded));
+    REQUIRE_NOTHROW(require_rigid(recorded, "a pose"));
     const Vec3 shift = (recorded.translation() - station.pose.translation()) / 0.004;
     // The skew part of a small rotation is its vector.
     const Vec3 turn = Vec3{recorded.m[9] - recorded.m[6], recorded.m[2] - recorded.m[8],

@@ -56,7 +56,8 @@ TEST_CASE("patches__that_meet_share_the_one_bin_in_which_they_are_compared") {
   for (int i = 0; i < 200; ++i) {
     const double x = 20 * random.uniform(), y = 3 * random.uniform(),
                  z = 2 * static_cast<double>(random.below(3));
-    add_plate(model, x, x + 2 * random.uniform() + 0.1, y, y + random.uniform() + 0.1, z);
+    const double length = 2 * random.uniform() + 0.1, width = random.uniform() + 0.1;
+    add_plate(model, x, x + length, y, y + width, z);
   }
   Task task;
   const FlatTriangles flats(model, task);

@@ -20,12 +20,20 @@ TEST_CASE("ransac refuses clouds without area") {
   refuses_clouds_without_area([](const CloudPtr& cloud) { run(cloud, ransac_params()); });
 }
 
-TEST_CASE("ransac takes three points as a plane when asked") {
-  const Segmentation s =
-      run(cloud_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
-          ransac_params("{\"min_points\": 3, \"min_area_m2\": 0, \"connectivity\": false}"));
-  CHECK(s.segments.size() <= 1);
-  CHECK(s.labels->count() == 3);
+TEST_CASE("ransac takes three points as a plane when asked, and no fewer than it was asked for") {
+  const CloudPtr three = cloud_of({{0, 0, 2}, {1, 0, 2}, {0, 1, 2}});
+  const auto planes = [&](const char* min_points) {
+    const std::string json = std::string("{\"min_points\": ") + min_points +
+                             ", \"min_area_m2\": 0, \"connectivity\": false}";
+    return run(three, ransac_params(json.c_str()));
+  };
+  const Segmentation s = planes("3");
+  REQUIRE(s.segments.size() == 1);
+  CHECK(s.segments[0].fit.n == 3);
+  CHECK(std::fabs(s.segments[0].fit.plane.normal.z) == doctest::Approx(1));
+  CHECK(std::fabs(s.segments[0].fit.plane.offset) == doctest::Approx(2));
+  for (const uint32_t label : s.labels->values<uint32_t>()) CHECK(label == 1);
+  CHECK(planes("4").segments.empty());
 }
 
 TEST_CASE("ransac finds nothing in points scattered through a volume") {

@@ -17,6 +17,12 @@ inline Transform frame_of(const brute::Quaternion& q, const Vec3& at) {
   return t;
 }
 
+/// Turned by up to 3 rad, within 2 m of the origin about each axis.
+inline Transform any_frame(RandomStream& random) {
+  const brute::Quaternion turn = brute::any_turn(random, 3);
+  return frame_of(turn, brute::any_vector(random, 2));
+}
+
 /// A piece and its analytic distance.
 struct Body {
   ConvexPiece piece;

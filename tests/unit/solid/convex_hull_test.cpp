@@ -76,8 +76,10 @@ TEST_CASE("convex_hull__refuses_points_of_any_oblique_plane_wherever_and_takes_a
                n = normalized(cross(u, brute::any_vector(random, 1))), v = cross(n, u);
     const double narrow = draw % 3 == 0 ? 1e-3 : 1;
     std::vector<Vec3> points;
-    for (int i = 0; i < 20; ++i)
-      points.push_back(at + size_m * (random.uniform() * u + narrow * random.uniform() * v));
+    for (int i = 0; i < 20; ++i) {
+      const double a = random.uniform(), b = narrow * random.uniform();
+      points.push_back(at + size_m * (a * u + b * v));
+    }
     CAPTURE(draw);
     CHECK(status_of([&] { convex_hull(points); }) == Status::kDegenerate);
     // A micrometre for a metre, and no less than 0.1 um at seven digits.

@@ -47,7 +47,8 @@ TEST_CASE("cut_envelope__minimum_equals_a_search_and_the_best_mixture_proves_it"
     CutEnvelope envelope;
     std::vector<Cut> cuts;
     for (int i = 0; i < 2 + scene % 7; ++i) {
-      cuts.push_back(cut_of(brute::uniform(random, -0.2, 0.2), brute::any_vector(random, 1)));
+      const double at = brute::uniform(random, -0.2, 0.2);
+      cuts.push_back(cut_of(at, brute::any_vector(random, 1)));
       envelope.add(cuts.back(), {1, 0, 0});
     }
     Weights where{};

@@ -45,8 +45,8 @@ TEST_CASE("least_during__of_triangles_is_never_above_any_moment_s_contact") {
   RandomStream random(61, 0);
   for (int scene = 0; scene < 20; ++scene) {
     const Body body = any_body(random, scene % 4);
-    const Motion motion(frame_of(brute::any_turn(random, 3), brute::any_vector(random, 2)),
-                        frame_of(brute::any_turn(random, 3), brute::any_vector(random, 2)));
+    const Transform from = any_frame(random), to = any_frame(random);
+    const Motion motion(from, to);
     std::vector<Vec3> corners;
     for (int c = 0; c < 3; ++c) corners.push_back(motion.start(brute::any_vector(random, 3)));
     SweptContact out;
@@ -65,8 +65,8 @@ TEST_CASE("may_come_within__says_no_only_when_no_moment_comes_so_near") {
   int refused = 0;
   for (int scene = 0; scene < 200; ++scene) {
     const Body body = any_body(random, scene % 4);
-    const Motion motion(frame_of(brute::any_turn(random, 3), brute::any_vector(random, 2)),
-                        frame_of(brute::any_turn(random, 3), brute::any_vector(random, 2)));
+    const Transform from = any_frame(random), to = any_frame(random);
+    const Motion motion(from, to);
     const Vec3 centre = motion.start(brute::any_vector(random, 6));
     const double radius = 0.5 * random.uniform();
     double lowest = 0;

@@ -38,7 +38,10 @@ struct Scene {
   explicit Scene(uint64_t seed) {
     RandomStream random(seed, 7);
     const size_t count = 1 + seed % 3;
-    for (size_t i = 0; i < count; ++i) bodies.push_back(any_body(random, int(random.below(4))));
+    for (size_t i = 0; i < count; ++i) {
+      const auto kind = static_cast<int>(random.below(4));
+      bodies.push_back(any_body(random, kind));
+    }
     for (const Body& body : bodies) pieces.push_back(body.piece);
     Pose pose{brute::any_turn(random, 3), brute::any_vector(random, 2)};
     const size_t stops = 1 + seed % 4;  // one pose: a gauge that stands still
@@ -50,11 +53,11 @@ struct Scene {
       pose.at += brute::any_vector(random, 4);
     }
     for (int i = 0; i < 30; ++i) {
-      const Vec3 p = poses[random.below(stops)].at + brute::any_vector(random, 5);
+      const Vec3 near = poses[random.below(stops)].at, p = near + brute::any_vector(random, 5);
       for (int k = 0; k < 3; ++k) xyz.push_back(p[k]);
     }
     for (uint32_t i = 0; i < 2; ++i) {
-      const Vec3 p = poses[random.below(stops)].at + brute::any_vector(random, 5);
+      const Vec3 near = poses[random.below(stops)].at, p = near + brute::any_vector(random, 5);
       for (int k = 0; k < 3; ++k)
         vertices.push_back(p + brute::any_vector(random, i % 2 ? 0.5 : 3));
       triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});

@@ -14,6 +14,7 @@
 #include "modelling/edges/adjust/edge_blocks.h"
 #include "modelling/edges/find/chain_parts.h"
 #include "modelling/edges/find/guided_steps.h"
+#include "modelling/edges/find/ransac_parts.h"
 #include "modelling/edges/find/straighten.h"
 #include "modelling/edges/join/ring_nodes.h"
 
@@ -41,6 +42,7 @@ struct Draft {
   bool is_opening;
   std::vector<MeasuredEdge> edges;
   std::vector<EdgeInformation> information;
+  bool is_settled = false;  ///< its edges stay where the chain has them
 };
 
 // A short part between two longer ones that would meet beside it is a cut corner.
@@ -129,7 +131,14 @@ Draft make_draft(const Chain& chain, bool is_opening, bool arcs, const Contour& 
                  const VectoriseSetting& setting, const GuideLines* guides) {
   const double p = contour.spacing_m;
   const auto parts =
-      split_chain(chain, {p, arcs, guides, kSetBack * p, kBridge * contour.max_edge_m});
+      setting.lines == LineMethod::kRansac
+          ? ransac_parts(chain, {.spacing_m = p,
+                                 .arcs = arcs,
+                                 .tolerance_m = setting.line_tolerance_m,
+                                 .gap_m = setting.line_gap_m,
+                                 .min_points = setting.line_min_points,
+                                 .seed = setting.line_seed})
+          : split_chain(chain, {p, arcs, guides, kSetBack * p, kBridge * contour.max_edge_m});
   std::vector<EdgeShape> shapes;
   bool has_arc = false;
   for (const ChainPart& part : parts) {
@@ -164,7 +173,7 @@ void follow_guides(std::vector<Draft>& drafts, std::span<const Chain> chains,
           return !edge.shape.is_arc && (edge.shape.length_m < kWeak * contour.spacing_m ||
                                         edge.shape.upright_angle() > 0);
         });
-    if (is_weak)
+    if (is_weak && !draft.is_settled)
       draft = make_draft(*draft.chain, draft.is_opening, setting.arcs, contour, setting, &guides);
   }
 }
@@ -193,7 +202,7 @@ double distance_m(const EdgeShape& before, const EdgeShape& now) {
 template <class F>
 void settle_arcs(std::vector<Draft>& drafts, double spacing_m, F&& adjust) {
   for (Draft& draft : drafts)
-    for (size_t i = 0; i < draft.edges.size(); ++i)
+    for (size_t i = 0; i < draft.edges.size() && !draft.is_settled; ++i)
       for (int pass = 0; pass < kArcPasses && draft.edges[i].shape.is_arc; ++pass) {
         const EdgeShape before = draft.edges[i].shape;
         draft.information[i] = adjust(draft.edges[i]);
@@ -209,6 +218,7 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
     task.checkpoint(0);
     collect_blocks(near, contours, adjust.spacing_m, min_height_m, edge);
   };
+  // Without points about them edges keep their place, with the sigma of contours.
   const auto adjusted = [&](MeasuredEdge& edge) {
     return adjust_edge(adjust, variance[static_cast<size_t>(edge.shape.direction)], edge);
   };
@@ -216,6 +226,7 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
     std::array<std::vector<const MeasuredEdge*>, kClasses> classes;
     for (Draft& draft : drafts)
       for (MeasuredEdge& edge : draft.edges) {
+        if (draft.is_settled) continue;
         collect(edge);
         classes[static_cast<size_t>(edge.shape.direction)].push_back(&edge);
       }
@@ -233,10 +244,12 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
 
 // An arc that nothing but a ragged contour speaks for.
 bool has_doubtful_arc(const Draft& draft, double spacing_m) {
-  return std::any_of(draft.edges.begin(), draft.edges.end(), [&](const MeasuredEdge& edge) {
-    const EdgeShape& s = edge.shape;
-    return s.is_arc && (s.source == EdgeSource::kContour || !(s.sigma_m <= kArcSigma * spacing_m));
-  });
+  return !draft.is_settled &&
+         std::any_of(draft.edges.begin(), draft.edges.end(), [&](const MeasuredEdge& edge) {
+           const EdgeShape& s = edge.shape;
+           return s.is_arc &&
+                  (s.source == EdgeSource::kContour || !(s.sigma_m <= kArcSigma * spacing_m));
+         });
 }
 
 // Steps 4 and 5.
@@ -270,9 +283,10 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
       task.checkpoint(0);
       const Chain& chain = k == 0 ? piece.outline : piece.openings[k - 1];
       drafts.push_back(make_draft(chain, k > 0, setting.arcs, contour, setting, nullptr));
+      drafts.back().is_settled = k > 0 && !piece.is_settled.empty() && piece.is_settled[k - 1] != 0;
       chains.push_back(chain);
     }
-  follow_guides(drafts, chains, source, setting);
+  if (setting.lines == LineMethod::kBestCuts) follow_guides(drafts, chains, source, setting);
   for (const Draft& draft : drafts) rings.push_back(polyline(draft));
   const double sigma = std::max(source.sigma_m, kLeastSigma_m);
   const NearSetting about{(kStripInward + 1) * contour.spacing_m,
@@ -293,7 +307,8 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   }
   std::vector<MeasuredEdge*> all;
   for (Draft& draft : drafts)
-    for (MeasuredEdge& edge : draft.edges) all.push_back(&edge);
+    for (MeasuredEdge& edge : draft.edges)
+      if (!draft.is_settled) all.push_back(&edge);
   align_edges(all, contour.spacing_m);
   std::vector<VectorRing> out;
   for (const Draft& draft : drafts) out.push_back(draw(draft, contour));

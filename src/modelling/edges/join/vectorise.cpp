@@ -13,6 +13,7 @@
 #include "modelling/edges/join/measured_rings.h"
 #include "modelling/edges/join/nesting.h"
 #include "modelling/plane/crossing_points.h"
+#include "modelling/plane/segment_frame.h"
 #include "segment/labels/label_groups.h"
 
 namespace jalon {
@@ -24,13 +25,6 @@ constexpr double kToleranceOfEdge = 0.6;
 constexpr double kVectoriseChordError = 0.05;  // spacings: chords for arcs in the tests of nesting
 constexpr double kCrossingReach = 3;           // spacings: about 28 points of each of two planes
 constexpr double kParallel = 0.9;              // cosine: 26 degrees
-
-// Corner of the segment's box, in whole metres: moves with the cloud without rounding.
-Vec3 whole_metre_corner(const Cloud& cloud, std::span<const uint32_t> indices) {
-  Box3 box;
-  for (const uint32_t i : indices) box.add(cloud.point(i));
-  return {std::floor(box.min.x), std::floor(box.min.y), std::floor(box.min.z)};
-}
 
 VectorRing ring_of(Polygon polygon, const Chain& contour) {
   VectorRing ring{std::move(polygon), {}, contour};
@@ -100,9 +94,8 @@ std::vector<uint8_t> parallel_planes(const Segmentation& segmentation, size_t s)
 struct Vectoriser {
   const Segmentation& segmentation;
   const VectoriseSetting& setting;
+  const ContourMaker& make_contour;
   std::shared_ptr<const Octree> tree;
-  Vec3 facade_x;
-
   const LabelGroups& groups;
 
   VectorPlane operator()(size_t s, Task& task) const;
@@ -116,7 +109,7 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
   out.label = segment.label;
   if (!segment.has_plane() || indices.size() < 3) return out;
   // 1. Frame and plane coordinates (Boulaassal 2010, 4.2.1).
-  out.frame = plane_frame(segment.fit.plane, whole_metre_corner(cloud, indices), facade_x);
+  out.frame = segment_frame(segmentation, segment, indices);
   std::vector<Vec2> points(indices.size());
   for (size_t i = 0; i < indices.size(); ++i)
     points[i] = out.frame.project(cloud.point(indices[i]));
@@ -126,7 +119,8 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
     foreign = [&, crossing = CrossingPoints(segmentation, *tree, s)](uint32_t i, double spacing_m) {
       return crossing.holds(indices[i], kCrossingReach * spacing_m);
     };
-  const Contour contour = extract_contour(points, setting.contour, task, foreign);
+  const Contour contour = make_contour ? make_contour(s, points, setting.contour, foreign, task)
+                                       : extract_contour(points, setting.contour, task, foreign);
   out.spacing_m = contour.spacing_m;
   out.max_edge_m = contour.max_edge_m;
   if (contour.pieces.empty()) return out;
@@ -165,18 +159,17 @@ void check_labels(const Segmentation& segmentation) {
 }  // namespace
 
 std::vector<VectorPlane> vectorise(const Segmentation& segmentation,
-                                   const VectoriseSetting& setting, Task& task) {
+                                   const VectoriseSetting& setting, Task& task,
+                                   const ContourMaker& make_contour) {
   const size_t count = segmentation.segments.size();
   std::vector<VectorPlane> out(count);
   if (plane_count(segmentation.segments) == 0) return out;
   check_labels(segmentation);
-  const auto& m = segmentation.T_facade_world.m;
-  const Vec3 facade_x{m[0], m[1], m[2]};
   const LabelGroups groups = [&] {
     const ProgressSpan span(task, 0, 0.05, "sorting points by plane");
     return LabelGroups(segmentation.labels->values<uint32_t>(), count, task);
   }();
-  Vectoriser vectoriser{segmentation, setting, nullptr, facade_x, groups};
+  Vectoriser vectoriser{segmentation, setting, make_contour, nullptr, groups};
   if (setting.straighten) {
     const ProgressSpan span(task, 0.05, 0.1, "indexing points");
     vectoriser.tree = segmentation.cloud->octree(task);

@@ -36,6 +36,23 @@ constexpr auto kVectoriseRows = setting_rows(
         "arcs", "",
         "Curved parts of a contour become arcs where they explain it better than lines; false = "
         "lines only."),
+    choice_row<&VectoriseSetting::lines>(
+        "lines", "best_cuts|ransac", "",
+        "Straight and curved parts of a contour: the cuts that explain its points best, or lines "
+        "by "
+        "RANSAC, cut at their gaps, the rest curves (Boulaassal 2010, 4.3)."),
+    number_row<&VectoriseSetting::line_tolerance_m>(
+        "line_tolerance_m", 0, 10, "m", "",
+        "lines = ransac: half-width of the strip about a line; 0 = half the point spacing."),
+    number_row<&VectoriseSetting::line_gap_m>(
+        "line_gap_m", 0, 1000, "m", "",
+        "lines = ransac: widest gap between neighbouring points of one straight part; 0 = 5 point "
+        "spacings."),
+    integer_row<&VectoriseSetting::line_min_points>(
+        "line_min_points", 2, 1e6, "points", "",
+        "lines = ransac: fewest contour points of a straight part."),
+    integer_row<&VectoriseSetting::line_seed>("line_seed", 0, 9e15, "1", "",
+                                              "lines = ransac: seed of the draws."),
     number_row<&VectoriseSetting::direction_angle_rad>(
         "direction_angle_rad", 0, 0.26, "rad", "",
         "Edges this near to vertical or horizontal are of that direction class; short ones, which "

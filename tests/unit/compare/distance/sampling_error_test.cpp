@@ -57,7 +57,8 @@ TEST_CASE("sampling_error__of_a_point_follows_the_density_around_its_reference_p
     CHECK(error.mean_m == doctest::Approx(1 / (2 * std::sqrt(lambda))).epsilon(0.03).scale(0));
     double squares = 0;
     for (size_t i = 0; i < nearest.size(); ++i) squares += std::pow(error.column->number(i), 2);
-    CHECK(std::sqrt(squares / 4000) == doctest::Approx(error.rms_m).epsilon(1e-6));  // float
+    CHECK(std::sqrt(squares / 4000) ==
+          doctest::Approx(error.rms_m).epsilon(1e-6).scale(0));  // float
   }
 }
 
@@ -68,10 +69,11 @@ TEST_CASE("sampling_error__grows_with_the_scale_of_the_reference") {
   const auto large = cloud_of(xyz);
   const SamplingError one = predicted(reference, each_of(reference)),
                       eight = predicted(large, each_of(large));
-  CHECK(eight.rms_m == doctest::Approx(8 * one.rms_m).epsilon(1e-6));  // float
-  CHECK(eight.mean_m == doctest::Approx(8 * one.mean_m).epsilon(1e-6));
+  CHECK(eight.rms_m == doctest::Approx(8 * one.rms_m).epsilon(1e-6).scale(0));  // float
+  CHECK(eight.mean_m == doctest::Approx(8 * one.mean_m).epsilon(1e-6).scale(0));
   for (size_t i = 0; i < 3000; ++i)
-    REQUIRE(eight.column->number(i) == doctest::Approx(8 * one.column->number(i)).epsilon(1e-5));
+    REQUIRE(eight.column->number(i) ==
+            doctest::Approx(8 * one.column->number(i)).epsilon(1e-5).scale(0));
 }
 
 TEST_CASE("sampling_error__is_nan_without_a_reference_point_and_left_out_of_the_mean") {
@@ -82,7 +84,7 @@ TEST_CASE("sampling_error__is_nan_without_a_reference_point_and_left_out_of_the_
   CHECK(std::isnan(some.column->number(1)));
   CHECK(std::isnan(some.column->number(3)));
   CHECK(some.column->number(0) == some.column->number(2));
-  CHECK(some.rms_m == doctest::Approx(some.column->number(0)).epsilon(1e-6));
+  CHECK(some.rms_m == doctest::Approx(some.column->number(0)).epsilon(1e-6).scale(0));
   // R^2 = 1 / (pi lambda) and 1 / (2 sqrt(lambda)) of one lambda.
   CHECK(some.mean_m / some.rms_m == doctest::Approx(std::sqrt(std::numbers::pi) / 2));
   for (const auto& [reference, nearest] : {std::pair{square, std::vector<uint32_t>(3, kNoPoint)},

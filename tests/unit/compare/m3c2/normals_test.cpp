@@ -37,8 +37,10 @@ std::vector<Vec3> square_of_plane(const Vec3& normal, const Vec3& middle, size_t
   RandomStream random(11, 3);
   const Vec3 u = normalized(cross(normal, {0.3, 1, 0.2})), v = cross(normal, u);
   std::vector<Vec3> out;
-  for (size_t i = 0; i < n; ++i)
-    out.push_back(middle + u * (random.uniform() - 0.5) + v * (random.uniform() - 0.5));
+  for (size_t i = 0; i < n; ++i) {
+    const double a = random.uniform() - 0.5, b = random.uniform() - 0.5;
+    out.push_back(middle + u * a + v * b);
+  }
   return out;
 }
 

@@ -37,9 +37,10 @@ std::vector<Vec3> slanted(const Vec3& normal, uint64_t stream, size_t n = 300) {
   RandomStream random(31, stream);
   const Vec3 u = normalized(cross(normal, {0.31, 0.9, 0.2})), v = cross(normal, u);
   std::vector<Vec3> out;
-  for (size_t i = 0; i < n; ++i)
-    out.push_back(Vec3{0.5, 0.5, 0.5} + u * (0.6 * random.uniform() - 0.3) +
-                  v * (0.6 * random.uniform() - 0.3));
+  for (size_t i = 0; i < n; ++i) {
+    const double a = 0.6 * random.uniform() - 0.3, b = 0.6 * random.uniform() - 0.3;
+    out.push_back(Vec3{0.5, 0.5, 0.5} + u * a + v * b);
+  }
   return out;
 }
 

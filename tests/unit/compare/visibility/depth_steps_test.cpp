@@ -47,8 +47,10 @@ TEST_CASE("angular_field__is_what_was_looked_at_wherever_it_lies_on_the_circle")
   for (const double from : {-3.1, -1.0, 0.0, 1.3, 2.9}) {
     RandomStream random(72, 0);
     std::vector<Seen> points{seen_at(from + 1.2, 0.4), seen_at(from, -0.3)};
-    for (int k = 0; k < 300; ++k)
-      points.push_back(seen_at(from + 1.2 * random.uniform(), 0.7 * random.uniform() - 0.3));
+    for (int k = 0; k < 300; ++k) {
+      const double aside = 1.2 * random.uniform(), up = 0.7 * random.uniform() - 0.3;
+      points.push_back(seen_at(from + aside, up));
+    }
     const AngularField field = angular_field(points, task);
     CHECK_FALSE(field.is_closed);
     CHECK(std::fabs(field.horizontal_from_rad - from) < kSingle);
@@ -96,8 +98,10 @@ TEST_CASE("angular_steps__are_those_of_the_lattice_also_with_a_window_scanned_fi
 TEST_CASE("angular_steps__of_scattered_points_rows_and_single_points_can_be_used") {
   RandomStream random(73, 0);
   std::vector<Seen> scattered;
-  for (int k = 0; k < 10000; ++k)
-    scattered.push_back(seen_at(random.uniform(), 0.5 * random.uniform()));
+  for (int k = 0; k < 10000; ++k) {
+    const double aside = random.uniform(), up = 0.5 * random.uniform();
+    scattered.push_back(seen_at(aside, up));
+  }
   const AngularSteps steps = steps_of(scattered);
   // As far as its distances and its density may disagree: three times the area a point.
   CHECK(steps.horizontal_rad * steps.vertical_rad > 0.5e-4 / 3.1);

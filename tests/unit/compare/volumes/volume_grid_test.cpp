@@ -107,8 +107,8 @@ TEST_CASE("cloud_heights__interpolated_lie_on_a_slope_and_close_single_gaps") {
   std::vector<Vec3> points;
   for (int i = 0; i < 4000; ++i) {
     // Points crowd to the left of each metre.
-    const double x = std::floor(10 * random.uniform()) + std::pow(random.uniform(), 2),
-                 y = 10 * random.uniform();
+    const double metre = std::floor(10 * random.uniform()),
+                 x = metre + std::pow(random.uniform(), 2), y = 10 * random.uniform();
     const bool gap = (x > 4 && x < 5 && y > 4 && y < 5) || (x > 8 && y > 7);
     if (!gap) points.push_back({x, y, slope(x, y)});
   }

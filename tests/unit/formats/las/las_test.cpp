@@ -53,9 +53,11 @@ TEST_CASE("las__round_trip_keeps_random_fields_of_every_type_and_coordinates_wit
     const size_t n = seed == 0 ? 0 : 1 + random.below(3000);
     Cloud cloud = random_points(n, seed);
     const size_t fields = random.below(6);
-    for (size_t f = 0; f < fields; ++f)
-      cloud.fields.set(random_column("field " + std::to_string(f), kAllTypes[random.below(10)],
-                                     1 + static_cast<uint32_t>(random.below(3)), n, random));
+    for (size_t f = 0; f < fields; ++f) {
+      const ElementType type = kAllTypes[random.below(10)];
+      const auto components = 1 + static_cast<uint32_t>(random.below(3));
+      cloud.fields.set(random_column("field " + std::to_string(f), type, components, n, random));
+    }
     cloud.fields.set(random_column("normal", ElementType::kFloat32, 3, n, random));
     cloud.fields.set(random_column(
         "intensity", seed % 2 == 0 ? ElementType::kUint16 : ElementType::kFloat32, 1, n, random));

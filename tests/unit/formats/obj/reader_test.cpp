@@ -55,8 +55,8 @@ TEST_CASE("obj_reader__spellings_of_corners_lines_and_ends_give_the_same_mesh") 
         const int back = static_cast<int>(corner) - vertices;
         plain += " " + std::to_string(corner + 1);
         const char* tails[] = {"/7", "//3", "/7/3", ""};
-        other += "  " + std::to_string(random.below(2) == 0 ? back : static_cast<int>(corner) + 1) +
-                 tails[random.below(4)];
+        other += "  " + std::to_string(random.below(2) == 0 ? back : static_cast<int>(corner) + 1);
+        other += tails[random.below(4)];
       }
       plain += "\n";
       other += "\r\n# said in between\r\nvt 0 0\r\ns off\r\nusemtl red\r\n";

@@ -25,9 +25,10 @@ TEST_CASE("text__numbers_are_correctly_rounded") {
   for (int i = 0; i < 200000; ++i) {
     char text[64];
     const double value = std::bit_cast<double>(random.bits());
+    const double divisor = std::pow(10, static_cast<double>(random.below(12)));
     const double shorter =
         static_cast<double>(static_cast<int64_t>(random.bits() >> (11 + random.below(50)))) /
-        std::pow(10, static_cast<double>(random.below(12)));
+        divisor;
     for (const double wanted : {value, shorter}) {
       if (!std::isfinite(wanted)) continue;
       const auto end = std::to_chars(text, text + sizeof text, wanted).ptr;

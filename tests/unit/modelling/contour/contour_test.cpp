@@ -76,6 +76,35 @@ TEST_CASE("extract_contour: leaving out inner points changes no ring of the full
   }
 }
 
+TEST_CASE("extract_contour: the rings of a piece touch nowhere, however ragged the points") {
+  Task task;
+  size_t openings = 0, touching = 0;
+  for (uint64_t seed = 1; seed <= 10; ++seed) {
+    ContourSetting setting;
+    setting.alpha_factor = 0.9;  // so narrow that inner points become holes
+    setting.min_opening_area_m2 = setting.min_opening_width_m = 0;
+    const Contour contour = extract_contour(scattered(4000, 4, 2, seed), setting, task);
+    for (const ContourPiece& piece : contour.pieces) {
+      std::vector<std::pair<double, double>> all;
+      const auto add = [&](const Chain& chain) {
+        for (const Vec2& p : chain) all.emplace_back(p.u, p.v);
+      };
+      add(piece.outline);
+      for (const Chain& opening : piece.openings) {
+        add(opening);
+        CHECK(signed_area(opening) < 0);
+      }
+      openings += piece.openings.size();
+      const size_t count = all.size();
+      std::sort(all.begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
+      touching += count - all.size();
+    }
+  }
+  CHECK(openings > 5);
+  CHECK(touching == 0);
+}
+
 TEST_CASE("eroded: marks cells with eight marked neighbours") {
   std::vector<Vec2> points;
   for (int i = 0; i < 5; ++i)

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "modelling/facade/assembly.h"
+#include "scan/facade_truth.h"
 #include "unit/modelling/facade_scenes.h"
 #include "unit/modelling/model_checks.h"
 #include "unit/modelling/random_facades.h"
@@ -52,8 +53,9 @@ Model assembled(RandomFacade& facade, const AssemblySetting& setting, size_t& sh
 }  // namespace
 
 TEST_CASE(
-    "facade: of 1000 random facades all faces are plane, no ring meets itself, all solids are "
-    "closed") {
+    "facade: assembled from 1000 random plans all faces are plane, no ring meets itself, all "
+    "solids "
+    "are closed") {
   const uint64_t count = std::getenv("JALON_SANITIZED") != nullptr ? 60 : 1000;
   Tally tally;
   size_t shared = 0;
@@ -146,4 +148,46 @@ TEST_CASE("facade: models of scanned scenes are sound, as surfaces and as solids
     CHECK(tally.flatness_m < 1e-9);
     CHECK(tally.solids > 0);
   }
+}
+
+namespace {
+
+// A facade by rules, measured from where a surveyor would stand: the whole chain, nothing given to it.
+Segmentation scanned_by_rules(uint64_t seed) {
+  Task task;
+  SceneSettings settings{.name = SceneName::kGrammar, .seed = seed};
+  settings.grammar.spacing_m = 0.04;
+  const SceneSurvey survey = scene_survey(settings);
+  const auto cloud = std::make_shared<const Cloud>(
+      scan_static(build_scene(settings, task), survey.stations, survey.scanner, task));
+  return segment_ransac(cloud, RansacSettings{}, task);
+}
+
+}  // namespace
+
+TEST_CASE("facade: models of scanned facades by rules are sound, as surfaces and as solids") {
+  const uint64_t count = std::getenv("JALON_SANITIZED") != nullptr ? 1
+                         : std::getenv("JALON_FULL") != nullptr    ? 40
+                                                                   : 4;
+  Tally all;
+  for (uint64_t seed = 1; seed <= count; ++seed) {
+    CAPTURE(seed);
+    const Segmentation segmentation = scanned_by_rules(seed);
+    for (const char* options : {"{}", "{\"solids\":true}"}) {
+      CAPTURE(std::string(options));
+      Tally one;
+      one.add(facade_of(segmentation, options));
+      CAPTURE(one.first_fault);
+      CHECK(one.faults == 0);
+      CHECK(one.openings > 0);
+      all.faces += one.faces, all.openings += one.openings, all.solids += one.solids;
+      all.faults += one.faults, all.flatness_m = std::max(all.flatness_m, one.flatness_m);
+    }
+  }
+  MESSAGE("FIGURE scanned facades by rules: "
+          << count << " twice, " << all.faces << " faces, " << all.openings << " openings, "
+          << all.solids << " solids, " << all.faults << " faults, out of plane at most "
+          << 1e12 * all.flatness_m << " pm");
+  CHECK(all.flatness_m < 1e-9);
+  CHECK(all.solids >= count);
 }

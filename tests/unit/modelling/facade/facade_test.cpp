@@ -122,7 +122,8 @@ namespace {
 
 // A wall of 10 x 4 m with a window (pane 20 cm behind) and a box 2 m in front, as one eye sees them.
 struct Hidden {
-  const Vec3 eye{5, -8, 1.5};
+  double away_m = 8;  ///< of the eye from the wall: from far away a box lies on its own shadow
+  const Vec3 eye{5, -away_m, 1.5};
   const walls::Rectangle window{2, 1, 3.2, 2.5}, box{6.2, 0.6, 7, 1.4};
 
   bool sees(const Vec3& p) const {
@@ -174,13 +175,31 @@ TEST_CASE("facade: what something in front hides is no opening, and the wall is 
   CHECK(std::fabs(box.max.x - 7.667) < 0.05);
 }
 
-TEST_CASE("facade: without stations what stands before a hole hides it") {
+TEST_CASE("facade: without stations a box hides the hole that lies straight behind it") {
+  const Model model = facade_of(Hidden{.away_m = 800}.segmentation(false));
+  const auto windows = parts_of(model, "window"), shadows = parts_of(model, "no_data");
+  REQUIRE(windows.size() == 1);
+  CHECK(std::fabs(model.parts[windows[0]].depth_m - 0.2) < 0.002);
+  CHECK(parts_of(model, "opening").empty());
+  REQUIRE(shadows.size() == 1);
+  const Box3 box = box_of_part(model, shadows[0]);
+  CHECK(std::fabs(box.min.x - 6.2) < 0.05);
+  CHECK(std::fabs(box.max.x - 7) < 0.05);
+}
+
+TEST_CASE("facade: without stations a hole that the box before it does not cover counts by shape") {
   // Projected straight onto the wall the box covers little of its own shadow: no evidence, and a rectangle counts.
   const Model model = facade_of(Hidden().segmentation(false));
-  CHECK(parts_of(model, "window").size() >= 1);
-  CHECK(parts_of(model, "window").size() + parts_of(model, "opening").size() +
-            parts_of(model, "no_data").size() ==
-        2);
+  CHECK(parts_of(model, "no_data").empty());
+  std::vector<const Part*> seen, by_shape;
+  for (const char* name : {"window", "opening"})
+    for (const size_t p : parts_of(model, name))
+      (model.parts[p].evidence == Evidence::kShape ? by_shape : seen).push_back(&model.parts[p]);
+  REQUIRE(seen.size() == 1);
+  CHECK(std::fabs(seen[0]->depth_m - 0.2) < 0.002);
+  REQUIRE(by_shape.size() == 1);
+  CHECK(std::isnan(by_shape[0]->depth_m));  // nothing behind it tells one
+  CHECK(std::fabs(by_shape[0]->width_m - 0.8 * 8 / 6) < 0.05);
 }
 
 TEST_CASE("facade: several facades stand under one building") {

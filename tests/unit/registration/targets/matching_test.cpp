@@ -116,13 +116,17 @@ TEST_CASE("matching__of_a_cube_counts_its_turns_and_of_a_grid_ends") {
 
 TEST_CASE("matching__refuses_mirrored_and_unrelated_sets") {
   RandomStream random(35, 0);
-  TargetSides sides = noisy(random_places(6, random), any_motion(random), false, random);
+  const auto anywhere = [&](size_t count) {
+    const std::vector<Vec3> places = random_places(count, random);
+    return noisy(places, any_motion(random), false, random);
+  };
+  TargetSides sides = anywhere(6);
   for (Target& target : sides.moving) target.xyz.y *= -1;
   CHECK(refused(sides) == Status::kDegenerate);
-  const TargetSides other = noisy(random_places(5, random), any_motion(random), false, random);
+  const TargetSides other = anywhere(5);
   sides.moving = other.moving;
   CHECK(refused(sides) == Status::kInsufficientData);
-  TargetSides many = noisy(random_places(150, random), any_motion(random), false, random);
+  TargetSides many = anywhere(150);
   CHECK(refused(many) == Status::kLimit);
 }
 

@@ -65,7 +65,7 @@ TEST_CASE("describe_targets__is_in_the_callers_coordinates") {
   double spread = 0;
   for (size_t i = 0; i < 5; ++i)
     spread += squared_norm(r.pose.point(d.sides.moving[i].xyz) - r.centre) / 5;
-  CHECK(r.extent_m == doctest::Approx(std::sqrt(spread)));
+  CHECK(r.extent_m == doctest::Approx(std::sqrt(spread)).scale(0));
   CHECK(r.pairs == 5);
   CHECK(r.iterations == r.iteration_log.require("step").count());
 }
@@ -95,8 +95,9 @@ TEST_CASE("describe_targets__an_estimated_sigma0_scales_covariance_and_sigmas") 
   estimated.snooping.sigma0 = UnitWeight::kEstimated;
   const Described known({}), scaled(estimated);
   const double sigma0 = known.summary("sigma0");
-  CHECK(sigma0 == doctest::Approx(std::sqrt(known.solution.adjustment.weighted_squares / 9)));
-  CHECK(scaled.summary("sigma0") == doctest::Approx(sigma0));
+  CHECK(sigma0 ==
+        doctest::Approx(std::sqrt(known.solution.adjustment.weighted_squares / 9)).scale(0));
+  CHECK(scaled.summary("sigma0") == doctest::Approx(sigma0).scale(0));
   CHECK(scaled.summary("sigma0_estimated") == 1);
   for (size_t i = 0; i < 36; ++i)
     CHECK(scaled.result.covariance[i] ==

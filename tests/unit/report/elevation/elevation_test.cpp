@@ -255,29 +255,6 @@ TEST_CASE("elevation: a facade without openings has no table of them") {
   CHECK(!has_text(drawing_of(m), "Openings"));
 }
 
-TEST_CASE(
-    "elevation: without stations the front of a facade is the side from which its joinery lies "
-    "behind") {
-  Model m = named_facade::make({});
-  for (Face& f : m.faces) f.plane.normal = -f.plane.normal;  // the normals point into the building
-  const std::string svg = drawing_of(m, R"({"facade": 1})");
-  CHECK(has_text(svg, "0.0\xC2\xB0"));
-  CHECK(has_text(svg, "+0.15 (14)"));
-  CHECK(has_text(svg, "-0.30"));
-}
-
-TEST_CASE(
-    "elevation: without stations the whole model too is seen from where its joinery lies behind") {
-  Model m = named_facade::make({});
-  for (Vec3& p : m.vertices) p = {-p.x, -p.y, p.z};
-  for (Face& f : m.faces) f.plane.normal = {-f.plane.normal.x, -f.plane.normal.y, f.plane.normal.z};
-  const std::string svg = drawing_of(m);
-  check_layout(svg);
-  CHECK(has_text(svg, "180.0\xC2\xB0"));
-  CHECK(has_text(svg, "+0.15 (14)"));
-  CHECK(count_texts(svg, "0.95") == 1);  // the door is on the left
-}
-
 TEST_CASE("elevation: what stands far in front of every wall is left out") {
   Model m = named_facade::make({});
   m.parts.push_back(named_facade::part("car", part_class::kElement, 0));

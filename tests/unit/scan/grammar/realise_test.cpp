@@ -57,7 +57,7 @@ TEST_CASE("realise__panels_stand_out_of_the_wall_as_far_as_planned") {
   s.sketch.drainpipe(s.wall, 8, 6);
   s.sketch.canopy(s.wall, 5, 6, 3, 1);
   const Model model = realised(s.plan);
-  CHECK(front_y(model, 3, 1.5) == doctest::Approx(-0.04));
+  CHECK(front_y(model, 3, 1.5) == doctest::Approx(-0.04).scale(0));
   CHECK(front_y(model, 1, 1.5) == doctest::Approx(0));
   CHECK(front_y(model, 8, 3) < -0.1);
   CHECK(front_y(model, 5.5, 2.95) < -0.05);

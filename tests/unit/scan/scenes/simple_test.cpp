@@ -46,6 +46,21 @@ TEST_CASE("scene_box__closes_the_hole_that_the_ground_leaves_for_it") {
   CHECK(std::isinf(top_z(model, 10.01, 0)));
 }
 
+TEST_CASE("scene_bow__bends_about_an_axis_6_m_behind_it_and_looks_outward") {
+  const Model model = built(build_bow);
+  for (const double degrees : {-65.0, -30.0, 0.0, 30.0, 65.0}) {
+    CAPTURE(degrees);
+    const double angle = degrees * 3.141592653589793 / 180;
+    const double x = 6 * std::sin(angle), y = 6 - 6 * std::cos(angle);
+    for (const double z : {0.1, 4.0, 7.9}) CHECK(std::abs(front_y(model, x, z) - y) < 1e-3);
+    const Hit hit = first_hit(model, {x, -20, 4}, {0, 1, 0});
+    CHECK(hit.is_front);
+  }
+  CHECK(std::isinf(front_y(model, 0, 8.01)));
+  CHECK(std::isinf(front_y(model, 5.7, 4)));  // 6 sin 70 degrees = 5.64
+  CHECK(std::abs(top_z(model, 3, -3)) < kRounding_m);
+}
+
 TEST_CASE("scene_strips__stand_side_by_side_each_10_cm_behind_the_one_before") {
   const Model model = built(build_strips);
   CHECK(parts_named(model, "wall").size() == 6);

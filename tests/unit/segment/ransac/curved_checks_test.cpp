@@ -49,8 +49,9 @@ std::vector<Vec3> prism(int sides, double inner_m) {
   for (int i = 0; i < 3000; ++i) {
     const double a = kFullTurn_rad * static_cast<double>(i % sides) / sides;
     const Vec3 n{std::cos(a), std::sin(a), 0}, u{-n.y, n.x, 0};
-    out.push_back((inner_m + kCheckNoise_m * random.normal()) * n +
-                  half * (2 * random.uniform() - 1) * u + Vec3{0, 0, random.uniform()});
+    const double away = inner_m + kCheckNoise_m * random.normal(),
+                 aside = half * (2 * random.uniform() - 1);
+    out.push_back(away * n + aside * u + Vec3{0, 0, random.uniform()});
   }
   return out;
 }

@@ -51,9 +51,10 @@ TEST_CASE("facade_axes__the_busiest_upright_direction_wherever_it_points") {
     const double azimuth = degrees * kTurnDegree;
     RandomStream random(2, static_cast<uint64_t>(degrees));
     std::vector<Vec3> normals;
-    for (int i = 0; i < 2000; ++i)  // the facade, 1 degree of noise, walls that lean by 4 degrees
-      normals.push_back(upright(azimuth + kTurnDegree * random.normal(),
-                                4 * kTurnDegree * random.normal() / 2, random));
+    for (int i = 0; i < 2000; ++i) {  // the facade, 1 degree of noise, walls that lean by 4 degrees
+      const double turn = kTurnDegree * random.normal(), lean = 2 * kTurnDegree * random.normal();
+      normals.push_back(upright(azimuth + turn, lean, random));
+    }
     for (int i = 0; i < 1200; ++i)  // its sides
       normals.push_back(upright(azimuth + (90 + random.normal()) * kTurnDegree, 0, random));
     for (int i = 0; i < 4000; ++i)  // the ground, and roofs of the same azimuth but 45 degrees

@@ -17,13 +17,13 @@ Segment plane(uint32_t label, const Vec3& normal, const Vec3& centroid, double a
   out.fit.plane.normal = normalized(normal);
   out.fit.plane.offset = dot(out.fit.plane.normal, centroid);
   out.fit.centroid = centroid;
+  out.fit.axis_v = {0, 0, 1};
+  out.fit.axis_u = cross(out.fit.axis_v, out.fit.plane.normal);
   out.area_m2 = area_m2;
   return out;
 }
 
-FacadeContext context_of(const Cloud& cloud) {
-  return {cloud, {}, 0.0174533, 0.025, true, nullptr};
-}
+FacadeContext context_of(const Cloud& cloud) { return {cloud, {}, 0.0174533, true, nullptr}; }
 
 }  // namespace
 
@@ -57,28 +57,40 @@ TEST_CASE("turn_normals__toward_the_station_that_saw_most_of_the_points") {
     CHECK(segments[0].fit.plane.normal.y == -1);  // two points against one
     CHECK(segments[1].fit.plane.normal.y == 1);
     CHECK(segments[1].fit.plane.offset == doctest::Approx(5));
+    CHECK(segments[0].front_source == FrontSource::kStation);
+    CHECK(segments[0].front_confidence == doctest::Approx(2.0 / 3));
   }
 }
 
-TEST_CASE("turn_normals__without_stations_away_from_what_lies_behind_the_facade") {
+TEST_CASE("turn_normals__without_stations_toward_the_likelier_viewer_of_the_wall") {
+  // A wall of 10 x 10 m; panes of 1 x 1 m lie 0.2 m behind it.
   std::vector<Vec3> points;
   std::vector<uint32_t> labels;
-  for (int i = 0; i < 20; ++i)
-    for (int k = 0; k < 20; ++k) {
-      points.push_back({0.5 * i, 0, 0.5 * k});
-      labels.push_back(1);
-      if (i % 2 == 0) points.push_back({0.5 * i, 0.2, 0.5 * k}), labels.push_back(2);  // panes
+  for (int i = 0; i < 200; ++i)
+    for (int k = 0; k < 200; ++k) {
+      const bool is_pane = i / 20 % 2 == 1 && k / 20 % 2 == 1 && i < 180 && k < 180;
+      points.push_back({0.05 * i, is_pane ? 0.2 : 0, 0.05 * k});
+      labels.push_back(is_pane ? 2 : 1);
     }
   const auto cloud = cloud_of(points);
   for (const double sense : {-1.0, 1.0}) {
-    std::vector<Segment> segments{plane(1, {0, sense, 0}, {5, 0, 5}, 100),
-                                  plane(2, {0, -sense, 0}, {5, 0.2, 5}, 50),
-                                  plane(3, {0, 0, sense}, {5, -2, 0}, 10)};
+    CAPTURE(sense);
+    std::vector<Segment> segments{
+        plane(1, {0, sense, 0}, {5, 0, 5}, 84), plane(2, {0, -sense, 0}, {5, 0.2, 5}, 16),
+        plane(3, {0, 0, sense}, {5, -2, 0}, 10), plane(4, {sense, 0, 0}, {9, 0.1, 5}, 1)};
+    for (Segment& s : segments) s.length_u_m = s.length_v_m = 10;
+    segments[2].length_u_m = segments[3].length_u_m = 1;
     Task task;
     turn_normals(context_of(*cloud), labels, segments, task);
-    CHECK(segments[0].fit.plane.normal.y == -1);
-    CHECK(segments[1].fit.plane.normal.y == -1);
+    for (const size_t s : {size_t{0}, size_t{1}}) {
+      CHECK(segments[s].fit.plane.normal.y == -1);
+      CHECK(segments[s].front_source == FrontSource::kEvidence);
+      CHECK(segments[s].front_confidence > 0.9);
+    }
     CHECK(segments[2].fit.plane.normal.z == 1);
+    CHECK(segments[2].front_source == FrontSource::kNone);
+    CHECK(std::isnan(segments[2].front_confidence));
+    CHECK(segments[3].fit.plane.normal.x == -1);  // it is right of the wall's middle
   }
 }
 

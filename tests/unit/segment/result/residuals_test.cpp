@@ -29,10 +29,10 @@ TEST_CASE("residuals__moments_and_bins_of_a_case_done_by_hand") {
   const Residuals r = bin_residuals(s, 1, 4, task);
   CHECK(r.count == 4);
   CHECK(r.mean_m == doctest::Approx(0).scale(1));
-  CHECK(r.sigma_m == doctest::Approx(std::sqrt(20e-6 / 3)));
+  CHECK(r.sigma_m == doctest::Approx(std::sqrt(20e-6 / 3)).scale(0));
   CHECK(r.skewness == doctest::Approx(0).scale(1));
   CHECK(r.excess_kurtosis == doctest::Approx(164.0 / 4 / 25 - 3).epsilon(1e-4));
-  CHECK(r.half_range_m == doctest::Approx(0.015));  // four sigma are 10.3 mm
+  CHECK(r.half_range_m == doctest::Approx(0.015).scale(0));  // four sigma are 10.3 mm
   CHECK(r.bins == std::vector<uint64_t>{0, 2, 2, 0});
   CHECK(bin_residuals(s, 0, 4, task).count == 5);
 }
@@ -80,6 +80,6 @@ TEST_CASE("residuals__normal_noise_fills_the_bins_as_expected_for_any_number_of_
   }
   CHECK(filled > 15);
   CHECK(chi_square < 3 * filled);
-  CHECK(t.require("upper").number(39) == doctest::Approx(first.half_range_m));
+  CHECK(t.require("upper").number(39) == doctest::Approx(first.half_range_m).scale(0));
   CHECK(residual_normal_table(first).require("sigma").number(0) == first.sigma_m);
 }

@@ -17,6 +17,8 @@ TEST_CASE("segment_table__each_type_has_its_own_columns_and_NaN_in_the_others") 
   plane.orientation = Orientation::kVertical;
   plane.fit.plane = {{0, 1, 0}, 7};
   plane.fit.n = 100;
+  plane.front_source = FrontSource::kEvidence;
+  plane.front_confidence = 0.75;
   plane.fit.covariance[15] = 0.25;
   sphere.label = 2;
   sphere.type = PrimitiveType::kSphere;
@@ -36,6 +38,10 @@ TEST_CASE("segment_table__each_type_has_its_own_columns_and_NaN_in_the_others") 
   CHECK(at("source_label", 1) == 2);  // found by a method: its label
   CHECK(at("type", 2) == 3);
   CHECK(at("orientation", 0) == 2);
+  CHECK(at("front_source", 0) == 2);
+  CHECK(at("front_source", 1) == 0);
+  CHECK(at("front_confidence", 0) == 0.75);
+  CHECK(std::isnan(at("front_confidence", 2)));
   CHECK(at("inliers", 1) == 80);
   CHECK(at("normal", 0, 1) == 1);
   CHECK(std::isnan(at("normal", 1, 1)));

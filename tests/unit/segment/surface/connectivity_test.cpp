@@ -40,7 +40,8 @@ TEST_CASE("the pixel follows the spacing but never falls below the tolerance") {
   CHECK(connectivity_pixel(settings, {}) == settings.distance_tolerance_m);
   CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.001f)) ==
         settings.distance_tolerance_m);
-  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == doctest::Approx(0.2));
+  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) ==
+        doctest::Approx(0.2).scale(0));
   settings.pixel_m = 0.07;
   CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == 0.07);
 }

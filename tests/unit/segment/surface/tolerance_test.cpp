@@ -21,11 +21,11 @@ CloudPtr noisy_wall(double sigma_m) {
 }  // namespace
 
 TEST_CASE("tolerance_of_sigma__quantiles_of_one_and_two_degrees_of_freedom") {
-  CHECK(tolerance_of_sigma(0.01, 0.9973002, 1) == doctest::Approx(0.03).epsilon(1e-4));
-  CHECK(tolerance_of_sigma(0.01, 0.6826895, 1) == doctest::Approx(0.01).epsilon(1e-4));
+  CHECK(tolerance_of_sigma(0.01, 0.9973002, 1) == doctest::Approx(0.03).epsilon(1e-4).scale(0));
+  CHECK(tolerance_of_sigma(0.01, 0.6826895, 1) == doctest::Approx(0.01).epsilon(1e-4).scale(0));
   for (const double p : {0.5, 0.95, 0.99})  // of two: 1 - exp(-x / 2)
     CHECK(tolerance_of_sigma(0.01, p, 2) ==
-          doctest::Approx(0.01 * std::sqrt(-2 * std::log(1 - p))));
+          doctest::Approx(0.01 * std::sqrt(-2 * std::log(1 - p))).scale(0));
 }
 
 TEST_CASE("estimate_sigma__finds_the_noise_of_a_wall") {
@@ -33,7 +33,7 @@ TEST_CASE("estimate_sigma__finds_the_noise_of_a_wall") {
     const auto cloud = noisy_wall(sigma_m);
     Task task;
     CHECK(estimate_sigma(*cloud, *cloud->octree(task), task) ==
-          doctest::Approx(sigma_m).epsilon(0.05));
+          doctest::Approx(sigma_m).epsilon(0.05).scale(0));
   }
   Task task;
   const auto exact = noisy_wall(0);
@@ -50,9 +50,9 @@ TEST_CASE("tolerance_of__by_hand_by_sigma_or_by_the_cloud") {
   CHECK(tolerance_of(*cloud, *tree, settings, task).distance_tolerance_m == 0.07);
   settings.tolerance.tolerance_from = ToleranceSource::kSigma;
   CHECK(tolerance_of(*cloud, *tree, settings, task).distance_tolerance_m ==
-        doctest::Approx(0.002 * 2.575829));
+        doctest::Approx(0.002 * 2.575829).scale(0));
   settings.tolerance.tolerance_from = ToleranceSource::kEstimate;
   const Tolerance found = tolerance_of(*cloud, *tree, settings, task);
-  CHECK(found.sigma_m == doctest::Approx(0.004).epsilon(0.05));
-  CHECK(found.distance_tolerance_m == doctest::Approx(2.575829 * found.sigma_m));
+  CHECK(found.sigma_m == doctest::Approx(0.004).epsilon(0.05).scale(0));
+  CHECK(found.distance_tolerance_m == doctest::Approx(2.575829 * found.sigma_m).scale(0));
 }

@@ -125,8 +125,10 @@ TEST_CASE("knn__of_all_points_holds_for_uneven_clouds") {
   std::vector<double> xyz;
   RandomStream random(4, 0);
   for (int i = 0; i < 4000; ++i)  // spacing grows from a micrometre to kilometres
-    for (int axis = 0; axis < 3; ++axis)
-      xyz.push_back(std::ldexp(random.uniform(), static_cast<int>(random.below(30)) - 20));
+    for (int axis = 0; axis < 3; ++axis) {
+      const int exponent = static_cast<int>(random.below(30)) - 20;
+      xyz.push_back(std::ldexp(random.uniform(), exponent));
+    }
   xyz.insert(xyz.end(), {1e5, -1e5, 3e4});
   check_all(xyz, 16, 7);
 }

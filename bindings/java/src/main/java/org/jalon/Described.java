@@ -98,6 +98,10 @@ final class Described {
     return line("Task", task.isClosed(), () -> task.isCancelled() ? "cancelled" : "");
   }
 
+  static String of(Trajectory trajectory) {
+    return line("Trajectory", trajectory.isClosed(), () -> "epochs: " + trajectory.count() + "; axes: " + trajectory.axes());
+  }
+
   /** "float64". */
   static String type(int type) {
     return TYPES[type];

@@ -25,13 +25,15 @@ public final class Rows {
   final long count;
   final int components;
   final long strideBytes;
+  final boolean flat;
 
-  private Rows(Object memory, int type, long count, int components, long strideBytes) {
+  private Rows(Object memory, int type, long count, int components, long strideBytes, boolean flat) {
     this.memory = memory;
     this.type = type;
     this.count = count;
     this.components = components;
     this.strideBytes = strideBytes;
+    this.flat = flat;
   }
 
   /** The same numbers as rows of so many elements. */
@@ -43,7 +45,7 @@ public final class Rows {
     if (strideBytes * count != all * size(type)) {
       throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT, "the items do not stand side by side");
     }
-    return new Rows(memory, type, all / elements, elements, (long) size(type) * elements);
+    return new Rows(memory, type, all / elements, elements, (long) size(type) * elements, false);
   }
 
   /** Of double[]; null for null. */
@@ -95,13 +97,13 @@ public final class Rows {
       }
       System.arraycopy(rows[i], 0, all, i * columns, columns);
     }
-    return new Rows(all, Jalon.FLOAT64, rows.length, Math.max(1, columns), 8L * Math.max(1, columns));
+    return new Rows(all, Jalon.FLOAT64, rows.length, Math.max(1, columns), 8L * Math.max(1, columns), false);
   }
 
   /** Of an array that the library gave, without a copy; null for null. */
   public static Rows of(Array array) {
     return array == null ? null
-        : new Rows(array.bytes(), array.type(), array.count(), array.components(), array.strideBytes());
+        : new Rows(array.bytes(), array.type(), array.count(), array.components(), array.strideBytes(), false);
   }
 
   /** Of the buffer's numbers from position to limit; null for null. */
@@ -177,7 +179,7 @@ public final class Rows {
   }
 
   private static Rows flat(Object memory, int type, int count) {
-    return new Rows(memory, type, count, 1, size(type));
+    return new Rows(memory, type, count, 1, size(type), true);
   }
 
   private static boolean isNative(boolean direct, ByteOrder order) {

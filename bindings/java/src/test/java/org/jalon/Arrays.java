@@ -190,6 +190,9 @@ final class Arrays {
           thrown(InvalidArgumentException.class, points::floats).getMessage());
     }
     thrown(InvalidArgumentException.class, () -> Cloud.create(new double[][] {{1, 2, 3}, {1, 2}}, 0));
+    // Rows of one number are no points, however many there are.
+    same("xyz must have rows of 3, not rows of 1",
+        thrown(InvalidArgumentException.class, () -> Cloud.create(new double[3][1])).getMessage());
     thrown(InvalidArgumentException.class, () -> Cloud.create(new double[] {1, 2, Double.NaN}, 0));
     thrown(InvalidArgumentException.class, () -> Rows.of(new double[4]).by(3));
   }

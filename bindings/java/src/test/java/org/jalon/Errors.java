@@ -56,7 +56,7 @@ final class Errors {
     try (Segmenter segmenter = Segmenter.create("ransac"); Cloud open = Cloud.create(new double[] {1, 2, 3}, 0)) {
       cloud.close();
       thrown(ClosedException.class, () -> segmenter.run(cloud));
-      thrown(InvalidArgumentException.class, () -> segmenter.run(null));
+      same("cloud is null", thrown(InvalidArgumentException.class, () -> segmenter.run(null)).getMessage());
       options.close();
       thrown(ClosedException.class, () -> open.computeNormals(options));
       task.close();

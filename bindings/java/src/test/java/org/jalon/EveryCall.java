@@ -26,7 +26,7 @@ final class EveryCall {
     for (Class<?> type : new Class<?>[] {Cloud.class, CloudBuilder.class, Comparer.class, Comparison.class, Evaluation.class,
         Fields.class, Gauge.class, Jalon.class, Model.class, ModelEvaluation.class, Modeller.class, NoiseLaw.class, Params.class,
         Registrar.class, Registration.class, Rows.class, Scanner.class, Segmentation.class, Segmenter.class, Targets.class,
-        Task.class, Array.class}) {
+        Task.class, Trajectory.class, Array.class}) {
       all.put("every_call__of_" + type.getSimpleName(), () -> calls(type));
     }
     all.put("every_call__of_results", EveryCall::results);
@@ -111,6 +111,10 @@ final class EveryCall {
       return builder(name, member);
     } else if (type == Model.class && name.equals("removeCopy")) {
       return survey.repeated;
+    } else if (type == Model.class && name.equals("perturbStrips")) {
+      return survey.scene.buildingStrips().model();
+    } else if (type == Scanner.class && name.equals("drive")) {
+      return Scanner.create("mobile").set("pulses", 50);
     } else if (type == Array.class) {
       return array(name);
     } else if (type == Segmentation.class && (name.equals("close") || name.equals("pick"))) {
@@ -189,6 +193,7 @@ final class EveryCall {
     }
     return type == Task.class ? Task.create() : type == Segmentation.class ? Survey.get().segmentation
         : type == Registration.class ? survey.registration : type == NoiseLaw.class ? survey.law
+        : type == Trajectory.class ? Survey.drive()
         : type == Gauge.class ? Survey.gauge() : type == Targets.class ? Survey.targets() : type == Array.class ? survey.scan.points()
         : type == Rows.class ? Rows.of(new double[12]) : type == Evaluation.class ? survey.segmentation.evaluate(survey.segmentation)
         : type == ModelEvaluation.class ? survey.model.evaluate(survey.scene) : type == Segmenter.class ? Segmenter.create()

@@ -35,9 +35,15 @@ final class RealValues {
       Map.entry("indices", new double[] {0, 1, 2, 3, 40, 50, 60, 70}), Map.entry("seeds", new double[] {0, 1}),
       Map.entry("box", new double[] {-5, -10, -1, 12, 10, 20}), Map.entry("edges", new double[] {1, 2, 3}),
       Map.entry("foot", new double[] {5, 0, -1}), Map.entry("top", new double[] {5, 0, 20}), Map.entry("direction", new double[] {0, 0, 1}),
+      Map.entry("thetas_rad", new double[] {0.1, 2, 3}), Map.entry("phis_rad", new double[] {1.5, 1.6, 1.7}),
+      Map.entry("times_s", THREE), Map.entry("positions_m", Survey.DRIVE), Map.entry("attitudes_rad", new double[9]),
+      Map.entry("position_sigmas_m", Survey.SIGMAS), Map.entry("velocity_sigmas_m_s", Survey.SIGMAS),
+      Map.entry("attitude_sigmas_rad", Survey.SIGMAS),
       Map.entry("covariance", new double[] {1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6}));
-  private static final Map<String, Integer> COLUMNS = Map.of("poses", 12, "polygon_uv", 2, "automatic_uv", 2, "reference_uv", 2,
-      "data", 1, "probabilities", 1);
+  private static final Map<String, Integer> COLUMNS = Map.ofEntries(Map.entry("poses", 12), Map.entry("polygon_uv", 2),
+      Map.entry("automatic_uv", 2), Map.entry("reference_uv", 2), Map.entry("data", 1), Map.entry("probabilities", 1),
+      Map.entry("times_s", 1), Map.entry("thetas_rad", 1), Map.entry("phis_rad", 1), Map.entry("positions_m", 3), Map.entry("attitudes_rad", 3), Map.entry("position_sigmas_m", 3),
+      Map.entry("velocity_sigmas_m_s", 3), Map.entry("attitude_sigmas_rad", 3));
   private static final Map<String, String> TEXTS = Map.ofEntries(
       Map.entry("field", "deviation"), Map.entry("other", "slope"), Map.entry("label_field", "label"), Map.entry("class_field", "label"),
       Map.entry("reference_field", "truth"), Map.entry("gradient_field", "slope"), Map.entry("crs", "EPSG:2154"), Map.entry("unit", "m"),
@@ -53,11 +59,12 @@ final class RealValues {
       Map.entry("Segmentation.writePrimitives.path", "primitives.txt"), Map.entry("Jalon.reportWriteHtml.path", "report.html"),
       Map.entry("Jalon.reportWriteJson.path", "report.json"), Map.entry("Jalon.reportWriteComparison.path", "comparison.html"),
       Map.entry("Jalon.reportWriteRegistration.path", "registration.html"),
+      Map.entry("Trajectory.read.path", "drive.txt"), Map.entry("Trajectory.write.path", "driven.txt"),
       Map.entry("Jalon.sceneWriteTruth.path", "truth.json"));
   private static final Map<String, Double> SCALARS = Map.ofEntries(
       Map.entry("k", 4.0), Map.entry("knn.level", -1.0), Map.entry("level", 6.0), Map.entry("code", 0.0), Map.entry("reach", 1.0),
       Map.entry("w_min", -100.0), Map.entry("w_max", 100.0), Map.entry("radius_m", 0.5), Map.entry("radiusM", 0.5),
-      Map.entry("lengthM", 2.0), Map.entry("tolerance_m", 0.01), Map.entry("split.value", 1.0), Map.entry("value", 12.0),
+      Map.entry("lengthM", 2.0), Map.entry("spacing_s", 4.0), Map.entry("spacingS", 4.0), Map.entry("tolerance_m", 0.01), Map.entry("split.value", 1.0), Map.entry("value", 12.0),
       Map.entry("a", 1.0), Map.entry("b", 0.0), Map.entry("c", 1.0), Map.entry("type", 10.0), Map.entry("components", 1.0),
       Map.entry("label", 1.0), Map.entry("bins", 10.0), Map.entry("primitive", 1.0), Map.entry("threads", 1.0), Map.entry("status", -1.0),
       Map.entry("elements", 3.0), Map.entry("items", 1.0), Map.entry("part", -1.0), Map.entry("other_part", -1.0));

@@ -98,6 +98,7 @@ final class Shapes {
     try (Cloud cloud = Cloud.create(BESIDE)) {
       for (Behaviours.Body wrong : new Behaviours.Body[] {
           () -> Jalon.gaugeSweep(box, new double[20], cloud), () -> Jalon.gaugeSweep(box, new double[2][11], cloud),
+          () -> Jalon.gaugeSweep(box, new double[12][1], cloud),
           () -> Jalon.gaugeSweep(box, new double[4][3], cloud), () -> Jalon.gaugeSweep(box, new double[5][4], cloud)}) {
         final String message = thrown(InvalidArgumentException.class, wrong).getMessage();
         expect(message.startsWith("poses must be 12 numbers a pose (3 x 4), or 16 (4 x 4), not "), message);

@@ -13,6 +13,9 @@ final class Survey {
   static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   static final double[] BALL = {3, 4, 5}; // its radius is 0.0725 m
 
+  static final double[] DRIVE = {0, 0, 2, 50, 0, 2, 100, 10, 2};
+  static final double[] SIGMAS = {0.02, 0.02, 0.03, 0.02, 0.02, 0.03, 0.05, 0.06, 0.07};
+
   private static Survey made;
 
   final Path folder;
@@ -63,6 +66,7 @@ final class Survey {
     reversePoints = diagnosis.reverse();
     changes = diagnosis.changes();
     scan.write(path("scan.las"));
+    drive().write(path("drive.txt"));
     model.write(path("model.obj"));
   }
 
@@ -128,6 +132,7 @@ final class Survey {
     cloud.setField("slope", deviation);
     cloud.setField("label", label);
     cloud.setField("truth", label);
+    cloud.computeCovariances();
   }
 
   static Targets targets() {
@@ -137,6 +142,11 @@ final class Survey {
       targets.add("T" + i, places[i]);
     }
     return targets;
+  }
+
+  /** Three epochs of mobile mapping, at the times 10, 20 and 30 s. */
+  static Trajectory drive() {
+    return Trajectory.create(new double[] {10, 20, 30}, DRIVE, new double[9], SIGMAS, SIGMAS, SIGMAS, "EPSG:2154");
   }
 
   /** A gauge as a model. */

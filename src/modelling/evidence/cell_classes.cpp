@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/evidence/cell_classes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include "modelling/evidence/cell_sums.h"
+
+namespace jalon {
+
+namespace {
+
+// A pier of bricks is no narrower than half a brick (Boulaassal 2010 merges strips below 10 to 15 cm with what is
+// beside them); at coarse spacing two cells, below which nothing has a width.
+constexpr double kPier_m = 0.12;
+constexpr uint32_t kPierCells = 2;
+// Of the cells of a square of a pier's width: all but what gaps between random points leave. Of one three times as
+// wide: a wall whose points lie thinly is no strip.
+constexpr double kPierShare = 0.8, kThinWallShare = 0.55;
+
+constexpr double kFootReach_m = 4;  // half a wide gateway, a van's length
+
+WallState state_of(uint8_t marks) {
+  if ((marks & kMarkOn) != 0) return WallState::kOn;
+  if ((marks & kMarkBehind) != 0) return WallState::kThrough;
+  if ((marks & kMarkFlush) != 0) return WallState::kStrip;
+  if ((marks & kMarkRelief) != 0) return WallState::kRelief;
+  if ((marks & kMarkProud) != 0) return WallState::kProud;
+  if ((marks & kMarkDeep) != 0) return WallState::kDeep;
+  return (marks & kMarkBefore) != 0 ? WallState::kHidden : WallState::kEmpty;
+}
+
+// Marks what lies in a square of `width` cells of which the share are on the plane.
+void keep_squares(const CellSums<int32_t>& on, uint32_t width, double share, const WallCells& cells,
+                  std::vector<int32_t>& kept) {
+  if (cells.columns < width || cells.rows < width) return;
+  const auto least = static_cast<int32_t>(std::ceil(share * width * width));
+  // Corners of a sum that says how many such squares cover a cell.
+  const size_t stride = cells.columns + 1;
+  std::vector<int32_t> corners(stride * (cells.rows + 1), 0);
+  for (uint32_t r = 0; r + width <= cells.rows; ++r)
+    for (uint32_t c = 0; c + width <= cells.columns; ++c) {
+      if (on.of(c, r, c + width, r + width) < least) continue;
+      ++corners[r * stride + c];
+      --corners[r * stride + c + width];
+      --corners[(r + width) * stride + c];
+      ++corners[(r + width) * stride + c + width];
+    }
+  std::vector<int32_t> column(stride, 0);
+  for (uint32_t r = 0; r < cells.rows; ++r) {
+    int32_t along = 0;
+    for (uint32_t c = 0; c < cells.columns; ++c) {
+      column[c] += corners[r * stride + c];
+      along += column[c];
+      kept[static_cast<size_t>(r) * cells.columns + c] += along;
+    }
+  }
+}
+
+// Step 2.
+void tell_strips(WallCells& cells, Task& task) {
+  CellSums<int32_t> on(cells.columns, cells.rows, [&](size_t k) {
+    return static_cast<int32_t>(cells.states[k] == WallState::kOn);
+  });
+  task.checkpoint(0);
+  const uint32_t pier =
+      std::max(kPierCells, static_cast<uint32_t>(std::ceil(kPier_m / cells.cell_m)));
+  std::vector<int32_t> kept(cells.states.size(), 0);
+  keep_squares(on, pier, kPierShare, cells, kept);
+  task.checkpoint(0);
+  keep_squares(on, 3 * pier, kThinWallShare, cells, kept);
+  for (size_t k = 0; k < kept.size(); ++k)
+    if (cells.states[k] == WallState::kOn && kept[k] == 0) cells.states[k] = WallState::kStrip;
+}
+
+// First and last wall cell of each row or column; first > last: none.
+struct Reach {
+  std::vector<uint32_t> first, last;
+  explicit Reach(size_t n) : first(n, ~uint32_t{0}), last(n, 0) {}
+  void add(size_t line, uint32_t at) {
+    first[line] = std::min(first[line], at);
+    last[line] = std::max(last[line], at);
+  }
+};
+
+// The wall's foot below each column: its lowest cell within reach, so that a gateway's or a parked car's width keeps
+// the foot of the wall beside it.
+std::vector<uint32_t> foot_line(const std::vector<uint32_t>& first, uint32_t reach) {
+  std::vector<uint32_t> out(first.size());
+  std::deque<size_t> least;  // of the window, ascending rows
+  for (size_t c = 0, next = 0; c < first.size(); ++c) {
+    for (; next < first.size() && next <= c + reach; ++next) {
+      while (!least.empty() && first[least.back()] >= first[next]) least.pop_back();
+      least.push_back(next);
+    }
+    while (least.front() + reach < c) least.pop_front();
+    out[c] = first[least.front()];
+  }
+  return out;
+}
+
+// Step 3.
+void tell_outside(WallCells& cells) {
+  Reach along_row(cells.rows), along_column(cells.columns);
+  for (uint32_t r = 0; r < cells.rows; ++r)
+    for (uint32_t c = 0; c < cells.columns; ++c)
+      if (is_wall(cells.at(c, r))) {
+        along_row.add(r, c);
+        along_column.add(c, r);
+      }
+  const std::vector<uint32_t> foot =
+      foot_line(along_column.first, static_cast<uint32_t>(std::ceil(kFootReach_m / cells.cell_m)));
+  for (uint32_t r = 0; r < cells.rows; ++r)
+    for (uint32_t c = 0; c < cells.columns; ++c) {
+      WallState& state = cells.states[static_cast<size_t>(r) * cells.columns + c];
+      if (is_wall(state) || state == WallState::kStrip) continue;
+      const bool has_column = along_column.first[c] <= along_column.last[c];
+      const bool above = has_column && r < along_column.last[c];
+      const bool beside = along_row.first[r] < c && c < along_row.last[r];
+      const bool is_inside = (above && r >= foot[c]) || (beside && state == WallState::kThrough);
+      if (!is_inside) state = WallState::kOutside;
+    }
+}
+
+}  // namespace
+
+void classify_cells(std::span<const uint8_t> marks, WallCells& out, Task& task) {
+  out.states.resize(marks.size());
+  for (size_t k = 0; k < marks.size(); ++k) out.states[k] = state_of(marks[k]);
+  if (marks.empty()) return;
+  tell_strips(out, task);
+  tell_outside(out);
+}
+
+}  // namespace jalon

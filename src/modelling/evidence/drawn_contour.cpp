@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/evidence/drawn_contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/polygon2.h"
+#include "geometry/polygon_sets.h"
+
+namespace jalon {
+
+namespace {
+
+// Cells with a point of the wall end a shape; so it lies one spacing inside the opening, on average, and the contour of
+// points a third of one outside of it (kSetBack of edge_shape.h).
+constexpr double kShapeInset = 1.0, kOutsideOpening = 1.35;  // spacings
+// Cells that relief shares with what lies behind count as seen through, so that less is missing there; measured.
+constexpr double kOutsideRelief = 0.6;
+constexpr double kRim = 6;            // spacings: more than the contour looks through
+constexpr double kChord = 0.1;        // spacings
+constexpr double kAtBorder = 2.5;     // spacings: nearer to the outside an opening ends there
+constexpr double kAtBorder_m = 0.06;  // and within this, a sill's or a threshold's thickness
+constexpr double kThrough = 3;  // times that: an opening at the border is cut so far beyond it
+constexpr double kReliefShare = 0.25;  // of a border: the wall's points end elsewhere
+constexpr double kApart = 0.5;         // spacings between openings
+constexpr double kSlit = 0.5;          // spacings
+constexpr double kBesideOpening = 3;   // spacings from an opening to where nothing was measured
+
+std::vector<Vec2> polygon_of(const OpeningShape& shape, double spacing_m) {
+  return flattened(shape.ring(), kChord * spacing_m);
+}
+
+// Step 1: a grid in the rim of each opening.
+void add_rim(const OpeningShape& opening, double spacing_m, std::vector<Vec2>& points) {
+  const OpeningShape outer = opening.grown(kShapeInset * spacing_m / 2);
+  const OpeningShape inner = opening.grown(-kRim * spacing_m);
+  const bool is_hollow = inner.is_valid();
+  const RingBox box = outer.box(), hole = is_hollow ? inner.box() : RingBox{};
+  const auto rows = static_cast<size_t>(box.height() / spacing_m) + 1;
+  for (size_t r = 0; r < rows; ++r) {
+    const double v = box.low.v + static_cast<double>(r) * spacing_m;
+    const Vec2 span = outer.span_at(std::min(v, box.high.v));
+    const bool crosses = is_hollow && v > hole.low.v && v < hole.high.v;
+    const Vec2 gap = crosses ? inner.span_at(v) : Vec2{INFINITY, -INFINITY};
+    for (double u = span.u; u <= span.v; u += spacing_m)
+      if (!(u > gap.u && u < gap.v)) points.push_back({u, v});
+  }
+}
+
+class InOpenings {
+ public:
+  explicit InOpenings(std::span<const OpeningShape> openings) : openings_(openings) {
+    for (const OpeningShape& shape : openings) boxes_.push_back(shape.box());
+  }
+  bool hold(const Vec2& p) const {
+    for (size_t k = 0; k < boxes_.size(); ++k) {
+      if (!boxes_[k].holds(p)) continue;
+      const Vec2 span = openings_[k].span_at(p.v);
+      if (p.u > span.u && p.u < span.v) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::span<const OpeningShape> openings_;
+  std::vector<RingBox> boxes_;
+};
+
+struct Edited {
+  std::vector<Vec2> points;
+  std::vector<uint32_t> kept;  ///< the index of each of the first ones before
+};
+
+Edited edited_points(std::span<const Vec2> points, std::span<const OpeningShape> openings,
+                     double spacing_m) {
+  Edited out;
+  const InOpenings in(openings);
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (in.hold(points[i])) continue;
+    out.points.push_back(points[i]);
+    out.kept.push_back(static_cast<uint32_t>(i));
+  }
+  for (const OpeningShape& shape : openings) add_rim(shape, spacing_m, out.points);
+  return out;
+}
+
+// Four points a cell: cells are 2.2 spacings wide.
+void add_relief(const WallCells& cells, std::span<const OpeningShape> openings,
+                std::vector<Vec2>& points) {
+  const InOpenings in(openings);
+  for (uint32_t r = 0; r < cells.rows; ++r)
+    for (uint32_t c = 0; c < cells.columns; ++c) {
+      if (cells.at(c, r) != WallState::kRelief) continue;
+      for (const Vec2& at : {Vec2{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}}) {
+        const Vec2 p = cells.origin + Vec2{c + at.u, r + at.v} * cells.cell_m;
+        if (!in.hold(p)) points.push_back(p);
+      }
+    }
+}
+
+// Corners no farther apart than a spacing.
+Chain dense(std::span<const Vec2> polygon, double spacing_m) {
+  Chain out;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i], d = polygon[(i + 1) % polygon.size()] - a;
+    const auto pieces = std::max<size_t>(1, static_cast<size_t>(std::ceil(norm(d) / spacing_m)));
+    for (size_t k = 0; k < pieces; ++k)
+      out.push_back(a + d * (static_cast<double>(k) / static_cast<double>(pieces)));
+  }
+  return out;
+}
+
+Chain reversed_chain(Chain chain) {
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+// An opening as the contour draws it.
+struct DrawnShape {
+  OpeningShape shape;
+  bool is_settled = false;  ///< by relief about it
+};
+
+// A set-back outside where there is room, apart from each other.
+std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
+                                     std::span<const uint8_t> is_settled, double spacing_m) {
+  std::vector<OpeningShape> out;
+  for (size_t k = 0; k < openings.size(); ++k)
+    out.push_back(
+        openings[k].grown((is_settled[k] != 0 ? kOutsideRelief : kOutsideOpening) * spacing_m));
+  const auto too_near = [&](size_t i, size_t j) {
+    const double room = kApart * spacing_m;
+    if (!out[i].box().grown(room).meets(out[j].box())) return false;
+    const PolygonWithHoles a{polygon_of(out[i].grown(room), spacing_m), {}},
+        b{polygon_of(out[j], spacing_m), {}};
+    return shared_area({{a}}, {{b}}).both > 0;
+  };
+  std::vector<uint8_t> is_tight(out.size(), 0);
+  for (size_t i = 0; i < out.size(); ++i)
+    for (size_t j = i + 1; j < out.size(); ++j)
+      if (too_near(i, j)) is_tight[i] = is_tight[j] = 1;
+  for (size_t i = 0; i < out.size(); ++i)
+    if (is_tight[i] != 0) out[i] = openings[i];
+  // Shapes that lie over each other as they are: the larger one stays.
+  std::vector<uint8_t> is_gone(out.size(), 0);
+  for (size_t i = 0; i < out.size(); ++i)
+    for (size_t j = i + 1; j < out.size(); ++j) {
+      if (is_gone[i] != 0 || is_gone[j] != 0 || !too_near(i, j)) continue;
+      const RingBox a = out[i].box(), b = out[j].box();
+      (a.width() * a.height() >= b.width() * b.height() ? is_gone[j] : is_gone[i]) = 1;
+    }
+  std::vector<DrawnShape> kept;
+  for (size_t i = 0; i < out.size(); ++i)
+    if (is_gone[i] == 0) kept.push_back({out[i], is_settled[i] != 0});
+  return kept;
+}
+
+PolygonWithHoles box_polygon(double left, double foot, double right, double head) {
+  return {{{left, foot}, {right, foot}, {right, head}, {left, head}}, {}};
+}
+
+// Whether a polygon lies inside an outline, without a point of the outline inside or near it.
+bool is_apart(const std::vector<Vec2>& polygon, const Chain& outline, double spacing_m) {
+  RingBox about;
+  about.add(polygon);
+  about = about.grown(kApart * spacing_m);
+  for (const Vec2& p : polygon)
+    if (!contains(outline, p)) return false;
+  for (size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    RingBox edge;
+    edge.add(a);
+    edge.add(b);
+    if (!edge.meets(about)) continue;
+    if (contains(polygon, a) || border_distance(polygon, a) < kApart * spacing_m) return false;
+    for (const Vec2& p : polygon)
+      if (segment_distance(p, a, b) < kApart * spacing_m) return false;
+  }
+  return true;
+}
+
+struct Cutting {
+  std::vector<PolygonWithHoles> polygons;  ///< the opening and its ways out
+  bool is_at_border = false;
+};
+
+Cutting cutting_of(const OpeningShape& shape, const Chain& outline, double spacing_m) {
+  Cutting out;
+  out.polygons.push_back({polygon_of(shape, spacing_m), {}});
+  const RingBox box = shape.box();
+  const double reach = std::max(kAtBorder * spacing_m, kAtBorder_m), far = kThrough * reach;
+  const auto is_outside = [&](const Vec2& p) { return !contains(outline, p); };
+  const auto way_out = [&](const Vec2& beyond, const PolygonWithHoles& way) {
+    if (!is_outside(beyond)) return;
+    out.is_at_border = true;
+    out.polygons.push_back(way);
+  };
+  const Vec2 middle = box.middle(), foot = shape.span_at(box.low.v + spacing_m / 10);
+  if (foot.v - foot.u > box.width() / 2)
+    way_out({middle.u, box.low.v - reach},
+            box_polygon(foot.u, box.low.v - far, foot.v, box.low.v + spacing_m / 2));
+  if (shape.kind == ShapeKind::kRectangle) {
+    way_out({middle.u, box.high.v + reach},
+            box_polygon(box.low.u, box.high.v, box.high.u, box.high.v + far));
+    way_out({box.low.u - reach, middle.v},
+            box_polygon(box.low.u - far, box.low.v, box.low.u, box.high.v));
+    way_out({box.high.u + reach, middle.v},
+            box_polygon(box.high.u, box.low.v, box.high.u + far, box.high.v));
+  }
+  out.is_at_border =
+      out.is_at_border || !is_apart(out.polygons.front().outline, outline, spacing_m);
+  return out;
+}
+
+// Step 3, one piece: openings inside it, and what the others leave of it.
+std::vector<ContourPiece> with_openings(const ContourPiece& piece,
+                                        std::span<const DrawnShape> shapes, double spacing_m,
+                                        const ContourSetting& setting) {
+  RingBox around;
+  around.add(piece.outline);
+  std::vector<PolygonWithHoles> cut;
+  std::vector<std::pair<Chain, uint8_t>> inside;
+  for (const DrawnShape& drawn : shapes) {
+    if (!drawn.shape.box().meets(around)) continue;
+    Cutting cutting = cutting_of(drawn.shape, piece.outline, spacing_m);
+    const auto& polygon = cutting.polygons.front().outline;
+    if (cutting.is_at_border)
+      cut.insert(cut.end(), cutting.polygons.begin(), cutting.polygons.end());
+    else inside.push_back({dense(polygon, spacing_m), drawn.is_settled});
+  }
+  std::vector<ContourPiece> out;
+  if (cut.empty()) {
+    out.push_back({piece.outline, {}, piece.area_m2});
+  } else {
+    const PolygonWithHoles whole{piece.outline, {}};
+    for (const PolygonWithHoles& left : combined(SetOperation::kDifference, {{whole}}, cut)) {
+      const double area = signed_area(left.outline);
+      if (area >= setting.min_area_m2) out.push_back({dense(left.outline, spacing_m), {}, area});
+    }
+  }
+  for (auto& [chain, is_settled] : inside)
+    for (ContourPiece& part : out)
+      if (contains(part.outline, chain.front())) {
+        part.openings.push_back(reversed_chain(std::move(chain)));
+        part.is_settled.push_back(is_settled);
+        break;
+      }
+  return out;
+}
+
+// A region less others, as polygons without holes: those that lie inside it are joined to its border by upright slits.
+std::vector<PolygonWithHoles> without(const Chain& region, std::vector<PolygonWithHoles> others,
+                                      double spacing_m) {
+  const PolygonWithHoles whole{region, {}};
+  RingBox around;
+  around.add(region);
+  std::vector<PolygonWithHoles> left = combined(SetOperation::kDifference, {{whole}}, others);
+  for (const PolygonWithHoles& polygon : left)
+    for (const auto& hole : polygon.holes) {
+      RingBox box;
+      box.add(hole);
+      const double middle = box.middle().u, half = kSlit * spacing_m / 2;
+      others.push_back(
+          box_polygon(middle - half, around.low.v - 1, middle + half, around.high.v + 1));
+    }
+  left = combined(SetOperation::kDifference, {{whole}}, others);
+  std::erase_if(left, [](const PolygonWithHoles& polygon) { return !polygon.holes.empty(); });
+  return left;
+}
+
+// Step 4.
+void add_unseen(const ContourPiece& piece, std::span<const DrawnShape> shapes, double spacing_m,
+                const ContourSetting& setting, std::vector<ContourPiece>& out) {
+  std::vector<PolygonWithHoles> beside;
+  for (const DrawnShape& drawn : shapes)
+    beside.push_back({polygon_of(drawn.shape.grown(kBesideOpening * spacing_m), spacing_m), {}});
+  for (const Chain& hole : piece.openings) {
+    for (const PolygonWithHoles& left : without(reversed_chain(hole), beside, spacing_m)) {
+      const double area = signed_area(left.outline);
+      if (area < setting.min_opening_area_m2 ||
+          equivalent_width(area, perimeter(left.outline)) < setting.min_opening_width_m)
+        continue;
+      for (ContourPiece& part : out) {
+        if (!is_apart(left.outline, part.outline, spacing_m)) continue;
+        part.openings.push_back(reversed_chain(dense(left.outline, spacing_m)));
+        part.is_settled.push_back(0);
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Contour drawn_contour(std::span<const Vec2> points, std::span<const OpeningCandidate> candidates,
+                      const WallCells& cells, const ContourSetting& setting,
+                      const ForeignTest& foreign, Task& task) {
+  const double spacing_m = cells.spacing_m;
+  std::vector<OpeningShape> openings;
+  std::vector<uint8_t> is_settled;
+  for (const OpeningCandidate& candidate : candidates) {
+    if (!candidate.is_opening) continue;
+    openings.push_back(candidate.shape);
+    is_settled.push_back(candidate.relief >= kReliefShare);
+  }
+  // 1. Points.
+  Edited edited = edited_points(points, openings, spacing_m);
+  add_relief(cells, openings, edited.points);
+  ForeignTest still_foreign;
+  if (foreign)
+    still_foreign = [&](uint32_t point, double typical_m) {
+      return point < edited.kept.size() && foreign(edited.kept[point], typical_m);
+    };
+  // 2. Contour.
+  Contour contour = extract_contour(edited.points, setting, task, still_foreign);
+  task.checkpoint(0);
+  // 3. and 4.
+  const std::vector<DrawnShape> shapes = drawn_shapes(openings, is_settled, spacing_m);
+  std::vector<ContourPiece> pieces;
+  for (const ContourPiece& piece : contour.pieces) {
+    std::vector<ContourPiece> parts = with_openings(piece, shapes, spacing_m, setting);
+    add_unseen(piece, shapes, spacing_m, setting, parts);
+    for (ContourPiece& part : parts) pieces.push_back(std::move(part));
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const ContourPiece& a, const ContourPiece& b) {
+    return a.area_m2 > b.area_m2;
+  });
+  contour.pieces = std::move(pieces);
+  return contour;
+}
+
+}  // namespace jalon

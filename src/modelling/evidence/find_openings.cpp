@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/evidence/find_openings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modelling/evidence/box_search.h"
+#include "modelling/evidence/cell_regions.h"
+#include "modelling/evidence/joined_lights.h"
+#include "modelling/evidence/shape_cells.h"
+#include "modelling/evidence/shape_fit.h"
+#include "modelling/evidence/shape_trim.h"
+
+namespace jalon {
+
+namespace {
+
+// Scores of cells in boxes, hundredths: wall ends a box at once, what was seen through is worth most.
+constexpr int64_t kOnScore = -6000, kReliefScore = -2000, kStripScore = -400, kThroughScore = 200,
+                  kProudScore = -400, kHiddenScore = 15, kEmptyScore = 100, kOutsideScore = -50,
+                  kTakenScore = -300;
+constexpr double kLeastArea_m2 = 0.03, kLeastCells = 2.5;
+constexpr size_t kMostBoxes = 2000;
+constexpr double kLeastSum = 6;     // of weights: three cells that were seen through, and no wall
+constexpr double kMostTaken = 0.2;  // of its cells by better ones
+// Step 4. Seen through: glass gives few returns, frames are narrow.
+constexpr double kThroughShare = 0.05;
+constexpr uint32_t kThroughCells = 4;
+// All over it: of blocks of a fifth of its sides; a neighbour's floor behind a gateway crosses some of them.
+constexpr int kBlocks = 5;
+constexpr double kSeenBlocks = 0.3;
+// Larger ones that nothing was seen through are gateways or what nobody measured.
+constexpr double kEmptyMost_m = 5, kEmptyMost_m2 = 8;
+constexpr double kDoorStep_m =
+    0.5;  // an empty place this near to the wall's foot: leaves of doors are always seen
+constexpr double kDeepShare = 0.3;    // what lies far behind may have been seen beside the opening
+constexpr double kBordered = 0.95;    // of an empty one's border
+constexpr double kHiddenMost = 0.25;  // of its cells: rays to the rest went astray
+constexpr double kMostSlender =
+    4;  // its longer side in shorter ones: empty strips are shadows of gutters
+
+int64_t score_of(WallState state) {
+  switch (state) {
+    case WallState::kOn:
+      return kOnScore;
+    case WallState::kRelief:
+      return kReliefScore;
+    case WallState::kStrip:
+      return kStripScore;
+    case WallState::kThrough:
+      return kThroughScore;
+    case WallState::kProud:
+      return kProudScore;
+    case WallState::kHidden:
+      return kHiddenScore;
+    case WallState::kOutside:
+      return kOutsideScore;
+    case WallState::kEmpty:
+    case WallState::kDeep:
+      break;
+  }
+  return kEmptyScore;
+}
+
+// Step 1.
+class BoxSearch {
+ public:
+  BoxSearch(const WallCells& cells, const OpeningSearch& setting)
+      : cells_(cells), regions_(cells.columns, cells.rows), taken_(cells.states.size(), 0) {
+    least_cells_ =
+        std::max(kLeastArea_m2 / (cells.cell_m * cells.cell_m), kLeastCells * kLeastCells);
+    least_side_ = std::max(kLeastCells, setting.least_width_m / cells.cell_m);
+  }
+
+  std::vector<CellBox> run(Task& task) {
+    std::vector<uint32_t> open;
+    for (size_t k = 0; k < cells_.states.size(); ++k)
+      if (!is_wall(cells_.states[k]) && cells_.states[k] != WallState::kOutside)
+        open.push_back(static_cast<uint32_t>(k));
+    std::vector<CellBox> out;
+    std::vector<std::vector<uint32_t>> waiting = regions_.of(open);
+    while (!waiting.empty() && out.size() < kMostBoxes) {
+      task.checkpoint(0);
+      std::vector<uint32_t> region = std::move(waiting.back());
+      waiting.pop_back();
+      if (static_cast<double>(region.size()) < least_cells_) continue;
+      const CellBox box = best_in(region);
+      if (!is_large(box)) continue;
+      out.push_back(box);
+      for (uint32_t r = box.r0; r < box.r1; ++r)
+        for (uint32_t c = box.c0; c < box.c1; ++c) taken_[size_t{r} * cells_.columns + c] = 1;
+      std::erase_if(region, [&](uint32_t k) { return taken_[k] != 0; });
+      for (auto& rest : regions_.of(region)) waiting.push_back(std::move(rest));
+    }
+    return out;
+  }
+
+ private:
+  bool is_large(const CellBox& box) const {
+    return box.width() >= least_side_ && box.height() >= least_side_ &&
+           static_cast<double>(box.width()) * box.height() >= least_cells_;
+  }
+
+  // The best box in the region's own box.
+  CellBox best_in(const std::vector<uint32_t>& region) const {
+    CellBox about{~uint32_t{0}, ~uint32_t{0}, 0, 0};
+    for (const uint32_t k : region) {
+      const uint32_t c = k % cells_.columns, r = k / cells_.columns;
+      about = {std::min(about.c0, c), std::min(about.r0, r), std::max(about.c1, c + 1),
+               std::max(about.r1, r + 1)};
+    }
+    if (about.width() < least_side_ || about.height() < least_side_) return {};
+    const CellSums<int64_t> sums(about.width(), about.height(), [&](size_t i) {
+      const size_t k =
+          (about.r0 + i / about.width()) * cells_.columns + about.c0 + i % about.width();
+      return taken_[k] != 0 ? kTakenScore : score_of(cells_.states[k]);
+    });
+    const ScoredBox best = best_box(sums, about.width(), about.height());
+    return {about.c0 + best.box.c0, about.r0 + best.box.r0, about.c0 + best.box.c1,
+            about.r0 + best.box.r1};
+  }
+
+  const WallCells& cells_;
+  CellRegions regions_;
+  std::vector<uint8_t> taken_;
+  double least_cells_ = 0, least_side_ = 0;
+};
+
+// Step 3: whether a shape explains cells of its own, and hardly any of a better one.
+bool is_free(const WallCells& cells, const OpeningShape& shape,
+             const std::vector<uint8_t>& claimed) {
+  constexpr ShapeWeights kWeights;
+  double sum = 0;
+  size_t all = 0, taken = 0;
+  for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
+    ++all;
+    if (claimed[size_t{r} * cells.columns + c] != 0) ++taken;
+    else sum += kWeights.of(cells.at(c, r));
+  });
+  return sum >= kLeastSum && static_cast<double>(taken) <= kMostTaken * static_cast<double>(all);
+}
+
+// Share of the blocks of a shape in which something was seen through it.
+double seen_blocks(const WallCells& cells, const OpeningShape& shape) {
+  const RingBox box = shape.box();
+  std::array<uint8_t, kBlocks * kBlocks> has{}, sees{};
+  const auto block = [](double at, double low, double size) {
+    return std::clamp(static_cast<int>((at - low) / size * kBlocks), 0, kBlocks - 1);
+  };
+  for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
+    const auto k = static_cast<size_t>(block(r + 0.5, box.low.v, box.height()) * kBlocks +
+                                       block(c + 0.5, box.low.u, box.width()));
+    has[k] = 1;
+    const WallState state = cells.at(c, r);
+    if (state == WallState::kThrough || state == WallState::kDeep) sees[k] = 1;
+  });
+  const auto count = [](const auto& blocks) {
+    return static_cast<double>(std::count(blocks.begin(), blocks.end(), uint8_t{1}));
+  };
+  return count(sees) / std::max(1.0, count(has));
+}
+
+// Step 4.
+bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
+  if (c.inside.of(WallState::kThrough) >= kThroughCells && seen_blocks >= kSeenBlocks &&
+      c.inside.share(WallState::kThrough) >= kThroughShare)
+    return true;
+  if (c.inside.share(WallState::kDeep) >= kDeepShare) return true;
+  const RingBox box = c.shape.box();
+  if (box.low.v <= foot_v + kDoorStep_m) return false;
+  if (std::max(box.width(), box.height()) > kEmptyMost_m ||
+      box.width() * box.height() > kEmptyMost_m2)
+    return false;
+  const double longer = std::max(box.width(), box.height()),
+               shorter = std::min(box.width(), box.height());
+  return c.bordered >= kBordered && c.inside.share(WallState::kHidden) < kHiddenMost &&
+         longer <= kMostSlender * shorter;
+}
+
+}  // namespace
+
+uint32_t StateCounts::all() const {
+  uint32_t sum = 0;
+  for (const uint32_t n : cells) sum += n;
+  return sum;
+}
+
+double StateCounts::share(WallState state) const {
+  return of(state) / std::max(1.0, static_cast<double>(all()));
+}
+
+std::vector<OpeningCandidate> find_openings(const WallCells& cells, const OpeningSearch& setting,
+                                            Task& task) {
+  if (cells.empty()) return {};
+  // 1. Boxes.
+  const std::vector<CellBox> boxes = BoxSearch(cells, setting).run(task);
+  // 2. Shapes.
+  std::vector<FittedShape> shapes;
+  for (const CellBox& box : boxes) {
+    task.checkpoint(0);
+    const FittedShape fitted = fitted_shape(cells, {}, box, {});
+    for (const OpeningShape& part : parts_of(cells, fitted.shape))
+      shapes.push_back({part, fitted.score});
+  }
+  // 3. One for each place.
+  std::stable_sort(shapes.begin(), shapes.end(),
+                   [](const FittedShape& a, const FittedShape& b) { return a.score > b.score; });
+  std::vector<OpeningShape> kept;
+  std::vector<uint8_t> claimed(cells.states.size(), 0);
+  for (FittedShape& shape : shapes) {
+    task.checkpoint(0);
+    if (!is_free(cells, shape.shape, claimed)) continue;
+    for_cells(cells, shape.shape,
+              [&](uint32_t c, uint32_t r) { claimed[size_t{r} * cells.columns + c] = 1; });
+    kept.push_back(shape.shape);
+  }
+  kept = joined_lights(std::move(kept), cells.cell_m);
+  // 4. Openings and what is not known.
+  std::vector<OpeningCandidate> out;
+  for (const OpeningShape& shape : kept) {
+    OpeningCandidate candidate;
+    for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
+      ++candidate.inside.cells[static_cast<size_t>(cells.at(c, r))];
+    });
+    candidate.bordered = bordered_share(cells, shape, Sides::kAll);
+    candidate.relief = relief_share(cells, shape);
+    candidate.shape = shape.placed(cells.cell_m, cells.origin);
+    candidate.is_opening = is_opening(candidate, seen_blocks(cells, shape), cells.origin.v);
+    out.push_back(std::move(candidate));
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const OpeningCandidate& a, const OpeningCandidate& b) {
+                     return a.shape.box().low.u < b.shape.box().low.u;
+                   });
+  return out;
+}
+
+}  // namespace jalon

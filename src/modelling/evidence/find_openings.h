@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "base/task.h"
+#include "modelling/evidence/opening_shape.h"
+#include "modelling/evidence/wall_cells.h"
+
+namespace jalon {
+
+/// How many cells of a region have which state.
+struct StateCounts {
+  std::array<uint32_t, 9> cells{};
+  uint32_t of(WallState state) const { return cells[static_cast<size_t>(state)]; }
+  uint32_t all() const;
+  double share(WallState state) const;
+};
+
+/// A place of the wall's plane where no wall was measured, of a form that openings have.
+struct OpeningCandidate {
+  OpeningShape shape;  ///< in the plane's coordinates, m
+  StateCounts inside;
+  double bordered = 0;      ///< share of its border along which the wall was measured
+  double relief = 0;        ///< share of that along which relief covers the wall
+  bool is_opening = false;  ///< else nothing tells an opening from what was not looked at
+};
+
+struct OpeningSearch {
+  double least_width_m = 0.12;  ///< of what is drawn as an opening
+};
+
+/// Openings of a wall by comparing explanations of its cells.
+/// 1. Connected cells that are not wall: boxes of the greatest score, one after the other, until what is left is small.
+/// 2. About each the shape that explains the cells best (shape_fit.h).
+/// 3. Of shapes that lie over each other the better one stays; lights of one window become one (joined_lights.h).
+/// 4. Seen through, or empty with the wall measured all round it: an opening; the others are not known.
+///
+/// After: from left to right; shapes do not overlap by more than a fifth.
+std::vector<OpeningCandidate> find_openings(const WallCells& cells, const OpeningSearch& setting,
+                                            Task& task);
+
+}  // namespace jalon

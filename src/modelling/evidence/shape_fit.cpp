@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/evidence/shape_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "modelling/evidence/shape_cells.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kCostOfSize = 1.5;  // of log n
+constexpr double kClearly = 1.03;  // shapes differ from the rectangle by more than what noise gains
+constexpr double kSeenHead = 0.65;  // of the length of sloping sides
+constexpr double kRoomShare = 0.6;  // of the box's sides, about it: an arch may rise from it
+constexpr uint32_t kRoomCells = 6;
+constexpr double kTaken = -3;
+constexpr std::array kOtherKinds{ShapeKind::kTrapezium, ShapeKind::kTriangle, ShapeKind::kGable,
+                                 ShapeKind::kArch, ShapeKind::kCircle};
+constexpr std::array kSteps{8.0, 4.0, 2.0, 1.0, 0.5, 0.25};  // cells
+
+// Weights of the cells about a box, summed along the rows.
+class Window {
+ public:
+  Window(const WallCells& cells, std::span<const uint8_t> taken, const CellBox& box,
+         const ShapeWeights& weights) {
+    const auto room = [](uint32_t side) {
+      return kRoomCells + static_cast<uint32_t>(kRoomShare * side);
+    };
+    const uint32_t by_c = room(box.width()), by_r = room(box.height());
+    low_ = {box.c0 > by_c ? box.c0 - by_c : 0, box.r0 > by_r ? box.r0 - by_r : 0,
+            std::min(cells.columns, box.c1 + by_c), std::min(cells.rows, box.r1 + by_r)};
+    stride_ = size_t{low_.width()} + 1;
+    sums_.assign(stride_ * low_.height(), 0);
+    for (uint32_t r = 0; r < low_.height(); ++r)
+      for (uint32_t c = 0; c < low_.width(); ++c) {
+        const size_t k = static_cast<size_t>(r + low_.r0) * cells.columns + c + low_.c0;
+        const double w = !taken.empty() && taken[k] != 0 ? kTaken : weights.of(cells.states[k]);
+        sums_[r * stride_ + c + 1] = sums_[r * stride_ + c] + static_cast<float>(w);
+      }
+    cost_ =
+        kCostOfSize * std::log(std::max(2.0, static_cast<double>(low_.width()) * low_.height()));
+  }
+
+  double score(const OpeningShape& shape) const {
+    if (!shape.is_valid()) return -INFINITY;
+    const RingBox box = shape.box();
+    const double from = std::max(box.low.v, static_cast<double>(low_.r0)),
+                 to = std::min(box.high.v, static_cast<double>(low_.r1));
+    double sum = 0;
+    for (double row = std::floor(from); row < to; ++row) {
+      const double bottom = std::max(row, from), top = std::min(row + 1, to);
+      const Vec2 span = shape.span_at((bottom + top) / 2);
+      sum += (top - bottom) * (up_to(row, span.v) - up_to(row, span.u));
+    }
+    return sum - cost_ * static_cast<double>(shape.size_count());
+  }
+  bool holds(const RingBox& box) const {
+    return box.low.u >= low_.c0 && box.low.v >= low_.r0 && box.high.u <= low_.c1 &&
+           box.high.v <= low_.r1;
+  }
+
+ private:
+  // Sum of a row's weights left of u.
+  double up_to(double row, double u) const {
+    const auto r = static_cast<size_t>(row) - low_.r0;
+    const double at = std::clamp(u - low_.c0, 0.0, static_cast<double>(low_.width()));
+    const auto c = std::min(static_cast<size_t>(at), static_cast<size_t>(low_.width()) - 1);
+    const float *line = &sums_[r * stride_], rest = static_cast<float>(at - static_cast<double>(c));
+    return line[c] + rest * (line[c + 1] - line[c]);
+  }
+
+  CellBox low_;
+  size_t stride_ = 0;
+  std::vector<float> sums_;
+  double cost_ = 0;
+};
+
+// Moves the sizes, one after the other, by halved steps while that gains.
+// It keeps the middle of its box: it does not walk to another opening.
+FittedShape climbed(const Window& window, OpeningShape start, const Vec2& middle) {
+  FittedShape best{start, window.score(start)};
+  for (const double step : kSteps)
+    for (bool better = true; better;) {
+      better = false;
+      for (size_t i = 0; i < start.size_count(); ++i)
+        for (const double by : {step, -step}) {
+          OpeningShape trial = best.shape;
+          trial.sizes[i] += by;
+          if (!trial.is_valid() || !window.holds(trial.box()) || !trial.box().holds(middle))
+            continue;
+          const double score = window.score(trial);
+          if (score <= best.score) continue;
+          best = {trial, score};
+          better = true;
+        }
+    }
+  return best;
+}
+
+}  // namespace
+
+FittedShape fitted_shape(const WallCells& cells, std::span<const uint8_t> taken, const CellBox& box,
+                         const ShapeWeights& weights) {
+  const Window window(cells, taken, box, weights);
+  const auto number = [](uint32_t n) { return static_cast<double>(n); };
+  const RingBox start{{number(box.c0), number(box.r0)}, {number(box.c1), number(box.r1)}};
+  FittedShape best = climbed(window, shape_in(ShapeKind::kRectangle, start), start.middle());
+  const RingBox grown = best.shape.box();
+  const double straight = best.score;
+  for (const ShapeKind kind : kOtherKinds)
+    for (const RingBox& from : {start, grown}) {
+      FittedShape other = climbed(window, shape_in(kind, from), start.middle());
+      if (other.score > best.score && other.score > kClearly * straight &&
+          bordered_share(cells, other.shape, Sides::kSloping) >= kSeenHead)
+        best = std::move(other);
+    }
+  return best;
+}
+
+}  // namespace jalon

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "modelling/evidence/find_openings.h"
+#include "modelling/walls/holes.h"
+
+namespace jalon {
+
+/// The opening among the candidates that a hole was drawn for, or -1: that whose box has most in common with its own.
+int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> candidates);
+
+/// The holes of a wall that was drawn by its evidence: those of its faces; for each opening at the border the notch
+/// that was cut for it, or, where its form shows in no face (a pier beside it whose foot nobody saw), the shape
+/// itself as a bay. Other notches are the wall's own outline. Openings that are in no face at all are left out.
+std::vector<WallHole> evident_holes(const VectorPlane& wall,
+                                    std::span<const OpeningCandidate> candidates);
+
+}  // namespace jalon

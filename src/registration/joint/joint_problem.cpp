@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/joint/joint_problem.h"
+
+#include "base/error.h"
+
+namespace jalon {
+
+void validate(const JointProblem& problem) {
+  const double sigmas[] = {problem.sigma_block_x_m, problem.sigma_block_y_m, problem.sigma_facade_m,
+                           problem.sigma_strip_m};
+  const char* names[] = {"of blocks along x", "of blocks along y", "of facades", "of strips"};
+  for (size_t k = 0; k < 4; ++k)
+    if (!(sigmas[k] >= 0)) fail(Status::kInvalidArgument, "the sigma %s is negative", names[k]);
+  if (!(problem.sigma_strip_m > 0))
+    fail(Status::kInvalidArgument, "the sigma of strips is 0: their conditions could not all hold");
+  if (problem.x.size() != problem.y.size() || problem.x.size() < 2)
+    fail(Status::kInvalidArgument, "the trajectory has %zu and %zu control positions",
+         problem.x.size(), problem.y.size());
+  if (problem.strips.empty())
+    fail(Status::kInsufficientData, "no strip is matched: there is nothing to adjust");
+  for (size_t s = 0; s < problem.strips.size(); ++s) {
+    const StripCondition& strip = problem.strips[s];
+    if (strip.block >= problem.blocks || strip.facade >= problem.facades || strip.shares.empty() ||
+        strip.shares.back().first >= problem.controls())
+      fail(Status::kInvalidArgument, "strip %zu is of a block, facade or time that is not there",
+           s);
+  }
+}
+
+}  // namespace jalon

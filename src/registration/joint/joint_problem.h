@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "geometry/vec.h"
+#include "model/trajectory/gauss_markov.h"
+
+// The adjustment of a mobile cloud and a building model together (Monnier 2014; Gauss-Helmert without
+// parameters, Mikhail 1976). Observations, with their covariances:
+//
+//   T   corrections of the trajectory's control positions, x and y: Gauss-Markov chains, expected 0
+//   d   translations of blocks, x and y: independent, expected 0
+//   o_f, o_s  offsets of facades and of strips along the facade's normal: independent, expected 0
+//
+// and one condition for each matched strip: its plane passes through the centroid of its points,
+//
+//   h_s + n . (d_b - sum_c w_sc T_c) + o_f + o_s = 0
+//
+// h_s: mean signed distance of the given plane from the given points, (Q - P) . n; w_sc: the mean share
+// of control position c in the points of the strip (linear interpolation in time; they sum to 1).
+namespace jalon {
+
+struct StripCondition {
+  uint32_t block = 0, facade = 0;
+  Vec2 normal;                                      ///< level, unit
+  std::vector<std::pair<uint32_t, double>> shares;  ///< control position and its w, ascending
+  double distance_m = 0;                            ///< h
+  double measured_variance_m2 =
+      0;  ///< of h beside the prior: noise of ranges over the number of points
+};
+
+struct JointProblem {
+  GaussMarkov x, y;  ///< of the control positions
+  uint32_t blocks = 0, facades = 0;
+  double sigma_block_x_m = 1, sigma_block_y_m = 1, sigma_facade_m = 0.5, sigma_strip_m = 0.3;
+  std::vector<StripCondition> strips;
+
+  size_t controls() const { return x.size(); }
+};
+
+/// Adjusted values, each expected 0 before, and their standard deviations.
+struct JointSolution {
+  std::vector<Vec2> trajectory, blocks;  ///< corrections of control positions, translations
+  std::vector<double> facades, strips;
+  std::vector<Vec2> trajectory_sigmas, blocks_sigmas;
+  std::vector<double> facades_sigmas, strips_sigmas;
+  /// Weighted square sum of the corrections: chi-square with as many degrees of freedom as strips,
+  /// where the priors are right.
+  double chi_square = 0;
+  /// Of (T_x, T_y, d_x, d_y), in this order.
+  Eigen::MatrixXd covariance;
+};
+
+/// Indices into that order.
+struct JointOrder {
+  size_t controls, blocks;
+  size_t tx(size_t c) const { return c; }
+  size_t ty(size_t c) const { return controls + c; }
+  size_t dx(size_t b) const { return 2 * controls + b; }
+  size_t dy(size_t b) const { return 2 * controls + blocks + b; }
+  size_t size() const { return 2 * (controls + blocks); }
+};
+inline JointOrder order_of(const JointProblem& problem) {
+  return {problem.controls(), problem.blocks};
+}
+
+/// Error(kInvalidArgument) naming the first strip with a block, facade or control position that is
+/// not there, or saying which sigma is negative.
+void validate(const JointProblem& problem);
+
+/// By the normal equations of trajectory and blocks alone, facades and strips eliminated: sparse, the
+/// same answer as the dense form to rounding. All sigmas must be positive. Without measured noise the
+/// conditions hold exactly.
+/// want_covariance: the field covariance as well, dense; sigmas come in any case, one sparse solve a
+/// strip.
+JointSolution solve_reduced(const JointProblem& problem, bool want_covariance);
+
+/// The reference: l^ = C B (B^T C B)^-1 c and C_l^ = C - C B (B^T C B)^-1 B^T C with all observations.
+/// O(strips^3); strips' sigmas must be positive, the others may be 0.
+JointSolution solve_dense(const JointProblem& problem);
+
+}  // namespace jalon

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "base/error.h"
+#include "registration/joint/joint_problem.h"
+
+namespace jalon {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Behind trajectory and blocks stand facades, then strips.
+struct DenseOrder : JointOrder {
+  size_t facades, strips;
+  Index facade(size_t f) const { return static_cast<Index>(JointOrder::size() + f); }
+  Index strip(size_t s) const { return static_cast<Index>(JointOrder::size() + facades + s); }
+  Index all() const { return static_cast<Index>(JointOrder::size() + facades + strips); }
+};
+
+MatrixXd prior_covariance(const JointProblem& problem, const DenseOrder& at) {
+  MatrixXd C = MatrixXd::Zero(at.all(), at.all());
+  for (size_t i = 0; i < at.controls; ++i)
+    for (size_t j = 0; j < at.controls; ++j) {
+      C(static_cast<Index>(at.tx(i)), static_cast<Index>(at.tx(j))) = problem.x.covariance(i, j);
+      C(static_cast<Index>(at.ty(i)), static_cast<Index>(at.ty(j))) = problem.y.covariance(i, j);
+    }
+  const auto set = [&](Index i, double sigma) { C(i, i) = sigma * sigma; };
+  for (size_t b = 0; b < at.blocks; ++b) {
+    set(static_cast<Index>(at.dx(b)), problem.sigma_block_x_m);
+    set(static_cast<Index>(at.dy(b)), problem.sigma_block_y_m);
+  }
+  for (size_t f = 0; f < at.facades; ++f) set(at.facade(f), problem.sigma_facade_m);
+  for (size_t s = 0; s < at.strips; ++s) set(at.strip(s), problem.sigma_strip_m);
+  return C;
+}
+
+// A column a strip.
+MatrixXd conditions(const JointProblem& problem, const DenseOrder& at) {
+  MatrixXd B = MatrixXd::Zero(at.all(), static_cast<Index>(at.strips));
+  for (size_t s = 0; s < at.strips; ++s) {
+    const StripCondition& strip = problem.strips[s];
+    const auto column = static_cast<Index>(s);
+    for (const auto& [control, share] : strip.shares) {
+      B(static_cast<Index>(at.tx(control)), column) -= share * strip.normal.u;
+      B(static_cast<Index>(at.ty(control)), column) -= share * strip.normal.v;
+    }
+    B(static_cast<Index>(at.dx(strip.block)), column) = strip.normal.u;
+    B(static_cast<Index>(at.dy(strip.block)), column) = strip.normal.v;
+    B(at.facade(strip.facade), column) = 1;
+    B(at.strip(s), column) = 1;
+  }
+  return B;
+}
+
+}  // namespace
+
+JointSolution solve_dense(const JointProblem& problem) {
+  validate(problem);
+  const DenseOrder at{order_of(problem), problem.facades, problem.strips.size()};
+  const MatrixXd C = prior_covariance(problem, at), B = conditions(problem, at);
+  MatrixXd BCB = B.transpose() * C * B;
+  VectorXd c(B.cols());
+  for (Index s = 0; s < c.size(); ++s) {
+    c[s] = -problem.strips[static_cast<size_t>(s)].distance_m;
+    BCB(s, s) += problem.strips[static_cast<size_t>(s)].measured_variance_m2;
+  }
+  const Eigen::LDLT<MatrixXd> factor(BCB);
+  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
+    fail(Status::kDegenerate, "the conditions of the strips contradict each other");
+  const MatrixXd CB = C * B;
+  const VectorXd k = factor.solve(c), l = CB * k;
+  const MatrixXd posterior = C - CB * factor.solve(CB.transpose());
+  const VectorXd sigmas = posterior.diagonal().cwiseMax(0).cwiseSqrt();
+  JointSolution made;
+  made.chi_square = c.dot(k);
+  const auto n = static_cast<Index>(at.JointOrder::size());
+  made.covariance = posterior.topLeftCorner(n, n);
+  const auto pair = [](const VectorXd& v, size_t i, size_t j) {
+    return Vec2{v[static_cast<Index>(i)], v[static_cast<Index>(j)]};
+  };
+  for (size_t i = 0; i < at.controls; ++i) {
+    made.trajectory.push_back(pair(l, at.tx(i), at.ty(i)));
+    made.trajectory_sigmas.push_back(pair(sigmas, at.tx(i), at.ty(i)));
+  }
+  for (size_t b = 0; b < at.blocks; ++b) {
+    made.blocks.push_back(pair(l, at.dx(b), at.dy(b)));
+    made.blocks_sigmas.push_back(pair(sigmas, at.dx(b), at.dy(b)));
+  }
+  for (size_t f = 0; f < at.facades; ++f) {
+    made.facades.push_back(l[at.facade(f)]);
+    made.facades_sigmas.push_back(sigmas[at.facade(f)]);
+  }
+  for (size_t s = 0; s < at.strips; ++s) {
+    made.strips.push_back(l[at.strip(s)]);
+    made.strips_sigmas.push_back(sigmas[at.strip(s)]);
+  }
+  return made;
+}
+
+}  // namespace jalon

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "registration/joint/joint_problem.h"
+
+namespace jalon {
+
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+using Triplets = std::vector<Eigen::Triplet<double, Eigen::Index>>;
+using Index = Eigen::Index;
+
+struct RowElement {
+  Index column;
+  double value;
+};
+
+// The row of a strip: derivatives of its condition by T_x, T_y, d_x, d_y.
+std::vector<RowElement> row_of(const StripCondition& strip, const JointOrder& at) {
+  std::vector<RowElement> row;
+  for (const auto& [control, share] : strip.shares) {
+    row.push_back({static_cast<Index>(at.tx(control)), -share * strip.normal.u});
+    row.push_back({static_cast<Index>(at.ty(control)), -share * strip.normal.v});
+  }
+  row.push_back({static_cast<Index>(at.dx(strip.block)), strip.normal.u});
+  row.push_back({static_cast<Index>(at.dy(strip.block)), strip.normal.v});
+  return row;
+}
+
+// The strips of a facade: V = D + sigma_f^2 1 1^T, D the variances of the strips and of what was
+// measured. V^-1 y = y / D - (1 / D) weight sum(y / D) (Sherman & Morrison 1950).
+struct FacadeStrips {
+  std::vector<uint32_t> strips;
+  std::vector<double> inverse_d;
+  double weight = 0;  ///< sigma_f^2 / (1 + sigma_f^2 sum(1 / D))
+  double sum = 0;     ///< sum(1 / D)
+
+  std::vector<double> weighted(const std::vector<double>& y) const {
+    double total = 0;
+    for (size_t i = 0; i < y.size(); ++i) total += inverse_d[i] * y[i];
+    std::vector<double> out(y.size());
+    for (size_t i = 0; i < y.size(); ++i) out[i] = inverse_d[i] * (y[i] - weight * total);
+    return out;
+  }
+};
+
+std::vector<FacadeStrips> strips_by_facade(const JointProblem& problem) {
+  std::vector<FacadeStrips> made(problem.facades);
+  for (uint32_t s = 0; s < problem.strips.size(); ++s) {
+    FacadeStrips& f = made[problem.strips[s].facade];
+    f.strips.push_back(s);
+    f.inverse_d.push_back(1 / (problem.sigma_strip_m * problem.sigma_strip_m +
+                               problem.strips[s].measured_variance_m2));
+    f.sum += f.inverse_d.back();
+  }
+  const double variance = problem.sigma_facade_m * problem.sigma_facade_m;
+  for (FacadeStrips& f : made) f.weight = variance / (1 + variance * f.sum);
+  return made;
+}
+
+void add_prior(const JointProblem& problem, const JointOrder& at, Triplets& into) {
+  const auto chain = [&](const GaussMarkov& of, size_t first) {
+    const TridiagonalInformation made = information_of(of);
+    for (size_t c = 0; c < made.diagonal.size(); ++c) {
+      const auto i = static_cast<Index>(first + c);
+      into.push_back({i, i, made.diagonal[c]});
+      if (c + 1 == made.diagonal.size()) continue;
+      into.push_back({i + 1, i, made.beside[c]});
+      into.push_back({i, i + 1, made.beside[c]});
+    }
+  };
+  chain(problem.x, at.tx(0));
+  chain(problem.y, at.ty(0));
+  for (size_t b = 0; b < at.blocks; ++b) {
+    const auto x = static_cast<Index>(at.dx(b)), y = static_cast<Index>(at.dy(b));
+    into.push_back({x, x, 1 / (problem.sigma_block_x_m * problem.sigma_block_x_m)});
+    into.push_back({y, y, 1 / (problem.sigma_block_y_m * problem.sigma_block_y_m)});
+  }
+}
+
+class ReducedSolver {
+ public:
+  explicit ReducedSolver(const JointProblem& problem)
+      : problem_(problem), at_(order_of(problem)), facades_(strips_by_facade(problem)) {
+    for (const StripCondition& strip : problem.strips) rows_.push_back(row_of(strip, at_));
+    factorise();
+  }
+
+  JointSolution solve(bool want_covariance) {
+    JointSolution made;
+    made.facades.assign(problem_.facades, 0);
+    made.facades_sigmas.assign(problem_.facades, problem_.sigma_facade_m);
+    made.strips.assign(problem_.strips.size(), 0);
+    made.strips_sigmas.assign(problem_.strips.size(), problem_.sigma_strip_m);
+    const Eigen::VectorXd x = factor_.solve(right_side_);
+    made.chi_square = distances_square_ - right_side_.dot(x);
+    for (const FacadeStrips& f : facades_) offsets_of(f, x, made);
+    place(x, want_covariance, made);
+    return made;
+  }
+
+ private:
+  // H = C^-1 + sum A^T V^-1 A and -sum A^T V^-1 h, facade by facade.
+  void factorise() {
+    Triplets elements;
+    add_prior(problem_, at_, elements);
+    right_side_ = Eigen::VectorXd::Zero(static_cast<Index>(at_.size()));
+    for (const FacadeStrips& f : facades_) {
+      std::vector<double> h;
+      for (const uint32_t s : f.strips) h.push_back(problem_.strips[s].distance_m);
+      const std::vector<double> weighted_h = f.weighted(h);
+      // A^T D^-1 A strip by strip, less the facade's own outer product.
+      std::vector<RowElement> total;  // sum of rows / D
+      for (size_t i = 0; i < f.strips.size(); ++i) {
+        const std::vector<RowElement>& row = rows_[f.strips[i]];
+        distances_square_ += h[i] * weighted_h[i];
+        for (const RowElement& a : row) {
+          right_side_[a.column] -= a.value * weighted_h[i];
+          for (const RowElement& b : row)
+            elements.push_back({a.column, b.column, f.inverse_d[i] * a.value * b.value});
+        }
+        add_to(total, row, f.inverse_d[i]);
+      }
+      for (const RowElement& a : total)
+        for (const RowElement& b : total)
+          elements.push_back({a.column, b.column, -f.weight * a.value * b.value});
+    }
+    SparseMatrix H(static_cast<Index>(at_.size()), static_cast<Index>(at_.size()));
+    H.setFromTriplets(elements.begin(), elements.end());
+    factor_.compute(H);
+    if (factor_.info() != Eigen::Success || !(factor_.vectorD().minCoeff() > 0))
+      fail(Status::kDegenerate,
+           "the normal equations of trajectory and blocks are singular: is a sigma 0?");
+  }
+
+  static void add_to(std::vector<RowElement>& sum, const std::vector<RowElement>& row,
+                     double factor) {
+    for (const RowElement& element : row) {
+      auto same = std::find_if(sum.begin(), sum.end(),
+                               [&](const RowElement& e) { return e.column == element.column; });
+      if (same == sum.end()) sum.push_back({element.column, factor * element.value});
+      else same->value += factor * element.value;
+    }
+  }
+
+  Eigen::VectorXd dense_of(const std::vector<RowElement>& row) const {
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(static_cast<Index>(at_.size()));
+    for (const RowElement& e : row) v[e.column] += e.value;
+    return v;
+  }
+  double variance_along(const std::vector<RowElement>& row) const {
+    const Eigen::VectorXd v = dense_of(row);
+    return v.dot(factor_.solve(v));
+  }
+
+  // Back from trajectory and blocks to the facade and its strips: given these, the offsets follow from
+  // y = -(h + A x) by o_f = sigma_f^2 1^T V^-1 y, o_s = sigma_s^2 V^-1 y.
+  void offsets_of(const FacadeStrips& f, const Eigen::VectorXd& x, JointSolution& made) const {
+    if (f.strips.empty()) return;
+    const double facade_m2 = problem_.sigma_facade_m * problem_.sigma_facade_m,
+                 strip_m2 = problem_.sigma_strip_m * problem_.sigma_strip_m;
+    std::vector<double> y;
+    for (const uint32_t s : f.strips) {
+      double sum = problem_.strips[s].distance_m;
+      for (const RowElement& e : rows_[s]) sum += e.value * x[e.column];
+      y.push_back(-sum);
+    }
+    const std::vector<double> v = f.weighted(y);
+    const uint32_t facade = problem_.strips[f.strips[0]].facade;
+    std::vector<RowElement> total;
+    double v_sum = 0;
+    for (size_t i = 0; i < v.size(); ++i) {
+      v_sum += v[i];
+      add_to(total, rows_[f.strips[i]], f.inverse_d[i]);
+    }
+    made.facades[facade] = facade_m2 * v_sum;
+    // 1^T V^-1 = (1 - weight sum) / D; what is left of the prior, and what x brings along.
+    const double left = 1 - f.weight * f.sum;
+    const double of_prior = facade_m2 - facade_m2 * facade_m2 * left * f.sum;
+    made.facades_sigmas[facade] = std::sqrt(
+        std::max(0.0, of_prior + facade_m2 * facade_m2 * left * left * variance_along(total)));
+    for (size_t i = 0; i < v.size(); ++i) {
+      const uint32_t s = f.strips[i];
+      made.strips[s] = strip_m2 * v[i];
+      const double d = f.inverse_d[i], diagonal = d * (1 - f.weight * d);
+      // Row of V^-1 A: (row_s - weight total) / D_s.
+      std::vector<RowElement> row;
+      add_to(row, rows_[s], d);
+      add_to(row, total, -f.weight * d);
+      made.strips_sigmas[s] =
+          std::sqrt(std::max(0.0, strip_m2 - strip_m2 * strip_m2 * diagonal +
+                                      strip_m2 * strip_m2 * variance_along(row)));
+    }
+  }
+
+  void place(const Eigen::VectorXd& x, bool want_covariance, JointSolution& made) const {
+    const auto n = static_cast<Index>(at_.size());
+    Eigen::VectorXd variances(n);
+    if (want_covariance) {
+      made.covariance = factor_.solve(Eigen::MatrixXd::Identity(n, n));
+      variances = made.covariance.diagonal();
+    } else {
+      for (Index i = 0; i < n; ++i) variances[i] = factor_.solve(Eigen::VectorXd::Unit(n, i))[i];
+    }
+    const auto pair = [&](const Eigen::VectorXd& v, size_t i, size_t j) {
+      return Vec2{v[static_cast<Index>(i)], v[static_cast<Index>(j)]};
+    };
+    const Eigen::VectorXd sigmas = variances.cwiseMax(0).cwiseSqrt();
+    for (size_t c = 0; c < at_.controls; ++c) {
+      made.trajectory.push_back(pair(x, at_.tx(c), at_.ty(c)));
+      made.trajectory_sigmas.push_back(pair(sigmas, at_.tx(c), at_.ty(c)));
+    }
+    for (size_t b = 0; b < at_.blocks; ++b) {
+      made.blocks.push_back(pair(x, at_.dx(b), at_.dy(b)));
+      made.blocks_sigmas.push_back(pair(sigmas, at_.dx(b), at_.dy(b)));
+    }
+  }
+
+  const JointProblem& problem_;
+  JointOrder at_;
+  std::vector<FacadeStrips> facades_;
+  std::vector<std::vector<RowElement>> rows_;
+  Eigen::SimplicialLDLT<SparseMatrix> factor_;
+  Eigen::VectorXd right_side_;
+  double distances_square_ = 0;  ///< h^T V^-1 h
+};
+
+void require_positive_sigmas(const JointProblem& problem) {
+  if (!(problem.sigma_block_x_m > 0) || !(problem.sigma_block_y_m > 0) ||
+      !(problem.sigma_facade_m > 0))
+    fail(Status::kInvalidArgument,
+         "a sigma of blocks or facades is 0: the reduced form needs them positive");
+  for (const GaussMarkov* chain : {&problem.x, &problem.y})
+    for (const double q : chain->innovations)
+      if (!(q > 0))
+        fail(Status::kInvalidArgument,
+             "a velocity sigma is 0: the reduced form needs them positive");
+}
+
+}  // namespace
+
+JointSolution solve_reduced(const JointProblem& problem, bool want_covariance) {
+  validate(problem);
+  require_positive_sigmas(problem);
+  return ReducedSolver(problem).solve(want_covariance);
+}
+
+}  // namespace jalon

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/joint/strip_conditions.h"
+
+#include <map>
+
+#include "model/trajectory/interpolation.h"
+
+namespace jalon {
+
+namespace {
+
+struct StripSums {
+  uint64_t points = 0;
+  double distance_m = 0;
+  std::map<uint32_t, double> shares;
+};
+
+}  // namespace
+
+StripConditions strip_conditions(const MatchedPoints& points, std::span<const GivenStrip> strips,
+                                 std::span<const double> control_times_s, uint64_t least_points,
+                                 double sigma_range_m) {
+  std::vector<StripSums> sums(strips.size());
+  size_t hint = 0;
+  for (size_t i = 0; i < points.strips.size(); ++i) {
+    const double time = points.times_s[i];
+    if (points.strips[i] >= strips.size() || time < control_times_s.front() ||
+        time > control_times_s.back())
+      continue;
+    const TimePlace at = time_place(control_times_s, time, i, hint);
+    hint = at.epoch;
+    const GivenStrip& strip = strips[points.strips[i]];
+    StripSums& sum = sums[points.strips[i]];
+    ++sum.points;
+    // (Q - P) . n: how far the plane is in front of the point.
+    sum.distance_m += strip.offset_m - strip.normal.u * points.xyz[3 * i] -
+                      strip.normal.v * points.xyz[3 * i + 1];
+    sum.shares[static_cast<uint32_t>(at.epoch)] += 1 - at.share;
+    sum.shares[static_cast<uint32_t>(at.epoch + 1)] += at.share;
+  }
+  StripConditions made;
+  for (uint32_t s = 0; s < strips.size(); ++s) {
+    const StripSums& sum = sums[s];
+    if (sum.points == 0 || sum.points < least_points) continue;
+    const double n = static_cast<double>(sum.points);
+    StripCondition condition{strips[s].block,    strips[s].facade,
+                             strips[s].normal,   {},
+                             sum.distance_m / n, sigma_range_m * sigma_range_m / n};
+    for (const auto& [control, share] : sum.shares)
+      if (share > 0) condition.shares.push_back({control, share / n});
+    made.conditions.push_back(std::move(condition));
+    made.strip_of.push_back(s);
+  }
+  return made;
+}
+
+}  // namespace jalon

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What planes before and behind a wall are to it.
+#include <doctest/doctest.h>
+
+#include "modelling/evidence/evidence.h"
+#include "unit/modelling/walls.h"
+
+using namespace jalon;
+
+namespace {
+
+constexpr double kStep_m = 0.05;
+
+void add_layer(std::vector<Vec3>& out, double left, double foot, double width, double height,
+               double depth_m) {
+  for (double u = left + kStep_m / 2; u < left + width; u += kStep_m)
+    for (double v = foot + kStep_m / 2; v < foot + height; v += kStep_m)
+      out.push_back({u, depth_m, v});
+}
+
+bool in_box(const Vec3& p, double left, double foot, double width, double height) {
+  return p.x > left && p.x < left + width && p.z > foot && p.z < foot + height;
+}
+
+constexpr double kWindows[] = {1, 3, 5};  // 1.2 x 1.6 m, 1 m above the ground
+
+// A wall of 12 x 7 m with three windows and a loggia of 3 x 2.6 m.
+struct House {
+  std::vector<Vec3> wall, panes, surrounds, room, parapets, loggia;
+  House() {
+    add_layer(wall, 0, 0, 12, 7, 0);
+    add_layer(loggia, 8, 3.5, 3, 2.6, 1.5);
+    for (const double left : kWindows) {
+      add_layer(panes, left, 1, 1.2, 1.6, 0.15);
+      add_layer(surrounds, left - 0.3, 0.7, 1.8, 2.2, -0.05);
+      add_layer(parapets, left - 0.3, 4, 1.8, 1, -1.2);
+    }
+    add_layer(room, 0.5, 0.3, 6.5, 2.8, 4);
+    const auto cut = [](std::vector<Vec3>& points) {
+      std::erase_if(points, [](const Vec3& p) {
+        for (const double left : kWindows)
+          if (in_box(p, left, 1, 1.2, 1.6)) return true;
+        return in_box(p, 8, 3.5, 3, 2.6);
+      });
+    };
+    cut(wall);
+    cut(surrounds);
+  }
+};
+
+std::vector<WallEvidence> evidence_of(const std::vector<std::vector<Vec3>>& parts,
+                                      unsigned threads = 1) {
+  Segmentation segmentation = walls::segmentation_of(parts);
+  for (size_t s = 0; s < parts.size(); ++s)
+    segmentation.segments[s].area_m2 = kStep_m * kStep_m * static_cast<double>(parts[s].size());
+  Task::Hooks hooks;
+  hooks.threads = threads;
+  Task task(hooks);
+  return gather_evidence(segmentation, {}, task);
+}
+
+}  // namespace
+
+TEST_CASE("gather_evidence__tells_panes_surrounds_rooms_parapets_and_a_loggia") {
+  const House house;
+  const auto role = [&](const std::vector<Vec3>& other, bool has_panes = true) {
+    std::vector<std::vector<Vec3>> parts{house.wall, other};
+    if (has_panes) parts.push_back(house.panes);
+    const auto evidence = evidence_of(parts);
+    CHECK(evidence[0].role == PlaneRole::kWall);
+    return evidence[1].role;
+  };
+  CHECK(role(house.panes, false) == PlaneRole::kFilling);
+  CHECK(role(house.surrounds) == PlaneRole::kRelief);
+  CHECK(role(house.room) == PlaneRole::kInside);
+  CHECK(role(house.parapets) == PlaneRole::kRelief);
+  CHECK(role(house.loggia) == PlaneRole::kWall);
+}
+
+TEST_CASE("gather_evidence__finds_the_openings_of_a_wall_and_its_areas") {
+  const House house;
+  const auto evidence = evidence_of({house.wall, house.panes, house.loggia});
+  size_t openings = 0;
+  for (const OpeningCandidate& c : evidence[0].openings) openings += c.is_opening;
+  CHECK(openings == 4);
+  CHECK(evidence[0].is_wall());
+  CHECK(evidence[0].gross_m2 == doctest::Approx(12 * 7).epsilon(0.05));
+  CHECK(evidence[0].measured_m2 == doctest::Approx(12 * 7 - 3 * 1.2 * 1.6 - 3 * 2.6).epsilon(0.05));
+}
+
+TEST_CASE("gather_evidence__leaves_floors_and_small_planes_and_has_the_same_bits_for_any_threads") {
+  const House house;
+  std::vector<Vec3> floor, small;
+  for (const Vec3& p : house.wall) floor.push_back({p.x, p.z, 0});
+  add_layer(small, 0, 0, 0.9, 1, -3);
+  const std::vector<std::vector<Vec3>> parts{house.wall, floor, small, house.panes};
+  const auto one = evidence_of(parts, 1), four = evidence_of(parts, 4);
+  CHECK(one[1].empty());
+  CHECK(one[2].empty());
+  CHECK_FALSE(one[2].is_wall());
+  for (size_t s = 0; s < parts.size(); ++s) {
+    CHECK(one[s].cells.states == four[s].cells.states);
+    CHECK(one[s].role == four[s].role);
+    REQUIRE(one[s].openings.size() == four[s].openings.size());
+    for (size_t k = 0; k < one[s].openings.size(); ++k)
+      CHECK(one[s].openings[k].shape.sizes == four[s].openings[k].shape.sizes);
+  }
+}

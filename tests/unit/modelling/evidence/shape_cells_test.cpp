@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Cells in a shape, and what lies beside its border.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "modelling/evidence/shape_cells.h"
+#include "unit/modelling/painted_cells.h"
+
+using namespace jalon;
+using painted::cells_of;
+using painted::paint;
+using painted::rectangle;
+
+namespace {
+
+size_t cell_count(const WallCells& cells, const OpeningShape& shape) {
+  size_t n = 0;
+  for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
+    REQUIRE(c < cells.columns);
+    REQUIRE(r < cells.rows);
+    ++n;
+  });
+  return n;
+}
+
+// A wall of 60 x 60 cells with an opening of 20 x 20 in its middle.
+WallCells wall_with_square() {
+  WallCells cells = cells_of(60, 60);
+  paint(cells, {20, 20, 40, 40}, WallState::kThrough);
+  return cells;
+}
+const OpeningShape kSquare = rectangle(20, 40, 20, 40);
+
+}  // namespace
+
+TEST_CASE("for_cells__are_those_whose_centres_lie_in_the_shape") {
+  const WallCells cells = cells_of(60, 50);
+  CHECK(cell_count(cells, rectangle(10, 20, 5, 8)) == 30);
+  CHECK(cell_count(cells, rectangle(10.4, 20.4, 5.4, 8.4)) == 30);
+  CHECK(cell_count(cells, rectangle(10.6, 20.4, 5, 8)) == 27);
+  CHECK(cell_count(cells, rectangle(-10, 100, -10, 100)) == 60 * 50);  // what is there of it
+  CHECK(cell_count(cells, rectangle(70, 80, 5, 8)) == 0);
+  const OpeningShape circle{ShapeKind::kCircle, {30, 25, 20, 0, 0, 0}};
+  CHECK(std::fabs(static_cast<double>(cell_count(cells, circle)) - M_PI * 400) < 20);
+}
+
+TEST_CASE("bordered_share__counts_the_sides_with_wall_just_outside_them") {
+  WallCells cells = wall_with_square();
+  CHECK(bordered_share(cells, kSquare, Sides::kAll) == 1);
+  CHECK(bordered_share(cells, rectangle(21, 39, 21, 39), Sides::kAll) == 1);  // near enough
+  CHECK(bordered_share(cells, rectangle(25, 35, 25, 35), Sides::kAll) == 0);
+  paint(cells, {10, 20, 20, 40}, WallState::kHidden);  // the whole left side
+  CHECK(bordered_share(cells, kSquare, Sides::kAll) == doctest::Approx(0.75).epsilon(0.02));
+  paint(cells, {10, 20, 20, 40}, WallState::kOutside);  // it does not count
+  CHECK(bordered_share(cells, kSquare, Sides::kAll) == 1);
+}
+
+TEST_CASE("bordered_share__of_sloping_sides_leaves_upright_and_level_ones_out") {
+  WallCells cells = wall_with_square();
+  paint(cells, {10, 20, 20, 40}, WallState::kHidden);
+  CHECK(bordered_share(cells, kSquare, Sides::kSloping) == 1);  // none
+  // Both slopes of a gable whose right half nobody saw.
+  const OpeningShape gable{ShapeKind::kGable, {20, 40, 20, 40, 10, 0}};
+  for (uint32_t r = 30; r < 40; ++r) {
+    paint(cells, {20, r, r - 10, r + 1}, WallState::kOn);
+    paint(cells, {70 - r, r, 40, r + 1}, WallState::kHidden);
+  }
+  CHECK(bordered_share(cells, gable, Sides::kSloping) == doctest::Approx(0.5).epsilon(0.1));
+}
+
+TEST_CASE("relief_share__is_that_of_the_border_where_relief_comes_first") {
+  WallCells cells = wall_with_square();
+  CHECK(relief_share(cells, kSquare) == 0);
+  paint(cells, {16, 20, 20, 40}, WallState::kRelief);
+  CHECK(relief_share(cells, kSquare) == doctest::Approx(0.25).epsilon(0.05));
+  CHECK(bordered_share(cells, kSquare, Sides::kAll) == 1);  // relief lies on wall
+  paint(cells, {16, 16, 44, 44}, WallState::kRelief);
+  paint(cells, {20, 20, 40, 40}, WallState::kThrough);
+  CHECK(relief_share(cells, kSquare) == 1);
+  // Wall between the opening and the relief.
+  paint(cells, {19, 19, 41, 41}, WallState::kOn);
+  paint(cells, {20, 20, 40, 40}, WallState::kThrough);
+  CHECK(relief_share(cells, kSquare) == 0);
+}

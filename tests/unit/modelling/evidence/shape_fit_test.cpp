@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Forms drawn into rasters with noise are found again.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "geometry/polygon2.h"
+#include "modelling/evidence/shape_cells.h"
+#include "modelling/evidence/shape_fit.h"
+#include "unit/modelling/painted_cells.h"
+
+using namespace jalon;
+
+namespace {
+
+// A wall of 120 x 100 cells with an opening of this form: one cell in a hundred of the wall without a point, one in
+// three of the opening seen through.
+WallCells drawn(const OpeningShape& shape, uint64_t seed) {
+  RandomStream random(seed, 31);
+  WallCells cells = painted::cells_of(120, 100);
+  for (WallState& state : cells.states)
+    if (random.uniform() < 0.01) state = WallState::kEmpty;
+  for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
+    cells.states[size_t{r} * 120 + c] =
+        random.uniform() < 0.35 ? WallState::kThrough : WallState::kEmpty;
+  });
+  return cells;
+}
+
+FittedShape found_in(const WallCells& cells, const OpeningShape& about) {
+  const RingBox box = about.box();
+  const auto line = [](double at) { return static_cast<uint32_t>(std::lround(at)); };
+  return fitted_shape(cells, {},
+                      {line(box.low.u), line(box.low.v), line(box.high.u), line(box.high.v)}, {});
+}
+
+// The largest difference of a size.
+double worst_size(const OpeningShape& a, const OpeningShape& b) {
+  double worst = 0;
+  for (size_t i = 0; i < a.size_count(); ++i)
+    worst = std::max(worst, std::fabs(a.sizes[i] - b.sizes[i]));
+  return worst;
+}
+
+// Cells in one of them only, for each cell's length of the border: how far the borders lie apart on average.
+double mean_distance(const WallCells& cells, const OpeningShape& a, const OpeningShape& b) {
+  std::vector<int> count(cells.states.size(), 0);
+  for (const OpeningShape* shape : {&a, &b})
+    for_cells(cells, *shape,
+              [&](uint32_t c, uint32_t r) { ++count[size_t{r} * cells.columns + c]; });
+  return static_cast<double>(std::count(count.begin(), count.end(), 1)) /
+         perimeter(flattened(b.ring(), 0.1));
+}
+
+}  // namespace
+
+TEST_CASE("fitted_shape__recovers_the_form_with_borders_within_half_a_cell_on_average") {
+  constexpr OpeningShape kForms[] = {{ShapeKind::kRectangle, {40, 64, 20, 60, 0, 0}},
+                                     {ShapeKind::kArch, {40, 64, 20, 64, 12, 0}},  // a semicircle
+                                     {ShapeKind::kArch, {40, 68, 20, 66, 24, 0}},  // pointed
+                                     {ShapeKind::kCircle, {55, 45, 14, 0, 0, 0}},
+                                     {ShapeKind::kTriangle, {35, 75, 25, 60, 55, 0}},
+                                     {ShapeKind::kTriangle, {35, 75, 25, 60, 37, 0}},
+                                     {ShapeKind::kGable, {40, 70, 20, 65, 20, 0}},
+                                     {ShapeKind::kTrapezium, {35, 75, 25, 55, 45, 65}}};
+  for (const OpeningShape& truth : kForms)
+    for (uint64_t seed = 1; seed <= 10; ++seed) {
+      CAPTURE(static_cast<int>(truth.kind));
+      CAPTURE(seed);
+      const WallCells cells = drawn(truth, seed);
+      const FittedShape fitted = found_in(cells, truth);
+      CHECK(fitted.shape.kind == truth.kind);
+      CHECK(mean_distance(cells, fitted.shape, truth) <= 0.5);
+    }
+}
+
+TEST_CASE("fitted_shape__a_rectangle_stays_a_rectangle_in_two_hundred_rasters") {
+  RandomStream random(9, 31);
+  for (uint64_t seed = 1; seed <= 200; ++seed) {
+    const double left = 20 + 10 * random.uniform(), foot = 15 + 10 * random.uniform();
+    const OpeningShape truth = painted::rectangle(left, left + 8 + 40 * random.uniform(), foot,
+                                                  foot + 8 + 40 * random.uniform());
+    const FittedShape fitted = found_in(drawn(truth, seed), truth);
+    CAPTURE(seed);
+    CHECK(fitted.shape.kind == ShapeKind::kRectangle);
+    CHECK(worst_size(fitted.shape, truth) <= 1);
+  }
+}
+
+TEST_CASE("fitted_shape__does_not_tell_a_sloping_head_without_wall_beside_it") {
+  const OpeningShape gable{ShapeKind::kGable, {40, 70, 20, 60, 15, 0}};
+  for (uint64_t seed = 1; seed <= 10; ++seed) {
+    WallCells cells = drawn(gable, seed);
+    CHECK(found_in(cells, gable).shape.kind == ShapeKind::kGable);
+    // Beside its slopes now stand signs, which speak against an opening but are no wall.
+    for (uint32_t r = 45; r < 62; ++r)
+      for (uint32_t c = 34; c < 76; ++c) {
+        WallState& state = cells.states[size_t{r} * 120 + c];
+        if (state == WallState::kOn) state = WallState::kProud;
+      }
+    CHECK(found_in(cells, gable).shape.kind == ShapeKind::kRectangle);
+  }
+}
+
+TEST_CASE("fitted_shape__the_score_is_the_weights_inside_less_what_the_sizes_cost") {
+  WallCells cells = painted::cells_of(120, 100);
+  painted::paint(cells, {40, 20, 60, 50}, WallState::kThrough);
+  const OpeningShape truth = painted::rectangle(40, 60, 20, 50);
+  const FittedShape fitted = found_in(cells, truth);
+  CHECK(fitted.shape.sizes == truth.sizes);
+  // Six cells and 60 percent of the sides about the box are looked at: 20 + 2 * 18 by 30 + 20 (to the wall's foot) +
+  // 24.
+  const double cost = 1.5 * std::log(56.0 * 74.0);
+  CHECK(fitted.score == doctest::Approx(2 * 20 * 30 - 4 * cost).epsilon(1e-6));
+}
+
+TEST_CASE("fitted_shape__keeps_out_of_cells_of_other_openings") {
+  WallCells cells = painted::cells_of(120, 100);
+  painted::paint(cells, {40, 20, 80, 50}, WallState::kThrough);
+  std::vector<uint8_t> taken(cells.states.size(), 0);
+  painted::paint(taken, 120, {60, 20, 80, 50}, uint8_t{1});
+  const FittedShape fitted = fitted_shape(cells, taken, {40, 20, 62, 50}, {});
+  CHECK(fitted.shape.sizes == painted::rectangle(40, 60, 20, 50).sizes);
+}

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The holes of a wall that was drawn by its openings.
+#include <doctest/doctest.h>
+
+#include "modelling/plane/ring_tools.h"
+#include "modelling/walls/evident_holes.h"
+#include "unit/modelling/plane_rings.h"
+
+using namespace jalon;
+
+namespace {
+
+OpeningCandidate candidate_at(const Vec2& low, const Vec2& high, bool is_opening = true) {
+  OpeningCandidate out;
+  out.shape.sizes = {low.u, high.u, low.v, high.v, 0, 0};
+  out.is_opening = is_opening;
+  return out;
+}
+
+constexpr double kDrawnSpacing_m = 0.02;
+
+// 10 x 5 m with a hole at (1, 1), and a door's notch of 1 x 2 m at (6, 0).
+VectorPlane drawn_wall() {
+  VectorFace face;
+  face.outline = rings::ring_of({{0, 0}, {6, 0}, {6, 2}, {7, 2}, {7, 0}, {10, 0}, {10, 5}, {0, 5}});
+  face.openings.push_back(rings::hole({1, 1}, {2, 2.5}));
+  return rings::wall_of({face}, kDrawnSpacing_m);
+}
+
+}  // namespace
+
+TEST_CASE("candidate_of__is_the_opening_that_has_most_in_common_with_the_hole") {
+  WallHole hole;
+  hole.outline = rings::rectangle({1, 1}, {2, 2.5});
+  const std::vector<OpeningCandidate> candidates{
+      candidate_at({1, 1}, {2, 2.5}, false), candidate_at({1.1, 1}, {2.2, 2.5}),
+      candidate_at({1.02, 1.02}, {1.98, 2.48}), candidate_at({5, 1}, {6, 2.5})};
+  CHECK(candidate_of(hole, candidates) == 2);
+  CHECK(candidate_of(hole, std::span(candidates).first(1)) == -1);  // no opening
+  const std::vector<OpeningCandidate> larger{candidate_at({1, 1}, {4, 2.5})};
+  CHECK(candidate_of(hole, larger) == -1);  // a third in common
+  CHECK(candidate_of(hole, {}) == -1);
+}
+
+TEST_CASE("evident_holes__keep_holes_and_the_notches_that_openings_cut") {
+  const std::vector<OpeningCandidate> both{candidate_at({1.02, 1.02}, {1.98, 2.48}),
+                                           candidate_at({6.02, 0}, {6.98, 1.98})};
+  const auto holes = evident_holes(drawn_wall(), both);
+  REQUIRE(holes.size() == 2);
+  CHECK_FALSE(holes[0].is_notch);
+  CHECK(holes[1].is_notch);
+  CHECK_FALSE(holes[1].is_bay);
+  // Without the door the notch is the wall's own outline; a hole stays, what it is is told later.
+  const auto none = evident_holes(drawn_wall(), {});
+  REQUIRE(none.size() == 1);
+  CHECK_FALSE(none[0].is_notch);
+}
+
+TEST_CASE("evident_holes__an_opening_whose_form_shows_in_no_face_is_a_bay_beside_the_nearest") {
+  VectorPlane wall = rings::wall_of(
+      {{rings::rectangle({0, 0}, {4, 3}), {}}, {rings::rectangle({6.5, 0}, {9, 3}), {}}},
+      kDrawnSpacing_m);
+  const std::vector<OpeningCandidate> candidates{candidate_at({4.5, 0}, {6.4, 2.5}),
+                                                 candidate_at({1, 1}, {2, 2}),
+                                                 candidate_at({4.2, 2.6}, {4.4, 2.9}, false)};
+  const auto holes = evident_holes(wall, candidates);
+  REQUIRE(holes.size() == 1);  // neither what is in a face uncut nor what is no opening
+  CHECK(holes[0].is_bay);
+  CHECK(holes[0].is_notch);
+  CHECK(holes[0].piece == 1);
+  const RingBox box = ring_box(holes[0].outline);
+  CHECK(box.low.u == doctest::Approx(4.5 - kDrawnSpacing_m));
+  CHECK(box.high.v == doctest::Approx(2.5 + kDrawnSpacing_m));
+  CHECK(signed_area(holes[0].outline) > 0);
+  wall.faces.clear();
+  CHECK(evident_holes(wall, candidates).empty());
+}
