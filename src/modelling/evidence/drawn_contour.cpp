@@ -8,6 +8,7 @@
 
 #include "geometry/polygon2.h"
 #include "geometry/polygon_sets.h"
+#include "modelling/evidence/contour_holes.h"
 
 namespace jalon {
 
@@ -20,9 +21,10 @@ constexpr double kShapeInset = 1.0, kOutsideOpening = 1.35;  // spacings
 constexpr double kOutsideRelief = 0.6;
 constexpr double kRim = 6;            // spacings: more than the contour looks through
 constexpr double kChord = 0.1;        // spacings
-constexpr double kAtBorder = 2.5;     // spacings: nearer to the outside an opening ends there
+constexpr double kAtBorder = 1.5;     // spacings: nearer to the outside an opening ends there
 constexpr double kAtBorder_m = 0.06;  // and within this, a sill's or a threshold's thickness
 constexpr double kThrough = 3;  // times that: an opening at the border is cut so far beyond it
+constexpr int kPlaces = 9;      // along a side
 constexpr double kReliefShare = 0.25;  // of a border: the wall's points end elsewhere
 constexpr double kApart = 0.5;         // spacings between openings
 constexpr double kSlit = 0.5;          // spacings
@@ -73,8 +75,7 @@ struct Edited {
   std::vector<uint32_t> kept;  ///< the index of each of the first ones before
 };
 
-Edited edited_points(std::span<const Vec2> points, std::span<const OpeningShape> openings,
-                     double spacing_m) {
+Edited edited_points(std::span<const Vec2> points, std::span<const OpeningShape> openings) {
   Edited out;
   const InOpenings in(openings);
   for (size_t i = 0; i < points.size(); ++i) {
@@ -82,7 +83,6 @@ Edited edited_points(std::span<const Vec2> points, std::span<const OpeningShape>
     out.points.push_back(points[i]);
     out.kept.push_back(static_cast<uint32_t>(i));
   }
-  for (const OpeningShape& shape : openings) add_rim(shape, spacing_m, out.points);
   return out;
 }
 
@@ -120,16 +120,25 @@ Chain reversed_chain(Chain chain) {
 // An opening as the contour draws it.
 struct DrawnShape {
   OpeningShape shape;
+  Chain hole;               ///< of the contour that shows it; else empty
   bool is_settled = false;  ///< by relief about it
+
+  std::vector<Vec2> polygon(double spacing_m) const {
+    return hole.empty() ? polygon_of(shape, spacing_m)
+                        : std::vector<Vec2>(hole.rbegin(), hole.rend());
+  }
 };
 
-// A set-back outside where there is room, apart from each other.
+// By their holes in the contour; others a set-back outside where there is room, apart from each other.
 std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
-                                     std::span<const uint8_t> is_settled, double spacing_m) {
+                                     std::span<const uint8_t> is_settled, const Contour& bare,
+                                     const WallCells& cells) {
+  const double spacing_m = cells.spacing_m;
   std::vector<OpeningShape> out;
   for (size_t k = 0; k < openings.size(); ++k)
     out.push_back(
         openings[k].grown((is_settled[k] != 0 ? kOutsideRelief : kOutsideOpening) * spacing_m));
+  std::vector<Chain> holes = holes_of(bare, out, cells);
   const auto too_near = [&](size_t i, size_t j) {
     const double room = kApart * spacing_m;
     if (!out[i].box().grown(room).meets(out[j].box())) return false;
@@ -142,7 +151,7 @@ std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
     for (size_t j = i + 1; j < out.size(); ++j)
       if (too_near(i, j)) is_tight[i] = is_tight[j] = 1;
   for (size_t i = 0; i < out.size(); ++i)
-    if (is_tight[i] != 0) out[i] = openings[i];
+    if (is_tight[i] != 0) out[i] = openings[i], holes[i].clear();
   // Shapes that lie over each other as they are: the larger one stays.
   std::vector<uint8_t> is_gone(out.size(), 0);
   for (size_t i = 0; i < out.size(); ++i)
@@ -153,7 +162,7 @@ std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
     }
   std::vector<DrawnShape> kept;
   for (size_t i = 0; i < out.size(); ++i)
-    if (is_gone[i] == 0) kept.push_back({out[i], is_settled[i] != 0});
+    if (is_gone[i] == 0) kept.push_back({out[i], std::move(holes[i]), is_settled[i] != 0});
   return kept;
 }
 
@@ -186,27 +195,31 @@ struct Cutting {
   bool is_at_border = false;
 };
 
-Cutting cutting_of(const OpeningShape& shape, const Chain& outline, double spacing_m) {
+Cutting cutting_of(const DrawnShape& drawn, const Chain& outline, double spacing_m) {
   Cutting out;
-  out.polygons.push_back({polygon_of(shape, spacing_m), {}});
+  const OpeningShape& shape = drawn.shape;
+  out.polygons.push_back({drawn.polygon(spacing_m), {}});
   const RingBox box = shape.box();
   const double reach = std::max(kAtBorder * spacing_m, kAtBorder_m), far = kThrough * reach;
-  const auto is_outside = [&](const Vec2& p) { return !contains(outline, p); };
-  const auto way_out = [&](const Vec2& beyond, const PolygonWithHoles& way) {
-    if (!is_outside(beyond)) return;
+  // Most places along a side, this far beyond it: a dent of the outline is no way out.
+  const auto way_out = [&](const Vec2& from, const Vec2& to, const PolygonWithHoles& way) {
+    int outside = 0;
+    for (int k = 0; k < kPlaces; ++k)
+      outside += !contains(outline, from + (to - from) * ((k + 0.5) / kPlaces));
+    if (2 * outside <= kPlaces) return;
     out.is_at_border = true;
     out.polygons.push_back(way);
   };
-  const Vec2 middle = box.middle(), foot = shape.span_at(box.low.v + spacing_m / 10);
+  const Vec2 foot = shape.span_at(box.low.v + spacing_m / 10);
   if (foot.v - foot.u > box.width() / 2)
-    way_out({middle.u, box.low.v - reach},
+    way_out({foot.u, box.low.v - reach}, {foot.v, box.low.v - reach},
             box_polygon(foot.u, box.low.v - far, foot.v, box.low.v + spacing_m / 2));
   if (shape.kind == ShapeKind::kRectangle) {
-    way_out({middle.u, box.high.v + reach},
+    way_out({box.low.u, box.high.v + reach}, {box.high.u, box.high.v + reach},
             box_polygon(box.low.u, box.high.v, box.high.u, box.high.v + far));
-    way_out({box.low.u - reach, middle.v},
+    way_out({box.low.u - reach, box.low.v}, {box.low.u - reach, box.high.v},
             box_polygon(box.low.u - far, box.low.v, box.low.u, box.high.v));
-    way_out({box.high.u + reach, middle.v},
+    way_out({box.high.u + reach, box.low.v}, {box.high.u + reach, box.high.v},
             box_polygon(box.high.u, box.low.v, box.high.u + far, box.high.v));
   }
   out.is_at_border =
@@ -224,11 +237,13 @@ std::vector<ContourPiece> with_openings(const ContourPiece& piece,
   std::vector<std::pair<Chain, uint8_t>> inside;
   for (const DrawnShape& drawn : shapes) {
     if (!drawn.shape.box().meets(around)) continue;
-    Cutting cutting = cutting_of(drawn.shape, piece.outline, spacing_m);
+    Cutting cutting = cutting_of(drawn, piece.outline, spacing_m);
     const auto& polygon = cutting.polygons.front().outline;
     if (cutting.is_at_border)
       cut.insert(cut.end(), cutting.polygons.begin(), cutting.polygons.end());
-    else inside.push_back({dense(polygon, spacing_m), drawn.is_settled});
+    else
+      inside.push_back({drawn.hole.empty() ? dense(polygon, spacing_m) : polygon,
+                        drawn.hole.empty() && drawn.is_settled});
   }
   std::vector<ContourPiece> out;
   if (cut.empty()) {
@@ -306,18 +321,20 @@ Contour drawn_contour(std::span<const Vec2> points, std::span<const OpeningCandi
     is_settled.push_back(candidate.relief >= kReliefShare);
   }
   // 1. Points.
-  Edited edited = edited_points(points, openings, spacing_m);
-  add_relief(cells, openings, edited.points);
+  Edited edited = edited_points(points, openings);
   ForeignTest still_foreign;
   if (foreign)
     still_foreign = [&](uint32_t point, double typical_m) {
       return point < edited.kept.size() && foreign(edited.kept[point], typical_m);
     };
+  const Contour bare = extract_contour(edited.points, setting, task, still_foreign);
+  for (const OpeningShape& shape : openings) add_rim(shape, spacing_m, edited.points);
+  add_relief(cells, openings, edited.points);
   // 2. Contour.
   Contour contour = extract_contour(edited.points, setting, task, still_foreign);
   task.checkpoint(0);
   // 3. and 4.
-  const std::vector<DrawnShape> shapes = drawn_shapes(openings, is_settled, spacing_m);
+  const std::vector<DrawnShape> shapes = drawn_shapes(openings, is_settled, bare, cells);
   std::vector<ContourPiece> pieces;
   for (const ContourPiece& piece : contour.pieces) {
     std::vector<ContourPiece> parts = with_openings(piece, shapes, spacing_m, setting);

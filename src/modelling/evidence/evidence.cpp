@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "modelling/evidence/cell_regions.h"
 #include "modelling/evidence/cell_sums.h"
+#include "modelling/evidence/contour_holes.h"
 #include "modelling/evidence/drawn_contour.h"
 #include "modelling/plane/segment_frame.h"
 #include "segment/labels/label_groups.h"
@@ -26,7 +27,6 @@ constexpr double kRoomDepth_m = 12;      // rooms are no deeper
 constexpr double kBehindWallShare = 0.08, kWithinShare = 0.7;
 constexpr double kShopFrontShare =
     0.15;  // of the area behind an arcade: a room's wall has no shop fronts
-constexpr double kSamePlace = 0.7;  // of the boxes of an opening and a contour's hole, together
 constexpr double kBroad_m = 0.6, kBroadShare = 0.7;  // less than a pier between two windows
 constexpr double kTall_m = 2, kTallShare = 0.5;      // parapets are no taller than 1.3 m
 constexpr double kCornice_m = 0.6;                   // strips of a wall stand no farther before it
@@ -157,21 +157,11 @@ void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task
   }
 }
 
-// Whether a contour has these openings, each and no other.
-bool shows(const Contour& contour, std::span<const OpeningCandidate> candidates) {
-  std::vector<RingBox> holes;
-  for (const ContourPiece& piece : contour.pieces)
-    for (const Chain& hole : piece.openings) holes.emplace_back().add(hole);
-  size_t openings = 0;
-  for (const OpeningCandidate& candidate : candidates) {
-    if (!candidate.is_opening) continue;
-    ++openings;
-    const RingBox box = candidate.shape.box();
-    if (std::none_of(holes.begin(), holes.end(),
-                     [&](const RingBox& hole) { return overlap(hole, box) >= kSamePlace; }))
-      return false;
-  }
-  return openings == holes.size();
+std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates) {
+  std::vector<OpeningShape> out;
+  for (const OpeningCandidate& candidate : candidates)
+    if (candidate.is_opening) out.push_back(candidate.shape);
+  return out;
 }
 
 }  // namespace
@@ -222,7 +212,7 @@ ContourMaker contours_by(std::vector<WallEvidence>& evidence) {
                      const ForeignTest& foreign, Task& task) {
     WallEvidence& wall = evidence[segment];
     Contour plain = extract_contour(points, setting, task, foreign);
-    wall.is_plain = wall.is_wall() && shows(plain, wall.openings);
+    wall.is_plain = wall.is_wall() && shows(plain, shapes_of(wall.openings));
     if (!wall.is_drawn()) return plain;
     return drawn_contour(points, wall.openings, wall.cells, setting, foreign, task);
   };

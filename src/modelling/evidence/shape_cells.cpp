@@ -28,10 +28,6 @@ Beside beside(const WallCells& cells, const Vec2& p, const Vec2& outward) {
   return found;
 }
 
-}  // namespace
-
-namespace {
-
 // f(what lies beside) for places along the sides.
 template <class F>
 void walk(const WallCells& cells, const OpeningShape& shape, Sides sides, F&& f) {

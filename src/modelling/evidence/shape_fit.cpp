@@ -18,6 +18,8 @@ constexpr double kSeenHead = 0.65;  // of the length of sloping sides
 constexpr double kRoomShare = 0.6;  // of the box's sides, about it: an arch may rise from it
 constexpr uint32_t kRoomCells = 6;
 constexpr double kTaken = -3;
+// A wall that runs through a shape, two cells wide at least and this far within it: as much as ends a box.
+constexpr double kCrossingWall = -60, kWithin = 1.5;
 constexpr std::array kOtherKinds{ShapeKind::kTrapezium, ShapeKind::kTriangle, ShapeKind::kGable,
                                  ShapeKind::kArch, ShapeKind::kCircle};
 constexpr std::array kSteps{8.0, 4.0, 2.0, 1.0, 0.5, 0.25};  // cells
@@ -101,6 +103,20 @@ FittedShape climbed(const Window& window, OpeningShape start, const Vec2& middle
   return best;
 }
 
+// Climbing by the few cells of a mullion must not lead across a post into the next bay.
+double crossing_wall(const WallCells& cells, const OpeningShape& shape) {
+  const OpeningShape within = shape.grown(-kWithin);
+  if (!within.is_valid()) return 0;
+  const auto is_on = [&](uint32_t c, uint32_t r) { return cells.at(c, r) == WallState::kOn; };
+  double sum = 0;
+  for_cells(cells, within, [&](uint32_t c, uint32_t r) {
+    const bool is_broad = c + 1 < cells.columns && r + 1 < cells.rows && is_on(c, r) &&
+                          is_on(c + 1, r) && is_on(c, r + 1) && is_on(c + 1, r + 1);
+    if (is_broad) sum += kCrossingWall;
+  });
+  return sum;
+}
+
 }  // namespace
 
 FittedShape fitted_shape(const WallCells& cells, std::span<const uint8_t> taken, const CellBox& box,
@@ -108,12 +124,21 @@ FittedShape fitted_shape(const WallCells& cells, std::span<const uint8_t> taken,
   const Window window(cells, taken, box, weights);
   const auto number = [](uint32_t n) { return static_cast<double>(n); };
   const RingBox start{{number(box.c0), number(box.r0)}, {number(box.c1), number(box.r1)}};
-  FittedShape best = climbed(window, shape_in(ShapeKind::kRectangle, start), start.middle());
+  const auto climbed_from = [&](const OpeningShape& from) {
+    FittedShape fitted = climbed(window, from, start.middle());
+    fitted.score += crossing_wall(cells, fitted.shape);
+    return fitted;
+  };
+  const OpeningShape first = shape_in(ShapeKind::kRectangle, start);
+  FittedShape best = climbed_from(first);
+  if (const FittedShape stays{first, window.score(first) + crossing_wall(cells, first)};
+      stays.score > best.score)
+    best = stays;
   const RingBox grown = best.shape.box();
   const double straight = best.score;
   for (const ShapeKind kind : kOtherKinds)
     for (const RingBox& from : {start, grown}) {
-      FittedShape other = climbed(window, shape_in(kind, from), start.middle());
+      FittedShape other = climbed_from(shape_in(kind, from));
       if (other.score > best.score && other.score > kClearly * straight &&
           bordered_share(cells, other.shape, Sides::kSloping) >= kSeenHead)
         best = std::move(other);

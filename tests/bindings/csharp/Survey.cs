@@ -39,7 +39,7 @@ static class Survey {
     Diagnosis = Forward.Diagnose(Reverse);
     int first = Array.IndexOf(Planes.GetPoints().Doubles("label"), 1.0);
     OnWall = Enumerable.Range(0, 3).Select(c => Scan.GetPoints()[first, c]).ToArray();
-    Repeated = Insa();
+    Repeated = SeenPastAScreen();
     Copy = Array.IndexOf(Repeated.GetParts().Doubles("evidence"), (double)Constants.EvidenceCopied);
     Scan.Write(At("scan.las"));
     Drive().Write(At("drive.txt"));
@@ -94,15 +94,43 @@ static class Survey {
     }
   }
 
-  /// <summary>With a copy of an element where data are missing; without stations, whose rays would say that none are.</summary>
-  static Model Insa() {
-    using (var options = new SceneOptions { Name = "insa" })
-    using (Model insa = Library.SceneCreate(options))
-    using (var scanner = new Scanner { HorizontalStepRad = 0.01, VerticalStepRad = 0.01 })
-    using (Cloud scan = scanner.Run(insa))
-    using (ArrayView points = scan.GetPoints())
-    using (var cloud = new Cloud(points))
-    using (Segmentation planes = new Segmenter().Run(cloud)) return new Modeller("facade").Run(cloud, planes);
+  /// <summary>A wall with two rows of five windows, panes 20 cm behind, as one eye sees them past a screen that hides a window whole.</summary>
+  static Model SeenPastAScreen() {
+    double[] eye = {7, -9, 3};
+    var points = new List<double>();
+    var planes = new List<int>();
+    Action<double, double, double, int> add = (x, y, z, plane) => {
+      points.AddRange(new[] {x, y, z});
+      planes.Add(plane);
+    };
+    for (double x = 0.01; x < 14; x += 0.025) {
+      for (double z = 0.01; z < 7; z += 0.025) {
+        Func<double, bool> isHidden = share => IsScreen(eye[0] + (x - eye[0]) * share, eye[2] + (z - eye[2]) * share);
+        if (IsScreen(x, z)) add(x, -3.5, z, 3);
+        if (!IsInWindow(x, z)) {
+          if (!isHidden(5.5 / 9)) add(x, 0.002 * Math.Sin(7919 * x + 104729 * z), z, 1);
+        } else if (IsInWindow(eye[0] + (x - eye[0]) * 9 / 9.2, eye[2] + (z - eye[2]) * 9 / 9.2) && !isHidden(5.5 / 9.2)) {
+          add(x, 0.2, z, 2);
+        }
+      }
+    }
+    using (var cloud = new Cloud(points.ToArray()))
+    using (var modeller = new Modeller("facade")) {
+      cloud.SetField("plane", planes.ToArray());
+      cloud.SetStation("eye", new double[] {1, 0, 0, eye[0], 0, 1, 0, eye[1], 0, 0, 1, eye[2]});
+      using (Segmentation walls = Segmentation.FromLabels(cloud, "plane")) return modeller.Run(cloud, walls);
+    }
+  }
+
+  static bool IsScreen(double x, double z) {
+    return x > 8.13 && x < 9.11 && z > 3.46 && z < 4.74;
+  }
+
+  static bool IsInWindow(double x, double z) {
+    return Enumerable.Range(0, 10).Any(i => {
+      double left = 1 + 2.7 * (i / 2), foot = 1 + 3.0 * (i % 2);
+      return x > left && x < left + 1.1 && z > foot && z < foot + 1.6;
+    });
   }
 
   static double[] Spiral(int n) {

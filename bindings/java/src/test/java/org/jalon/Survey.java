@@ -58,7 +58,7 @@ final class Survey {
     }
     final int first = indexOf(segmentation.points().doubles("label"), 1);
     onWall = java.util.Arrays.copyOfRange(scan.points().toDoubles(), 3 * first, 3 * first + 3);
-    repeated = insa();
+    repeated = seenPastAScreen();
     copy = indexOf(repeated.parts().doubles("evidence"), Jalon.EVIDENCE_COPIED);
     law = NoiseLaw.fit(scan, "deviation");
     final ComparisonDiagnoseResult diagnosis = comparison.diagnose(reverse);
@@ -95,14 +95,53 @@ final class Survey {
     return cloud.select(all);
   }
 
-  /** Without stations, whose rays would say that nothing is missing. */
-  private static Model insa() {
-    try (SceneParams options = new SceneParams().setName("insa"); Model insa = Jalon.sceneCreate(options);
-        Scanner scanner = Scanner.create().set("horizontal_step_rad", 0.01).set("vertical_step_rad", 0.01);
-        Cloud scan = scanner.run(insa); Array points = scan.points(); Cloud cloud = Cloud.create(points); Segmenter segmenter = Segmenter.create(); Segmentation planes = segmenter.run(cloud);
-        Modeller modeller = Modeller.create("facade")) {
-      return modeller.run(cloud, planes);
+  /** A wall with two rows of five windows, panes 20 cm behind, as one eye sees them past a screen that hides a window whole. */
+  private static Model seenPastAScreen() {
+    final double[] eye = {7, -9, 3};
+    final List<double[]> points = new java.util.ArrayList<>();
+    final List<Integer> planes = new java.util.ArrayList<>();
+    for (double x = 0.01; x < 14; x += 0.025) {
+      for (double z = 0.01; z < 7; z += 0.025) {
+        final double toPane = 9 / 9.2;
+        final double paneX = eye[0] + (x - eye[0]) * toPane;
+        final double paneZ = eye[2] + (z - eye[2]) * toPane;
+        if (isScreen(x, z)) {
+          points.add(new double[] {x, -3.5, z});
+          planes.add(3);
+        }
+        if (!isInWindow(x, z) && !isScreen(eye[0] + (x - eye[0]) * 5.5 / 9, eye[2] + (z - eye[2]) * 5.5 / 9)) {
+          points.add(new double[] {x, 0.002 * Math.sin(7919 * x + 104729 * z), z});
+          planes.add(1);
+        }
+        if (isInWindow(x, z) && isInWindow(paneX, paneZ) && !isScreen(eye[0] + (x - eye[0]) * 5.5 / 9.2, eye[2] + (z - eye[2]) * 5.5 / 9.2)) {
+          points.add(new double[] {x, 0.2, z});
+          planes.add(2);
+        }
+      }
     }
+    final double[] xyz = points.stream().flatMapToDouble(java.util.Arrays::stream).toArray();
+    try (Cloud cloud = Cloud.create(xyz); Modeller modeller = Modeller.create("facade")) {
+      cloud.setField("plane", planes.stream().mapToInt(Integer::intValue).toArray());
+      cloud.setStation("eye", new double[] {1, 0, 0, eye[0], 0, 1, 0, eye[1], 0, 0, 1, eye[2]});
+      try (Segmentation walls = Segmentation.fromLabels(cloud, "plane")) {
+        return modeller.run(cloud, walls);
+      }
+    }
+  }
+
+  private static boolean isScreen(double x, double z) {
+    return x > 8.13 && x < 9.11 && z > 3.46 && z < 4.74;
+  }
+
+  private static boolean isInWindow(double x, double z) {
+    for (int i = 0; i < 10; ++i) {
+      final double left = 1 + 2.7 * (i / 2);
+      final double foot = 1 + 3.0 * (i % 2);
+      if (x > left && x < left + 1.1 && z > foot && z < foot + 1.6) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static int indexOf(double[] values, double wanted) {

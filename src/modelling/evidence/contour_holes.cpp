@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/evidence/contour_holes.h"
+
+#include <algorithm>
+
+#include "geometry/polygon2.h"
+#include "geometry/polygon_sets.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kSameBox = 0.6;  // of both boxes together: a first look
+// Area that only one of both has, a spacing wide along the border: a corner that is hidden has more.
+constexpr double kApartSpacings = 2;
+constexpr double kHoleChord = 0.1;   // spacings
+constexpr double kSamePlace = 0.7;   // of the boxes of an opening and a contour's hole, together
+constexpr double kLeftOfWall = 0.1;  // of an opening that a contour goes round
+constexpr int kLooks = 12;           // along either side of an opening's box
+
+std::vector<Vec2> turned(const Chain& chain) { return {chain.rbegin(), chain.rend()}; }
+
+bool holds(const OpeningShape& shape, const Vec2& p) {
+  if (!shape.box().holds(p)) return false;
+  const Vec2 span = shape.span_at(p.v);
+  return p.u >= span.u && p.u <= span.v;
+}
+
+// Area of the cells of a hole outside of the shape that were seen through.
+double seen_beyond_m2(const Chain& hole, const RingBox& box, const OpeningShape& shape,
+                      const WallCells& cells) {
+  const auto line = [&](double at, double origin, uint32_t most) {
+    return static_cast<uint32_t>(
+        std::clamp((at - origin) / cells.cell_m, 0.0, static_cast<double>(most)));
+  };
+  size_t seen = 0;
+  for (uint32_t r = line(box.low.v, cells.origin.v, cells.rows);
+       r < line(box.high.v, cells.origin.v, cells.rows) + 1 && r < cells.rows; ++r)
+    for (uint32_t c = line(box.low.u, cells.origin.u, cells.columns);
+         c < line(box.high.u, cells.origin.u, cells.columns) + 1 && c < cells.columns; ++c) {
+      if (cells.at(c, r) != WallState::kThrough) continue;
+      const Vec2 p = cells.origin + Vec2{c + 0.5, r + 0.5} * cells.cell_m;
+      seen += !holds(shape, p) && contains(hole, p);
+    }
+  return static_cast<double>(seen) * cells.cell_m * cells.cell_m;
+}
+
+bool has_form(const Chain& hole, const RingBox& box, const OpeningShape& shape,
+              const Contour& contour, const WallCells& cells) {
+  const std::vector<Vec2> polygon = flattened(shape.ring(), kHoleChord * contour.spacing_m),
+                          outline = turned(hole);
+  const PolygonWithHoles a{outline, {}}, b{polygon, {}};
+  const double apart =
+      signed_area(outline) + signed_area(polygon) - 2 * shared_area({{a}}, {{b}}).both;
+  const double most = kApartSpacings * contour.spacing_m * perimeter(polygon);
+  return apart <= most || apart - seen_beyond_m2(hole, box, shape, cells) <= most;
+}
+
+bool is_solid(const Contour& contour, const Vec2& p) {
+  return std::any_of(contour.pieces.begin(), contour.pieces.end(), [&](const ContourPiece& piece) {
+    return contains(piece.outline, p) &&
+           std::none_of(piece.openings.begin(), piece.openings.end(),
+                        [&](const Chain& hole) { return contains(hole, p); });
+  });
+}
+
+bool is_left_open(const Contour& contour, const OpeningShape& shape) {
+  const RingBox box = shape.box();
+  int all = 0, solid = 0;
+  for (int i = 0; i < kLooks; ++i)
+    for (int j = 0; j < kLooks; ++j) {
+      const Vec2 p{box.low.u + box.width() * (i + 0.5) / kLooks,
+                   box.low.v + box.height() * (j + 0.5) / kLooks};
+      if (!holds(shape, p)) continue;
+      ++all;
+      solid += is_solid(contour, p);
+    }
+  return solid < kLeftOfWall * all;
+}
+
+}  // namespace
+
+std::vector<Chain> holes_of(const Contour& contour, std::span<const OpeningShape> openings,
+                            const WallCells& cells) {
+  std::vector<Chain> out(openings.size());
+  for (const ContourPiece& piece : contour.pieces)
+    for (const Chain& hole : piece.openings) {
+      RingBox box;
+      box.add(hole);
+      for (size_t k = 0; k < openings.size(); ++k)
+        if (out[k].empty() && overlap(box, openings[k].box()) >= kSameBox &&
+            has_form(hole, box, openings[k], contour, cells)) {
+          out[k] = hole;
+          break;
+        }
+    }
+  return out;
+}
+
+bool shows(const Contour& contour, std::span<const OpeningShape> openings) {
+  std::vector<RingBox> holes;
+  for (const ContourPiece& piece : contour.pieces)
+    for (const Chain& hole : piece.openings) holes.emplace_back().add(hole);
+  size_t shown = 0;
+  for (const OpeningShape& opening : openings) {
+    const RingBox box = opening.box();
+    const bool is_shown = std::any_of(holes.begin(), holes.end(), [&](const RingBox& hole) {
+      return overlap(hole, box) >= kSamePlace;
+    });
+    shown += is_shown;
+    if (!is_shown && !is_left_open(contour, opening)) return false;
+  }
+  return shown == holes.size();
+}
+
+}  // namespace jalon

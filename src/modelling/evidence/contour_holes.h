@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "modelling/contour/contour.h"
+#include "modelling/evidence/opening_shape.h"
+#include "modelling/evidence/wall_cells.h"
+
+namespace jalon {
+
+/// Of each opening the hole of a contour that has its form, to within the spacing of the points that border both, or
+/// where the hole goes on its cells were seen through; empty where there is none. Such a hole tells the opening's
+/// border point by point, a shape only cell by cell. Before: openings as large as the contour would draw them, apart
+/// from each other.
+std::vector<Chain> holes_of(const Contour& contour, std::span<const OpeningShape> openings,
+                            const WallCells& cells);
+
+/// Whether a contour shows these openings and no other: each one hole has its place, or nothing of the contour does (it
+/// goes round an opening at its border).
+bool shows(const Contour& contour, std::span<const OpeningShape> openings);
+
+}  // namespace jalon
