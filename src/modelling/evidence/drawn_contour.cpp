@@ -75,7 +75,8 @@ struct Edited {
   std::vector<uint32_t> kept;  ///< the index of each of the first ones before
 };
 
-Edited edited_points(std::span<const Vec2> points, std::span<const OpeningShape> openings) {
+Edited edited_points(std::span<const Vec2> points, std::span<const OpeningShape> openings,
+                     double spacing_m) {
   Edited out;
   const InOpenings in(openings);
   for (size_t i = 0; i < points.size(); ++i) {
@@ -83,6 +84,7 @@ Edited edited_points(std::span<const Vec2> points, std::span<const OpeningShape>
     out.points.push_back(points[i]);
     out.kept.push_back(static_cast<uint32_t>(i));
   }
+  for (const OpeningShape& shape : openings) add_rim(shape, spacing_m, out.points);
   return out;
 }
 
@@ -131,14 +133,14 @@ struct DrawnShape {
 
 // By their holes in the contour; others a set-back outside where there is room, apart from each other.
 std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
-                                     std::span<const uint8_t> is_settled, const Contour& bare,
+                                     std::span<const uint8_t> is_settled, const Contour& plain,
                                      const WallCells& cells) {
   const double spacing_m = cells.spacing_m;
   std::vector<OpeningShape> out;
   for (size_t k = 0; k < openings.size(); ++k)
     out.push_back(
         openings[k].grown((is_settled[k] != 0 ? kOutsideRelief : kOutsideOpening) * spacing_m));
-  std::vector<Chain> holes = holes_of(bare, out, cells);
+  std::vector<Chain> holes = holes_of(plain, out, cells);
   const auto too_near = [&](size_t i, size_t j) {
     const double room = kApart * spacing_m;
     if (!out[i].box().grown(room).meets(out[j].box())) return false;
@@ -310,7 +312,7 @@ void add_unseen(const ContourPiece& piece, std::span<const DrawnShape> shapes, d
 }  // namespace
 
 Contour drawn_contour(std::span<const Vec2> points, std::span<const OpeningCandidate> candidates,
-                      const WallCells& cells, const ContourSetting& setting,
+                      const Contour& plain, const WallCells& cells, const ContourSetting& setting,
                       const ForeignTest& foreign, Task& task) {
   const double spacing_m = cells.spacing_m;
   std::vector<OpeningShape> openings;
@@ -321,20 +323,18 @@ Contour drawn_contour(std::span<const Vec2> points, std::span<const OpeningCandi
     is_settled.push_back(candidate.relief >= kReliefShare);
   }
   // 1. Points.
-  Edited edited = edited_points(points, openings);
+  Edited edited = edited_points(points, openings, spacing_m);
+  add_relief(cells, openings, edited.points);
   ForeignTest still_foreign;
   if (foreign)
     still_foreign = [&](uint32_t point, double typical_m) {
       return point < edited.kept.size() && foreign(edited.kept[point], typical_m);
     };
-  const Contour bare = extract_contour(edited.points, setting, task, still_foreign);
-  for (const OpeningShape& shape : openings) add_rim(shape, spacing_m, edited.points);
-  add_relief(cells, openings, edited.points);
   // 2. Contour.
   Contour contour = extract_contour(edited.points, setting, task, still_foreign);
   task.checkpoint(0);
   // 3. and 4.
-  const std::vector<DrawnShape> shapes = drawn_shapes(openings, is_settled, bare, cells);
+  const std::vector<DrawnShape> shapes = drawn_shapes(openings, is_settled, plain, cells);
   std::vector<ContourPiece> pieces;
   for (const ContourPiece& piece : contour.pieces) {
     std::vector<ContourPiece> parts = with_openings(piece, shapes, spacing_m, setting);

@@ -16,10 +16,11 @@ namespace jalon {
 /// 3. Openings inside a piece are its openings; those at its border are cut out of its outline, through to the outside.
 /// 4. Holes of the contour that are no openings keep what openings leave of them: nothing was measured there.
 ///
-/// Before: candidates in the coordinates of the points. After: as of extract_contour; openings have the corners of
+/// Before: candidates in the coordinates of the points; plain: the contour of all of them. An opening that one of its
+/// holes shows is drawn by it. After: as of extract_contour; openings have the corners of
 /// their shape, a set-back outside of it, as a contour drawn round them would.
 Contour drawn_contour(std::span<const Vec2> points, std::span<const OpeningCandidate> candidates,
-                      const WallCells& cells, const ContourSetting& setting,
+                      const Contour& plain, const WallCells& cells, const ContourSetting& setting,
                       const ForeignTest& foreign, Task& task);
 
 }  // namespace jalon

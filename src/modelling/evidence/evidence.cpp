@@ -214,7 +214,7 @@ ContourMaker contours_by(std::vector<WallEvidence>& evidence) {
     Contour plain = extract_contour(points, setting, task, foreign);
     wall.is_plain = wall.is_wall() && shows(plain, shapes_of(wall.openings));
     if (!wall.is_drawn()) return plain;
-    return drawn_contour(points, wall.openings, wall.cells, setting, foreign, task);
+    return drawn_contour(points, wall.openings, plain, wall.cells, setting, foreign, task);
   };
 }
 
