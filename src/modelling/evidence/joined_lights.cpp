@@ -10,7 +10,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kMullion_m = 0.2;  // wider are piers
 constexpr double kBorderCells =
     0.9;  // both borders together: shapes end where a cell has a point of the wall
 constexpr double kMullionShare = 0.3, kMostLight_m = 1.3;  // of the narrower light, and its size

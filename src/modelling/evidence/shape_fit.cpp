@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "modelling/evidence/joined_lights.h"
 #include "modelling/evidence/shape_cells.h"
 
 namespace jalon {
@@ -18,8 +19,8 @@ constexpr double kSeenHead = 0.65;  // of the length of sloping sides
 constexpr double kRoomShare = 0.6;  // of the box's sides, about it: an arch may rise from it
 constexpr uint32_t kRoomCells = 6;
 constexpr double kTaken = -3;
-// A wall that runs through a shape, two cells wide at least and this far within it: as much as ends a box.
-constexpr double kCrossingWall = -60, kWithin = 1.5;
+// A wall that runs through a shape, broader than mullions are and this far within it: as much as ends a box.
+constexpr double kCrossingWall = -60, kWithin = 1.5;  // cells
 constexpr std::array kOtherKinds{ShapeKind::kTrapezium, ShapeKind::kTriangle, ShapeKind::kGable,
                                  ShapeKind::kArch, ShapeKind::kCircle};
 constexpr std::array kSteps{8.0, 4.0, 2.0, 1.0, 0.5, 0.25};  // cells
@@ -107,12 +108,16 @@ FittedShape climbed(const Window& window, OpeningShape start, const Vec2& middle
 double crossing_wall(const WallCells& cells, const OpeningShape& shape) {
   const OpeningShape within = shape.grown(-kWithin);
   if (!within.is_valid()) return 0;
-  const auto is_on = [&](uint32_t c, uint32_t r) { return cells.at(c, r) == WallState::kOn; };
+  const uint32_t side = static_cast<uint32_t>(kMullion_m / cells.cell_m) + 2;  // it touches no more
+  const auto is_broad = [&](uint32_t c, uint32_t r) {
+    if (c + side > cells.columns || r + side > cells.rows) return false;
+    for (uint32_t k = 0; k < side * side; ++k)
+      if (cells.at(c + k % side, r + k / side) != WallState::kOn) return false;
+    return true;
+  };
   double sum = 0;
   for_cells(cells, within, [&](uint32_t c, uint32_t r) {
-    const bool is_broad = c + 1 < cells.columns && r + 1 < cells.rows && is_on(c, r) &&
-                          is_on(c + 1, r) && is_on(c, r + 1) && is_on(c + 1, r + 1);
-    if (is_broad) sum += kCrossingWall;
+    if (is_broad(c, r)) sum += kCrossingWall;
   });
   return sum;
 }

@@ -36,7 +36,7 @@ struct FacadePlan {
 };
 
 struct PlanSetting {
-  bool by_evidence = false;  ///< walls and openings; else by the contours of their planes
+  bool by_evidence = true;  ///< walls and openings; else by the contours of their planes
   GroupSetting group;
   SurveySetting survey;
   PatternSetting patterns;
