@@ -49,7 +49,8 @@ Contour drawn_with(const OpeningShape& missing, WallState state_there) {
   candidates[0].shape = kWindow, candidates[1].shape = kDoor;
   for (OpeningCandidate& c : candidates) c.is_opening = true;
   Task task;
-  return drawn_contour(wall_points(missing), candidates, cells, {}, {}, task);
+  const std::vector<Vec2> points = wall_points(missing);
+  return drawn_contour(points, candidates, extract_contour(points, {}, task), cells, {}, {}, task);
 }
 
 const OpeningShape kPatch = rectangle(6.6, 7.4, 3, 4);
