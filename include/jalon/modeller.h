@@ -47,7 +47,7 @@ typedef struct jalon_modeller jalon_modeller;
  *   to 1 m wide, 3 times as high. element: all else.
  * - Openings are numbered by row from below and place from the left ("window 2.3"), other parts from the left.
  *
- * With parameter "evidence" (off by default) walls and openings are found otherwise:
+ * With parameter "evidence" (the default) walls and openings are found otherwise:
  * - Each upright plane becomes cells of 2.2 spacings that say what the cloud shows there: measured, seen through (a
  *   point behind it), covered by relief up to 0.1 m before it, hidden, nothing. Rays from the stations decide where the
  *   cloud has stations with poses, else what lies straight before and behind.
@@ -58,7 +58,8 @@ typedef struct jalon_modeller jalon_modeller;
  *   the greatest score (Bentley 1984), then the shape by minimal description length (Rissanen 1978); curved and sloping
  *   heads need wall measured along them. Lights parted by a mullion are one opening. What was seen through is an
  *   opening; what is empty is one only with wall measured all round it and above the foot; the part's evidence says
- *   how much is known. The rest is no wall: the wall's face has a hole there, and a part no_data the face that fills
+ *   how much is known. Where the contour of the wall's points has the same opening it is drawn by its points, as above.
+ *   The rest is no wall: the wall's face has a hole there, and a part no_data the face that fills
  *   it.
  */
 JALON_API JALON_CHECK jalon_status jalon_modeller_create(const char* method, jalon_modeller** out);

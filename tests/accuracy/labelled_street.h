@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Two real street facades whose doors and windows were labelled by hand (columns x y z intensity class instance).
+// Real street facades whose doors and windows were labelled by hand (columns x y z intensity class instance).
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Doors and windows of two real facades: each labelled one against the openings and faces of the model.
+// Doors and windows of three real facades: each labelled one against the openings and faces of the model. Labels tell
+// how far the points of an opening reach, so extents are compared: the points of a window under a gable fill half.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -19,8 +20,8 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr double kLeastArea_m2 = 0.5, kLeastIou = 0.6, kRow_m = 0.002;
-constexpr size_t kObjects = 17;
+constexpr double kLeastArea_m2 = 0.5, kLeastIou = 0.6;
+constexpr size_t kObjects = 26;
 // What the chain reaches today with the worst of 20 seeds: with 13 of them 15 or 13 are found, with seeds 4, 5, 6, 10,
 // 12, 13 and 15 only three of street_3's nine.
 constexpr size_t kLeastOfOneSeed = 10;
@@ -41,6 +42,11 @@ std::vector<Drawn> candidates(const Model& model, const WallAxes& axes) {
     }
   }
   return out;
+}
+
+RingBox box_of(const Region& region) {
+  const Extent2 extent = extent_of(region);
+  return {extent.low, extent.high};
 }
 
 struct Count {
@@ -68,7 +74,7 @@ Count count_found(const std::string& file, const LabelledStreet& street, uint64_
     std::string what = "nothing";
     for (const Drawn& candidate : found) {
       if (!extent_of(candidate.region).meets(extent_of(opening.region))) continue;
-      const double iou = areas(candidate.region, opening.region, kRow_m).iou();
+      const double iou = overlap(box_of(candidate.region), box_of(opening.region));
       if (iou > best)
         best = iou, what = candidate.part_class + " " + text_of_extent(candidate.region);
     }
@@ -85,7 +91,7 @@ Count count_found(const std::string& file, const LabelledStreet& street, uint64_
 }  // namespace
 
 TEST_CASE("street__labelled_doors_and_windows_have_an_opening_or_a_face") {
-  const char* const files[] = {"street_1.txt", "street_3.txt"};
+  const char* const files[] = {"street_1.txt", "street_3.txt", "building_2.txt"};
   std::vector<uint64_t> seeds(std::begin(kShortRun), std::end(kShortRun));
   if (std::getenv("JALON_FULL") != nullptr) {
     seeds.resize(20);
@@ -108,6 +114,7 @@ TEST_CASE("street__labelled_doors_and_windows_have_an_opening_or_a_face") {
     CHECK(one.found >= kLeastOfOneSeed);
     all += one;
   }
-  MESSAGE("FIGURE street_1 and street_3, " << seeds.size() << " seeds: " << all.found << " of "
-                                           << all.objects << " with an IoU of " << kLeastIou);
+  MESSAGE("FIGURE street_1, street_3 and building_2, "
+          << seeds.size() << " seeds: " << all.found << " of " << all.objects << " with an IoU of "
+          << kLeastIou);
 }

@@ -7,6 +7,7 @@
 #include <deque>
 #include <vector>
 
+#include "modelling/evidence/cell_regions.h"
 #include "modelling/evidence/cell_sums.h"
 
 namespace jalon {
@@ -20,6 +21,10 @@ constexpr uint32_t kPierCells = 2;
 // Of the cells of a square of a pier's width: all but what gaps between random points leave. Of one three times as
 // wide: a wall whose points lie thinly is no strip.
 constexpr double kPierShare = 0.8, kThinWallShare = 0.55;
+
+// Leaves and stiles flush with the wall, apart from it: smaller than a pier a storey high, seen through all about. The
+// wall itself is in one piece: a room's, seen through windows, is all islands.
+constexpr double kIsland_m2 = 0.5, kSeenAbout = 0.5, kMainShare = 0.5;
 
 constexpr double kFootReach_m = 4;  // half a wide gateway, a van's length
 
@@ -76,6 +81,41 @@ void tell_strips(WallCells& cells, Task& task) {
     if (cells.states[k] == WallState::kOn && kept[k] == 0) cells.states[k] = WallState::kStrip;
 }
 
+// Step 3.
+void tell_islands(WallCells& cells, Task& task) {
+  std::vector<uint32_t> on;
+  for (size_t k = 0; k < cells.states.size(); ++k)
+    if (cells.states[k] == WallState::kOn) on.push_back(static_cast<uint32_t>(k));
+  task.checkpoint(0);
+  CellRegions regions(cells.columns, cells.rows);
+  const std::vector<std::vector<uint32_t>> parts = regions.of(on);
+  const bool has_main = std::any_of(parts.begin(), parts.end(), [&](const auto& part) {
+    return static_cast<double>(part.size()) >= kMainShare * static_cast<double>(on.size());
+  });
+  if (!has_main) return;
+  const double most = kIsland_m2 / (cells.cell_m * cells.cell_m);
+  for (const std::vector<uint32_t>& region : parts) {
+    if (static_cast<double>(region.size()) > most) continue;
+    size_t about = 0, seen = 0;
+    const auto look = [&](uint32_t c, uint32_t r) {
+      if (c >= cells.columns || r >= cells.rows) return;
+      const WallState state = cells.at(c, r);
+      if (state == WallState::kOn) return;
+      ++about;
+      seen += state == WallState::kThrough || state == WallState::kStrip;
+    };
+    for (const uint32_t k : region) {
+      const uint32_t c = k % cells.columns, r = k / cells.columns;
+      look(c - 1, r);
+      look(c + 1, r);
+      look(c, r - 1);
+      look(c, r + 1);
+    }
+    if (static_cast<double>(seen) < kSeenAbout * static_cast<double>(about)) continue;
+    for (const uint32_t k : region) cells.states[k] = WallState::kStrip;
+  }
+}
+
 // First and last wall cell of each row or column; first > last: none.
 struct Reach {
   std::vector<uint32_t> first, last;
@@ -102,7 +142,7 @@ std::vector<uint32_t> foot_line(const std::vector<uint32_t>& first, uint32_t rea
   return out;
 }
 
-// Step 3.
+// Step 4.
 void tell_outside(WallCells& cells) {
   Reach along_row(cells.rows), along_column(cells.columns);
   for (uint32_t r = 0; r < cells.rows; ++r)
@@ -132,6 +172,7 @@ void classify_cells(std::span<const uint8_t> marks, WallCells& out, Task& task) 
   for (size_t k = 0; k < marks.size(); ++k) out.states[k] = state_of(marks[k]);
   if (marks.empty()) return;
   tell_strips(out, task);
+  tell_islands(out, task);
   tell_outside(out);
 }
 

@@ -18,7 +18,8 @@ constexpr uint8_t kMarkOn = 1, kMarkBehind = 2, kMarkProud = 4, kMarkBefore = 8,
 /// 1. On the plane before behind it, behind it before relief, then proud, then deep, then hidden: what lies behind
 ///    was seen through.
 /// 2. Points on the plane in strips narrower than a pier, with little of the wall about them, are strips.
-/// 3. Inside are cells with wall above and no lower than the wall's foot nearby, and those with wall to the left and
+/// 3. So are small pieces apart from the wall, seen through all about: leaves and stiles flush with it.
+/// 4. Inside are cells with wall above and no lower than the wall's foot nearby, and those with wall to the left and
 ///    right that were seen through; the sky between gables is neither.
 /// Before: one mark a cell of out, whose states are ignored. O(cells).
 void classify_cells(std::span<const uint8_t> marks, WallCells& out, Task& task);
