@@ -8,12 +8,12 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "segment/labels/label_groups.h"
+#include "segment/upright.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kCoplanarUpright = 0.1736;  // |nz| within 10 degrees of the vertical: walls lean
 constexpr double kCoplanarParallel =
     0.966;  // cosine of 15 degrees: small pieces turn by their noise
 constexpr double kCoplanarSigmas = 4;
@@ -24,7 +24,7 @@ constexpr size_t kLookedAt = 400;  // points of a piece
 constexpr size_t kCoplanarPointsPerChunk = 1 << 16;
 
 bool may_be_wall(const Segment& segment) {
-  return segment.has_plane() && std::fabs(segment.fit.plane.normal.z) <= kCoplanarUpright;
+  return segment.has_plane() && std::fabs(segment.fit.plane.normal.z) <= kWallSine;
 }
 
 // Share of a piece's points that lie on the plane.

@@ -12,14 +12,14 @@
 #include "modelling/evidence/drawn_contour.h"
 #include "modelling/plane/segment_frame.h"
 #include "segment/labels/label_groups.h"
+#include "segment/upright.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kEvidenceUpright = 0.1736;  // |nz| within 10 degrees of the vertical: walls lean
-constexpr double kSameWay = 0.985;           // cosine of 10 degrees
-constexpr double kFillingShare = 0.6;        // of a plane's cells in the openings of another
+constexpr double kSameWay = 0.985;     // cosine of 10 degrees
+constexpr double kFillingShare = 0.6;  // of a plane's cells in the openings of another
 constexpr double kSparseShare = 0.2;  // measured, of what its border encloses: panes here and there
 constexpr double kFillingDepth_m = 0.6;  // panes and leaves stand no deeper, loggias do
 constexpr double kRoomDepth_m = 12;      // rooms are no deeper
@@ -178,7 +178,7 @@ std::vector<WallEvidence> gather_evidence(const Segmentation& segmentation,
     const Segment& segment = segments[s];
     const auto indices = groups.of(static_cast<uint32_t>(s + 1));
     if (!segment.has_plane() || segment.area_m2 < setting.least_area_m2 || indices.empty() ||
-        std::fabs(segment.fit.plane.normal.z) > kEvidenceUpright)
+        std::fabs(segment.fit.plane.normal.z) > kWallSine)
       continue;
     walls.push_back(s);
     sources.push_back(

@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "modelling/evidence/cell_classes.h"
+#include "modelling/plane/point_stations.h"
 #include "modelling/plane/ring_tools.h"
 #include "modelling/plane/spacing.h"
 
@@ -107,19 +108,6 @@ void look_at(Sight& sight, const CellSetting& setting, const Vec3& p, uint32_t l
                                                                     : kMarkDeep);
 }
 
-// The station each point was seen from, by ranges of points.
-struct Eyes {
-  const Cloud& cloud;
-  size_t next = 0;
-  const Station* of(size_t i) {
-    const auto& stations = cloud.stations;
-    while (next < stations.size() && i >= stations[next].first + stations[next].count) ++next;
-    const bool is_known =
-        next < stations.size() && i >= stations[next].first && stations[next].has_pose;
-    return is_known ? &stations[next] : nullptr;
-  }
-};
-
 }  // namespace
 
 std::vector<WallCells> wall_cells(const Segmentation& segmentation,
@@ -136,10 +124,10 @@ std::vector<WallCells> wall_cells(const Segmentation& segmentation,
   // 2. What the points show of each.
   const size_t n = sources.empty() ? 0 : cloud.size();
   parallel_for(task, n, kWallCellsPointsPerChunk, [&](size_t begin, size_t end) {
-    Eyes eyes{cloud};
+    PointStations stations(cloud);
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = cloud.point(i);
-      const Station* station = eyes.of(i);
+      const Station* station = stations.of(i);
       Vec3 eye;
       if (station != nullptr) eye = station->pose.translation();
       for (Sight& sight : sights)

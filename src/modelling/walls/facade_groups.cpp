@@ -9,22 +9,19 @@
 #include "geometry/polygon2.h"
 #include "modelling/contour/contour.h"
 #include "modelling/plane/ring_tools.h"
+#include "segment/upright.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kFacadeGroupsUpright =
-    0.1736;  // |nz| of a plane within 10 degrees of the vertical: walls lean
 constexpr double kSameDirection = 0.985;  // 10 degrees
 constexpr double kChord_m = 0.005;        // of arcs, where only "inside or not" is asked
 constexpr double kInsideShare = 0.6;      // of a face's probes in a wall's holes: it fills them
 constexpr double kMeasuredShare = 0.5;    // of the least area of a wall
 constexpr int kProbes = 8;                // per side of a face's box
 
-bool is_upright(const VectorPlane& plane) {
-  return std::fabs(plane.frame.normal.z) <= kFacadeGroupsUpright;
-}
+bool is_upright(const VectorPlane& plane) { return std::fabs(plane.frame.normal.z) <= kWallSine; }
 
 struct Candidate {
   size_t plane = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "modelling/plane/point_stations.h"
 #include "modelling/walls/raster.h"
 
 namespace jalon {
@@ -103,19 +104,6 @@ WallSurvey result_of(Survey&& survey, Task& task) {
   return out;
 }
 
-// The station each point was seen from, by ranges of points.
-struct Eyes {
-  const Cloud& cloud;
-  size_t next = 0;
-  const Station* of(size_t i) {
-    const auto& stations = cloud.stations;
-    while (next < stations.size() && i >= stations[next].first + stations[next].count) ++next;
-    const bool is_known =
-        next < stations.size() && i >= stations[next].first && stations[next].has_pose;
-    return is_known ? &stations[next] : nullptr;
-  }
-};
-
 }  // namespace
 
 std::vector<WallSurvey> survey_walls(const Segmentation& segmentation,
@@ -134,10 +122,10 @@ std::vector<WallSurvey> survey_walls(const Segmentation& segmentation,
   parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
     auto& mine = found[begin / kPointsPerChunk];
     mine.resize(surveys.size());
-    Eyes eyes{cloud};
+    PointStations stations(cloud);
     for (size_t i = begin; i < end; ++i) {
       const Vec3 p = cloud.point(i);
-      const Station* station = eyes.of(i);
+      const Station* station = stations.of(i);
       Vec3 eye;
       if (station != nullptr) eye = station->pose.translation();
       for (size_t s = 0; s < surveys.size(); ++s)

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "segment/upright.h"
+
 namespace jalon {
 
 namespace {

@@ -16,8 +16,6 @@ struct WallGroup {
   std::vector<size_t> attendants;  ///< smaller, parallel and near: panes, bands, balconies
 };
 
-/// |nz| of a plane within 10 degrees of the vertical: walls lean.
-constexpr double kWallSine = 0.1736;
 /// Of directions within 10 degrees.
 constexpr double kSameDirection = 0.985;
 

@@ -11,14 +11,14 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "segment/ransac/orientation_pass.h"
+#include "segment/upright.h"
 
 namespace jalon {
 
 namespace {
 
 constexpr size_t kFacadeDirectionPointsPerChunk = 1 << 15;
-constexpr double kUpright = 0.1736;  // |nz| within 10 degrees of the vertical: walls lean
-constexpr size_t kBins = 180;        // one degree each; normals have no sign
+constexpr size_t kBins = 180;  // one degree each; normals have no sign
 constexpr double kHalfWindows_rad[] = {0.087, 0.052,
                                        0.035};  // 5, 3, 2 degrees about the direction so far
 
@@ -43,7 +43,7 @@ struct Mean {
 // Azimuth of the normal in [0, pi); NaN for what is not upright.
 double azimuth(const SegmentScene& scene, size_t position) {
   const float* m = &scene.normals[3 * position];
-  if (!(std::fabs(m[2]) <= kUpright)) return kNaN;
+  if (!(std::fabs(m[2]) <= kWallSine)) return kNaN;
   const double angle = std::atan2(static_cast<double>(m[1]), static_cast<double>(m[0]));
   const double turned = angle < 0 ? angle + std::numbers::pi : angle;
   return turned >= std::numbers::pi ? 0 : turned;
