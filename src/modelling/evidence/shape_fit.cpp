@@ -21,8 +21,8 @@ constexpr uint32_t kRoomCells = 6;
 constexpr double kTaken = -3;
 // A wall that runs through a shape, broader than mullions are and this far within it: as much as ends a box.
 constexpr double kCrossingWall = -60, kWithin = 1.5;  // cells
-constexpr std::array kOtherKinds{ShapeKind::kTrapezium, ShapeKind::kTriangle, ShapeKind::kGable,
-                                 ShapeKind::kArch, ShapeKind::kCircle};
+constexpr ShapeKind kOtherKinds[] = {ShapeKind::kTrapezium, ShapeKind::kTriangle, ShapeKind::kGable,
+                                     ShapeKind::kArch, ShapeKind::kCircle};
 constexpr std::array kSteps{8.0, 4.0, 2.0, 1.0, 0.5, 0.25};  // cells
 
 // Weights of the cells about a box, summed along the rows.
