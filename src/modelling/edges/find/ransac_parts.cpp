@@ -161,7 +161,7 @@ bool is_curve(const ChainMoments& moments, std::span<const Vec2> chain, const Li
   return true;
 }
 
-// DrawnLines cut chords out of a flat arc: three stretches or more that one circle explains are none.
+// Lines cut chords out of a flat arc: three stretches or more that one circle explains are none.
 void drop_chords(std::span<const Vec2> chain, const ChainMoments& moments, double tolerance_m,
                  std::vector<LineRun>& runs) {
   if (runs.size() >= kLeastChords && rms_of(moments, {0, chain.size() - 1}) <= tolerance_m) {
@@ -242,7 +242,7 @@ std::vector<ChainPart> ransac_parts(std::span<const Vec2> chain,
   RansacPartsSetting chosen = setting;
   if (chosen.tolerance_m == 0) chosen.tolerance_m = kDefaultTolerance * setting.spacing_m;
   if (chosen.gap_m == 0) chosen.gap_m = kDefaultGap * setting.spacing_m;
-  // 1. DrawnLines.
+  // 1. Lines.
   DrawnLines lines{chain, chosen, std::vector<uint32_t>(chain.size(), 0)};
   const uint32_t count = draw_lines(lines);
   // The walk starts where a stretch of the first line does, so that no stretch runs over its end.
