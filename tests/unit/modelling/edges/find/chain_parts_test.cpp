@@ -9,41 +9,16 @@
 #include <numbers>
 #include <vector>
 
-#include "base/random.h"
 #include "modelling/edges/find/chain_parts.h"
 #include "modelling/edges/find/edge_shape.h"
 #include "modelling/edges/find/guided_steps.h"
+#include "unit/modelling/edges/find/chain_fixtures.h"
 
-using namespace jalon;
+using namespace chains;
 
 namespace {
 
 constexpr double kSpacing = 0.1;
-
-/// A wall 3 m wide and 4 m high to the top of its round head, its border moved in at random.
-std::vector<Vec2> round_headed(double step_m, uint64_t seed) {
-  RandomStream random(seed, 1);
-  const auto in = [&] { return 0.3 * step_m * random.uniform(); };
-  std::vector<Vec2> out;
-  for (double u = 0; u < 3; u += step_m) out.push_back({u, in()});
-  for (double v = 0; v < 2.5; v += step_m) out.push_back({3 - in(), v});
-  for (double a = 0; a < std::numbers::pi; a += step_m / 1.5) {
-    const double r = 1.5 - in();
-    out.push_back({1.5 + r * std::cos(a), 2.5 + r * std::sin(a)});
-  }
-  for (double v = 2.5; v > step_m / 2; v -= step_m) out.push_back({in(), v});
-  return out;
-}
-
-void check_follow_each_other(const std::vector<ChainPart>& parts, size_t n) {
-  size_t points = 0;
-  for (size_t i = 0; i < parts.size(); ++i) {
-    const ChainPart& next = parts[(i + 1) % parts.size()];
-    CHECK((parts[i].first + parts[i].count - 1) % n == next.first);
-    points += parts[i].count - 1;
-  }
-  CHECK(points == n);
-}
 
 }  // namespace
 
@@ -51,11 +26,10 @@ TEST_CASE("split_chain__finds_lines_and_the_arc_of_a_round_head_wherever_the_cha
   const auto chain = round_headed(0.02, 1);
   for (const size_t start : {size_t{0}, size_t{40}, size_t{222}, chain.size() - 3}) {
     CAPTURE(start);
-    std::vector<Vec2> turned = chain;
-    std::rotate(turned.begin(), turned.begin() + static_cast<ptrdiff_t>(start), turned.end());
+    const auto turned = started_at(chain, start);
     const auto parts = split_chain(turned, {0.02, true});
     REQUIRE(parts.size() == 4);
-    check_follow_each_other(parts, chain.size());
+    check_closed(parts, chain.size());
     int arcs = 0;
     for (const ChainPart& part : parts) {
       CHECK(!part.is_guided);
@@ -91,14 +65,14 @@ TEST_CASE("split_chain__a_whole_circle_is_two_arcs_and_a_triangle_of_points_thre
   }
   const auto parts = split_chain(circle, {0.03, true});
   REQUIRE(parts.size() == 2);
-  check_follow_each_other(parts, circle.size());
+  check_closed(parts, circle.size());
   for (const ChainPart& part : parts) {
     CHECK(part.is_arc);
     CHECK(part.circle.radius == doctest::Approx(1));
   }
   const std::vector<Vec2> triangle{{0, 0}, {1, 0}, {0, 1}};
   const auto lines = split_chain(triangle, {0.02, true});
-  check_follow_each_other(lines, 3);
+  check_closed(lines, 3);
   for (const ChainPart& part : lines) CHECK(!part.is_arc);
 }
 

@@ -10,50 +10,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
+#include "unit/modelling/edges/find/chain_fixtures.h"
 
-using namespace jalon;
-
-namespace {
-
-/// A wall 3 m wide and 4 m high to the top of its round head, its border moved in at random.
-std::vector<Vec2> headed_chain(double step_m, uint64_t seed) {
-  RandomStream random(seed, 3);
-  const auto in = [&] { return 0.3 * step_m * random.uniform(); };
-  std::vector<Vec2> out;
-  for (double u = 0; u < 3; u += step_m) out.push_back({u, in()});
-  for (double v = 0; v < 2.5; v += step_m) out.push_back({3 - in(), v});
-  for (double a = 0; a < std::numbers::pi; a += step_m / 1.5) {
-    const double r = 1.5 - in();
-    out.push_back({1.5 + r * std::cos(a), 2.5 + r * std::sin(a)});
-  }
-  for (double v = 2.5; v > step_m / 2; v -= step_m) out.push_back({in(), v});
-  return out;
-}
-
-void check_closed(const std::vector<ChainPart>& parts, size_t n) {
-  size_t points = 0;
-  for (size_t i = 0; i < parts.size(); ++i) {
-    CHECK((parts[i].first + parts[i].count - 1) % n == parts[(i + 1) % parts.size()].first);
-    points += parts[i].count - 1;
-  }
-  CHECK(points == n);
-}
-
-std::vector<Vec2> turned_by(std::vector<Vec2> chain, size_t start) {
-  std::rotate(chain.begin(), chain.begin() + static_cast<ptrdiff_t>(start), chain.end());
-  return chain;
-}
-
-}  // namespace
+using namespace chains;
 
 TEST_CASE("ransac_parts__three_sides_and_a_round_head_wherever_the_chain_starts") {
-  const auto chain = headed_chain(0.02, 1);
+  const auto chain = round_headed(0.02, 1);
   for (const size_t start : {size_t{0}, size_t{40}, size_t{222}, chain.size() - 3})
     for (uint64_t seed = 1; seed <= 5; ++seed) {
       CAPTURE(start);
       CAPTURE(seed);
-      const auto parts = ransac_parts(turned_by(chain, start), {.spacing_m = 0.02, .seed = seed});
+      const auto parts = ransac_parts(started_at(chain, start), {.spacing_m = 0.02, .seed = seed});
       check_closed(parts, chain.size());
       size_t arcs = 0;
       double straight_m = 0;
@@ -109,7 +76,7 @@ TEST_CASE("ransac_parts__one_line_through_a_row_of_sills_is_cut_at_its_gaps") {
 }
 
 TEST_CASE("ransac_parts__without_arcs_all_is_straight_and_a_circle_is_two_arcs") {
-  const auto chain = headed_chain(0.02, 2);
+  const auto chain = round_headed(0.02, 2);
   const auto parts = ransac_parts(chain, {.spacing_m = 0.02, .arcs = false});
   check_closed(parts, chain.size());
   CHECK(parts.size() > 5);
@@ -127,7 +94,7 @@ TEST_CASE("ransac_parts__without_arcs_all_is_straight_and_a_circle_is_two_arcs")
 }
 
 TEST_CASE("ransac_parts__same_seed_same_parts_and_few_points_are_a_polygon") {
-  const auto chain = headed_chain(0.02, 4);
+  const auto chain = round_headed(0.02, 4);
   const auto a = ransac_parts(chain, {.spacing_m = 0.02, .seed = 9}),
              b = ransac_parts(chain, {.spacing_m = 0.02, .seed = 9});
   REQUIRE(a.size() == b.size());
