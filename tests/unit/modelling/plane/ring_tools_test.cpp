@@ -4,6 +4,7 @@
 // Rings turned, drawn with chords, boxed and judged.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -65,6 +66,61 @@ TEST_CASE("ring_tools__a_box_holds_the_arcs_and_one_as_made_nothing") {
   CHECK(!box.meets(RingBox{}));
   CHECK(!RingBox{}.holds({0, 0}));
   CHECK(box.meets(box.grown(-0.1)));
+}
+
+TEST_CASE("ring_tools__short_straight_edges_go_with_their_second_corner_wherever_they_are") {
+  // A rectangle whose corners are cut by 1 mm, the ring begun at each of its corners: each cut's second corner goes, and the
+  // edge that is left keeps what was known of it.
+  const std::vector<Vec2> cut{{0, 0}, {2, 0}, {2, 0.001}, {2, 3}, {1.999, 3}, {0, 3}, {0, 2.999}};
+  const std::vector<Vec2> kept{{0, 0}, {2, 0}, {2, 3}, {0, 3}};
+  for (size_t start = 0; start < cut.size(); ++start) {
+    CAPTURE(start);
+    VectorRing ring = ring_of(cut);
+    for (size_t e = 0; e < cut.size(); ++e) ring.edges[e].sigma_m = static_cast<double>(e);
+    std::rotate(ring.corners.begin(), ring.corners.begin() + static_cast<ptrdiff_t>(start),
+                ring.corners.end());
+    std::rotate(ring.edges.begin(), ring.edges.begin() + static_cast<ptrdiff_t>(start),
+                ring.edges.end());
+    const auto length = [](const VectorRing& r, size_t e) {
+      return norm(r.corners[(e + 1) % r.corners.size()] - r.corners[e]);
+    };
+    drop_short_edges(ring, 0.01);
+    REQUIRE(ring.corners.size() == 4);
+    REQUIRE(ring.edges.size() == 4);
+    for (size_t e = 0; e < 4; ++e) {
+      CHECK(std::find(kept.begin(), kept.end(), ring.corners[e]) != kept.end());
+      // The long edges were the even ones but the last, which the cut of the last corner split from it.
+      const auto was = static_cast<size_t>(ring.edges[e].sigma_m);
+      const Vec2 from = cut[was], to = cut[(was + 1) % cut.size()];
+      CHECK(norm(from - to) > 1);
+      CHECK(norm(ring.corners[e] - from) <= 0.0011);
+      CHECK(norm(ring.corners[(e + 1) % 4] - to) <= 0.0011);
+      CHECK(length(ring, e) >= 0.01);
+    }
+    CHECK(signed_area(ring) == doctest::Approx(6).epsilon(0.01));
+  }
+}
+
+TEST_CASE("ring_tools__short_arcs_and_the_last_three_corners_stay") {
+  VectorRing arched = ring_of({{0, 0}, {1, 0}, {1, 0.001}, {0, 1}});
+  arched.edges[1].sagitta_m = 0.2;  // its corners are near, the arc between them is not short
+  drop_short_edges(arched, 0.01);
+  CHECK(arched.corners.size() == 4);
+  VectorRing small = ring_of({{0, 0}, {0.001, 0}, {0.001, 0.001}, {0, 0.001}});
+  drop_short_edges(small, 0.01);
+  CHECK(small.corners.size() == 3);
+  CHECK(small.edges.size() == 3);
+}
+
+TEST_CASE("ring_tools__overlap_is_the_shared_area_of_what_both_boxes_cover") {
+  const RingBox box{{0, 0}, {2, 3}}, beside{{1, 0}, {3, 3}}, within{{0.5, 0.5}, {1.5, 1.5}};
+  CHECK(overlap(box, box) == doctest::Approx(1));
+  CHECK(overlap(box, beside) == doctest::Approx(3.0 / 9));
+  CHECK(overlap(beside, box) == overlap(box, beside));
+  CHECK(overlap(box, within) == doctest::Approx(1.0 / 6));
+  CHECK(overlap(box, {{2, 0}, {4, 3}}) == 0);  // they touch
+  CHECK(overlap(box, {{0, 5}, {2, 6}}) == 0);
+  CHECK(overlap(box, RingBox{}) == 0);
 }
 
 TEST_CASE("ring_tools__a_ring_is_simple_until_an_edge_or_an_arc_meets_another") {
