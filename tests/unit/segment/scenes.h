@@ -25,7 +25,8 @@ struct Scene {
   void rectangle(int face, Vec3 corner, Vec3 u, Vec3 v, size_t count, double sigma,
                  RandomStream& random) {
     for (size_t i = 0; i < count; ++i) {
-      const Vec3 p = corner + random.uniform() * u + random.uniform() * v;
+      const double along_v = random.uniform(), along_u = random.uniform();
+      const Vec3 p = corner + along_u * u + along_v * v;
       const Vec3 noise{random.normal(), random.normal(), random.normal()};
       points.push_back(p + sigma * noise);
       faces.push_back(face);
