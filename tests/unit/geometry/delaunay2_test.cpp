@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "base/error.h"
@@ -154,8 +155,9 @@ TEST_CASE("delaunay__too_wide_or_not_finite__kLimit") {
   CHECK(status_of({{0, 0}, {INFINITY, 0}, {0, 1}}) == Status::kLimit);
 }
 
-TEST_CASE("delaunay__a_million_points__figures") {
-  const size_t n = 1000000;
+TEST_CASE("delaunay__many_points_fill_their_hull__figures") {
+  // Minutes on a busy machine: as many points as that in the long run only.
+  const size_t n = std::getenv("JALON_FULL") != nullptr ? 1000000 : 50000;
   const std::vector<Vec2> points = random_points(n, 100, 7);
   const auto start = std::chrono::steady_clock::now();
   const Triangles triangles = delaunay(points);
