@@ -80,12 +80,20 @@ struct FeaturesScratch {
 };
 
 /// k / (pi d_k^2) with the k others, or n / (pi r^2): Girardeau-Montaut 2006, C.2. Duplicates only: NaN.
+double density_in_ball(size_t count, double radius_m) {
+  return static_cast<double>(count) / (std::numbers::pi * radius_m * radius_m);
+}
 double density(const Neighbourhood& around, double radius_m) {
   const auto n = static_cast<double>(around.neighbours.size());
-  if (radius_m > 0) return n / (std::numbers::pi * radius_m * radius_m);
+  if (radius_m > 0) return density_in_ball(around.neighbours.size(), radius_m);
   double farthest = 0;
   for (const float d : around.squared) farthest = std::max(farthest, double{d});
   return farthest > 0 ? (n - 1) / (std::numbers::pi * farthest) : kNaN;
+}
+
+double distance_to_plane(const Moments& moments, const Vec3& p) {
+  PrincipalFrame frame;
+  return principal_frame(moments, frame) ? std::fabs(dot(frame.n, p - frame.centre)) : kNaN;
 }
 
 /// Distance of the point to the plane of its neighbours, which do not include it.
@@ -95,8 +103,7 @@ double roughness(const Octree& tree, const Neighbourhood& around) {
   moments.reference = p;
   for (const uint32_t j : around.neighbours)
     if (j != around.point) moments.add(tree.local(j));
-  PrincipalFrame frame;
-  return principal_frame(moments, frame) ? std::fabs(dot(frame.n, p - frame.centre)) : kNaN;
+  return distance_to_plane(moments, p);
 }
 
 /// Demantke et al. 2011: dimensionality from the square roots of the eigenvalues, s1 >= s2 >= s3.
@@ -108,6 +115,16 @@ void shape(const PrincipalFrame& frame, Values& values) {
   values[kPlanarity] = (s2 - s3) / s1;
   values[kSphericity] = s3 / s1;
   values[kVerticality] = 1 - std::fabs(frame.n.z);
+}
+
+bool with_curvatures(const Choice& chosen) {
+  return chosen[kMeanCurvature] || chosen[kGaussianCurvature];
+}
+
+void curvatures(const LocalQuadric& fit, Values& values) {
+  // The side of the normal is not known, so the sign of the mean curvature says nothing.
+  values[kMeanCurvature] = std::fabs(fit.quadric.mean_curvature(fit.x, fit.y));
+  values[kGaussianCurvature] = fit.quadric.gaussian_curvature(fit.x, fit.y);
 }
 
 Values features_at(const Octree& tree, const Neighbourhood& around, double radius_m,
@@ -128,12 +145,27 @@ Values features_at(const Octree& tree, const Neighbourhood& around, double radiu
   if (!principal_frame(moments, frame)) return values;
   shape(frame, values);
   LocalQuadric fit;
-  if ((chosen[kMeanCurvature] || chosen[kGaussianCurvature]) &&
-      local_quadric(frame, s.points, p, s.work, fit)) {
-    // The side of the normal is not known, so the sign of the mean curvature says nothing.
-    values[kMeanCurvature] = std::fabs(fit.quadric.mean_curvature(fit.x, fit.y));
-    values[kGaussianCurvature] = fit.quadric.gaussian_curvature(fit.x, fit.y);
+  if (with_curvatures(chosen) && local_quadric(frame, s.points, p, s.work, fit))
+    curvatures(fit, values);
+  return values;
+}
+
+Values features_of_sums(const SummedBalls& sums, const Octree::RangedBall& ball, double radius_m,
+                        const Choice& chosen) {
+  Values values;
+  values.fill(kNaN);
+  if (chosen[kDensity]) values[kDensity] = density_in_ball(ball.count, radius_m);
+  const Moments moments = sums.moments(ball);
+  if (chosen[kRoughness]) {
+    Moments others = moments;  // about the point itself, which adds to their number only
+    --others.n;
+    values[kRoughness] = distance_to_plane(others, moments.reference);
   }
+  PrincipalFrame frame;
+  if (!principal_frame(moments, frame)) return values;
+  shape(frame, values);
+  LocalQuadric fit;
+  if (with_curvatures(chosen) && sums.quadric(frame, ball, fit)) curvatures(fit, values);
   return values;
 }
 
@@ -170,13 +202,17 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
   }
   ProgressSpan span(task, 0.2, 1, "features");
   const auto order = tree->order();
-  for_each_neighbourhood<FeaturesScratch>(
-      *tree, settings.k, radius_m, task,
+  const auto write = [&](size_t point, const Values& values) {
+    for (size_t f = 0; f < kFeatures; ++f)
+      if (out[f] != nullptr) out[f][order[point]] = static_cast<float>(values[f]);
+  };
+  for_each_summed_neighbourhood<FeaturesScratch>(
+      *tree, settings.k, radius_m, with_curvatures(chosen), task,
       [&](const Neighbourhood& around, FeaturesScratch& scratch) {
-        const Values values = features_at(*tree, around, radius_m, chosen, scratch);
-        const size_t i = order[around.point];
-        for (size_t f = 0; f < kFeatures; ++f)
-          if (out[f] != nullptr) out[f][i] = static_cast<float>(values[f]);
+        write(around.point, features_at(*tree, around, radius_m, chosen, scratch));
+      },
+      [&](const SummedBalls& sums, const Octree::RangedBall& ball) {
+        write(ball.point, features_of_sums(sums, ball, radius_m, chosen));
       });
   Cloud result = cloud;
   for (auto& column : columns)

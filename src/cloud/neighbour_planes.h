@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cloud/plane_lanes.h"
+#include "geometry/power_sums.h"
 #include "geometry/symmetric_eigen.h"
 #include "spatial/octree/octree.h"
 
@@ -47,23 +48,12 @@ class NeighbourPlanes {
     take(centre, count, {sx, sy, sz}, {xx, xy, xz, yy, yz, zz});
   }
 
-  /// The same for neighbours by places.
-  void add(const Octree::CrowdedBall& ball) {
-    size_t count = 0;
-    Vec3 sum;
-    Symmetric3 products{};
-    const int32_t cx = x_[ball.point], cy = y_[ball.point], cz = z_[ball.point];
-    for (const Octree::PlaceGroup& group : ball.groups) {
-      const Vec3 d{static_cast<double>(x_[group.first] - cx),
-                   static_cast<double>(y_[group.first] - cy),
-                   static_cast<double>(z_[group.first] - cz)};
-      const Vec3 all = d * static_cast<double>(group.last - group.first);
-      count += group.last - group.first;
-      sum += all;
-      products[0] += all.x * d.x, products[1] += all.x * d.y, products[2] += all.x * d.z;
-      products[3] += all.y * d.y, products[4] += all.y * d.z, products[5] += all.z * d.z;
-    }
-    take(ball.point, count, sum, products);
+  /// The same for neighbours that are summed already, as seen from the point.
+  void add(size_t centre, const PowerSums<2>& sums) {
+    take(centre, static_cast<size_t>(sums.count()),
+         {sums.of(1, 0, 0), sums.of(0, 1, 0), sums.of(0, 0, 1)},
+         {sums.of(2, 0, 0), sums.of(1, 1, 0), sums.of(1, 0, 1), sums.of(0, 2, 0), sums.of(0, 1, 1),
+          sums.of(0, 0, 2)});
   }
 
   void flush() {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/plane.h"
 #include "geometry/quadric.h"
+#include "spatial/neighbours/range_sums.h"
 #include "spatial/octree/octree.h"
 
 namespace jalon {
@@ -82,5 +84,38 @@ struct LocalQuadric {
 /// work is memory that the caller keeps between calls.
 bool local_quadric(const PrincipalFrame& frame, std::span<const Vec3> points, const Vec3& at,
                    std::vector<Vec3>& work, LocalQuadric& out);
+
+/// Balls of very many points, of which sums are known: what lists of points give, but for rounding.
+class SummedBalls {
+ public:
+  SummedBalls(const Octree& tree, double radius_m, bool with_quadrics, Task& task)
+      : tree_(tree), radius_m_(radius_m), planes_(tree, task) {
+    if (with_quadrics) quadrics_.emplace(tree, task);
+  }
+
+  /// As the sums of the points' local() coordinates about that of the ball's point.
+  Moments moments(const Octree::RangedBall& ball) const;
+  /// The quadric over the frame that these moments gave; of balls made with quadrics.
+  bool quadric(const PrincipalFrame& frame, const Octree::RangedBall& ball,
+               LocalQuadric& out) const;
+
+ private:
+  const Octree& tree_;
+  double radius_m_;
+  RangeSums<2> planes_;
+  std::optional<RangeSums<4>> quadrics_;
+};
+
+/// for_each_neighbourhood with summed(SummedBalls, Octree::RangedBall) in the place of visit for balls of very many
+/// points.
+template <class Scratch, class F, class G>
+void for_each_summed_neighbourhood(const Octree& tree, uint32_t k, double radius_m,
+                                   bool with_quadrics, Task& task, F&& visit, G&& summed) {
+  if (!(radius_m > 0)) return for_each_neighbourhood<Scratch>(tree, k, 0, task, visit);
+  const SummedBalls sums(tree, radius_m, with_quadrics, task);
+  tree.for_each_ranged_ball(
+      radius_m, task, [&](const Octree::BallBatch& batch) { visit_balls<Scratch>(batch, visit); },
+      [&](const Octree::RangedBall& ball) { summed(sums, ball); });
+}
 
 }  // namespace jalon

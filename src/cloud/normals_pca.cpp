@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "cloud/neighbour_planes.h"
+#include "spatial/neighbours/range_sums.h"
 
 namespace jalon {
 
@@ -62,21 +63,20 @@ PcaNormals pca_normals(const Octree& tree, uint32_t k, bool with_curvature, Task
 PcaNormals pca_normals_radius(const Octree& tree, double radius_m, bool with_curvature,
                               Task& task) {
   const PcaNormals out = new_result(tree.size(), with_curvature);
-  auto of_balls = [&](const Octree::BallBatch& b) {
-    NeighbourPlanes planes(tree, ColumnWriter(tree, out));
-    for (size_t i = 0; i < b.count; ++i)
-      planes.add(b.first + i, b.neighbours + b.offsets[i], b.offsets[i + 1] - b.offsets[i]);
-    planes.flush();
-  };
-  if (!tree.has_crowds()) {
-    tree.for_each_ball(radius_m, task, of_balls);
-    return out;
-  }
-  tree.for_each_crowded_ball(radius_m, task, of_balls, [&](const Octree::CrowdedBall& ball) {
-    NeighbourPlanes planes(tree, ColumnWriter(tree, out));
-    planes.add(ball);
-    planes.flush();
-  });
+  const RangeSums<2> sums(tree, task);
+  tree.for_each_ranged_ball(
+      radius_m, task,
+      [&](const Octree::BallBatch& b) {
+        NeighbourPlanes planes(tree, ColumnWriter(tree, out));
+        for (size_t i = 0; i < b.count; ++i)
+          planes.add(b.first + i, b.neighbours + b.offsets[i], b.offsets[i + 1] - b.offsets[i]);
+        planes.flush();
+      },
+      [&](const Octree::RangedBall& ball) {
+        NeighbourPlanes planes(tree, ColumnWriter(tree, out));
+        planes.add(ball.point, sums.over(ball.ranges, grid_place(tree, ball.point)));
+        planes.flush();
+      });
   return out;
 }
 

@@ -13,6 +13,11 @@ struct NormalsQuadricScratch {
   std::vector<Vec3> points, work;
 };
 
+Vec3 normal_of(const PrincipalFrame& frame, const LocalQuadric& fit) {
+  const Vec3 n = fit.quadric.normal(fit.x, fit.y);
+  return normalized(frame.u * n.x + frame.v * n.y + frame.n * n.z);
+}
+
 Vec3 quadric_normal(const Octree& tree, const Neighbourhood& around,
                     NormalsQuadricScratch& scratch) {
   Moments moments;
@@ -26,8 +31,14 @@ Vec3 quadric_normal(const Octree& tree, const Neighbourhood& around,
   if (!principal_frame(moments, frame)) return {kNaN, kNaN, kNaN};
   LocalQuadric fit;
   if (!local_quadric(frame, scratch.points, moments.reference, scratch.work, fit)) return frame.n;
-  const Vec3 n = fit.quadric.normal(fit.x, fit.y);
-  return normalized(frame.u * n.x + frame.v * n.y + frame.n * n.z);
+  return normal_of(frame, fit);
+}
+
+Vec3 quadric_normal(const SummedBalls& sums, const Octree::RangedBall& ball) {
+  PrincipalFrame frame;
+  if (!principal_frame(sums.moments(ball), frame)) return {kNaN, kNaN, kNaN};
+  LocalQuadric fit;
+  return sums.quadric(frame, ball, fit) ? normal_of(frame, fit) : frame.n;
 }
 
 }  // namespace
@@ -42,13 +53,19 @@ std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double r
   auto column = new_normal_column(tree.size());
   const auto out = column->values<float>();
   const auto order = tree.order();
-  for_each_neighbourhood<NormalsQuadricScratch>(
-      tree, k, radius_m, task, [&](const Neighbourhood& around, NormalsQuadricScratch& scratch) {
-        const Vec3 n = quadric_normal(tree, around, scratch);
-        float* to = out.data() + 3 * size_t{order[around.point]};
-        to[0] = static_cast<float>(n.x);
-        to[1] = static_cast<float>(n.y);
-        to[2] = static_cast<float>(n.z);
+  const auto write = [&](size_t point, const Vec3& n) {
+    float* to = out.data() + 3 * size_t{order[point]};
+    to[0] = static_cast<float>(n.x);
+    to[1] = static_cast<float>(n.y);
+    to[2] = static_cast<float>(n.z);
+  };
+  for_each_summed_neighbourhood<NormalsQuadricScratch>(
+      tree, k, radius_m, true, task,
+      [&](const Neighbourhood& around, NormalsQuadricScratch& scratch) {
+        write(around.point, quadric_normal(tree, around, scratch));
+      },
+      [&](const SummedBalls& sums, const Octree::RangedBall& ball) {
+        write(ball.point, quadric_normal(sums, ball));
       });
   return column;
 }

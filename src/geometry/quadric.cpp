@@ -59,6 +59,22 @@ double Quadric::gaussian_curvature(double x, double y) const {
   return (4 * a * e - c * c) / (g * g);
 }
 
+bool fit_quadric(const QuadricSums& sums, Quadric& out) {
+  if (!(sums.powers[0][0] >= kQuadricUnknowns)) return false;
+  // The terms u^2, u, u v, v, v^2, 1.
+  constexpr size_t kU[kQuadricUnknowns] = {2, 1, 1, 0, 0, 0},
+                   kV[kQuadricUnknowns] = {0, 0, 1, 1, 2, 0};
+  std::array<Row, kQuadricUnknowns> m{};
+  Row right{};
+  for (size_t i = 0; i < kQuadricUnknowns; ++i) {
+    for (size_t j = 0; j <= i; ++j) m[i][j] = sums.powers[kU[i] + kU[j]][kV[i] + kV[j]];
+    right[i] = sums.heights[kU[i]][kV[i]];
+  }
+  if (!solve(m, right)) return false;
+  out = {right[0], right[1], right[2], right[3], right[4], right[5]};
+  return true;
+}
+
 bool fit_quadric(std::span<const Vec3> points, double scale, Quadric& out) {
   if (points.size() < kQuadricUnknowns || !(scale > 0)) return false;
   std::array<Row, kQuadricUnknowns> m{};

@@ -24,6 +24,15 @@ struct Quadric {
   double gaussian_curvature(double x, double y) const;
 };
 
+/// What the least squares of heights are made of: sums of u^i v^j, i + j <= 4, and of those of degree 2 times the height.
+struct QuadricSums {
+  double powers[5][5];   ///< [i][j]
+  double heights[3][3];  ///< [i][j]
+};
+/// The six coefficients in the units of the sums. False when the points do not fix them: fewer than six, or all near
+/// one conic. For coordinates of about 1, which balances the equations.
+bool fit_quadric(const QuadricSums& sums, Quadric& out);
+
 /// Least squares of the heights. scale: about the largest |x| or |y|, to balance the equations.
 /// False when the points do not fix the six coefficients: fewer than six, or all near one conic.
 bool fit_quadric(std::span<const Vec3> points, double scale, Quadric& out);

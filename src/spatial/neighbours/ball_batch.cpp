@@ -16,6 +16,7 @@
 #include "base/simd.h"
 #include "spatial/neighbours/ball_kernel.h"
 #include "spatial/neighbours/ball_ranges.h"
+#include "spatial/neighbours/many_in_ball.h"
 #include "spatial/octree/exact_walk.h"
 #include "spatial/octree/impl.h"
 
@@ -31,6 +32,8 @@ constexpr size_t kVector = 16;  // room that the kernels may write beyond the en
 constexpr size_t kMostNeighbours = size_t{1} << 21;
 // Points that a leaf of a crowded tree may gather; of balls with more of them, those of a place go together.
 constexpr size_t kManyInBall = size_t{1} << 12;
+// Where balls of many points go by ranges: the box about a leaf holds some twice as many as a ball.
+constexpr size_t kManyGathered = 2 * kManyInRanges;
 
 struct BallBatchKernels {
   bool (*gather)(const OctreeView&, const GridBox&, BallCandidates&);
@@ -40,12 +43,13 @@ struct BallBatchKernels {
 class BallSearch {
  public:
   BallSearch(const Octree::Impl& tree, double radius_m, const BallBatchKernels& kernels,
-             size_t most_gathered)
+             size_t most_gathered, size_t most_in_ball)
       : tree_(tree),
         radius_m_(radius_m),
         radius_(radius_m * tree.inverse_step),
         kernels_(kernels),
         most_gathered_(most_gathered),
+        most_in_ball_(most_in_ball),
         few_steps_(tree.has_exact_boxes() && radius_ < kFewSteps),
         ranges_(tree, radius_m) {
     constexpr double kRounding = 1 + 0x1p-20;  // of a squared distance in floats
@@ -54,7 +58,7 @@ class BallSearch {
     surely_ = static_cast<float>(std::min(inner * inner / kRounding / kRounding, 0x1p100));
     perhaps_ = static_cast<float>(std::min(outer * outer * kRounding * kRounding, 0x1p101));
     if (radius_ < kBallBatchSqrt3) surely_ = -1;
-    reserve(size_t{1} << 12);
+    reserve(std::min(size_t{1} << 12, most_gathered));
   }
 
   /// Gathers what the points of a leaf need, unless that is too much.
@@ -80,13 +84,22 @@ class BallSearch {
     }
   }
 
-  /// The ball of a point of that leaf by places, where it holds too many points for a list.
-  std::optional<std::span<const Octree::PlaceGroup>> crowd(size_t point) {
+  /// The ball of a point of that leaf by ranges, where it holds too many points for a list.
+  std::optional<std::span<const Octree::PointRange>> many(size_t point) {
     if (!exactly_) return std::nullopt;
     const auto ranges = find(point);
-    if (ranges_.points() <= most_gathered_) return std::nullopt;
+    if (ranges_.points() <= most_in_ball_) return std::nullopt;
+    return ranges;
+  }
+  /// Points of the ranges that were asked for last.
+  size_t points() const { return ranges_.points(); }
+
+  /// The same by places.
+  std::optional<std::span<const Octree::PlaceGroup>> crowd(size_t point) {
+    const auto ranges = many(point);
+    if (!ranges) return std::nullopt;
     groups_.clear();
-    for (const BallRanges::Range& range : ranges)
+    for (const BallRanges::Range& range : *ranges)
       for (size_t first = range.first; first < range.last;) {
         const size_t last = tree_.end_of_place(first, range.last);
         groups_.push_back({static_cast<uint32_t>(first), static_cast<uint32_t>(last),
@@ -164,7 +177,7 @@ class BallSearch {
   const Octree::Impl& tree_;
   const double radius_m_, radius_;  // radius_: grid steps
   const BallBatchKernels kernels_;
-  const size_t most_gathered_;
+  const size_t most_gathered_, most_in_ball_;
   const bool few_steps_;  // the grid tells too little of such balls
   BallRanges ranges_;
   size_t found_of_ = std::numeric_limits<size_t>::max();  // the point that was asked for last
@@ -199,39 +212,49 @@ struct Found {
 
 }  // namespace
 
-void Octree::ball_batches(double radius_m, Task& task, void (*visit)(void*, const BallBatch&),
-                          void* context) const {
-  crowded_ball_batches(radius_m, task, visit, context, nullptr, nullptr);
-}
-
-void Octree::crowded_ball_batches(double radius_m, Task& task,
-                                  void (*visit)(void*, const BallBatch&), void* context,
-                                  void (*crowded)(void*, const CrowdedBall&),
-                                  void* crowded_context) const {
+void Octree::ball_batches(double radius_m, Task& task, const BallVisitors& to) const {
   if (!(radius_m >= 0)) fail(Status::kInvalidArgument, "the radius is negative");
   const BallBatchKernels kernels =
       use_avx2() ? BallBatchKernels{gather_ball_candidates_avx2, points_in_ball_avx2}
                  : BallBatchKernels{gather_ball_candidates_baseline, points_in_ball_baseline};
   constexpr size_t kLeavesAtOnce = 32;
-  const size_t most = crowded != nullptr ? kManyInBall : std::numeric_limits<size_t>::max();
+  constexpr size_t kAny = std::numeric_limits<size_t>::max();
+  const size_t most_gathered = to.crowded != nullptr  ? kManyInBall
+                               : to.ranged != nullptr ? kManyGathered
+                                                      : kAny;
+  const size_t most_in_ball = to.ranged != nullptr ? kManyInRanges : most_gathered;
   parallel_for(task, impl_->leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
-    BallSearch search(*impl_, radius_m, kernels, most);
+    BallSearch search(*impl_, radius_m, kernels, most_gathered, most_in_ball);
     Found found;
     size_t first = impl_->leaf_first[begin];
     const auto hand_on = [&] {
-      visit(context, {first, found.offsets.size() - 1, found.offsets.data(),
-                      found.neighbours.data(), found.squared.data()});
+      if (found.offsets.size() > 1)
+        to.visit(to.context, {first, found.offsets.size() - 1, found.offsets.data(),
+                              found.neighbours.data(), found.squared.data()});
       first += found.offsets.size() - 1;
       found.offsets.assign(1, 0);
+    };
+    // Is the ball of a point, too large for a list, handed on by itself?
+    const auto hand_on_alone = [&](size_t point) {
+      if (to.crowded != nullptr) {
+        const auto groups = search.crowd(point);
+        if (!groups) return false;
+        hand_on();
+        to.crowded(to.crowded_context, {point, *groups});
+      } else {
+        const auto ranges = to.ranged != nullptr ? search.many(point) : std::nullopt;
+        if (!ranges) return false;
+        hand_on();
+        to.ranged(to.ranged_context, {point, *ranges, search.points()});
+      }
+      first = point + 1;
+      return true;
     };
     for (size_t leaf = begin; leaf < end; ++leaf) {
       if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       search.enter(leaf);
       for (size_t point = impl_->leaf_first[leaf]; point < impl_->leaf_first[leaf + 1]; ++point) {
-        if (const auto groups = crowded != nullptr ? search.crowd(point) : std::nullopt) {
-          if (found.offsets.size() > 1) hand_on();
-          crowded(crowded_context, {point, *groups});
-          first = point + 1;
+        if (hand_on_alone(point)) {
           if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
           continue;
         }
@@ -246,7 +269,7 @@ void Octree::crowded_ball_batches(double radius_m, Task& task,
         if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       }
     }
-    if (found.offsets.size() > 1) hand_on();
+    hand_on();
   });
 }
 

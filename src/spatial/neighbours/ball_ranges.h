@@ -16,9 +16,7 @@ class BallRanges {
  public:
   BallRanges(const Octree::Impl& tree, double radius_m);
 
-  struct Range {
-    uint32_t first, last;  ///< [first, last)
-  };
+  using Range = Octree::PointRange;
   /// The points within the radius, closed, as few ranges, ascending. Valid until the next search.
   std::span<const Range> find(const Vec3& centre);
   /// How many points they hold.

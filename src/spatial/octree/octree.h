@@ -102,8 +102,8 @@ class Octree {
   void for_each_ball(double radius, Task& task, F&& visit) const {
     ball_batches(
         radius, task,
-        [](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
-        &visit);
+        {[](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
+         &visit, nullptr, nullptr, nullptr, nullptr});
   }
   /// Do very many points share a place of the grid, or crowd below its step? Then balls may hold most of the cloud
   /// about most of its points, and all pairs are too many. O(1).
@@ -123,12 +123,32 @@ class Octree {
   /// the place of visit. Its groups are as many as its places, and in a crowd there are few.
   template <class F, class G>
   void for_each_crowded_ball(double radius, Task& task, F&& visit, G&& crowded) const {
-    crowded_ball_batches(
+    ball_batches(
         radius, task,
-        [](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
-        &visit,
-        [](void* p, const CrowdedBall& b) { (*static_cast<std::remove_reference_t<G>*>(p))(b); },
-        &crowded);
+        {[](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
+         &visit,
+         [](void* p, const CrowdedBall& b) { (*static_cast<std::remove_reference_t<G>*>(p))(b); },
+         &crowded, nullptr, nullptr});
+  }
+  /// Sorted positions [first, last).
+  struct PointRange {
+    uint32_t first, last;
+  };
+  struct RangedBall {
+    size_t point;                        ///< sorted position
+    std::span<const PointRange> ranges;  ///< ascending, as few as there are
+    size_t count;                        ///< of their points
+  };
+  /// for_each_ball where sums over ranges suffice (RangeSums): of a ball that holds more than some thousand points
+  /// ranged(RangedBall) is called in the place of visit. Its ranges cost what the surface of the ball cuts.
+  template <class F, class G>
+  void for_each_ranged_ball(double radius, Task& task, F&& visit, G&& ranged) const {
+    ball_batches(
+        radius, task,
+        {[](void* p, const BallBatch& b) { (*static_cast<std::remove_reference_t<F>*>(p))(b); },
+         &visit, nullptr, nullptr,
+         [](void* p, const RangedBall& b) { (*static_cast<std::remove_reference_t<G>*>(p))(b); },
+         &ranged});
   }
   /// Coordinates of a sorted position relative to the cube's origin, in metres, from the 31-bit grid (rounded down,
   /// error < edge / 2^31): enough for normals and features, and the same bits wherever the cloud lies.
@@ -145,11 +165,16 @@ class Octree {
  private:
   Octree();
   void knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batch&), void* context) const;
-  void ball_batches(double radius, Task& task, void (*visit)(void*, const BallBatch&),
-                    void* context) const;
-  void crowded_ball_batches(double radius, Task& task, void (*visit)(void*, const BallBatch&),
-                            void* context, void (*crowded)(void*, const CrowdedBall&),
-                            void* crowded_context) const;
+  // Of crowded and ranged one at most.
+  struct BallVisitors {
+    void (*visit)(void*, const BallBatch&);
+    void* context;
+    void (*crowded)(void*, const CrowdedBall&);
+    void* crowded_context;
+    void (*ranged)(void*, const RangedBall&);
+    void* ranged_context;
+  };
+  void ball_batches(double radius, Task& task, const BallVisitors& visitors) const;
   std::unique_ptr<Impl> impl_;
 };
 

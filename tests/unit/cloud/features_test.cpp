@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cloud/neighbourhoods.h"
 #include "unit/cloud/clouds.h"
 
 namespace jalon {
@@ -80,6 +81,37 @@ TEST_CASE("features__curvatures_of_a_sphere_and_a_cylinder__are_known") {
   CHECK(std::fabs(median(round, "gaussian_curvature")) < 0.02);
 }
 
+TEST_CASE("features__of_balls_of_thousands_of_points_are_those_of_the_surface_they_lie_on") {
+  // A piece of a saddle about its middle: the quadric is the surface itself, whatever the ball.
+  std::vector<Vec3> points{{0, 0, 0}};
+  for (const Vec3& p : random_points(6000, 2, 36)) {
+    const double x = p.x - 1, y = p.y - 1;
+    if (x * x + y * y < 1) points.push_back({x, y, 0.3 * x * x - 0.2 * y * y});
+  }
+  const Cloud all = features(points, "all", 3);  // every ball holds them all
+  const auto of = [&](const char* name) { return all.fields.require(name).number(0); };
+  const auto n = static_cast<double>(points.size());
+  REQUIRE(points.size() > 4000);
+  CHECK(of("density") == doctest::Approx(n / (std::numbers::pi * 9)));
+  CHECK(of("gaussian_curvature") == doctest::Approx(0.6 * -0.4).epsilon(0.02));
+  CHECK(of("mean_curvature") == doctest::Approx((0.6 - 0.4) / 2).epsilon(0.05));
+  // Of shapes and roughness by the points one by one.
+  Moments moments, others;
+  for (size_t i = 0; i < points.size(); ++i) {
+    moments.add(points[i]);
+    if (i > 0) others.add(points[i]);
+  }
+  PrincipalFrame frame;
+  REQUIRE(principal_frame(moments, frame));
+  const auto& e = frame.eigenvalues;
+  CHECK(of("surface_variation") == doctest::Approx(e[0] / (e[0] + e[1] + e[2])).epsilon(1e-5));
+  CHECK(of("sphericity") == doctest::Approx(std::sqrt(e[0] / e[2])).epsilon(1e-5));
+  CHECK(of("verticality") == doctest::Approx(1 - std::fabs(frame.n.z)).scale(1).epsilon(1e-6));
+  REQUIRE(principal_frame(others, frame));
+  CHECK(of("roughness") ==
+        doctest::Approx(std::fabs(dot(frame.n, points[0] - frame.centre))).epsilon(1e-4));
+}
+
 TEST_CASE("features__roughness_leaves_the_point_out") {
   // One point 10 cm above an exact plane: its own plane must not be pulled toward it.
   std::vector<Vec3> points;
@@ -104,7 +136,7 @@ TEST_CASE("features__threads_and_shift__the_same_bits") {
   FeaturesSettings set;
   set.which = "all";
   Task one(threads(1)), seven(threads(7));
-  for (const double radius : {0.0, 0.2}) {
+  for (const double radius : {0.0, 0.2, 1.5}) {  // of the last some thousand points are in a ball
     set.radius_m = radius;
     const Cloud near = with_features(cloud_of(points), set, one);
     CHECK(same_bits(near, with_features(cloud_of(points), set, seven)));

@@ -99,6 +99,16 @@ TEST_CASE("pca_normals__equal_the_jacobi_solution") {
   }
 }
 
+// Balls of thousands of points are summed by parts of the tree.
+TEST_CASE("pca_normals__by_a_radius_that_takes_in_much_of_the_cloud_equal_the_jacobi_solution") {
+  const auto xyz = sheet(9000, 0.05, {652000, 6861000, 30});
+  const auto tree = build(xyz);
+  for (const double radius : {1.2, 2.5}) {
+    Task task;
+    check_against_reference(xyz, pca_normals_radius(*tree, radius, true, task), *tree, 0, radius);
+  }
+}
+
 // Thousands of points on one place: they are taken together, as they are one by one.
 TEST_CASE("pca_normals__by_radius_of_a_pile_equal_the_jacobi_solution") {
   std::vector<double> xyz = sheet(16000, 0.01, {0, 0, 0});
@@ -137,6 +147,9 @@ TEST_CASE("pca_normals__are_the_same_for_any_number_of_threads_and_after_a_shift
              b = pca_normals(*build(shifted, 7), 16, true, seven);
   CHECK(std::memcmp(a.normal->raw(), b.normal->raw(), a.normal->bytes()) == 0);
   CHECK(std::memcmp(a.curvature->raw(), b.curvature->raw(), a.curvature->bytes()) == 0);
+  const auto c = pca_normals_radius(*build(xyz), 2, false, one),
+             d = pca_normals_radius(*build(shifted, 7), 2, false, seven);
+  CHECK(std::memcmp(c.normal->raw(), d.normal->raw(), c.normal->bytes()) == 0);
 }
 
 TEST_CASE("pca_normals__are_nan_where_the_points_span_no_plane") {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cloud/neighbourhoods.h"
 #include "cloud/normals_parts.h"
 #include "unit/cloud/clouds.h"
 
@@ -36,6 +37,42 @@ TEST_CASE("quadric_normals__of_a_paraboloid_are_those_of_its_gradient") {
       REQUIRE(norm(cross(n, truth)) < 5e-3);
     }
   }
+}
+
+// Summed by parts of the tree, they are those of the points one by one.
+TEST_CASE("quadric_normals__of_balls_of_thousands_of_points_are_those_of_lists_of_them") {
+  constexpr double kRadius_m = 1.2;
+  std::vector<Vec3> points;
+  RandomStream random(4, 1);
+  for (const Vec3& p : random_points(5000, 3, 4))
+    points.push_back(
+        {652000 + p.x, 6861000 + p.y, std::sin(p.x) * std::cos(p.y) + 0.01 * random.normal()});
+  const Cloud cloud = cloud_of(points);
+  Task task;
+  const auto tree = cloud.octree(task);
+  const auto column = quadric_normals(*tree, 20, kRadius_m, task);
+  std::vector<Neighbour> near;
+  size_t large = 0;
+  for (size_t position = 0; position < points.size(); position += 17) {
+    const size_t i = tree->order()[position];
+    tree->radius_positions(cloud.point(i), kRadius_m, near);
+    Moments moments;
+    moments.reference = tree->local(position);
+    std::vector<Vec3> places, work;
+    for (const Neighbour& n : near) {
+      places.push_back(tree->local(n.index));
+      moments.add(places.back());
+    }
+    PrincipalFrame frame;
+    LocalQuadric fit;
+    REQUIRE(principal_frame(moments, frame));
+    REQUIRE(local_quadric(frame, places, moments.reference, work, fit));
+    const Vec3 n = fit.quadric.normal(fit.x, fit.y);
+    const Vec3 truth = normalized(frame.u * n.x + frame.v * n.y + frame.n * n.z);
+    CHECK(norm(cross(normal_of(*column, i), truth)) < 1e-6);
+    large += near.size() > 1024;
+  }
+  CHECK(large > 100);
 }
 
 TEST_CASE("quadric_normals__of_a_plane_are_its_own_also_where_no_quadric_is_fixed") {

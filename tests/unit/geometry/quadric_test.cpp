@@ -34,6 +34,32 @@ TEST_CASE("fit_quadric__exact_samples__gives_the_coefficients_back") {
   }
 }
 
+TEST_CASE("fit_quadric__of_sums_is_that_of_the_points") {
+  RandomStream random(6, 0);
+  std::vector<Vec3> points = samples({0.3, -0.1, 0.25, 0.05, -0.4, 0.02}, 1, 300);
+  for (Vec3& p : points) p.z += 0.01 * random.normal();
+  QuadricSums sums{};
+  for (const Vec3& p : points)
+    for (int i = 0; i <= 4; ++i)
+      for (int j = 0; i + j <= 4; ++j) {
+        const double power = std::pow(p.x, i) * std::pow(p.y, j);
+        sums.powers[i][j] += power;
+        if (i + j <= 2) sums.heights[i][j] += power * p.z;
+      }
+  Quadric a, b;
+  REQUIRE(fit_quadric(points, 1, a));
+  REQUIRE(fit_quadric(sums, b));
+  CHECK(b.a == doctest::Approx(a.a).epsilon(1e-10));
+  CHECK(b.b == doctest::Approx(a.b).epsilon(1e-10));
+  CHECK(b.c == doctest::Approx(a.c).epsilon(1e-10));
+  CHECK(b.d == doctest::Approx(a.d).epsilon(1e-10));
+  CHECK(b.e == doctest::Approx(a.e).epsilon(1e-10));
+  CHECK(b.f == doctest::Approx(a.f).epsilon(1e-10));
+  sums.powers[0][0] = 5;
+  CHECK_FALSE(fit_quadric(sums, b));
+  CHECK_FALSE(fit_quadric(QuadricSums{}, b));
+}
+
 TEST_CASE("quadric_curvature__sphere_cylinder_saddle__known_values") {
   // Osculating paraboloids at the origin of a sphere and a cylinder of radius 2, and of a saddle.
   const Quadric sphere{0.25, 0, 0, 0, 0.25, 0}, cylinder{0.25, 0, 0, 0, 0, 0},

@@ -134,6 +134,52 @@ TEST_CASE("ball_batch__of_crowds_gives_places_in_few_groups_with_the_same_points
   CHECK(all_crowded > 10 * kPoints);
 }
 
+TEST_CASE("ball_batch__balls_by_ranges_hold_the_same_points_as_those_by_lists") {
+  constexpr size_t kPoints = 6000;
+  std::vector<HostileCloud> clouds = hostile_clouds(kPoints);
+  clouds.push_back({"street", street(kPoints)});
+  clouds.push_back({"equal", std::vector<double>(3 * kPoints, 0.25)});
+  size_t all_ranged = 0, all_listed = 0;
+  for (const HostileCloud& cloud : clouds) {
+    CAPTURE(cloud.name);
+    const auto tree = build(cloud.xyz);
+    for (const double radius : {1e-30, 0.25, 6.0, 1e200}) {
+      CAPTURE(radius);
+      std::vector<std::vector<uint32_t>> truth(kPoints), found(kPoints);
+      const auto list = [](const Octree::BallBatch& batch, auto& out) {
+        for (size_t i = 0; i < batch.count; ++i)
+          if ((batch.first + i) % 50 == 0)
+            out[batch.first + i].assign(batch.neighbours + batch.offsets[i],
+                                        batch.neighbours + batch.offsets[i + 1]);
+      };
+      Task task(threads(1));
+      tree->for_each_ball(radius, task, [&](const auto& batch) { list(batch, truth); });
+      std::vector<int> times(kPoints, 0);
+      tree->for_each_ranged_ball(
+          radius, task,
+          [&](const Octree::BallBatch& batch) {
+            for (size_t i = 0; i < batch.count; ++i) ++times[batch.first + i];
+            all_listed += batch.count;
+            list(batch, found);
+          },
+          [&](const Octree::RangedBall& ball) {
+            ++times[ball.point];
+            ++all_ranged;
+            size_t count = 0;
+            for (const Octree::PointRange& range : ball.ranges) count += range.last - range.first;
+            CHECK(count == ball.count);
+            if (ball.point % 50 != 0) return;
+            for (const Octree::PointRange& range : ball.ranges)
+              for (uint32_t i = range.first; i < range.last; ++i) found[ball.point].push_back(i);
+          });
+      CHECK(std::count(times.begin(), times.end(), 1) == kPoints);
+      CHECK(found == truth);
+    }
+  }
+  CHECK(all_ranged > 10 * kPoints);
+  CHECK(all_listed > 10 * kPoints);
+}
+
 // What a cancel has to wait for: the neighbours that are handed on at once, not those of a chunk of leaves.
 TEST_CASE("ball_batch__obeys_a_cancel_between_two_hand_overs_of_a_chunk") {
   const std::vector<double> xyz(3 * 6000, 0.25);  // 6000 neighbours a point, handed on at 2^21
