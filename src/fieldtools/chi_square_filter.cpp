@@ -11,6 +11,9 @@
 #include "cloud/neighbourhoods.h"
 #include "fieldtools/chi_square.h"
 #include "fieldtools/field_values.h"
+#include "fieldtools/range_counts.h"
+#include "fieldtools/range_values.h"
+#include "spatial/neighbours/many_in_ball.h"
 
 namespace jalon {
 
@@ -34,6 +37,10 @@ struct Outcome {
 struct ChiSquareFilterScratch {
   std::vector<double> work;
 };
+
+static_assert(kManyInRanges >= kChiSquareFilterMostClasses * kChiSquareFilterMostClasses,
+              "balls that go by ranges have all classes");
+using ClassCounts = RangeCounts<kChiSquareFilterMostClasses>;
 
 /// The test of one neighbourhood against the law.
 class LocalTest {
@@ -82,7 +89,63 @@ class LocalTest {
     return out;
   }
 
+  /// The tests of the neighbourhoods of those points of which is_wanted(point) holds.
+  template <class IsWanted>
+  void each(uint32_t k, double radius_m, Task& task, IsWanted is_wanted,
+            std::vector<Outcome>& outcomes) const {
+    const auto of_list = [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
+      if (is_wanted(around.point)) outcomes[around.point] = run(around.neighbours, scratch);
+    };
+    // The other tests need the values themselves, in order.
+    if (!(radius_m > 0) || settings_.kolmogorov() || settings_.relaxed())
+      return for_each_neighbourhood<ChiSquareFilterScratch>(*valued_.tree, k, radius_m, task,
+                                                            of_list);
+    std::vector<double> deviations(valued_.size());
+    std::vector<uint8_t> classes(valued_.size());
+    parallel_for(task, valued_.size(), kChiSquareFilterGrain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        deviations[i] = deviation_.of(valued_.values[i]);
+        classes[i] = static_cast<uint8_t>(class_of(i, kChiSquareFilterMostClasses));
+      }
+    });
+    const RangeValues<std::plus<>> sums(deviations, std::plus<>());
+    const ClassCounts counts(std::move(classes));
+    valued_.tree->for_each_ranged_ball(
+        radius_m, task,
+        [&](const Octree::BallBatch& batch) {
+          visit_balls<ChiSquareFilterScratch>(batch, of_list);
+        },
+        [&](const Octree::RangedBall& ball) {
+          if (is_wanted(ball.point)) outcomes[ball.point] = run(ball, sums, counts);
+        });
+  }
+
  private:
+  /// As of a list of so many members that their classes are the most there are.
+  Outcome run(const Octree::RangedBall& ball, const RangeValues<std::plus<>>& sums,
+              const ClassCounts& counts) const {
+    constexpr uint32_t k = kChiSquareFilterMostClasses;
+    ClassCounts::Counts in_ball{};
+    double sum = 0;
+    for (const Octree::PointRange& range : ball.ranges) {
+      counts.add(range.first, range.last, in_ball);
+      sum = sums.over(range.first, range.last, sum);
+    }
+    Outcome out;
+    const auto n = static_cast<double>(ball.count);
+    out.saturating = out.distance = distance_of(in_ball, k, n) * (tabulated() / thresholds_[k]);
+    out.above = sum > deviation_.mean * n;
+    return out;
+  }
+
+  uint32_t class_of(size_t i, uint32_t k) const {
+    return std::min(k - 1, static_cast<uint32_t>(cumulative_[i] * k));
+  }
+  static double distance_of(const ClassCounts::Counts& counts, uint32_t k, double n) {
+    uint64_t squares = 0;  // sum (N - n/k)^2 / (n/k) = k / n sum N^2 - n
+    for (uint32_t c = 0; c < k; ++c) squares += uint64_t{counts[c]} * counts[c];
+    return static_cast<double>(squares) * k / n - n;
+  }
   /// Sample sizes of an empirical law count, as in a test of two samples.
   double kolmogorov_cut(size_t n) const {
     return kolmogorov_threshold(n, law_.kind == LawKind::kEmpirical ? law_.samples : 0,
@@ -90,13 +153,9 @@ class LocalTest {
   }
 
   double equiprobable(std::span<const uint32_t> members, uint32_t k) const {
-    std::array<uint32_t, kChiSquareFilterMostClasses> counts{};
-    for (const uint32_t j : members)
-      ++counts[std::min(k - 1, static_cast<uint32_t>(cumulative_[j] * k))];
-    uint64_t squares = 0;  // sum (N - n/k)^2 / (n/k) = k / n sum N^2 - n
-    for (uint32_t c = 0; c < k; ++c) squares += uint64_t{counts[c]} * counts[c];
-    const auto n = static_cast<double>(members.size());
-    return static_cast<double>(squares) * k / n - n;
+    ClassCounts::Counts counts{};
+    for (const uint32_t j : members) ++counts[class_of(j, k)];
+    return distance_of(counts, k, static_cast<double>(members.size()));
   }
 
   /// Classes of one width from 0 (the least value of a signed law) to the largest value; the outer ones are open.
@@ -179,11 +238,9 @@ class SecondPass {
                           Task& task) const {
     const double grown =
         std::sqrt(static_cast<double>(settings_.second_neighbours) / settings_.neighbours);
-    for_each_neighbourhood<ChiSquareFilterScratch>(
-        *valued_.tree, settings_.second_neighbours, settings_.radius_m * grown, task,
-        [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
-          if (in_band[around.point]) outcomes[around.point] = test_.run(around.neighbours, scratch);
-        });
+    test_.each(
+        settings_.second_neighbours, settings_.radius_m * grown, task,
+        [&](size_t point) { return in_band[point] != 0; }, outcomes);
   }
 
   /// The same neighbours: both searches are exact with the same order of ties.
@@ -248,11 +305,8 @@ ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, 
   std::vector<Outcome> outcomes(valued.size());
   {
     ProgressSpan first(task, 0, settings.passes == 2 ? 0.5 : 0.95);
-    for_each_neighbourhood<ChiSquareFilterScratch>(
-        *valued.tree, settings.neighbours, settings.radius_m, task,
-        [&](const Neighbourhood& around, ChiSquareFilterScratch& scratch) {
-          outcomes[around.point] = test.run(around.neighbours, scratch);
-        });
+    test.each(
+        settings.neighbours, settings.radius_m, task, [](size_t) { return true; }, outcomes);
   }
   // 2. Those near the limit again.
   if (settings.passes == 2) {

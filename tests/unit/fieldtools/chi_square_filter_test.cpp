@@ -78,6 +78,32 @@ TEST_CASE("filter_changes__k_nearest__the_chi_square_of_each_neighbourhood") {
   }
 }
 
+TEST_CASE("filter_changes__a_radius_of_thousands_of_points_the_chi_square_of_each_ball") {
+  const FilteredCloud f(4000);
+  Task task;
+  ChiSquareSettings set;
+  set.passes = 1;
+  set.one_sided = true;
+  set.radius_m = 2;
+  const ChangeFilter found = filter_changes(f.cloud, f.values, f.law, set, task);
+  CHECK(found.tested == 4000);
+  const double to_first =
+      chi_square_threshold(4, set.error_margin) / chi_square_threshold(32, set.error_margin);
+  size_t large = 0, changed = 0;
+  for (size_t i = 0; i < 4000; i += 37) {
+    const auto some = f.values_of(f.around(i, 0, 2));
+    if (some.size() <= 1024) continue;
+    ++large;
+    const double distance = chi_square_distance(some, f.law, 32, task).distance * to_first;
+    CHECK(found.distance[i] == doctest::Approx(distance).scale(1).epsilon(1e-12));
+    const bool expected = distance > found.threshold && f.louder(some);
+    CHECK((found.changed[i] != 0) == expected);
+    changed += expected;
+  }
+  CHECK(large > 20);
+  CHECK(changed > 5);
+}
+
 TEST_CASE("filter_changes__radius__each_ball_by_its_own_number_of_classes_on_one_scale") {
   const FilteredCloud f(600);
   Task task;
