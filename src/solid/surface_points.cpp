@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "spatial/octree/walk.h"
 
@@ -36,11 +37,18 @@ std::vector<uint32_t> candidates(const PartSurface& surface, const Octree& octre
                                  const Task& task) {
   std::vector<uint32_t> out;
   const std::span<const uint32_t> order = octree.order();
+  // Balls about one and the same place, of points on one another, are asked once.
+  Vec3 place{kNaN, kNaN, kNaN};
+  TriangleAnswer answer;
   walk_octree(
       octree,
       [&](const BoundingBall& ball, double& key) {
         if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
-        const TriangleAnswer answer = surface.nearest().nearest(ball.centre);
+        if (!(ball.centre == place)) {
+          place = ball.centre;
+          answer = surface.nearest().nearest(place, std::numeric_limits<double>::infinity(),
+                                             {surface.is_closed(), false});
+        }
         key = answer.distance;
         return answer.distance <= limit + ball.radius_m ||
                (surface.is_closed() && answer.is_behind);

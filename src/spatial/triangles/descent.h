@@ -63,25 +63,28 @@ inline uint32_t less_equal(Float4 a, Float4 b) {
 struct PendingBox {
   float squared;
   uint32_t child, count;
+  uint32_t place;  ///< 4 x node + child
 };
+constexpr uint32_t kAtRoot = ~uint32_t{0};
 
 /// A float that no squared distance of a box up to the limit exceeds.
 inline float box_limit(double squared) {
   return static_cast<float>(squared) * (kRounding * kRounding) + kLeast;
 }
 
-/// leaf(child) for the leaves whose box is no farther than limit, the nearest first; it gives the new limit.
-template <class F>
+/// leaf(child) for the leaves whose box is no farther than limit, the nearest first; it gives the new limit. Boxes at
+/// a place of which passes(place) is true are left out with all below them.
+template <class F, class Passes>
 [[gnu::always_inline]] inline void descend(const Node* nodes, const double* p, double limit2,
-                                           F&& leaf) {
+                                           F&& leaf, Passes&& passes) {
   const FloatPoint point(p);
   PendingBox stack[kStackSize];
   size_t size = 0;
-  stack[size++] = {0, 0, 0};
+  stack[size++] = {0, 0, 0, kAtRoot};
   float limit = box_limit(limit2);
   while (size > 0) {
     const PendingBox top = stack[--size];
-    if (!(top.squared <= limit)) continue;
+    if (!(top.squared <= limit) || (top.place != kAtRoot && passes(top.place))) continue;
     if (top.count > 0) {
       limit = box_limit(leaf(top.child));
       continue;
@@ -93,9 +96,11 @@ template <class F>
     for (uint32_t met = less_equal(squared, limits); met != 0; met &= met - 1) {
       const auto i = static_cast<uint32_t>(__builtin_ctz(met));
       if (node.count[i] == 0 && node.child[i] == 0) continue;  // unused
+      const uint32_t place = kWidth * top.child + i;
+      if (passes(place)) continue;
       size_t at = size++;
       for (; at > first && stack[at - 1].squared < squared[i]; --at) stack[at] = stack[at - 1];
-      stack[at] = {squared[i], node.child[i], node.count[i]};
+      stack[at] = {squared[i], node.child[i], node.count[i], place};
     }
   }
 }

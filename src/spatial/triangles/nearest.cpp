@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <tuple>
 
 #include "base/buffer.h"
@@ -35,6 +36,10 @@ using Triangle = std::array<uint32_t, 3>;
 
 /// Where a search may begin: not below max_distance squared, whatever the rounding.
 double limit_of(double max_distance) { return max_distance * max_distance * (1 + 0x1p-50); }
+
+bool are_same_bits(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::memcmp(a.data(), b.data(), sizeof a) == 0;
+}
 
 /// The box of the triangles' corners; throws when one is not finite.
 Box3 box_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles, Task& task) {
@@ -108,9 +113,10 @@ struct NearestTriangles::Impl {
   size_t triangles = 0;
   std::vector<Node> nodes;
   Buffer<TriangleBlock> blocks;
+  Buffer<uint32_t> least;               ///< as of TriangleBlocks
   std::vector<Buffer<double>> corners;  ///< of the blocks below kNodeGrain nodes each
 
-  TriangleBlocks view() const { return {nodes.data(), blocks.data()}; }
+  TriangleBlocks view() const { return {nodes.data(), blocks.data(), least.data()}; }
   /// Fills a block but for where its corners are; gives how many doubles, up to kMostDoubles, of corners it has.
   size_t fill_block(TriangleBlock& block, std::span<const Vec3> vertices,
                     std::span<const Triangle> all, std::span<const uint32_t> order,
@@ -120,6 +126,7 @@ struct NearestTriangles::Impl {
                                    Task& task);
   void make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all,
                    std::span<const uint32_t> order, Task& task);
+  void find_least(Task& task);
   TriangleAnswer answer_of(const NearestOfBlocks& found, const Vec3& local, double max_distance,
                            const TriangleQuestions& questions) const;
 };
@@ -199,12 +206,32 @@ void NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices,
   });
 }
 
+// Children stand behind their node.
+void NearestTriangles::Impl::find_least(Task& task) {
+  least = Buffer<uint32_t>(nodes.size() * kWidth);
+  for (size_t n = nodes.size(); n-- > 0;) {
+    if (n % kNodeGrain == 0) task.checkpoint(0);
+    for (uint32_t i = 0; i < kWidth; ++i) {
+      uint32_t& out = least[n * kWidth + i] = kNoTriangle;
+      const uint32_t child = nodes[n].child[i];
+      if (nodes[n].count[i] > 0) {
+        const TriangleBlock& block = blocks[child];
+        out = *std::min_element(block.triangle, block.triangle + kWidth);
+      } else if (child != 0) {
+        const uint32_t* below = least.data() + size_t{child} * kWidth;
+        out = *std::min_element(below, below + kWidth);
+      }
+    }
+  }
+}
+
 NearestTriangles::NearestTriangles() : impl_(std::make_unique<Impl>()) {}
 NearestTriangles::~NearestTriangles() = default;
 size_t NearestTriangles::size() const { return impl_->triangles; }
 size_t NearestTriangles::memory_bytes() const {
   size_t bytes = sizeof(Impl) + impl_->nodes.capacity() * sizeof(Node) +
-                 impl_->blocks.size() * sizeof(TriangleBlock);
+                 impl_->blocks.size() * sizeof(TriangleBlock) +
+                 impl_->least.size() * sizeof(uint32_t);
   for (const Buffer<double>& chunk : impl_->corners) bytes += chunk.size() * sizeof(double);
   return bytes;
 }
@@ -226,6 +253,7 @@ std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const 
   if (!(impl.span_m <= kNearestMaxSpan_m)) fail(Status::kLimit, "a mesh may span 1e9 m at most");
   // 2. The nodes, and the triangles of each leaf side by side.
   impl.make_blocks(vertices, triangles, impl.make_nodes(vertices, triangles, task), task);
+  impl.find_least(task);
   return out;
 }
 
@@ -267,36 +295,46 @@ void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t
     if (task.cancelled()) fail(Status::kCancelled, "cancelled");
   };
   parallel_for(task, order.size(), kAskGrain, [&](size_t begin, size_t end) {
-    double local[3 * kRun];
+    std::array<double, 3> local[kRun];
     NearestOfBlocks found[kRun];
+    size_t place_of[kRun];
     for (size_t first = begin; first < end; first += kRun) {
       const size_t count = std::min(kRun, end - first);
+      // Equal points that follow one another are asked once.
+      size_t places = 0;
       for (size_t i = 0; i < count; ++i) {
         const double* p = xyz.data() + 3 * size_t{order[first + i]};
-        for (int axis = 0; axis < 3; ++axis)
-          local[3 * i + static_cast<size_t>(axis)] = p[axis] - impl.origin[axis];
-        found[i] = {limit2, kNoTriangle, 0, 0};
+        for (size_t axis = 0; axis < 3; ++axis)
+          local[places][axis] = p[axis] - impl.origin[static_cast<int>(axis)];
+        if (places == 0 || !are_same_bits(local[places], local[places - 1]))
+          found[places++] = {limit2, kNoTriangle, 0, 0};
+        place_of[i] = places - 1;
       }
-      for (size_t i = 0; i < count && impl.triangles > 0; i += kSearchesPerCheck) {
+      for (size_t i = 0; i < places && impl.triangles > 0; i += kSearchesPerCheck) {
         check_cancel();
-        search(tree, local + 3 * i, std::min(kSearchesPerCheck, count - i), found + i);
+        search(tree, local[i].data(), std::min(kSearchesPerCheck, places - i), found + i);
       }
+      TriangleAnswer answer;
       for (size_t i = 0; i < count; ++i) {
-        check_cancel();
-        visit(context, order[first + i],
-              impl.answer_of(found[i], {local[3 * i], local[3 * i + 1], local[3 * i + 2]},
-                             max_distance, questions));
+        const size_t place = place_of[i];
+        if (i == 0 || place != place_of[i - 1]) {
+          check_cancel();
+          const auto& [x, y, z] = local[place];
+          answer = impl.answer_of(found[place], {x, y, z}, max_distance, questions);
+        }
+        visit(context, order[first + i], answer);
       }
     }
   });
 }
 
-TriangleAnswer NearestTriangles::nearest(const Vec3& point, double max_distance) const {
+TriangleAnswer NearestTriangles::nearest(const Vec3& point, double max_distance,
+                                         const TriangleQuestions& questions) const {
   const Vec3 local = point - impl_->origin;
   const double xyz[3] = {local.x, local.y, local.z};
   NearestOfBlocks found = {limit_of(max_distance), kNoTriangle, 0, 0};
   if (impl_->triangles > 0) nearest_triangles_baseline(impl_->view(), xyz, 1, &found);
-  return impl_->answer_of(found, local, max_distance, {true, true});
+  return impl_->answer_of(found, local, max_distance, questions);
 }
 
 }  // namespace jalon

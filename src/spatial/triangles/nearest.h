@@ -78,9 +78,10 @@ class NearestTriangles {
         },
         &visit);
   }
-  /// All of it for one point.
+  /// The same for one point.
   TriangleAnswer nearest(const Vec3& point,
-                         double max_distance = std::numeric_limits<double>::infinity()) const;
+                         double max_distance = std::numeric_limits<double>::infinity(),
+                         const TriangleQuestions& questions = {true, true}) const;
 
  private:
   using Visit = void (*)(void* context, uint32_t item, const TriangleAnswer& answer);

@@ -25,6 +25,7 @@ struct TriangleBlock {
 struct TriangleBlocks {
   const triangle_tree::Node* nodes;
   const TriangleBlock* blocks;
+  const uint32_t* least;  ///< least number of a triangle in child i of node n: [4 n + i]
 };
 
 /// The best so far: squared distance, caller's number and place (4 x block + lane) of the triangle, and the height

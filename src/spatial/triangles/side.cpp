@@ -115,15 +115,18 @@ class Surroundings {
 Surroundings surroundings(const TriangleBlocks& tree, const Vec3& at, double tolerance) {
   Surroundings found(at, tolerance);
   const double p[3] = {at.x, at.y, at.z}, limit2 = tolerance * tolerance;
-  descend(tree.nodes, p, limit2, [&](uint32_t child) {
-    const TriangleBlock& block = tree.blocks[child];
-    for (uint32_t lane = 0; lane < block.count; ++lane) {
-      const SideCorners corners = corners_of(block, lane);
-      if (closest_to(corners, at).squared <= limit2)
-        found.add(corners, (block.turned >> lane & 1) != 0);
-    }
-    return limit2;
-  });
+  descend(
+      tree.nodes, p, limit2,
+      [&](uint32_t child) {
+        const TriangleBlock& block = tree.blocks[child];
+        for (uint32_t lane = 0; lane < block.count; ++lane) {
+          const SideCorners corners = corners_of(block, lane);
+          if (closest_to(corners, at).squared <= limit2)
+            found.add(corners, (block.turned >> lane & 1) != 0);
+        }
+        return limit2;
+      },
+      [](uint32_t) { return false; });
   return found;
 }
 
