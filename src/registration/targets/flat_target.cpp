@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kSearchSizes = 1.5;
 constexpr int kFlatTargetDraws = 400;
+constexpr size_t kScoredAtOnce = 256;    // points, before a draw may be given up
 constexpr double kLeastExplained = 0.5;  // of the brightness: less is no pattern
 constexpr double kPixelSpacings = 2;     // of a plate's raster
 constexpr double kMostSizeOff = 0.5;     // of a plate's size, relative
@@ -57,23 +58,36 @@ struct FittedPlane {
   Adjusted<3> fit;
 };
 
+// Sum of 1 - (d / tolerance)^2 over the points within it; when that cannot exceed best any more, something below it. A
+// point gives 1 at most; one is left for the rounding of the sum.
+double score_of(const std::vector<Vec3>& points, const Plane& plane, double tolerance_m,
+                double best) {
+  double score = 0;
+  for (size_t first = 0; first < points.size(); first += kScoredAtOnce) {
+    if (score + static_cast<double>(points.size() - first) + 1 < best) break;
+    const size_t count = std::min(kScoredAtOnce, points.size() - first);
+    for (const Vec3& p : std::span(points).subspan(first, count)) {
+      const double d = plane.distance(p) / tolerance_m;
+      score += d * d < 1 ? 1 - d * d : 0;
+    }
+  }
+  return score;
+}
+
 // Step 1. Random draws of three points, judged as MLESAC's simpler kin (Torr & Zisserman 2000),
 // then the biweight.
 std::optional<FittedPlane> plane_of(const std::vector<Vec3>& points,
                                     const MeasuringSettings& setting, Task& task) {
   FittedPlane out;
   double best = 0;
-  for (int i = 0; i < kFlatTargetDraws; ++i) {
+  // No plane is better than one that all points lie on.
+  for (int i = 0; i < kFlatTargetDraws && best < static_cast<double>(points.size()); ++i) {
     RandomStream random(setting.seed, static_cast<uint64_t>(i));
     Plane plane;
     const auto draw = [&] { return points[random.below(points.size())]; };
     const Vec3 a = draw(), b = draw(), c = draw();
     if (!plane_through(a, b, c, plane)) continue;
-    double score = 0;
-    for (const Vec3& p : points) {
-      const double d = plane.distance(p) / setting.tolerance_m;
-      score += d * d < 1 ? 1 - d * d : 0;
-    }
+    const double score = score_of(points, plane, setting.tolerance_m, best);
     if (score > best) best = score, out.plane = model_of(plane);
   }
   if (!(best > 0)) return std::nullopt;
