@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "cloud/plane_lanes.h"
-#include "geometry/power_sums.h"
+#include "spatial/power_sums.h"
 #include "geometry/symmetric_eigen.h"
 #include "spatial/octree/octree.h"
 

@@ -24,7 +24,8 @@ struct Quadric {
   double gaussian_curvature(double x, double y) const;
 };
 
-/// What the least squares of heights are made of: sums of u^i v^j, i + j <= 4, and of those of degree 2 times the height.
+/// What the least squares of heights are made of: sums of u^i v^j, i + j <= 4, and of those of degree 2 times the
+/// height.
 struct QuadricSums {
   double powers[5][5];   ///< [i][j]
   double heights[3][3];  ///< [i][j]

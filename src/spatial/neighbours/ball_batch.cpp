@@ -28,8 +28,9 @@ constexpr int64_t kBallBatchWholeCube = int64_t{1} << 31;
 constexpr double kBallBatchSqrt3 =
     1.7320508075688773;         // a distance on the grid is less than that wrong, in steps
 constexpr size_t kVector = 16;  // room that the kernels may write beyond the end
-// Neighbours that are handed on at once, at least those of one point.
-constexpr size_t kMostNeighbours = size_t{1} << 21;
+// Neighbours that are handed on at once, at least those of one point: they stay in the cache, and no chunk takes memory
+// that the system gives and takes back page by page.
+constexpr size_t kMostNeighbours = size_t{1} << 17;
 // Points that a leaf of a crowded tree may gather; of balls with more of them, those of a place go together.
 constexpr size_t kManyInBall = size_t{1} << 12;
 // Where balls of many points go by ranges: the box about a leaf holds some twice as many as a ball.

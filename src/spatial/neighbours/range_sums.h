@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "geometry/power_sums.h"
+#include "spatial/power_sums.h"
 #include "spatial/octree/octree.h"
 
 namespace jalon {

@@ -317,8 +317,8 @@ void NearestTriangles::ask(std::span<const double> xyz, std::span<const uint32_t
       TriangleAnswer answer;
       for (size_t i = 0; i < count; ++i) {
         const size_t place = place_of[i];
+        check_cancel();
         if (i == 0 || place != place_of[i - 1]) {
-          check_cancel();
           const auto& [x, y, z] = local[place];
           answer = impl.answer_of(found[place], {x, y, z}, max_distance, questions);
         }

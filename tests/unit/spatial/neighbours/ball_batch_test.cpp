@@ -182,7 +182,7 @@ TEST_CASE("ball_batch__balls_by_ranges_hold_the_same_points_as_those_by_lists") 
 
 // What a cancel has to wait for: the neighbours that are handed on at once, not those of a chunk of leaves.
 TEST_CASE("ball_batch__obeys_a_cancel_between_two_hand_overs_of_a_chunk") {
-  const std::vector<double> xyz(3 * 6000, 0.25);  // 6000 neighbours a point, handed on at 2^21
+  const std::vector<double> xyz(3 * 6000, 0.25);  // 6000 neighbours a point, handed on at 2^17
   const auto tree = build(xyz);
   std::atomic<bool> cancel{false};
   Task::Hooks hooks = threads(1);
@@ -195,5 +195,5 @@ TEST_CASE("ball_batch__obeys_a_cancel_between_two_hand_overs_of_a_chunk") {
                                         cancel = true;
                                       }),
                   Error);
-  CHECK(points == 350);  // the first whose neighbours are 2^21 or more
+  CHECK(points == 22);  // the first whose neighbours are 2^17 or more
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/power_sums.h"
+#include "spatial/power_sums.h"
 
 #include <doctest/doctest.h>
 
