@@ -69,8 +69,8 @@ TEST_CASE("ring_tools__a_box_holds_the_arcs_and_one_as_made_nothing") {
 }
 
 TEST_CASE("ring_tools__short_straight_edges_go_with_their_second_corner_wherever_they_are") {
-  // A rectangle whose corners are cut by 1 mm, the ring begun at each of its corners: each cut's second corner goes, and the
-  // edge that is left keeps what was known of it.
+  // A rectangle whose corners are cut by 1 mm, the ring begun at each of its corners: of each cut the second corner
+  // goes, and the edge that is left keeps what was known of it.
   const std::vector<Vec2> cut{{0, 0}, {2, 0}, {2, 0.001}, {2, 3}, {1.999, 3}, {0, 3}, {0, 2.999}};
   const std::vector<Vec2> kept{{0, 0}, {2, 0}, {2, 3}, {0, 3}};
   for (size_t start = 0; start < cut.size(); ++start) {
