@@ -10,9 +10,9 @@
 namespace jalon {
 
 /// Sums of x^a y^b z^c, a + b + c <= Degree, over some points as seen from a place: what least squares of planes (2)
-/// and of quadrics (4) need of them. Points that are summed once may be seen from many places (Greengard & Rokhlin 1987,
-/// A fast algorithm for particle simulations: moments of cells, shifted); a shift costs what some ten points do and
-/// rounds as adding them from the new place would.
+/// and of quadrics (4) need of them. Points that are summed once may be seen from many places (Greengard & Rokhlin
+/// 1987, A fast algorithm for particle simulations: moments of cells, shifted); a shift costs what some ten points do
+/// and rounds as adding them from the new place would.
 template <int Degree>
 class PowerSums {
  public:
