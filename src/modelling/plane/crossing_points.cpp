@@ -19,8 +19,9 @@ double on_plane_m(const Segment& segment) {
 }
 
 // The offset of a plane far from the origin has lost bits that no result may hang on.
+constexpr double kHeightStep_m = 0x1p-20;
 double height_m(const Segment& segment, const Vec3& p) {
-  return std::round(segment.fit.plane.distance(p) * 0x1p20) * 0x1p-20;
+  return std::round(segment.fit.plane.distance(p) / kHeightStep_m) * kHeightStep_m;
 }
 
 }  // namespace
@@ -28,11 +29,29 @@ double height_m(const Segment& segment, const Vec3& p) {
 CrossingPoints::CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment)
     : segmentation_(segmentation), tree_(tree), own_(segmentation.segments[segment]) {
   crosses_.assign(segmentation.segments.size() + 1, 0);
-  for (const Segment& other : segmentation.segments)
-    crosses_[other.label] =
-        other.has_plane() &&
-        std::fabs(dot(other.fit.plane.normal, own_.fit.plane.normal)) < kCrossingPointsFlattest;
-  any_crosses_ = std::find(crosses_.begin(), crosses_.end(), 1) != crosses_.end();
+  for (const Segment& other : segmentation.segments) {
+    const Plane& plane = other.fit.plane;
+    if (!other.has_plane() ||
+        std::fabs(dot(plane.normal, own_.fit.plane.normal)) >= kCrossingPointsFlattest)
+      continue;
+    crosses_[other.label] = 1;
+    crossing_.x.push_back(plane.normal.x);
+    crossing_.y.push_back(plane.normal.y);
+    crossing_.z.push_back(plane.normal.z);
+    crossing_.offset.push_back(plane.offset);
+    crossing_.reach_m.push_back(on_plane_m(other) + kHeightStep_m);
+  }
+}
+
+// Most points lie on no other plane, which is told much sooner than what is around them.
+bool CrossingPoints::lies_on_one(const Vec3& p) const {
+  const Crossing& c = crossing_;
+  uint64_t on = 0;
+  for (size_t i = 0; i < c.x.size(); ++i) {
+    const double height = c.x[i] * p.x + c.y[i] * p.y + c.z[i] * p.z - c.offset[i];
+    on |= static_cast<uint64_t>(std::fabs(height) <= c.reach_m[i]);
+  }
+  return on != 0;
 }
 
 bool CrossingPoints::ends_at(const Segment& other, const Vec3& p,
@@ -57,8 +76,8 @@ bool CrossingPoints::ends_at(const Segment& other, const Vec3& p,
 }
 
 bool CrossingPoints::holds(uint32_t point, double reach_m) const {
-  if (!any_crosses_) return false;
   const Vec3 p = segmentation_.cloud->point(point);
+  if (!lies_on_one(p)) return false;
   const auto labels = segmentation_.labels->values<uint32_t>();
   std::vector<Neighbour> near;
   tree_.radius(p, reach_m, near);

@@ -20,18 +20,23 @@ class CrossingPoints {
   CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment);
 
   /// Whether a plane that is not parallel to this one goes through the point, with points of its own before and behind
-  /// this plane within reach_m, while this plane has no points on both sides of that one. O(points within reach), O(1)
-  /// where all planes are parallel.
+  /// this plane within reach_m, while this plane has no points on both sides of that one. O(planes), and O(points
+  /// within reach) where it lies on one of them.
   bool holds(uint32_t point, double reach_m) const;
 
  private:
+  /// The planes that cross this one, a coordinate each, and how near to them a point may lie on them.
+  struct Crossing {
+    std::vector<double> x, y, z, offset, reach_m;
+  };
+  bool lies_on_one(const Vec3& p) const;
   bool ends_at(const Segment& other, const Vec3& p, const std::vector<Neighbour>& near) const;
 
   const Segmentation& segmentation_;
   const Octree& tree_;
   const Segment& own_;
   std::vector<uint8_t> crosses_;  ///< by label: a plane that is not parallel to this one
-  bool any_crosses_ = false;
+  Crossing crossing_;
 };
 
 }  // namespace jalon

@@ -57,14 +57,26 @@ std::vector<double> weights_of(std::span<const Vec2> chain, double spacing_m) {
   return out;
 }
 
+// From the chain's first point to each of its points, twice round.
+std::vector<double> ways_along(std::span<const Vec2> chain) {
+  const size_t n = chain.size();
+  std::vector<double> out(2 * n + 1, 0);
+  for (size_t i = 0; i < 2 * n; ++i) out[i + 1] = out[i] + norm(chain[(i + 1) % n] - chain[i % n]);
+  return out;
+}
+
 struct Splitter {
   std::span<const Vec2> chain;
   const PartsSetting& setting;
   ChainMoments moments;
+  std::vector<double> way_m;
   double variance, line_cost, arc_cost, cut_cost;
 
   Splitter(std::span<const Vec2> points, const PartsSetting& s)
-      : chain(points), setting(s), moments(points, weights_of(points, s.spacing_m)) {
+      : chain(points),
+        setting(s),
+        moments(points, weights_of(points, s.spacing_m)),
+        way_m(ways_along(points)) {
     variance = kChainPartsNoise * kChainPartsNoise * s.spacing_m * s.spacing_m;
     // Schwarz: parameters x ln(n); a cut is one more.
     const double log_n =
@@ -89,6 +101,17 @@ double swept(const Splitter& s, const Circle& circle, size_t first, size_t last)
   return angle;
 }
 
+// Whether the chain is shorter than so much from the first to the last point: by the ways from the chain's start, whose
+// roundings are far below the slack, and step by step where these do not tell.
+bool is_shorter(const Splitter& s, size_t first, size_t last, double limit_m) {
+  constexpr double kSlack = 1e-9;
+  const double about = s.way_m[last] - s.way_m[first], slack = kSlack * s.way_m.back();
+  if (std::fabs(about - limit_m) > slack) return about < limit_m;
+  double length = 0;
+  for (size_t i = first; i < last; ++i) length += norm(s.at(i + 1) - s.at(i));
+  return length < limit_m;
+}
+
 bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last) {
   const double spacing = s.setting.spacing_m;
   if (circle.radius < kLeastRadius * spacing) return false;
@@ -96,9 +119,7 @@ bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last) 
   if (angle < kLeastTurn || (angle > kMostTurn && angle < kWholeTurn)) return false;
   if (circle.radius * (1 - std::cos(angle / 2)) < kLeastSagitta * spacing) return false;
   // Points spread along the arc, none of it empty: its length is theirs.
-  double length = 0;
-  for (size_t i = first; i < last; ++i) length += norm(s.at(i + 1) - s.at(i));
-  return length < kLengthAgreement * circle.radius * angle + 4 * spacing;
+  return is_shorter(s, first, last, kLengthAgreement * circle.radius * angle + 4 * spacing);
 }
 
 struct PartCost {

@@ -25,8 +25,9 @@ bool reaches(const Cloud& cloud, std::span<const uint32_t> points, const Plane& 
     const double h = plane.distance(cloud.point(points[i]));
     low = std::min(low, h);
     high = std::max(high, h);
+    if (low <= reach_m && high >= -reach_m) return true;
   }
-  return low <= reach_m && high >= -reach_m;
+  return false;
 }
 
 }  // namespace
