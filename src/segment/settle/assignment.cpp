@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.h"
 #include "segment/ransac/curved_hypotheses.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr size_t kAssignmentPointsPerChunk = 1 << 14;
 constexpr size_t kPointsPerBlock = 64;
+constexpr size_t kPointsPerStretch = 1 << 17;
 constexpr double kLeastSigma =
     0.04;  // of the tolerance: noise-free planes do not pull points from noisy ones
 constexpr double kLeastArea_m2 = 1e-6;
@@ -102,6 +104,29 @@ uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches,
   return best;
 }
 
+// Each surface its points, ascending: counted by stretches of points, then put in place.
+void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  const size_t n = scene.size(), count = surfaces.size();
+  const size_t stretches = (n + kPointsPerStretch - 1) / kPointsPerStretch;
+  std::vector<uint32_t> next(stretches * (count + 1), 0);  // by stretch and owner
+  parallel_for(task, n, kPointsPerStretch, [&](size_t begin, size_t end) {
+    uint32_t* counts = next.data() + begin / kPointsPerStretch * (count + 1);
+    for (size_t i = begin; i < end; ++i) ++counts[scene.owner[i]];
+  });
+  for (size_t k = 1; k <= count; ++k) {
+    uint32_t sum = 0;
+    for (size_t stretch = 0; stretch < stretches; ++stretch)
+      sum += std::exchange(next[stretch * (count + 1) + k], sum);
+    surfaces[k - 1].positions = std::vector<uint32_t>(sum);
+  }
+  parallel_for(task, n, kPointsPerStretch, [&](size_t begin, size_t end) {
+    uint32_t* places = next.data() + begin / kPointsPerStretch * (count + 1);
+    for (size_t i = begin; i < end; ++i)
+      if (const uint32_t k = scene.owner[i]; k != 0)
+        surfaces[k - 1].positions[places[k]++] = static_cast<uint32_t>(i);
+  });
+}
+
 }  // namespace
 
 void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
@@ -125,10 +150,7 @@ void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& ta
                      scene.owner[i] = choose(scene, patches, near, i, min_cosine);
                  }
                });
-  for (Surface& surface : surfaces) surface.positions.clear();
-  for (size_t i = 0; i < scene.size(); ++i)
-    if (scene.owner[i] != 0)
-      surfaces[scene.owner[i] - 1].positions.push_back(static_cast<uint32_t>(i));
+  take_positions(scene, surfaces, task);
 }
 
 }  // namespace jalon

@@ -11,6 +11,7 @@
 #include "segment/result/facade.h"
 #include "segment/result/point_columns.h"
 #include "segment/settle/assignment.h"
+#include "segment/settle/each_surface.h"
 #include "segment/settle/splitting.h"
 #include "segment/settle/surface_fit.h"
 #include "segment/surface/primitive_fits.h"
@@ -64,14 +65,14 @@ std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surfac
     return a.positions.size() > b.positions.size();
   });
   std::vector<Segment> segments(surfaces.size());
-  for (size_t s = 0; s < surfaces.size(); ++s) {
+  for_each_surface(surfaces, task, [&](size_t s) {
     Segment& segment = segments[s];
     segment.label = static_cast<uint32_t>(s + 1);
     if (surfaces[s].is_plane()) fit_plane_segment(scene, surfaces[s], task, segment);
     else if (!fit_curved_core(scene, surfaces[s], true, task, segment) &&
              !fit_curved_core(scene, surfaces[s], false, task, segment))
       fail(Status::kInternal, "a segment lost its sphere or cylinder");
-  }
+  });
   return segments;
 }
 
@@ -120,7 +121,7 @@ void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task&
   settle();
 }
 
-Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scene,
+Segmentation finish_segmentation(const CloudPtr& cloud, SegmentScene& scene,
                                  std::vector<Surface>& surfaces, Task& task) {
   const SurfaceSettings& settings = scene.settings;
   Segmentation out;
@@ -129,16 +130,22 @@ Segmentation finish_segmentation(const CloudPtr& cloud, const SegmentScene& scen
   const auto label_column = label_points(scene, surfaces);
   const auto labels = label_column->values<uint32_t>();
   out.labels = label_column;
+  std::vector<uint64_t> points;
+  for (Surface& surface : surfaces) {
+    points.push_back(surface.positions.size());
+    surface.positions = {};
+  }
+  release_points(scene);  // what follows goes by label, and holds tables of its own
   const FacadeContext context{*cloud, scene.origin, settings.orientation_tolerance_rad,
                               settings.facade_frame, scene.axes ? &*scene.axes : nullptr};
   turn_normals(context, labels, out.segments, task);
   classify(context, out.segments);
   out.T_facade_world = facade_transform(context, out.segments);
   add_point_columns(out, scene.origin, task);
-  for (size_t s = 0; s < surfaces.size(); ++s) {
+  for (size_t s = 0; s < out.segments.size(); ++s) {
     Segment& segment = out.segments[s];
     shift_origin(segment, scene.origin);
-    segment.fit.n = segment.sphere.n = segment.cylinder.n = surfaces[s].positions.size();
+    segment.fit.n = segment.sphere.n = segment.cylinder.n = points[s];
   }
   return out;
 }

@@ -9,6 +9,7 @@
 #include "geometry/contaminated_plane.h"
 #include "geometry/curved_plane.h"
 #include "segment/ransac/curved_extraction.h"
+#include "segment/settle/each_surface.h"
 #include "segment/surface/border.h"
 
 namespace jalon {
@@ -206,12 +207,17 @@ bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
 }  // namespace
 
 bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  std::vector<uint8_t> lost(surfaces.size(), 0);
+  for_each_surface(surfaces, task, [&](size_t s) {
+    Surface& surface = surfaces[s];
+    lost[s] = surface.is_plane() ? !refit_plane(scene, surface, task)
+                                 : !refit_curved(scene, surface, task);
+  });
   bool dropped = false;
-  for (Surface& surface : surfaces) {
-    if (surface.is_plane() ? refit_plane(scene, surface, task) : refit_curved(scene, surface, task))
-      continue;
-    for (const uint32_t position : surface.positions) scene.owner[position] = 0;
-    surface.positions.clear();
+  for (size_t s = 0; s < surfaces.size(); ++s) {
+    if (lost[s] == 0) continue;
+    for (const uint32_t position : surfaces[s].positions) scene.owner[position] = 0;
+    surfaces[s].positions.clear();
     dropped = true;
   }
   std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });

@@ -56,6 +56,18 @@ void look_at_cells(SegmentScene& scene, Task& task) {
   estimate_local_surface(scene, task);
 }
 
+void release_points(SegmentScene& scene) {
+  scene.order = {};
+  scene.tree.reset();
+  scene.cell_firsts = {};
+  scene.owner = {};
+  scene.rejections = {};
+  scene.curved_rejections = {};
+  scene.normals = {};
+  scene.spacing = {};
+  scene.level = {};
+}
+
 SurfaceAxes plane_axes(const Vec3& normal) {
   constexpr double kHorizontal = 0.95;  // nz beyond which "up in the plane" is ill defined
   const Vec3 reference = std::fabs(normal.z) < kHorizontal ? Vec3{0, 0, 1} : Vec3{0, 1, 0};

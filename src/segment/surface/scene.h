@@ -82,6 +82,9 @@ SegmentScene indexed_scene(const Cloud& cloud, const SurfaceSettings& settings, 
 /// Adds the octree's cells, and normals and spacing from them.
 void look_at_cells(SegmentScene& scene, Task& task);
 
+/// Gives back the index and the columns of the points; origin, settings and axes stay.
+void release_points(SegmentScene& scene);
+
 /// Normal, spacing and level of every free point: the finest cell with enough points decides (local_surface.cpp).
 void estimate_local_surface(SegmentScene& scene, Task& task);
 
