@@ -33,32 +33,57 @@ struct ExtractionMembers {
   double area_m2 = 0, pixel_m = 0;
 };
 
+std::vector<float> spacings_of(const SegmentScene& scene, const PointPool& pool, Task& task,
+                               const ExtractionMembers& members) {
+  std::vector<float> spacings(members.slots.size());
+  parallel_for(task, spacings.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      spacings[i] = scene.spacing[pool.position(members.slots[i])];
+  });
+  return spacings;
+}
+
+// Keeps of the slots those in the raster's region.
+template <class At>
+void keep_in(const RegionRaster& raster, const At& at, Task& task, std::vector<uint32_t>& slots) {
+  std::vector<uint8_t> is_in(slots.size());
+  parallel_for(task, slots.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) is_in[i] = raster.holds(at(i));
+  });
+  size_t count = 0;
+  for (size_t i = 0; i < slots.size(); ++i)
+    if (is_in[i] != 0) slots[count++] = slots[i];
+  slots.resize(count);
+}
+
 // Millions of points: each loop over them looks at the cancel.
 void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Plane& plane,
                          Task& task, ExtractionMembers& members) {
-  std::vector<float> spacings(members.slots.size());
-  std::vector<Vec2> uv(members.slots.size());
-  const FlatFrame frame = plane_frame(plane, pool.point(members.slots[0]));
-  parallel_for(task, uv.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      spacings[i] = scene.spacing[pool.position(members.slots[i])];
-      uv[i] = frame(pool.point(members.slots[i]));
-    }
-  });
-  members.pixel_m = connectivity_pixel(scene.settings, std::move(spacings));
+  const SurfaceSettings& settings = scene.settings;
+  const size_t n = members.slots.size();
+  members.pixel_m = connectivity_pixel(settings, spacings_of(scene, pool, task, members));
   task.checkpoint(0);
-  if (!scene.settings.connectivity) {
+  const FlatFrame frame = plane_frame(plane, pool.point(members.slots[0]));
+  const auto at = [&](size_t i) { return frame(pool.point(members.slots[i])); };
+  if (!settings.connectivity) {
+    std::vector<Vec2> uv(n);
+    for (size_t i = 0; i < n; ++i) uv[i] = at(i);
     members.area_m2 = occupied_area_m2(bounded_raster(uv, members.pixel_m, 0));
     return;
   }
-  const SurfaceSettings& settings = scene.settings;
-  const RegionRule rule{members.pixel_m, settings.gap_m, settings.min_area_m2,
-                        settings.strip_width_m};
-  const Region region = largest_region(uv, rule);
-  members.area_m2 = region.area_m2;
-  for (size_t i = 0; i < region.members.size(); ++i)
-    members.slots[i] = members.slots[region.members[i]];
-  members.slots.resize(region.members.size());
+  const FlatBox box =
+      parallel_reduce(task, n, kExtractionPointsPerChunk, FlatBox{}, [&](size_t begin, size_t end) {
+        FlatBox part;
+        for (size_t i = begin; i < end; ++i) part.add(at(i));
+        return part;
+      });
+  RegionRaster raster(
+      box, {members.pixel_m, settings.gap_m, settings.min_area_m2, settings.strip_width_m});
+  parallel_for(task, n, kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) raster.mark(at(i));
+  });
+  members.area_m2 = raster.settle();
+  keep_in(raster, at, task, members.slots);
 }
 
 bool fit_members(const PointPool& pool, const ExtractionMembers& members, Task& task,
@@ -127,6 +152,7 @@ bool settle_plane(const RansacScene& scene, const PointPool& pool, Task& task, S
   double reach = settings.distance_tolerance_m;
   size_t previous = 0;
   for (int round = 0; round < kExtractionMaxRounds; ++round) {
+    members.slots = {};  // those before would lie beside these
     members.slots =
         pool.collect(scene.test(surface.plane, reach, scene.min_cosine()), window.box(), task);
     if (members.slots.empty()) return false;
@@ -238,7 +264,10 @@ bool extract_surface(RansacScene& scene, PointPool& pool, const OrientationPass&
   ExtractionMembers members;
   const bool settled = settle_plane(scene, pool, task, surface, window, members) &&
                        pass.accepts(surface.plane.normal);
-  if (settled) members = members_of(scene, pool, surface, window, task);
+  if (settled) {
+    members = {};  // they would lie beside the new ones
+    members = members_of(scene, pool, surface, window, task);
+  }
   if (!settled || !large_enough_of_extraction(scene.settings, members)) {
     reject_of_extraction(scene, pool, candidate, members);
     return false;
@@ -254,6 +283,7 @@ bool extract_surface(RansacScene& scene, PointPool& pool, const OrientationPass&
                  }
                });
   for (const uint32_t slot : members.slots) pool.remove(slot);
+  members.slots = {};
   sort_runs(surface.positions);
   out = std::move(surface);
   return true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <utility>
 
 #include "base/numbers.h"
 #include "base/parallel.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr size_t kSmallPool = 8192;  // below, one piece: the whole is counted at once
 constexpr size_t kBlocksPerChunk = 256;
+constexpr size_t kPointsPerStretch = 1 << 15;
 constexpr uint64_t kPieceStream = 0x70696563;  // keeps this choice apart from the draws
 
 // 1, 3, 12 and 48 of 64 parts.
@@ -37,29 +39,52 @@ uint32_t mark(const PointColumns& points, const CurvedTest& test,
 }  // namespace
 
 PointPool::PointPool(const RansacScene& scene, Task& task) : avx2_(use_avx2()) {
-  std::vector<uint32_t> free;
-  for (size_t i = 0; i < scene.size(); ++i)
-    if (scene.owner[i] == 0) free.push_back(static_cast<uint32_t>(i));
-  free_ = built_ = free.size();
-  std::vector<uint8_t> piece(free.size(), kPieces - 1);
-  if (free.size() >= kSmallPool)
-    parallel_for(task, free.size(), 1 << 15, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) piece[i] = random_piece(scene.draw.seed, free[i]);
-    });
-  for (const uint8_t p : piece) ++piece_free_[p];
-  std::array<size_t, kPieces> next{};
-  for (size_t p = 0; p < kPieces; ++p) {
-    next[p] = first_block_[p] * kBlockPoints;
-    first_block_[p + 1] = first_block_[p] + (piece_free_[p] + kBlockPoints - 1) / kBlockPoints;
-  }
-  slots_ = first_block_[kPieces] * kBlockPoints;
-  positions_ = Buffer<uint32_t>(slots_);
-  std::fill(positions_.begin(), positions_.end(), kNoPoint);
-  for (size_t i = 0; i < free.size(); ++i) positions_[next[piece[i]]++] = free[i];
+  share_out(scene, task);
   values_ = Buffer<float>(6 * slots_);
   boxes_ = Buffer<float>(6 * first_block_[kPieces]);
   parallel_for(task, first_block_[kPieces], kBlocksPerChunk, [&](size_t begin, size_t end) {
     for (size_t block = begin; block < end; ++block) fill_block(scene, block);
+  });
+}
+
+// A slot for each free point, ascending in its piece: counted by stretches of points, then put in place.
+void PointPool::share_out(const RansacScene& scene, Task& task) {
+  const size_t stretches = (scene.size() + kPointsPerStretch - 1) / kPointsPerStretch;
+  std::vector<std::array<size_t, kPieces>> next(stretches);
+  const auto for_each_free = [&](size_t stretch, auto&& take) {
+    const size_t end = std::min(scene.size(), (stretch + 1) * kPointsPerStretch);
+    for (size_t i = stretch * kPointsPerStretch; i < end; ++i)
+      if (scene.owner[i] == 0)
+        take(static_cast<uint32_t>(i), random_piece(scene.draw.seed, static_cast<uint32_t>(i)));
+  };
+  parallel_chunks(task, stretches, [&](size_t stretch) {
+    std::array<size_t, kPieces> counts{};
+    for_each_free(stretch, [&](uint32_t, uint8_t piece) { ++counts[piece]; });
+    next[stretch] = counts;
+  });
+  for (const auto& counts : next)
+    for (size_t p = 0; p < kPieces; ++p) piece_free_[p] += counts[p];
+  free_ = built_ = points_upto(kPieces - 1);
+  const bool is_small = free_ < kSmallPool;
+  if (is_small) piece_free_ = {0, 0, 0, free_};
+  std::array<size_t, kPieces> sum{};
+  for (size_t p = 0; p < kPieces; ++p) {
+    sum[p] = first_block_[p] * kBlockPoints;
+    first_block_[p + 1] = first_block_[p] + (piece_free_[p] + kBlockPoints - 1) / kBlockPoints;
+  }
+  for (auto& counts : next) {
+    if (is_small) counts = {0, 0, 0, counts[0] + counts[1] + counts[2] + counts[3]};
+    for (size_t p = 0; p < kPieces; ++p) counts[p] = std::exchange(sum[p], sum[p] + counts[p]);
+  }
+  slots_ = first_block_[kPieces] * kBlockPoints;
+  positions_ = Buffer<uint32_t>(slots_);
+  for (size_t p = 0; p < kPieces; ++p)  // the last block of a piece may not be full
+    std::fill(positions_.begin() + sum[p], positions_.begin() + first_block_[p + 1] * kBlockPoints,
+              kNoPoint);
+  parallel_chunks(task, stretches, [&](size_t stretch) {
+    for_each_free(stretch, [&](uint32_t position, uint8_t piece) {
+      positions_[next[stretch][is_small ? kPieces - 1 : piece]++] = position;
+    });
   });
 }
 

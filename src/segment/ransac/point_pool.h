@@ -57,6 +57,7 @@ class PointPool {
   template <class Test>
   uint32_t write_inliers(size_t block, const Test& test, const Box3& box, uint32_t* out) const;
   PointColumns columns(size_t block) const;
+  void share_out(const RansacScene& scene, Task& task);
   void fill_block(const SegmentScene& scene, size_t block);
 
   size_t free_ = 0, built_ = 0;

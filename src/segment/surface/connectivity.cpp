@@ -3,6 +3,7 @@
 #include "segment/surface/connectivity.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace jalon {
@@ -86,29 +87,60 @@ Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t mar
   return rasterise(points, pixel_m, margin);
 }
 
+RegionRaster::RegionRaster(const FlatBox& box, const RegionRule& rule)
+    : rule_(rule),
+      low_(box.low),
+      gap_pixels_(static_cast<uint32_t>(
+          std::min<double>(kMaxGapPixels, std::floor(rule.gap_m / (2 * rule.pixel_m))))),
+      margin_(std::max(gap_pixels_, rule.strip_width_m > 0 ? 1u : 0u)) {
+  const Vec2 corners[] = {box.low, box.high};
+  raster_ = bounded_raster(corners, rule.pixel_m, margin_);
+  std::fill(raster_.pixels.begin(), raster_.pixels.end(), uint8_t{0});
+}
+
+// The pixel that rasterise() gives it: relative to the lowest corner, so that the margin has no say.
+void RegionRaster::mark(const Vec2& p) {
+  const auto cell = [&](double offset, uint32_t cells) {
+    const double at = std::floor(offset / raster_.pixel_m);
+    const uint32_t last = cells - 2 * margin_ - 1;
+    if (!(at > 0)) return size_t{margin_};
+    return size_t{margin_} + (at >= static_cast<double>(last) ? last : static_cast<uint32_t>(at));
+  };
+  const size_t pixel =
+      cell(p.v - low_.v, raster_.rows) * raster_.columns + cell(p.u - low_.u, raster_.columns);
+  std::atomic_ref<uint8_t>(raster_.pixels[pixel]).store(1, std::memory_order_relaxed);
+}
+
+double RegionRaster::settle() {
+  // Square dilation by r joins pieces up to 2 r empty pixels apart.
+  if (rule_.strip_width_m > 0) cut_strips(raster_, rule_.strip_width_m);
+  const double pixel_area = raster_.pixel_m * raster_.pixel_m;
+  regions_ = label_regions(raster_);
+  if (gap_pixels_ > 0 && regions_.count() > 1) {
+    drop_small(raster_, regions_,
+               static_cast<uint64_t>(std::ceil(rule_.min_piece_m2 / pixel_area)));
+    regions_ = label_regions(dilated(raster_, gap_pixels_));
+  }
+  uint64_t pixels = 0;
+  best_ = largest_group(raster_, regions_, pixels);
+  return static_cast<double>(pixels) * pixel_area;
+}
+
+bool RegionRaster::holds(const Vec2& p) const {
+  const size_t pixel = raster_.pixel_of(p);
+  return raster_.pixels[pixel] != 0 && regions_.labels[pixel] == best_;
+}
+
 Region largest_region(std::span<const Vec2> points, const RegionRule& rule) {
   Region region;
   if (points.empty()) return region;
-  // Square dilation by r joins pieces up to 2 r empty pixels apart.
-  const auto margin = static_cast<uint32_t>(
-      std::min<double>(kMaxGapPixels, std::floor(rule.gap_m / (2 * rule.pixel_m))));
-  Raster raster =
-      bounded_raster(points, rule.pixel_m, std::max(margin, rule.strip_width_m > 0 ? 1u : 0u));
-  if (rule.strip_width_m > 0) cut_strips(raster, rule.strip_width_m);
-  const double pixel_area = raster.pixel_m * raster.pixel_m;
-  Regions regions = label_regions(raster);
-  if (margin > 0 && regions.count() > 1) {
-    drop_small(raster, regions, static_cast<uint64_t>(std::ceil(rule.min_piece_m2 / pixel_area)));
-    regions = label_regions(dilated(raster, margin));
-  }
-  uint64_t pixels = 0;
-  const uint32_t best = largest_group(raster, regions, pixels);
-  region.area_m2 = static_cast<double>(pixels) * pixel_area;
-  for (size_t i = 0; i < points.size(); ++i) {
-    const size_t pixel = raster.pixel_of(points[i]);
-    if (raster.pixels[pixel] != 0 && regions.labels[pixel] == best)
-      region.members.push_back(static_cast<uint32_t>(i));
-  }
+  FlatBox box;
+  for (const Vec2& p : points) box.add(p);
+  RegionRaster raster(box, rule);
+  for (const Vec2& p : points) raster.mark(p);
+  region.area_m2 = raster.settle();
+  for (size_t i = 0; i < points.size(); ++i)
+    if (raster.holds(points[i])) region.members.push_back(static_cast<uint32_t>(i));
   return region;
 }
 

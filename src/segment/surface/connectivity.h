@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -42,6 +44,37 @@ struct RegionRule {
 /// touch. Parts narrower than strip_width_m are cut off first: the line of points where the plane cuts another surface
 /// touches the surface sought and would come with it.
 Region largest_region(std::span<const Vec2> points, const RegionRule& rule);
+
+/// Extent of points on a surface.
+struct FlatBox {
+  Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  void add(const Vec2& p) { *this += {p, p}; }
+  FlatBox& operator+=(const FlatBox& b) {
+    low = {std::min(low.u, b.low.u), std::min(low.v, b.low.v)};
+    high = {std::max(high.u, b.high.u), std::max(high.v, b.high.v)};
+    return *this;
+  }
+};
+
+/// The same in steps, for points that nobody has listed: a list of those of the largest surface would be the peak of a
+/// segmentation. 1. mark() all points, from any threads; 2. settle(); 3. holds() tells which of them belong to it.
+class RegionRaster {
+ public:
+  /// box: of all points.
+  RegionRaster(const FlatBox& box, const RegionRule& rule);
+  void mark(const Vec2& p);
+  /// Its area.
+  double settle();
+  bool holds(const Vec2& p) const;
+
+ private:
+  RegionRule rule_;
+  Vec2 low_;
+  uint32_t gap_pixels_, margin_;
+  Raster raster_;
+  Regions regions_;
+  uint32_t best_ = 0;
+};
 
 /// Area of the occupied pixels.
 double occupied_area_m2(const Raster& raster);
