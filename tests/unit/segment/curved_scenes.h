@@ -51,9 +51,12 @@ inline Curved to_local(const MadeScene& made, Curved world) {
 }
 
 /// Settings that look for spheres and cylinders too.
+constexpr double kWidest_m = 10;  ///< as the recipe sets it: of a cloud's width
+
 inline SurfaceSettings all_primitives() {
   SurfaceSettings settings;
   settings.primitives = Primitives::kAll;
+  settings.max_radius_m = kWidest_m;
   return settings;
 }
 

@@ -27,6 +27,7 @@ std::vector<Candidate> drawn(MadeScene& made, uint64_t draws) {
 SurfaceSettings only(Primitives primitives) {
   SurfaceSettings settings;
   settings.primitives = primitives;
+  settings.max_radius_m = kWidest_m;
   return settings;
 }
 
