@@ -15,21 +15,21 @@
  * Models; coordinates are those of the model, in metres (extensions in brackets):
  *
  * - DXF (dxf), written: AutoCAD 2000 (AC1015, with handles, tables, layouts and metres as its unit) or release 12
- *   (AC1009). A layer for each class of part (WALL, WINDOW, DOOR ...), "-COPIED" behind the class of copied elements,
- *   NO_DATA for areas that no station saw; each ring of a face is a closed polyline in the plane of the face, arcs are
- *   bulges (2 sagitta / chord) with the face's extrusion direction; triangles of a mesh are 3DFACEs. Application data
- *   (JALON) names face, part, class, evidence and depth. "dxf_view" = "elevation" draws the facades flattened, 1:1: x
- *   from the left end of the facade, y the height of the model; several facades stand side by side, 2 m apart; faces
- *   seen edge-on are left out.
+ *   (AC1009). A layer for each class of part (WALL, WINDOW, DOOR, GATEWAY ...), "-COPIED" behind copied elements'
+ *   class, NO_DATA for areas that no station saw; each ring of a face is a closed polyline in the plane of the face,
+ *   arcs are bulges (2 sagitta / chord) with the face's extrusion direction; triangles of a mesh are 3DFACEs.
+ *   Application data (JALON) names face, part, class, evidence and depth. "dxf_view" = "elevation" draws the facades
+ *   flattened, 1:1: x from the left end of the facade, y the height of the model; several facades stand side by side, 2
+ *   m apart; faces seen edge-on are left out.
  * - CityJSON 2.0 (city.json, json), written and read (1.0 and 1.1 too): a Building for each part of that class, with a
  *   MultiSurface, and a Solid for each solid; semantic surfaces WallSurface, Window and Door (children of the wall
- *   whose hole they fill), ClosureSurface (opening of unknown kind), RoofSurface, GroundSurface. A window of which the
+ *   whose hole they fill), ClosureSurface (other openings), RoofSurface, GroundSurface. A window of which the
  *   hole alone is known gets a surface in the wall ("closes_opening"). Attributes carry name, class, evidence,
  *   copied_from, widths, sigma and the tree of parts; the CRS is written when it has an EPSG code and is metric.
  *   Coordinates are stored in steps of "city_scale_m". Read back: faces, holes, parts, solids, CRS; of several levels
  *   of detail the highest; geometry templates are JALON_ERROR_UNSUPPORTED.
- * - GeoJSON (geojson), written: a Feature for each face, 3D positions in the model's own system, which the member "crs"
- *   names (a local one in metres when it is not known: the numbers are never degrees).
+ * - GeoJSON (geojson), written: a Feature for each face and each opening without one, 3D positions in the model's own
+ *   system, which the member "crs" names (a local one in metres when it is not known: the numbers are never degrees).
  * - OBJ (obj), written and read: faces as polygons and triangles, openings stay open; outlines as lines; the tree of
  *   parts in comments that other programs pass over, so that our own files come back with faces, holes, parts and
  *   solids. Files of others are meshes with groups as parts, or a face for each polygon ("polygons" = "faces").

@@ -134,16 +134,19 @@ JALON_API JALON_CHECK jalon_status jalon_model_edges(const jalon_model* model, j
 JALON_API JALON_CHECK jalon_status jalon_model_solids(const jalon_model* model, jalon_fields** out);
 /**
  * One row a part. Names and classes: jalon_model_part.
- *     column       type     unit  meaning
- *     parent       uint64   -     the part above, or UINT64_MAX
- *     width        float64  m     of its upright box in the plane of its wall
- *     height       float64  m     of the same box
- *     depth        float64  m     behind the plane of its wall, negative in front of it; NaN: not
- *                                 told
- *     copied_from  uint64   -     the part it repeats, or UINT64_MAX
- *     lod          uint8    -     level of detail (CityGML 3.0): 2 walls and roofs, 3 with
- *                                 openings; 0: not told
- *     evidence     uint8    -     JALON_EVIDENCE_...
+ *     column            type     unit  meaning
+ *     parent            uint64   -     the part above, or UINT64_MAX
+ *     width             float64  m     of its upright box in the plane of its wall
+ *     height            float64  m     of the same box
+ *     depth             float64  m     behind the plane of its wall, negative in front of it; NaN:
+ *                                      not told
+ *     copied_from       uint64   -     the part it repeats, or UINT64_MAX
+ *     lod               uint8    -     level of detail (CityGML 3.0): 2 walls and roofs, 3 with
+ *                                      openings; 0: not told
+ *     evidence          uint8    -     JALON_EVIDENCE_...
+ *     class_confidence  float64  -     of openings: probability that the class is right; of class
+ *                                      "opening" that of the likeliest, too small to be said; NaN:
+ *                                      not told
  */
 JALON_API JALON_CHECK jalon_status jalon_model_parts(const jalon_model* model, jalon_fields** out);
 /**

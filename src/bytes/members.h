@@ -68,7 +68,7 @@ auto members(T& f) {
 template <Maybe<Part> T>
 auto members(T& p) {
   return std::tie(p.name, p.part_class, p.parent, p.width_m, p.height_m, p.depth_m, p.copied_from,
-                  p.level_of_detail, p.evidence);
+                  p.level_of_detail, p.evidence, p.class_confidence);
 }
 template <Maybe<Solid> T>
 auto members(T& s) {

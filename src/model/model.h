@@ -65,6 +65,9 @@ struct Part {
   uint64_t copied_from = kNoParent;  ///< the part it repeats
   uint8_t level_of_detail = 0;  ///< CityGML 3: 2 walls and roofs, 3 with openings; 0 = not told
   Evidence evidence = Evidence::kNone;
+  /// Probability that the class is right where it was told from measurements; of "opening" that of the likeliest one,
+  /// which is too small to be said; NaN: not told.
+  double class_confidence = kNaN;
 };
 
 /// Faces that bound a volume together: faces[first_face ... first_face + face_count), their normals outward.

@@ -4,7 +4,8 @@
 # What the command line makes of facades beyond their drawing. Usage: cli_facades.sh JALON
 set -uo pipefail
 jalon=$(realpath "$1")
-. "$(dirname "$0")/cli_judges.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/cli_judges.sh"
 
 judge "a facade is scanned" "$jalon" scan --scene arches -o arches.las --quiet --set horizontal_step_rad=0.003 --set vertical_step_rad=0.003
 
@@ -20,6 +21,15 @@ judge "faces meet" grep -q ',2,1,-1,1,-1,-1,2,1,2,3,' faces/relations.csv
 says 'relations.csv' model arches.las -o solids --method extrusion --relations solids
 ends 5 'no solids' model arches.las -o none --method outlines --relations solids
 ends 2 'parts' model arches.las -o none --relations roofs
+
+# Openings by class: as many in every file as the tool says, of walls drawn by their contours and by their evidence.
+judge "a facade with doors is scanned" "$jalon" scan --scene grammar -o grammar.las --quiet --set seed=12 --set spacing_m=0.04
+for way in evidence=false evidence=true; do
+  judge "facade --model-set $way" bash -c '"$0" facade grammar.las -o counted --model-set "$1" >said.txt' "$jalon" "$way"
+  judge "every file counts the same openings, $way" python3 "$here/opening_counts.py" counted said.txt
+  judge "doors and windows have layers in DXF, $way" bash -c 'grep -qx DOOR counted/model.dxf && grep -qx WINDOW counted/model.dxf'
+  rm -rf counted
+done
 
 # Picks: a segment each, from a seed, from corners that bound it, and of other shapes.
 says 'segments.las' segment arches.las -o picked --pick 0.3,0,0.3

@@ -133,6 +133,8 @@ FieldTable part_table(const Model& model) {
                       [](const Part& p) { return p.level_of_detail; });
   add_column<uint8_t>(t, rows, "evidence", "", "how it is known",
                       [](const Part& p) { return static_cast<uint8_t>(p.evidence); });
+  add_column<double>(t, rows, "class_confidence", "", "probability that the class is right",
+                     [](const Part& p) { return p.class_confidence; });
   return t;
 }
 

@@ -115,7 +115,7 @@ class Arranger {
     for (uint64_t r = 1; r < face.ring_count; ++r) {
       const Ring& hole = model_.rings[face.first_ring + r];
       if (hole.part >= model_.parts.size() || openings_.filled[hole.part] != 0) continue;
-      if (!is_opening(model_.parts[hole.part].part_class)) continue;
+      if (!part_class::is_opening(model_.parts[hole.part].part_class)) continue;
       std::vector<uint32_t> ring = snapped(hole);
       if (ring.size() < 3) continue;
       std::ranges::reverse(ring);

@@ -13,17 +13,20 @@ struct Pair {
   const char* type;
 };
 constexpr Pair kPairs[] = {
-    {part_class::kWall, "WallSurface"}, {part_class::kWindow, "Window"},
-    {part_class::kDoor, "Door"},        {part_class::kOpening, "ClosureSurface"},
-    {part_class::kRoof, "RoofSurface"}, {part_class::kGround, "GroundSurface"},
+    {part_class::kWall, "WallSurface"},
+    {part_class::kWindow, "Window"},
+    {part_class::kDoor, "Door"},
+    {part_class::kOpening, "ClosureSurface"},
+    {part_class::kRoof, "RoofSurface"},
+    {part_class::kGround, "GroundSurface"},
+    // Neither windows nor doors, so that those can be counted; the attribute "class" says which.
+    {part_class::kGateway, "ClosureSurface"},
+    {part_class::kShopFront, "ClosureSurface"},
+    {part_class::kVent, "ClosureSurface"},
+    {part_class::kRecess, "ClosureSurface"},
 };
 
 }  // namespace
-
-bool is_opening(const std::string& part_class) {
-  return part_class == part_class::kWindow || part_class == part_class::kDoor ||
-         part_class == part_class::kOpening;
-}
 
 uint32_t nearest(const Model& model, uint32_t part, const char* part_class) {
   for (size_t steps = 0; part < model.parts.size() && steps <= model.parts.size(); ++steps) {
@@ -39,9 +42,10 @@ const char* surface_type(const Model& model, uint32_t part) {
   std::string part_class = model.parts[part].part_class;
   if (part_class == part_class::kJoinery) {
     const uint64_t parent = model.parts[part].parent;
-    part_class = parent < model.parts.size() && is_opening(model.parts[parent].part_class)
-                     ? model.parts[parent].part_class
-                     : part_class::kWindow;
+    part_class =
+        parent < model.parts.size() && part_class::is_opening(model.parts[parent].part_class)
+            ? model.parts[parent].part_class
+            : part_class::kWindow;
   }
   for (const Pair& pair : kPairs)
     if (part_class == pair.part_class) return pair.type;

@@ -12,16 +12,15 @@
 // primitives") stand for each other.
 namespace jalon::city {
 
-/// Semantic surface of a part: WallSurface, RoofSurface, GroundSurface, Window, Door, ClosureSurface (an opening of
-/// unknown kind); joinery has that of the opening it stands in. Sills, cornices and other elements are surfaces of the
-/// wall: their class stays an attribute.
+/// Semantic surface of a part: WallSurface, RoofSurface, GroundSurface, Window, Door, ClosureSurface (other openings);
+/// joinery has that of the opening it stands in. Sills, cornices and other elements are surfaces of the wall: their
+/// class stays an attribute.
 const char* surface_type(const Model& model, uint32_t part);
 /// Class of a part that a semantic surface becomes; kElement for types that have no counterpart.
 const char* class_of_surface(std::string_view type);
 /// "Building" and "BuildingPart" -> "building", "TINRelief" -> "tin_relief".
 std::string class_of_object(std::string_view type);
 
-bool is_opening(const std::string& part_class);  ///< window, door, or opening of unknown kind
 /// The nearest of the part and its ancestors of this class; kNoPart when there is none.
 uint32_t nearest(const Model& model, uint32_t part, const char* part_class);
 

@@ -12,6 +12,7 @@
 #include "formats/city/tree.h"
 #include "formats/files/utf8.h"
 #include "formats/units/crs_code.h"
+#include "model/part_classes.h"
 
 namespace jalon {
 
@@ -241,7 +242,7 @@ class CityReader {
       return true;
     });
     const char* part_class = class_of_surface(type);
-    draft.is_opening = is_opening(part_class);
+    draft.is_opening = part_class::is_opening(part_class);
     if (draft.part.part_class.empty()) draft.part.part_class = part_class;
     if (draft.part.name.empty() && draft.number == kNoNumber)
       draft.part.name = name_from_file(type, "surface");

@@ -77,6 +77,7 @@ bool read_attribute(JsonCursor& cursor, const std::string& name, Draft& draft,
   if (name == "width_m") return take_number(cursor, draft.part.width_m);
   if (name == "height_m") return take_number(cursor, draft.part.height_m);
   if (name == "depth_m") return take_number(cursor, draft.part.depth_m);
+  if (name == "class_confidence") return take_number(cursor, draft.part.class_confidence);
   if (name == "sigma_m") return take_list(cursor, [&](double v) { draft.sigmas_m.push_back(v); });
   if (name == "face")
     return take_list(cursor, [&](double v) {

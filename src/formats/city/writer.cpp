@@ -116,6 +116,7 @@ class CityFile {
     add_number("width_m", part.width_m);
     add_number("height_m", part.height_m);
     add_number("depth_m", part.depth_m);
+    add_number("class_confidence", part.class_confidence);
   }
 
   // What belongs to the faces of a part: one value, or one a face.

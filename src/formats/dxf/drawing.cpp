@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/chords.h"
+#include "model/opening_rings.h"
 #include "model/part_classes.h"
 #include "model/polygon_triangles.h"
 
@@ -25,7 +26,8 @@ constexpr ClassColour kColours[] = {
     {part_class::kBaseCourse, 34},  {part_class::kPost, 2},        {part_class::kGround, 3},
     {part_class::kRoof, 12},        {part_class::kElement, 40},    {part_class::kNoData, 8},
     {part_class::kRegion, 1},       {part_class::kAppearance, 3},  {part_class::kDisappearance, 1},
-    {part_class::kDisplacement, 5}, {part_class::kDeformation, 6},
+    {part_class::kDisplacement, 5}, {part_class::kDeformation, 6}, {part_class::kGateway, 10},
+    {part_class::kShopFront, 130},  {part_class::kVent, 190},      {part_class::kRecess, 54},
 };
 constexpr int kOtherColour = 7;
 
@@ -117,8 +119,10 @@ uint32_t Layers::of_class(const std::string& part_class, bool copied) {
   return entry->second;
 }
 
-void add_ring(Drawing& drawing, const Model& model, const Face& face, uint64_t r,
-              const Vec3& normal) {
+namespace {
+
+// A ring without layer and part; no corners when it has no extent.
+Polyline line_of(const Model& model, const Face& face, uint64_t r, const Vec3& normal) {
   const Ring& ring = model.rings[r];
   Polyline line;
   bool arcs = false;
@@ -128,18 +132,48 @@ void add_ring(Drawing& drawing, const Model& model, const Face& face, uint64_t r
     line.sagittas_m.push_back(sagitta_m);
     arcs = arcs || sagitta_m != 0;
   }
-  if (line.corners.size() < (arcs ? 2 : 3) || squared_norm(normal) == 0) return;
+  if (line.corners.size() < (arcs ? 2 : 3) || squared_norm(normal) == 0) return {};
   if (!arcs) line.sagittas_m.clear();
   line.normal = normal;
+  line.face_id = face.id;
+  return line;
+}
+
+}  // namespace
+
+void add_ring(Drawing& drawing, const Model& model, const Face& face, uint64_t r,
+              const Vec3& normal) {
+  Polyline line = line_of(model, face, r, normal);
+  if (line.corners.empty()) return;
   line.layer = ring_layer(drawing.layers, model, face, r);
   line.part = r == face.first_ring ? face.part : model.rings[r].part;
-  line.face_id = face.id;
   drawing.polylines.push_back(std::move(line));
+}
+
+void add_openings(Drawing& drawing, const Model& model, const Face& face, const Vec3& normal,
+                  const std::vector<uint32_t>& openings) {
+  for (const uint32_t part : openings) {
+    Polyline line = line_of(model, face, face.first_ring, normal);
+    if (line.corners.empty()) continue;
+    line.layer = drawing.layers.of_part(model, part);
+    line.part = part;
+    drawing.polylines.push_back(std::move(line));
+  }
+}
+
+std::vector<std::vector<uint32_t>> openings_shown_by(const Model& model) {
+  std::vector<std::vector<uint32_t>> out(model.faces.size());
+  const auto rings = opening_rings(model);
+  for (uint32_t part = 0; part < rings.size(); ++part)
+    if (!rings[part].empty() && !has_own_ring(model, part, rings[part]))
+      out[rings[part].front().face].push_back(part);
+  return out;
 }
 
 Drawing draw_world(const Model& model, Task& task) {
   constexpr size_t kTicks = 256;  // faces between two looks at the task
   Drawing drawing;
+  const auto shown = openings_shown_by(model);
   for (size_t f = 0; f < model.faces.size(); ++f) {
     if (f % kTicks == 0)
       task.checkpoint(static_cast<double>(f) / static_cast<double>(model.faces.size()));
@@ -147,6 +181,7 @@ Drawing draw_world(const Model& model, Task& task) {
     const Vec3 normal = normal_of(model, face);
     for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
       add_ring(drawing, model, face, r, normal);
+    add_openings(drawing, model, face, normal, shown[f]);
     add_number(drawing, model, face, normal);
   }
   for (const Polyline& line : drawing.polylines)

@@ -77,4 +77,11 @@ Drawing draw_elevation(const Model& model, double chord_error_m, Task& task);
 void add_ring(Drawing& drawing, const Model& model, const Face& face, uint64_t ring,
               const Vec3& normal);
 
+/// The outline of a face once more for each of these openings, on their layers.
+void add_openings(Drawing& drawing, const Model& model, const Face& face, const Vec3& normal,
+                  const std::vector<uint32_t>& openings);
+/// Of each face the openings that its outline alone shows: doors at the foot of their wall are no holes of it, and what
+/// is drawn of them is their joinery.
+std::vector<std::vector<uint32_t>> openings_shown_by(const Model& model);
+
 }  // namespace jalon::dxf

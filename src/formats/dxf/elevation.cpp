@@ -126,7 +126,9 @@ void flatten(Polyline& line, const View& view, double chord_error_m) {
 
 /// Draws one facade with its left end at x = left_m; returns its right end.
 double add_facade(Drawing& drawing, const Model& model, const std::vector<uint32_t>& faces,
-                  const std::vector<uint8_t>& in_solid, double left_m, double chord_error_m) {
+                  const std::vector<uint8_t>& in_solid,
+                  const std::vector<std::vector<uint32_t>>& shown, double left_m,
+                  double chord_error_m) {
   View view;
   if (!find_view(model, faces, view)) return left_m - kGap_m;
   const size_t first = drawing.polylines.size();
@@ -137,6 +139,7 @@ double add_facade(Drawing& drawing, const Model& model, const std::vector<uint32
     if (std::fabs(facing) < kEdgeOn || (facing < 0 && in_solid[f] != 0)) continue;
     for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
       add_ring(drawing, model, face, r, normal);
+    add_openings(drawing, model, face, normal, shown[f]);
   }
   sort_by_depth(drawing, first, view);
   Box3 box;
@@ -168,11 +171,12 @@ Drawing draw_elevation(const Model& model, double chord_error_m, Task& task) {
     faces.insert(faces.end(), others.begin(), others.end());
   }
   const std::vector<uint8_t> in_solid = faces_of_solids(model);
+  const auto shown = openings_shown_by(model);
   double left_m = 0;
   size_t done = 0;
   for (const auto& [facade, faces] : facades) {
     task.checkpoint(static_cast<double>(done++) / static_cast<double>(facades.size()));
-    left_m = add_facade(drawing, model, faces, in_solid, left_m, chord_error_m) + kGap_m;
+    left_m = add_facade(drawing, model, faces, in_solid, shown, left_m, chord_error_m) + kGap_m;
   }
   return drawing;
 }

@@ -52,12 +52,16 @@ void add_data(Text& text, const Polyline& line, const Model& model) {
   text.group(1001, "JALON").group(1000, "face=" + std::to_string(line.face_id));
   if (line.part >= model.parts.size()) return;
   const Part& part = model.parts[line.part];
-  text.group(1000, "part=" + part.name).group(1000, "class=" + part.part_class);
+  text.group(1000, "part=" + part.name)
+      .group(1000, "number=" + std::to_string(line.part))  // several facades have the same names
+      .group(1000, "class=" + part.part_class);
   if (part.evidence != Evidence::kNone)
     text.group(1000, std::string("evidence=") + name_of(part.evidence));
   if (part.copied_from < model.parts.size())
     text.group(1000, "copied_from=" + model.parts[part.copied_from].name);
   if (std::isfinite(part.depth_m)) text.group(1000, "depth_m=" + text_of(part.depth_m));
+  if (std::isfinite(part.class_confidence))
+    text.group(1000, "class_confidence=" + text_of(part.class_confidence));
 }
 
 void add_lightweight(Text& text, const Polyline& line, const Planar& flat, const Layer& layer,

@@ -8,6 +8,8 @@
 #include "formats/geojson/geojson.h"
 #include "formats/units/crs_code.h"
 #include "model/chords.h"
+#include "model/opening_rings.h"
+#include "model/part_classes.h"
 #include "model/polygon_triangles.h"
 
 namespace jalon {
@@ -34,6 +36,7 @@ class GeoJson {
       add_face(f);
       file_.write(json_.take());
     }
+    add_openings();
     add_mesh(task);
     json_.end_array().end_object();
     file_.write(json_.take());
@@ -91,6 +94,7 @@ class GeoJson {
     add_number("width_m", part.width_m);
     add_number("height_m", part.height_m);
     add_number("depth_m", part.depth_m);
+    add_number("class_confidence", part.class_confidence);
   }
 
   void add_face(size_t f) {
@@ -115,6 +119,30 @@ class GeoJson {
     const Vec3 n = normal_of(model_, face);
     json_.name("normal_x").value(n.x).name("normal_y").value(n.y).name("normal_z").value(n.z);
     json_.end_object().end_object();
+  }
+
+  // A feature for each opening that has no face of its own: what shows where it is (opening_rings.h).
+  void add_openings() {
+    const auto rings = opening_rings(model_);
+    size_t id = model_.faces.size();
+    for (uint32_t part = 0; part < model_.parts.size(); ++part) {
+      if (!part_class::is_opening(model_.parts[part].part_class)) continue;
+      const bool is_drawn = !rings[part].empty();
+      if (is_drawn && model_.faces[rings[part].front().face].part == part) continue;
+      json_.begin_object().name("type").value("Feature").name("id").value(id++).name("geometry");
+      if (is_drawn) add_outline(model_.rings[rings[part].front().ring]);
+      else json_.value(JsonValue{});
+      json_.name("properties").begin_object();
+      add_part(part);
+      json_.end_object().end_object();
+      file_.write(json_.take());
+    }
+  }
+
+  void add_outline(const Ring& ring) {
+    json_.begin_object().name("type").value("Polygon").name("coordinates").begin_array();
+    if (ring.count >= 3) add_ring(ring, plan_area(ring) < 0);
+    json_.end_array().end_object();
   }
 
   // A mesh: one feature for the triangles of each face number.

@@ -70,6 +70,7 @@ void append_part_note(std::string& out, const Model& model, uint32_t index) {
   append_known(out, "width", part.width_m);
   append_known(out, "height", part.height_m);
   append_known(out, "depth", part.depth_m);
+  append_known(out, "confidence", part.class_confidence);
   if (const std::string name = name_from_file(part.name, ""); !name.empty())
     out.append(" name ").append(name);
   out += '\n';
@@ -117,6 +118,7 @@ bool Notes::read_part(std::string_view text) {
     else if (key == "width") good = take(word, part.width_m);
     else if (key == "height") good = take(word, part.height_m);
     else if (key == "depth") good = take(word, part.depth_m);
+    else if (key == "confidence") good = take(word, part.class_confidence);
     if (!good) return false;
   }
   parts_.push_back(std::move(part));

@@ -86,6 +86,7 @@ void draw_contour(SvgWriter& svg, const ElevationDrawing& drawing, const DrawnOp
     svg.leaf("path",
              {{"d", d}, {"fill", "none"}, {"stroke", "#ffffff"}, {"stroke-width", kOutline + 0.1}});
   svg.leaf("path", {{"class", "opening"},
+                    {"data-class", row.part_class},
                     {"d", d},
                     {"fill", "none"},
                     {"stroke", opening_colour(row.part_class)},

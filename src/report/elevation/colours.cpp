@@ -82,6 +82,11 @@ bool is_dark(std::string_view colour) {
 const char* opening_colour(std::string_view part_class) {
   if (part_class == part_class::kWindow) return "#1d56a5";
   if (part_class == part_class::kDoor) return "#8a4a00";
+  // Of doors' and windows' kind, lighter; apart in grey too.
+  if (part_class == part_class::kGateway) return "#b3261e";
+  if (part_class == part_class::kShopFront) return "#00796b";
+  if (part_class == part_class::kVent) return "#6a3d9a";
+  if (part_class == part_class::kRecess) return "#5f6b00";
   return kInk;
 }
 

@@ -48,7 +48,7 @@ DrawnFace::Kind kind_of(const Face& face, const ElevationView& view, double fron
 }
 
 bool is_hole_class(const Model& model, uint32_t part) {
-  return is_opening_class(model.parts[part].part_class);
+  return part_class::is_opening(model.parts[part].part_class);
 }
 
 DrawnFace::Role role_of(const Model& model, const PartTree& tree, const Face& face) {

@@ -27,6 +27,14 @@ std::string group_text(const DepthGroup& group) {
          (group.faces > 1 ? " (" + std::to_string(group.faces) + ")" : "");
 }
 
+// "shop front"; "other opening".
+std::string class_text(std::string_view word) {
+  if (word == part_class::kOpening) return "other opening";
+  std::string out(word);
+  std::replace(out.begin(), out.end(), '_', ' ');
+  return out;
+}
+
 void add_depths(std::vector<LegendItem>& items, const ElevationFaces& faces,
                 const ElevationContent& content) {
   if (faces.groups.empty() || content.colours == ElevationColours::kNone) return;
@@ -54,10 +62,8 @@ void add_signs(std::vector<LegendItem>& items, const ElevationFaces& faces,
     return faces.has_named_openings &&
            any_opening([&](const DrawnOpening&, const OpeningRow& r) { return r.part_class == c; });
   };
-  add(has_class(part_class::kWindow), Sign::kLine, opening_colour(part_class::kWindow), "window");
-  add(has_class(part_class::kDoor), Sign::kLine, opening_colour(part_class::kDoor), "door");
-  add(has_class(part_class::kOpening), Sign::kLine, opening_colour(part_class::kOpening),
-      "other opening");
+  for (const char* word : part_class::kOpenings)
+    add(has_class(word), Sign::kLine, opening_colour(word), class_text(word).c_str());
   add(any_opening([](const DrawnOpening&, const OpeningRow& r) { return r.is_copy(); }) ||
           any_face([](const DrawnFace& f) { return f.is_copy; }),
       Sign::kDashes, kInk, "copied: not measured here");

@@ -3,7 +3,10 @@
 #include "report/elevation/opening_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 
 #include "model/part_classes.h"
 #include "modelling/plane/plane_frame.h"
@@ -49,7 +52,7 @@ std::vector<std::vector<size_t>> faces_inside(const Model& model, const PartTree
     if (face.part >= model.parts.size() || face.ring_count == 0) continue;
     if (model.parts[face.part].part_class == part_class::kReveal) continue;
     const uint32_t opening = tree.nearest(
-        face.part, [&](uint32_t p) { return is_opening_class(model.parts[p].part_class); });
+        face.part, [&](uint32_t p) { return part_class::is_opening(model.parts[p].part_class); });
     if (opening != kNoPart) out[opening].push_back(f);
   }
   return out;
@@ -62,6 +65,7 @@ OpeningRow row_of(const Model& model, const PartTree& tree, uint32_t part,
   row.part = part;
   row.name = part_label(model, part);
   row.part_class = p.part_class;
+  row.class_confidence = p.class_confidence;
   row.evidence = p.evidence;
   row.copied_from = p.copied_from;
   row.depth_m = p.depth_m;
@@ -87,7 +91,7 @@ std::vector<OpeningRow> named_openings(const Model& model) {
   auto inside = faces_inside(model, tree);
   std::vector<OpeningRow> rows;
   for (uint32_t part = 0; part < model.parts.size(); ++part)
-    if (is_opening_class(model.parts[part].part_class))
+    if (part_class::is_opening(model.parts[part].part_class))
       rows.push_back(row_of(model, tree, part, std::move(holes[part]), std::move(inside[part])));
   return rows;
 }
@@ -110,8 +114,13 @@ std::vector<OpeningRow> unnamed_holes(const Model& model) {
   return rows;
 }
 
-int class_rank(std::string_view c) {
-  return c == part_class::kWindow ? 0 : c == part_class::kDoor ? 1 : 2;
+// The place of a class in lists, and its letter in tags: both in the order of part_class::kOpenings.
+constexpr std::string_view kLetters = "WDGSVRO";
+static_assert(kLetters.size() == std::size(part_class::kOpenings));
+
+size_t class_rank(std::string_view c) {
+  const auto* at = std::find(std::begin(part_class::kOpenings), std::end(part_class::kOpenings), c);
+  return std::min(static_cast<size_t>(at - part_class::kOpenings), kLetters.size() - 1);
 }
 
 bool is_alike(const OpeningType& type, const OpeningRow& row, double tolerance_m) {
@@ -146,18 +155,24 @@ void name_types(OpeningList& list) {
   });
   std::vector<OpeningType> types;
   std::vector<size_t> place(order.size());
-  size_t number[3] = {};
+  std::array<size_t, kLetters.size()> number{};
   for (const size_t i : order) {
     place[i] = types.size();
     types.push_back(list.types[i]);
-    const int rank = class_rank(types.back().part_class);
-    types.back().tag = "WDO"[rank] + std::to_string(++number[rank]);
+    const size_t rank = class_rank(types.back().part_class);
+    types.back().tag = kLetters[rank] + std::to_string(++number[rank]);
   }
   for (OpeningRow& row : list.rows) row.type = place[row.type];
   list.types = std::move(types);
 }
 
 }  // namespace
+
+size_t count_of(const OpeningList& list, std::string_view part_class) {
+  return static_cast<size_t>(
+      std::count_if(list.rows.begin(), list.rows.end(),
+                    [&](const OpeningRow& row) { return row.part_class == part_class; }));
+}
 
 OpeningList list_openings(const Model& model, double tolerance_m) {
   OpeningList list;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/numbers.h"
@@ -21,6 +22,7 @@ struct FaceRing {
 struct OpeningRow {
   uint32_t part = kNoPart;  ///< kNoPart: a hole of a wall that the model does not name
   std::string name, part_class;
+  double class_confidence = kNaN;
   Evidence evidence = Evidence::kNone;
   uint64_t copied_from = kNoParent;
   double width_m = 0, height_m = 0;  ///< of the upright box in the plane of the wall
@@ -41,7 +43,8 @@ struct OpeningRow {
 /// Openings of one class, form and size.
 struct OpeningType {
   std::string
-      tag;  ///< W1, W2 ... windows; D1 ... doors; O1 ... other openings: by falling number, then falling size
+      tag;  ///< W1, W2 ... windows; D doors, G gateways, S shop fronts, V vents, R recesses, O other openings: by
+            ///< falling number, then falling size
   std::string part_class;
   double width_m = 0, height_m = 0;  ///< means
   bool arched = false;
@@ -50,12 +53,15 @@ struct OpeningType {
 
 struct OpeningList {
   std::vector<OpeningRow> rows;    ///< in the order of the parts, or of the faces
-  std::vector<OpeningType> types;  ///< windows, doors, others
+  std::vector<OpeningType> types;  ///< in the order of part_class::kOpenings
 };
 
-/// The openings of a model: its parts of class window, door and opening. A model that has none of these (each plane a
-/// face) gives the upright holes of its steep faces, without names. Openings whose width and height agree within the
-/// tolerance are of one type.
+/// How many openings there are of a class.
+size_t count_of(const OpeningList& list, std::string_view part_class);
+
+/// The openings of a model: its parts of class window, door, opening and the like. A model that has none of these (each
+/// plane a face) gives the upright holes of its steep faces, without names. Openings whose width and height agree
+/// within the tolerance are of one type.
 OpeningList list_openings(const Model& model, double tolerance_m);
 
 }  // namespace jalon

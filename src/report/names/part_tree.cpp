@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/names/part_tree.h"
 
-#include "model/part_classes.h"
-
 namespace jalon {
 
 PartTree::PartTree(const Model& model) : faces_(model.parts.size()) {
@@ -29,11 +27,6 @@ PartTree::PartTree(const Model& model) : faces_(model.parts.size()) {
   }
   for (size_t f = 0; f < model.faces.size(); ++f)
     if (model.faces[f].part < n) faces_[model.faces[f].part].push_back(f);
-}
-
-bool is_opening_class(std::string_view part_class) {
-  return part_class == part_class::kWindow || part_class == part_class::kDoor ||
-         part_class == part_class::kOpening;
 }
 
 std::string part_label(const Model& model, uint64_t part) {

@@ -41,8 +41,6 @@ class PartTree {
   std::vector<std::vector<size_t>> faces_;
 };
 
-/// window, door or opening
-bool is_opening_class(std::string_view part_class);
 /// "window 3" for a part without a name as "part 17".
 std::string part_label(const Model& model, uint64_t part);
 

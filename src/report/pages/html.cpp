@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/setting_rows.h"
 #include "base/text_number.h"
@@ -34,21 +35,27 @@ uint64_t labelled(const Segmentation& segmentation) {
   return n;
 }
 
-// " The model has 118 faces, 19 windows, 2 doors and 0 other openings."
+// "1 shop front", "2 recesses"; openings of no class are "other".
+std::string counted(size_t n, std::string_view word) {
+  std::string one(word == part_class::kOpening ? "other opening" : word);
+  std::replace(one.begin(), one.end(), '_', ' ');
+  const char* plural = n == 1 ? "" : one.ends_with('s') ? "es" : "s";
+  return std::to_string(n) + " " + one + plural;
+}
+
+// " The model has 118 faces, 19 windows, 2 doors, 1 gateway and 0 other openings."
 std::string model_text(const Model& model, const OpeningList& openings) {
   if (model.faces.empty()) return "";
-  size_t windows = 0, doors = 0;
-  for (const OpeningRow& row : openings.rows) {
-    windows += row.part_class == part_class::kWindow;
-    doors += row.part_class == part_class::kDoor;
-  }
-  const auto counted = [](size_t n, const char* one) {
-    return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
-  };
   std::string text = " The model has " + counted(model.faces.size(), "face");
   if (openings.rows.empty()) return text + ".";
-  return text + ", " + counted(windows, "window") + ", " + counted(doors, "door") + " and " +
-         counted(openings.rows.size() - windows - doors, "other opening") + ".";
+  for (const char* word : part_class::kOpenings) {
+    const size_t n = count_of(openings, word);
+    const bool is_last = word == std::string_view(part_class::kOpening);
+    const bool is_usual = is_last || word == std::string_view(part_class::kWindow) ||
+                          word == std::string_view(part_class::kDoor);
+    if (n > 0 || is_usual) text += (is_last ? " and " : ", ") + counted(n, word);
+  }
+  return text + ".";
 }
 
 void add_summary(Page& page, const Segmentation& segmentation, const Notes& notes,

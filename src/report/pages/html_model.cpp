@@ -8,6 +8,7 @@
 #include "base/text_number.h"
 #include "model/part_classes.h"
 #include "report/names/evidence_name.h"
+#include "report/names/no_data.h"
 #include "report/names/part_tree.h"
 
 namespace jalon {
@@ -45,11 +46,13 @@ bool is_known(const OpeningList& openings, double OpeningRow::*value) {
 }
 
 void add_each(Page& page, const Model& model, const OpeningList& openings) {
-  page.open_table({"opening", "type", "width (m)", "\xCF\x83 (mm)", "height (m)", "\xCF\x83 (mm)",
-                   "depth (m)", "\xCF\x83 (mm)", "known from"});
+  page.open_table({"opening", "class", "confidence", "type", "width (m)", "\xCF\x83 (mm)",
+                   "height (m)", "\xCF\x83 (mm)", "depth (m)", "\xCF\x83 (mm)", "known from"});
   for (const OpeningRow& row : openings.rows) {
     page.html().open("tr");
     page.foreign("td", row.name);
+    page.foreign("td", row.part_class);
+    page.number(metres_of_html_model(row.class_confidence, 2));
     page.html().element("td", {}, openings.types[row.type].tag);
     page.number(text_of(row.width_m, 3));
     page.number(millimetres(row.sigma_width_m));
@@ -130,6 +133,10 @@ void add_parts(Page& page, const Model& model) {
     page.html().close();
   }
   page.close_table();
+  if (const NoData no_data = no_data_of(model); no_data.count > 0)
+    page.note("No data: " + std::to_string(no_data.count) + " places of the walls, " +
+              text_of(no_data.area_m2, 2) + " m\xC2\xB2, " + text_of(100 * no_data.share(), 1) +
+              " % of the walls with them, were not measured (hatched in the drawing).");
   if (reveals > 0)
     page.note("And " + std::to_string(reveals) + " reveals, each below its opening.");
 }

@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "report/elevation/opening_list.h"
+#include "report/names/no_data.h"
 #include "report/names/part_tree.h"
 
 namespace jalon {
@@ -36,6 +37,7 @@ void write_opening(JsonWriter& json, const OpeningRow& row, const OpeningList& o
   json.begin_object();
   json.name("name").value(row.name);
   json.name("class").value(row.part_class);
+  json.name("class_confidence").value(row.class_confidence);
   json.name("type").value(openings.types[row.type].tag);
   write_place(json, "part", row.part, model);
   json.name("width_m").value(row.width_m);
@@ -54,6 +56,7 @@ void write_part(JsonWriter& json, const Part& part, const Model& model, size_t f
   json.begin_object();
   json.name("name").value(part.name);
   json.name("class").value(part.part_class);
+  json.name("class_confidence").value(part.class_confidence);
   write_place(json, "parent", part.parent, model);
   json.name("faces").value(faces);
   json.name("width_m").value(part.width_m);
@@ -74,6 +77,12 @@ void write_model_parts(JsonWriter& json, const Model& model) {
   json.name("openings").begin_array();
   for (const OpeningRow& row : openings.rows) write_opening(json, row, openings, model);
   json.end_array();
+  const NoData no_data = no_data_of(model);
+  json.name("no_data").begin_object();
+  json.name("count").value(no_data.count);
+  json.name("area_m2").value(no_data.area_m2);
+  json.name("share").value(no_data.share());
+  json.end_object();
   const PartTree tree(model);
   json.name("parts").begin_array();
   for (size_t i = 0; i < model.parts.size(); ++i)

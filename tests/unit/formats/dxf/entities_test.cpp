@@ -144,8 +144,9 @@ TEST_CASE("dxf_entities__corners_come_back_to_their_place_flat_or_bent") {
       const double x = Tag{10, item.all(10)[i]}.number(), y = Tag{20, item.all(20)[i]}.number();
       CHECK(norm(place_of(x, y, item.number(38)) - line.corners[i]) < 1e-14);
     }
-    CHECK(item.all(1000) == std::vector<std::string>{"face=12", "part=pane 7", "class=joinery",
-                                                     "evidence=copied", "copied_from=its source"});
+    CHECK(item.all(1000) == std::vector<std::string>{"face=12", "part=pane 7", "number=1",
+                                                     "class=joinery", "evidence=copied",
+                                                     "copied_from=its source"});
     line.corners[2] += 1e-5 * normal;  // ten times what passes for flat
     for (const Version version : {Version::kR12, Version::kR2000}) {
       const WrittenLine bent = written_line(line, version, model);

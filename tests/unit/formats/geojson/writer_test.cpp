@@ -88,7 +88,16 @@ TEST_CASE("geojson_writer__arcs_are_drawn_within_the_chord_error_and_parts_are_t
   Model model = House().model();
   model.parts[2].width_m = INFINITY;  // of the wall
   const nlohmann::json file = geo_file(model);
-  REQUIRE(file["features"].size() == model.faces.size());
+  // Four openings without a face of their own, one of them with the width of its part.
+  REQUIRE(file["features"].size() == model.faces.size() + 4);
+  for (size_t k = 0; k < 4; ++k) {
+    const nlohmann::json& opening = file["features"][model.faces.size() + k];
+    CHECK(opening["id"] == model.faces.size() + k);
+    CHECK(opening["geometry"]["type"] == "Polygon");
+    CHECK(part_class::is_opening(opening["properties"]["class"].get<std::string>()));
+    CHECK(opening["properties"]["part_of"] == model.parts[2].name);
+    CHECK_FALSE(opening["properties"].contains("face"));
+  }
   for (size_t f = 0; f < model.faces.size(); ++f) {
     const nlohmann::json& told = file["features"][f]["properties"];
     const Part& part = model.parts[model.faces[f].part];

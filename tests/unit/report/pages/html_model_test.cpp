@@ -34,7 +34,10 @@ TEST_CASE("html_model__each_opening_has_the_measures_of_its_part_and_the_sigma_o
   named_facade::Setting setting;
   setting.copied = 3;
   setting.corner_variance = 4e-6;  // 2 mm an axis
-  const std::string html = openings_page(named_facade::make(setting));
+  Model model = named_facade::make(setting);
+  for (Part& part : model.parts)
+    if (part.name == "window 1") part.class_confidence = 0.907;
+  const std::string html = openings_page(model);
   CHECK(markup::well_formed(html));
   const auto tables = tables_of(html, "Openings");
   REQUIRE(tables.size() == 2);
@@ -44,18 +47,20 @@ TEST_CASE("html_model__each_opening_has_the_measures_of_its_part_and_the_sigma_o
   REQUIRE(tables[1].size() == 16);
   for (size_t i = 1; i < 16; ++i) {
     const auto& row = tables[1][i];
-    REQUIRE(row.size() == 9);
+    REQUIRE(row.size() == 11);
+    CHECK(row[1] == (row[0] == "door 1" ? "door" : "window"));
+    CHECK(row[2] == (row[0] == "window 1" ? "0.91" : ""));
     const bool is_door = row[0] == "door 1";
-    CHECK(row[2] == (is_door ? "1.000" : "1.200"));
-    CHECK(row[3] == "2.83");  // sqrt 2 times 2 mm
+    CHECK(row[4] == (is_door ? "1.000" : "1.200"));
+    CHECK(row[5] == "2.83");  // sqrt 2 times 2 mm
     if (row[0] == "window 1") {
-      CHECK(row[5] == "2.83");
+      CHECK(row[7] == "2.83");
       // Two planes of 1 mm each, and what their normals add (0.01 mrad an axis) at the place.
-      CHECK(markup::number(row[7]) >= 1.41);
-      CHECK(markup::number(row[7]) < 2.8);
+      CHECK(markup::number(row[9]) >= 1.41);
+      CHECK(markup::number(row[9]) < 2.8);
     }
-    CHECK(row[6] == (is_door ? "0.250" : "0.150"));
-    CHECK((row[8] == "copy of window 1") == (row[0] == "window 4"));
+    CHECK(row[8] == (is_door ? "0.250" : "0.150"));
+    CHECK((row[10] == "copy of window 1") == (row[0] == "window 4"));
   }
   // Where nothing is known of the corners, the columns stay empty and the note away.
   setting.corner_variance = 0;
@@ -63,7 +68,7 @@ TEST_CASE("html_model__each_opening_has_the_measures_of_its_part_and_the_sigma_o
   Model unknown = named_facade::make(setting);
   for (Face& face : unknown.faces) face.covariance.fill(NAN);
   const std::string plain = openings_page(unknown);
-  CHECK(tables_of(plain, "Openings")[1][1][3].empty());
+  CHECK(tables_of(plain, "Openings")[1][1][5].empty());
   CHECK(has(html, "by propagation"));
   CHECK(!has(plain, "by propagation"));
 }

@@ -95,6 +95,8 @@ TEST_CASE("json_model__places_that_no_part_has_are_null") {
   CHECK(json["openings"][0]["part"] == 1);
   CHECK(json["openings"][0]["copied_from"].is_null());
   const auto empty = json_of_parts({});
-  REQUIRE(empty.size() == 3);
+  REQUIRE(empty.size() == 4);
+  CHECK(empty["no_data"]["count"] == 0);
+  CHECK(empty["no_data"]["share"] == 0);
   for (const char* name : {"opening_types", "openings", "parts"}) CHECK(empty[name].empty());
 }
