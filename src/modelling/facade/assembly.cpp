@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "model/part_classes.h"
+#include "modelling/facade/opening_classes.h"
 #include "modelling/facade/opening_faces.h"
 #include "modelling/facade/part_rules.h"
 #include "modelling/facade/wall_solid.h"
@@ -23,16 +24,10 @@ namespace {
 constexpr double kBoxChord_m = 0.001;
 constexpr uint8_t kWalls = 2, kOpenings = 3;  // levels of detail of CityGML 3.0
 
-const char* class_of(OpeningKind kind) {
-  switch (kind) {
-    case OpeningKind::kDoor:
-      return part_class::kDoor;
-    case OpeningKind::kWindow:
-      return part_class::kWindow;
-    case OpeningKind::kOpening:
-      break;
-  }
-  return part_class::kOpening;
+// "shop front" of "shop_front".
+std::string spoken(std::string word) {
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return word;
 }
 
 Box3 box_in(const FacadeFrame& frame, const PlaneFrame& plane, const VectorRing& ring) {
@@ -128,7 +123,7 @@ class Assembly {
     for (const PlannedWall& wall : facade_->walls) {
       auto& names = names_.emplace_back();
       for (const FacadeOpening& o : wall.wall.openings)
-        names.push_back(std::string(class_of(o.kind)) + " " + numbers[o.kind][next[o.kind]++]);
+        names.push_back(spoken(class_of(o.kind)) + " " + numbers[o.kind][next[o.kind]++]);
     }
   }
 
@@ -164,8 +159,9 @@ class Assembly {
                            !setting_.solids);
     }
     for (size_t k = 0; k < shadows.size(); ++k)
-      append_face(model_, face_of(planned.plane, shadows[k]),
-                  {part_ring(vertices_[planned.plane], wall.shadows[k].outline)});
+      if (!wall.shadows[k].is_filled)  // areas count once: filled, it is wall
+        append_face(model_, face_of(planned.plane, shadows[k]),
+                    {part_ring(vertices_[planned.plane], wall.shadows[k].outline)});
   }
 
   uint32_t add_opening_part(const FacadeWall& wall, const FacadeOpening& opening,
@@ -177,6 +173,7 @@ class Assembly {
     set_size(part, box);
     model_.parts[part].depth_m = opening.depth_m;
     model_.parts[part].level_of_detail = kOpenings;
+    model_.parts[part].class_confidence = opening.kind_confidence;
     shape_.openings.push_back(box);
     return part;
   }
@@ -258,8 +255,7 @@ class Assembly {
     for (const size_t k : by_place(boxes)) {
       task_.checkpoint(0);
       const Element& e = elements[k];
-      std::string name = e.part_class;
-      std::replace(name.begin(), name.end(), '_', ' ');
+      std::string name = spoken(e.part_class);
       const size_t number = ++numbers[name];
       name += " " + std::to_string(number);
       const uint32_t part =

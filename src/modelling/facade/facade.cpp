@@ -24,39 +24,45 @@ EvidenceSetting evidence_setting(const SurveySetting& survey) {
 Model run(const Segmentation& given, const ExtrusionSettings& settings,
           const AssemblySetting& assembly, Task& task) {
   if (plane_count(given.segments) == 0) return {};
-  const bool by_evidence = settings.plan.by_evidence;
-  const Segmentation segmentation =
-      by_evidence ? with_whole_walls(given, settings.plan.survey.min_depth_m, task) : given;
-  std::vector<WallEvidence> evidence;
-  if (by_evidence) {
-    const ProgressSpan span(task, 0, 0.15, "looking through openings");
-    evidence = gather_evidence(segmentation, evidence_setting(settings.plan.survey), task);
-  }
-  std::vector<VectorPlane> planes;
-  {
-    const ProgressSpan span(task, 0.15, 0.65);
-    planes = vectorise(segmentation, settings.vectorise, task,
-                       by_evidence ? contours_by(evidence) : ContourMaker{});
-  }
+  Segmentation segmentation = given;
   FacadePlan plan;
   {
-    const ProgressSpan span(task, 0.65, 0.9);
-    std::vector<SharedCorner> shared =
-        join_planes(planes, segmentation.segments, settings.joints, task);
-    // Edges drawn to one joint leave nothing of the step that was between them.
-    for (VectorPlane& plane : planes)
-      for (VectorFace& face : plane.faces) {
-        drop_short_edges(face.outline, kLeastEdge_m);
-        for (VectorRing& ring : face.openings) drop_short_edges(ring, kLeastEdge_m);
-      }
-    plan = plan_facades(segmentation, std::move(planes), settings.plan, task, evidence);
-    plan.shared = std::move(shared);
+    const ProgressSpan span(task, 0, 0.9);
+    plan = plan_model(segmentation, settings, task);
   }
   const ProgressSpan span(task, 0.9, 1, "putting faces together");
   return assemble_facades(segmentation, std::move(plan), assembly, task);
 }
 
 }  // namespace
+
+FacadePlan plan_model(Segmentation& segmentation, const ExtrusionSettings& settings, Task& task) {
+  const bool by_evidence = settings.plan.by_evidence;
+  std::vector<WallEvidence> evidence;
+  if (by_evidence) {
+    const ProgressSpan span(task, 0, 0.17, "looking through openings");
+    segmentation = with_whole_walls(segmentation, settings.plan.survey.min_depth_m, task);
+    evidence = gather_evidence(segmentation, evidence_setting(settings.plan.survey), task);
+  }
+  std::vector<VectorPlane> planes;
+  {
+    const ProgressSpan span(task, 0.17, 0.72);
+    planes = vectorise(segmentation, settings.vectorise, task,
+                       by_evidence ? contours_by(evidence) : ContourMaker{});
+  }
+  const ProgressSpan span(task, 0.72, 1);
+  std::vector<SharedCorner> shared =
+      join_planes(planes, segmentation.segments, settings.joints, task);
+  // Edges drawn to one joint leave nothing of the step that was between them.
+  for (VectorPlane& plane : planes)
+    for (VectorFace& face : plane.faces) {
+      drop_short_edges(face.outline, kLeastEdge_m);
+      for (VectorRing& ring : face.openings) drop_short_edges(ring, kLeastEdge_m);
+    }
+  FacadePlan plan = plan_facades(segmentation, std::move(planes), settings.plan, task, evidence);
+  plan.shared = std::move(shared);
+  return plan;
+}
 
 Model model_facade(const Segmentation& segmentation, const FacadeSettings& settings, Task& task) {
   const double thickness_m = settings.walls.thickness_m;

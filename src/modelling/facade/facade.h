@@ -39,6 +39,9 @@ std::span<const ParamRow> extrusion_rows();
 /// 4. faces with shared vertices in a tree of parts (assembly.h).
 Model model_facade(const Segmentation& segmentation, const FacadeSettings& settings, Task& task);
 
+/// Steps 1 to 3 alone: what is known before faces are made. segmentation becomes that of which the plan's planes are.
+FacadePlan plan_model(Segmentation& segmentation, const ExtrusionSettings& settings, Task& task);
+
 /// The walls alone, extruded inward along their normals by the depth of their openings, as closed solids with the
 /// reveals of the openings (Boulaassal 2010, 4.4.2).
 Model model_extrusion(const Segmentation& segmentation, const ExtrusionSettings& settings,

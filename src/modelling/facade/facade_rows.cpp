@@ -75,8 +75,22 @@ constexpr auto kEvidenceRows = setting_rows(bool_row<&PlanSetting::by_evidence>(
     "are one, and what nobody measured is no wall; else by the contours of the planes"));
 constexpr auto kWallRows = setting_rows(nested_rows<&PlanSetting::group, kGroupRows>(),
                                         nested_rows<&PlanSetting::survey, kSurveyRows>());
+constexpr auto kFillRows = setting_rows(
+    choice_row<&FillSetting::fill>(
+        "fill", "never|small|outline", "",
+        "What of a wall is drawn where nothing was measured: nothing of it, what is small, or all "
+        "within its outline; what is not drawn is a hole of part class no_data"),
+    number_row<&FillSetting::small_spacings>(
+        "fill_spacings", 0, 1e6, "spacings", "",
+        "Longer side of what is small, in spacings of the wall's points"));
+constexpr auto kClassRows = setting_rows(number_row<&ClassSetting::min_confidence>(
+    "min_class_confidence", 0, 1, "1", "",
+    "Least probability of the class of an opening (window, door, gateway, shop_front, vent, "
+    "recess); below it is an \"opening\""));
 constexpr auto kOpeningRows = setting_rows(nested_rows<&PlanSetting::group, kDoorRows>(),
-                                           nested_rows<&PlanSetting::patterns, kPatternRows>());
+                                           nested_rows<&PlanSetting::patterns, kPatternRows>(),
+                                           nested_rows<&PlanSetting::classes, kClassRows>(),
+                                           nested_rows<&PlanSetting::fill, kFillRows>());
 
 constexpr auto kExtrusionRows = setting_rows(
     nested_rows<&ExtrusionSettings::plan, kEvidenceRows>(),

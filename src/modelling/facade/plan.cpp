@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modelling/facade/opening_classes.h"
 #include "modelling/plane/ring_tools.h"
 #include "modelling/walls/bays.h"
 #include "modelling/walls/evident_holes.h"
@@ -92,22 +93,33 @@ WallList list_walls(const Segmentation& segmentation, const FacadePlan& plan,
   return out;
 }
 
-// Where no evidence says more, shadows are no holes: the faces and the outlines close over them.
-void close_shadows(std::span<const WallHole> holes, std::span<const int32_t> opening_of,
-                   VectorPlane& plane, FacadeWall& wall) {
-  for (size_t h = 0; h < holes.size(); ++h)
-    if (opening_of[h] < 0) close_hole(plane.faces[holes[h].piece], holes[h]);
+bool is_filled(const FacadeShadow& shadow, const FillSetting& setting, double spacing_m) {
+  if (setting.fill != WallFill::kSmall) return setting.fill == WallFill::kOutline;
+  const RingBox box = ring_box(shadow.outline);
+  return std::max(box.width(), box.height()) <= setting.small_spacings * spacing_m;
+}
+
+// The faces and the outlines close over what is to be filled. Small ones are wall from here on; larger ones, filled
+// because they were asked for, are told.
+void fill_shadows(const FillSetting& setting, VectorPlane& plane, FacadeWall& wall) {
+  for (FacadeShadow& shadow : wall.shadows) {
+    shadow.is_filled = is_filled(shadow, setting, plane.spacing_m);
+    if (shadow.is_filled)
+      close_hole(plane.faces[shadow.piece], {shadow.outline, shadow.piece, shadow.is_notch});
+  }
+  if (setting.fill == WallFill::kSmall)
+    std::erase_if(wall.shadows, [](const FacadeShadow& shadow) { return shadow.is_filled; });
   for (size_t f = 0; f < plane.faces.size(); ++f) wall.outlines[f] = plane.faces[f].outline;
 }
 
 // The wall's faces with these openings as their holes beside those where nothing was looked at; notches are in the
 // outlines.
 std::vector<VectorFace> faces_with(const VectorPlane& plane, std::span<const FacadeShadow> shadows,
-                                   bool is_closed, std::span<const FacadeOpening> openings) {
+                                   std::span<const FacadeOpening> openings) {
   std::vector<VectorFace> faces = plane.faces;
   for (VectorFace& face : faces) face.openings.clear();
   for (const FacadeShadow& shadow : shadows)
-    if (!shadow.is_notch && !is_closed)
+    if (!shadow.is_notch && !shadow.is_filled)
       faces[shadow.piece].openings.push_back(reversed(shadow.outline));
   for (const FacadeOpening& opening : openings)
     if (!opening.is_notch) faces[opening.piece].openings.push_back(reversed(opening.outline));
@@ -116,8 +128,7 @@ std::vector<VectorFace> faces_with(const VectorPlane& plane, std::span<const Fac
 
 // Copies of repeated openings go into the faces; one after the other, so that one that does not fit between its
 // neighbours is left out alone.
-void add_copies(const PatternSetting& setting, bool is_closed, VectorPlane& plane,
-                FacadeWall& wall) {
+void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& wall) {
   std::vector<FacadeOpening> before = wall.openings;
   if (!setting.enabled || complete_patterns(wall, setting) == 0) return;
   std::vector<FacadeOpening> kept = before;
@@ -134,9 +145,9 @@ void add_copies(const PatternSetting& setting, bool is_closed, VectorPlane& plan
     std::vector<FacadeShadow> shadows = wall.shadows;
     const RingBox place = ring_box(copy.outline);
     std::erase_if(shadows, [&](const FacadeShadow& shadow) {
-      return !is_closed && overlap(ring_box(shadow.outline), place) >= kHiddenByCopy;
+      return !shadow.is_filled && overlap(ring_box(shadow.outline), place) >= kHiddenByCopy;
     });
-    std::vector<VectorFace> faces = faces_with(plane, shadows, is_closed, trial);
+    std::vector<VectorFace> faces = faces_with(plane, shadows, trial);
     if (!is_sound(faces[copy.piece], kChordOfSpacing * plane.spacing_m)) continue;
     plane.faces = std::move(faces);
     kept = std::move(trial);
@@ -177,8 +188,8 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
       const auto opening_of = judge_holes(segmentation, list.holes[k], surveys[k], setting.survey,
                                           wall.wall, task, drawn_openings(evidence, index));
       count_points(opening_of, surveys[k], wall.wall, in_openings);
-      if (evidence.empty()) close_shadows(list.holes[k], opening_of, plan.planes[index], wall.wall);
-      add_copies(setting.patterns, evidence.empty(), plan.planes[index], wall.wall);
+      fill_shadows(setting.fill, plan.planes[index], wall.wall);
+      add_copies(setting.patterns, plan.planes[index], wall.wall);
       facade.walls.push_back(std::move(wall));
       ++k;
     }
@@ -190,6 +201,8 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
           kConsumedShare * static_cast<double>(segment.point_count()))
         facade.elements.push_back(index);
     }
+  // 5. What the openings are.
+  classify_openings(setting.classes, plan);
   return plan;
 }
 

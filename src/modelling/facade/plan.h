@@ -28,11 +28,26 @@ struct PlannedFacade {
       elements;  ///< planes that become parts of their own; joinery and reveals left out
 };
 
-/// All that is known before faces are made; faces of the wall planes are those that stay: shadows are closed in them.
+/// All that is known before faces are made; faces of the wall planes are those that stay: filled
+/// shadows are closed in them, the others are holes or notches.
 struct FacadePlan {
   std::vector<VectorPlane> planes;  ///< one a segment
   std::vector<PlannedFacade> facades;
   std::vector<SharedCorner> shared;
+};
+
+/// What of a wall is drawn where nothing was measured.
+enum class WallFill : uint8_t { kNever, kSmall, kOutline };
+
+struct FillSetting {
+  WallFill fill = WallFill::kSmall;
+  /// Full; of the longer side of the box of what counts as small. Gaps between points are no longer than three spacings
+  /// but in one case of a thousand; a dozen is what a lamp, a cable or a sign's bracket hides at usual spacings.
+  double small_spacings = 12;
+};
+
+struct ClassSetting {
+  double min_confidence = 0.7;  ///< least probability of a class; below an opening is "opening"
 };
 
 struct PlanSetting {
@@ -40,6 +55,8 @@ struct PlanSetting {
   GroupSetting group;
   SurveySetting survey;
   PatternSetting patterns;
+  ClassSetting classes;
+  FillSetting fill;
 };
 
 /// Facades, walls, their openings and shadows from the 2D models of the planes.

@@ -16,7 +16,23 @@
 
 namespace jalon {
 
-enum class OpeningKind : uint8_t { kOpening, kWindow, kDoor };
+enum class OpeningKind : uint8_t {
+  kOpening,  ///< none of the others for certain
+  kWindow,
+  kDoor,
+  kGateway,    ///< wide enough for a cart, open or with gates
+  kShopFront,  ///< glazed from about the ground, wider than a door
+  kVent,       ///< small, with slats or a grating
+  kRecess,     ///< a wall stands back in it: a loggia, an arcade
+};
+inline constexpr size_t kOpeningKinds = 7;
+
+/// What lies in an opening: shares of its box in cells of the wall's map.
+struct OpeningContent {
+  double joinery = 0;  ///< with points of the joinery, or on the wall's plane where none is known
+  double behind = 0;   ///< with points behind that
+  double empty = 1;    ///< with none
+};
 
 /// What fills a hole of a wall's face.
 struct FacadeOpening {
@@ -27,6 +43,8 @@ struct FacadeOpening {
   bool ends_at_sill =
       false;  ///< its first edge is the upper edge of a sill that hides the wall there
   OpeningKind kind = OpeningKind::kOpening;
+  double kind_confidence = kNaN;  ///< probability of the likeliest kind; NaN: not told yet
+  OpeningContent content;
   Evidence evidence = Evidence::kNone;
   /// Of the joinery (frame, pane, leaf) behind the wall, along its normal; negative in front of it; NaN: nothing seen.
   double depth_m = kNaN;
@@ -45,11 +63,13 @@ struct FacadeOpening {
       -1;  ///< index in FacadeWall::openings of the opening it repeats; -1: measured itself
 };
 
-/// A stretch of the wall that no station saw: the wall is closed over it.
+/// A stretch of the wall that no station saw.
 struct FacadeShadow {
   VectorRing outline;  ///< anticlockwise
   uint32_t piece = 0;
   bool is_notch = false;  ///< it came in from the lower border
+  bool is_filled =
+      false;  ///< the wall is closed over it; else it is a hole of its face, or a notch
 };
 
 /// Where points prove what: one byte a cell.

@@ -11,6 +11,7 @@
 #include "modelling/walls/border_evidence.h"
 #include "modelling/walls/evident_holes.h"
 #include "modelling/walls/joinery.h"
+#include "modelling/walls/opening_content.h"
 
 namespace jalon {
 
@@ -165,6 +166,7 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     measure_border(wall, seen, opening);
     const double foot = ring_box(wall.outlines[hole.piece]).low.v;
     if (hole.is_notch) lower_to_foot(joinery, opening.outline);
+    opening.content = opening_content(seen, wall.map, opening, survey.tolerance_m);
     const RingBox box = ring_box(opening.outline);
     const bool is_below = hole.is_notch && !hole.is_bay;  // nothing of the wall is
     opening.kind = kind_of(box, is_below || box.low.v <= foot + kDoorFoot_m, opening);

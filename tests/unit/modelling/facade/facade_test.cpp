@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -161,18 +162,53 @@ struct Hidden {
 
 }  // namespace
 
-TEST_CASE("facade: what something in front hides is no opening, and the wall is closed over it") {
+TEST_CASE("facade: what something in front hides is no opening but a hole without data") {
   const Hidden hidden;
   const Model model = facade_of(hidden.segmentation(true));
   REQUIRE(parts_of(model, "window").size() == 1);
   CHECK(std::fabs(model.parts[parts_of(model, "window")[0]].depth_m - 0.2) < 0.002);
   const auto shadows = parts_of(model, "no_data");
   REQUIRE(shadows.size() == 1);
-  CHECK(model.faces[0].ring_count == 2);
   // Seen from the eye the box of 0.8 m throws a shadow of 0.8 x 8 / 6 m, from 6.6 to 7.667 m.
   const Box3 box = box_of_part(model, shadows[0]);
   CHECK(std::fabs(box.min.x - 6.6) < 0.05);
   CHECK(std::fabs(box.max.x - 7.667) < 0.05);
+}
+
+TEST_CASE(
+    "facade: fill says what of a wall is drawn where nobody measured, by contour and by evidence") {
+  const Hidden hidden;
+  const Segmentation segmentation = hidden.segmentation(true);
+  const auto wall_and_no_data_m2 = [](const Model& model) {
+    std::array<double, 2> out{};
+    for (const Face& face : model.faces) {
+      if (model.parts[face.part].part_class == "wall") out[0] += face.area_m2;
+      if (model.parts[face.part].part_class == "no_data") out[1] += face.area_m2;
+    }
+    return out;
+  };
+  for (const std::string way : {"false", "true"}) {
+    CAPTURE(way);
+    const auto filled = [&](const std::string& fill) {
+      return facade_of(segmentation, ("{\"evidence\":" + way + "," + fill + "}").c_str());
+    };
+    const Model never = filled("\"fill\":\"never\""), small = filled("\"fill\":\"small\""),
+                larger = filled("\"fill\":\"small\",\"fill_spacings\":1000"),
+                outline = filled("\"fill\":\"outline\"");
+    const auto [wall_m2, no_data_m2] = wall_and_no_data_m2(never);
+    CHECK(no_data_m2 > 0.3);
+    // The shadow is far above a dozen spacings.
+    CHECK(wall_and_no_data_m2(small) == wall_and_no_data_m2(never));
+    // Filled, it is wall, and no area is both; that it was not measured is told where the user asked for it.
+    for (const Model* model : {&larger, &outline}) {
+      const auto [more_m2, rest_m2] = wall_and_no_data_m2(*model);
+      CHECK(rest_m2 == 0);
+      CHECK(more_m2 == doctest::Approx(wall_m2 + no_data_m2).epsilon(1e-6));
+      CHECK(parts_of(*model, "window").size() == parts_of(never, "window").size());
+    }
+    CHECK(parts_of(larger, "no_data").empty());
+    CHECK(parts_of(outline, "no_data").size() == parts_of(never, "no_data").size());
+  }
 }
 
 TEST_CASE("facade: without stations a box hides the hole that lies straight behind it") {

@@ -58,7 +58,7 @@ FacadePlan window_and_shadow() {
 
 }  // namespace
 
-TEST_CASE("facade_plan__tells_a_window_from_a_shadow_and_closes_the_wall_over_that") {
+TEST_CASE("facade_plan__tells_a_window_from_a_shadow") {
   const FacadePlan plan = window_and_shadow();
   REQUIRE(plan.facades.size() == 1);
   REQUIRE(plan.facades[0].walls.size() == 1);
@@ -73,10 +73,12 @@ TEST_CASE("facade_plan__tells_a_window_from_a_shadow_and_closes_the_wall_over_th
   CHECK(signed_area(window.outline) == doctest::Approx(kWindow.area()));
   REQUIRE(wall.wall.shadows.size() == 1);
   CHECK(signed_area(wall.wall.shadows[0].outline) == doctest::Approx(kDark.area()));
-  // The face has the window's hole alone.
+  // The face has both holes.
+  CHECK_FALSE(wall.wall.shadows[0].is_filled);
   REQUIRE(plan.planes[0].faces.size() == 1);
-  REQUIRE(plan.planes[0].faces[0].openings.size() == 1);
-  CHECK(area(plan.planes[0].faces[0]) == doctest::Approx(kWall.area() - kWindow.area()));
+  REQUIRE(plan.planes[0].faces[0].openings.size() == 2);
+  CHECK(area(plan.planes[0].faces[0]) ==
+        doctest::Approx(kWall.area() - kWindow.area() - kDark.area()));
 }
 
 TEST_CASE("facade_plan__parts_of_their_own_are_neither_walls_nor_what_fills_openings") {
@@ -93,7 +95,7 @@ TEST_CASE("facade_plan__parts_of_their_own_are_neither_walls_nor_what_fills_open
   CHECK(alone.facades[0].elements == std::vector<size_t>{0});
 }
 
-TEST_CASE("facade_plan__a_door_is_a_notch_of_the_outline_and_a_hidden_one_is_closed") {
+TEST_CASE("facade_plan__a_door_is_a_notch_of_the_outline_and_a_hidden_one_is_closed_where_asked") {
   const walls::Rectangle door{4, 0, 5.2, 2.2};
   VectorFace face{
       ring_of({{0, 0}, {4, 0}, {4, 2.2}, {5.2, 2.2}, {5.2, 0}, {10, 0}, {10, 4}, {0, 4}}), {}};
@@ -101,10 +103,12 @@ TEST_CASE("facade_plan__a_door_is_a_notch_of_the_outline_and_a_hidden_one_is_clo
     const Segmentation segmentation =
         walls::segmentation_of({points_on(kWall, 0, {door}), points_on(door, hidden ? -1.5 : 0.3)});
     Task task;
+    PlanSetting setting;
+    setting.fill.fill = WallFill::kOutline;
     const FacadePlan plan = plan_facades(
         segmentation,
-        {plane_with(face, 0, 1), plane_with({ring_round(door), {}}, hidden ? -1.5 : 0.3, 2)}, {},
-        task);
+        {plane_with(face, 0, 1), plane_with({ring_round(door), {}}, hidden ? -1.5 : 0.3, 2)},
+        setting, task);
     REQUIRE(plan.facades.size() == 1);
     const FacadeWall& wall = plan.facades[0].walls[0].wall;
     CHECK(wall.openings.size() == (hidden ? 0 : 1));

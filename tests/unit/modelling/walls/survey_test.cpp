@@ -25,7 +25,7 @@ std::vector<Vec3> wall_points() {
 }
 
 /// A patch 1 x height m in the window's place, this far behind the wall (negative: before it).
-std::vector<Vec3> patch(double y, double height = 1) {
+std::vector<Vec3> seen_patch(double y, double height = 1) {
   std::vector<Vec3> out;
   for (double u = 1.05; u < 2; u += 0.1)
     for (double v = 1.05; v < 1 + height; v += 0.1) out.push_back({u, y, v});
@@ -61,7 +61,7 @@ Segmentation seen_from(const std::vector<std::vector<Vec3>>& parts, const Vec3& 
 }  // namespace
 
 TEST_CASE("wall_survey__without_stations_points_behind_and_before_tell_what_was_seen") {
-  const WallSurvey open = survey_of(segmentation_of({wall_points(), patch(0.2, 0.5)}));
+  const WallSurvey open = survey_of(segmentation_of({wall_points(), seen_patch(0.2, 0.5)}));
   CHECK(open.holes[0].cells == 100);
   CHECK(open.holes[0].through == 50);
   CHECK(open.holes[0].hidden == 0);
@@ -69,13 +69,13 @@ TEST_CASE("wall_survey__without_stations_points_behind_and_before_tell_what_was_
   CHECK(open.map.at({1.55, 1.75}) == WallCell::kUnknown);
   CHECK(open.map.at({0.55, 0.55}) == WallCell::kSolid);
   CHECK(open.tolerance_m == doctest::Approx(0.03));
-  const WallSurvey hidden = survey_of(segmentation_of({wall_points(), patch(-2, 0.5)}));
+  const WallSurvey hidden = survey_of(segmentation_of({wall_points(), seen_patch(-2, 0.5)}));
   CHECK(hidden.holes[0].through == 0);
   CHECK(hidden.holes[0].hidden == 50);
   CHECK(hidden.map.at({1.55, 1.25}) == WallCell::kHidden);
   // Too far behind to be joinery, and on the wall: neither.
   for (const double y : {1.5, 0.01}) {
-    const WallSurvey none = survey_of(segmentation_of({wall_points(), patch(y)}));
+    const WallSurvey none = survey_of(segmentation_of({wall_points(), seen_patch(y)}));
     CHECK(none.holes[0].through + none.holes[0].hidden == 0);
   }
 }
@@ -83,22 +83,23 @@ TEST_CASE("wall_survey__without_stations_points_behind_and_before_tell_what_was_
 TEST_CASE("wall_survey__from_a_station_rays_through_the_wall_count_however_far_they_go") {
   // The eye is 4 m before the window's middle, the patch 4 m behind: it shows at half its size.
   const Vec3 eye{1.5, -4, 1.5};
-  const WallSurvey through = survey_of(seen_from({wall_points(), patch(4)}, eye));
+  const WallSurvey through = survey_of(seen_from({wall_points(), seen_patch(4)}, eye));
   CHECK(through.holes[0].through >= 16);
   CHECK(through.holes[0].through <= 36);
   CHECK(through.map.at({1.55, 1.55}) == WallCell::kThrough);
   CHECK(through.map.at({1.05, 1.05}) == WallCell::kUnknown);
   // Half way before the wall it hides twice its size; what it leaves free is not told.
-  const WallSurvey before = survey_of(seen_from({wall_points(), patch(-2)}, eye));
+  const WallSurvey before = survey_of(seen_from({wall_points(), seen_patch(-2)}, eye));
   CHECK(before.holes[0].hidden >= 20);
   CHECK(before.holes[0].through == 0);
   // Seen from behind nothing is told by rays.
-  const WallSurvey behind = survey_of(seen_from({wall_points(), patch(-2)}, {1.5, 4, 1.5}));
+  const WallSurvey behind = survey_of(seen_from({wall_points(), seen_patch(-2)}, {1.5, 4, 1.5}));
   CHECK(behind.holes[0].hidden + behind.holes[0].through == 0);
 }
 
 TEST_CASE("wall_survey__takes_the_points_in_and_beside_a_hole_the_same_for_any_threads") {
-  const Segmentation s = segmentation_of({wall_points(), patch(0.2), patch(-0.2), patch(1.2)});
+  const Segmentation s =
+      segmentation_of({wall_points(), seen_patch(0.2), seen_patch(-0.2), seen_patch(1.2)});
   const WallSurvey one = survey_of(s), many = survey_of(s, 4);
   size_t own = 0, pane = 0, before = 0;
   for (const HolePoint& p : one.holes[0].points) {
