@@ -3,6 +3,7 @@
 #include "model/buildings/building_offsets.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 #include "base/random.h"
@@ -59,21 +60,29 @@ BuildingOffsets drawn_offsets(const Model& strips, const BuildingSigmas& sigmas)
 
 Model moved_strips(const Model& strips, const BuildingOffsets& offsets) {
   const std::vector<PartNumbers> numbers = part_numbers(strips);
+  constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
   Model moved = strips;
+  bool has_strips = false;
   for (Face& face : moved.faces) {
     const PartNumbers& n = numbers[face.part];
-    if (n.block >= offsets.blocks.size() || n.facade >= offsets.facades.size() ||
-        n.strip >= offsets.strips.size())
+    const bool is_strip = n.strip != kNone;
+    if (!is_strip && n.block == kNone) continue;
+    has_strips |= is_strip;
+    if (n.block >= offsets.blocks.size() ||
+        (is_strip && (n.facade >= offsets.facades.size() || n.strip >= offsets.strips.size())))
       fail(Status::kInvalidArgument,
            "face %u is of no strip, facade and block: it is no model of strips", face.id);
     const Vec2& b = offsets.blocks[n.block];
-    const Vec3 by = Vec3{b.u, b.v, 0} +
-                    face.plane.normal * (offsets.facades[n.facade] + offsets.strips[n.strip]);
+    Vec3 by{b.u, b.v, 0};
+    if (is_strip)
+      by += face.plane.normal * (offsets.facades[n.facade] + offsets.strips[n.strip]);
     for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
       for (uint64_t c = moved.rings[r].first; c < moved.rings[r].first + moved.rings[r].count; ++c)
         moved.vertices[moved.corners[c]] += by;
     face.plane.offset += dot(face.plane.normal, by);
   }
+  if (!has_strips)
+    fail(Status::kInvalidArgument, "it is no model of strips: jalon_model_building_strips makes one");
   return moved;
 }
 

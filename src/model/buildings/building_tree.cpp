@@ -89,6 +89,7 @@ BuildingTree building_tree(const Model& model, const BuildingSettings& settings,
   tree.blocks = blocks.count;
   tree.block_of_building = std::move(blocks.of_building);
   tree.buildings = std::move(pieces.buildings);
+  tree.others = std::move(pieces.others);
   tree.crs = model.crs;
   // 4. Strips.
   for (uint32_t f = 0; f < tree.facades.size(); ++f) {
@@ -119,6 +120,32 @@ Model strip_model(const BuildingTree& tree) {
               add_part(model, "strip " + std::to_string(s + 1), part_class::kStrip,
                        facade_parts[tree.strips[s].facade]));
   return model;
+}
+
+void add_others(Model& strips, const BuildingTree& tree, const Model& buildings) {
+  for (size_t i = 0; i < tree.others.size(); ++i) {
+    const auto [number, building] = tree.others[i];
+    const Face& from = buildings.faces[number];
+    const bool is_ground = building == kNoPart;
+    Face face = from;
+    // Buildings stand behind the blocks (strip_model).
+    face.part = add_part(strips, (is_ground ? "ground " : "roof ") + std::to_string(i + 1),
+                         is_ground ? part_class::kGround : part_class::kRoof,
+                         is_ground ? kNoParent : uint64_t{tree.blocks} + building);
+    face.id = static_cast<uint32_t>(strips.faces.size());
+    std::vector<std::vector<Vec3>> rings;
+    for (uint64_t r = from.first_ring; r < from.first_ring + from.ring_count; ++r) {
+      const Ring& ring = buildings.rings[r];
+      rings.emplace_back();
+      for (uint64_t c = ring.first; c < ring.first + ring.count; ++c)
+        rings.back().push_back(buildings.vertices[buildings.corners[c]]);
+    }
+    const size_t added = strips.add_face(face, rings);
+    for (const auto& triangle : triangles_of_face(strips, strips.faces[added])) {
+      strips.triangles.push_back(triangle);
+      strips.triangle_faces.push_back(face.id);
+    }
+  }
 }
 
 }  // namespace jalon

@@ -10,6 +10,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "geometry/plane.h"
+#include "model/buildings/vertical_pieces.h"
 #include "model/model.h"
 
 // Buildings as blocks, facades and strips, each of which may be moved by itself: a block as a whole,
@@ -63,6 +64,7 @@ struct BuildingTree {
   std::vector<std::string> buildings;  ///< names
   std::vector<BuildingFacade> facades;
   std::vector<BuildingStrip> strips;
+  std::vector<OtherFace> others;  ///< of the model that it was made of
   SharedText crs;
 
   uint32_t block_of(const BuildingFacade& facade) const {
@@ -79,5 +81,8 @@ BuildingTree building_tree(const Model& model, const BuildingSettings& settings,
 /// The tree as a model: parts block -> building -> facade -> strip, a face a strip (more where
 /// clipping cuts it), whose id is the strip's number; two triangles a rectangle.
 Model strip_model(const BuildingTree& tree);
+/// Adds to it what is no facade, as it is: roofs and ground hide what is behind them. Each is a part of class "roof"
+/// below its building, or "ground" of none. buildings: the model that the tree was made of.
+void add_others(Model& strips, const BuildingTree& tree, const Model& buildings);
 
 }  // namespace jalon

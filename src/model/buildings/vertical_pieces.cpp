@@ -69,12 +69,20 @@ VerticalPieces vertical_pieces(const Model& model, double tilt_rad) {
   VerticalPieces made;
   // Buildings are numbered as they come: by their part, or by their group behind all parts.
   std::unordered_map<uint64_t, uint32_t> number_of;
+  const auto key_of = [&](uint32_t i, uint32_t part) -> uint64_t {
+    return part != kNoPart ? part : model.parts.size() + groups.find(i);
+  };
+  std::vector<uint32_t> others;
   for (uint32_t i = 0; i < raw.size(); ++i) {
     const RawPiece& piece = raw[i];
     const double length = norm(piece.area);
-    if (!(length > 0) || std::fabs(piece.area.z) > length * std::sin(tilt_rad)) continue;
+    if (!(length > 0)) continue;
+    if (std::fabs(piece.area.z) > length * std::sin(tilt_rad)) {
+      if (piece.face != kNoFace) others.push_back(i);
+      continue;
+    }
     const uint32_t part = building_part(model, piece.part);
-    const uint64_t key = part != kNoPart ? part : model.parts.size() + groups.find(i);
+    const uint64_t key = key_of(i, part);
     const auto [found, is_new] =
         number_of.try_emplace(key, static_cast<uint32_t>(made.buildings.size()));
     if (is_new)
@@ -83,6 +91,10 @@ VerticalPieces vertical_pieces(const Model& model, double tilt_rad) {
                                    : "building " + std::to_string(made.buildings.size() + 1));
     made.pieces.push_back(
         {found->second, piece.face, normalized({piece.area.x, piece.area.y, 0}), piece.corners});
+  }
+  for (const uint32_t i : others) {
+    const auto found = number_of.find(key_of(i, building_part(model, raw[i].part)));
+    made.others.push_back({raw[i].face, found == number_of.end() ? kNoPart : found->second});
   }
   return made;
 }

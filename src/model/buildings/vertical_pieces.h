@@ -16,8 +16,13 @@ struct VerticalPiece {
   Vec3 normal;              ///< level, as the input has it
   std::vector<Vec3> corners;
 };
+/// A face of the model that is not upright: roofs, ground.
+struct OtherFace {
+  uint32_t face = 0, building = kNoPart;  ///< kNoPart: of no building that has upright faces
+};
 struct VerticalPieces {
   std::vector<VerticalPiece> pieces;
+  std::vector<OtherFace> others;
   std::vector<std::string> buildings;
 };
 /// Those within tilt_rad of the vertical. A face's or triangle's building is the highest part above it

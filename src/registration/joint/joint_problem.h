@@ -73,12 +73,16 @@ inline JointOrder order_of(const JointProblem& problem) {
 /// not there, or saying which sigma is negative.
 void validate(const JointProblem& problem);
 
+/// What a solution is to have.
+enum class JointWanted {
+  kValues,      ///< values and chi-square
+  kSigmas,      ///< their standard deviations as well
+  kCovariance,  ///< and the field covariance, dense
+};
 /// By the normal equations of trajectory and blocks alone, facades and strips eliminated: sparse, the
 /// same answer as the dense form to rounding. All sigmas must be positive. Without measured noise the
 /// conditions hold exactly.
-/// want_covariance: the field covariance as well, dense; sigmas come in any case, one sparse solve a
-/// strip.
-JointSolution solve_reduced(const JointProblem& problem, bool want_covariance);
+JointSolution solve_reduced(const JointProblem& problem, JointWanted wanted);
 
 /// The reference: l^ = C B (B^T C B)^-1 c and C_l^ = C - C B (B^T C B)^-1 B^T C with all observations.
 /// O(strips^3); strips' sigmas must be positive, the others may be 0.

@@ -91,7 +91,7 @@ class ReducedSolver {
     factorise();
   }
 
-  JointSolution solve(bool want_covariance) {
+  JointSolution solve(JointWanted wanted) {
     JointSolution made;
     made.facades.assign(problem_.facades, 0);
     made.facades_sigmas.assign(problem_.facades, problem_.sigma_facade_m);
@@ -100,7 +100,11 @@ class ReducedSolver {
     const Eigen::VectorXd x = factor_.solve(right_side_);
     made.chi_square = distances_square_ - right_side_.dot(x);
     for (const FacadeStrips& f : facades_) offsets_of(f, x, made);
-    place(x, want_covariance, made);
+    place(x, made);
+    if (wanted == JointWanted::kValues) return made;
+    const Eigen::VectorXd variances = variances_of(wanted, made);
+    place_sigmas(variances, made);
+    for (const FacadeStrips& f : facades_) sigmas_of(f, made);
     return made;
   }
 
@@ -171,22 +175,29 @@ class ReducedSolver {
       y.push_back(-sum);
     }
     const std::vector<double> v = f.weighted(y);
-    const uint32_t facade = problem_.strips[f.strips[0]].facade;
-    std::vector<RowElement> total;
     double v_sum = 0;
     for (size_t i = 0; i < v.size(); ++i) {
       v_sum += v[i];
-      add_to(total, rows_[f.strips[i]], f.inverse_d[i]);
+      made.strips[f.strips[i]] = strip_m2 * v[i];
     }
-    made.facades[facade] = facade_m2 * v_sum;
-    // 1^T V^-1 = (1 - weight sum) / D; what is left of the prior, and what x brings along.
+    made.facades[problem_.strips[f.strips[0]].facade] = facade_m2 * v_sum;
+  }
+
+  // What is left of the prior of a facade and its strips, and what the uncertainty of x brings along.
+  void sigmas_of(const FacadeStrips& f, JointSolution& made) const {
+    if (f.strips.empty()) return;
+    const double facade_m2 = problem_.sigma_facade_m * problem_.sigma_facade_m,
+                 strip_m2 = problem_.sigma_strip_m * problem_.sigma_strip_m;
+    std::vector<RowElement> total;
+    for (size_t i = 0; i < f.strips.size(); ++i)
+      add_to(total, rows_[f.strips[i]], f.inverse_d[i]);
+    // 1^T V^-1 = (1 - weight sum) / D.
     const double left = 1 - f.weight * f.sum;
     const double of_prior = facade_m2 - facade_m2 * facade_m2 * left * f.sum;
-    made.facades_sigmas[facade] = std::sqrt(
+    made.facades_sigmas[problem_.strips[f.strips[0]].facade] = std::sqrt(
         std::max(0.0, of_prior + facade_m2 * facade_m2 * left * left * variance_along(total)));
-    for (size_t i = 0; i < v.size(); ++i) {
+    for (size_t i = 0; i < f.strips.size(); ++i) {
       const uint32_t s = f.strips[i];
-      made.strips[s] = strip_m2 * v[i];
       const double d = f.inverse_d[i], diagonal = d * (1 - f.weight * d);
       // Row of V^-1 A: (row_s - weight total) / D_s.
       std::vector<RowElement> row;
@@ -198,27 +209,32 @@ class ReducedSolver {
     }
   }
 
-  void place(const Eigen::VectorXd& x, bool want_covariance, JointSolution& made) const {
+  Eigen::VectorXd variances_of(JointWanted wanted, JointSolution& made) const {
     const auto n = static_cast<Index>(at_.size());
-    Eigen::VectorXd variances(n);
-    if (want_covariance) {
+    if (wanted == JointWanted::kCovariance) {
       made.covariance = factor_.solve(Eigen::MatrixXd::Identity(n, n));
-      variances = made.covariance.diagonal();
-    } else {
-      for (Index i = 0; i < n; ++i) variances[i] = factor_.solve(Eigen::VectorXd::Unit(n, i))[i];
+      return made.covariance.diagonal();
     }
-    const auto pair = [&](const Eigen::VectorXd& v, size_t i, size_t j) {
-      return Vec2{v[static_cast<Index>(i)], v[static_cast<Index>(j)]};
-    };
-    const Eigen::VectorXd sigmas = variances.cwiseMax(0).cwiseSqrt();
-    for (size_t c = 0; c < at_.controls; ++c) {
+    Eigen::VectorXd variances(n);
+    for (Index i = 0; i < n; ++i) variances[i] = factor_.solve(Eigen::VectorXd::Unit(n, i))[i];
+    return variances;
+  }
+
+  static Vec2 pair(const Eigen::VectorXd& v, size_t i, size_t j) {
+    return {v[static_cast<Index>(i)], v[static_cast<Index>(j)]};
+  }
+  void place(const Eigen::VectorXd& x, JointSolution& made) const {
+    for (size_t c = 0; c < at_.controls; ++c)
       made.trajectory.push_back(pair(x, at_.tx(c), at_.ty(c)));
-      made.trajectory_sigmas.push_back(pair(sigmas, at_.tx(c), at_.ty(c)));
-    }
-    for (size_t b = 0; b < at_.blocks; ++b) {
+    for (size_t b = 0; b < at_.blocks; ++b)
       made.blocks.push_back(pair(x, at_.dx(b), at_.dy(b)));
+  }
+  void place_sigmas(const Eigen::VectorXd& variances, JointSolution& made) const {
+    const Eigen::VectorXd sigmas = variances.cwiseMax(0).cwiseSqrt();
+    for (size_t c = 0; c < at_.controls; ++c)
+      made.trajectory_sigmas.push_back(pair(sigmas, at_.tx(c), at_.ty(c)));
+    for (size_t b = 0; b < at_.blocks; ++b)
       made.blocks_sigmas.push_back(pair(sigmas, at_.dx(b), at_.dy(b)));
-    }
   }
 
   const JointProblem& problem_;
@@ -244,10 +260,10 @@ void require_positive_sigmas(const JointProblem& problem) {
 
 }  // namespace
 
-JointSolution solve_reduced(const JointProblem& problem, bool want_covariance) {
+JointSolution solve_reduced(const JointProblem& problem, JointWanted wanted) {
   validate(problem);
   require_positive_sigmas(problem);
-  return ReducedSolver(problem).solve(want_covariance);
+  return ReducedSolver(problem).solve(wanted);
 }
 
 }  // namespace jalon

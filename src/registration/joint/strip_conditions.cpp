@@ -12,7 +12,7 @@ namespace {
 
 struct StripSums {
   uint64_t points = 0;
-  double distance_m = 0;
+  double weight = 0, weight2 = 0, distance_m = 0;
   std::map<uint32_t, double> shares;
 };
 
@@ -24,8 +24,8 @@ StripConditions strip_conditions(const MatchedPoints& points, std::span<const Gi
   std::vector<StripSums> sums(strips.size());
   size_t hint = 0;
   for (size_t i = 0; i < points.strips.size(); ++i) {
-    const double time = points.times_s[i];
-    if (points.strips[i] >= strips.size() || time < control_times_s.front() ||
+    const double time = points.times_s[i], weight = points.weights.empty() ? 1 : points.weights[i];
+    if (points.strips[i] >= strips.size() || !(weight > 0) || time < control_times_s.front() ||
         time > control_times_s.back())
       continue;
     const TimePlace at = time_place(control_times_s, time, i, hint);
@@ -33,24 +33,30 @@ StripConditions strip_conditions(const MatchedPoints& points, std::span<const Gi
     const GivenStrip& strip = strips[points.strips[i]];
     StripSums& sum = sums[points.strips[i]];
     ++sum.points;
+    sum.weight += weight;
+    sum.weight2 += weight * weight;
     // (Q - P) . n: how far the plane is in front of the point.
-    sum.distance_m += strip.offset_m - strip.normal.u * points.xyz[3 * i] -
-                      strip.normal.v * points.xyz[3 * i + 1];
-    sum.shares[static_cast<uint32_t>(at.epoch)] += 1 - at.share;
-    sum.shares[static_cast<uint32_t>(at.epoch + 1)] += at.share;
+    sum.distance_m += weight * (strip.offset_m - strip.normal.u * points.xyz[3 * i] -
+                                strip.normal.v * points.xyz[3 * i + 1]);
+    sum.shares[static_cast<uint32_t>(at.epoch)] += weight * (1 - at.share);
+    sum.shares[static_cast<uint32_t>(at.epoch + 1)] += weight * at.share;
   }
   StripConditions made;
   for (uint32_t s = 0; s < strips.size(); ++s) {
     const StripSums& sum = sums[s];
     if (sum.points == 0 || sum.points < least_points) continue;
-    const double n = static_cast<double>(sum.points);
-    StripCondition condition{strips[s].block,    strips[s].facade,
-                             strips[s].normal,   {},
-                             sum.distance_m / n, sigma_range_m * sigma_range_m / n};
+    const double n = sum.weight;
+    StripCondition condition{strips[s].block,
+                             strips[s].facade,
+                             strips[s].normal,
+                             {},
+                             sum.distance_m / n,
+                             sigma_range_m * sigma_range_m * sum.weight2 / (n * n)};
     for (const auto& [control, share] : sum.shares)
       if (share > 0) condition.shares.push_back({control, share / n});
     made.conditions.push_back(std::move(condition));
     made.strip_of.push_back(s);
+    made.points.push_back(sum.points);
   }
   return made;
 }

@@ -21,11 +21,13 @@ struct GivenStrip {
 struct MatchedPoints {
   std::span<const double> xyz, times_s;
   std::span<const uint32_t> strips;
+  std::span<const double> weights{};  ///< empty: all count alike; 0: the point does not count
 };
 
 struct StripConditions {
   std::vector<StripCondition> conditions;
   std::vector<uint32_t> strip_of;  ///< of each condition: which of the given strips
+  std::vector<uint64_t> points;    ///< of each condition, those that count
 };
 /// One condition for each strip with least_points points and more. Points outside of the control times
 /// are left out. sigma_range_m: of a single point along the normal. O(points + strips).

@@ -23,7 +23,7 @@ PointBudget budget(const Vec3& ray, const char* json, double incidence_rad = 0) 
   return point_budget(precision(json), ray, {0, 0, 1}, incidence_rad);
 }
 
-Cloud seen_from(const std::vector<Vec3>& points, const Transform& pose) {
+Cloud measured_from(const std::vector<Vec3>& points, const Transform& pose) {
   Buffer<double> xyz(3 * points.size());
   for (size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = points[i][k];
@@ -99,7 +99,7 @@ TEST_CASE("precision__covariances_of_a_cloud_cover_what_the_scanner_does") {
   }
   Task task;
   const Cloud cloud = with_point_covariances(
-      seen_from(measured, pose),
+      measured_from(measured, pose),
       precision(R"({"sigma_range_m":0.004,"sigma_horizontal_rad":3e-4,"sigma_vertical_rad":2e-4})"),
       task);
   const auto c = cloud.fields.require("covariance").values<float>();
@@ -124,10 +124,10 @@ TEST_CASE("precision__covariances_of_a_cloud_cover_what_the_scanner_does") {
 
 TEST_CASE("precision__refuses_points_without_a_place_they_were_seen_from") {
   Task task;
-  Cloud cloud = seen_from({{1, 2, 3}, {4, 5, 6}}, Transform{});
+  Cloud cloud = measured_from({{1, 2, 3}, {4, 5, 6}}, Transform{});
   CHECK_NOTHROW(with_point_covariances(cloud, precision(), task));
   cloud.stations[0].count = 1;
   CHECK_THROWS_AS(with_point_covariances(cloud, precision(), task), Error);
-  CHECK_THROWS_AS(with_point_covariances(seen_from({{0, 0, 0}}, Transform{}), precision(), task),
+  CHECK_THROWS_AS(with_point_covariances(measured_from({{0, 0, 0}}, Transform{}), precision(), task),
                   Error);
 }

@@ -59,3 +59,23 @@ TEST_CASE("moved_strips__of_another_model__is_refused") {
   add_house(model, {{0, 0, 0}}, "one");
   CHECK_THROWS_AS(moved_strips(model, drawn_offsets(model, {})), Error);
 }
+
+TEST_CASE("moved_strips__with_roofs__take_them_along_with_their_block") {
+  Model model;
+  add_house(model, {{0, 0, 0}}, "one");
+  Task task;
+  const BuildingTree tree = building_tree(model, {}, task);
+  Model strips = strip_model(tree);
+  const size_t walls = strips.faces.size();
+  add_others(strips, tree, model);
+  validate(strips);
+  REQUIRE(strips.faces.size() == walls + 2);  // roof and floor
+  BuildingOffsets offsets = drawn_offsets(strips, {1, 0.5, 0.3, 4});
+  const Model moved = moved_strips(strips, offsets);
+  for (size_t f = walls; f < strips.faces.size(); ++f) {
+    const uint32_t corner = strips.corners[strips.rings[strips.faces[f].first_ring].first];
+    const Vec3 by = moved.vertices[corner] - strips.vertices[corner];
+    CHECK(by.x == doctest::Approx(offsets.blocks[0].u));
+    CHECK(by.y == doctest::Approx(offsets.blocks[0].v));
+  }
+}

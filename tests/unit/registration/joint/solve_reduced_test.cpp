@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/error.h"
+#include "registration/joint/joint_residuals.h"
 #include "unit/registration/joint/joint_street.h"
 
 using namespace jalon;
@@ -42,23 +43,14 @@ struct Residuals {
   }
 };
 
-// (adjusted - true) / sigma, for each group: the truth of an observation in error by e is -e from it.
-std::vector<std::vector<double>> normalised(const JointSolution& s, const JointErrors& e,
-                                            const std::vector<uint32_t>& strip_of) {
-  std::vector<std::vector<double>> z(6);
-  for (size_t c = 0; c < e.x.size(); ++c) {
-    z[0].push_back((s.trajectory[c].u + e.x[c]) / s.trajectory_sigmas[c].u);
-    z[1].push_back((s.trajectory[c].v + e.y[c]) / s.trajectory_sigmas[c].v);
-  }
-  for (size_t b = 0; b < s.blocks.size(); ++b) {
-    z[2].push_back((s.blocks[b].u + e.model.blocks[b].u) / s.blocks_sigmas[b].u);
-    z[3].push_back((s.blocks[b].v + e.model.blocks[b].v) / s.blocks_sigmas[b].v);
-  }
-  for (size_t f = 0; f < s.facades.size(); ++f)
-    z[4].push_back((s.facades[f] + e.model.facades[f]) / s.facades_sigmas[f]);
-  for (size_t i = 0; i < s.strips.size(); ++i)
-    z[5].push_back((s.strips[i] + e.model.strips[strip_of[i]]) / s.strips_sigmas[i]);
-  return z;
+// The truth of an observation in error by e is -e from it.
+JointTruth truth_of(const JointErrors& e, const std::vector<uint32_t>& strip_of) {
+  JointTruth truth;
+  for (size_t c = 0; c < e.x.size(); ++c) truth.trajectory.push_back({-e.x[c], -e.y[c]});
+  for (const Vec2& b : e.model.blocks) truth.blocks.push_back({-b.u, -b.v});
+  for (const double f : e.model.facades) truth.facades.push_back(-f);
+  for (const uint32_t s : strip_of) truth.strips.push_back(-e.model.strips[s]);
+  return truth;
 }
 
 }  // namespace
@@ -74,22 +66,36 @@ TEST_CASE("solve_reduced__of_five_scenarios__has_standard_normal_residuals_over_
     const StripConditions perfect = street.perfect_conditions();
     problem.strips = perfect.conditions;
     REQUIRE(problem.strips.size() > 290);
-    std::vector<Residuals> groups(6);
-    OverDraws chi;
+    std::vector<Residuals> groups(kJointGroups);
+    OverDraws chi, whitened;
+    OverDraws within;
     for (int draw = 0; draw < draws; ++draw) {
       const JointErrors e = drawn_errors(street, problem, 5000 + static_cast<uint64_t>(draw));
       set_distances(problem, e, perfect.strip_of);
-      const JointSolution solution = solve_reduced(problem, false);
-      const auto z = normalised(solution, e, perfect.strip_of);
-      for (size_t g = 0; g < 6; ++g) groups[g].add(z[g]);
+      const JointSolution solution = solve_reduced(problem, JointWanted::kCovariance);
+      const JointTruth truth = truth_of(e, perfect.strip_of);
+      const auto z = normalised_residuals(solution, truth);
+      double in = 0, all = 0;
+      for (size_t g = 0; g < kJointGroups; ++g) {
+        groups[g].add(z[g]);
+        for (const double v : z[g]) in += std::fabs(v) <= 3 ? 1 : 0;
+        all += static_cast<double>(z[g].size());
+      }
+      within.values.push_back(in / all);
+      whitened.values.push_back(whitened_mean_square(solution, truth));
       chi.values.push_back(solution.chi_square / static_cast<double>(problem.strips.size()));
     }
     for (const Residuals& group : groups) group.are_standard_normal();
     CHECK(std::fabs(chi.mean() - 1) < 4 * chi.standard_error());
+    CHECK(std::fabs(whitened.mean() - 1) < 4 * whitened.standard_error());
+    constexpr double kWithin = 0.9973;  // of normal values, within 3 sigma
+    CHECK(std::fabs(within.mean() - kWithin) < 4 * within.standard_error());
     MESSAGE("FIGURE joint, scenario ", number, ", ", draws, " draws: chi-square over strips ",
-            chi.mean(), " +- ", chi.standard_error(), ", mean square of T x ",
-            groups[0].square.mean(), ", blocks x ", groups[2].square.mean(), ", facades ",
-            groups[4].square.mean(), ", strips ", groups[5].square.mean());
+            chi.mean(), " +- ", chi.standard_error(), ", whitened ", whitened.mean(), " +- ",
+            whitened.standard_error(), ", mean square of T x ",
+            groups[kTrajectoryX].square.mean(), ", blocks x ", groups[kBlocksX].square.mean(),
+            ", facades ", groups[kFacades].square.mean(), ", strips ",
+            groups[kStrips].square.mean(), ", share within 3 sigma ", within.mean());
   }
 }
 
@@ -102,7 +108,7 @@ TEST_CASE("solve_reduced__of_five_scenarios__equals_the_dense_form") {
       problem.strips = perfect.conditions;
       for (StripCondition& strip : problem.strips) strip.measured_variance_m2 = noise;
       set_distances(problem, drawn_errors(street, problem, 77), perfect.strip_of);
-      const JointSolution sparse = solve_reduced(problem, true), dense = solve_dense(problem);
+      const JointSolution sparse = solve_reduced(problem, JointWanted::kCovariance), dense = solve_dense(problem);
       const double size =
           std::max({scenario.block, scenario.facade, scenario.strip, scenario.trajectory});
       double worst = 0;
@@ -138,7 +144,7 @@ TEST_CASE("solve_reduced__with_sigmas_of_zero__is_refused_and_the_dense_form_tak
   JointProblem problem = street.problem({0.01, 0.01, 0.01, 2});
   problem.strips = street.perfect_conditions().conditions;
   problem.sigma_block_x_m = problem.sigma_block_y_m = 0;
-  CHECK_THROWS_AS(solve_reduced(problem, false), Error);
+  CHECK_THROWS_AS(solve_reduced(problem, JointWanted::kSigmas), Error);
   const JointSolution made = solve_dense(problem);
   for (const Vec2& b : made.blocks) CHECK(norm(b) == 0);
   problem.sigma_strip_m = 0;

@@ -60,7 +60,7 @@ TEST_CASE("strip_conditions__of_a_wrong_drive_and_model__lead_back_to_the_truth"
       strip_conditions(street.matches(cloud), street.given(moved_strips(street.strips, model)),
                        street.controls(), 1, 0)
           .conditions;
-  const JointSolution solution = solve_reduced(problem, false);
+  const JointSolution solution = solve_reduced(problem, JointWanted::kValues);
   double before = 0, after = 0;
   for (size_t c = 0; c < errors.size(); ++c) {
     before += dot(errors[c], errors[c]);

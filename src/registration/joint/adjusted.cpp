@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/joint/adjusted.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+Vec2 sigmas_at(const JointAdjustment& adjustment, const TimePlace& at) {
+  const auto& s = adjustment.trajectory_sigmas;
+  return s[at.epoch] * (1 - at.share) + s[at.epoch + 1] * at.share;
+}
+
+template <class T>
+std::shared_ptr<Column> copy_of(const Column& column) {
+  auto made = std::make_shared<Column>(column.info(), column.count());
+  std::ranges::copy(column.values<T>(), made->template values<T>().begin());
+  return made;
+}
+
+// A field of this type and width, as a column of its own that may be changed; nullptr without.
+template <class T>
+std::shared_ptr<Column> own_column(const Cloud& cloud, const char* name, uint32_t components) {
+  const Column* column = cloud.fields.find(name);
+  const bool is_it = column != nullptr && column->info().type == element_type_of<T>() &&
+                     column->info().components == components;
+  return is_it ? copy_of<T>(*column) : nullptr;
+}
+
+// What moves with the points of a drive.
+struct MovedColumns {
+  Buffer<double> xyz;
+  std::shared_ptr<Column> origin, covariance, sigma;
+
+  MovedColumns(const Cloud& cloud)
+      : xyz(3 * cloud.size()),
+        origin(own_column<double>(cloud, "beam_origin", 3)),
+        covariance(own_column<float>(cloud, "covariance", 6)),
+        sigma(own_column<float>(cloud, "point_sigma", 1)) {
+    std::ranges::copy(cloud.xyz(), xyz.data());
+  }
+  void move(size_t i, const Vec2& by) {
+    xyz[3 * i] += by.u, xyz[3 * i + 1] += by.v;
+    if (origin == nullptr) return;
+    double* o = origin->values<double>().data() + 3 * i;
+    o[0] += by.u, o[1] += by.v;
+  }
+  // Takes the trajectory's variances out and puts others in; what else a point has stays, 0 at least.
+  void exchange(size_t i, const Vec3& before, const Vec2& now) {
+    if (covariance == nullptr) return;
+    float* c = covariance->values<float>().data() + 6 * i;
+    const auto other = [](float all, double was, double is) {
+      return static_cast<float>(std::max(0.0, double{all} - was * was) + is * is);
+    };
+    c[0] = other(c[0], before.x, now.u);
+    c[3] = other(c[3], before.y, now.v);
+    if (sigma != nullptr) sigma->values<float>()[i] = std::sqrt(c[0] + c[3] + c[5]);
+  }
+};
+
+}  // namespace
+
+Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajectory& given) {
+  Trajectory made = corrected(given, adjustment.trajectory);
+  TimePlace at;
+  for (size_t i = 0; i < made.size(); ++i) {
+    at = time_place(adjustment.trajectory.times_s, made.times_s[i], i, at.epoch);
+    const Vec2 sigma = sigmas_at(adjustment, at);
+    made.position_sigmas_m[i].x = sigma.u, made.position_sigmas_m[i].y = sigma.v;
+  }
+  return made;
+}
+
+Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given,
+                     const Cloud& cloud, Task& task) {
+  const Column* time = cloud.fields.find("time");
+  if (time == nullptr || time->info().type != ElementType::kFloat64 || time->info().components != 1)
+    fail(Status::kInvalidArgument,
+         "the cloud has no field \"time\" (float64): where the drive was at a point is not known");
+  const auto times = time->values<double>();
+  MovedColumns columns(cloud);
+  const auto& controls = adjustment.trajectory.times_s;
+  constexpr size_t kMoveGrain = 1 << 14;
+  parallel_for(task, cloud.size(), kMoveGrain, [&](size_t begin, size_t end) {
+    TimePlace at, pose;
+    for (size_t i = begin; i < end; ++i) {
+      if (!std::isfinite(times[i]))
+        fail(Status::kInvalidArgument, "the time of point %zu is not finite", i);
+      const double t = std::clamp(times[i], controls.front(), controls.back());
+      at = time_place(controls, t, i, at.epoch);
+      pose = time_place(given.times_s, t, i, pose.epoch);
+      columns.move(i, adjustment.trajectory.at(at));
+      columns.exchange(i, between(given.position_sigmas_m, pose), sigmas_at(adjustment, at));
+    }
+  });
+  Cloud made = make_cloud(std::move(columns.xyz));
+  made.fields = cloud.fields;
+  made.stations = cloud.stations;
+  made.crs = cloud.crs;
+  made.attachments = cloud.attachments;
+  for (auto& column : {columns.origin, columns.covariance, columns.sigma})
+    if (column != nullptr) made.fields.set(column);
+  return made;
+}
+
+}  // namespace jalon

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/joint/adjustment_tables.h"
+
+#include "base/error.h"
+#include "base/table_columns.h"
+
+namespace jalon {
+
+namespace {
+
+void put(const Vec2& v, double* out) { out[0] = v.u, out[1] = v.v; }
+
+std::vector<uint32_t> numbers_to(size_t n) {
+  std::vector<uint32_t> made(n);
+  for (uint32_t i = 0; i < n; ++i) made[i] = i;
+  return made;
+}
+
+}  // namespace
+
+FieldTable summary_table(const JointAdjustment& a) {
+  const JointPass& last = a.passes.back();
+  FieldTable t;
+  add_value<uint8_t>(t, "converged", "", "1: nothing moved any more", a.converged ? 1 : 0);
+  add_value<uint64_t>(t, "passes", "", "made", a.passes.size());
+  add_value<uint64_t>(t, "points", "", "whose rays were cast", a.points.size());
+  add_value<uint64_t>(t, "outside", "", "points of the cloud outside of the trajectory's time",
+                      a.points.outside);
+  add_value<uint64_t>(t, "matched", "", "of the points, accepted", last.matched);
+  add_value<uint64_t>(t, "strips", "", "that were adjusted", a.strips);
+  add_value<double>(t, "rms", "m", "of the accepted points off their strips", last.rms_m);
+  add_value<double>(t, "chi_square", "1", "weighted square sum of the corrections", a.chi_square);
+  add_value<double>(t, "p_value", "1", "of as much and more, were the sigmas right", a.p_value);
+  const Vec2 weak[] = {a.weak_direction};
+  add_columns<double, 2>(t, weak, "weak_direction", "1", "that the walls hold least", put);
+  add_value<double>(t, "weak_share", "1", "of what the best direction is held by", a.weak_share);
+  add_value<uint8_t>(t, "weak_is_held", "", "0: nothing is known along the weak direction",
+                     a.weak_share < kHeldShare ? 0 : 1);
+  add_value<double>(t, "wrong_strips", "1", "share of matches that the field strip contradicts",
+                    a.wrong_share);
+  add_value<double>(t, "wrong_facades", "1", "share of matches to another facade",
+                    a.wrong_facade_share);
+  return t;
+}
+
+FieldTable pass_table(const JointAdjustment& a) {
+  using P = JointPass;
+  FieldTable t;
+  const auto count = [&](const char* name, const char* meaning, uint64_t P::*member) {
+    add_column<uint64_t>(t, a.passes, name, "", meaning, [&](const P& p) { return p.*member; });
+  };
+  count("matched", "accepted", &P::matched);
+  count("nothing", "rays that met no strip", &P::nothing);
+  count("behind", "rays that met a strip from inside", &P::behind);
+  count("far", "too far from the strip", &P::far);
+  count("turned", "of a wall that stands otherwise", &P::turned);
+  count("strips", "that were adjusted", &P::strips);
+  count("changed", "points whose match is another than in the pass before", &P::changed);
+  add_column<double>(t, a.passes, "rms", "m", "of the accepted points before the step",
+                     [](const P& p) { return p.rms_m; });
+  add_column<double>(t, a.passes, "step", "m", "the greatest change",
+                     [](const P& p) { return p.step_m; });
+  add_column<double>(t, a.passes, "chi_square", "1", "after the step",
+                     [](const P& p) { return p.chi_square; });
+  return t;
+}
+
+FieldTable control_table(const JointAdjustment& a) {
+  FieldTable t;
+  add_column<double>(t, a.trajectory.times_s, "time", "s", "of the control position",
+                     [](double s) { return s; });
+  add_columns<double, 2>(t, a.trajectory.by_m, "correction", "m", "east and north", put);
+  add_columns<double, 2>(t, a.trajectory_sigmas, "sigma", "m", "standard deviations", put);
+  add_columns<double, 2>(t, a.trajectory_priors, "prior_sigma", "m", "before", put);
+  return t;
+}
+
+FieldTable block_table(const JointAdjustment& a) {
+  FieldTable t;
+  add_columns<double, 2>(t, a.model.blocks, "offset", "m", "east and north", put);
+  add_columns<double, 2>(t, a.block_sigmas, "sigma", "m", "standard deviations", put);
+  return t;
+}
+
+FieldTable facade_table(const JointAdjustment& a) {
+  FieldTable t;
+  const auto same = [](double v) { return v; };
+  add_column<double>(t, a.model.facades, "offset", "m", "along its normal", same);
+  add_column<double>(t, a.facade_sigmas, "sigma", "m", "standard deviation", same);
+  return t;
+}
+
+FieldTable strip_table(const JointAdjustment& a) {
+  FieldTable t;
+  const auto same = [](auto v) { return v; };
+  add_column<double>(t, a.model.strips, "offset", "m", "along its facade's normal", same);
+  add_column<double>(t, a.strip_sigmas, "sigma", "m", "standard deviation", same);
+  add_column<uint64_t>(t, a.strip_points, "points", "", "that hold it; 0: not adjusted", same);
+  add_column<double>(t, a.strip_distances_m, "distance", "m",
+                     "of the strip as given before its points as given", same);
+  return t;
+}
+
+FieldTable match_table(const JointAdjustment& a) {
+  FieldTable t;
+  add_column<uint32_t>(t, a.points.index, "point", "", "of the cloud", [](uint32_t i) { return i; });
+  add_column<uint32_t>(t, a.matches, "strip", "", "that its ray meets",
+                       [](const PointMatch& m) { return m.strip; });
+  add_column<uint8_t>(t, a.matches, "state", "", "1: accepted",
+                      [](const PointMatch& m) { return static_cast<uint8_t>(m.state); });
+  add_column<double>(t, a.matches, "distance", "m", "before the strip, both where they then stood",
+                     [](const PointMatch& m) { return m.distance_m; });
+  add_column<double>(t, a.weights, "weight", "1", "in the strip's mean", [](double w) { return w; });
+  return t;
+}
+
+FieldTable covariance_table(const JointAdjustment& a) {
+  const auto n = static_cast<size_t>(a.covariance.rows());
+  if (n == 0)
+    fail(Status::kInvalidArgument, "the covariance was not asked for: the parameter covariance");
+  if (n > kMostComponents)
+    fail(Status::kLimit, "a covariance of %zu rows is too wide for a table of %u", n, kMostComponents);
+  auto column = std::make_shared<Column>(
+      FieldInfo{"covariance", ElementType::kFloat64, static_cast<uint32_t>(n), "m2", "with each"}, n);
+  const auto out = column->values<double>();
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < n; ++j)
+      out[n * i + j] = a.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  FieldTable t;
+  const size_t controls = a.trajectory.by_m.size(), blocks = a.model.blocks.size();
+  const std::vector<uint32_t> rows = numbers_to(n);
+  const auto is_block = [&](uint32_t i) { return i >= 2 * controls; };
+  add_column<uint8_t>(t, rows, "group", "", "0: control position, 1: block",
+                      [&](uint32_t i) { return is_block(i) ? 1 : 0; });
+  add_column<uint8_t>(t, rows, "axis", "", "0: east, 1: north", [&](uint32_t i) {
+    return is_block(i) ? (i - 2 * controls) / blocks : i / controls;
+  });
+  add_column<uint32_t>(t, rows, "number", "", "of the control position or block", [&](uint32_t i) {
+    return is_block(i) ? (i - 2 * controls) % blocks : i % controls;
+  });
+  t.set(std::move(column));
+  return t;
+}
+
+}  // namespace jalon

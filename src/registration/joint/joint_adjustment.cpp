@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/joint/joint_adjustment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/distributions.h"
+#include "base/error.h"
+#include "base/numbers.h"
+#include "registration/joint/strip_conditions.h"
+#include "registration/joint/strip_weights.h"
+
+namespace jalon {
+
+namespace {
+
+JointProblem problem_of(const StripScene& scene, const Trajectory& controls,
+                        const JointSettings& settings) {
+  JointProblem made;
+  made.x = position_prior(controls, 0), made.y = position_prior(controls, 1);
+  made.blocks = scene.blocks, made.facades = scene.facades;
+  made.sigma_block_x_m = settings.sigma_block_x_m, made.sigma_block_y_m = settings.sigma_block_y_m;
+  made.sigma_facade_m = settings.sigma_facade_m, made.sigma_strip_m = settings.sigma_strip_m;
+  return made;
+}
+
+void require_prior(const Trajectory& trajectory, const JointSettings& settings) {
+  validate(trajectory);
+  if (trajectory.position_sigmas_m.empty())
+    fail(Status::kInvalidArgument,
+         "the trajectory has no sigmas of position: nothing is known of its errors");
+  if (!(settings.sigma_strip_m > 0))
+    fail(Status::kInvalidArgument, "sigma_strip_m is 0: the conditions of the strips could not all hold");
+}
+
+// A sigma of 0 holds a group where it is; the sparse form needs it positive.
+bool has_zero(const JointSettings& s) {
+  return !(s.sigma_block_x_m > 0 && s.sigma_block_y_m > 0 && s.sigma_facade_m > 0);
+}
+
+class JointLoop {
+ public:
+  JointLoop(const Model& model, const Cloud& cloud, const Trajectory& trajectory,
+            const JointSettings& settings, Task& task)
+      : settings_(settings),
+        task_(task),
+        scene_(strip_scene(model, settings.occluders)),
+        problem_(problem_of(scene_, interpolated(trajectory, control_times(trajectory, settings.control_s)),
+                            settings)) {
+    made_.trajectory.times_s = control_times(trajectory, settings.control_s);
+    made_.points = joint_points(cloud, trajectory, made_.trajectory.times_s, settings, task);
+    for (const Vec3& p : made_.points.at) xyz_.insert(xyz_.end(), {p.x, p.y, p.z});
+    const size_t controls = made_.trajectory.times_s.size();
+    places_.trajectory.assign(controls, {});
+    places_.model = {std::vector<Vec2>(scene_.blocks), std::vector<double>(scene_.facades, 0),
+                     std::vector<double>(scene_.strips.size(), 0)};
+    for (size_t c = 0; c < controls; ++c)
+      made_.trajectory_priors.push_back({problem_.x.sigmas_m[c], problem_.y.sigmas_m[c]});
+  }
+
+  JointAdjustment run() {
+    for (int64_t pass = 0; pass < settings_.most_passes && !made_.converged; ++pass) {
+      task_.checkpoint(static_cast<double>(pass) / static_cast<double>(settings_.most_passes));
+      step();
+    }
+    finish();
+    return std::move(made_);
+  }
+
+ private:
+  // One pass: match where everything stands, adjust from where it was given, move.
+  void step() {
+    JointPass pass;
+    std::vector<PointMatch> matches =
+        match_points(made_.points, scene_, places_, settings_, task_);
+    made_.weights = strip_weights(matches, scene_.strips.size(), settings_);
+    count(matches, pass);
+    made_.matches = std::move(matches);
+    std::vector<uint32_t> strip_of_point;
+    for (const PointMatch& m : made_.matches)
+      strip_of_point.push_back(m.state == MatchState::kMatched ? m.strip : kNoStrip);
+    conditions_ = strip_conditions(
+        {xyz_, made_.points.times_s, strip_of_point, made_.weights}, scene_.strips,
+        made_.trajectory.times_s, settings_.least_points, settings_.sigma_point_m);
+    problem_.strips = conditions_.conditions;
+    weigh_strips();
+    pass.strips = problem_.strips.size();
+    if (problem_.strips.empty())
+      fail(Status::kInsufficientData,
+           "no strip has %llu matched points or more: %llu of %zu points met one, %llu were too far from it",
+           static_cast<unsigned long long>(settings_.least_points),
+           static_cast<unsigned long long>(pass.matched), made_.points.size(),
+           static_cast<unsigned long long>(pass.far));
+    const JointSolution solution = solve(JointWanted::kValues);
+    pass.chi_square = solution.chi_square;
+    pass.step_m = move_to(solution);
+    made_.converged =
+        (!made_.passes.empty() && pass.changed == 0) || pass.step_m < settings_.tolerance_m;
+    made_.passes.push_back(pass);
+  }
+
+  // A strip that contradicts the others counts less: its variance grows with the square of its offset in the pass before,
+  // from three of its standard deviations on. (A wrong strip has the offset of another wall.)
+  void weigh_strips() {
+    constexpr double kGreatest = 3;
+    if (settings_.kernel == JointSettings::Kernel::kNone || made_.passes.empty()) return;
+    const double variance = settings_.sigma_strip_m * settings_.sigma_strip_m;
+    for (size_t i = 0; i < problem_.strips.size(); ++i) {
+      const double t = misfit(problem_.strips[i]) / settings_.sigma_strip_m;
+      if (std::fabs(t) > kGreatest)
+        problem_.strips[i].measured_variance_m2 += variance * (t * t / (kGreatest * kGreatest) - 1);
+    }
+  }
+  // Of a condition where everything but its strip stands as the pass before left it.
+  double misfit(const StripCondition& strip) const {
+    double sum = strip.distance_m + dot(strip.normal, places_.model.blocks[strip.block]) +
+                 places_.model.facades[strip.facade];
+    for (const auto& [control, share] : strip.shares)
+      sum -= share * dot(strip.normal, places_.trajectory[control]);
+    return sum;
+  }
+
+  JointSolution solve(JointWanted wanted) const {
+    return has_zero(settings_) ? solve_dense(problem_) : solve_reduced(problem_, wanted);
+  }
+
+  void count(const std::vector<PointMatch>& matches, JointPass& pass) const {
+    double squares = 0, weight = 0;
+    for (size_t i = 0; i < matches.size(); ++i) {
+      const PointMatch& m = matches[i];
+      ++(m.state == MatchState::kMatched   ? pass.matched
+         : m.state == MatchState::kNothing ? pass.nothing
+         : m.state == MatchState::kBehind  ? pass.behind
+         : m.state == MatchState::kFar     ? pass.far
+                                           : pass.turned);
+      if (made_.matches.empty() || !(made_.matches[i] == m)) ++pass.changed;
+      squares += made_.weights[i] * m.distance_m * m.distance_m;
+      weight += made_.weights[i];
+    }
+    pass.rms_m = weight > 0 ? std::sqrt(squares / weight) : 0;
+  }
+
+  // Everything to where the solution has it; the greatest change.
+  double move_to(const JointSolution& solution) {
+    JointPlaces next{solution.trajectory,
+                     {solution.blocks, places_.model.facades, places_.model.strips}};
+    // What has lost its points stays where it was: back at its place it would be met again, and so on for ever.
+    for (size_t i = 0; i < solution.strips.size(); ++i) {
+      const uint32_t facade = problem_.strips[i].facade;
+      next.model.strips[conditions_.strip_of[i]] = solution.strips[i];
+      next.model.facades[facade] = solution.facades[facade];
+    }
+    double most = 0;
+    const auto pairs = [&](const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+      for (size_t i = 0; i < a.size(); ++i) most = std::max(most, norm(a[i] - b[i]));
+    };
+    const auto numbers = [&](const std::vector<double>& a, const std::vector<double>& b) {
+      for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::fabs(a[i] - b[i]));
+    };
+    pairs(next.trajectory, places_.trajectory);
+    pairs(next.model.blocks, places_.model.blocks);
+    numbers(next.model.facades, places_.model.facades);
+    numbers(next.model.strips, places_.model.strips);
+    places_ = std::move(next);
+    return most;
+  }
+
+  void finish() {
+    const JointSolution solution =
+        solve(settings_.covariance ? JointWanted::kCovariance : JointWanted::kSigmas);
+    made_.trajectory.by_m = solution.trajectory;
+    made_.trajectory_sigmas = solution.trajectory_sigmas;
+    made_.model = {solution.blocks, solution.facades, std::vector<double>(scene_.strips.size(), 0)};
+    made_.block_sigmas = solution.blocks_sigmas;
+    made_.facade_sigmas = solution.facades_sigmas;
+    made_.strip_sigmas.assign(scene_.strips.size(), settings_.sigma_strip_m);
+    made_.strip_distances_m.assign(scene_.strips.size(), kNaN);
+    made_.strip_points.assign(scene_.strips.size(), 0);
+    for (size_t i = 0; i < solution.strips.size(); ++i) {
+      const uint32_t s = conditions_.strip_of[i];
+      made_.model.strips[s] = solution.strips[i];
+      made_.strip_sigmas[s] = solution.strips_sigmas[i];
+      made_.strip_distances_m[s] = problem_.strips[i].distance_m;
+      made_.strip_points[s] = conditions_.points[i];
+    }
+    made_.strips = problem_.strips.size();
+    made_.chi_square = solution.chi_square;
+    made_.p_value = chi_square_tail(static_cast<double>(made_.strips), solution.chi_square);
+    if (settings_.covariance) made_.covariance = solution.covariance;
+    find_wrong_shares();
+    find_weak_direction();
+  }
+
+  void find_wrong_shares() {
+    made_.wrong_share = made_.wrong_facade_share = kNaN;
+    if (made_.points.id.empty()) return;
+    uint64_t all = 0, wrong = 0, wrong_facades = 0;
+    for (size_t i = 0; i < made_.matches.size(); ++i) {
+      if (!(made_.weights[i] > 0)) continue;
+      const uint32_t strip = made_.matches[i].strip, id = made_.points.id[i];
+      ++all;
+      wrong += strip != id ? 1 : 0;
+      const bool is_other = id >= scene_.strips.size() ||
+                            scene_.strips[id].facade != scene_.strips[strip].facade;
+      wrong_facades += is_other ? 1 : 0;
+    }
+    made_.wrong_share = static_cast<double>(wrong) / static_cast<double>(all);
+    made_.wrong_facade_share = static_cast<double>(wrong_facades) / static_cast<double>(all);
+  }
+
+  // Eigenvectors of the sum of n n^T over the adjusted strips.
+  void find_weak_direction() {
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    for (const StripCondition& s : problem_.strips) {
+      const Eigen::Vector2d n(s.normal.u, s.normal.v);
+      sum += n * n.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> of(sum);
+    made_.weak_direction = {of.eigenvectors()(0, 0), of.eigenvectors()(1, 0)};
+    made_.weak_share = std::max(0.0, of.eigenvalues()[0]) / of.eigenvalues()[1];
+  }
+
+  const JointSettings& settings_;
+  Task& task_;
+  StripScene scene_;
+  JointProblem problem_;
+  StripConditions conditions_;
+  JointPlaces places_;
+  std::vector<double> xyz_;
+  JointAdjustment made_;
+};
+
+}  // namespace
+
+JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud,
+                               const Trajectory& trajectory, const JointSettings& settings,
+                               Task& task) {
+  require_prior(trajectory, settings);
+  return JointLoop(model, cloud, trajectory, settings, task).run();
+}
+
+}  // namespace jalon

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/params.h"
+
+namespace jalon {
+
+/// The settings of operation "adjust".
+struct JointSettings {
+  double sigma_block_x_m = 1, sigma_block_y_m = 1, sigma_facade_m = 0.5, sigma_strip_m = 0.3;
+  double control_s = 1;
+  enum class Matches { kRays, kIds } matches = Matches::kRays;
+  enum class Bound { kLogarithm, kNormal } bound = Bound::kLogarithm;
+  double refused_share = 0.05;
+  bool occluders = true;
+  std::vector<double> lever_arm_m{0, 0, 0};
+  double thin_m = 0.2, least_score = 0.8, greatest_turn_rad = 0.35;
+  uint64_t least_points = 5;
+  double sigma_point_m = 0.005;
+  enum class Kernel { kTukey, kNone } kernel = Kernel::kTukey;
+  int64_t most_passes = 20;
+  double tolerance_m = 0.001;
+  bool covariance = false;
+};
+std::span<const ParamRow> joint_rows();
+
+}  // namespace jalon
