@@ -22,6 +22,7 @@
 #include <jalon/cloud.h>
 #include <jalon/search.h>
 #include <jalon/model.h>
+#include <jalon/adjustment.h>
 #include <jalon/buildings.h>
 #include <jalon/trajectory.h>
 #include <jalon/georeference.h>

@@ -162,6 +162,26 @@ JALON_API JALON_CHECK jalon_status jalon_scene_street_drive(const jalon_params* 
                                                             jalon_trajectory** trajectory);
 
 /**
+ * A drive through that street as a user has it and as it was: the five scenarios of Monnier (2014) for the adjustment
+ * of trajectory and model together (jalon/adjustment.h). options: operation "drive_scenario".
+ *
+ * - scenario: standard deviations of blocks, facades, strips and trajectory: 1: 0.01, 0.01, 0.01, 2 m; 2: 2, 0.01, 0.01,
+ *   0.01; 3: 0.01, 2, 0.01, 0.01; 4: 0.01, 0.01, 2, 0.01; 5: 1, 0.5, 0.3, 1; 0: by "sigma_block_m" ... The errors are a draw
+ *   of them ("seed"): of blocks, facades and strips independent, of the trajectory Gauss-Markov from one control time to
+ *   the next and linear between.
+ * - model, true_model: strips; with roofs and ground as well where the street is "closed". Then things stand before the
+ *   houses that the model does not know.
+ * - trajectory, true_trajectory: with the sigmas of the scenario, axes "enu".
+ * - cloud: as jalon_scanner_drive gives it from the true trajectory, points and beams where the wrong one puts them.
+ *
+ * Each output may be NULL.
+ */
+JALON_API JALON_CHECK jalon_status jalon_scene_drive_scenario(
+    const jalon_params* options, jalon_task* task, jalon_model** model,
+    jalon_trajectory** trajectory, jalon_cloud** cloud, jalon_model** true_model,
+    jalon_trajectory** true_trajectory);
+
+/**
  * The scanner that goes with a scene: method "static" with stations, field of view, steps, noise,
  * misfit, beam and glass as the seed and the options of the scene "grammar" have them. Of other
  * scenes one without stations, with the defaults. options may be NULL for the default scene.

@@ -32,6 +32,7 @@
 #include "model/buildings/building_tree.h"
 #include "model/trajectory/ellipsoids.h"
 #include "model/trajectory/trajectory_settings.h"
+#include "registration/joint/joint_settings.h"
 #include "registration/targets/measure.h"
 #include "report/pages/change_outlines.h"
 #include "report/pages/comparison_report.h"
@@ -39,6 +40,7 @@
 #include "report/pictures/deviation_picture.h"
 #include "report/pictures/picture.h"
 #include "report/report.h"
+#include "scan/mobile/drive_scenario.h"
 #include "scan/mobile/georeference.h"
 #include "scan/mobile/street_drive.h"
 #include "scan/scene.h"
@@ -98,6 +100,8 @@ std::span<const Operation> operations() {
       {"trajectory", trajectory_rows},
       {"trajectory_file", trajectory_file_rows},
       {"georeference", georeference_rows},
+      {"drive_scenario", drive_scenario_rows},
+      {"adjust", joint_rows},
       {"ellipsoids", ellipsoid_rows},
       {"normality", normality_rows},
       {"building_strips", building_strip_rows},

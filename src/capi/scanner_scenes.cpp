@@ -9,6 +9,7 @@
 #include "jalon/scanner.h"
 #include "scan/facade_truth.h"
 #include "scan/methods.h"
+#include "scan/mobile/drive_scenario.h"
 #include "scan/mobile/street_drive.h"
 #include "scan/scene.h"
 
@@ -76,5 +77,32 @@ jalon_status jalon_scene_street_drive(const jalon_params* options, jalon_model**
     Owned<jalon_trajectory> drive = own(new_trajectory(std::move(made.trajectory)));
     if (model != nullptr) *model = street.release();
     if (trajectory != nullptr) *trajectory = drive.release();
+  });
+}
+
+jalon_status jalon_scene_drive_scenario(const jalon_params* options, jalon_task* task,
+                                        jalon_model** model, jalon_trajectory** trajectory,
+                                        jalon_cloud** cloud, jalon_model** true_model,
+                                        jalon_trajectory** true_trajectory) {
+  return guard([&] {
+    const auto settings =
+        settings_from<DriveScenarioSettings>(options_or_default(options, "drive_scenario"));
+    Owned<jalon_model> given = own<jalon_model>(nullptr), truth = own<jalon_model>(nullptr);
+    Owned<jalon_trajectory> drive = own<jalon_trajectory>(nullptr),
+                            true_drive = own<jalon_trajectory>(nullptr);
+    Owned<jalon_cloud> points = own<jalon_cloud>(nullptr);
+    with_task(task, [&](Task& t) {
+      DriveScenario made = drive_scenario(settings, t);
+      given.reset(new_model(std::move(made.model)));
+      truth.reset(new_model(std::move(made.true_model)));
+      drive.reset(new_trajectory(std::move(made.trajectory)));
+      true_drive.reset(new_trajectory(std::move(made.true_trajectory)));
+      points.reset(new_cloud(std::move(made.cloud)));
+    });
+    if (model != nullptr) *model = given.release();
+    if (trajectory != nullptr) *trajectory = drive.release();
+    if (cloud != nullptr) *cloud = points.release();
+    if (true_model != nullptr) *true_model = truth.release();
+    if (true_trajectory != nullptr) *true_trajectory = true_drive.release();
   });
 }

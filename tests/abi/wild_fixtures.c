@@ -29,7 +29,10 @@ jalon_registration* fx_registration;
 jalon_noise_law* fx_law;
 jalon_scanner *fx_scanner, *fx_mobile;
 jalon_model* fx_strips;
-jalon_trajectory *fx_trajectory, *fx_bare_trajectory;
+jalon_trajectory *fx_trajectory, *fx_bare_trajectory, *fx_driven;
+jalon_cloud* fx_driven_cloud;
+jalon_model* fx_driven_strips;
+jalon_adjustment* fx_adjustment;
 jalon_task *fx_task, *fx_task_own;
 jalon_params* fx_typed[7];
 const char* fx_typed_name[7];
@@ -278,6 +281,24 @@ static void make_trajectories(void) {
                                NULL, &fx_bare_trajectory));
 }
 
+/* A short drive through a street, its cloud and strips, and what comes of adjusting them. */
+static void make_adjustment(void) {
+  jalon_params *street, *adjust;
+  MUST(jalon_params_create("drive_scenario", &street));
+  MUST(jalon_params_set_double(street, "leg_m", 40));
+  MUST(jalon_params_set_bool(street, "corner", 0));
+  MUST(jalon_params_set_double(street, "revolutions_per_s", 10));
+  MUST(jalon_params_set_int64(street, "pulses", 200));
+  MUST(jalon_scene_drive_scenario(street, NULL, &fx_driven_strips, &fx_driven, &fx_driven_cloud,
+                                  NULL, NULL));
+  jalon_params_release(street);
+  MUST(jalon_params_create("adjust", &adjust));
+  MUST(jalon_params_set_bool(adjust, "covariance", 1));
+  MUST(jalon_trajectory_adjust(fx_driven, fx_driven_cloud, fx_driven_strips, adjust, NULL,
+                               &fx_adjustment));
+  jalon_params_release(adjust);
+}
+
 static void make_files(void) {
   char made[200];
   snprintf(made, sizeof made, "%s/jalon_wild_XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
@@ -307,6 +328,7 @@ void fx_begin(void) {
   make_builders();
   make_workers();
   make_trajectories();
+  make_adjustment();
   make_files();
 }
 
@@ -348,6 +370,10 @@ void fx_end(void) {
   jalon_model_release(fx_strips);
   jalon_trajectory_release(fx_trajectory);
   jalon_trajectory_release(fx_bare_trajectory);
+  jalon_trajectory_release(fx_driven);
+  jalon_cloud_release(fx_driven_cloud);
+  jalon_model_release(fx_driven_strips);
+  jalon_adjustment_release(fx_adjustment);
   jalon_task_release(fx_task);
   jalon_task_release(fx_task_own);
   free(fx_long_text);

@@ -69,6 +69,11 @@ internal static class Described {
     return "segments: " + RowsOf(segmentation.GetSegments()) + " in " + Points(RowsOf(segmentation.GetPoints()));
   }
 
+  internal static string About(Adjustment adjustment) {
+    Fields summary = adjustment.GetSummary();
+    return "strips: " + summary.Doubles("strips")[0] + "; passes: " + summary.Doubles("passes")[0];
+  }
+
   internal static string About(Trajectory trajectory) {
     return "epochs: " + trajectory.Count + "; axes: " + trajectory.Axes;
   }

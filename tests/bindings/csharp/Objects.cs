@@ -18,6 +18,7 @@ static class Objects {
     if (type == typeof(Registrar)) return new Registrar(member == "RunTargets" ? "targets" : "icp");
     if (type == typeof(Model) && member == "RemoveCopy") return Survey.Repeated;
     if (type == typeof(Model) && member == "PerturbStrips") return Survey.Scene.BuildingStrips().Model;
+    if (type == typeof(Trajectory) && member == "Adjust") return Survey.Driven.Trajectory;
     if (type == typeof(Scanner) && member == "Drive") return new Scanner("mobile") { Pulses = 50 };
     if (type == typeof(Segmentation) && member == "Pick") return Segmentation.Start(Survey.Scan);
     return Of(type, type.Name + "." + member, "self");
@@ -51,6 +52,10 @@ static class Objects {
   /// <summary>A real object of this class.</summary>
   public static object Of(Type type, string where, string name) {
     string member = where.Substring(where.IndexOf('.') + 1);
+    bool isDriven = where == "Trajectory.Adjust" || where == "Adjustment.Apply";
+    if (isDriven && type == typeof(Cloud)) return Survey.Driven.Cloud;
+    if (isDriven && type == typeof(Model)) return Survey.Driven.Model;
+    if (type == typeof(Adjustment)) return Survey.Adjusted;
     if (type == typeof(Cloud)) return name == "compared" || name == "moving" || name == "b" ? Survey.Second : Survey.Scan;
     if (type == typeof(Model)) return member == "GaugeSweepModel" && name == "gauge" ? Survey.Tetrahedron() : Survey.Facade;
     if (type == typeof(Params)) return name == "self" ? new NormalsOptions() : null;

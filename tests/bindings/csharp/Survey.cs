@@ -23,6 +23,8 @@ static class Survey {
   public static readonly Comparison Forward, Reverse;
   public static readonly Registration Registered;
   public static readonly NoiseLaw Law;
+  public static readonly SceneDriveScenarioResult Driven = DrivenStreet();  // a short drive, its cloud and strips
+  public static readonly Adjustment Adjusted = Driven.Trajectory.Adjust(Driven.Cloud, Driven.Model, new AdjustOptions { Covariance = true });
   public static readonly ComparisonDiagnoseResult Diagnosis;
   public static readonly double[] OnWall;  // a point of the largest plane
   public static readonly long Copy;        // the part of Repeated that completes a pattern
@@ -73,6 +75,10 @@ static class Survey {
   /// <summary>Three epochs of mobile mapping, at the times 10, 20 and 30 s.</summary>
   public static Trajectory Drive() {
     return new Trajectory(new double[] {10, 20, 30}, Path3, new double[3, 3], Sigmas, Sigmas, Sigmas, "EPSG:2154");
+  }
+
+  static SceneDriveScenarioResult DrivenStreet() {
+    return Library.SceneDriveScenario(new DriveScenarioOptions { LegM = 40, Corner = false, RevolutionsPerS = 10, Pulses = 200 });
   }
 
   /// <summary>A gauge as a model.</summary>

@@ -118,6 +118,44 @@ class Trajectories(unittest.TestCase):
         by += moved.facade_offsets["offset"][made.strips["facade"]] + moved.strip_offsets["offset"]
         np.testing.assert_allclose(moved.model.faces["offset"] - made.model.faces["offset"], by, atol=1e-9)
 
+    def test_a_cloud_and_a_model_are_adjusted_together(self):
+        drive = jalon.scene_drive_scenario(scenario=5, leg_m=60, revolutions_per_s=10, pulses=400, seed=4)
+        made = drive.trajectory.adjust(drive.cloud, drive.model, covariance=True)
+        summary = made.summary
+        self.assertEqual((summary["converged"], summary["weak_is_held"]), (1, 1))
+        self.assertGreater(summary["p_value"], 1e-3)
+
+        def off(trajectory):
+            return np.sqrt(((trajectory.epochs["xyz"] - drive.true_trajectory.epochs["xyz"]) ** 2).mean())
+        self.assertLess(off(made.trajectory), 0.5 * off(drive.trajectory))
+        controls, strips = made.controls, made.strips
+        self.assertTrue((controls["sigma"] <= controls["prior_sigma"] + 1e-12).all())
+        seen = strips["points"] > 0
+        self.assertEqual(seen.sum(), summary["strips"])
+        np.testing.assert_array_equal(strips["offset"][~seen], 0)
+        # The planes of the adjusted model pass through the adjusted points of their strips.
+        matches, cloud = made.matches, made.apply(drive.cloud)
+        use = (matches["weight"] > 0) & seen[np.minimum(matches["strip"], len(seen) - 1)]
+        faces = made.model.faces
+        strip = matches["strip"][use]
+        distance = (cloud.points[matches["point"][use]] * faces["normal"][strip]).sum(axis=1) - faces["offset"][strip]
+        sums = np.bincount(strip, matches["weight"][use] * distance, len(seen))
+        means = sums[seen] / np.bincount(strip, matches["weight"][use], len(seen))[seen]
+        self.assertLess(abs(means).max(), 0.005)
+        moved = cloud["beam_origin"] - drive.cloud["beam_origin"]
+        np.testing.assert_allclose(moved, cloud.points - drive.cloud.points, atol=1e-9)
+        self.assertEqual(made.iterations["matched"][-1], summary["matched"])
+        self.assertEqual((len(made.blocks["offset"]), len(made.facades["offset"])), (14, 56))
+        covariance = made.covariance
+        n = len(covariance["group"])
+        self.assertEqual(n, 2 * (len(controls["time"]) + 14))
+        np.testing.assert_allclose(np.sqrt(np.diag(covariance["covariance"]))[:len(controls["time"])], controls["sigma"][:, 0])
+        self.assertIn('"sigma_strip_m"', made.parameters)
+        with self.assertRaisesRegex(ValueError, "covariance was not asked for"):
+            drive.trajectory.adjust(drive.cloud, drive.model).covariance
+        with self.assertRaisesRegex(ValueError, "no field \"time\""):
+            drive.trajectory.adjust(jalon.Cloud(drive.cloud.points), drive.model)
+
     def test_perturbed_by_a_seed(self):
         drive = bent_drive()
         moved = drive.perturb(3).epochs["xyz"] - drive.epochs["xyz"]

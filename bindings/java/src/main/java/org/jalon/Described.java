@@ -98,6 +98,13 @@ final class Described {
     return line("Task", task.isClosed(), () -> task.isCancelled() ? "cancelled" : "");
   }
 
+  static String of(Adjustment adjustment) {
+    return line("Adjustment", adjustment.isClosed(), () -> {
+      final Fields summary = adjustment.summary();
+      return "strips: " + (long) summary.doubles("strips")[0] + "; passes: " + (long) summary.doubles("passes")[0];
+    });
+  }
+
   static String of(Trajectory trajectory) {
     return line("Trajectory", trajectory.isClosed(), () -> "epochs: " + trajectory.count() + "; axes: " + trajectory.axes());
   }

@@ -113,6 +113,10 @@ final class EveryCall {
       return survey.repeated;
     } else if (type == Model.class && name.equals("perturbStrips")) {
       return survey.scene.buildingStrips().model();
+    } else if (type == Trajectory.class && name.equals("adjust")) {
+      return survey.driven.trajectory();
+    } else if (type == Adjustment.class && name.equals("close")) {
+      return Survey.adjusted(survey.driven);
     } else if (type == Scanner.class && name.equals("drive")) {
       return Scanner.create("mobile").set("pulses", 50);
     } else if (type == Array.class) {
@@ -176,7 +180,12 @@ final class EveryCall {
   static Object object(Class<?> type, String where, String name) {
     final Survey survey = Survey.get();
     final String of = where.substring(where.indexOf('.') + 1);
-    if (type == Cloud.class) {
+    final boolean isDriven = where.equals("Trajectory.adjust") || where.equals("Adjustment.apply");
+    if (isDriven && type == Cloud.class) {
+      return survey.driven.cloud();
+    } else if (isDriven && type == Model.class) {
+      return survey.driven.model();
+    } else if (type == Cloud.class) {
       return name.equals("compared") || name.equals("moving") || name.equals("b") ? survey.second : survey.scan;
     } else if (type == Model.class) {
       final boolean simple = of.equals("gaugeSweepModel") && name.equals("gauge");
@@ -193,7 +202,7 @@ final class EveryCall {
     }
     return type == Task.class ? Task.create() : type == Segmentation.class ? Survey.get().segmentation
         : type == Registration.class ? survey.registration : type == NoiseLaw.class ? survey.law
-        : type == Trajectory.class ? Survey.drive()
+        : type == Trajectory.class ? Survey.drive() : type == Adjustment.class ? survey.adjustment
         : type == Gauge.class ? Survey.gauge() : type == Targets.class ? Survey.targets() : type == Array.class ? survey.scan.points()
         : type == Rows.class ? Rows.of(new double[12]) : type == Evaluation.class ? survey.segmentation.evaluate(survey.segmentation)
         : type == ModelEvaluation.class ? survey.model.evaluate(survey.scene) : type == Segmenter.class ? Segmenter.create()

@@ -33,6 +33,8 @@ final class Survey {
   final Comparison reverse;
   final Registration registration;
   final NoiseLaw law;
+  final SceneDriveScenarioResult driven = drivenStreet(); // a short drive, its cloud and strips
+  final Adjustment adjustment = adjusted(driven);
   final Fields forwardPoints;
   final Fields reversePoints;
   final Fields changes;
@@ -142,6 +144,18 @@ final class Survey {
       }
     }
     return false;
+  }
+
+  private static SceneDriveScenarioResult drivenStreet() {
+    try (DriveScenarioParams options = new DriveScenarioParams().setLegM(40).setCorner(false).setRevolutionsPerS(10).setPulses(200)) {
+      return Jalon.sceneDriveScenario(options);
+    }
+  }
+
+  static Adjustment adjusted(SceneDriveScenarioResult driven) {
+    try (AdjustParams options = new AdjustParams().setCovariance(true)) {
+      return driven.trajectory().adjust(driven.cloud(), driven.model(), options);
+    }
   }
 
   private static int indexOf(double[] values, double wanted) {

@@ -1,0 +1,201 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file adjustment.h
+ * A mobile laser cloud and a building model, each wrong in its own way, brought into agreement: trajectory, blocks,
+ * facades and strips are moved together, each by as much as its standard deviation lets it (Monnier 2014).
+ *
+ * Observations, expected 0, with their covariances: corrections of the trajectory's control positions in x and y
+ * (jalon_trajectory_prior), translations of blocks, offsets of facades and of strips along the facade's normal n. One
+ * condition for each strip that was seen: its plane passes through the weighted centroid of its points,
+ *
+ *     n . (Q + d_b - P(T)) + o_f + o_s = 0
+ *
+ * solved as Gauss-Helmert model without parameters (Mikhail 1976) by its sparse normal equations. What may move is said by
+ * sigmas alone: a sure model locates the drive, a sure drive updates the model. Heights and attitudes stay.
+ *
+ * An adjustment is immutable and may be read by many threads.
+ */
+#ifndef JALON_ADJUSTMENT_H
+#define JALON_ADJUSTMENT_H
+
+#include <jalon/cloud.h>
+#include <jalon/model.h>
+#include <jalon/trajectory.h>
+
+JALON_BEGIN_C
+
+typedef struct jalon_adjustment jalon_adjustment;
+
+/** What became of a point: column "state" of the matches. */
+enum {
+  JALON_MATCH_ACCEPTED = 1,
+  JALON_MATCH_NOTHING = 2, /**< its ray meets no strip, or a roof or the ground before one */
+  JALON_MATCH_BEHIND = 3,  /**< its ray meets the strip from inside the building */
+  JALON_MATCH_FAR = 4,     /**< farther from the strip than the sigmas allow */
+  JALON_MATCH_TURNED = 5   /**< the wall that the point is of stands otherwise than the strip */
+};
+
+/**
+ * Adjusts trajectory and model by a cloud of the drive.
+ *
+ * - trajectory: as given, with position sigmas; velocity sigmas that are not known are 0.01 m/s.
+ * - cloud: with the field "time" (float64, s). "beam_origin" (float64 x 3) and "beam_direction" (float32 x 3), as
+ *   jalon_trajectory_georeference gives them, make the rays; else they come from the trajectory and "lever_arm_m".
+ *   "covariance" (float32 x 6) says how sure a point is, its pose included. Points outside of the trajectory's time take
+ *   no part and are counted.
+ * - model: of strips (jalon_model_building_strips); faces of no strip hide what is behind them ("occluders").
+ * - options: operation "adjust".
+ *
+ * Steps, until no match changes, nothing moves by more than "tolerance_m", or after "most_passes"; the priors stay
+ * those given:
+ *
+ * 1. One point a cube of "thin_m"; of these the ones that look like a vertical wall ("least_score"; Demantke et al.
+ *    2011). Once.
+ * 2. Each to the first strip that its own ray meets, both where they now stand; accepted when the strip faces the laser, the
+ *    wall of the point is turned from it by at most "greatest_turn_rad", and the distance is below -log(0.05) = 2.996
+ *    ("bound", "refused_share") times the root of n^T C n + sigma_b^2 + sigma_f^2 + sigma_s^2.
+ * 3. A condition for each strip with "least_points". With "kernel" = tukey points off the median of their strip count
+ *    less, and strips that contradict the others by more than three of their sigmas; none is the centroid as printed.
+ *    "sigma_point_m" is the noise of one point.
+ * 4. The adjustment.
+ *
+ * Same bits whatever the threads. Not converged is a result that says so. O(points log strips) a pass, and linear in strips
+ * and control times.
+ *
+ * JALON_ERROR_INVALID_ARGUMENT: no field "time" or one of another type, a time that is not finite, no point within the
+ * trajectory's time, no position sigmas, sigma_strip_m = 0, a model without strips, CRS that differ.
+ * JALON_ERROR_INSUFFICIENT_DATA: no strip has enough points. With a sigma of blocks or facades of 0 the dense form is
+ * taken, O(strips^3).
+ */
+JALON_API JALON_CHECK jalon_status jalon_trajectory_adjust(const jalon_trajectory* trajectory,
+                                                           const jalon_cloud* cloud,
+                                                           const jalon_model* model,
+                                                           const jalon_params* options,
+                                                           jalon_task* task,
+                                                           jalon_adjustment** out);
+JALON_API jalon_adjustment* jalon_adjustment_retain(jalon_adjustment* adjustment);
+JALON_API void jalon_adjustment_release(jalon_adjustment* adjustment);
+
+/**
+ * One row:
+ *     column          type         unit  meaning
+ *     converged       uint8        -     1: matches stay, or nothing moved any more
+ *     passes          uint64       -     made
+ *     points          uint64       -     whose rays were cast
+ *     outside         uint64       -     points of the cloud outside of the trajectory's time
+ *     matched         uint64       -     of the points, accepted
+ *     strips          uint64       -     that were adjusted: degrees of freedom
+ *     rms             float64      m     of the accepted points off their strips, as weighted
+ *     chi_square      float64      1     weighted square sum of all corrections
+ *     p_value         float64      1     chance of as much or more where the sigmas are right: the test of the model.
+ *                                        Small: sigmas too small, or wrong matches
+ *     weak_direction  float64 x 2  1     level unit vector that the strips' normals hold least
+ *     weak_share      float64      1     how much: of their squares along the direction held best
+ *     weak_is_held    uint8        -     0: below 0.01, as along a straight street: nothing is known along it
+ *     wrong_strips    float64      1     share of the matches that count which the cloud's field "strip" (uint32)
+ *                                        contradicts; NaN without the field
+ *     wrong_facades   float64      1     share of those to another facade
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_summary(const jalon_adjustment* adjustment,
+                                                            jalon_fields** out);
+/**
+ * One row a pass:
+ *     column      type     unit  meaning
+ *     matched     uint64   -     accepted
+ *     nothing     uint64   -     rays that met no strip
+ *     behind      uint64   -     rays that met a strip from inside
+ *     far         uint64   -     too far from the strip
+ *     turned      uint64   -     of a wall that stands otherwise
+ *     strips      uint64   -     that were adjusted
+ *     changed     uint64   -     points whose match is another than in the pass before
+ *     rms         float64  m     of the accepted points before the step, as weighted
+ *     step        float64  m     the greatest change of a control position, block, facade or strip
+ *     chi_square  float64  1     after the step
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_iterations(const jalon_adjustment* adjustment,
+                                                               jalon_fields** out);
+/**
+ * One row a control time:
+ *     column       type         unit  meaning
+ *     time         float64      s     ascending
+ *     correction   float64 x 2  m     east and north, linear in between
+ *     sigma        float64 x 2  m     standard deviations
+ *     prior_sigma  float64 x 2  m     those before
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_controls(const jalon_adjustment* adjustment,
+                                                             jalon_fields** out);
+/**
+ * One row a block; what no strip holds keeps 0 and its prior sigma:
+ *     column  type         unit  meaning
+ *     offset  float64 x 2  m     east and north
+ *     sigma   float64 x 2  m     standard deviations
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_blocks(const jalon_adjustment* adjustment,
+                                                           jalon_fields** out);
+/**
+ * One row a facade:
+ *     column  type     unit  meaning
+ *     offset  float64  m     along its normal
+ *     sigma   float64  m     standard deviation
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_facades(const jalon_adjustment* adjustment,
+                                                            jalon_fields** out);
+/**
+ * One row a strip:
+ *     column    type     unit  meaning
+ *     offset    float64  m     along its facade's normal, beside those of facade and block
+ *     sigma     float64  m     standard deviation
+ *     points    uint64   -     that hold it; 0: it was not adjusted
+ *     distance  float64  m     of the strip as given before its points as given; NaN: not adjusted
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_strips(const jalon_adjustment* adjustment,
+                                                           jalon_fields** out);
+/**
+ * One row a point whose ray was cast, as the last pass matched it:
+ *     column    type     unit  meaning
+ *     point     uint32   -     of the cloud
+ *     strip     uint32   -     that its ray meets, accepted or not; UINT32_MAX: none
+ *     state     uint8    -     JALON_MATCH_...
+ *     distance  float64  m     before the strip's plane, both where they stood then
+ *     weight    float64  1     in the mean of its strip
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_matches(const jalon_adjustment* adjustment,
+                                                            jalon_fields** out);
+/**
+ * The covariance of control positions and blocks, with the parameter "covariance" (else JALON_ERROR_INVALID_ARGUMENT):
+ * one row and one component an unknown, control positions east, then north, blocks east, then north; at most 4096
+ * (JALON_ERROR_LIMIT).
+ *     column      type         unit  meaning
+ *     group       uint8        -     0: control position, 1: block
+ *     axis        uint8        -     0: east, 1: north
+ *     number      uint32       -     of the control position or block
+ *     covariance  float64 x n  m2    with each unknown, in the order of the rows
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_covariance(const jalon_adjustment* adjustment,
+                                                               jalon_fields** out);
+/** The parameters it was made with, as JSON; lives as long as the adjustment. */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_parameters(const jalon_adjustment* adjustment,
+                                                               const char** out);
+
+/**
+ * The adjusted trajectory: all epochs as they were given, corrected, with the standard deviations of x and y that they have
+ * now.
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_trajectory(const jalon_adjustment* adjustment,
+                                                               jalon_trajectory** out);
+/** The adjusted model of strips; roofs go with their blocks. */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_model(const jalon_adjustment* adjustment,
+                                                          jalon_model** out);
+/**
+ * A new cloud: one of the drive ("time", float64), with its points and "beam_origin" where the adjusted trajectory puts
+ * them; beyond its ends they move as the ends do. In "covariance" and "point_sigma" the variances of the trajectory's
+ * position, x and y, are those it has now. O(n), parallel.
+ */
+JALON_API JALON_CHECK jalon_status jalon_adjustment_apply(const jalon_adjustment* adjustment,
+                                                          const jalon_cloud* cloud,
+                                                          jalon_task* task, jalon_cloud** out);
+
+JALON_END_C
+
+#endif

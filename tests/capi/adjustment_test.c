@@ -1,0 +1,179 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+#include <jalon/jalon.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define OK(call) assert_int_equal((call), JALON_OK)
+#define INVALID(call) assert_int_equal((call), JALON_ERROR_INVALID_ARGUMENT)
+
+typedef struct Drive {
+  jalon_model *model, *true_model;
+  jalon_trajectory *trajectory, *true_trajectory;
+  jalon_cloud* cloud;
+} Drive;
+
+static Drive drive_of(int64_t scenario) {
+  Drive made;
+  jalon_params* options = NULL;
+  OK(jalon_params_create("drive_scenario", &options));
+  OK(jalon_params_set_int64(options, "scenario", scenario));
+  OK(jalon_params_set_double(options, "leg_m", 60));
+  OK(jalon_params_set_double(options, "revolutions_per_s", 10));
+  OK(jalon_params_set_int64(options, "pulses", 400));
+  OK(jalon_scene_drive_scenario(options, NULL, &made.model, &made.trajectory, &made.cloud,
+                                &made.true_model, &made.true_trajectory));
+  jalon_params_release(options);
+  return made;
+}
+
+static void release_drive(Drive* drive) {
+  jalon_model_release(drive->model);
+  jalon_model_release(drive->true_model);
+  jalon_trajectory_release(drive->trajectory);
+  jalon_trajectory_release(drive->true_trajectory);
+  jalon_cloud_release(drive->cloud);
+}
+
+static double* column(jalon_fields* fields, const char* name, uint64_t* elements) {
+  jalon_array_view view;
+  OK(jalon_fields_view(fields, name, &view));
+  *elements = view.count * view.components;
+  double* values = malloc((size_t)(*elements + 1) * sizeof(double));
+  assert_non_null(values);
+  OK(jalon_fields_copy(fields, name, JALON_FLOAT64, values, *elements));
+  return values;
+}
+
+static double value(const jalon_adjustment* made, const char* name) {
+  jalon_fields* summary = NULL;
+  uint64_t n = 0;
+  OK(jalon_adjustment_summary(made, &summary));
+  double* all = column(summary, name, &n);
+  const double first = all[0];
+  free(all);
+  jalon_fields_release(summary);
+  return first;
+}
+
+/* Root mean square of the positions of a trajectory off the true one. */
+static double off(jalon_trajectory* trajectory, jalon_trajectory* truth) {
+  jalon_fields *a = NULL, *b = NULL;
+  uint64_t n = 0;
+  OK(jalon_trajectory_epochs(trajectory, &a));
+  OK(jalon_trajectory_epochs(truth, &b));
+  double *p = column(a, "xyz", &n), *q = column(b, "xyz", &n), sum = 0;
+  for (uint64_t i = 0; i < n; ++i) sum += (p[i] - q[i]) * (p[i] - q[i]);
+  free(p);
+  free(q);
+  jalon_fields_release(a);
+  jalon_fields_release(b);
+  return sqrt(sum / (double)n);
+}
+
+/* A sure model and a drive that is 2 m off: the drive is located to centimetres. */
+static void adjusted__by_a_sure_model__is_located(void** state) {
+  (void)state;
+  Drive drive = drive_of(1);
+  jalon_params* options = NULL;
+  OK(jalon_params_create("adjust", &options));
+  const char* sigmas[] = {"sigma_block_x_m", "sigma_block_y_m", "sigma_facade_m", "sigma_strip_m"};
+  for (int i = 0; i < 4; ++i) OK(jalon_params_set_double(options, sigmas[i], 0.01));
+  jalon_adjustment* made = NULL;
+  OK(jalon_trajectory_adjust(drive.trajectory, drive.cloud, drive.model, options, NULL, &made));
+  jalon_trajectory* located = NULL;
+  OK(jalon_adjustment_trajectory(made, &located));
+  assert_true(off(drive.trajectory, drive.true_trajectory) > 0.5);
+  assert_true(off(located, drive.true_trajectory) < 0.05);
+  assert_true(value(made, "converged") == 1);
+  assert_true(value(made, "p_value") > 1e-3);
+  assert_true(value(made, "wrong_facades") < 0.02);
+  jalon_trajectory_release(located);
+  jalon_adjustment_release(made);
+  jalon_params_release(options);
+  release_drive(&drive);
+}
+
+/* The adjusted cloud follows the adjusted trajectory: its points move as the corrections at their times say. */
+static void adjusted_cloud__follows_the_corrections(void** state) {
+  (void)state;
+  Drive drive = drive_of(5);
+  jalon_adjustment* made = NULL;
+  OK(jalon_trajectory_adjust(drive.trajectory, drive.cloud, drive.model, NULL, NULL, &made));
+  jalon_cloud* cloud = NULL;
+  OK(jalon_adjustment_apply(made, drive.cloud, NULL, &cloud));
+  jalon_fields *controls = NULL, *before = NULL, *after = NULL;
+  OK(jalon_adjustment_controls(made, &controls));
+  OK(jalon_cloud_fields(drive.cloud, &before));
+  OK(jalon_cloud_fields(cloud, &after));
+  uint64_t n = 0, steps = 0;
+  double *times = column(before, "time", &n), *t = column(controls, "time", &steps);
+  double* by = column(controls, "correction", &steps);
+  double *was = column(before, "beam_origin", &n), *is = column(after, "beam_origin", &n);
+  for (uint64_t i = 0; i < n / 3; i += 97) {
+    uint64_t c = 0;
+    while (c + 2 < steps / 2 && t[c + 1] <= times[i]) ++c;
+    const double share = (times[i] - t[c]) / (t[c + 1] - t[c]);
+    for (int k = 0; k < 2; ++k) {
+      const double expected = by[2 * c + k] * (1 - share) + by[2 * c + 2 + k] * share;
+      assert_true(fabs(is[3 * i + k] - was[3 * i + k] - expected) < 1e-9);
+    }
+    assert_true(is[3 * i + 2] == was[3 * i + 2]);
+  }
+  double* all[] = {times, t, by, was, is};
+  for (int i = 0; i < 5; ++i) free(all[i]);
+  jalon_fields_release(controls);
+  jalon_fields_release(before);
+  jalon_fields_release(after);
+  jalon_cloud_release(cloud);
+  jalon_adjustment_release(made);
+  release_drive(&drive);
+}
+
+static void adjust__of_impossible_input__names_what_is_wrong(void** state) {
+  (void)state;
+  Drive drive = drive_of(5);
+  jalon_adjustment* made = NULL;
+  jalon_model* house = NULL;
+  OK(jalon_scene_street_drive(NULL, &house, NULL));
+  INVALID(jalon_trajectory_adjust(drive.trajectory, drive.cloud, house, NULL, NULL, &made));
+  assert_non_null(strstr(jalon_last_error_message(), "no strips"));
+  OK(jalon_cloud_set_crs(drive.cloud, "EPSG:2154"));
+  jalon_fields* epochs = NULL;
+  OK(jalon_trajectory_epochs(drive.trajectory, &epochs));
+  uint64_t n = 0, count = 0;
+  double *t = column(epochs, "time", &count), *xyz = column(epochs, "xyz", &n),
+         *attitude = column(epochs, "attitude", &n), *sigma = column(epochs, "position_sigma", &n);
+  jalon_trajectory *elsewhere = NULL, *bold = NULL;
+  OK(jalon_trajectory_create(t, xyz, attitude, sigma, NULL, NULL, count, "EPSG:32631", NULL,
+                             &elsewhere));
+  INVALID(jalon_trajectory_adjust(elsewhere, drive.cloud, drive.model, NULL, NULL, &made));
+  assert_non_null(strstr(jalon_last_error_message(), "EPSG:32631"));
+  OK(jalon_trajectory_create(t, xyz, attitude, NULL, NULL, NULL, count, NULL, NULL, &bold));
+  INVALID(jalon_trajectory_adjust(bold, drive.cloud, drive.model, NULL, NULL, &made));
+  assert_non_null(strstr(jalon_last_error_message(), "sigmas of position"));
+  assert_null(made);
+  double* all[] = {t, xyz, attitude, sigma};
+  for (int i = 0; i < 4; ++i) free(all[i]);
+  jalon_trajectory_release(elsewhere);
+  jalon_trajectory_release(bold);
+  jalon_fields_release(epochs);
+  jalon_model_release(house);
+  release_drive(&drive);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(adjusted__by_a_sure_model__is_located),
+      cmocka_unit_test(adjusted_cloud__follows_the_corrections),
+      cmocka_unit_test(adjust__of_impossible_input__names_what_is_wrong),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
