@@ -33,7 +33,8 @@ enum {
   JALON_MATCH_NOTHING = 2, /**< its ray meets no strip, or a roof or the ground before one */
   JALON_MATCH_BEHIND = 3,  /**< its ray meets the strip from inside the building */
   JALON_MATCH_FAR = 4,     /**< farther from the strip than the sigmas allow */
-  JALON_MATCH_TURNED = 5   /**< the wall that the point is of stands otherwise than the strip */
+  JALON_MATCH_TURNED = 5,  /**< the wall that the point is of stands otherwise than the strip */
+  JALON_MATCH_UNSTEADY = 6 /**< its match still changed in the sixth pass or later: it is left out from then on */
 };
 
 /**
@@ -42,7 +43,8 @@ enum {
  * - trajectory: as given, with position sigmas; velocity sigmas that are not known are 0.01 m/s.
  * - cloud: with the field "time" (float64, s). "beam_origin" (float64 x 3) and "beam_direction" (float32 x 3), as
  *   jalon_trajectory_georeference gives them, make the rays; else they come from the trajectory and "lever_arm_m".
- *   "covariance" (float32 x 6) says how sure a point is, its pose included. Points outside of the trajectory's time take
+ *   "covariance" (float32 x 6) says how sure a point is, its pose included. Files keep such fields as "beam_origin_0",
+ *   "beam_origin_1" ..., which do as well. Points outside of the trajectory's time take
  *   no part and are counted.
  * - model: of strips (jalon_model_building_strips); faces of no strip hide what is behind them ("occluders").
  * - options: operation "adjust".
@@ -58,7 +60,8 @@ enum {
  * 3. A condition for each strip with "least_points". With "kernel" = tukey points off the median of their strip count
  *    less, and strips that contradict the others by more than three of their sigmas; none is the centroid as printed.
  *    "sigma_point_m" is the noise of one point.
- * 4. The adjustment.
+ * 4. The adjustment. From the sixth pass on a point whose match still changes is left out, so that passes do not go to and
+ *    fro between two answers.
  *
  * Same bits whatever the threads. Not converged is a result that says so. O(points log strips) a pass, and linear in strips
  * and control times.
@@ -107,6 +110,7 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_summary(const jalon_adjustme
  *     behind      uint64   -     rays that met a strip from inside
  *     far         uint64   -     too far from the strip
  *     turned      uint64   -     of a wall that stands otherwise
+ *     unsteady    uint64   -     left out because their match changed late
  *     strips      uint64   -     that were adjusted
  *     changed     uint64   -     points whose match is another than in the pass before
  *     rms         float64  m     of the accepted points before the step, as weighted

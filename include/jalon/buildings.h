@@ -28,7 +28,8 @@ JALON_BEGIN_C
  *   to the highest of the facade, or clipped to its outline, gables and all ("top" = clip).
  *
  * model: parts block - building - facade - strip of these classes; a face a strip (several where clipping cuts it in
- * parts), whose id is its number; two triangles a rectangle.
+ * parts), whose id is its number; two triangles a rectangle. With "others" behind them the faces that are no facades, as
+ * they are: parts of class roof below their building, of class ground where they are of none.
  *
  * strips, one row a strip:
  *     column    type         unit  meaning

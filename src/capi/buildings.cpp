@@ -43,6 +43,13 @@ FieldTable strip_table(const BuildingTree& tree) {
   return t;
 }
 
+Model strips_with_others(const BuildingTree& tree, const Model& buildings,
+                         const BuildingSettings& settings) {
+  Model made = strip_model(tree);
+  if (settings.others) add_others(made, tree, buildings);
+  return made;
+}
+
 FieldTable block_table(const std::vector<Vec2>& offsets) {
   FieldTable t;
   add_columns<double, 2>(t, offsets, "offset", "m", "east and north",
@@ -69,7 +76,7 @@ jalon_status jalon_model_building_strips(const jalon_model* buildings, const jal
     Owned<jalon_fields> table = own<jalon_fields>(nullptr);
     with_task(task, [&](Task& t) {
       const BuildingTree tree = building_tree(*buildings->model, settings, t);
-      if (model != nullptr) made.reset(new_model(strip_model(tree)));
+      if (model != nullptr) made.reset(new_model(strips_with_others(tree, *buildings->model, settings)));
       if (strips != nullptr) table.reset(new_fields(strip_table(tree)));
     });
     if (model != nullptr) *model = made.release();

@@ -41,6 +41,7 @@ struct Release {
     release(handle);
   }
 };
+using Adjustment = std::unique_ptr<jalon_adjustment, Release<jalon_adjustment_release>>;
 using Cloud = std::unique_ptr<jalon_cloud, Release<jalon_cloud_release>>;
 using Comparer = std::unique_ptr<jalon_comparer, Release<jalon_comparer_release>>;
 using Comparison = std::unique_ptr<jalon_comparison, Release<jalon_comparison_release>>;
@@ -56,6 +57,7 @@ using Registration = std::unique_ptr<jalon_registration, Release<jalon_registrat
 using Scanner = std::unique_ptr<jalon_scanner, Release<jalon_scanner_release>>;
 using Segmentation = std::unique_ptr<jalon_segmentation, Release<jalon_segmentation_release>>;
 using Segmenter = std::unique_ptr<jalon_segmenter, Release<jalon_segmenter_release>>;
+using Trajectory = std::unique_ptr<jalon_trajectory, Release<jalon_trajectory_release>>;
 using Task = std::unique_ptr<jalon_task, Release<jalon_task_release>>;
 
 /// Output argument of a call: must(jalon_cloud_read(path, nullptr, task, Out(cloud))).

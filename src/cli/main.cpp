@@ -71,6 +71,7 @@ int run(int argc, char** argv) {
     add_evaluate(app);
     add_evaluate_model(app);
     add_register(app);
+    add_adjust(app);
     add_compare(app);
     add_clearance(app);
     add_scan(app);

@@ -70,6 +70,7 @@ void add_model(Command& app);
 void add_evaluate(Command& app);
 void add_evaluate_model(Command& app);
 void add_register(Command& app);
+void add_adjust(Command& app);
 void add_compare(Command& app);
 void add_clearance(Command& app);
 void add_scan(Command& app);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/drive_scan.h"
 #include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
@@ -21,7 +22,8 @@ struct Scan {
   Common common;
   Settings settings, scene_settings;
   std::string scene = "facade", method = "static";
-  std::string output, model_output;
+  std::string output, model_output, trajectory_output;
+  int64_t drift_seed = 1;
   std::vector<std::string> stations;
 
   void add_stations(jalon_scanner* scanner) const {
@@ -77,8 +79,22 @@ struct Scan {
     return std::filesystem::path(output).replace_extension(".truth.json").string();
   }
 
+  // A drive has a scene of its own: the street that it goes along.
+  void drive() const {
+    if (!stations.empty() || scene != "facade")
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "method mobile drives through a street of its own: no --scene, no --station"};
+    if (trajectory_output.empty())
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "method mobile needs --trajectory FILE"};
+    scan_by_drive({settings, scene_settings, output, model_output, trajectory_output, drift_seed},
+                  common);
+  }
+
   void run() const {
     check_output_file(output, "cloud");
+    if (method == "mobile") return drive();
+    if (!trajectory_output.empty())
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--trajectory is for --method mobile"};
     const std::string truth_path = truth_output();
     if (!truth_path.empty()) check_output_file(truth_path);
     if (!model_output.empty()) check_output_file(model_output, "model");
@@ -136,12 +152,23 @@ void add_scan(Command& app) {
       .type_name("NAME");
   command
       .option("--method", state->method,
-              "static: a tripod scanner; sample: random points on all faces")
+              "static: a tripod scanner; sample: random points on all faces; mobile: a vehicle "
+              "that drives through a street")
       .shows_default()
       .type_name("NAME");
   command.option("-o,--output", state->output, "Scan to write").required().type_name("FILE");
   command.option("--model", state->model_output, "Also write the scene as a model (.obj)")
       .type_name("FILE");
+  command
+      .option("--trajectory", state->trajectory_output,
+              "Method mobile: also write the trajectory (text), as a user has it")
+      .type_name("FILE");
+  command
+      .option("--drift-seed", state->drift_seed,
+              "Method mobile: of the errors of the trajectory, drawn from its sigmas; points stand "
+              "where they put them; 0: without errors")
+      .shows_default()
+      .type_name("N");
   command
       .option("--station", state->stations,
               "Scanner position; without one, two are placed in front (repeatable)")
@@ -152,13 +179,16 @@ void add_scan(Command& app) {
   add_common(command, state->common);
   command.footer([] {
     return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) + "\n" +
-           scanner_tables() +
+           "Parameters of --scene-set with --method mobile (street_drive):\n" +
+           describe(make_params("street_drive").get()) + "\n" + scanner_tables() +
            "Examples: jalon scan --scene facade -o sample.las\n"
            "          jalon scan --scene insa --set instrument=gx --set max_points=200000 --set "
            "glass_return_min=0.05 "
            "--set glass_return_max=0.3 -o insa.las\n"
            "          jalon scan --scene grammar --set seed=7 -o street.las    (and "
            "street.truth.json)\n"
+           "          jalon scan --method mobile -o drive.ply --model street.obj --trajectory "
+           "drive.txt --scene-set sigma_position_m=1\n"
            "          jalon scan --scene patches --method sample --set points=60000 -o patches.las";
   });
   command.on_run([state] { state->run(); });

@@ -34,7 +34,11 @@ constexpr auto kBuildingStripRows = setting_rows(
     bool_row<&BuildingSettings::corners>("corners", "",
                                          "Buildings that touch at a corner alone touch."),
     number_row<&BuildingSettings::tilt_rad>("tilt_rad", 0, 0.7, "rad", "",
-                                            "Faces within this of the vertical are facades."));
+                                            "Faces within this of the vertical are facades."),
+    bool_row<&BuildingSettings::others>(
+        "others", "",
+        "What is no facade comes along as it is, below its building: roofs and ground hide what is "
+        "behind them."));
 
 uint32_t add_part(Model& model, std::string name, const char* part_class, uint64_t parent) {
   Part part;

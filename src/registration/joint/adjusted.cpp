@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "registration/joint/beam_fields.h"
 
 namespace jalon {
 
@@ -78,7 +79,8 @@ Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajecto
 }
 
 Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given,
-                     const Cloud& cloud, Task& task) {
+                     const Cloud& split, Task& task) {
+  const Cloud cloud = with_whole_beams(split);
   const Column* time = cloud.fields.find("time");
   if (time == nullptr || time->info().type != ElementType::kFloat64 || time->info().components != 1)
     fail(Status::kInvalidArgument,

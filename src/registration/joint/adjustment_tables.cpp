@@ -55,6 +55,7 @@ FieldTable pass_table(const JointAdjustment& a) {
   count("behind", "rays that met a strip from inside", &P::behind);
   count("far", "too far from the strip", &P::far);
   count("turned", "of a wall that stands otherwise", &P::turned);
+  count("unsteady", "left out because their match changed late", &P::unsteady);
   count("strips", "that were adjusted", &P::strips);
   count("changed", "points whose match is another than in the pass before", &P::changed);
   add_column<double>(t, a.passes, "rms", "m", "of the accepted points before the step",

@@ -8,6 +8,7 @@
 #include "base/distributions.h"
 #include "base/error.h"
 #include "base/numbers.h"
+#include "registration/joint/beam_fields.h"
 #include "registration/joint/strip_conditions.h"
 #include "registration/joint/strip_weights.h"
 
@@ -74,6 +75,7 @@ class JointLoop {
     JointPass pass;
     std::vector<PointMatch> matches =
         match_points(made_.points, scene_, places_, settings_, task_);
+    leave_unsteady_out(matches);
     made_.weights = strip_weights(matches, scene_.strips.size(), settings_);
     count(matches, pass);
     made_.matches = std::move(matches);
@@ -121,6 +123,17 @@ class JointLoop {
     return sum;
   }
 
+  // Strips that hide each other by turns would go to and fro for ever; those points are no evidence of either.
+  void leave_unsteady_out(std::vector<PointMatch>& matches) {
+    constexpr size_t kLatePass = 5;  // most draws of the scenarios have settled by then
+    if (made_.passes.size() < kLatePass) return;
+    for (size_t i = 0; i < matches.size(); ++i) {
+      const bool was_out = made_.matches[i].state == MatchState::kUnsteady;
+      if (was_out || !(matches[i] == made_.matches[i]))
+        matches[i] = {made_.matches[i].strip, MatchState::kUnsteady, matches[i].distance_m};
+    }
+  }
+
   JointSolution solve(JointWanted wanted) const {
     return has_zero(settings_) ? solve_dense(problem_) : solve_reduced(problem_, wanted);
   }
@@ -133,7 +146,8 @@ class JointLoop {
          : m.state == MatchState::kNothing ? pass.nothing
          : m.state == MatchState::kBehind  ? pass.behind
          : m.state == MatchState::kFar     ? pass.far
-                                           : pass.turned);
+         : m.state == MatchState::kTurned  ? pass.turned
+                                           : pass.unsteady);
       if (made_.matches.empty() || !(made_.matches[i] == m)) ++pass.changed;
       squares += made_.weights[i] * m.distance_m * m.distance_m;
       weight += made_.weights[i];
@@ -237,7 +251,7 @@ JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud,
                                const Trajectory& trajectory, const JointSettings& settings,
                                Task& task) {
   require_prior(trajectory, settings);
-  return JointLoop(model, cloud, trajectory, settings, task).run();
+  return JointLoop(model, with_whole_beams(cloud), trajectory, settings, task).run();
 }
 
 }  // namespace jalon

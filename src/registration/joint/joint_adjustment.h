@@ -16,7 +16,7 @@ namespace jalon {
 
 /// One pass of the loop.
 struct JointPass {
-  uint64_t matched = 0, nothing = 0, behind = 0, far = 0, turned = 0;
+  uint64_t matched = 0, nothing = 0, behind = 0, far = 0, turned = 0, unsteady = 0;
   uint64_t strips = 0, changed = 0;  ///< strips that are adjusted; points whose match is another than before
   double rms_m = 0;                  ///< of the accepted points off their strips, before the step
   double step_m = 0;                 ///< the greatest change of a control position, block, facade or strip

@@ -16,6 +16,7 @@ enum class MatchState : uint8_t {
   kBehind = 3,   ///< the ray meets a strip from inside the building
   kFar = 4,      ///< farther from the strip's plane than the sigmas allow
   kTurned = 5,   ///< the wall that the point is of stands otherwise than the strip
+  kUnsteady = 6,  ///< its match changed again in a late pass
 };
 
 struct PointMatch {

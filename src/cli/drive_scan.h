@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "cli/options.h"
+
+namespace jalon::cli {
+
+/// What "jalon scan --method mobile" is told.
+struct DriveScan {
+  const Settings& scanner;  ///< of method "mobile"
+  const Settings& street;   ///< of operation "street_drive"
+  const std::string &output, &model_output, &trajectory_output;
+  int64_t drift_seed;  ///< 0: no errors
+};
+/// Drives through the street and writes what a user has: a trajectory with errors, the cloud that it makes of what was
+/// measured, and the model of the street.
+void scan_by_drive(const DriveScan& scan, const Common& common);
+
+}  // namespace jalon::cli
