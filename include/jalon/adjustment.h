@@ -11,8 +11,8 @@
  *
  *     n . (Q + d_b - P(T)) + o_f + o_s = 0
  *
- * solved as Gauss-Helmert model without parameters (Mikhail 1976) by its sparse normal equations. What may move is said by
- * sigmas alone: a sure model locates the drive, a sure drive updates the model. Heights and attitudes stay.
+ * solved as Gauss-Helmert model without parameters (Mikhail 1976) by its sparse normal equations. What may move is
+ * said by sigmas alone: a sure model locates the drive, a sure drive updates the model. Heights and attitudes stay.
  *
  * An adjustment is immutable and may be read by many threads.
  */
@@ -34,7 +34,8 @@ enum {
   JALON_MATCH_BEHIND = 3,  /**< its ray meets the strip from inside the building */
   JALON_MATCH_FAR = 4,     /**< farther from the strip than the sigmas allow */
   JALON_MATCH_TURNED = 5,  /**< the wall that the point is of stands otherwise than the strip */
-  JALON_MATCH_UNSTEADY = 6 /**< its match still changed in the sixth pass or later: it is left out from then on */
+  JALON_MATCH_UNSTEADY =
+      6 /**< its match still changed in the sixth pass or later: it is left out from then on */
 };
 
 /**
@@ -43,8 +44,8 @@ enum {
  * - trajectory: as given, with position sigmas; velocity sigmas that are not known are 0.01 m/s.
  * - cloud: with the field "time" (float64, s). "beam_origin" (float64 x 3) and "beam_direction" (float32 x 3), as
  *   jalon_trajectory_georeference gives them, make the rays; else they come from the trajectory and "lever_arm_m".
- *   "covariance" (float32 x 6) says how sure a point is, its pose included. Files keep such fields as "beam_origin_0",
- *   "beam_origin_1" ..., which do as well. Points outside of the trajectory's time take
+ *   "covariance" (float32 x 6) says how sure a point is, its pose included. Files keep such fields as
+ *   "beam_origin_0", "beam_origin_1" ..., which do as well. Points outside of the trajectory's time take
  *   no part and are counted.
  * - model: of strips (jalon_model_building_strips); faces of no strip hide what is behind them ("occluders").
  * - options: operation "adjust".
@@ -54,29 +55,26 @@ enum {
  *
  * 1. One point a cube of "thin_m"; of these the ones that look like a vertical wall ("least_score"; Demantke et al.
  *    2011). Once.
- * 2. Each to the first strip that its own ray meets, both where they now stand; accepted when the strip faces the laser, the
- *    wall of the point is turned from it by at most "greatest_turn_rad", and the distance is below -log(0.05) = 2.996
- *    ("bound", "refused_share") times the root of n^T C n + sigma_b^2 + sigma_f^2 + sigma_s^2.
+ * 2. Each to the first strip that its own ray meets, both where they now stand; accepted when the strip faces the
+ *    laser, the wall of the point is turned from it by at most "greatest_turn_rad", and the distance is below
+ *    -log(0.05) = 2.996 ("bound", "refused_share") times the root of n^T C n + sigma_b^2 + sigma_f^2 + sigma_s^2.
  * 3. A condition for each strip with "least_points". With "kernel" = tukey points off the median of their strip count
  *    less, and strips that contradict the others by more than three of their sigmas; none is the centroid as printed.
  *    "sigma_point_m" is the noise of one point.
- * 4. The adjustment. From the sixth pass on a point whose match still changes is left out, so that passes do not go to and
- *    fro between two answers.
+ * 4. The adjustment. From the sixth pass on a point whose match still changes is left out, so that passes do not go
+ *    to and fro between two answers.
  *
- * Same bits whatever the threads. Not converged is a result that says so. O(points log strips) a pass, and linear in strips
- * and control times.
+ * Same bits whatever the threads. Not converged is a result that says so. O(points log strips) a pass, and linear in
+ * strips and control times.
  *
- * JALON_ERROR_INVALID_ARGUMENT: no field "time" or one of another type, a time that is not finite, no point within the
- * trajectory's time, no position sigmas, sigma_strip_m = 0, a model without strips, CRS that differ.
+ * JALON_ERROR_INVALID_ARGUMENT: no field "time" or one of another type, a time that is not finite, no point within
+ * the trajectory's time, no position sigmas, sigma_strip_m = 0, a model without strips, CRS that differ.
  * JALON_ERROR_INSUFFICIENT_DATA: no strip has enough points. With a sigma of blocks or facades of 0 the dense form is
  * taken, O(strips^3).
  */
-JALON_API JALON_CHECK jalon_status jalon_trajectory_adjust(const jalon_trajectory* trajectory,
-                                                           const jalon_cloud* cloud,
-                                                           const jalon_model* model,
-                                                           const jalon_params* options,
-                                                           jalon_task* task,
-                                                           jalon_adjustment** out);
+JALON_API JALON_CHECK jalon_status jalon_trajectory_adjust(
+    const jalon_trajectory* trajectory, const jalon_cloud* cloud, const jalon_model* model,
+    const jalon_params* options, jalon_task* task, jalon_adjustment** out);
 JALON_API jalon_adjustment* jalon_adjustment_retain(jalon_adjustment* adjustment);
 JALON_API void jalon_adjustment_release(jalon_adjustment* adjustment);
 
@@ -167,9 +165,9 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_strips(const jalon_adjustmen
 JALON_API JALON_CHECK jalon_status jalon_adjustment_matches(const jalon_adjustment* adjustment,
                                                             jalon_fields** out);
 /**
- * The covariance of control positions and blocks, with the parameter "covariance" (else JALON_ERROR_INVALID_ARGUMENT):
- * one row and one component an unknown, control positions east, then north, blocks east, then north; at most 4096
- * (JALON_ERROR_LIMIT).
+ * The covariance of control positions and blocks, with the parameter "covariance" (else
+ * JALON_ERROR_INVALID_ARGUMENT): one row and one component an unknown, control positions east, then north, blocks
+ * east, then north; at most 4096 (JALON_ERROR_LIMIT).
  *     column      type         unit  meaning
  *     group       uint8        -     0: control position, 1: block
  *     axis        uint8        -     0: east, 1: north
@@ -183,8 +181,8 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_parameters(const jalon_adjus
                                                                const char** out);
 
 /**
- * The adjusted trajectory: all epochs as they were given, corrected, with the standard deviations of x and y that they have
- * now.
+ * The adjusted trajectory: all epochs as they were given, corrected, with the standard deviations of x and y that
+ * they have now.
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_trajectory(const jalon_adjustment* adjustment,
                                                                jalon_trajectory** out);
@@ -192,9 +190,9 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_trajectory(const jalon_adjus
 JALON_API JALON_CHECK jalon_status jalon_adjustment_model(const jalon_adjustment* adjustment,
                                                           jalon_model** out);
 /**
- * A new cloud: one of the drive ("time", float64), with its points and "beam_origin" where the adjusted trajectory puts
- * them; beyond its ends they move as the ends do. In "covariance" and "point_sigma" the variances of the trajectory's
- * position, x and y, are those it has now. O(n), parallel.
+ * A new cloud: one of the drive ("time", float64), with its points and "beam_origin" where the adjusted trajectory
+ * puts them; beyond its ends they move as the ends do. In "covariance" and "point_sigma" the variances of the
+ * trajectory's position, x and y, are those it has now. O(n), parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_apply(const jalon_adjustment* adjustment,
                                                           const jalon_cloud* cloud,

@@ -16,20 +16,20 @@ JALON_BEGIN_C
 /**
  * The vertical faces of a building model as strips of constant width. O(n log n).
  *
- * - Facades: each upright face (within "tilt_rad") is one, its openings closed; in a model without faces the triangles
- *   that lie in one plane of a building (1 degree, 2 cm) and touch. Normals look out of the building: where the
- *   footprint shows that one looks inward it is turned.
- * - Buildings: the highest part of class "building" above a face; in a model without such parts, what hangs together by
- *   corners (1 mm).
- * - Blocks: buildings whose footprints come within "touch_m" of each other, and those that touch these, and so on; with
- *   "corners" = false they must run along each other.
+ * - Facades: each upright face (within "tilt_rad") is one, its openings closed; in a model without faces the
+ *   triangles that lie in one plane of a building (1 degree, 2 cm) and touch. Normals look out of the building: where
+ *   the footprint shows that one looks inward it is turned.
+ * - Buildings: the highest part of class "building" above a face; in a model without such parts, what hangs together
+ *   by corners (1 mm).
+ * - Blocks: buildings whose footprints come within "touch_m" of each other, and those that touch these, and so on;
+ *   with "corners" = false they must run along each other.
  * - Strips: from the facade's left end, seen from outside, "width_m" wide; what is left at the right end is a strip
- *   from half a width on, else it is added to the last ("remainder" = keep), or all are equal (equal). From the lowest
- *   to the highest of the facade, or clipped to its outline, gables and all ("top" = clip).
+ *   from half a width on, else it is added to the last ("remainder" = keep), or all are equal (equal). From the
+ *   lowest to the highest of the facade, or clipped to its outline, gables and all ("top" = clip).
  *
  * model: parts block - building - facade - strip of these classes; a face a strip (several where clipping cuts it in
- * parts), whose id is its number; two triangles a rectangle. With "others" behind them the faces that are no facades, as
- * they are: parts of class roof below their building, of class ground where they are of none.
+ * parts), whose id is its number; two triangles a rectangle. With "others" behind them the faces that are no facades,
+ * as they are: parts of class roof below their building, of class ground where they are of none.
  *
  * strips, one row a strip:
  *     column    type         unit  meaning
@@ -53,8 +53,8 @@ JALON_API JALON_CHECK jalon_status jalon_model_building_strips(const jalon_model
                                                                jalon_fields** strips);
 
 /**
- * A model of strips with each block, facade and strip off its place by a draw: blocks in plan, facades and strips along
- * the facade's normal; independent, normal, centred. For tests of an adjustment, whose truth it is.
+ * A model of strips with each block, facade and strip off its place by a draw: blocks in plan, facades and strips
+ * along the facade's normal; independent, normal, centred. For tests of an adjustment, whose truth it is.
  *
  * - strips: of jalon_model_building_strips; JALON_ERROR_INVALID_ARGUMENT for another.
  * - options: operation "building_sigmas": "sigma_block_m", "sigma_facade_m", "sigma_strip_m", "seed".

@@ -72,11 +72,11 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_run(const jalon_scanner* scanne
                                                      jalon_cloud** out);
 
 /**
- * Drives along the trajectory and scans the model with a scanner of method "mobile": every pulse from where the vehicle
- * is at its time to the nearest triangle within range. Points are made of the measured range and angles, noise
- * included, as jalon_trajectory_georeference makes them, whose parameters the scanner has for its mount. The trajectory
- * is the true one: perturb it (jalon_trajectory_perturb) and georeference again to have its errors. Same seed, same
- * bits, whatever the threads. JALON_ERROR_UNSUPPORTED for other methods.
+ * Drives along the trajectory and scans the model with a scanner of method "mobile": every pulse from where the
+ * vehicle is at its time to the nearest triangle within range. Points are made of the measured range and angles,
+ * noise included, as jalon_trajectory_georeference makes them, whose parameters the scanner has for its mount. The
+ * trajectory is the true one: perturb it (jalon_trajectory_perturb) and georeference again to have its errors. Same
+ * seed, same bits, whatever the threads. JALON_ERROR_UNSUPPORTED for other methods.
  *
  * Fields beside those of jalon_trajectory_georeference; block, facade and strip are those of a model of
  * jalon_model_building_strips, exact matches of the points:
@@ -149,10 +149,10 @@ JALON_API JALON_CHECK jalon_status jalon_scene_create(const jalon_params* option
                                                       jalon_model** out);
 
 /**
- * A street of mobile mapping and the drive through it, without error: in an L or straight ("corner"). To either side of
- * a leg stand blocks of four houses, four blocks outside of the corner and three inside, 3 m short of the next; fronts
- * are set back 0, 0.3 ... 1.2 m from a line 8 m from the axis, and turned by up to 0.05 rad. Fronts alone, or whole
- * houses with ground and things that a building model lacks ("closed"). options: operation "street_drive".
+ * A street of mobile mapping and the drive through it, without error: in an L or straight ("corner"). To either side
+ * of a leg stand blocks of four houses, four blocks outside of the corner and three inside, 3 m short of the next;
+ * fronts are set back 0, 0.3 ... 1.2 m from a line 8 m from the axis, and turned by up to 0.05 rad. Fronts alone, or
+ * whole houses with ground and things that a building model lacks ("closed"). options: operation "street_drive".
  *
  * - model: parts of classes building, ground, element; may be NULL.
  * - trajectory: with sigmas, axes "enu"; may be NULL.
@@ -165,21 +165,23 @@ JALON_API JALON_CHECK jalon_status jalon_scene_street_drive(const jalon_params* 
  * A drive through that street as a user has it and as it was: the five scenarios of Monnier (2014) for the adjustment
  * of trajectory and model together (jalon/adjustment.h). options: operation "drive_scenario".
  *
- * - scenario: standard deviations of blocks, facades, strips and trajectory: 1: 0.01, 0.01, 0.01, 2 m; 2: 2, 0.01, 0.01,
- *   0.01; 3: 0.01, 2, 0.01, 0.01; 4: 0.01, 0.01, 2, 0.01; 5: 1, 0.5, 0.3, 1; 0: by "sigma_block_m" ... The errors are a draw
- *   of them ("seed"): of blocks, facades and strips independent, of the trajectory Gauss-Markov from one control time to
- *   the next and linear between.
- * - model, true_model: strips; with roofs and ground as well where the street is "closed". Then things stand before the
- *   houses that the model does not know.
+ * - scenario: standard deviations of blocks, facades, strips and trajectory: 1: 0.01, 0.01, 0.01, 2 m; 2: 2, 0.01,
+ *   0.01, 0.01; 3: 0.01, 2, 0.01, 0.01; 4: 0.01, 0.01, 2, 0.01; 5: 1, 0.5, 0.3, 1; 0: by "sigma_block_m" ... The
+ *   errors are a draw of them ("seed"): of blocks, facades and strips independent, of the trajectory Gauss-Markov
+ *   from one control time to the next and linear between.
+ * - model, true_model: strips; with roofs and ground as well where the street is "closed". Then things stand before
+ *   the houses that the model does not know.
  * - trajectory, true_trajectory: with the sigmas of the scenario, axes "enu".
  * - cloud: as jalon_scanner_drive gives it from the true trajectory, points and beams where the wrong one puts them.
  *
  * Each output may be NULL.
  */
-JALON_API JALON_CHECK jalon_status jalon_scene_drive_scenario(
-    const jalon_params* options, jalon_task* task, jalon_model** model,
-    jalon_trajectory** trajectory, jalon_cloud** cloud, jalon_model** true_model,
-    jalon_trajectory** true_trajectory);
+JALON_API JALON_CHECK jalon_status jalon_scene_drive_scenario(const jalon_params* options,
+                                                              jalon_task* task, jalon_model** model,
+                                                              jalon_trajectory** trajectory,
+                                                              jalon_cloud** cloud,
+                                                              jalon_model** true_model,
+                                                              jalon_trajectory** true_trajectory);
 
 /**
  * The scanner that goes with a scene: method "static" with stations, field of view, steps, noise,

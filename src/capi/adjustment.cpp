@@ -16,10 +16,12 @@ using namespace jalon::capi;
 
 namespace {
 
-jalon_status give_adjustment_table(const jalon_adjustment* adjustment, jalon_fields** out,
-                                   FieldTable (*table)(const JointAdjustment&)) {
-  return give_fields(adjustment, "adjustment", out,
-                     [&] { return table(*adjustment->adjustment); });
+// What a getter of a table does.
+void give_table(const jalon_adjustment* adjustment, jalon_fields** out,
+                FieldTable (*table)(const JointAdjustment&)) {
+  require(adjustment, "adjustment");
+  require(out, "out");
+  *out = new_fields(table(*adjustment->adjustment));
 }
 
 }  // namespace
@@ -57,28 +59,28 @@ jalon_adjustment* jalon_adjustment_retain(jalon_adjustment* adjustment) {
 void jalon_adjustment_release(jalon_adjustment* adjustment) { release(adjustment); }
 
 jalon_status jalon_adjustment_summary(const jalon_adjustment* adjustment, jalon_fields** out) {
-  return give_adjustment_table(adjustment, out, summary_table);
+  return guard([&] { give_table(adjustment, out, summary_table); });
 }
 jalon_status jalon_adjustment_iterations(const jalon_adjustment* adjustment, jalon_fields** out) {
-  return give_adjustment_table(adjustment, out, pass_table);
+  return guard([&] { give_table(adjustment, out, pass_table); });
 }
 jalon_status jalon_adjustment_controls(const jalon_adjustment* adjustment, jalon_fields** out) {
-  return give_adjustment_table(adjustment, out, control_table);
+  return guard([&] { give_table(adjustment, out, control_table); });
 }
 jalon_status jalon_adjustment_blocks(const jalon_adjustment* adjustment, jalon_fields** out) {
-  return give_adjustment_table(adjustment, out, block_table);
+  return guard([&] { give_table(adjustment, out, block_table); });
 }
 jalon_status jalon_adjustment_facades(const jalon_adjustment* adjustment, jalon_fields** out) {
-  return give_adjustment_table(adjustment, out, facade_table);
+  return guard([&] { give_table(adjustment, out, facade_table); });
 }
 jalon_status jalon_adjustment_strips(const jalon_adjustment* adjustment, jalon_fields** out) {
-  return give_adjustment_table(adjustment, out, strip_table);
+  return guard([&] { give_table(adjustment, out, strip_table); });
 }
 jalon_status jalon_adjustment_matches(const jalon_adjustment* adjustment, jalon_fields** out) {
-  return give_adjustment_table(adjustment, out, match_table);
+  return guard([&] { give_table(adjustment, out, match_table); });
 }
 jalon_status jalon_adjustment_covariance(const jalon_adjustment* adjustment, jalon_fields** out) {
-  return give_adjustment_table(adjustment, out, covariance_table);
+  return guard([&] { give_table(adjustment, out, covariance_table); });
 }
 
 jalon_status jalon_adjustment_parameters(const jalon_adjustment* adjustment, const char** out) {

@@ -76,7 +76,8 @@ jalon_status jalon_model_building_strips(const jalon_model* buildings, const jal
     Owned<jalon_fields> table = own<jalon_fields>(nullptr);
     with_task(task, [&](Task& t) {
       const BuildingTree tree = building_tree(*buildings->model, settings, t);
-      if (model != nullptr) made.reset(new_model(strips_with_others(tree, *buildings->model, settings)));
+      if (model != nullptr)
+        made.reset(new_model(strips_with_others(tree, *buildings->model, settings)));
       if (strips != nullptr) table.reset(new_fields(strip_table(tree)));
     });
     if (model != nullptr) *model = made.release();

@@ -65,8 +65,8 @@ struct Adjust {
     must(jalon_adjustment_apply(made.get(), inputs.cloud.get(), console.task(), Out(points)));
     must(jalon_trajectory_write(drive.get(), folder.path("trajectory.txt").c_str(), nullptr,
                                 nullptr, console.task()));
-    must(jalon_model_write(strips.get(), folder.path("model.obj").c_str(), nullptr,
-                           console.task()));
+    must(
+        jalon_model_write(strips.get(), folder.path("model.obj").c_str(), nullptr, console.task()));
     for (const char* name : {"cloud.las", "cloud.ply"})
       must(jalon_cloud_write(points.get(), folder.path(name).c_str(), nullptr, console.task()));
     write_text_file(folder.path("controls.csv"), table(made, jalon_adjustment_controls).csv());

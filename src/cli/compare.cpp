@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/inputs/compare_inputs.h"
-#include "cli/compare_listing.h"
+#include "cli/outputs/compare_listing.h"
 #include "cli/lengths.h"
 #include "cli/methods.h"
 #include "cli/options.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "cli/drive_scan.h"
+#include "cli/inputs/drive_scan.h"
 #include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_check.h"

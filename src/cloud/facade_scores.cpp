@@ -57,10 +57,10 @@ std::vector<FacadeScore> facade_scores(const Cloud& cloud, Task& task) {
   const std::shared_ptr<const Octree> tree = cloud.octree(task);
   const auto order = tree->order();
   std::vector<FacadeScore> scores(cloud.size());
-  for_each_neighbourhood<Nothing>(
-      *tree, kScales.back(), 0, task, [&](const Neighbourhood& around, Nothing&) {
-        scores[order[around.point]] = facade_score(*tree, around);
-      });
+  for_each_neighbourhood<Nothing>(*tree, kScales.back(), 0, task,
+                                  [&](const Neighbourhood& around, Nothing&) {
+                                    scores[order[around.point]] = facade_score(*tree, around);
+                                  });
   return scores;
 }
 

@@ -31,7 +31,7 @@ refuses() {
 }
 
 check "--help shows examples and exit codes" bash -c "'$jalon' --help | grep -q 'jalon facade scan.las' && '$jalon' --help | grep -q 'Exit codes'"
-for command in info convert clean normals facade model scan segment evaluate-segmentation evaluate-model compare clearance; do
+for command in info convert clean normals facade model scan segment evaluate-segmentation evaluate-model compare clearance adjust; do
   check "$command --help shows an example" bash -c "'$jalon' $command --help | grep -q 'jalon $command'"
 done
 check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
@@ -60,6 +60,14 @@ check "info --json is JSON" bash -c "'$jalon' info sample.las --json | python3 -
 check "convert LAS to PLY" "$jalon" convert sample.las sample.ply
 check "convert PLY to XYZ" "$jalon" convert quiet.las quiet.xyz
 check "convert XYZ to LAS keeps the points" bash -c "'$jalon' convert quiet.xyz back.las --quiet && [ \$('$jalon' info back.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') -eq \$('$jalon' info quiet.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') ]"
+"$jalon" scan --method mobile -o drive.ply --model street.obj --trajectory drive.txt --quiet --scene-set sigma_position_m=1 --scene-set leg_m=60
+check "adjust locates a drive that is a metre off" bash -c "'$jalon' adjust street.obj drive.ply drive.txt -o adjusted --strips-set touch_m=2 --json | python3 -c '
+import csv,json,sys
+d=json.load(sys.stdin)
+assert d[\"summary\"][\"converged\"]==1 and d[\"summary\"][\"matched\"]>0.9*d[\"summary\"][\"points\"], d
+rows=list(csv.DictReader(open(\"adjusted/controls.csv\")))
+assert all(float(r[\"sigma_0\"])<0.5*float(r[\"prior_sigma_0\"]) for r in rows)'"
+for file in trajectory.txt cloud.las cloud.ply model.obj adjustment.json strips.csv matches.csv; do check "adjust made $file" test -s adjusted/$file; done
 check "clean removes and thins" "$jalon" clean sample.las -o clean.ply --outliers --voxel 0.05
 check "normals writes normals" bash -c "'$jalon' normals quiet.las -o normals.ply --set orientation=centroid && head -c 2000 normals.ply | grep -aq 'property float nx'"
 check "facade writes its files" "$jalon" facade sample.las -o result

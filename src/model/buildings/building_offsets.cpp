@@ -74,15 +74,15 @@ Model moved_strips(const Model& strips, const BuildingOffsets& offsets) {
            "face %u is of no strip, facade and block: it is no model of strips", face.id);
     const Vec2& b = offsets.blocks[n.block];
     Vec3 by{b.u, b.v, 0};
-    if (is_strip)
-      by += face.plane.normal * (offsets.facades[n.facade] + offsets.strips[n.strip]);
+    if (is_strip) by += face.plane.normal * (offsets.facades[n.facade] + offsets.strips[n.strip]);
     for (uint64_t r = face.first_ring; r < face.first_ring + face.ring_count; ++r)
       for (uint64_t c = moved.rings[r].first; c < moved.rings[r].first + moved.rings[r].count; ++c)
         moved.vertices[moved.corners[c]] += by;
     face.plane.offset += dot(face.plane.normal, by);
   }
   if (!has_strips)
-    fail(Status::kInvalidArgument, "it is no model of strips: jalon_model_building_strips makes one");
+    fail(Status::kInvalidArgument,
+         "it is no model of strips: jalon_model_building_strips makes one");
   return moved;
 }
 

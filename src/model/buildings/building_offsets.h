@@ -24,8 +24,8 @@ struct BuildingOffsets {
 };
 /// For as many as the model has of parts of these classes.
 BuildingOffsets drawn_offsets(const Model& strips, const BuildingSigmas& sigmas);
-/// A model of strips (building_tree.h) with each face moved by the offsets of its block, facade and strip; what is of no
-/// strip goes with its block, or stays. Error(kInvalidArgument) for a model without strips.
+/// A model of strips (building_tree.h) with each face moved by the offsets of its block, facade and strip; what is of
+/// no strip goes with its block, or stays. Error(kInvalidArgument) for a model without strips.
 Model moved_strips(const Model& strips, const BuildingOffsets& offsets);
 
 }  // namespace jalon

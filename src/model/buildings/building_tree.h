@@ -35,7 +35,7 @@ struct BuildingSettings {
   double touch_m = 0.1;
   bool corners = true;
   double tilt_rad = 0.08726646259971647;  // 5 degrees
-  bool others = false;  ///< of who makes a model: with add_others()
+  bool others = false;                    ///< of who makes a model: with add_others()
 };
 std::span<const ParamRow> building_strip_rows();
 

@@ -78,8 +78,8 @@ Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajecto
   return made;
 }
 
-Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given,
-                     const Cloud& split, Task& task) {
+Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given, const Cloud& split,
+                     Task& task) {
   const Cloud cloud = with_whole_beams(split);
   const Column* time = cloud.fields.find("time");
   if (time == nullptr || time->info().type != ElementType::kFloat64 || time->info().components != 1)

@@ -105,14 +105,16 @@ FieldTable strip_table(const JointAdjustment& a) {
 
 FieldTable match_table(const JointAdjustment& a) {
   FieldTable t;
-  add_column<uint32_t>(t, a.points.index, "point", "", "of the cloud", [](uint32_t i) { return i; });
+  add_column<uint32_t>(t, a.points.index, "point", "", "of the cloud",
+                       [](uint32_t i) { return i; });
   add_column<uint32_t>(t, a.matches, "strip", "", "that its ray meets",
                        [](const PointMatch& m) { return m.strip; });
   add_column<uint8_t>(t, a.matches, "state", "", "1: accepted",
                       [](const PointMatch& m) { return static_cast<uint8_t>(m.state); });
   add_column<double>(t, a.matches, "distance", "m", "before the strip, both where they then stood",
                      [](const PointMatch& m) { return m.distance_m; });
-  add_column<double>(t, a.weights, "weight", "1", "in the strip's mean", [](double w) { return w; });
+  add_column<double>(t, a.weights, "weight", "1", "in the strip's mean",
+                     [](double w) { return w; });
   return t;
 }
 
@@ -121,9 +123,11 @@ FieldTable covariance_table(const JointAdjustment& a) {
   if (n == 0)
     fail(Status::kInvalidArgument, "the covariance was not asked for: the parameter covariance");
   if (n > kMostComponents)
-    fail(Status::kLimit, "a covariance of %zu rows is too wide for a table of %u", n, kMostComponents);
+    fail(Status::kLimit, "a covariance of %zu rows is too wide for a table of %u", n,
+         kMostComponents);
   auto column = std::make_shared<Column>(
-      FieldInfo{"covariance", ElementType::kFloat64, static_cast<uint32_t>(n), "m2", "with each"}, n);
+      FieldInfo{"covariance", ElementType::kFloat64, static_cast<uint32_t>(n), "m2", "with each"},
+      n);
   const auto out = column->values<double>();
   for (size_t i = 0; i < n; ++i)
     for (size_t j = 0; j < n; ++j)

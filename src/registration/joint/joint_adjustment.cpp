@@ -32,7 +32,8 @@ void require_prior(const Trajectory& trajectory, const JointSettings& settings) 
     fail(Status::kInvalidArgument,
          "the trajectory has no sigmas of position: nothing is known of its errors");
   if (!(settings.sigma_strip_m > 0))
-    fail(Status::kInvalidArgument, "sigma_strip_m is 0: the conditions of the strips could not all hold");
+    fail(Status::kInvalidArgument,
+         "sigma_strip_m is 0: the conditions of the strips could not all hold");
 }
 
 // A sigma of 0 holds a group where it is; the sparse form needs it positive.
@@ -47,7 +48,8 @@ class JointLoop {
       : settings_(settings),
         task_(task),
         scene_(strip_scene(model, settings.occluders)),
-        problem_(problem_of(scene_, interpolated(trajectory, control_times(trajectory, settings.control_s)),
+        problem_(problem_of(scene_,
+                            interpolated(trajectory, control_times(trajectory, settings.control_s)),
                             settings)) {
     made_.trajectory.times_s = control_times(trajectory, settings.control_s);
     made_.points = joint_points(cloud, trajectory, made_.trajectory.times_s, settings, task);
@@ -73,8 +75,7 @@ class JointLoop {
   // One pass: match where everything stands, adjust from where it was given, move.
   void step() {
     JointPass pass;
-    std::vector<PointMatch> matches =
-        match_points(made_.points, scene_, places_, settings_, task_);
+    std::vector<PointMatch> matches = match_points(made_.points, scene_, places_, settings_, task_);
     leave_unsteady_out(matches);
     made_.weights = strip_weights(matches, scene_.strips.size(), settings_);
     count(matches, pass);
@@ -82,15 +83,16 @@ class JointLoop {
     std::vector<uint32_t> strip_of_point;
     for (const PointMatch& m : made_.matches)
       strip_of_point.push_back(m.state == MatchState::kMatched ? m.strip : kNoStrip);
-    conditions_ = strip_conditions(
-        {xyz_, made_.points.times_s, strip_of_point, made_.weights}, scene_.strips,
-        made_.trajectory.times_s, settings_.least_points, settings_.sigma_point_m);
+    conditions_ =
+        strip_conditions({xyz_, made_.points.times_s, strip_of_point, made_.weights}, scene_.strips,
+                         made_.trajectory.times_s, settings_.least_points, settings_.sigma_point_m);
     problem_.strips = conditions_.conditions;
     weigh_strips();
     pass.strips = problem_.strips.size();
     if (problem_.strips.empty())
       fail(Status::kInsufficientData,
-           "no strip has %llu matched points or more: %llu of %zu points met one, %llu were too far from it",
+           "no strip has %llu matched points or more: %llu of %zu points met one, %llu were too "
+           "far from it",
            static_cast<unsigned long long>(settings_.least_points),
            static_cast<unsigned long long>(pass.matched), made_.points.size(),
            static_cast<unsigned long long>(pass.far));
@@ -102,8 +104,8 @@ class JointLoop {
     made_.passes.push_back(pass);
   }
 
-  // A strip that contradicts the others counts less: its variance grows with the square of its offset in the pass before,
-  // from three of its standard deviations on. (A wrong strip has the offset of another wall.)
+  // A strip that contradicts the others counts less: its variance grows with the square of its offset in the pass
+  // before, from three of its standard deviations on. (A wrong strip has the offset of another wall.)
   void weigh_strips() {
     constexpr double kGreatest = 3;
     if (settings_.kernel == JointSettings::Kernel::kNone || made_.passes.empty()) return;
@@ -215,8 +217,8 @@ class JointLoop {
       const uint32_t strip = made_.matches[i].strip, id = made_.points.id[i];
       ++all;
       wrong += strip != id ? 1 : 0;
-      const bool is_other = id >= scene_.strips.size() ||
-                            scene_.strips[id].facade != scene_.strips[strip].facade;
+      const bool is_other =
+          id >= scene_.strips.size() || scene_.strips[id].facade != scene_.strips[strip].facade;
       wrong_facades += is_other ? 1 : 0;
     }
     made_.wrong_share = static_cast<double>(wrong) / static_cast<double>(all);
@@ -247,9 +249,8 @@ class JointLoop {
 
 }  // namespace
 
-JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud,
-                               const Trajectory& trajectory, const JointSettings& settings,
-                               Task& task) {
+JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud, const Trajectory& trajectory,
+                               const JointSettings& settings, Task& task) {
   require_prior(trajectory, settings);
   return JointLoop(model, with_whole_beams(cloud), trajectory, settings, task).run();
 }

@@ -17,9 +17,10 @@ namespace jalon {
 /// One pass of the loop.
 struct JointPass {
   uint64_t matched = 0, nothing = 0, behind = 0, far = 0, turned = 0, unsteady = 0;
-  uint64_t strips = 0, changed = 0;  ///< strips that are adjusted; points whose match is another than before
-  double rms_m = 0;                  ///< of the accepted points off their strips, before the step
-  double step_m = 0;                 ///< the greatest change of a control position, block, facade or strip
+  uint64_t strips = 0,
+           changed = 0;  ///< strips that are adjusted; points whose match is another than before
+  double rms_m = 0;      ///< of the accepted points off their strips, before the step
+  double step_m = 0;     ///< the greatest change of a control position, block, facade or strip
   double chi_square = 0;
 };
 
@@ -27,22 +28,25 @@ struct JointPass {
 struct JointAdjustment {
   bool converged = false;
   std::vector<JointPass> passes;
-  Corrections trajectory;                           ///< at the control times
+  Corrections trajectory;                                  ///< at the control times
   std::vector<Vec2> trajectory_sigmas, trajectory_priors;  ///< standard deviations after and before
-  BuildingOffsets model;                            ///< of all strips, those not seen included
+  BuildingOffsets model;  ///< of all strips, those not seen included
   std::vector<Vec2> block_sigmas;
   std::vector<double> facade_sigmas, strip_sigmas;
-  std::vector<double> strip_distances_m;            ///< h: the given plane from the given points; NaN: not adjusted
+  std::vector<double>
+      strip_distances_m;  ///< h: the given plane from the given points; NaN: not adjusted
   std::vector<uint64_t> strip_points;
   JointPoints points;
   std::vector<PointMatch> matches;  ///< of the last pass
   std::vector<double> weights;
-  double chi_square = 0, p_value = 1;  ///< of the corrections, with as many degrees of freedom as strips
-  uint64_t strips = 0;                 ///< that are adjusted
-  /// Of the matches that count, by the field "strip": those to another strip, those to another facade; NaN without it.
+  double chi_square = 0,
+         p_value = 1;   ///< of the corrections, with as many degrees of freedom as strips
+  uint64_t strips = 0;  ///< that are adjusted
+  /// Of the matches that count, by the field "strip": those to another strip, those to another facade; NaN without
+  /// it.
   double wrong_share = 0, wrong_facade_share = 0;
-  /// The level direction that the strips' normals hold least, and how much: its share of the normals' squares over that of
-  /// the direction held best.
+  /// The level direction that the strips' normals hold least, and how much: its share of the normals' squares over
+  /// that of the direction held best.
   Vec2 weak_direction;
   double weak_share = 1;
   Eigen::MatrixXd covariance;  ///< of (T_x, T_y, d_x, d_y); empty unless asked for
@@ -54,10 +58,9 @@ using JointAdjustmentPtr = std::shared_ptr<const JointAdjustment>;
 /// street's fronts do.
 constexpr double kHeldShare = 0.01;
 
-/// The loop of Monnier (2014): match, adjust, move; the prior stays the one given. It ends when no match changes, when
-/// nothing moves by more than tolerance_m, or after most_passes. model: of strips.
-JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud,
-                               const Trajectory& trajectory, const JointSettings& settings,
-                               Task& task);
+/// The loop of Monnier (2014): match, adjust, move; the prior stays the one given. It ends when no match changes,
+/// when nothing moves by more than tolerance_m, or after most_passes. model: of strips.
+JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud, const Trajectory& trajectory,
+                               const JointSettings& settings, Task& task);
 
 }  // namespace jalon

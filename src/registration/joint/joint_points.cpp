@@ -26,8 +26,7 @@ const Column& column_of(const Cloud& cloud, const char* name, ElementType type,
 }
 const Column* optional_column(const Cloud& cloud, const char* name, ElementType type,
                               uint32_t components) {
-  return cloud.fields.find(name) == nullptr ? nullptr
-                                            : &column_of(cloud, name, type, components);
+  return cloud.fields.find(name) == nullptr ? nullptr : &column_of(cloud, name, type, components);
 }
 
 // Those within the trajectory's time.

@@ -18,8 +18,10 @@ struct JointPoints {
   std::vector<Vec3> at, origin, direction;
   std::vector<double> times_s;
   std::vector<TimePlace> places;  ///< among the control times
-  std::vector<std::array<double, 3>> plan_covariance_m2;  ///< xx, xy, yy of the point, its pose's included
-  std::vector<Vec2> normal;  ///< of the wall that the point looks like one of; empty where least_score is 0
+  std::vector<std::array<double, 3>>
+      plan_covariance_m2;  ///< xx, xy, yy of the point, its pose's included
+  std::vector<Vec2>
+      normal;  ///< of the wall that the point looks like one of; empty where least_score is 0
   std::vector<uint32_t> id;  ///< what the field "strip" says; empty without
   uint64_t outside = 0;      ///< points of the cloud without a place in time
 
@@ -27,9 +29,9 @@ struct JointPoints {
 };
 
 /// Of the points within the trajectory, one a cube of thin_m, those that look like a vertical wall.
-/// Fields: "time" (float64, s), which is needed; "beam_origin" (float64 x 3) and "beam_direction" (float32 x 3), else rays come
-/// from the laser at the trajectory; "covariance" (float32 x 6), else sigmas of the trajectory and of a point.
-/// Error(kInvalidArgument) for a field that lacks, a time that is not finite, or where no point is within the
+/// Fields: "time" (float64, s), which is needed; "beam_origin" (float64 x 3) and "beam_direction" (float32 x 3), else
+/// rays come from the laser at the trajectory; "covariance" (float32 x 6), else sigmas of the trajectory and of a
+/// point. Error(kInvalidArgument) for a field that lacks, a time that is not finite, or where no point is within the
 /// trajectory's time.
 JointPoints joint_points(const Cloud& cloud, const Trajectory& trajectory,
                          std::span<const double> control_times_s, const JointSettings& settings,

@@ -25,13 +25,14 @@ enum JointGroup : size_t {
   kJointGroups
 };
 
-/// (adjusted - true) / sigma, group by group: standard normal one by one where the priors are right. Those of one draw
-/// hang together, so that their mean and spread may be far from 0 and 1 (a drift of the whole drive is one value).
+/// (adjusted - true) / sigma, group by group: standard normal one by one where the priors are right. Those of one
+/// draw hang together, so that their mean and spread may be far from 0 and 1 (a drift of the whole drive is one
+/// value).
 std::array<std::vector<double>, kJointGroups> normalised_residuals(const JointSolution& solution,
                                                                    const JointTruth& truth);
 
-/// Mean square of L^-1 (adjusted - true) over trajectory and blocks, L L^T their covariance, which the solution must have:
-/// chi-square over its degrees of freedom, 1 on average, whatever hangs together.
+/// Mean square of L^-1 (adjusted - true) over trajectory and blocks, L L^T their covariance, which the solution must
+/// have: chi-square over its degrees of freedom, 1 on average, whatever hangs together.
 double whitened_mean_square(const JointSolution& solution, const JointTruth& truth);
 
 }  // namespace jalon

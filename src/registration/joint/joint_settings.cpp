@@ -14,22 +14,22 @@ constexpr auto kJointRows = setting_rows(
                                     "Standard deviation of a block's place, east."),
     number_row<&S::sigma_block_y_m>("sigma_block_y_m", 0, 1000, "m", "",
                                     "Standard deviation of a block's place, north."),
-    number_row<&S::sigma_facade_m>(
-        "sigma_facade_m", 0, 1000, "m", "",
-        "Standard deviation of a facade along its normal: the eaves were digitised, the wall stands back."),
+    number_row<&S::sigma_facade_m>("sigma_facade_m", 0, 1000, "m", "",
+                                   "Standard deviation of a facade along its normal: the eaves "
+                                   "were digitised, the wall stands back."),
     number_row<&S::sigma_strip_m>("sigma_strip_m", 0, 1000, "m", "",
                                   "Standard deviation of a strip along the normal: relief."),
-    number_row<&S::control_s>(
-        "control_s", 0.01, 3600, "s", "",
-        "From one control time of the trajectory to the next; between them corrections are linear."),
+    number_row<&S::control_s>("control_s", 0.01, 3600, "s", "",
+                              "From one control time of the trajectory to the next; between them "
+                              "corrections are linear."),
     choice_row<&S::matches>(
         "matches", "rays|ids", "",
         "Which strip a point is on: the first that its own ray meets, or what the cloud's field "
         "\"strip\" says."),
-    choice_row<&S::bound>(
-        "bound", "logarithm|normal", "",
-        "Greatest distance of a point from its strip, in standard deviations: -log(refused_share), or "
-        "the normal distribution's for that share."),
+    choice_row<&S::bound>("bound", "logarithm|normal", "",
+                          "Greatest distance of a point from its strip, in standard deviations: "
+                          "-log(refused_share), or "
+                          "the normal distribution's for that share."),
     number_row<&S::refused_share>("refused_share", 1e-9, 0.5, "1", "",
                                   "Share of right matches that may be refused."),
     bool_row<&S::occluders>("occluders", "", "Roofs and ground of the model hide what is behind."),
@@ -41,17 +41,19 @@ constexpr auto kJointRows = setting_rows(
     number_row<&S::least_score>(
         "least_score", 0, 1, "1", "",
         "Points that look less like a vertical wall are not matched; 0: all are."),
-    number_row<&S::greatest_turn_rad>(
-        "greatest_turn_rad", 0, 1.6, "rad", "",
-        "A point of a wall that is turned from the strip by more is not matched (needs least_score)."),
+    number_row<&S::greatest_turn_rad>("greatest_turn_rad", 0, 1.6, "rad", "",
+                                      "A point of a wall that is turned from the strip by more is "
+                                      "not matched (needs least_score)."),
     integer_row<&S::least_points>("least_points", 1, 1e6, "", "",
                                   "A strip with fewer points is not adjusted."),
-    number_row<&S::sigma_point_m>("sigma_point_m", 0, 10, "m", "",
-                                  "Noise of a single point along the normal; 0: a strip passes through "
-                                  "the centroid of its points exactly."),
-    choice_row<&S::kernel>("kernel", "tukey|none", "",
-                           "Points off the median of their strip count less, and strips that contradict "
-                           "the others (tukey); or all alike (none)."),
+    number_row<&S::sigma_point_m>(
+        "sigma_point_m", 0, 10, "m", "",
+        "Noise of a single point along the normal; 0: a strip passes through "
+        "the centroid of its points exactly."),
+    choice_row<&S::kernel>(
+        "kernel", "tukey|none", "",
+        "Points off the median of their strip count less, and strips that contradict "
+        "the others (tukey); or all alike (none)."),
     integer_row<&S::most_passes>("most_passes", 1, 1000, "", "", "Greatest number of passes."),
     number_row<&S::tolerance_m>(
         "tolerance_m", 0, 1, "m", "",

@@ -29,8 +29,8 @@ class RayMatcher {
   PointMatch match(size_t i) const {
     PointMatch made;
     const TimePlace& at = points_.places[i];
-    const Vec2 by = places_.trajectory[at.epoch] * (1 - at.share) +
-                    places_.trajectory[at.epoch + 1] * at.share;
+    const Vec2 by =
+        places_.trajectory[at.epoch] * (1 - at.share) + places_.trajectory[at.epoch + 1] * at.share;
     const Vec3 shift{by.u, by.v, 0};
     // The ray has no end: the wall may stand behind the point.
     RayHit hit;
@@ -58,9 +58,8 @@ class RayMatcher {
     const double x = strip.normal.u, y = strip.normal.v;
     const auto square = [](double v) { return v * v; };
     return std::sqrt(c[0] * x * x + 2 * c[1] * x * y + c[2] * y * y +
-                     square(settings_.sigma_block_x_m * x) +
-                     square(settings_.sigma_block_y_m * y) + square(settings_.sigma_facade_m) +
-                     square(settings_.sigma_strip_m));
+                     square(settings_.sigma_block_x_m * x) + square(settings_.sigma_block_y_m * y) +
+                     square(settings_.sigma_facade_m) + square(settings_.sigma_strip_m));
   }
 
   const JointPoints& points_;

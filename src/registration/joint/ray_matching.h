@@ -12,10 +12,10 @@ namespace jalon {
 /// What became of a point; the numbers of jalon/adjustment.h.
 enum class MatchState : uint8_t {
   kMatched = 1,
-  kNothing = 2,  ///< the ray meets no strip, or a roof or the ground before
-  kBehind = 3,   ///< the ray meets a strip from inside the building
-  kFar = 4,      ///< farther from the strip's plane than the sigmas allow
-  kTurned = 5,   ///< the wall that the point is of stands otherwise than the strip
+  kNothing = 2,   ///< the ray meets no strip, or a roof or the ground before
+  kBehind = 3,    ///< the ray meets a strip from inside the building
+  kFar = 4,       ///< farther from the strip's plane than the sigmas allow
+  kTurned = 5,    ///< the wall that the point is of stands otherwise than the strip
   kUnsteady = 6,  ///< its match changed again in a late pass
 };
 
@@ -33,8 +33,8 @@ struct JointPlaces {
   BuildingOffsets model;
 };
 
-/// Each point to the first strip that its own ray meets, both moved to where they stand now; accepted when the strip faces
-/// the laser and the point is within so many standard deviations of its plane. O(points log strips), parallel.
+/// Each point to the first strip that its own ray meets, both moved to where they stand now; accepted when the strip
+/// faces the laser and the point is within so many standard deviations of its plane. O(points log strips), parallel.
 /// With matches = ids the strip is the field's, and all are accepted.
 std::vector<PointMatch> match_points(const JointPoints& points, const StripScene& scene,
                                      const JointPlaces& places, const JointSettings& settings,

@@ -62,7 +62,9 @@ JointSolution solve_dense(const JointProblem& problem) {
   validate(problem);
   const DenseOrder at{order_of(problem), problem.facades, problem.strips.size()};
   const MatrixXd C = prior_covariance(problem, at), B = conditions(problem, at);
-  MatrixXd BCB = B.transpose() * C * B;
+  // Products and solves in their plain order: Eigen's blocked ones follow the machine's caches, and so would the bits.
+  const MatrixXd CB = C.lazyProduct(B);
+  MatrixXd BCB = B.transpose().lazyProduct(CB);
   VectorXd c(B.cols());
   for (Index s = 0; s < c.size(); ++s) {
     c[s] = -problem.strips[static_cast<size_t>(s)].distance_m;
@@ -71,9 +73,13 @@ JointSolution solve_dense(const JointProblem& problem) {
   const Eigen::LDLT<MatrixXd> factor(BCB);
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
     fail(Status::kDegenerate, "the conditions of the strips contradict each other");
-  const MatrixXd CB = C * B;
   const VectorXd k = factor.solve(c), l = CB * k;
-  const MatrixXd posterior = C - CB * factor.solve(CB.transpose());
+  MatrixXd solved(CB.cols(), CB.rows());
+  for (Index i = 0; i < CB.rows(); ++i) {
+    const VectorXd row = CB.row(i).transpose();
+    solved.col(i) = factor.solve(row);
+  }
+  const MatrixXd posterior = C - CB.lazyProduct(solved);
   const VectorXd sigmas = posterior.diagonal().cwiseMax(0).cwiseSqrt();
   JointSolution made;
   made.chi_square = c.dot(k);

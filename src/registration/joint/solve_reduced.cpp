@@ -189,8 +189,7 @@ class ReducedSolver {
     const double facade_m2 = problem_.sigma_facade_m * problem_.sigma_facade_m,
                  strip_m2 = problem_.sigma_strip_m * problem_.sigma_strip_m;
     std::vector<RowElement> total;
-    for (size_t i = 0; i < f.strips.size(); ++i)
-      add_to(total, rows_[f.strips[i]], f.inverse_d[i]);
+    for (size_t i = 0; i < f.strips.size(); ++i) add_to(total, rows_[f.strips[i]], f.inverse_d[i]);
     // 1^T V^-1 = (1 - weight sum) / D.
     const double left = 1 - f.weight * f.sum;
     const double of_prior = facade_m2 - facade_m2 * facade_m2 * left * f.sum;
@@ -226,8 +225,7 @@ class ReducedSolver {
   void place(const Eigen::VectorXd& x, JointSolution& made) const {
     for (size_t c = 0; c < at_.controls; ++c)
       made.trajectory.push_back(pair(x, at_.tx(c), at_.ty(c)));
-    for (size_t b = 0; b < at_.blocks; ++b)
-      made.blocks.push_back(pair(x, at_.dx(b), at_.dy(b)));
+    for (size_t b = 0; b < at_.blocks; ++b) made.blocks.push_back(pair(x, at_.dx(b), at_.dy(b)));
   }
   void place_sigmas(const Eigen::VectorXd& variances, JointSolution& made) const {
     const Eigen::VectorXd sigmas = variances.cwiseMax(0).cwiseSqrt();

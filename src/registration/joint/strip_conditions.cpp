@@ -46,12 +46,10 @@ StripConditions strip_conditions(const MatchedPoints& points, std::span<const Gi
     const StripSums& sum = sums[s];
     if (sum.points == 0 || sum.points < least_points) continue;
     const double n = sum.weight;
-    StripCondition condition{strips[s].block,
-                             strips[s].facade,
-                             strips[s].normal,
-                             {},
-                             sum.distance_m / n,
-                             sigma_range_m * sigma_range_m * sum.weight2 / (n * n)};
+    StripCondition condition{
+        strips[s].block,    strips[s].facade,
+        strips[s].normal,   {},
+        sum.distance_m / n, sigma_range_m * sigma_range_m * sum.weight2 / (n * n)};
     for (const auto& [control, share] : sum.shares)
       if (share > 0) condition.shares.push_back({control, share / n});
     made.conditions.push_back(std::move(condition));

@@ -59,8 +59,8 @@ StripScene strip_scene(const Model& model, bool occluders) {
   return scene;
 }
 
-std::shared_ptr<const TriangleTree> tree_of(const StripScene& scene,
-                                            const BuildingOffsets& offsets, Task& task) {
+std::shared_ptr<const TriangleTree> tree_of(const StripScene& scene, const BuildingOffsets& offsets,
+                                            Task& task) {
   std::vector<Vec3> corners = scene.corners;
   std::vector<std::array<uint32_t, 3>> triangles;
   for (uint32_t t = 0; t < scene.face_of.size(); ++t) {

@@ -27,18 +27,17 @@ struct StripScene {
   /// Of each face: its strip (kNoStrip: it only hides what is behind) and block.
   std::vector<uint32_t> strip_of_face, block_of_face;
 };
-/// model: of strips (building_tree.h). Error(kInvalidArgument) for one without, or with a strip of no facade or block, or
-/// whose faces do not stand in one upright plane.
+/// model: of strips (building_tree.h). Error(kInvalidArgument) for one without, or with a strip of no facade or
+/// block, or whose faces do not stand in one upright plane.
 StripScene strip_scene(const Model& model, bool occluders);
 
 /// The triangles with blocks, facades and strips moved by these offsets. Triangle t is of face scene.face_of[t].
-std::shared_ptr<const TriangleTree> tree_of(const StripScene& scene,
-                                            const BuildingOffsets& offsets, Task& task);
+std::shared_ptr<const TriangleTree> tree_of(const StripScene& scene, const BuildingOffsets& offsets,
+                                            Task& task);
 
 /// How far a strip's plane moves along its normal.
 inline double shift_of(const GivenStrip& strip, uint32_t number, const BuildingOffsets& by) {
-  return dot(strip.normal, by.blocks[strip.block]) + by.facades[strip.facade] +
-         by.strips[number];
+  return dot(strip.normal, by.blocks[strip.block]) + by.facades[strip.facade] + by.strips[number];
 }
 
 }  // namespace jalon

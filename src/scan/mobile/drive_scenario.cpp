@@ -17,9 +17,10 @@ namespace {
 
 using S = DriveScenarioSettings;
 constexpr auto kDriveScenarioRows = setting_rows(
-    integer_row<&S::scenario>("scenario", 0, 5, "", "",
-                              "1: the trajectory is uncertain, 2: the blocks, 3: the facades, 4: the "
-                              "strips, 5: all; 0: by the sigmas below."),
+    integer_row<&S::scenario>(
+        "scenario", 0, 5, "", "",
+        "1: the trajectory is uncertain, 2: the blocks, 3: the facades, 4: the "
+        "strips, 5: all; 0: by the sigmas below."),
     number_row<&S::sigma_block_m>("sigma_block_m", 0, 100, "m", "", "Scenario 0: of blocks."),
     number_row<&S::sigma_facade_m>("sigma_facade_m", 0, 100, "m", "", "Scenario 0: of facades."),
     number_row<&S::sigma_strip_m>("sigma_strip_m", 0, 100, "m", "", "Scenario 0: of strips."),

@@ -45,7 +45,8 @@ ScenarioSigmas sigmas_of(const DriveScenarioSettings& settings);
 
 /// A drive through the street of street_drive.h, as a user has it and as it was.
 struct DriveScenario {
-  Model true_model, model;  ///< strips, with what else hides what is behind where the street is closed
+  Model true_model,
+      model;  ///< strips, with what else hides what is behind where the street is closed
   Trajectory true_trajectory, trajectory;  ///< with the scenario's sigmas
   Cloud cloud;  ///< as scan_mobile() gives it, its points where the wrong trajectory puts them
   BuildingOffsets offsets;        ///< of model from true_model

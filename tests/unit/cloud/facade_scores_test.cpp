@@ -15,8 +15,7 @@ Cloud points_in(const Vec3& size, size_t n) {
   RandomStream random(5, 1);
   Buffer<double> xyz(3 * n);
   for (size_t i = 0; i < n; ++i)
-    for (int k = 0; k < 3; ++k)
-      xyz[3 * i + static_cast<size_t>(k)] = size[k] * random.uniform();
+    for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = size[k] * random.uniform();
   return make_cloud(std::move(xyz));
 }
 

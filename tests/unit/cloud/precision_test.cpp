@@ -128,6 +128,6 @@ TEST_CASE("precision__refuses_points_without_a_place_they_were_seen_from") {
   CHECK_NOTHROW(with_point_covariances(cloud, precision(), task));
   cloud.stations[0].count = 1;
   CHECK_THROWS_AS(with_point_covariances(cloud, precision(), task), Error);
-  CHECK_THROWS_AS(with_point_covariances(measured_from({{0, 0, 0}}, Transform{}), precision(), task),
-                  Error);
+  CHECK_THROWS_AS(
+      with_point_covariances(measured_from({{0, 0, 0}}, Transform{}), precision(), task), Error);
 }

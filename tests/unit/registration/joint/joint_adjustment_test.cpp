@@ -87,8 +87,7 @@ TEST_CASE("adjust_jointly__by_rays__comes_near_to_perfect_matches") {
       Errors one, one_perfect;
       one.add(rays, made), one_perfect.add(ids, made);
       bool is_good = true;
-      for (int g = 0; g < 4; ++g)
-        is_good &= one.group[g].rms() <= 1.5 * one_perfect.group[g].rms();
+      for (int g = 0; g < 4; ++g) is_good &= one.group[g].rms() <= 1.5 * one_perfect.group[g].rms();
       good += is_good ? 1 : 0;
       real.add(rays, made), perfect.add(ids, made);
       wrong.add(rays.wrong_share), wrong_facades.add(rays.wrong_facade_share);
@@ -100,8 +99,7 @@ TEST_CASE("adjust_jointly__by_rays__comes_near_to_perfect_matches") {
             ", facades ", ratio(2), ", strips ", ratio(3), "; wrong strips ", wrong.rms(),
             ", wrong facades ", wrong_facades.rms(), " (RMS over draws); converged ", converged,
             ", all four within 1.5 in ", good, " draws; perfect ", perfect.group[0].rms(), " ",
-            perfect.group[1].rms(), " ", perfect.group[2].rms(), " ", perfect.group[3].rms(),
-            " m");
+            perfect.group[1].rms(), " ", perfect.group[2].rms(), " ", perfect.group[3].rms(), " m");
     CHECK(ratio(0) <= 1.5);
     CHECK(ratio(2) <= 1.5);
     // A block that is seen from the front alone slides along it: a draw in ten or so is caught beside its place.

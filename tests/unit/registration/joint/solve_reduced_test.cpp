@@ -92,10 +92,10 @@ TEST_CASE("solve_reduced__of_five_scenarios__has_standard_normal_residuals_over_
     CHECK(std::fabs(within.mean() - kWithin) < 4 * within.standard_error());
     MESSAGE("FIGURE joint, scenario ", number, ", ", draws, " draws: chi-square over strips ",
             chi.mean(), " +- ", chi.standard_error(), ", whitened ", whitened.mean(), " +- ",
-            whitened.standard_error(), ", mean square of T x ",
-            groups[kTrajectoryX].square.mean(), ", blocks x ", groups[kBlocksX].square.mean(),
-            ", facades ", groups[kFacades].square.mean(), ", strips ",
-            groups[kStrips].square.mean(), ", share within 3 sigma ", within.mean());
+            whitened.standard_error(), ", mean square of T x ", groups[kTrajectoryX].square.mean(),
+            ", blocks x ", groups[kBlocksX].square.mean(), ", facades ",
+            groups[kFacades].square.mean(), ", strips ", groups[kStrips].square.mean(),
+            ", share within 3 sigma ", within.mean());
   }
 }
 
@@ -108,7 +108,8 @@ TEST_CASE("solve_reduced__of_five_scenarios__equals_the_dense_form") {
       problem.strips = perfect.conditions;
       for (StripCondition& strip : problem.strips) strip.measured_variance_m2 = noise;
       set_distances(problem, drawn_errors(street, problem, 77), perfect.strip_of);
-      const JointSolution sparse = solve_reduced(problem, JointWanted::kCovariance), dense = solve_dense(problem);
+      const JointSolution sparse = solve_reduced(problem, JointWanted::kCovariance),
+                          dense = solve_dense(problem);
       const double size =
           std::max({scenario.block, scenario.facade, scenario.strip, scenario.trajectory});
       double worst = 0;

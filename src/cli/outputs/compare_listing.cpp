@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/compare_listing.h"
+#include "cli/outputs/compare_listing.h"
 
 #include <cmath>
 

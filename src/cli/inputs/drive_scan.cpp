@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/drive_scan.h"
+#include "cli/inputs/drive_scan.h"
 
 #include <numbers>
 #include <vector>
@@ -13,7 +13,7 @@ namespace jalon::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using DriveJson = nlohmann::ordered_json;
 
 std::vector<double> column(const Fields& fields, const char* name) {
   jalon_array_view view;
@@ -88,8 +88,8 @@ Cloud points_of(const Cloud& measured, const Trajectory& trajectory, const Param
   const char *all = nullptr, *some = nullptr;
   must(jalon_params_to_json(scanner.get(), &all));
   must(jalon_params_to_json(mount.get(), &some));
-  const Json told = Json::parse(all);
-  Json values = Json::parse(some);
+  const DriveJson told = DriveJson::parse(all);
+  DriveJson values = DriveJson::parse(some);
   for (const auto& [name, value] : values.items())
     if (told.contains(name)) values[name] = told[name];
   must(jalon_params_from_json(mount.get(), values.dump().c_str()));
@@ -114,8 +114,8 @@ void scan_by_drive(const DriveScan& scan, const Common& common) {
   must(jalon_scene_street_drive(options.get(), Out(street), Out(truth)));
   console.step("scanning");
   Cloud measured;
-  must(jalon_scanner_drive(scanner.get(), street.get(), truth.get(), console.task(),
-                           Out(measured)));
+  must(
+      jalon_scanner_drive(scanner.get(), street.get(), truth.get(), console.task(), Out(measured)));
   trajectory = scan.drift_seed == 0 ? std::move(truth) : with_drift(truth, scan.drift_seed);
   const Cloud cloud = points_of(measured, trajectory, scanner_params, console.task());
   const double seconds = console.seconds();
@@ -127,7 +127,7 @@ void scan_by_drive(const DriveScan& scan, const Common& common) {
     must(jalon_model_write(street.get(), scan.model_output.c_str(), nullptr, console.task()));
   console.say(grouped(count_of(cloud)) + " points of a drive in " + fixed(seconds, 2) + " s -> " +
               scan.output + ", " + scan.trajectory_output);
-  console.result(Json{{"scene", "street_drive"},
+  console.result(DriveJson{{"scene", "street_drive"},
                       {"output", scan.output},
                       {"trajectory", scan.trajectory_output},
                       {"points", count_of(cloud)},
