@@ -166,7 +166,7 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_matches(const jalon_adjustme
                                                             jalon_fields** out);
 /**
  * The covariance of control positions and blocks, with the parameter "covariance" (else
- * JALON_ERROR_INVALID_ARGUMENT): one row and one component an unknown, control positions east, then north, blocks
+ * JALON_ERROR_INVALID_ARGUMENT): a row and a component for each unknown, control positions east, then north, blocks
  * east, then north; at most 4096 (JALON_ERROR_LIMIT).
  *     column      type         unit  meaning
  *     group       uint8        -     0: control position, 1: block
