@@ -100,6 +100,27 @@ TEST_CASE("classify_cells__a_wall_whose_points_lie_thinly_is_no_strip") {
   CHECK(count_in(wall.cells(), {0, 0, 100, 80}, WallState::kStrip) == 0);
 }
 
+TEST_CASE("classify_cells__a_leaf_flush_with_the_wall_and_apart_from_it_is_a_strip") {
+  // A shop front of 2 x 2.5 m with a leaf of 0.3 x 1 m in the wall's plane; the same joined to the wall is wall, as is
+  // what stands among things that nobody saw through.
+  const CellBox leaf{38, 10, 44, 30}, front{30, 0, 70, 50};
+  const auto with = [&](uint8_t about, const CellBox& part) {
+    return MarkedWall(100, 80, 0.05).with(front, about).with(part, kMarkOn).cells();
+  };
+  CHECK(is_all(with(kMarkBehind, leaf), leaf, WallState::kStrip));
+  const CellBox pier{38, 10, 44, 50};
+  CHECK(is_all(with(kMarkBehind, pier), pier, WallState::kOn));
+  CHECK(is_all(with(kMarkBefore, leaf), leaf, WallState::kOn));
+}
+
+TEST_CASE("classify_cells__patches_of_a_rooms_wall_are_no_leaves") {
+  MarkedWall room(120, 60, 0.05, kMarkBehind);
+  const CellBox patches[] = {{10, 20, 30, 40}, {50, 20, 70, 40}, {90, 20, 110, 40}};
+  for (const CellBox& patch : patches) room.with(patch, kMarkOn);
+  const WallCells cells = room.cells();
+  for (const CellBox& patch : patches) CHECK(is_all(cells, patch, WallState::kOn));
+}
+
 TEST_CASE("classify_cells__the_sky_between_gables_is_outside_and_a_window_in_one_is_not") {
   // Two gables of 20 cells' width on a wall of 10 rows.
   MarkedWall wall(40, 24, 0.2, 0);
