@@ -11,7 +11,7 @@ using namespace jalon;
 
 namespace {
 
-constexpr double kApart_m = 0.05;
+constexpr double kSpacing_m = 0.05;
 using painted::rectangle;
 
 Chain box_chain(double left, double foot, double right, double head) {
@@ -25,14 +25,14 @@ Chain hole_chain(double left, double foot, double right, double head) {
 // A wall of 6 x 4 m with these holes.
 Contour wall_with(std::vector<Chain> holes) {
   Contour out;
-  out.spacing_m = kApart_m;
+  out.spacing_m = kSpacing_m;
   out.pieces.push_back({box_chain(0, 0, 6, 4), std::move(holes), 24});
   return out;
 }
 
-WallCells cells() { return painted::cells_of(60, 40, WallState::kOn, 0.1); }
+WallCells bare_wall() { return painted::cells_of(60, 40, WallState::kOn, 0.1); }
 
-const OpeningShape kWindow = rectangle(1, 2, 1, 2.5), kOther = rectangle(4, 5, 1, 2.5);
+const OpeningShape kLeftWindow = rectangle(1, 2, 1, 2.5), kRightWindow = rectangle(4, 5, 1, 2.5);
 
 }  // namespace
 
@@ -40,7 +40,7 @@ TEST_CASE("holes_of__each_opening_gets_the_hole_at_its_place_whatever_their_orde
   const Chain first = hole_chain(1.01, 0.99, 2.02, 2.5), second = hole_chain(4, 1.02, 4.99, 2.51);
   for (const bool turned : {false, true}) {
     const Contour contour = turned ? wall_with({second, first}) : wall_with({first, second});
-    const auto found = holes_of(contour, std::vector{kWindow, kOther}, cells());
+    const auto found = holes_of(contour, std::vector{kLeftWindow, kRightWindow}, bare_wall());
     REQUIRE(found.size() == 2);
     CHECK(found[0] == first);
     CHECK(found[1] == second);
@@ -50,24 +50,25 @@ TEST_CASE("holes_of__each_opening_gets_the_hole_at_its_place_whatever_their_orde
 TEST_CASE("holes_of__a_hole_that_goes_on_where_nothing_was_seen_is_none") {
   // A third more of the opening: hidden by a tree, or seen through.
   const Contour contour = wall_with({hole_chain(1, 1, 2.5, 2.5)});
-  WallCells hidden = cells(), seen = cells();
+  WallCells hidden = bare_wall(), seen = bare_wall();
   painted::paint(hidden, {20, 10, 25, 25}, WallState::kHidden);
   painted::paint(seen, {20, 10, 25, 25}, WallState::kThrough);
-  CHECK(holes_of(contour, std::vector{kWindow}, hidden)[0].empty());
-  CHECK(holes_of(contour, std::vector{kWindow}, seen)[0] == contour.pieces[0].openings[0]);
+  CHECK(holes_of(contour, std::vector{kLeftWindow}, hidden)[0].empty());
+  CHECK(holes_of(contour, std::vector{kLeftWindow}, seen)[0] == contour.pieces[0].openings[0]);
 }
 
 TEST_CASE("holes_of__an_opening_elsewhere_has_none") {
-  CHECK(holes_of(wall_with({hole_chain(1, 1, 2, 2.5)}), std::vector{kOther}, cells())[0].empty());
-  CHECK(holes_of(wall_with({}), std::vector{kOther}, cells())[0].empty());
+  CHECK(holes_of(wall_with({hole_chain(1, 1, 2, 2.5)}), std::vector{kRightWindow}, bare_wall())[0]
+            .empty());
+  CHECK(holes_of(wall_with({}), std::vector{kRightWindow}, bare_wall())[0].empty());
 }
 
 TEST_CASE("shows__the_same_openings_and_no_other") {
   const Chain first = hole_chain(1, 1, 2, 2.5), second = hole_chain(4, 1, 5, 2.5);
-  const std::vector both{kWindow, kOther};
+  const std::vector both{kLeftWindow, kRightWindow};
   CHECK(shows(wall_with({first, second}), both));
   CHECK_FALSE(shows(wall_with({first}), both));
-  CHECK_FALSE(shows(wall_with({first, second}), std::vector{kWindow}));
+  CHECK_FALSE(shows(wall_with({first, second}), std::vector{kLeftWindow}));
   CHECK(shows(wall_with({}), {}));
 }
 
@@ -75,6 +76,6 @@ TEST_CASE("shows__an_opening_that_the_outline_goes_round_too") {
   Contour contour = wall_with({hole_chain(1, 1, 2, 2.5)});
   // A doorway from 4 to 5 m, open to the ground.
   contour.pieces[0].outline = {{0, 0}, {4, 0}, {4, 2.2}, {5, 2.2}, {5, 0}, {6, 0}, {6, 4}, {0, 4}};
-  CHECK(shows(contour, std::vector{kWindow, rectangle(4, 5, 0, 2.2)}));
-  CHECK_FALSE(shows(contour, std::vector{kWindow, rectangle(3, 4.2, 0, 2.2)}));
+  CHECK(shows(contour, std::vector{kLeftWindow, rectangle(4, 5, 0, 2.2)}));
+  CHECK_FALSE(shows(contour, std::vector{kLeftWindow, rectangle(3, 4.2, 0, 2.2)}));
 }
