@@ -104,7 +104,7 @@ JALON_API JALON_CHECK jalon_status jalon_modeller_run(const jalon_modeller* mode
  *     column  type    unit  meaning
  *     point   uint64  -     index in the cloud, ascending
  *
- * out_summary, one row:
+ * out_summary, which may be NULL, one row:
  *     column     type     unit    meaning
  *     spacing    float64  m       typical distance of neighbouring points
  *     knee       float64  m       where the curve turns, 2 to 5 spacings

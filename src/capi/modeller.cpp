@@ -67,14 +67,13 @@ jalon_status jalon_segmentation_long_edges(const jalon_segmentation* segmentatio
     require(segmentation, "segmentation");
     require(out_lengths, "out_lengths");
     require(out_points, "out_points");
-    require(out_summary, "out_summary");
     const auto chosen = settings_from<EdgeCurveSettings>(options_or_default(options, "long_edges"));
     const EdgeCurve curve = with_task(task, [&](Task& t) {
       return find_edge_curve(*segmentation->segmentation, label, chosen, t);
     });
     auto lengths = own(new_fields(edge_length_table(curve)));
     auto points = own(new_fields(contour_point_table(curve)));
-    *out_summary = new_fields(edge_summary_table(curve));
+    if (out_summary != nullptr) *out_summary = new_fields(edge_summary_table(curve));
     *out_lengths = lengths.release();
     *out_points = points.release();
   });

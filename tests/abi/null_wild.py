@@ -155,7 +155,8 @@ def scalar(function, p):
                 wild += wild_values(["UINT32_MAX"])
             return Case("4", wild)
         if n == "label":
-            return Case("0", wild_values(["UINT32_MAX"]))
+            first = "1" if function.name == "jalon_segmentation_long_edges" else "0"  # 0 is no segment
+            return Case(first, wild_values(["UINT32_MAX"]))
         if n == "bins":
             return Case("10", wild_values(["0", "UINT32_MAX"], INVALID))
         if n in ("a", "b", "c"):

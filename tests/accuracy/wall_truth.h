@@ -145,9 +145,7 @@ inline std::vector<Wall> true_walls(const Model& scene,
   return out;
 }
 
-inline bool is_opening_class(const std::string& name) {
-  return name == part_class::kWindow || name == part_class::kDoor || name == part_class::kOpening;
-}
+inline bool is_opening_class(const std::string& name) { return part_class::is_opening(name); }
 
 /// What a model has in the plane of a true wall: its faces there and the openings in them. Holes without a part count
 /// as openings; so do openings at the wall's border, which have a face of their own behind it and no hole.

@@ -62,11 +62,11 @@ def closed_polylines(path):
 
 def dxf_world(model, path):
     lines = list(closed_polylines(path))
-    rings = [r for r in model.rings if r.drawn]
-    if len(lines) != len(rings):
-        yield "%d polylines for %d rings" % (len(lines), len(rings))
+    wanted = model.drawn_lines()
+    if len(lines) != len(wanted):
+        yield "%d polylines instead of %d" % (len(lines), len(wanted))
         return
-    for ring, (layer, space, bulges, flat, closed) in zip(rings, lines):
+    for (ring, part), (layer, space, bulges, flat, closed) in zip(wanted, lines):
         if not closed:
             yield "ring %d is open" % ring.index
         if not far(space, ring.points) <= PLACE_M:
@@ -75,7 +75,7 @@ def dxf_world(model, path):
             yield "ring %d: bulges differ by %g" % (ring.index, far(bulges, ring.bulges))
         if flat is not None and abs(abs(bulge_area(flat - flat[0], bulges)) - abs(ring.area)) > 1e-6 * (1 + abs(ring.area)):
             yield "ring %d: %g m2 instead of %g" % (ring.index, bulge_area(flat - flat[0], bulges), ring.area)
-        if not layer.startswith(model.layer_of(ring)):
+        if not layer.startswith(model.layer_of(part)):
             yield "ring %d lies on layer %s" % (ring.index, layer)
 
 
@@ -106,13 +106,13 @@ def ogr_dxf(model, path):
     _, shapes, columns = features(path)
     is_line = shapely.get_type_id(shapes) != 0  # texts are points
     shapes, columns = shapes[is_line], {name: column[is_line] for name, column in columns.items()}
-    rings = [r for r in model.rings if r.drawn]
-    if len(shapes) != len(rings):
-        yield "%d features for %d rings" % (len(shapes), len(rings))
+    wanted = model.drawn_lines()
+    if len(shapes) != len(wanted):
+        yield "%d features instead of %d" % (len(shapes), len(wanted))
         return
-    for ring, shape, layer in zip(rings, shapes, columns["Layer"]):
+    for (ring, part), shape, layer in zip(wanted, shapes, columns["Layer"]):
         points = shapely.get_coordinates(shape, include_z=True)
-        if not layer.startswith(model.layer_of(ring)):
+        if not layer.startswith(model.layer_of(part)):
             yield "ring %d lies on layer %s" % (ring.index, layer)
         if any(ring.bulges):
             away = max(numpy.abs(points - p).max(axis=1).min() for p in ring.points)
@@ -127,9 +127,12 @@ def ogr_geojson(model, path):
     faces = [f for f in model.faces if f.rings[0].drawn]
     if meta["crs"] != "EPSG:2154" and "metre" not in (meta["crs"] or ""):
         yield "CRS %s" % meta["crs"]
-    if len(shapes) != len(faces):
-        yield "%d features for %d faces" % (len(shapes), len(faces))
+    openings = model.openings_without_face()
+    if len(shapes) != len(faces) + len(openings):
+        yield "%d features for %d faces and %d openings" % (len(shapes), len(faces), len(openings))
         return
+    if list(columns["class"][len(faces):]) != [model.class_of(part) for part in openings]:
+        yield "the openings' classes are %s" % columns["class"][len(faces):]
     for i, (face, shape) in enumerate(zip(faces, shapes)):
         holes = [r for r in face.rings[1:] if r.drawn]
         if len(shape.interiors) != len(holes):

@@ -42,6 +42,7 @@ std::string tables(const Model& model) {
         .value(p.name)
         .value(p.part_class)
         .value(static_cast<int>(p.evidence))
+        .value(p.parent == kNoParent ? int64_t{-1} : static_cast<int64_t>(p.parent))
         .end_array();
   json.end_array().name("solids").begin_array();
   for (const Solid& s : model.solids)

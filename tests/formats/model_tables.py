@@ -7,6 +7,7 @@ import json
 import numpy
 
 CHORD_ERROR_M = 0.001  # the writers' default
+OPENINGS = ("window", "door", "gateway", "shop_front", "vent", "recess", "opening")
 COPIED = 5             # JALON_EVIDENCE_COPIED
 NO_PART = 2**32 - 1
 
@@ -75,10 +76,31 @@ class Model:
     def class_of(self, part):
         return self.parts[part][1] if part < len(self.parts) else None
 
-    def layer_of(self, ring):
-        if ring.part >= len(self.parts):
+    def layer_of(self, part):
+        if part >= len(self.parts):
             return "OPENING"
-        return (self.class_of(ring.part).upper() or "ELEMENT") + ("-COPIED" if self.parts[ring.part][2] == COPIED else "")
+        return (self.class_of(part).upper() or "ELEMENT") + ("-COPIED" if self.parts[part][2] == COPIED else "")
+
+    def openings_without_face(self):
+        """Parts that are openings and have no face of their own."""
+        own = {f.part for f in self.faces}
+        return [p for p in range(len(self.parts)) if self.class_of(p) in OPENINGS and p not in own]
+
+    def drawn_lines(self):
+        """(ring, part) of each polyline of a drawing: all rings, and once more, for its opening, the outline of the first face
+        that stands in an opening without hole and face of its own (a door at the foot of its wall)."""
+        holes = {r.part for f in self.faces for r in f.rings[1:]}
+        waiting = [p for p in self.openings_without_face() if p not in holes]
+        lines = []
+        for face in self.faces:
+            lines += [(r, r.part) for r in face.rings if r.drawn]
+            around = -1 if self.class_of(face.part) == "reveal" else face.part
+            while 0 <= around < len(self.parts) and self.class_of(around) not in OPENINGS:
+                around = self.parts[around][3]
+            if around in waiting:
+                waiting.remove(around)
+                lines += [(face.rings[0], around)]
+        return lines
 
     def wrong_areas(self):
         for i, face in enumerate(self.faces):

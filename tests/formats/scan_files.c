@@ -121,8 +121,12 @@ static void write_parts(FILE* out, const jalon_model* model) {
   jalon_fields* fields = NULL;
   must(jalon_model_part_count(model, &count));
   must(jalon_model_parts(model, &fields));
-  double* evidence = malloc((count + 1) * sizeof(double));
-  if (count > 0) must(jalon_fields_copy(fields, "evidence", JALON_FLOAT64, evidence, count));
+  double *evidence = malloc((count + 1) * sizeof(double)),
+         *parent = malloc((count + 1) * sizeof(double));
+  if (count > 0) {
+    must(jalon_fields_copy(fields, "evidence", JALON_FLOAT64, evidence, count));
+    must(jalon_fields_copy(fields, "parent", JALON_FLOAT64, parent, count));
+  }
   fputs("\"parts\": [", out);
   for (uint64_t i = 0; i < count; ++i) {
     const char *name = NULL, *part_class = NULL;
@@ -131,10 +135,11 @@ static void write_parts(FILE* out, const jalon_model* model) {
     write_text(out, name);
     fputc(',', out);
     write_text(out, part_class);
-    fprintf(out, ",%.0f]", evidence[i]);
+    fprintf(out, ",%.0f,%.0f]", evidence[i], parent[i]);
   }
   fputs("]}\n", out);
   free(evidence);
+  free(parent);
   jalon_fields_release(fields);
 }
 

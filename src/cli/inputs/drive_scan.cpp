@@ -128,10 +128,10 @@ void scan_by_drive(const DriveScan& scan, const Common& common) {
   console.say(grouped(count_of(cloud)) + " points of a drive in " + fixed(seconds, 2) + " s -> " +
               scan.output + ", " + scan.trajectory_output);
   console.result(DriveJson{{"scene", "street_drive"},
-                      {"output", scan.output},
-                      {"trajectory", scan.trajectory_output},
-                      {"points", count_of(cloud)},
-                      {"seconds", seconds}});
+                           {"output", scan.output},
+                           {"trajectory", scan.trajectory_output},
+                           {"points", count_of(cloud)},
+                           {"seconds", seconds}});
 }
 
 }  // namespace jalon::cli

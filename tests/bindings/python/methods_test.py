@@ -30,6 +30,8 @@ class Methods(unittest.TestCase):
 
     def python__every_listed_method_works_on_a_scan(self):
         for name in jalon.Scanner.methods():
+            if name == "mobile":  # it drives along a trajectory: trajectories_test.py
+                continue
             steps = {"horizontal_step_rad": 0.01, "vertical_step_rad": 0.01} if name == "static" else {}
             self.assertGreater(jalon.Scanner(name, **steps).run(box_model()).count, 1000, name)
         for name in jalon.Segmenter.methods():

@@ -29,9 +29,7 @@ struct Tally {
       ++solids;
       note(checks::solid_fault(model, solid), model.parts[solid.part].name);
     }
-    for (const Part& part : model.parts)
-      openings +=
-          part.part_class == "window" || part.part_class == "door" || part.part_class == "opening";
+    for (const Part& part : model.parts) openings += part_class::is_opening(part.part_class);
   }
   void note(const std::string& fault, const std::string& where) {
     if (fault.empty()) return;

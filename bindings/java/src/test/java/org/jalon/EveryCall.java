@@ -23,7 +23,7 @@ final class EveryCall {
   private EveryCall() {}
 
   static void addTo(Map<String, Behaviours.Body> all) {
-    for (Class<?> type : new Class<?>[] {Cloud.class, CloudBuilder.class, Comparer.class, Comparison.class, Evaluation.class,
+    for (Class<?> type : new Class<?>[] {Adjustment.class, Cloud.class, CloudBuilder.class, Comparer.class, Comparison.class, Evaluation.class,
         Fields.class, Gauge.class, Jalon.class, Model.class, ModelEvaluation.class, Modeller.class, NoiseLaw.class, Params.class,
         Registrar.class, Registration.class, Rows.class, Scanner.class, Segmentation.class, Segmenter.class, Targets.class,
         Task.class, Trajectory.class, Array.class}) {
