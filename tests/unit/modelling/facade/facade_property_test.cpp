@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "model/part_classes.h"
 #include "modelling/facade/assembly.h"
 #include "scan/facade_truth.h"
 #include "unit/modelling/facade_scenes.h"
