@@ -35,7 +35,8 @@ constexpr auto kJointRows = setting_rows(
     bool_row<&S::occluders>("occluders", "", "Roofs and ground of the model hide what is behind."),
     doubles_row<&S::lever_arm_m>(
         "lever_arm_m", -1e3, 1e3, "m", "",
-        "The laser from the inertial unit, in the vehicle's frame; of clouds without beam_origin."),
+        "Offset of the laser from the inertial unit, in the vehicle's frame; of clouds without "
+        "beam_origin."),
     number_row<&S::thin_m>("thin_m", 0, 100, "m", "",
                            "One point a cube of this edge is matched; 0: all."),
     number_row<&S::least_score>(
@@ -55,9 +56,10 @@ constexpr auto kJointRows = setting_rows(
         "Points off the median of their strip count less, and strips that contradict "
         "the others (tukey); or all alike (none)."),
     integer_row<&S::most_passes>("most_passes", 1, 1000, "", "", "Greatest number of passes."),
-    number_row<&S::tolerance_m>(
-        "tolerance_m", 0, 1, "m", "",
-        "A pass that moves nothing by more is the last; so is one that matches as the one before."),
+    number_row<&S::tolerance_m>("tolerance_m", 0, 1, "m", "",
+                                "A pass that moves nothing by a greater distance is the last; so "
+                                "is one that matches as the "
+                                "one before."),
     bool_row<&S::covariance>("covariance", "",
                              "Keep the whole covariance of trajectory and blocks."));
 
