@@ -94,7 +94,7 @@ JALON_API JALON_CHECK jalon_status jalon_modeller_run(const jalon_modeller* mode
  * its Delaunay triangulation, a threshold on it, and the end points of longer edges. (The modellers bound triangles
  * instead, by parameter "contour": their rings close and reach into corners.) Operation "long_edges".
  *
- * - label: of the segment, a plane; JALON_ERROR_NOT_FOUND for an unknown one.
+ * - label: of the segment, a plane; JALON_ERROR_NOT_FOUND for an unknown one. out_summary: may be NULL.
  *
  * out_lengths, one row an edge, ascending:
  *     column  type     unit  meaning
@@ -104,7 +104,7 @@ JALON_API JALON_CHECK jalon_status jalon_modeller_run(const jalon_modeller* mode
  *     column  type    unit  meaning
  *     point   uint64  -     index in the cloud, ascending
  *
- * out_summary, which may be NULL, one row:
+ * out_summary, one row:
  *     column     type     unit    meaning
  *     spacing    float64  m       typical distance of neighbouring points
  *     knee       float64  m       where the curve turns, 2 to 5 spacings

@@ -23,7 +23,7 @@ def bent_drive(**more):
 
 
 class Trajectories(unittest.TestCase):
-    def test_gives_back_what_it_was_made_of(self):
+    def python__a_trajectory_gives_back_what_it_was_made_of(self):
         drive = bent_drive()
         self.assertEqual((drive.count, drive.crs, drive.axes), (len(TIMES), "EPSG:2154", "enu"))
         np.testing.assert_array_equal(drive.epochs["time"], TIMES)
@@ -35,14 +35,14 @@ class Trajectories(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no position sigmas"):
             bare.prior
 
-    def test_names_epoch_and_field_of_what_is_wrong(self):
+    def python__a_trajectory_names_epoch_and_field_of_what_is_wrong(self):
         drive = bent_drive().epochs
         late = TIMES.copy()
         late[3] = 0
         with self.assertRaisesRegex(ValueError, "^epoch 3 of the trajectory: time 0 is not after time 1 of the epoch before"):
             jalon.Trajectory(late, drive["xyz"], drive["attitude"])
 
-    def test_between_epochs_and_at_control_times(self):
+    def python__poses_are_told_between_epochs_and_at_control_times(self):
         drive = bent_drive()
         some = drive.interpolate([0.25, 29.5])
         np.testing.assert_allclose(some.epochs["xyz"][0], drive.epochs["xyz"][:2].mean(axis=0))
@@ -51,7 +51,7 @@ class Trajectories(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "time 30 of item 0 is outside"):
             drive.interpolate([30.0])
 
-    def test_prior_has_a_tridiagonal_inverse(self):
+    def python__the_prior_has_a_tridiagonal_inverse(self):
         drive = bent_drive().control(1.0)
         prior = drive.prior
         n = drive.count
@@ -63,7 +63,7 @@ class Trajectories(unittest.TestCase):
         information = np.diag(prior["information"][:, 0]) + np.diag(beside, 1) + np.diag(beside, -1)
         np.testing.assert_allclose(information @ covariance, np.eye(n), atol=1e-10)
 
-    def test_files_come_back(self):
+    def python__trajectories_in_files_come_back(self):
         drive = bent_drive(axes="ned")
         with tempfile.TemporaryDirectory() as folder:
             text, sbet, sigmas = (os.path.join(folder, name) for name in ("drive.txt", "sbet.out", "smrmsg.out"))
@@ -83,7 +83,7 @@ class Trajectories(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "record 3 is cut off: 8 of its 136 bytes are there"):
                 jalon.Trajectory.read(sbet)
 
-    def test_returns_become_points_with_covariances(self):
+    def python__returns_become_points_with_covariances(self):
         drive = bent_drive()
         times = np.linspace(0, 29.5, 500)
         cloud = drive.georeference(times, np.full(500, 10.0), np.linspace(0, 60, 500), np.full(500, 1.5), lever_arm_m=[0.5, 0.2, 1.8])
@@ -95,7 +95,7 @@ class Trajectories(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "return 2: the range is 0"):
             drive.georeference([1.0, 2, 3], [1.0, 1, 0], [0.0, 0, 0], [1.0, 1, 1])
 
-    def test_normality_of_values_and_fields(self):
+    def python__normality_of_values_and_fields(self):
         report = jalon.normality([148.0, 154, 158, 160, 161, 162, 166, 170, 182, 195, 236])
         self.assertAlmostEqual(report.W, 0.7888146, places=6)
         self.assertAlmostEqual(report.p, 0.0067038, places=6)
@@ -104,7 +104,7 @@ class Trajectories(unittest.TestCase):
         report = cloud.field_normality("x")
         self.assertEqual((report["values"], report["tested"], report["is_normal"]), (7000, 5000, 1))
 
-    def test_a_drive_through_a_street_of_strips_has_perfect_matches(self):
+    def python__a_drive_through_a_street_of_strips_has_perfect_matches(self):
         street = jalon.scene_street_drive(seed=3)
         made = street.model.building_strips(touch_m=2.0)
         self.assertEqual((made.strips["block"].max(), made.strips["facade"].max()), (13, 55))
@@ -118,7 +118,7 @@ class Trajectories(unittest.TestCase):
         by += moved.facade_offsets["offset"][made.strips["facade"]] + moved.strip_offsets["offset"]
         np.testing.assert_allclose(moved.model.faces["offset"] - made.model.faces["offset"], by, atol=1e-9)
 
-    def test_a_cloud_and_a_model_are_adjusted_together(self):
+    def python__a_cloud_and_a_model_are_adjusted_together(self):
         drive = jalon.scene_drive_scenario(scenario=5, leg_m=60, revolutions_per_s=10, pulses=400, seed=4)
         made = drive.trajectory.adjust(drive.cloud, drive.model, covariance=True)
         summary = made.summary
@@ -157,7 +157,7 @@ class Trajectories(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no field \"time\""):
             drive.trajectory.adjust(jalon.Cloud(drive.cloud.points), drive.model)
 
-    def test_perturbed_by_a_seed(self):
+    def python__trajectories_are_perturbed_by_a_seed(self):
         drive = bent_drive()
         moved = drive.perturb(3).epochs["xyz"] - drive.epochs["xyz"]
         np.testing.assert_array_equal(moved, drive.perturb(3).epochs["xyz"] - drive.epochs["xyz"])
