@@ -22,9 +22,9 @@ namespace {
 
 constexpr double kLeastArea_m2 = 0.5, kLeastIou = 0.6;
 constexpr size_t kObjects = 26;
-// What the chain reaches today with the worst of 20 seeds: with 13 of them 15 or 13 are found, with seeds 4, 5, 6, 10,
-// 12, 13 and 15 only three of street_3's nine.
-constexpr size_t kLeastOfOneSeed = 10;
+// What the chain reaches today with the worst of 20 seeds: street_1 7 of 8 (8 with 19 seeds), street_3 5 of 9 (7 or 8
+// with 17), building_2 8 of 9 (9 with 9 seeds).
+constexpr size_t kLeastOfOneSeed = 20;
 constexpr uint64_t kShortRun[] = {1, 4, 7};
 
 /// All that may stand for an opening: holes and faces that look as the wall does.
