@@ -6,13 +6,13 @@
 // JALON_GRAMMAR_SEEDS=7-12 accuracy -tc=grammar__seeds_to* takes these seeds alone, with what was missed and invented.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <map>
 #include <optional>
 
 #include "facade_truth.h"
 #include "modelling/facade/facade.h"
 #include "recipe.h"
+#include "seed_range.h"
 
 using namespace jalon;
 using namespace jalon::test;
@@ -43,25 +43,13 @@ FacadeFigures figures_of(uint64_t seed, std::string& kind) {
   const auto cloud = std::make_shared<const Cloud>(
       scan_static(build_scene(settings, task), survey.stations, survey.scanner, task));
   kind = truth.kind;
-  FacadeSettings settings_of_chain;
-  settings_of_chain.walls.plan.by_evidence = true;
   const Segmentation planes = segment_ransac(cloud, RansacSettings{}, task);
-  return compare_facade(found_facade(model_facade(planes, settings_of_chain, task), truth), truth);
-}
-
-/// "7-12" or "7" of the environment.
-std::optional<Series> asked_for() {
-  const char* text = std::getenv("JALON_GRAMMAR_SEEDS");
-  if (text == nullptr) return {};
-  char* end = nullptr;
-  const uint64_t first = std::strtoull(text, &end, 10);
-  const uint64_t last = *end == '-' ? std::strtoull(end + 1, nullptr, 10) : first;
-  return Series{"seeds asked for", first, last - first + 1};
+  return compare_facade(found_facade(model_facade(planes, FacadeSettings{}, task), truth), truth);
 }
 
 FacadeFigures print_table(Series series) {
-  const std::optional<Series> asked = asked_for();
-  if (asked) series = *asked;
+  const std::optional<SeedRange> asked = seeds_asked_for();
+  if (asked) series = {"seeds asked for", asked->first, asked->last - asked->first + 1};
   std::map<std::string, FacadeFigures> kinds;
   FacadeFigures all, developed, reported;
   const uint64_t count = is_full() || asked ? series.count : kOfShortRun;

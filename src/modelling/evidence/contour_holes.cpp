@@ -12,20 +12,12 @@ namespace jalon {
 namespace {
 
 constexpr double kSameBox = 0.6;  // of both boxes together: a first look
-// Area that only one of both has, a spacing wide along the border: a corner that is hidden has more.
+// Area that only one of both has, so wide along the border (a sill's ends beside a window): a hidden corner has more.
 constexpr double kApartSpacings = 2;
-constexpr double kHoleChord = 0.1;   // spacings
+constexpr double kChord = 0.1;       // spacings
 constexpr double kSamePlace = 0.7;   // of the boxes of an opening and a contour's hole, together
 constexpr double kLeftOfWall = 0.1;  // of an opening that a contour goes round
 constexpr int kLooks = 12;           // along either side of an opening's box
-
-std::vector<Vec2> turned(const Chain& chain) { return {chain.rbegin(), chain.rend()}; }
-
-bool holds(const OpeningShape& shape, const Vec2& p) {
-  if (!shape.box().holds(p)) return false;
-  const Vec2 span = shape.span_at(p.v);
-  return p.u >= span.u && p.u <= span.v;
-}
 
 // Area of the cells of a hole outside of the shape that were seen through.
 double seen_beyond_m2(const Chain& hole, const RingBox& box, const OpeningShape& shape,
@@ -41,15 +33,15 @@ double seen_beyond_m2(const Chain& hole, const RingBox& box, const OpeningShape&
          c < line(box.high.u, cells.origin.u, cells.columns) + 1 && c < cells.columns; ++c) {
       if (cells.at(c, r) != WallState::kThrough) continue;
       const Vec2 p = cells.origin + Vec2{c + 0.5, r + 0.5} * cells.cell_m;
-      seen += !holds(shape, p) && contains(hole, p);
+      seen += !shape.holds(p) && contains(hole, p);
     }
   return static_cast<double>(seen) * cells.cell_m * cells.cell_m;
 }
 
 bool has_form(const Chain& hole, const RingBox& box, const OpeningShape& shape,
               const Contour& contour, const WallCells& cells) {
-  const std::vector<Vec2> polygon = flattened(shape.ring(), kHoleChord * contour.spacing_m),
-                          outline = turned(hole);
+  const std::vector<Vec2> polygon = polygon_of(shape, contour.spacing_m),
+                          outline = reversed_chain(hole);
   const PolygonWithHoles a{outline, {}}, b{polygon, {}};
   const double apart =
       signed_area(outline) + signed_area(polygon) - 2 * shared_area({{a}}, {{b}}).both;
@@ -72,7 +64,7 @@ bool is_left_open(const Contour& contour, const OpeningShape& shape) {
     for (int j = 0; j < kLooks; ++j) {
       const Vec2 p{box.low.u + box.width() * (i + 0.5) / kLooks,
                    box.low.v + box.height() * (j + 0.5) / kLooks};
-      if (!holds(shape, p)) continue;
+      if (!shape.holds(p)) continue;
       ++all;
       solid += is_solid(contour, p);
     }
@@ -80,6 +72,15 @@ bool is_left_open(const Contour& contour, const OpeningShape& shape) {
 }
 
 }  // namespace
+
+std::vector<Vec2> polygon_of(const OpeningShape& shape, double spacing_m) {
+  return flattened(shape.ring(), kChord * spacing_m);
+}
+
+Chain reversed_chain(Chain chain) {
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
 
 std::vector<Chain> holes_of(const Contour& contour, std::span<const OpeningShape> openings,
                             const WallCells& cells) {

@@ -11,7 +11,13 @@
 
 namespace jalon {
 
-/// Of each opening the hole of a contour that has its form, to within the spacing of the points that border both, or
+/// The shape's ring, its arcs as chords.
+std::vector<Vec2> polygon_of(const OpeningShape& shape, double spacing_m);
+
+/// From a hole to the polygon that fills it, and back.
+Chain reversed_chain(Chain chain);
+
+/// Of each opening the hole of a contour that has its form, to within two spacings of the points that border both, or
 /// where the hole goes on its cells were seen through; empty where there is none. Such a hole tells the opening's
 /// border point by point, a shape only cell by cell. Before: openings as large as the contour would draw them, apart
 /// from each other.

@@ -20,7 +20,6 @@ constexpr double kShapeInset = 1.0, kOutsideOpening = 1.35;  // spacings
 // Cells that relief shares with what lies behind count as seen through, so that less is missing there; measured.
 constexpr double kOutsideRelief = 0.6;
 constexpr double kRim = 6;            // spacings: more than the contour looks through
-constexpr double kChord = 0.1;        // spacings
 constexpr double kAtBorder = 1.5;     // spacings: nearer to the outside an opening ends there
 constexpr double kAtBorder_m = 0.06;  // and within this, a sill's or a threshold's thickness
 constexpr double kThrough = 3;  // times that: an opening at the border is cut so far beyond it
@@ -29,10 +28,6 @@ constexpr double kReliefShare = 0.25;  // of a border: the wall's points end els
 constexpr double kApart = 0.5;         // spacings between openings
 constexpr double kSlit = 0.5;          // spacings
 constexpr double kBesideOpening = 3;   // spacings from an opening to where nothing was measured
-
-std::vector<Vec2> polygon_of(const OpeningShape& shape, double spacing_m) {
-  return flattened(shape.ring(), kChord * spacing_m);
-}
 
 // Step 1: a grid in the rim of each opening.
 void add_rim(const OpeningShape& opening, double spacing_m, std::vector<Vec2>& points) {
@@ -114,11 +109,6 @@ Chain dense(std::span<const Vec2> polygon, double spacing_m) {
   return out;
 }
 
-Chain reversed_chain(Chain chain) {
-  std::reverse(chain.begin(), chain.end());
-  return chain;
-}
-
 // An opening as the contour draws it.
 struct DrawnShape {
   OpeningShape shape;
@@ -126,8 +116,7 @@ struct DrawnShape {
   bool is_settled = false;  ///< by relief about it
 
   std::vector<Vec2> polygon(double spacing_m) const {
-    return hole.empty() ? polygon_of(shape, spacing_m)
-                        : std::vector<Vec2>(hole.rbegin(), hole.rend());
+    return hole.empty() ? polygon_of(shape, spacing_m) : reversed_chain(hole);
   }
 };
 

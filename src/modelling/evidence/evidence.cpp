@@ -67,9 +67,7 @@ Placement placement_of(const WallCells& cells, const WallEvidence& wall) {
     within += front.at(column, row) != WallState::kOutside;
     behind += is_well_inside(front, column, row);
     openings += std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
-      if (!opening.is_opening || !opening.shape.box().holds(q)) return false;
-      const Vec2 span = opening.shape.span_at(q.v);
-      return q.u >= span.u && q.u <= span.v;
+      return opening.is_opening && opening.shape.holds(q);
     });
   }
   if (on == 0) return out;

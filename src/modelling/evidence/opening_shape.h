@@ -33,6 +33,12 @@ struct OpeningShape {
   RingBox box() const;
   /// Left and right border at a height within the box.
   Vec2 span_at(double v) const;
+  /// Its border included.
+  bool holds(const Vec2& p) const {
+    if (!box().holds(p)) return false;
+    const Vec2 span = span_at(p.v);
+    return p.u >= span.u && p.u <= span.v;
+  }
   /// Moved by `by` after all lengths were multiplied.
   OpeningShape placed(double scale, const Vec2& by) const;
   /// All sides moved outward so far, across themselves; heads keep their form.
