@@ -28,21 +28,60 @@ CylinderComparer::Epoch CylinderComparer::epoch(const CloudPtr& cloud, const cha
 }
 
 CylinderComparer::Side CylinderComparer::side(const Epoch& epoch) const {
-  return {
-      ShapeSearch(*epoch.tree), SurfaceFinder(gap_m_, settings_.min_points), {}, {}, {}, {}, {}};
+  return {ShapeSearch(*epoch.tree),
+          SurfaceFinder(gap_m_, settings_.min_points),
+          {},
+          {},
+          {},
+          {},
+          {},
+          {}};
 }
 
 CylinderComparer::Work CylinderComparer::work() const {
   return {side(reference_), side(compared_)};
 }
 
-// The points of one cloud in the cylinder and the surfaces they lie on.
-void CylinderComparer::fill(const Vec3& centre, const Vec3& normal, Side& side) const {
+// Where the points of one cloud in the cylinder lie along it, ascending.
+void CylinderComparer::take_points(const Vec3& centre, const Vec3& normal, Side& side) const {
   side.points =
       side.search.cylinder(centre, normal, settings_.cylinder_radius_m, settings_.max_depth_m);
   side.along_m.resize(side.points.size());
   for (size_t i = 0; i < side.points.size(); ++i) side.along_m[i] = side.points[i].along_m;
   sort_along(side.along_m, side.work_m);
+}
+
+// The same in a crowd: what lies at one place along the cylinder is sorted as one.
+void CylinderComparer::take_runs(const Vec3& centre, const Vec3& normal, Side& side) const {
+  side.along_m.clear();
+  side.runs.clear();
+  for (const ShapeSearch::AlongRun& run : side.search.cylinder_runs(
+           centre, normal, settings_.cylinder_radius_m, settings_.max_depth_m))
+    if (run.count == 1) side.along_m.push_back(run.along_m);
+    else side.runs.push_back(run);
+  sort_along(side.along_m, side.work_m);
+  if (side.runs.empty()) return;
+  std::sort(side.runs.begin(), side.runs.end(),
+            [](const ShapeSearch::AlongRun& a, const ShapeSearch::AlongRun& b) {
+              return a.along_m < b.along_m;
+            });
+  side.work_m.clear();
+  auto single = side.along_m.cbegin();
+  for (const ShapeSearch::AlongRun& run : side.runs) {
+    const auto first = single;
+    while (single != side.along_m.cend() && *single < run.along_m) ++single;
+    side.work_m.insert(side.work_m.end(), first, single);
+    side.work_m.insert(side.work_m.end(), run.count, run.along_m);
+  }
+  side.work_m.insert(side.work_m.end(), single, side.along_m.cend());
+  side.along_m.swap(side.work_m);
+}
+
+// The points of one cloud in the cylinder and the surfaces they lie on.
+void CylinderComparer::fill(const Epoch& epoch, const Vec3& centre, const Vec3& normal,
+                            Side& side) const {
+  if (epoch.tree->has_crowds() && !by_covariances_) take_runs(centre, normal, side);
+  else take_points(centre, normal, side);
   side.surfaces = side.finder(side.along_m);
 }
 
@@ -64,11 +103,11 @@ SurfaceInCylinder CylinderComparer::measure(const Epoch& epoch, const Vec3& norm
 }
 
 CylinderResult CylinderComparer::at(const Vec3& centre, const Vec3& normal, Work& work) const {
-  fill(centre, normal, work.reference);
-  fill(centre, normal, work.compared);
+  fill(reference_, centre, normal, work.reference);
+  fill(compared_, centre, normal, work.compared);
   CylinderResult result;
-  result.reference.count = static_cast<uint32_t>(work.reference.points.size());
-  result.compared.count = static_cast<uint32_t>(work.compared.points.size());
+  result.reference.count = static_cast<uint32_t>(work.reference.along_m.size());
+  result.compared.count = static_cast<uint32_t>(work.compared.along_m.size());
   if (result.reference.count == 0 || result.compared.count == 0)
     result.status = CompareStatus::kNothingNear;
   if (work.reference.surfaces.empty() || work.compared.surfaces.empty()) return result;

@@ -45,7 +45,9 @@ class CylinderComparer {
     SurfaceFinder finder;
     std::vector<double> along_m;  ///< ascending
     std::vector<double> work_m;
-    std::span<const ShapeSearch::Along> points;
+    std::vector<ShapeSearch::AlongRun> runs;
+    std::span<const ShapeSearch::Along>
+        points;  ///< where covariances are asked for; else perhaps none
     std::span<const CylinderSurface> surfaces;
     PropagatedVariance variances;
   };
@@ -64,7 +66,9 @@ class CylinderComparer {
   };
   Epoch epoch(const CloudPtr& cloud, const char* name, Task& task) const;
   Side side(const Epoch& epoch) const;
-  void fill(const Vec3& centre, const Vec3& normal, Side& side) const;
+  void fill(const Epoch& epoch, const Vec3& centre, const Vec3& normal, Side& side) const;
+  void take_points(const Vec3& centre, const Vec3& normal, Side& side) const;
+  void take_runs(const Vec3& centre, const Vec3& normal, Side& side) const;
   SurfaceInCylinder measure(const Epoch& epoch, const Vec3& normal, Side& side,
                             const CylinderSurface& surface) const;
 

@@ -113,6 +113,49 @@ FieldTable summary_of(const CoreColumns& columns, size_t n, Task& task) {
   return summary;
 }
 
+/// What core points tell, one after the other. Those of a crowd, some hundred roundings of a cylinder apart, would look
+/// at all of it each and learn the same: the first tells for those that follow it.
+class CoreMeasurer {
+ public:
+  CoreMeasurer(const CoreNormals& normals, const CylinderComparer& cylinders, double radius_m)
+      : normals_(normals),
+        cylinders_(cylinders),
+        same_place_m_(kSamePlace * radius_m),
+        normal_work_(normals.work()),
+        work_(cylinders.work()) {}
+
+  void measure(size_t core_point, const Vec3& centre) {
+    const bool is_there = is_measured_ && is_same_place(centre);
+    if (is_there && normals_.is_of_place()) return;
+    const CoreNormals::Normal own = normals_.at(core_point, normal_work_);
+    if (is_there && own.direction == normal.direction && own.known == normal.known) return;
+    normal = own;
+    result = normal.known ? cylinders_.at(centre, normal.direction, work_) : CylinderResult{};
+    centre_ = centre;
+    is_measured_ = true;
+  }
+
+  CoreNormals::Normal normal;
+  CylinderResult result;
+
+ private:
+  static constexpr double kSamePlace = 0x1p-44;  // of the cylinder's radius
+
+  bool is_same_place(const Vec3& centre) const {
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::fabs(centre[axis] - centre_[axis]) <= same_place_m_)) return false;
+    return true;
+  }
+
+  const CoreNormals& normals_;
+  const CylinderComparer& cylinders_;
+  const double same_place_m_;
+  CoreNormals::Work normal_work_;
+  CylinderComparer::Work work_;
+  bool is_measured_ = false;
+  Vec3 centre_;
+};
+
 /// Steps 1 to 4 of Lague, Brodu & Leroux (2013) at every core point, in the order of the curve, so that neighbours find
 /// their points in the cache. The columns are made behind the indices, when what those take to be made is given back.
 CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference,
@@ -125,16 +168,13 @@ CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference,
   const CoreColumns columns(core->size());
   ProgressSpan span(task, 0.2, 1, "cylinders");
   parallel_for(task, core->size(), kGrain, [&](size_t begin, size_t end) {
-    CoreNormals::Work normal_work = normals.work();
-    CylinderComparer::Work work = cylinders.work();
+    CoreMeasurer measurer(normals, cylinders, settings.cylinder_radius_m);
     for (size_t position = begin; position < end; ++position) {
       // A cylinder may hold most of the cloud.
       if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
       const size_t i = order[position];
-      const CoreNormals::Normal normal = normals.at(i, normal_work);
-      const CylinderResult result =
-          normal.known ? cylinders.at(core->point(i), normal.direction, work) : CylinderResult{};
-      columns.set(i, normal, result);
+      measurer.measure(i, core->point(i));
+      columns.set(i, measurer.normal, measurer.result);
     }
   });
   return columns;

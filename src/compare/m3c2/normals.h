@@ -3,10 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cloud/cloud.h"
 #include "compare/m3c2/settings.h"
+#include "spatial/neighbours/ball_ranges.h"
+#include "spatial/neighbours/range_sums.h"
 #include "spatial/neighbours/shape_search.h"
 
 namespace jalon {
@@ -21,6 +24,7 @@ class CoreNormals {
   struct Work {
     std::unique_ptr<ShapeSearch> search;
     std::vector<double> squared_m2;  ///< distances of the points around from the core point
+    std::vector<BallRanges> balls;   ///< of each radius, where the cloud has crowds
   };
   Work work() const;
 
@@ -30,10 +34,16 @@ class CoreNormals {
     bool known = false;   ///< false: fewer than three points around, or all on a line
   };
   Normal at(size_t core_point, Work& work) const;
+  /// Is it that of its place? Else it comes with the core point.
+  bool is_of_place() const { return kind_ != M3c2Settings::Normals::kGiven; }
 
  private:
+  using Sums = RangeSums<2, exact_place>;
   Normal plane_at(const Vec3& centre, Work& work) const;
-  Vec3 oriented(const Vec3& centre, Vec3 normal, const Work& work) const;
+  Normal plane_of_ranges(const Vec3& centre, Work& work) const;
+  bool are_many_at(const Vec3& centre, Work& work) const;
+  Vec3 oriented(const Vec3& centre, Vec3 normal, Work& work) const;
+  uint32_t nearest_position(const Vec3& centre, Work& work) const;
   Vec3 given(size_t core_point) const;
 
   M3c2Settings::Normals kind_;
@@ -42,6 +52,7 @@ class CoreNormals {
   Vec3 direction_, viewpoint_;
   CloudPtr source_, core_;
   std::shared_ptr<const Octree> tree_;
+  std::optional<Sums> sums_;  ///< of a cloud that has crowds: its balls may hold most of it
   ColumnPtr given_;
   bool by_station_ = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spatial/neighbours/radius_batch.h"
 
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -25,7 +26,6 @@ std::shared_ptr<Column> column_of(const char* name, const char* unit, const char
   return std::make_shared<Column>(FieldInfo{name, element_type_of<T>(), 1, unit, meaning}, count);
 }
 
-// The chunks' answers one after the other; each is given back as soon as it is copied.
 // The queries of a chunk, from the first on.
 struct Chunk {
   std::vector<Neighbour> kept;
@@ -40,9 +40,10 @@ void check_cancel(const Task& task) {
 }  // namespace
 
 RadiusNeighbours radius_neighbours(const Octree& tree, std::span<const Vec3> queries,
-                                   double radius_m, Task& task) {
+                                   double radius_m, Task& task, size_t most_kept) {
   const size_t count = queries.size();
   std::vector<Chunk> chunks((count + kGrain - 1) / kGrain);
+  std::atomic<size_t> all_kept{0};  // what is kept or found anew is the same
   auto first =
       column_of<uint64_t>("first", "", "where the neighbours of each query begin", count + 1);
   const auto firsts = first->values<uint64_t>();
@@ -55,13 +56,14 @@ RadiusNeighbours radius_neighbours(const Octree& tree, std::span<const Vec3> que
       Chunk& chunk = chunks[begin / kGrain];
       for (size_t i = begin; i < end; ++i) {
         check_cancel(task);
-        if (chunk.kept.size() > kMostKept) {
+        if (chunk.kept.size() > kMostKept || all_kept > most_kept) {
           ranges.find(queries[i]);
           firsts[i + 1] = ranges.points();
           continue;
         }
         tree.radius(queries[i], radius_m, found);
         chunk.kept.insert(chunk.kept.end(), found.begin(), found.end());
+        all_kept += found.size();
         ++chunk.searched;
         firsts[i + 1] = found.size();
       }

@@ -17,8 +17,13 @@ struct RadiusNeighbours {
   FieldTable neighbours;  ///< "index" in the cloud, "distance" (m); by ascending index
 };
 
-/// The points within the closed ball of radius_m around each query. Parallel.
+/// Neighbours, 16 B each, that are kept until it is known where they go; others are counted and searched again, so that
+/// a cancel has a gigabyte to give back, some 50 ms, and not the whole answer a second time.
+constexpr size_t kMostKeptNeighbours = size_t{1} << 26;
+
+/// The points within the closed ball of radius_m around each query. Parallel; the answer does not depend on most_kept.
 RadiusNeighbours radius_neighbours(const Octree& tree, std::span<const Vec3> queries,
-                                   double radius_m, Task& task);
+                                   double radius_m, Task& task,
+                                   size_t most_kept = kMostKeptNeighbours);
 
 }  // namespace jalon

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "spatial/power_sums.h"
+#include "spatial/octree/impl.h"
 #include "spatial/octree/octree.h"
+#include "spatial/power_sums.h"
 
 namespace jalon {
 
@@ -19,9 +20,15 @@ inline Vec3 grid_place(const Octree& tree, size_t position) {
           static_cast<double>(tree.grid_z()[position])};
 }
 
-/// Power sums of the grid coordinates of ranges of a tree's sorted positions, by a tree of blocks over them: a range
-/// costs O(log n). About 10 bits a point for planes, 40 for quadrics. The same bits for any number of threads.
-template <int Degree>
+/// The caller's coordinates, in metres: where the grid does not tell points apart.
+inline Vec3 exact_place(const Octree& tree, size_t position) {
+  return tree.impl().exact_point(position);
+}
+
+/// Power sums of the grid coordinates (or of other places) of ranges of a tree's sorted positions, by a tree of blocks
+/// over them: a range costs O(log n). About 10 bits a point for planes, 40 for quadrics. The same bits for any number
+/// of threads.
+template <int Degree, Vec3 (*place_of)(const Octree&, size_t) = grid_place>
 class RangeSums {
  public:
   /// The octree must outlive it.
@@ -36,7 +43,7 @@ class RangeSums {
     }
   }
 
-  /// As seen from a place on the grid.
+  /// As seen from a place.
   PowerSums<Degree> over(std::span<const Octree::PointRange> ranges, const Vec3& from) const {
     PowerSums<Degree> out;
     for (const Octree::PointRange& range : ranges) add(range.first, range.last, from, out);
@@ -49,7 +56,7 @@ class RangeSums {
 
   // Where the block is seen from: its first point.
   Vec3 origin_of(size_t level, size_t block) const {
-    return grid_place(tree_, block * kBlock << 3 * level);
+    return place_of(tree_, block * kBlock << 3 * level);
   }
 
   void fill(size_t level, size_t block) {
@@ -61,7 +68,7 @@ class RangeSums {
     for (size_t k = block * kFan; k < last; ++k) add_block(level - 1, k, from, out);
   }
   void add_points(size_t first, size_t last, const Vec3& from, PowerSums<Degree>& out) const {
-    for (size_t i = first; i < last; ++i) out.add(grid_place(tree_, i) - from);
+    for (size_t i = first; i < last; ++i) out.add(place_of(tree_, i) - from);
   }
   void add_block(size_t level, size_t block, const Vec3& from, PowerSums<Degree>& out) const {
     out += levels_[level][block].shifted(origin_of(level, block) - from);

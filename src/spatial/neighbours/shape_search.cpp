@@ -171,4 +171,70 @@ std::span<const ShapeSearch::Along> ShapeSearch::cylinder(const Vec3& centre, co
   return along_;
 }
 
+namespace {
+
+// A box in doubles as a cylinder sees it.
+struct BoxAlong {
+  double along_m, reach_m;  // of its middle; half of its length along the axis
+  double beside_m;          // no point of it is farther from the axis
+};
+BoxAlong box_along(const ExactBlock& block, size_t slot, const Vec3& centre, const Vec3& axis) {
+  Vec3 middle, half;
+  double reach_m = 0;
+  for (int c = 0; c < 3; ++c) {
+    middle[c] = 0.5 * (block.lo[c][slot] + block.hi[c][slot]) - centre[c];
+    half[c] = 0.5 * (block.hi[c][slot] - block.lo[c][slot]);
+    reach_m += std::fabs(axis[c]) * half[c];
+  }
+  const double along = dot(middle, axis);
+  return {along, reach_m, norm(middle - along * axis) + norm(half)};
+}
+
+}  // namespace
+
+std::span<const ShapeSearch::AlongRun> ShapeSearch::cylinder_runs(const Vec3& centre,
+                                                                  const Vec3& axis, double radius_m,
+                                                                  double half_length_m) {
+  // Some hundred roundings of the cylinder's size: less than what tells points apart along it, and surely inside.
+  constexpr double kRoundings = 0x1p-44;
+  const double flat_m = kRoundings * (radius_m + half_length_m),
+               squared_radius = radius_m * radius_m;
+  const Octree::Impl& tree = tree_.impl();
+  const Shape shape{centre, axis, radius_m, half_length_m, false};
+  runs_.clear();
+  const auto look_at = [&](size_t first, size_t last) {
+    looked_at_ += last - first;
+    for (size_t i = first; i < last; ++i) {
+      const Vec3 d = tree.exact_point(i) - centre;
+      const double along = dot(d, axis);
+      if (std::fabs(along) <= half_length_m && squared_norm(d - along * axis) <= squared_radius)
+        runs_.push_back({along, 1});
+    }
+  };
+  const auto descend = [&](const auto& self, size_t level, size_t number) -> void {
+    const ExactBlock& block = tree.exact_levels[level][number];
+    for (size_t slot = 0; slot < kBoxes; ++slot) {
+      if (block.least_index[slot] == kNoPoint) continue;
+      ++looked_at_;
+      if (!may_meet(shape, block, slot)) continue;
+      const size_t child = number * kBoxes + slot;
+      const BoxAlong box = box_along(block, slot, centre, axis);
+      if (2 * box.reach_m <= flat_m &&
+          std::fabs(box.along_m) + box.reach_m + flat_m <= half_length_m &&
+          box.beside_m + flat_m <= radius_m) {
+        const size_t points = kExactRun << 3 * level,
+                     first = child * points;  // eight boxes a level
+        runs_.push_back(
+            {box.along_m, static_cast<uint32_t>(std::min(tree.count, first + points) - first)});
+      } else if (level > 0) {
+        self(self, level - 1, child);
+      } else {
+        scan_run(tree, child, look_at);
+      }
+    }
+  };
+  if (tree.count != 0) descend(descend, tree.exact_levels.size() - 1, 0);
+  return runs_;
+}
+
 }  // namespace jalon

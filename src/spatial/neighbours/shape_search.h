@@ -36,6 +36,18 @@ class ShapeSearch {
   std::span<const Along> cylinder(const Vec3& centre, const Vec3& axis, double radius_m,
                                   double half_length_m);
 
+  /// Points of a cylinder that are as far along its axis, but for rounding.
+  struct AlongRun {
+    double along_m;
+    uint32_t count;
+  };
+  /// cylinder() for a tree that has crowds: points of a box that lies in the cylinder as a whole, and across its axis,
+  /// go together, so that a cylinder with most of a crowd in it costs what its surface cuts. In curve order.
+  std::span<const AlongRun> cylinder_runs(const Vec3& centre, const Vec3& axis, double radius_m,
+                                          double half_length_m);
+  /// How many boxes and points cylinder_runs() has looked at so far.
+  uint64_t looked_at() const { return looked_at_; }
+
   /// Sorted positions of what ball() gave last, in the same order.
   std::span<const uint32_t> ball_positions() const { return {candidates_.data(), offsets_.size()}; }
 
@@ -60,6 +72,8 @@ class ShapeSearch {
   std::vector<uint32_t> positions_, candidates_;
   std::vector<Vec3> offsets_;
   std::vector<Along> along_;
+  std::vector<AlongRun> runs_;
+  uint64_t looked_at_ = 0;
 };
 
 }  // namespace jalon

@@ -14,6 +14,7 @@
 #include "base/simd.h"
 #include "spatial/triangles/nearest_kernel.h"
 #include "spatial/triangles/side.h"
+#include "spatial/triangles/stacks.h"
 
 namespace jalon {
 
@@ -31,6 +32,11 @@ constexpr size_t kSearchesPerCheck = 32;  // about 30 us
 constexpr size_t kRun = 256;  // points answered before they are looked at: they stay in the cache
 
 constexpr size_t kMostDoubles = 3 * 3 * kWidth;  // corners of a leaf whose triangles share none
+
+// Triangles on another one of their leaf, in the whole tree, from which on stacks are looked for.
+constexpr size_t kManyStacked = 1024;
+// Corners of a stack are as far apart as this share of what touches a point.
+constexpr double kStackCell = 0.25;
 
 using Triangle = std::array<uint32_t, 3>;
 
@@ -115,8 +121,13 @@ struct NearestTriangles::Impl {
   Buffer<TriangleBlock> blocks;
   Buffer<uint32_t> least;               ///< as of TriangleBlocks
   std::vector<Buffer<double>> corners;  ///< of the blocks below kNodeGrain nodes each
+  size_t distinct = 0;                  ///< triangles in the tree
+  std::vector<TriangleStack> stacks;    ///< at their places; none: they are all in the tree
 
   TriangleBlocks view() const { return {nodes.data(), blocks.data(), least.data()}; }
+  TouchingTriangles touching() const {
+    return {view(), stacks.empty() ? nullptr : stacks.data(), span_m};
+  }
   /// Fills a block but for where its corners are; gives how many doubles, up to kMostDoubles, of corners it has.
   size_t fill_block(TriangleBlock& block, std::span<const Vec3> vertices,
                     std::span<const Triangle> all, std::span<const uint32_t> order,
@@ -124,9 +135,11 @@ struct NearestTriangles::Impl {
   /// Gives the order of the triangles in the tree.
   std::vector<uint32_t> make_nodes(std::span<const Vec3> vertices, std::span<const Triangle> all,
                                    Task& task);
-  void make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all,
-                   std::span<const uint32_t> order, Task& task);
+  /// Gives how many triangles lie on the first one of their leaf.
+  size_t make_blocks(std::span<const Vec3> vertices, std::span<const Triangle> all,
+                     std::span<const uint32_t> order, Task& task);
   void find_least(Task& task);
+  void make_distinct(std::span<const Vec3> vertices, std::span<const Triangle> all, Task& task);
   TriangleAnswer answer_of(const NearestOfBlocks& found, const Vec3& local, double max_distance,
                            const TriangleQuestions& questions) const;
 };
@@ -178,14 +191,16 @@ std::vector<uint32_t> NearestTriangles::Impl::make_nodes(std::span<const Vec3> v
   return std::move(tree.order);
 }
 
-void NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices,
-                                         std::span<const Triangle> all,
-                                         std::span<const uint32_t> order, Task& task) {
+size_t NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices,
+                                           std::span<const Triangle> all,
+                                           std::span<const uint32_t> order, Task& task) {
   const std::vector<uint32_t> firsts = count_leaves(nodes, task);
   blocks = Buffer<TriangleBlock>(firsts.back());
   corners.resize(firsts.size() - 1);
+  std::atomic<size_t> stacked{0};
   parallel_for(task, nodes.size(), kNodeGrain, [&](size_t begin, size_t end) {
     const size_t chunk = begin / kNodeGrain;
+    size_t stacked_here = 0;
     uint32_t leaf = firsts[chunk];
     std::vector<double> found;
     std::vector<size_t> begins;
@@ -195,6 +210,7 @@ void NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices,
         double own[kMostDoubles];
         const size_t used = fill_block(blocks[leaf], vertices, all,
                                        order.subspan(nodes[n].child[i], nodes[n].count[i]), own);
+        stacked_here += stacked_in(blocks[leaf], own, kStackCell * kTouchingShare * span_m);
         begins.push_back(found.size());
         found.insert(found.end(), own, own + used);
         nodes[n].child[i] = leaf++;
@@ -203,7 +219,9 @@ void NearestTriangles::Impl::make_blocks(std::span<const Vec3> vertices,
     std::copy(found.begin(), found.end(), corners[chunk].data());
     for (size_t b = 0; b < begins.size(); ++b)
       blocks[firsts[chunk] + b].corners = corners[chunk].data() + begins[b];
+    stacked += stacked_here;
   });
+  return stacked;
 }
 
 // Children stand behind their node.
@@ -225,13 +243,36 @@ void NearestTriangles::Impl::find_least(Task& task) {
   }
 }
 
+// Where very many triangles lie on one another, points on them would look at them all, and so would their sides: which
+// is the nearest is rounding.
+void NearestTriangles::Impl::make_distinct(std::span<const Vec3> vertices,
+                                           std::span<const Triangle> all, Task& task) {
+  const TriangleStacks found =
+      triangle_stacks(vertices, all, origin, kStackCell * kTouchingShare * span_m, task);
+  distinct = found.distinct.size();
+  std::vector<Triangle> own;
+  own.reserve(distinct);
+  for (const uint32_t t : found.distinct) own.push_back(all[t]);
+  make_blocks(vertices, own, make_nodes(vertices, own, task), task);
+  stacks.resize(blocks.size() * kWidth);
+  parallel_for(task, blocks.size(), kNodeGrain, [&](size_t begin, size_t end) {
+    for (size_t place = begin * kWidth; place < end * kWidth; ++place) {
+      uint32_t& number = blocks[place / kWidth].triangle[place % kWidth];
+      stacks[place] = found.stacks[number];
+      number = found.distinct[number];
+    }
+  });
+}
+
 NearestTriangles::NearestTriangles() : impl_(std::make_unique<Impl>()) {}
 NearestTriangles::~NearestTriangles() = default;
 size_t NearestTriangles::size() const { return impl_->triangles; }
+size_t NearestTriangles::distinct() const { return impl_->distinct; }
 size_t NearestTriangles::memory_bytes() const {
   size_t bytes = sizeof(Impl) + impl_->nodes.capacity() * sizeof(Node) +
                  impl_->blocks.size() * sizeof(TriangleBlock) +
-                 impl_->least.size() * sizeof(uint32_t);
+                 impl_->least.size() * sizeof(uint32_t) +
+                 impl_->stacks.capacity() * sizeof(TriangleStack);
   for (const Buffer<double>& chunk : impl_->corners) bytes += chunk.size() * sizeof(double);
   return bytes;
 }
@@ -244,7 +285,7 @@ std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const 
   if (triangles.size() >= ~uint32_t{0} / kWidth)
     fail(Status::kLimit, "a mesh holds at most 2^30 - 2 triangles");
   if (triangles.empty()) return out;
-  impl.triangles = triangles.size();
+  impl.triangles = impl.distinct = triangles.size();
   // 1. The local frame: whole metres.
   const Box3 world = box_of(vertices, triangles, task);
   impl.origin = {std::floor(world.min.x), std::floor(world.min.y), std::floor(world.min.z)};
@@ -252,7 +293,9 @@ std::shared_ptr<const NearestTriangles> NearestTriangles::build(std::span<const 
   impl.span_m = std::max({top.x, top.y, top.z});
   if (!(impl.span_m <= kNearestMaxSpan_m)) fail(Status::kLimit, "a mesh may span 1e9 m at most");
   // 2. The nodes, and the triangles of each leaf side by side.
-  impl.make_blocks(vertices, triangles, impl.make_nodes(vertices, triangles, task), task);
+  const auto order = impl.make_nodes(vertices, triangles, task);
+  if (impl.make_blocks(vertices, triangles, order, task) > kManyStacked)
+    impl.make_distinct(vertices, triangles, task);
   impl.find_least(task);
   return out;
 }
@@ -277,7 +320,7 @@ TriangleAnswer NearestTriangles::Impl::answer_of(const NearestOfBlocks& found, c
   answer.foot = origin + closest.foot;
   answer.from_foot = closest.above;
   if (!questions.sides || found.height != 0) return answer;
-  const SideOfSurface side = side_of_surface(view(), block, lane, closest, span_m);
+  const SideOfSurface side = side_of_surface(touching(), block, lane, closest);
   answer.is_behind = side.is_behind;
   answer.side = side.basis;
   return answer;

@@ -63,6 +63,9 @@ class NearestTriangles {
   ~NearestTriangles();
 
   size_t size() const;
+  /// How many are looked at: where more than a thousand lie on one another, up to roundings, the one of the least
+  /// number stands for each such stack.
+  size_t distinct() const;
   size_t memory_bytes() const;
 
   /// visit(item, answer) for every item of order (indices of the points: 3 doubles each), in chunks that run in

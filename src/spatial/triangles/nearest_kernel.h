@@ -46,4 +46,10 @@ void nearest_triangles_baseline(const TriangleBlocks& tree, const double* points
 void nearest_triangles_avx2(const TriangleBlocks& tree, const double* points, size_t count,
                             NearestOfBlocks* out);
 
+/// Squared distances of a point from the triangles of a leaf, those behind the last repeated; the same bits.
+void leaf_distances_baseline(const TriangleBlock& block, const double* point,
+                             double (&squared)[triangle_tree::kWidth]);
+void leaf_distances_avx2(const TriangleBlock& block, const double* point,
+                         double (&squared)[triangle_tree::kWidth]);
+
 }  // namespace jalon

@@ -10,4 +10,9 @@ void nearest_triangles_avx2(const TriangleBlocks& tree, const double* points, si
   nearest_all(tree, points, count, out);
 }
 
+void leaf_distances_avx2(const TriangleBlock& block, const double* point,
+                         double (&squared)[triangle_tree::kWidth]) {
+  distances_of_leaf(block, point, squared);
+}
+
 }  // namespace jalon

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/simd.h"
 #include "spatial/triangles/closest.h"
 #include "spatial/triangles/descent.h"
 
@@ -12,9 +13,7 @@ namespace jalon {
 
 namespace {
 
-// Triangles touch a point when they are closer to it than this share of the whole mesh: some hundred roundings ...
-constexpr double kRoundingShare = 0x1p-44;
-// ... or than this share of the nearest triangle's longest side and of the distance: so that corners which meet a side
+// Beside kTouchingShare, of the nearest triangle's longest side and of the distance: so that corners which meet a side
 // but for the digits of a file (floats, 2^-24 of some ten metres) leave no gap.
 constexpr double kGapShare = 0x1p-18;
 
@@ -45,29 +44,37 @@ Vec3 unit_normal(const SideCorners& corners, bool is_turned) {
 /// What touches a point of a surface: the sum of normals times angles, and the sides that leave it.
 class Surroundings {
  public:
-  Surroundings(const Vec3& at, double tolerance) : at_(at), tolerance_(tolerance) {}
+  Surroundings(const Vec3& at, double tolerance)
+      : at_(at), tolerance_(tolerance), surely_beyond2_(tolerance * tolerance * kRootRounding) {}
 
-  /// A triangle that touches the point; one without a plane says nothing.
-  void add(const SideCorners& corners, bool is_turned) {
-    const Vec3 normal = unit_normal(corners, is_turned);
+  /// A triangle that touches the point, or a stack of them; one without a plane says nothing.
+  void add(const SideCorners& corners, bool is_turned, const TriangleStack& stack) {
+    Vec3 normal = unit_normal(corners, is_turned);
     if (normal == Vec3{}) return;
+    const int balance = stack.alike - stack.reversed, to_left = is_turned ? -balance : balance,
+              count = stack.alike + stack.reversed;
+    normal *= static_cast<double>(balance);
     // 1. At a corner: two sides leave it. Walked anticlockwise, the triangle is to the left of the one to the next.
     for (size_t k = 0; k < 3; ++k) {
-      if (!(norm(corners[k] - at_) <= tolerance_)) continue;
+      const Vec3 apart = corners[k] - at_;
+      if (squared_norm(apart) > surely_beyond2_ || !(norm(apart) <= tolerance_)) continue;
       const Vec3 a = corners[(k + 1) % 3] - corners[k], b = corners[(k + 2) % 3] - corners[k];
       normals_ += normal * std::atan2(norm(cross(a, b)), dot(a, b));
-      add_spoke(a, is_turned ? -1 : 1);
-      add_spoke(b, is_turned ? 1 : -1);
+      add_spoke(a, to_left, count);
+      add_spoke(b, -to_left, count);
       return;
     }
     // 2. On a side, which leaves it both ways.
     for (size_t k = 0; k < 3; ++k) {
       const Vec3 a = corners[k] - at_, b = corners[(k + 1) % 3] - at_,
                  along = corners[(k + 1) % 3] - corners[k];
-      if (!(norm(cross(a, along)) <= tolerance_ * norm(along))) continue;
+      const Vec3 area = cross(a, along);
+      if (squared_norm(area) > surely_beyond2_ * squared_norm(along) ||
+          !(norm(area) <= tolerance_ * norm(along)))
+        continue;
       normals_ += normal * std::numbers::pi;
-      add_spoke(b, is_turned ? -1 : 1);
-      add_spoke(a, is_turned ? 1 : -1);
+      add_spoke(b, to_left, count);
+      add_spoke(a, -to_left, count);
       return;
     }
     // 3. Inside of it.
@@ -87,6 +94,8 @@ class Surroundings {
  private:
   // Sides in one direction: the cosine of 1e-5, or a hundred times the angle of a gap.
   static constexpr double kSameDirection = 1 - 5e-11;
+  // Squares are compared before roots are taken: many triangles may touch a point.
+  static constexpr double kRootRounding = 1 + 0x1p-40;
   static constexpr size_t kMaxSpokes = 64;  // more: the sides of the first ones are judged
 
   struct Spoke {
@@ -94,35 +103,43 @@ class Surroundings {
     int balance, triangles;
   };
 
-  void add_spoke(const Vec3& side, int left_or_right) {
-    const Vec3 direction = normalized(side);
+  void add_spoke(const Vec3& side, int to_left, int triangles) {
+    const double length2 = squared_norm(side);
     for (size_t i = 0; i < spokes_; ++i)
-      if (dot(spoke_[i].direction, direction) >= kSameDirection) {
-        spoke_[i].balance += left_or_right;
-        ++spoke_[i].triangles;
+      if (const double along = dot(spoke_[i].direction, side);
+          along > 0 && along * along >= kSameDirection * kSameDirection * length2) {
+        spoke_[i].balance += to_left;
+        spoke_[i].triangles += triangles;
         return;
       }
-    if (spokes_ < kMaxSpokes) spoke_[spokes_++] = {direction, left_or_right, 1};
+    if (spokes_ < kMaxSpokes) spoke_[spokes_++] = {normalized(side), to_left, triangles};
   }
 
   Vec3 at_;
-  double tolerance_;
+  double tolerance_, surely_beyond2_;
   Vec3 normals_;
   std::array<Spoke, kMaxSpokes> spoke_;
   size_t spokes_ = 0;
 };
 
-Surroundings surroundings(const TriangleBlocks& tree, const Vec3& at, double tolerance) {
+Surroundings surroundings(const TouchingTriangles& touching, const Vec3& at, double gap_m) {
+  const TriangleBlocks& tree = touching.tree;
+  const double tolerance = gap_m + kTouchingShare * touching.span_m;
   Surroundings found(at, tolerance);
+  const auto leaf_distances = use_avx2() ? leaf_distances_avx2 : leaf_distances_baseline;
   const double p[3] = {at.x, at.y, at.z}, limit2 = tolerance * tolerance;
   descend(
       tree.nodes, p, limit2,
       [&](uint32_t child) {
         const TriangleBlock& block = tree.blocks[child];
+        double squared[triangle_tree::kWidth];
+        leaf_distances(block, p, squared);
         for (uint32_t lane = 0; lane < block.count; ++lane) {
-          const SideCorners corners = corners_of(block, lane);
-          if (closest_to(corners, at).squared <= limit2)
-            found.add(corners, (block.turned >> lane & 1) != 0);
+          if (squared[lane] <= limit2)
+            found.add(corners_of(block, lane), (block.turned >> lane & 1) != 0,
+                      touching.stacks != nullptr
+                          ? touching.stacks[triangle_tree::kWidth * child + lane]
+                          : TriangleStack{});
         }
         return limit2;
       },
@@ -154,14 +171,14 @@ ClosestOfTriangle closest_of(const TriangleBlock& block, uint32_t lane, const Ve
   return {TriangleFeature::kCorner, corners[side.at_from ? from : to], above};
 }
 
-SideOfSurface side_of_surface(const TriangleBlocks& tree, const TriangleBlock& block, uint32_t lane,
-                              const ClosestOfTriangle& closest, double span_m) {
+SideOfSurface side_of_surface(const TouchingTriangles& touching, const TriangleBlock& block,
+                              uint32_t lane, const ClosestOfTriangle& closest) {
   const SideCorners corners = corners_of(block, lane);
   const bool behind_own =
       dot(closest.above, unit_normal(corners, (block.turned >> lane & 1) != 0)) < 0;
   if (closest.feature == TriangleFeature::kFace) return {behind_own, TriangleSide::kCertain};
   const double gap = kGapShare * std::min(longest_side(corners), norm(closest.above));
-  const Surroundings found = surroundings(tree, closest.foot, gap + kRoundingShare * span_m);
+  const Surroundings found = surroundings(touching, closest.foot, gap);
   const TriangleSide basis = found.basis();
   const double side = dot(closest.above, found.normals());
   // Where triangles run both ways around, or normals cancel (a sheet folded onto itself), the nearest one decides.

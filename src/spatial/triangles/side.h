@@ -5,6 +5,7 @@
 #include "geometry/vec.h"
 #include "spatial/triangles/nearest.h"
 #include "spatial/triangles/nearest_kernel.h"
+#include "spatial/triangles/stacks.h"
 
 // On which side of a surface of triangles a point lies.
 
@@ -18,12 +19,22 @@ struct ClosestOfTriangle {
 /// Of one triangle of a leaf.
 ClosestOfTriangle closest_of(const TriangleBlock& block, uint32_t lane, const Vec3& point);
 
+/// Triangles touch a point when they are closer to it than this share of the whole mesh: some hundred roundings.
+constexpr double kTouchingShare = 0x1p-44;
+
+/// The triangles that may touch a point.
+struct TouchingTriangles {
+  TriangleBlocks tree;
+  const TriangleStack* stacks = nullptr;  ///< at 4 x block + lane; none: each is by itself
+  double span_m = 0;                      ///< of the whole mesh
+};
+
 struct SideOfSurface {
   bool is_behind;
   TriangleSide basis;
 };
-/// Of a point, at the closest point of its nearest triangle. span_m: of the whole mesh.
-SideOfSurface side_of_surface(const TriangleBlocks& tree, const TriangleBlock& block, uint32_t lane,
-                              const ClosestOfTriangle& closest, double span_m);
+/// Of a point, at the closest point of its nearest triangle, which is that of the block.
+SideOfSurface side_of_surface(const TouchingTriangles& touching, const TriangleBlock& block,
+                              uint32_t lane, const ClosestOfTriangle& closest);
 
 }  // namespace jalon

@@ -310,3 +310,23 @@ TEST_CASE("m3c2__refuses_core_points_closer_than_a_micrometre") {
   s.core_spacing_m = 0;
   CHECK(run(cloud, cloud, s).cloud->size() == 500);
 }
+
+TEST_CASE("m3c2__core_points_on_one_place_but_for_roundings_are_measured_once") {
+  auto points = plane(3000, 1, {0.1, 0.2, 1}, 0, 41);
+  auto moved = plane(3000, 1, {0.1, 0.2, 1}, 0.01, 42);
+  const Vec3 middle{0.5, 0.5, 0.5};
+  RandomStream random(43, 0);
+  std::vector<Vec3> cores;
+  for (int i = 0; i < 100; ++i)
+    cores.push_back(middle + Vec3{0x1p-51 * static_cast<double>(random.below(8)), 0, 0});
+  Task task;
+  const Comparison made = compare_m3c2_core(m3c2_cloud_of(points), m3c2_cloud_of(moved),
+                                            m3c2_cloud_of(cores), S{}, task);
+  const auto distance = doubles(made, "distance"), lod = doubles(made, "lod");
+  for (size_t i = 0; i < cores.size(); ++i) {
+    CHECK(distance[i] ==
+          distance[0]);  // the bits of one, not those of 100 that round their own way
+    CHECK(lod[i] == lod[0]);
+  }
+  CHECK(std::fabs(distance[0] - 0.01) < 0.002);
+}

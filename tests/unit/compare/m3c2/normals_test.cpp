@@ -122,3 +122,26 @@ TEST_CASE("core_normals__take_the_least_of_equally_flat_radii_and_the_field_when
   CHECK_THROWS_WITH_AS(core_normal(settings, Cloud{}, {}, {1, 2}), doctest::Contains("\"normal\""),
                        Error);
 }
+
+TEST_CASE("core_normals__in_a_crowd_are_those_of_its_points_without_looking_at_each") {
+  // Half of the points within a nanometre, the others about them, on a slope.
+  const Vec3 slope = normalized({0.6, -0.2, 0.7}), middle{0.1, 0.2, 0.3};
+  auto points = square_of_plane(slope, middle, 10000);
+  const size_t n = points.size();
+  for (size_t i = 0; i < n; ++i) points.push_back(middle + 1e-9 * (points[i] - middle));
+  const auto cloud = std::make_shared<const Cloud>(cloud_of(points));
+  M3c2Settings settings;
+  settings.normal_radii_m = {0.05, 0.25};
+  const auto core = std::make_shared<const Cloud>(cloud_of({middle, middle + Vec3{0, 0, 1e-10}}));
+  Task task;
+  const CoreNormals normals(settings, cloud, core, task);
+  CoreNormals::Work work = normals.work();
+  REQUIRE(work.balls.size() == 2);
+  for (const size_t i : {size_t{0}, size_t{1}}) {
+    const CoreNormals::Normal found = normals.at(i, work);
+    REQUIRE(found.known);
+    CHECK(norm(found.direction - slope) < 1e-9);
+  }
+  CHECK(work.balls[0].looked_at() < n);  // of the 2 n points, from either core point
+  CHECK(work.squared_m2.empty());
+}

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "spatial/neighbours/radius_batch.h"
 #include "unit/spatial/hostile_clouds.h"
@@ -38,6 +40,27 @@ TEST_CASE("radius_batch__equals_brute_force_in_order_for_any_threads") {
     }
     CHECK(at == index.size());
     CHECK(at > 1000);
+  }
+}
+
+TEST_CASE("radius_batch__gives_the_same_whether_neighbours_are_kept_or_searched_again") {
+  const auto xyz = street(4000);
+  const auto tree = build(xyz);
+  std::vector<Vec3> queries;
+  for (size_t i = 0; i < 1000; ++i) queries.push_back(point(xyz, 4 * i));
+  Task task(threads(3));
+  const RadiusNeighbours all = radius_neighbours(*tree, queries, 1.2, task);
+  const auto values = [](const RadiusNeighbours& found) {
+    const auto index = found.neighbours.require("index").values<uint64_t>();
+    const auto distance = found.neighbours.require("distance").values<double>();
+    std::vector<std::pair<uint64_t, double>> out;
+    for (size_t i = 0; i < index.size(); ++i) out.emplace_back(index[i], distance[i]);
+    return out;
+  };
+  REQUIRE(values(all).size() > 3000);
+  for (const size_t most_kept : {size_t{0}, size_t{1500}}) {
+    const RadiusNeighbours few = radius_neighbours(*tree, queries, 1.2, task, most_kept);
+    CHECK(values(few) == values(all));
   }
 }
 

@@ -172,3 +172,32 @@ TEST_CASE("shape_search__equals_brute_force_where_the_grid_does_not_tell_points_
     }
   }
 }
+
+TEST_CASE("shape_search__cylinders_across_a_crowd_are_runs_that_cost_what_their_surface_cuts") {
+  // A logarithmic spiral in a plane, down to 1e-13 of its radius.
+  constexpr size_t kPoints = 40000;
+  std::vector<double> xyz;
+  for (size_t i = 0; i < kPoints; ++i) {
+    const double t = static_cast<double>(i) / kPoints, radius = std::exp(-30 * t);
+    xyz.insert(xyz.end(), {radius * std::cos(300 * t), radius * std::sin(300 * t), 0});
+  }
+  const auto tree = build(xyz);
+  REQUIRE(tree->has_crowds());
+  ShapeSearch search(*tree), by_points(*tree);
+  RandomStream random(6, 0);
+  for (int trial = 0; trial < 40; ++trial) {
+    const size_t core = random.below(kPoints);
+    const Vec3 axis = trial % 4 == 0 ? normalized({0.3, random.normal(), 1}) : Vec3{0, 0, 1};
+    std::vector<double> truth, found;
+    for (const auto& p : by_points.cylinder(point(xyz, core), axis, 0.05, 0.2))
+      truth.push_back(p.along_m);
+    const uint64_t before = search.looked_at();
+    for (const auto& run : search.cylinder_runs(point(xyz, core), axis, 0.05, 0.2))
+      found.insert(found.end(), run.count, run.along_m);
+    REQUIRE(found.size() == truth.size());
+    std::sort(truth.begin(), truth.end());
+    std::sort(found.begin(), found.end());
+    for (size_t i = 0; i < truth.size(); ++i) CHECK(std::fabs(found[i] - truth[i]) <= 0x1p-44);
+    if (trial % 4 != 0) CHECK(search.looked_at() - before < kPoints / 20);
+  }
+}

@@ -36,7 +36,8 @@ class OneLeaf {
     return closest_of(block_, lane, p);
   }
   SideOfSurface side(const Vec3& p, uint32_t lane = 0) const {
-    return side_of_surface({&node_, &block_, nullptr}, block_, lane, closest(p, lane), 10);
+    return side_of_surface({{&node_, &block_, nullptr}, nullptr, 10}, block_, lane,
+                           closest(p, lane));
   }
 
  private:
