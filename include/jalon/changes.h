@@ -81,6 +81,15 @@ enum {
  * from nothing, displaced when the other epoch has its twin (97 %), and else appeared or
  * disappeared. JALON_ERROR_INVALID_ARGUMENT for comparisons without the column "nearest".
  *
+ * Of two comparisons with "detection" the significant points are changed, with criterion threshold
+ * those beyond the threshold besides, and objects are their changed points alone: regions are of one
+ * change where one's points have their nearest in the other, where they are one surface moved by the
+ * same way, or side by side. A surface that moved before or behind where it was by a tenth of its
+ * size at most is a deformation, even where the piece itself moved as a whole; what changed in both
+ * epochs otherwise is laid onto itself as above; of one epoch alone it has a twin within "twin_reach"
+ * of its sizes or appeared or disappeared. The cost grows with the changed points. "confidence" then
+ * grows with them too and is not calibrated.
+ *
  * out_forward and out_reverse, one row a point of the comparison:
  *     column   type    unit  meaning
  *     changed  uint8   -     1 = changed

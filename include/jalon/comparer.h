@@ -139,6 +139,12 @@ JALON_API void jalon_comparison_release(jalon_comparison* comparison);
  *                                       unchanged plane (2.5 of the source)
  *     reference_spacing  float32  m     "reference_spacing", with visibility: of the reference's
  *                                       points, along grazing rays, across edges
+ *     level_of_detection float32  m     "detection": 95 %, of the surface about the point by noise,
+ *                                       spacing and shape; NaN: no surface of the reference there
+ *     significant        uint8    -     "detection": 1 = changed, many tests at once accounted for
+ *     evidence           uint8    -     "detection", of a change: 1 a surface that both clouds saw
+ *                                       moved, 2 the reference saw through the place or, without
+ *                                       stations, has nothing near; else 0
  *     recovered          uint8    -     "hidden" other than leave: JALON_NOT_RECOVERED ...
  *     height             float64  m     "hidden" = vertical: of a hidden point over the reference's
  *                                       surface
@@ -146,7 +152,19 @@ JALON_API void jalon_comparison_release(jalon_comparison* comparison);
  *                                       hides it
  *
  * With "visibility" = stations points that the reference's scanners could not have seen (see
- * visibility.h) have no distance.
+ * visibility.h) have no distance. "found": the same, and where points have no station those count
+ * that the order of upright sweeps tells; where it tells none, as "none".
+ *
+ * With "detection" planes through 32 neighbouring points of both clouds are tested against each
+ * other, one for every 16 points: sigma from their scatter, from the lever of the reference's
+ * plane, from what scatters more than the noise and so does not average out, and from
+ * "alignment_sigma_m"; the spread that most of the scene shares is no change (empirical null, Efron
+ * 2004); significant at "false_discovery_rate" (Benjamini & Hochberg 1995), by at least three
+ * planes side by side, and beside them what exceeds its own level of detection. Where the reference
+ * has no such surface within the reach of its points, its stations decide: seen through is a
+ * change, hidden or never looked at has the status hidden. Without stations what goes on beyond the
+ * border of a surface is hidden, other places are changes: shadows may be among them. Needs
+ * clouds that overlap for the most part and lie in one system. O(n log n).
  *
  * Method "distance" with a model:
  *     column            type    unit  meaning
@@ -200,6 +218,12 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_compariso
  *                                       points from the reference points (2.3)
  *     hausdorff_reverse  float64  m     of the reference points from the compared points
  *     hausdorff          float64  m     the larger of both
+ *     noise                 float64  m  "detection", as all to "stations": scatter about surfaces
+ *     null_scale            float64  1  by which unchanged surfaces differ more than noise explains
+ *     limit_sigmas          float64  1  beyond which a surface has moved
+ *     false_discovery_rate  float64  1  as asked for
+ *     tests                 uint64   -  surfaces that were tested
+ *     stations              uint64   -  of the reference, told or found; 0: none
  *     modelled           uint64   -     "local_model": how many distances are to a local surface
  *                                       and not to a point
  *

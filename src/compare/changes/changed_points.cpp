@@ -70,7 +70,15 @@ std::vector<uint8_t> changed_points(const Comparison& comparison, const RegionSe
          "this comparison has no level of detection; method m3c2 gives one");
   if (criterion == Criterion::kSignificance || (criterion == Criterion::kAutomatic && has_level))
     return set_in(comparison, "significant", task);
-  return beyond(comparison, settings.threshold_m, settings.spacing_share, task);
+  std::vector<uint8_t> changed =
+      beyond(comparison, settings.threshold_m, settings.spacing_share, task);
+  // What the tests of a comparison with detection explain is no change, however far.
+  if (comparison.points.find("evidence") != nullptr) {
+    const auto evidence = comparison.points.require("evidence").values<uint8_t>();
+    for (size_t i = 0; i < changed.size(); ++i)
+      if (evidence[i] == 0) changed[i] = 0;
+  }
+  return changed;
 }
 
 }  // namespace jalon

@@ -3,15 +3,17 @@
 #include "compare/changes/diagnosis.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <utility>
 
 #include "base/error.h"
 #include "cloud/statistics.h"
 #include "compare/changes/changed_points.h"
+#include "compare/changes/evidence_diagnosis.h"
 #include "compare/changes/object_shape.h"
-#include "compare/matching/match_starts.h"
+#include "compare/changes/twin_pairs.h"
 #include "compare/visibility/visibility.h"
 
 namespace jalon {
@@ -20,79 +22,12 @@ namespace {
 
 constexpr double kToleranceShare =
     0.5;  // of the threshold: what is less than half a change lies on the surface
-// Of the points explained by one motion: scanned again after a rigid one 98 to 99.8 % were, of a beam of 3 m bent by
-// 0.25 m up to 88 %.
-constexpr double kRigidShare = 0.93;
 // Of twins far apart, where nothing but the shape speaks for a motion: other boxes of much the same size reach 96 %.
 constexpr double kTwinShare = 0.97;
-constexpr double kSizeRatio =
-    1.5;  // between the extents of twins: one epoch may see less of it than the other
-constexpr double kSizeCells = 4;
 constexpr double kSideShare =
     0.05;  // of the changed surface: less than that on one side is its edge
-constexpr double kDiagnosisInsideShare =
-    0.02;  // of the points, in the box of the other: more than touches it
 
-struct Job {
-  const Epoch &before, &after;
-  double tolerance_m, threshold_m, cell_m;
-  SeenTest seen_before, seen_after;
-  Task& task;
-
-  std::vector<Vec3> points(const Epoch& epoch, const std::vector<uint32_t>& indices) const {
-    std::vector<Vec3> out;
-    out.reserve(indices.size());
-    for (const uint32_t i : indices) out.push_back(epoch.local(i));
-    return out;
-  }
-  std::vector<Vec3> before_of(const ChangedObject& o) const { return points(before, o.before); }
-  std::vector<Vec3> after_of(const ChangedObject& o) const { return points(after, o.after); }
-};
-
-MatchSetting match_setting(const Job& job, const ChangedObject& object) {
-  MatchSetting setting;
-  setting.tolerance_m = job.tolerance_m;
-  setting.seen_before = job.seen_before;
-  setting.seen_after = job.seen_after;
-  setting.stands = !object.supports.empty();
-  if (setting.stands) setting.up = object.supports.front().plane.normal;
-  return setting;
-}
-
-Vec3 up_of(const ChangedObject& object) {
-  return object.supports.empty() ? Vec3{0, 0, 1} : object.supports.front().plane.normal;
-}
-
-// Does the object after take up room that it took before?
-bool overlaps(const Job& job, const ChangedObject& object, double margin_m) {
-  const std::vector<Vec3> after = job.after_of(object);
-  const StandingBox box = standing_box(job.before_of(object), up_of(object));
-  const auto inside = static_cast<double>(std::count_if(
-      after.begin(), after.end(), [&](const Vec3& p) { return box.contains(p, margin_m); }));
-  return inside > kDiagnosisInsideShare * static_cast<double>(after.size());
-}
-
-RigidMatch match(const Job& job, const ChangedObject& object) {
-  const MatchSurface before(job.before_of(object), job.task), after(job.after_of(object), job.task);
-  return match_rigidly(before, after, match_setting(job, object), job.task);
-}
-
-// Steps 3 and 4: one motion, or none that explains enough.
-Change moved_or_deformed(const Job& job, ChangedObject object) {
-  Change out;
-  out.match = match(job, object);
-  out.object = std::move(object);
-  const bool is_rigid = out.match.found && out.match.explained >= kRigidShare;
-  const bool overlap = overlaps(job, out.object, 0);
-  out.change_class = is_rigid
-                         ? overlap ? ChangeClass::kDisplacementOverlap : ChangeClass::kDisplacement
-                     : overlap ? ChangeClass::kDeformationOverlap
-                               : ChangeClass::kDeformation;
-  out.confidence =
-      is_rigid ? out.match.explained : std::clamp(1 - out.match.explained / 2, 0.0, 1.0);
-  if (!is_rigid) out.match = {};
-  return out;
-}
+using Job = ObjectMotionJob;
 
 // Did no part of it move by more than the threshold? Then small things changed on something large that stayed.
 bool stayed(const Job& job, const Change& change) {
@@ -104,53 +39,29 @@ bool stayed(const Job& job, const Change& change) {
          job.threshold_m;
 }
 
-// Could one be the other, moved? Extents of the upright boxes, largest first.
-bool is_twin(const Job& job, const ChangedObject& gone, const ChangedObject& come) {
-  const StandingBox a = standing_box(job.before_of(gone), up_of(gone));
-  const StandingBox b = standing_box(job.after_of(come), up_of(come));
-  std::array<double, 3> x{a.half[0], a.half[1], a.half[2]}, y{b.half[0], b.half[1], b.half[2]};
-  std::sort(x.begin(), x.end());
-  std::sort(y.begin(), y.end());
-  for (size_t k = 0; k < 3; ++k)
-    if (std::max(x[k], y[k]) > kSizeRatio * std::min(x[k], y[k]) + kSizeCells * job.cell_m)
-      return false;
-  return true;
-}
-
-ChangedObject joined(const ChangedObject& gone, const ChangedObject& come) {
-  ChangedObject out = gone;
-  out.after = come.after;
-  out.regions_after = come.regions_after;
-  if (out.supports.empty()) out.supports = come.supports;
-  return out;
-}
-
 struct Sides {
   std::vector<ChangedObject> gone, come;  ///< changed in one epoch only
 };
 
 // Step 4: twins, the best explained first.
 void pair_twins(const Job& job, Sides& sides, std::vector<Change>& changes) {
-  struct Pair {
-    size_t gone, come;
-    Change change;
-  };
-  std::vector<Pair> pairs;
-  for (size_t g = 0; g < sides.gone.size(); ++g)
-    for (size_t c = 0; c < sides.come.size(); ++c) {
-      if (!is_twin(job, sides.gone[g], sides.come[c])) continue;
-      Change change = moved_or_deformed(job, joined(sides.gone[g], sides.come[c]));
-      if (change.match.found && change.match.explained >= kTwinShare)
-        pairs.push_back({g, c, std::move(change)});
-    }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-    return a.change.confidence > b.change.confidence;
+  std::vector<Extents> gone_extents, come_extents;
+  for (const ChangedObject& o : sides.gone) gone_extents.push_back(extents_of(job.before_of(o), o));
+  for (const ChangedObject& o : sides.come) come_extents.push_back(extents_of(job.after_of(o), o));
+  std::map<std::pair<size_t, size_t>, Change> moved;
+  const auto pairs = twin_pairs(sides.gone.size(), sides.come.size(), [&](size_t g, size_t c) {
+    constexpr double kNone = -1;
+    if (!are_twins(job, gone_extents[g], come_extents[c])) return kNone;
+    Change change = moved_or_deformed(job, joined(sides.gone[g], sides.come[c]));
+    if (!change.match.found || !(change.match.explained >= kTwinShare)) return kNone;
+    const double share = change.confidence;
+    moved.emplace(std::pair{g, c}, std::move(change));
+    return share;
   });
   std::vector<uint8_t> gone_used(sides.gone.size(), 0), come_used(sides.come.size(), 0);
-  for (Pair& pair : pairs) {
-    if (gone_used[pair.gone] != 0 || come_used[pair.come] != 0) continue;
+  for (const TwinPair& pair : pairs) {
     gone_used[pair.gone] = come_used[pair.come] = 1;
-    changes.push_back(std::move(pair.change));
+    changes.push_back(std::move(moved.at({pair.gone, pair.come})));
   }
   const auto drop = [](std::vector<ChangedObject>& objects, const std::vector<uint8_t>& used) {
     size_t kept = 0;
@@ -241,6 +152,13 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
     out.after.origin = out.before.origin = local_origin(*forward.cloud, task);
   }
   const double cell_m = std::max({out.before.regions.cell_m, out.after.regions.cell_m, 1e-6});
+  if (has_evidence(forward, reverse)) {
+    const ProgressSpan span(task, 0.3, 1, "classes");
+    out.changes = classes_by_evidence(
+        {out.before, out.after, kToleranceShare * threshold_m, threshold_m, cell_m, {}, {}, task},
+        settings.twin_reach);
+    return out;
+  }
   for (Epoch* epoch : {&out.before, &out.after}) drop_shadow_rims(*epoch, threshold_m, cell_m);
   const Job job{out.before,
                 out.after,

@@ -22,6 +22,7 @@ struct RegionSettings {
   double cell_m = 0;              ///< 0: from the density of the changed points
   Connectivity3 connectivity = Connectivity3::k26;
   uint64_t min_points = 10;
+  double twin_reach = 1.5;  ///< of the diagnosis by evidence: in sizes of the thing
 };
 /// Parameter table of the operations "regions" and "diagnosis".
 std::span<const ParamRow> regions_rows();

@@ -45,7 +45,11 @@ constexpr auto kRows = setting_rows(
         "Neighbours of a cell: those that share a face (6), also an edge (18), also a corner "
         "(26)"),
     integer_row<&S::min_points>("min_points", 1, 1e15, "points", "",
-                                "Regions of fewer points are dropped"));
+                                "Regions of fewer points are dropped"),
+    number_row<&S::twin_reach>(
+        "twin_reach", 0, 1e6, "1", "",
+        "Of the diagnosis of comparisons with detection: how far a thing may have gone to be found "
+        "again elsewhere, in its own sizes"));
 
 // Step 2: labels of the changed points among themselves.
 std::vector<uint32_t> connect(const Cloud& part, const RegionSettings& settings, ChangeRegions& out,

@@ -11,6 +11,8 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/table_columns.h"
+#include "compare/detection/detection.h"
+#include "compare/detection/found_stations.h"
 #include "compare/distance/distance_columns.h"
 #include "compare/distance/hausdorff.h"
 #include "compare/distance/local_models.h"
@@ -115,12 +117,41 @@ Comparison compare_all(const CloudPtr& reference, const CloudPtr& compared,
   return made;
 }
 
+// Nearest points, then tests of the surfaces about them.
+Comparison detect(const CloudPtr& reference, const CloudPtr& compared,
+                  const DistanceSettings& settings, Task& task) {
+  DistanceSettings nearest = settings;
+  nearest.local_model = LocalModelKind::kNone;
+  Comparison made = [&] {
+    const ProgressSpan span(task, 0, 0.5);
+    return compare_all(reference, compared, nearest, task);
+  }();
+  const ProgressSpan span(task, 0.5, 1);
+  const bool use_stations = settings.visibility != DistanceSettings::VisibleFrom::kAnywhere;
+  add_detection(reference, compared, use_stations,
+                {settings.false_discovery_rate, settings.alignment_sigma_m}, made, task);
+  return made;
+}
+
 }  // namespace
 
 Comparison compare_distance(const CloudPtr& reference, const CloudPtr& compared,
                             const DistanceSettings& settings, Task& task) {
   if (reference->size() == 0) fail(Status::kInsufficientData, "the reference cloud is empty");
   if (compared->size() == 0) fail(Status::kInsufficientData, "the compared cloud is empty");
+  if (settings.visibility == DistanceSettings::VisibleFrom::kFound) {
+    DistanceSettings known = settings;
+    const auto seen = [&](const CloudPtr& cloud, double from) {
+      const ProgressSpan span(task, from, from + 0.025, "stations");
+      return with_found_stations(cloud, task);
+    };
+    const CloudPtr from = seen(reference, 0), to = seen(compared, 0.025);
+    known.visibility = has_all_stations(*from) ? DistanceSettings::VisibleFrom::kStations
+                                               : DistanceSettings::VisibleFrom::kAnywhere;
+    const ProgressSpan span(task, 0.05, 1);
+    return compare_distance(from, to, known, task);
+  }
+  if (settings.detection) return detect(reference, compared, settings, task);
   if (settings.visibility == DistanceSettings::VisibleFrom::kAnywhere)
     return compare_all(reference, compared, settings, task);
   return compare_visible(reference, compared, settings, compare_all, task);

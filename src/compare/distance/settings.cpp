@@ -61,14 +61,28 @@ constexpr auto kSettingsRows = setting_rows(
         "Also measures from the reference to the compared cloud, for the symmetric Hausdorff "
         "distance."),
     choice_row<&DistanceSettings::visibility>(
-        "visibility", "none|stations", "",
+        "visibility", "none|stations|found", "",
         "stations: points that the stations of the reference cloud could not have seen get no "
-        "distance, and say why; none: every point is compared"),
+        "distance, and say why; none: every point is compared; found: as stations, and where the "
+        "points have none those that their order tells, if it tells any"),
     bool_row<&DistanceSettings::reference_spacing>(
         "reference_spacing", "",
         "With visibility: also tells how far apart the reference's points lie where each point is "
         "seen, along grazing rays and across edges in depth: a distance up to half of that is no "
         "sign of a change"),
+    bool_row<&DistanceSettings::detection>(
+        "detection", "",
+        "Tests every point: distances from the surfaces of the reference, their level of detection "
+        "by noise, spacing and shape, and whether the reference's stations saw through the place "
+        "(visibility). What they could not see is hidden; without stations what lies beyond the "
+        "border of a surface is. local_model is not used then."),
+    number_row<&DistanceSettings::false_discovery_rate>(
+        "false_discovery_rate", 1e-9, 0.5, "1", "",
+        "Of detection: share of the surfaces called moved that need not have (Benjamini & Hochberg "
+        "1995)."),
+    number_row<&DistanceSettings::alignment_sigma_m>(
+        "alignment_sigma_m", 0, 1e3, "m", "",
+        "Of detection: standard deviation of the clouds' alignment."),
     nested_rows<&DistanceSettings::depth, kDepthRows>(),
     nested_rows<&DistanceSettings::hidden, kHiddenRows>());
 

@@ -14,7 +14,7 @@ enum class LocalModelKind { kNone, kPlane, kDelaunay, kQuadric };
 /// The parameters of method "distance"; see distance_rows() for what they mean.
 struct DistanceSettings {
   enum class Neighbourhood { kNearest, kPoint };  ///< of the nearest reference, the compared point
-  enum class VisibleFrom { kAnywhere, kStations };
+  enum class VisibleFrom { kAnywhere, kStations, kFound };
 
   double max_distance_m = 0;  ///< 0: no limit
   bool is_signed = true;      ///< of a model, as the next two
@@ -29,6 +29,9 @@ struct DistanceSettings {
   bool hausdorff = false;
   VisibleFrom visibility = VisibleFrom::kAnywhere;
   bool reference_spacing = false;
+  bool detection = false;              ///< of changes, point by point
+  double false_discovery_rate = 0.01;  ///< of detection, as the next
+  double alignment_sigma_m = 0;
   DepthSettings depth{};    ///< of visibility
   HiddenSettings hidden{};  ///< of visibility
 

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/changes/object_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compare/matching/match_starts.h"
+
+namespace jalon {
+
+namespace {
+
+using Job = ObjectMotionJob;
+
+// Of the points explained by one motion: scanned again after a rigid one 98 to 99.8 % were, of a beam of 3 m bent by
+// 0.25 m up to 88 %.
+constexpr double kRigidShare = 0.93;
+constexpr double kSizeRatio =
+    1.5;  // between the extents of twins: one epoch may see less of it than the other
+constexpr double kSizeCells = 4;
+constexpr double kDiagnosisInsideShare =
+    0.02;  // of the points, in the box of the other: more than touches it
+
+MatchSetting match_setting(const Job& job, const ChangedObject& object) {
+  MatchSetting setting;
+  setting.tolerance_m = job.tolerance_m;
+  setting.seen_before = job.seen_before;
+  setting.seen_after = job.seen_after;
+  setting.stands = !object.supports.empty();
+  if (setting.stands) setting.up = object.supports.front().plane.normal;
+  return setting;
+}
+
+Vec3 up_of(const ChangedObject& object) {
+  return object.supports.empty() ? Vec3{0, 0, 1} : object.supports.front().plane.normal;
+}
+
+RigidMatch match(const Job& job, const ChangedObject& object) {
+  const MatchSurface before(job.before_of(object), job.task), after(job.after_of(object), job.task);
+  return match_rigidly(before, after, match_setting(job, object), job.task);
+}
+
+}  // namespace
+
+bool overlaps(const Job& job, const ChangedObject& object, double margin_m) {
+  const std::vector<Vec3> after = job.after_of(object);
+  const StandingBox box = standing_box(job.before_of(object), up_of(object));
+  const auto inside = static_cast<double>(std::count_if(
+      after.begin(), after.end(), [&](const Vec3& p) { return box.contains(p, margin_m); }));
+  return inside > kDiagnosisInsideShare * static_cast<double>(after.size());
+}
+
+Change moved_or_deformed(const Job& job, ChangedObject object) {
+  Change out;
+  out.match = match(job, object);
+  out.object = std::move(object);
+  const bool is_rigid = out.match.found && out.match.explained >= kRigidShare;
+  const bool overlap = overlaps(job, out.object, 0);
+  out.change_class = is_rigid
+                         ? overlap ? ChangeClass::kDisplacementOverlap : ChangeClass::kDisplacement
+                     : overlap ? ChangeClass::kDeformationOverlap
+                               : ChangeClass::kDeformation;
+  out.confidence =
+      is_rigid ? out.match.explained : std::clamp(1 - out.match.explained / 2, 0.0, 1.0);
+  if (!is_rigid) out.match = {};
+  return out;
+}
+
+Extents extents_of(const std::vector<Vec3>& points, const ChangedObject& object) {
+  const StandingBox box = standing_box(points, up_of(object));
+  Extents out{box.half[0], box.half[1], box.half[2]};
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+bool are_twins(const Job& job, const Extents& gone, const Extents& come) {
+  for (size_t k = 0; k < 3; ++k)
+    if (std::max(gone[k], come[k]) >
+        kSizeRatio * std::min(gone[k], come[k]) + kSizeCells * job.cell_m)
+      return false;
+  return true;
+}
+
+ChangedObject joined(const ChangedObject& gone, const ChangedObject& come) {
+  ChangedObject out = gone;
+  out.after = come.after;
+  out.regions_after = come.regions_after;
+  if (out.supports.empty()) out.supports = come.supports;
+  return out;
+}
+
+}  // namespace jalon

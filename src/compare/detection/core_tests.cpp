@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/detection/core_tests.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "compare/detection/false_discovery.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kTestGrain = 512;
+constexpr uint32_t kCandidates =
+    6;  // of the reference's cores: those around, and one behind an edge
+constexpr uint32_t kBorderCandidates = 16;  // where the surface of a core may have ended
+constexpr double kSameFacing = 0.866;       // cosine of 30 degrees
+// A disc of points ends at 4 standard deviations squared, beyond 6 nothing supports a foot.
+constexpr double kMostAside2 = 6;
+// Scatter beyond so many times the noise is shape, which more points do not average out.
+constexpr double kNoiseSpread = 1.25;
+constexpr double kRough = 0.25;       // scatter over radius: no plane
+constexpr double kMadSigma = 1.4826;  // median of |z| to a standard deviation
+constexpr double kMarginSigmas = 4;   // of noise, about a surface that was seen
+
+bool is_surface(const SurfaceCore& core) {
+  return core.has_plane() && core.sigma_m <= kRough * core.radius_m;
+}
+
+double shape2(const SurfaceCore& core, double noise_m) {
+  const double noise = kNoiseSpread * noise_m;
+  return std::max(0.0, core.sigma_m * core.sigma_m - noise * noise);
+}
+
+/// z of the same p-value as t (Wallace's approximation as simplified by Gleason): the scatter is of few points.
+double deviate(double t, double degrees) {
+  return std::sqrt(degrees * std::log1p(t * t / degrees)) * (1 - 3 / (4 * degrees));
+}
+
+class Tester {
+ public:
+  Tester(const SurfaceCores& reference, const SurfaceCores& compared,
+         std::span<const double> nearest_m, const Sights* sights, const Vec3& origin,
+         const DetectionRates& rates)
+      : reference_(reference),
+        compared_(compared),
+        nearest_m_(nearest_m),
+        sights_(sights),
+        origin_(origin),
+        rates_(rates),
+        noise_m_(std::max(reference.noise_m(), compared.noise_m())) {}
+
+  // Step 1.
+  CoreTest measured(const SurfaceCore& core) const {
+    CoreTest out;
+    out.distance_m = nearest_m_[core.point];
+    std::array<Neighbour, kCandidates> found;
+    const size_t n = reference_.nearest(core.centroid, kCandidates, found);
+    if (n > 0) out.surface = found[0].index;
+    if (!is_surface(core)) return out;
+    for (size_t k = 0; k < n; ++k) {
+      const SurfaceCore& surface = reference_[found[k].index];
+      if (!is_surface(surface) || std::abs(dot(surface.normal, core.normal)) < kSameFacing)
+        continue;
+      if (surface.aside2(core.centroid) > kMostAside2) continue;
+      const double distance = dot(surface.normal, core.centroid - surface.centroid);
+      if (out.has_surface && std::abs(distance) >= std::abs(out.distance_m)) continue;
+      out.has_surface = true;
+      out.surface = found[k].index;
+      out.distance_m = distance;
+      out.sigma_m = std::sqrt(core.sigma_m * core.sigma_m / core.count +
+                              surface.variance_at(core.centroid) + shape2(core, noise_m_) +
+                              shape2(surface, noise_m_) + rates_.alignment_m * rates_.alignment_m);
+    }
+    return out;
+  }
+
+  double z_of(const CoreTest& test, double scale) const {
+    const double degrees = reference_[test.surface].count - 3.0;
+    return deviate(test.distance_m / (scale * std::max(test.sigma_m, 1e-9)), degrees);
+  }
+
+  // Step 4.
+  void settle(const SurfaceCore& core, double limit, double scale, CoreTest& test) const {
+    const double reach = std::max(core.radius_m, reference_[test.surface].radius_m);
+    const double margin = kMarginSigmas * noise_m_;
+    if (test.has_surface) {
+      if (z_of(test, scale) < limit) return;
+      test.state = CoreState::kMoved;
+      // A surface far before or behind another is not that surface moved, unless the place was seen.
+      if (std::abs(test.distance_m) > reach) test.state = seen_or_not(core, margin);
+      return;
+    }
+    if (nearest_m_[core.point] <= reach + margin) return;
+    test.state = seen_or_not(core, margin);
+  }
+
+  double noise_m() const { return noise_m_; }
+
+ private:
+  // Is the core on a surface of the reference that ends before it, as at the edge of a shadow or of the scan?
+  bool goes_on(const SurfaceCore& core) const {
+    std::array<Neighbour, kBorderCandidates> found;
+    const size_t n = reference_.nearest(core.centroid, kBorderCandidates, found);
+    for (size_t k = 0; k < n; ++k) {
+      const SurfaceCore& surface = reference_[found[k].index];
+      if (!is_surface(surface) || std::abs(dot(surface.normal, core.normal)) < kSameFacing)
+        continue;
+      const double off = std::abs(dot(surface.normal, core.centroid - surface.centroid));
+      const double reach = std::max(core.radius_m, surface.radius_m);
+      const double sigma = std::sqrt(surface.variance_at(core.centroid));
+      if (off <= std::min(kMarginSigmas * (noise_m_ + sigma), reach + kMarginSigmas * noise_m_))
+        return true;
+    }
+    return false;
+  }
+
+  CoreState seen_or_not(const SurfaceCore& core, double margin_m) const {
+    if (sights_ == nullptr) return goes_on(core) ? CoreState::kUntold : CoreState::kNew;
+    const PlaceSight seen = sights_->look(core.centroid + origin_, core.normal, margin_m);
+    return seen == PlaceSight::kThrough ? CoreState::kNew : CoreState::kUntold;
+  }
+
+  const SurfaceCores &reference_, &compared_;
+  std::span<const double> nearest_m_;
+  const Sights* sights_;
+  Vec3 origin_;
+  DetectionRates rates_;
+  double noise_m_;
+};
+
+double null_scale(const Tester& tester, const std::vector<CoreTest>& cores) {
+  std::vector<double> sizes;
+  for (const CoreTest& test : cores)
+    if (test.has_surface) sizes.push_back(tester.z_of(test, 1));
+  if (sizes.empty()) return 1;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return std::max(1.0, kMadSigma * *middle);
+}
+
+}  // namespace
+
+CoreTests test_cores(const SurfaceCores& reference, const SurfaceCores& compared,
+                     std::span<const double> nearest_m, const Sights* sights, const Vec3& origin,
+                     const DetectionRates& rates, Task& task) {
+  const Tester tester(reference, compared, nearest_m, sights, origin, rates);
+  CoreTests out;
+  out.noise_m = tester.noise_m();
+  out.cores.resize(compared.size());
+  parallel_for(task, out.cores.size(), kTestGrain, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) out.cores[k] = tester.measured(compared[k]);
+  });
+  // 2, 3.
+  out.null_scale = null_scale(tester, out.cores);
+  std::vector<double> p_values;
+  for (const CoreTest& test : out.cores)
+    if (test.has_surface) p_values.push_back(normal_p_value(tester.z_of(test, out.null_scale)));
+  out.tested = p_values.size();
+  const double p = discovery_limit(std::move(p_values), rates.false_discovery);
+  out.limit_sigmas = deviate_of(p);
+  // 4.
+  parallel_for(task, out.cores.size(), kTestGrain, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k)
+      tester.settle(compared[k], out.limit_sigmas, out.null_scale, out.cores[k]);
+  });
+  return out;
+}
+
+}  // namespace jalon
