@@ -9,8 +9,25 @@
  * JALON_ERROR_FORMAT, and the message names file, offset and reason. Writers write beside the target and rename: a
  * failed write never replaces a good file.
  *
+ * LAZ and E57 are an optional component of the library (JALON_WITH_RUST_FORMATS): without it they are
+ * JALON_ERROR_UNSUPPORTED, the message names what to install, and jalon_format_info tells no abilities of them.
+ *
  * Clouds: LAS 1.0-1.4 (point formats 0-10 read; 1.2 and 1.4 written; VLRs, EVLRs and CRS carried verbatim; other fields
- * as extra bytes), PLY (ASCII, both endians, all scalar properties), XYZ/TXT/CSV/PTS-like text.
+ * as extra bytes), PLY (ASCII, both endians, all scalar properties), XYZ/TXT/CSV text, and
+ *
+ * - LAZ (laz), read: as LAS; its chunks are decoded on all threads.
+ * - E57 (e57), read: a station for each scan, points moved by its pose, those marked invalid left out. Fields row and
+ *   column (uint32), intensity (float32), red, green, blue (uint8, or uint16 where a scan has more than 255),
+ *   return_number (from 1), number_of_returns, time (s), and those of extensions as float64.
+ * - PTX (ptx), read: a station for each scan; points are moved by its matrix. Fields row and column (uint32, from 0, as
+ *   the file counts), intensity (float32), red, green, blue (uint8). Beams without return ("0 0 0") are no points:
+ *   their cells of the grid stay empty. A matrix that is no rotation within 1e-3 moves the points and gives no pose.
+ * - PTS (pts), read and written as text: x y z, with intensity, with colours, or with both; several blocks are
+ *   stations without pose; a count that lies gives a warning.
+ * - PCD (pcd), read (ASCII, binary, binary_compressed) and written (binary, coordinates float64). Packed "rgb" and
+ *   "rgba" are red, green, blue (and alpha), normal_x normal_y normal_z the field "normal"; a VIEWPOINT other than the
+ *   origin is the one station, and that of a cloud with one is written. Of an organised cloud (HEIGHT above 1) cells
+ *   that are not finite are no points; the others have row and column.
  *
  * Models; coordinates are those of the model, in metres (extensions in brackets):
  *

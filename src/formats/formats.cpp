@@ -3,7 +3,6 @@
 #include "formats/formats.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -72,16 +71,6 @@ const Format* format_recognised(const ByteSource& source, Content content) {
   return nullptr;
 }
 
-void refuse_foreign(const ByteSource& source) {
-  for (const ForeignFormat& foreign : kForeignFormats) {
-    std::array<char, 16> start;
-    const std::string_view mark = foreign.mark;
-    const size_t bytes = source.read_some(0, start.data(), std::min(start.size(), mark.size()));
-    if (std::string_view(start.data(), bytes) == mark)
-      fail(Status::kUnsupported, "%s: Jalon does not read %s", source.path().c_str(), foreign.name);
-  }
-}
-
 [[noreturn]] void refuse_written_only(const ByteSource& source) {
   const auto names = names_of([](const Format& f) { return f.can_write() && !f.can_read(); });
   fail(Status::kUnsupported, "%s: %s %s written, not read", source.path().c_str(),
@@ -101,7 +90,6 @@ const Format& format_of_content(const ByteSource& source) {
   char first = 0;
   if (source.read_some(0, &first, 1) == 0) source.refuse(0, "the file is empty");
   if (const Format* found = format_recognised(source, Content::kCertain)) return *found;
-  refuse_foreign(source);
   const Format* named = format_of_extension(source.path());
   if (named != nullptr && named->content == Content::kCertain)
     source.refuse(0, "a %s file starts with %s, this one does not", named->name, named->mark);

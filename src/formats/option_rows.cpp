@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/setting_rows.h"
+#include "formats/codecs/codecs.h"
 #include "formats/formats.h"
 #include "formats/registry.h"
 
@@ -46,24 +47,28 @@ constexpr void add_ability(FixedText& text, std::string_view what, bool reads, b
   if (writes) text.add(" write");
 }
 
-constexpr FixedText abilities_of(const Format& format) {
+constexpr FixedText abilities_of(const Format& format, bool with_codecs) {
   FixedText text;
+  if (format.by_codecs && !with_codecs) return text;
   add_ability(text, "cloud", format.read_cloud != nullptr, format.write_cloud != nullptr);
   add_ability(text, "model", format.read_model != nullptr, format.write_model != nullptr);
   add_ability(text, "drawing", false, format.is_drawing);
   return text;
 }
 
+/// The table as users see it, of a library with or without the optional decoders.
+template <bool with_codecs>
 constexpr auto kAbilities = [] {
   std::array<FixedText, kCount> all{};
-  for (size_t i = 0; i < kCount; ++i) all[i] = abilities_of(kFormats[i]);
+  for (size_t i = 0; i < kCount; ++i) all[i] = abilities_of(kFormats[i], with_codecs);
   return all;
 }();
 
+template <bool with_codecs>
 constexpr auto kInfos = [] {
   std::array<FormatInfo, kCount> all{};
   for (size_t i = 0; i < kCount; ++i)
-    all[i] = {kFormats[i].name, kFormats[i].extensions, kAbilities[i].bytes.data()};
+    all[i] = {kFormats[i].name, kFormats[i].extensions, kAbilities<with_codecs>[i].bytes.data()};
   return all;
 }();
 
@@ -125,6 +130,8 @@ constexpr auto kWriteRows = setting_rows(
 
 std::span<const ParamRow> read_rows() { return kReadRows; }
 std::span<const ParamRow> write_rows() { return kWriteRows; }
-std::span<const FormatInfo> formats() { return kInfos; }
+std::span<const FormatInfo> formats() {
+  return has_codecs() ? std::span<const FormatInfo>(kInfos<true>) : kInfos<false>;
+}
 
 }  // namespace jalon

@@ -10,11 +10,15 @@
 #include "cloud/cloud.h"
 #include "formats/city/city.h"
 #include "formats/dxf/dxf.h"
+#include "formats/e57/e57.h"
 #include "formats/files/byte_source.h"
 #include "formats/geojson/geojson.h"
 #include "formats/las/las.h"
 #include "formats/obj/obj.h"
+#include "formats/pcd/pcd.h"
 #include "formats/ply/ply.h"
+#include "formats/pts/pts.h"
+#include "formats/ptx/ptx.h"
 #include "formats/settings.h"
 #include "formats/stl/stl.h"
 #include "formats/text/text.h"
@@ -66,12 +70,30 @@ struct Format {
   bool knows_units = false;  ///< its reader heeds the option "unit" and what the file says of it
   bool reads_as_another = false;  ///< by the reader of a row before, which users name instead
   bool is_drawing = false;        ///< written by the room report
+  bool by_codecs = false;         ///< of a component that may not have been built
 
   constexpr bool can_read() const { return read_cloud != nullptr || read_model != nullptr; }
   constexpr bool can_write() const { return write_cloud != nullptr || write_model != nullptr; }
 };
 
 inline constexpr Format kFormats[] = {
+    {.name = "LAZ",
+     .keyword = "laz",
+     .extensions = "laz",
+     .content = Content::kCertain,
+     .recognises = is_laz,
+     .mark = "LASF",
+     .read_cloud = read_las,
+     .knows_units = true,
+     .by_codecs = true},
+    {.name = "E57",
+     .keyword = "e57",
+     .extensions = "e57",
+     .content = Content::kCertain,
+     .recognises = is_e57,
+     .mark = "ASTM-E57",
+     .read_cloud = read_e57,
+     .by_codecs = true},
     {.name = "LAS",
      .keyword = "las",
      .extensions = "las",
@@ -91,9 +113,22 @@ inline constexpr Format kFormats[] = {
      .write_cloud = write_ply,
      .read_model = read_ply_model,
      .write_model = write_ply_model},
+    {.name = "PCD",
+     .keyword = "pcd",
+     .extensions = "pcd",
+     .content = Content::kSome,
+     .recognises = is_pcd,
+     .read_cloud = read_pcd,
+     .write_cloud = write_pcd},
+    {.name = "PTX", .keyword = "ptx", .extensions = "ptx", .read_cloud = read_ptx},
+    {.name = "PTS",
+     .keyword = "pts",
+     .extensions = "pts",
+     .read_cloud = read_pts,
+     .write_cloud = write_text},
     {.name = "Text",
      .keyword = "text",
-     .extensions = "xyz txt pts asc",
+     .extensions = "xyz txt asc",
      .content = Content::kText,
      .recognises = is_plain_text,
      .read_cloud = read_text,
@@ -130,12 +165,5 @@ inline constexpr Format kFormats[] = {
      .write_model = write_geojson},
     {.name = "SVG", .keyword = "", .extensions = "svg", .is_drawing = true},
 };
-
-/// Known by their content and refused by name: Jalon has no reader.
-struct ForeignFormat {
-  const char* name;
-  const char* mark;  ///< its files begin with it
-};
-inline constexpr ForeignFormat kForeignFormats[] = {{"E57", "ASTM-E57"}};
 
 }  // namespace jalon

@@ -24,13 +24,21 @@ def tags(path):
     return re.findall(r"\((NEEDED|SONAME|RPATH|RUNPATH)\).*\[(.*)\]", text)
 
 
+def crates():
+    """Those that LAZ and E57 are built with, our own apart."""
+    lock = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "src", "formats", "codecs", "rust", "Cargo.lock")
+    with open(lock, encoding="utf-8") as file:
+        return set(re.findall(r'^name = "([-\w]+)"', file.read(), re.MULTILINE)) - {"jalon_codecs"}
+
+
 def main():
     language, folder, licences = sys.argv[1:4]
     libraries = {name: tags(os.path.join(folder, name)) for name in sorted(os.listdir(folder)) if re.search(r"\.so(\.|$)", name)}
     others = [name for name in libraries if "jalon" not in name and not name.startswith("_native")]
     needed = {(name, value) for name, found in libraries.items() for tag, value in found if tag == "NEEDED"}
     with open(licences, encoding="utf-8") as file:
-        licensed = re.findall(r"^== (lib\w+)", file.read(), re.MULTILINE)
+        text = file.read()
+    licensed, crates_licensed = (re.findall(r"^== " + kind, text, re.MULTILINE) for kind in (r"(lib\w+)", r"crate ([-\w]+)"))
     tally = Tally()
 
     def check(name, wrong):
@@ -44,6 +52,7 @@ def main():
           ["%s: %s" % (name, value) for name, found in libraries.items() for tag, value in found
            if tag == "RUNPATH" or (tag == "RPATH" and value != "$ORIGIN")])
     check("has_the_licence_of_each", [n for n in others if n.split("-")[0] not in licensed])
+    check("has_the_licence_of_each_crate", sorted(crates() - set(crates_licensed)))
     print("FIGURE %s package: %d libraries, %.1f MiB" % (language, len(libraries), sum(
         os.path.getsize(os.path.join(folder, n)) for n in libraries) / 2 ** 20))
     tally.close()

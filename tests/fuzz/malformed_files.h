@@ -24,5 +24,11 @@ std::vector<File> obj_files();
 std::vector<File> noted_obj_files();
 std::vector<File> stl_files();
 std::vector<File> city_files();
+std::vector<File> ptx_files();
+std::vector<File> pts_files();
+std::vector<File> pcd_files();
+/// Damaged files of others, from the folder of shared data; none where that is absent.
+std::vector<File> laz_files();
+std::vector<File> e57_files();
 
 }  // namespace malformed

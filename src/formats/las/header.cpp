@@ -17,6 +17,8 @@ constexpr PointFormat kPointFormats[] = {
     {30, true, 22, -1, -1, -1},  {36, true, 22, 30, -1, -1},  {38, true, 22, 30, 36, -1},
     {59, true, 22, -1, -1, 30},  {67, true, 22, 30, 36, 38}};
 
+constexpr unsigned kCompressedBits = 0xC0;  // of the byte of the point format (LASzip)
+
 constexpr uint16_t kSmallestHeader[] = {227, 227, 227, 235, 375};  // by minor version
 
 unsigned long long number(uint64_t n) { return n; }
@@ -43,6 +45,7 @@ void require_points(const ByteSource& source, const Header& header) {
   if (header.point_offset > source.size())
     source.refuse(96, "the points would start at offset %u, beyond the end of the file at %llu",
                   header.point_offset, number(source.size()));
+  if (header.compressed) return;  // LazPoints looks
   const uint64_t room = source.size() - header.point_offset;
   if (header.count > room / header.record_bytes)
     source.refuse(
@@ -131,11 +134,8 @@ Header read_header(const ByteSource& source) {
   header.point_offset = load<uint32_t>(fixed + 96);
   header.vlr_count = load<uint32_t>(fixed + 100);
   header.format = static_cast<uint8_t>(fixed[104]);
-  if ((header.format & 0xC0) != 0)
-    fail(Status::kUnsupported,
-         "%s: the points are LAZ-compressed, which this build cannot read; decompress the file to "
-         "LAS",
-         source.path().c_str());
+  header.compressed = (header.format & kCompressedBits) != 0;
+  header.format = static_cast<uint8_t>(header.format & ~kCompressedBits);
   header.record_bytes = load<uint16_t>(fixed + 105);
   header.count = load<uint32_t>(fixed + 107);
   for (int i = 0; i < 3; ++i) {
@@ -155,6 +155,7 @@ Header read_header(const ByteSource& source) {
   require_finite_scale(source, header);
   header.raw.resize(header.size);
   source.read(0, header.raw.data(), header.raw.size());
+  header.raw[104] = static_cast<std::byte>(header.format);
   return header;
 }
 

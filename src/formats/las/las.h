@@ -12,6 +12,9 @@
 namespace jalon {
 
 bool is_las(const ByteSource& source);
+/// A LAS file whose points are compressed.
+bool is_laz(const ByteSource& source);
+/// Compressed or not.
 Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task);
 void write_las(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task);

@@ -39,7 +39,8 @@ struct Header {
   uint16_t size = 227;
   uint32_t point_offset = 227;
   uint32_t vlr_count = 0;
-  uint8_t format = 0;
+  uint8_t format = 0;       ///< of the points as they are when decompressed
+  bool compressed = false;  ///< LAZ
   uint16_t record_bytes = 20;
   uint64_t count = 0;
   Vec3 scale{1, 1, 1}, offset;

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
+#include <optional>
 
 #include "base/error.h"
 #include "base/large_memory.h"
 #include "base/parallel.h"
+#include "formats/codecs/codecs.h"
 #include "formats/files/endian.h"
 #include "formats/files/finish_cloud.h"
 #include "formats/las/fields.h"
 #include "formats/las/las.h"
+#include "formats/las/laz.h"
 #include "formats/las/layout.h"
 #include "formats/units/file_unit.h"
 
@@ -123,26 +126,44 @@ LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Reco
   return units;
 }
 
-void decode_points(const ByteSource& source, const Header& header, const LengthUnits& units,
-                   std::span<double> xyz, const std::vector<Extraction>& extractions, Task& task) {
+/// Puts records into the cloud's arrays.
+struct PointSink {
+  const Header& header;
+  Vec3 unit;
+  std::span<double> xyz;
+  const std::vector<Extraction>& extractions;
+
+  void put(const std::byte* records, size_t n, size_t first) const {
+    const size_t stride = header.record_bytes;
+    double* out = xyz.data() + 3 * first;
+    for (size_t i = 0; i < n; ++i) {
+      const std::byte* p = records + i * stride;
+      out[3 * i] = (load<int32_t>(p) * header.scale.x + header.offset.x) * unit.x;
+      out[3 * i + 1] = (load<int32_t>(p + 4) * header.scale.y + header.offset.y) * unit.y;
+      out[3 * i + 2] = (load<int32_t>(p + 8) * header.scale.z + header.offset.z) * unit.z;
+    }
+    for (const Extraction& e : extractions) e.run(e, records, stride, n, first);
+  }
+};
+
+void decode_points(const ByteSource& source, const PointSink& sink, Task& task) {
+  const Header& header = sink.header;
   const size_t stride = header.record_bytes;
   const size_t block = std::max<size_t>(1, kBlockBytes / stride);
-  const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
   parallel_for(task, header.count, kReaderGrain, [&](size_t begin, size_t end) {
     const size_t room = std::min(block, end - begin) * stride;
     const auto records = std::make_unique_for_overwrite<std::byte[]>(room);
     for (size_t first = begin; first < end; first += block) {
       const size_t n = std::min(block, end - first);
       source.read(header.point_offset + uint64_t{first} * stride, records.get(), n * stride);
-      double* out = xyz.data() + 3 * first;
-      for (size_t i = 0; i < n; ++i) {
-        const std::byte* p = records.get() + i * stride;
-        out[3 * i] = (load<int32_t>(p) * header.scale.x + header.offset.x) * unit.x;
-        out[3 * i + 1] = (load<int32_t>(p + 4) * header.scale.y + header.offset.y) * unit.y;
-        out[3 * i + 2] = (load<int32_t>(p + 8) * header.scale.z + header.offset.z) * unit.z;
-      }
-      for (const Extraction& e : extractions) e.run(e, records.get(), stride, n, first);
+      sink.put(records.get(), n, first);
     }
+  });
+}
+
+void decompress_points(const LazPoints& laz, const PointSink& sink, Task& task) {
+  parallel_chunks(task, laz.chunks(), [&](size_t c) {
+    if (laz.points(c) != 0) sink.put(laz.decode(c).get(), laz.points(c), laz.first_point(c));
   });
 }
 
@@ -163,11 +184,23 @@ bool is_las(const ByteSource& source) {
   return std::string_view(start, source.read_some(0, start, sizeof start)) == "LASF";
 }
 
+bool is_laz(const ByteSource& source) {
+  constexpr uint64_t kFormat = 104;
+  std::byte format{};
+  return is_las(source) && source.read_some(kFormat, &format, 1) == 1 &&
+         (format & std::byte{0xC0}) != std::byte{0};
+}
+
 Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task) {
   const Header header = read_header(source);
   std::vector<Record> vlrs = read_vlrs(source, header, task);
   std::vector<Record> evlrs = read_evlrs(source, header, task);
   const LengthUnits units = units_to_use(vlrs, evlrs, source, settings.unit, task);
+  std::optional<LazPoints> laz;
+  if (header.compressed) {
+    require_codecs(source, "LAZ");
+    laz.emplace(source, header, vlrs);
+  }
 
   const size_t count = header.count;
   const size_t core = point_format(header.format)->bytes;
@@ -183,7 +216,10 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
   for (const Extraction& e : extractions) advise_large_pages(e.column->raw(), e.column->bytes());
   {
     ProgressSpan span(task, 0, 0.95, "reading LAS");
-    decode_points(source, header, units, xyz, extractions, task);
+    const PointSink sink{
+        header, {units.horizontal, units.horizontal, units.vertical}, xyz, extractions};
+    if (laz) decompress_points(*laz, sink, task);
+    else decode_points(source, sink, task);
   }
   Cloud cloud = make_cloud(std::move(xyz));
   for (Extraction& e : extractions)

@@ -365,9 +365,13 @@ class TextReader {
 
 }  // namespace
 
+Cloud text_points(const ByteSource& source, const std::string& columns, Task& task) {
+  return TextReader(source, columns, task).run();
+}
+
 Cloud read_text(const ByteSource& source, const ReadSettings& settings, Task& task) {
-  return finish_cloud(TextReader(source, settings.columns, task).run(), source,
-                      settings.drop_invalid, task);
+  return finish_cloud(text_points(source, settings.columns, task), source, settings.drop_invalid,
+                      task);
 }
 
 }  // namespace jalon

@@ -13,7 +13,9 @@ namespace jalon {
 
 /// The start of the file has no byte that plain text has not.
 bool is_plain_text(const ByteSource& source);
-/// Lines of numbers, whatever separates them: XYZ, PTS, CSV.
+/// Their points as they stand, finite or not; columns: as the option of this name.
+Cloud text_points(const ByteSource& source, const std::string& columns, Task& task);
+/// Lines of numbers, whatever separates them: XYZ, CSV.
 Cloud read_text(const ByteSource& source, const ReadSettings& settings, Task& task);
 /// Blanks, and "# x y z ..." at the top.
 void write_text(const Cloud& cloud, const std::string& path, const WriteSettings& settings,

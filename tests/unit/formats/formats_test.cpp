@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "formats/codecs/codecs.h"
 #include "formats/formats.h"
 #include "unit/formats/opened_file.h"
 
@@ -106,7 +107,8 @@ TEST_CASE("formats__what_cannot_be_read_is_refused_with_its_name_and_the_reason"
   CHECK(has_text(empty.text, "a.las: offset 0: the file is empty"));
   CHECK(refusal_to_read("a.xyz", kTriangle).status == Status::kFormat);
   CHECK(refusal_to_read("a.obj", kTriangle).status == Status::kUnsupported);
-  CHECK(refusal_to_read("a.xyz", "ASTM-E57").status == Status::kUnsupported);  // whatever its name
+  CHECK(refusal_to_read("a.xyz", "ASTM-E57").status ==  // whatever its name
+        (has_codecs() ? Status::kFormat : Status::kUnsupported));
   const Failure missing = failure_of([] { read("/nowhere/a.las"); });
   CHECK(missing.status == Status::kNotFound);
   CHECK(has_text(missing.text, "/nowhere/a.las"));
@@ -129,7 +131,7 @@ TEST_CASE("formats__where_the_option_names_a_format_that_cannot_do_it_the_option
   to.format = "obj";
   says(failure_of([&] { write(random_points(3, 1), folder.file("a.las"), to); }),
        "no cloud can be written in format \"obj\", which the option \"format\" names; there are: "
-       "las, ply, text, csv");
+       "las, ply, pcd, pts, text, csv");
   to.format = "csv";
   says(failure_of([&] { write_model(one_triangle(), folder.file("a.las"), to, task); }),
        "no model can be written in format \"csv\", which the option \"format\" names; there are: "
@@ -140,7 +142,7 @@ TEST_CASE("formats__where_the_option_names_a_format_that_cannot_do_it_the_option
   from.format = "obj";
   says(failure_of([&] { read(folder.file("a.las"), from); }),
        "no cloud can be read in format \"obj\", which the option \"format\" names; there are: "
-       "las, ply, text");
+       "laz, e57, las, ply, pcd, ptx, pts, text");
   from.format = "las";
   says(failure_of([&] { read_model(folder.file("a.las"), from, task); }),
        "no model can be read in format \"las\", which the option \"format\" names; there are: "

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "formats/codecs/codecs.h"
 #include "formats/files/endian.h"
 #include "unit/formats/fixtures.h"
 
@@ -143,7 +144,8 @@ TEST_CASE("las__every_shared_file_behaves_as_its_description_says") {
   CHECK(broken.text.find("offset 227") != std::string::npos);
   MESSAGE(broken.text);
   for (const char* name : {"las/autzen_trim.laz", "las/simple.laz"})
-    CHECK(failure_of([&] { read(shared(name)); }).status == Status::kUnsupported);
+    CHECK(failure_of([&] { read(shared(name)); }).status ==
+          (has_codecs() ? Status::kOk : Status::kUnsupported));
 }
 
 TEST_CASE("las__warns_about_a_broken_vlr_and_loads_the_points") {

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "base/error.h"
+#include "formats/codecs/codecs.h"
+
+namespace jalon {
+
+bool has_codecs() { return false; }
+void require_codecs(const ByteSource& source, const char* format) {
+  fail(Status::kUnsupported,
+       "%.400s: %s needs the component JALON_WITH_RUST_FORMATS, which this library was built "
+       "without: install cargo (Debian 12: apt install cargo-web) and build it again",
+       source.path().c_str(), format);
+}
+
+// Never called: require_codecs() comes before.
+int32_t jc_laz_layout(const uint8_t*, uint64_t, JcLazLayout*, JcMessage) { return 1; }
+int32_t jc_laz_chunks(const uint8_t*, uint64_t, int32_t, uint64_t*, uint64_t*, uint64_t,
+                      JcMessage) {
+  return 1;
+}
+int32_t jc_laz_decode(const uint8_t*, uint64_t, const uint8_t*, uint64_t, uint8_t*, uint64_t,
+                      JcMessage) {
+  return 1;
+}
+int32_t jc_e57_open(JcSource, JcE57**, uint64_t*, JcMessage) { return 1; }
+void jc_e57_close(JcE57*) {}
+int32_t jc_e57_crs(JcE57*, const char**, JcMessage) { return 1; }
+int32_t jc_e57_scan(JcE57*, uint64_t, JcScan*, JcMessage) { return 1; }
+int32_t jc_e57_column(JcE57*, uint64_t, uint64_t, JcColumn*, JcMessage) { return 1; }
+int32_t jc_e57_start(JcE57*, uint64_t, JcMessage) { return 1; }
+int32_t jc_e57_read(JcE57*, double*, uint64_t, uint64_t*, JcMessage) { return 1; }
+
+}  // namespace jalon

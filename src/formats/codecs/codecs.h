@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "formats/files/byte_source.h"
+
+// Decoders of LAZ and E57 by the crates "laz" and "e57" (rust/), an optional component: where it was
+// not built absent.cpp stands in. All files are read and all threads are run by the callers.
+namespace jalon {
+
+/// Whether the component was built.
+bool has_codecs();
+/// Error(kUnsupported) that names what to install where it was not.
+void require_codecs(const ByteSource& source, const char* format);
+
+extern "C" {
+
+/// Where a call leaves one line when it fails; calls give 0, or 1.
+struct JcMessage {
+  char* bytes;
+  uint64_t room;
+};
+
+struct JcLazLayout {
+  uint64_t record_bytes;
+  uint64_t chunk_points;  ///< 0: each chunk has its own number
+  int32_t has_chunks;     ///< 0: all points are one
+};
+/// vlr: the data of the record "laszip encoded" 22204.
+int32_t jc_laz_layout(const uint8_t* vlr, uint64_t vlr_bytes, JcLazLayout* out, JcMessage message);
+/// table: the chunk table from its version on. counts (of chunks that have their own) and sizes: of
+/// as many entries as the table says.
+int32_t jc_laz_chunks(const uint8_t* table, uint64_t table_bytes, int32_t variable,
+                      uint64_t* counts, uint64_t* sizes, uint64_t room, JcMessage message);
+/// One chunk: fills out with whole records.
+int32_t jc_laz_decode(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* packed,
+                      uint64_t packed_bytes, uint8_t* out, uint64_t out_bytes, JcMessage message);
+
+struct JcE57;
+struct JcSource {
+  void* context;
+  int64_t (*read)(void* context, uint64_t offset, uint8_t* out, uint64_t bytes);  ///< < 0: failed
+  uint64_t size;
+};
+struct JcScan {
+  const char* name;
+  uint64_t records, columns;
+  int32_t has_pose;
+  double rotation[4];  ///< w x y z
+  double translation[3];
+};
+struct JcColumn {
+  const char* name;  ///< as in the file: "cartesianX", "nor:normalX" ...
+  int32_t is_integer;
+  double min, max;  ///< of integers
+};
+/// Texts live as long as the document.
+int32_t jc_e57_open(JcSource source, JcE57** out, uint64_t* scans, JcMessage message);
+void jc_e57_close(JcE57* document);
+int32_t jc_e57_crs(JcE57* document, const char** out, JcMessage message);
+int32_t jc_e57_scan(JcE57* document, uint64_t scan, JcScan* out, JcMessage message);
+int32_t jc_e57_column(JcE57* document, uint64_t scan, uint64_t column, JcColumn* out,
+                      JcMessage message);
+/// Then its records in order: rows of doubles, as many as *count says, 0 behind the last.
+int32_t jc_e57_start(JcE57* document, uint64_t scan, JcMessage message);
+int32_t jc_e57_read(JcE57* document, double* rows, uint64_t room, uint64_t* count,
+                    JcMessage message);
+}
+
+}  // namespace jalon

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+//! LAZ: the record of the compressor, the table of chunks, one chunk from memory to memory. All the
+//! reading of files and all threads are the caller's.
+
+use crate::{guarded, silence_panics, Message};
+use laz::laszip::{ChunkTable, CompressorType};
+use laz::record::{
+    LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor,
+};
+use laz::{LazItemType, LazVlr};
+use std::io::Cursor;
+
+/// As in ../codecs.h.
+#[repr(C)]
+pub struct Layout {
+    record_bytes: u64,
+    chunk_points: u64,
+    has_chunks: i32,
+}
+
+const VARIABLE: u64 = 0;
+
+unsafe fn vlr_of(bytes: *const u8, count: u64) -> Result<LazVlr, String> {
+    let vlr = LazVlr::from_buffer(std::slice::from_raw_parts(bytes, count as usize))
+        .map_err(|e| e.to_string())?;
+    if vlr.items().is_empty() {
+        return Err("the record of the compressor names no items".to_owned());
+    }
+    Ok(vlr)
+}
+
+fn compressor_of(bytes: &[u8]) -> u16 {
+    u16::from_le_bytes([bytes[0], bytes[1]])
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn jc_laz_layout(
+    vlr: *const u8,
+    vlr_bytes: u64,
+    out: *mut Layout,
+    message: Message,
+) -> i32 {
+    silence_panics();
+    guarded(&message, || {
+        let parsed = vlr_of(vlr, vlr_bytes)?;
+        let compressor = compressor_of(std::slice::from_raw_parts(vlr, vlr_bytes as usize));
+        if compressor == CompressorType::None as u16 {
+            return Err("the points are marked as compressed by no compressor".to_owned());
+        }
+        *out = Layout {
+            record_bytes: parsed.items().iter().map(|item| u64::from(item.size())).sum(),
+            chunk_points: if parsed.uses_variable_size_chunks() {
+                VARIABLE
+            } else {
+                u64::from(parsed.chunk_size())
+            },
+            has_chunks: i32::from(compressor != CompressorType::PointWise as u16),
+        };
+        Ok(())
+    })
+}
+
+/// table: from the version on; counts (of variable chunks alone) and sizes have `room` entries.
+#[no_mangle]
+pub unsafe extern "C" fn jc_laz_chunks(
+    table: *const u8,
+    table_bytes: u64,
+    variable: i32,
+    counts: *mut u64,
+    sizes: *mut u64,
+    room: u64,
+    message: Message,
+) -> i32 {
+    silence_panics();
+    guarded(&message, || {
+        let bytes = std::slice::from_raw_parts(table, table_bytes as usize);
+        let number = match bytes.get(4..8) {
+            Some(b) => u64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+            None => return Err("the chunk table is cut off".to_owned()),
+        };
+        if number != room {
+            return Err("the chunk table has another number of chunks".to_owned());
+        }
+        let read = ChunkTable::read(&mut Cursor::new(bytes), variable != 0)
+            .map_err(|e| format!("the chunk table cannot be read: {e}"))?;
+        for (i, entry) in (&read).into_iter().enumerate() {
+            *counts.add(i) = entry.point_count;
+            *sizes.add(i) = entry.byte_count;
+        }
+        Ok(())
+    })
+}
+
+/// What the layers of a chunk claim must lie in it: the decoder allocates what they say.
+fn check_layers(vlr: &LazVlr, packed: &[u8], record_bytes: usize) -> Result<(), String> {
+    let mut layers = 0usize;
+    for item in vlr.items() {
+        layers += match item.item_type() {
+            LazItemType::Point14 => 9,
+            LazItemType::RGB14 | LazItemType::WavePacket14 => 1,
+            LazItemType::RGBNIR14 => 2,
+            LazItemType::Byte14(count) => count as usize,
+            _ => 0,
+        };
+    }
+    let sizes_at = record_bytes + 4; // behind the first point and the number of points
+    let sizes = packed
+        .get(sizes_at..sizes_at + 4 * layers)
+        .ok_or("the chunk is cut off before its layers")?;
+    let claimed: u64 = sizes
+        .chunks_exact(4)
+        .map(|b| u64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])))
+        .sum();
+    if claimed > (packed.len() - sizes_at - 4 * layers) as u64 {
+        return Err("the layers of the chunk are longer than it".to_owned());
+    }
+    Ok(())
+}
+
+/// Fills `out` with whole records.
+#[no_mangle]
+pub unsafe extern "C" fn jc_laz_decode(
+    vlr: *const u8,
+    vlr_bytes: u64,
+    packed: *const u8,
+    packed_bytes: u64,
+    out: *mut u8,
+    out_bytes: u64,
+    message: Message,
+) -> i32 {
+    silence_panics();
+    guarded(&message, || {
+        let vlr = vlr_of(vlr, vlr_bytes)?;
+        let record_bytes: usize = vlr.items().iter().map(|i| usize::from(i.size())).sum();
+        let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
+        let out = std::slice::from_raw_parts_mut(out, out_bytes as usize);
+        let cursor = Cursor::new(packed);
+        let layered = vlr.items()[0].version() >= 3;
+        if layered {
+            check_layers(&vlr, packed, record_bytes)?;
+            fill(LayeredPointRecordDecompressor::new(cursor), &vlr, record_bytes, out)
+        } else {
+            fill(SequentialPointRecordDecompressor::new(cursor), &vlr, record_bytes, out)
+        }
+    })
+}
+
+fn fill<'a>(
+    mut decoder: impl RecordDecompressor<Cursor<&'a [u8]>>,
+    vlr: &LazVlr,
+    record_bytes: usize,
+    out: &mut [u8],
+) -> Result<(), String> {
+    decoder.set_fields_from(vlr.items()).map_err(|e| e.to_string())?;
+    if record_bytes == 0 || decoder.record_size() != record_bytes {
+        return Err("the items of the compressor have other sizes than their kinds".to_owned());
+    }
+    for point in out.chunks_exact_mut(record_bytes) {
+        decoder.decompress_next(point).map_err(|e| e.to_string())?;
+    }
+    Ok(())
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/las/laz.h"
+
+#include <algorithm>
+
+#include "formats/codecs/codecs.h"
+#include "formats/files/endian.h"
+
+namespace jalon::las {
+
+namespace {
+
+constexpr const char* kLazUser = "laszip encoded";
+constexpr unsigned kLazRecord = 22204;
+constexpr size_t kTableHead = 8;  // of the chunk table: version and number of chunks
+// Points that a byte may stand for, above one chunk of the usual size: scanners' files have less
+// than one. More is a count that lies.
+constexpr uint64_t kPointsPerByte = 64, kUsualChunk = 65536;
+
+/// A line that a decoder leaves.
+struct Line {
+  char text[300] = {};
+  JcMessage message() { return {text, sizeof text}; }
+};
+
+const uint8_t* bytes_of(const std::vector<std::byte>& bytes) {
+  return reinterpret_cast<const uint8_t*>(bytes.data());
+}
+
+}  // namespace
+
+LazPoints::LazPoints(const ByteSource& source, const Header& header,
+                     const std::vector<Record>& vlrs)
+    : source_(source), header_(header) {
+  for (const Record& record : vlrs)
+    if (record.is(kLazUser, kLazRecord)) vlr_.assign(record.data(), record.data() + record.size());
+  if (vlr_.empty())
+    source.refuse(104, "the points are compressed, and no record \"%s\" tells how", kLazUser);
+  Line line;
+  JcLazLayout layout{};
+  if (jc_laz_layout(bytes_of(vlr_), vlr_.size(), &layout, line.message()) != 0)
+    source.refuse(header.size, "the record \"%s\": %s", kLazUser, line.text);
+  if (layout.record_bytes != header.record_bytes)
+    source.refuse(105, "point records have %u bytes, those of the compressor %llu",
+                  header.record_bytes, static_cast<unsigned long long>(layout.record_bytes));
+  if (header.count == 0) return;
+  const uint64_t packed = source.size() - header.point_offset;
+  if (header.count > kUsualChunk && (header.count - kUsualChunk) / kPointsPerByte > packed)
+    source.refuse(header.point_offset,
+                  "the header promises %llu points, more than %llu compressed bytes stand for",
+                  static_cast<unsigned long long>(header.count),
+                  static_cast<unsigned long long>(packed));
+  if (layout.has_chunks != 0) {
+    read_table(layout.chunk_points);
+    number_points(layout.chunk_points);
+  } else {
+    chunks_.push_back({header.point_offset, packed, 0, header.count});
+  }
+}
+
+uint64_t LazPoints::find_table() const {
+  // Where the writer could not go back, the place stands at the end of the file.
+  std::byte place[8];
+  source_.read(header_.point_offset, place, sizeof place);
+  auto at = static_cast<uint64_t>(load<int64_t>(place));
+  if (load<int64_t>(place) <= static_cast<int64_t>(header_.point_offset)) {
+    source_.read(source_.size() - sizeof place, place, sizeof place);
+    at = static_cast<uint64_t>(load<int64_t>(place));
+  }
+  if (at < header_.point_offset + 8 || !source_.has(at, kTableHead))
+    source_.refuse(header_.point_offset, "the chunk table would lie at offset %llu",
+                   static_cast<unsigned long long>(at));
+  return at;
+}
+
+void LazPoints::read_table(uint64_t chunk_points) {
+  const uint64_t table = find_table();
+  const uint64_t room = table - header_.point_offset - 8;
+  std::byte head[kTableHead];
+  source_.read(table, head, sizeof head);
+  const uint64_t count = load<uint32_t>(head + 4);
+  if (count > room / header_.record_bytes)  // each begins with a whole point
+    source_.refuse(table + 4, "the chunk table has %llu chunks, the file room for %llu",
+                   static_cast<unsigned long long>(count),
+                   static_cast<unsigned long long>(room / header_.record_bytes));
+  // Two numbers a chunk, of at most 32 bits and what the coder adds.
+  constexpr uint64_t kMostEntryBytes = 16, kMostTailBytes = 64;
+  std::vector<std::byte> bytes(
+      std::min(source_.size() - table, kTableHead + kMostEntryBytes * count + kMostTailBytes));
+  source_.read(table, bytes.data(), bytes.size());
+  std::vector<uint64_t> points(count), sizes(count);
+  Line line;
+  if (jc_laz_chunks(bytes_of(bytes), bytes.size(), chunk_points == 0 ? 1 : 0, points.data(),
+                    sizes.data(), count, line.message()) != 0)
+    source_.refuse(table, "%s", line.text);
+  uint64_t at = header_.point_offset + 8;
+  for (uint64_t c = 0; c < count; ++c) {
+    if (sizes[c] > table - at)
+      source_.refuse(table, "chunk %llu of %llu bytes would reach into the chunk table",
+                     static_cast<unsigned long long>(c + 1),
+                     static_cast<unsigned long long>(sizes[c]));
+    chunks_.push_back({at, sizes[c], 0, points[c]});
+    at += sizes[c];
+  }
+}
+
+void LazPoints::number_points(uint64_t chunk_points) {
+  uint64_t first = 0;
+  for (Chunk& chunk : chunks_) {
+    chunk.first = first;
+    if (chunk_points != 0) chunk.points = std::min(chunk_points, header_.count - first);
+    if (chunk.points > header_.count - first)
+      source_.refuse(header_.point_offset, "the chunks hold more than the %llu points promised",
+                     static_cast<unsigned long long>(header_.count));
+    first += chunk.points;
+  }
+  if (first != header_.count)
+    source_.refuse(header_.point_offset, "the chunks hold %llu of the %llu points promised",
+                   static_cast<unsigned long long>(first),
+                   static_cast<unsigned long long>(header_.count));
+}
+
+std::unique_ptr<std::byte[]> LazPoints::decode(size_t number) const {
+  const Chunk& chunk = chunks_[number];
+  const auto packed = std::make_unique_for_overwrite<std::byte[]>(chunk.bytes);
+  source_.read(chunk.offset, packed.get(), chunk.bytes);
+  const size_t bytes = chunk.points * header_.record_bytes;
+  auto records = std::make_unique_for_overwrite<std::byte[]>(bytes);
+  Line line;
+  if (jc_laz_decode(bytes_of(vlr_), vlr_.size(), reinterpret_cast<const uint8_t*>(packed.get()),
+                    chunk.bytes, reinterpret_cast<uint8_t*>(records.get()), bytes,
+                    line.message()) != 0)
+    source_.refuse(chunk.offset, "chunk %zu of the compressed points: %s", number + 1, line.text);
+  return records;
+}
+
+}  // namespace jalon::las
