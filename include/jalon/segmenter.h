@@ -54,6 +54,27 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   same result. O(n log n); normals included, about as fast as "ransac" and with fewer chance
  *   planes, but it needs surfaces a few points wide and stops at their gaps (then joined up to
  *   merge_gap_m).
+ * - "survey_codes": the objects that a coded total-station survey describes (master's thesis on
+ *   feature codes for terrestrial laser scanning, University of Liege 2021). Parameter "codes" is
+ *   the list as text, a line a point: ID;X;Y;Z;code in the cloud's system, where a code is sequence
+ *   or sequence.modifier and several codes of a point are joined by +. Buildings are prisms of
+ *   their upper outline and a low point, hollowed 0.24 m inside it; doors and windows rectangles
+ *   from two, three or four points or outlines with straight and curved parts, cut out of the
+ *   buildings; gutters cylinders from centre, edge and top, or axes with bends. Parameter "table"
+ *   says what codes mean (JSON; see jalon_segmentation_notes); empty = the thesis' table. Each
+ *   object is a segment; jalon_segmentation_cloud has its class as the field "classification", in
+ *   the place of one that the cloud had: 0 rest, 1 walls, 2 doors, 3 windows, 4 gutters, or with
+ *   "classes" = asprs those of LAS. Unknown codes, incomplete and empty objects, points far from
+ *   the cloud are warnings of the log and the notes, no errors; a line that cannot be read is
+ *   JALON_ERROR_FORMAT. Buildings have no plane (NaN), gutters the cylinder that was measured.
+ *   O(points) for the usual few objects about a point.
+ * - "target_codes": the objects about coded targets of the same thesis, parameters "codes", "table"
+ *   and "classes" alike: walls by planes drawn through one target each, cut above the first gap in
+ *   height and in columns lower than a wall; doors as the plane at their target within 2 m; all
+ *   windows of a facade in the plane of two targets, which follow one another in the list; gutters
+ *   grown from their target. Each takes its points from those that follow, so a door that is flush
+ *   with its wall is lost to it, and told. Planes like those of the other methods; gutters none.
+ *   Seeded. O(points x (walls x draws + doors + facades)).
  */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method,
                                                           jalon_segmenter** out);
@@ -71,7 +92,7 @@ JALON_API JALON_CHECK jalon_status jalon_segmenter_params(jalon_segmenter* segme
 /**
  * Segments the cloud. JALON_ERROR_INSUFFICIENT_DATA below 3 points; JALON_ERROR_DEGENERATE when all
  * points are equal or collinear. A cloud without planes, or with fewer points on them than
- * min_points, gives JALON_OK and a segmentation without segments. Every method and every choice of
+ * min_points, or without codes, gives JALON_OK and a segmentation without any. Every method and every choice of
  * parameters gives the same status. Repeated points count as often as they occur; points that are
  * not finite never get into a cloud.
  */
@@ -150,6 +171,42 @@ JALON_API JALON_CHECK jalon_status jalon_segmentation_facade_frame(
  */
 JALON_API JALON_CHECK jalon_status
 jalon_segmentation_parameters(const jalon_segmentation* segmentation, const char** out);
+/**
+ * What a segmentation by codes tells beside its tables, as JSON; "" of the other methods. Valid as
+ * long as the handle.
+ *
+ *     {"method": "survey_codes",
+ *      "classes": [{"class": 1, "points": 9000}],
+ *      "objects": [{"name": "door 12", "kind": "door", "code": 350, "class": 2, "label": 3,
+ *                   "points": 800, "lines": [6, 7], "ids": ["12", "13"], "hinge": "left",
+ *                   "shape": "rectangle", "corners": [[x, y, z], [x, y, z]],
+ *                   "low_m": z, "high_m": z}],
+ *      "warnings": [{"line": 20, "object": "gutter 21", "text": "has 2 of 3 points: left out"}]}
+ *
+ * Objects come in the order of their first lines, object i + 1 being the source_label of its
+ * segment; label is that of its points, 0 where it holds none. shape: none, prism (outline, low_m,
+ * high_m), rectangle and outline (corners, low_m, high_m), cylinder (axis, radius_m); lengths in
+ * metres, places in the cloud's system, as measured, without the margins. hinge: left or right,
+ * seen from outside, or unknown. classes are as written to the cloud, those of objects as in the
+ * code table.
+ *
+ * A code table (parameter "table") is
+ *
+ *     {"name": "survey", "separator": "+",
+ *      "modifiers": {"start": 2, "next": 4, "curve": 3, "close": 0, "offset": 8},
+ *      "codes": [{"from": 300, "to": 305, "name": "building", "geometry": "prism", "class": 1},
+ *                {"from": 350, "name": "door", "geometry": "two_corners", "class": 2,
+ *                 "distance_m": 0.04, "hinged": true}]}
+ *
+ * geometry: ignored, point, line, prism, two_corners, three_points (one of them offset, straight
+ * behind the corner whose recessed twin it is), four_points (inclined sill), outline, centre, edge,
+ * top (of an upright cylinder, in this order), pipe (linkage of the axis, its offset point on the
+ * skin); of targets wall_target, door_target, window_target (two a facade), gutter_target. to:
+ * equal to from by default; class: 0 ... 255, 0 by default; distance_m: half-thickness of a door or
+ * window, 0.03 by default. Of two openings that hold a point the later row has it.
+ */
+JALON_API JALON_CHECK jalon_status jalon_segmentation_notes(const jalon_segmentation* segmentation,
+                                                            const char** out);
 /**
  * Distribution of the signed distances of points to their planes (Boulaassal 2010, 3.4.3.6).
  * JALON_ERROR_NOT_FOUND for an unknown label. O(points).

@@ -61,6 +61,8 @@ class ByteReader {
   const uint8_t* block(uint64_t bytes);
   /// A count of items of at least so many bytes each, which what is left can hold.
   size_t count(size_t item_bytes);
+  /// Whether anything is left: what a later release wrote behind the rest.
+  bool has_more() const { return !left_.empty(); }
   /// Nothing may be left.
   void end() const;
 

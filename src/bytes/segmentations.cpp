@@ -70,6 +70,7 @@ void write_segmentation(ByteWriter& writer, const Segmentation& segmentation) {
                segment_members(segment));
   writer.item(segmentation.T_facade_world);
   writer.item(segmentation.parameters_json);
+  if (!segmentation.notes_json.empty()) writer.item(segmentation.notes_json);
 }
 
 Segmentation read_segmentation(ByteReader& reader, Task& task) {
@@ -92,6 +93,7 @@ Segmentation read_segmentation(ByteReader& reader, Task& task) {
     reader.refuse("a point has an orientation that is none");
   reader.item(out.T_facade_world);
   reader.item(out.parameters_json);
+  if (reader.has_more()) reader.item(out.notes_json);
   return out;
 }
 

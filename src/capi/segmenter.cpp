@@ -91,6 +91,14 @@ jalon_status jalon_segmentation_parameters(const jalon_segmentation* segmentatio
   });
 }
 
+jalon_status jalon_segmentation_notes(const jalon_segmentation* segmentation, const char** out) {
+  return guard([&] {
+    require(segmentation, "segmentation");
+    require(out, "out");
+    *out = segmentation->segmentation->notes_json.c_str();
+  });
+}
+
 jalon_status jalon_segmentation_residuals(const jalon_segmentation* segmentation, uint32_t label,
                                           uint32_t bins, jalon_task* task, jalon_fields** out_bins,
                                           jalon_fields** out_normal) {

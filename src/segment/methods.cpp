@@ -3,6 +3,7 @@
 #include "segment/methods.h"
 
 #include "base/names_of.h"
+#include "segment/codes_methods.h"
 #include "segment/growing_settings.h"
 #include "segment/ransac_settings.h"
 
@@ -19,6 +20,10 @@ constexpr SegmentMethod kMethods[] = {
     {"ransac", "segmenter ransac", ransac_rows, run<RansacSettings, segment_ransac>},
     {"region_growing", "segmenter region_growing", region_growing_rows,
      run<GrowingSettings, segment_region_growing>},
+    {"survey_codes", "segmenter survey_codes", survey_code_rows,
+     run<SurveyCodeSettings, segment_by_survey_codes>},
+    {"target_codes", "segmenter target_codes", target_code_rows,
+     run<TargetCodeSettings, segment_by_target_codes>},
 };
 
 }  // namespace

@@ -75,6 +75,7 @@ struct Segmentation {
   std::vector<Segment> segments;  ///< largest first
   Transform T_facade_world;
   std::string parameters_json;  ///< what it was made with
+  std::string notes_json;       ///< what a method by codes tells beside it; "" of the others
 };
 
 using SegmentationPtr = std::shared_ptr<const Segmentation>;

@@ -115,7 +115,8 @@ static void every_segmenter__finds_wall_and_ground_of_a_street(void** state) {
     MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
     MUST(jalon_segmentation_segments(segmentation, &segments));
     MUST(jalon_fields_view(segments, "label", &labels));
-    assert_true(labels.count >= 2);
+    if (strstr(names[i], "_codes") != NULL) assert_int_equal(labels.count, 0); /* without a list */
+    else assert_true(labels.count >= 2);
     jalon_fields_release(segments);
     jalon_segmentation_release(segmentation);
     jalon_segmenter_release(segmenter);

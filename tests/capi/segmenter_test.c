@@ -222,7 +222,7 @@ static void segmenter__shares_its_parameters(void** state) {
   jalon_segmenter_release(segmenter);
 }
 
-static const char* const kMethods[] = {"ransac", "region_growing"};
+static const char* const kMethods[] = {"ransac", "region_growing", "survey_codes", "target_codes"};
 enum { kMethodCount = sizeof kMethods / sizeof *kMethods };
 
 static void segmenter__grows_the_same_two_planes(void** state) {
@@ -262,6 +262,47 @@ static void segmenter__each_method_has_its_own_parameters(void** state) {
   jalon_segmentation* segmentation = NULL;
   MUST(jalon_params_set_string(params, "normals", "field"));
   REFUSED(JALON_ERROR_NOT_FOUND, jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
+  jalon_cloud_release(cloud);
+  jalon_params_release(params);
+  jalon_segmenter_release(segmenter);
+}
+
+static void segmenter__codes_give_classes_objects_and_notes(void** state) {
+  (void)state;
+  jalon_segmenter* segmenter = NULL;
+  jalon_params* params = NULL;
+  jalon_segmentation* segmentation = NULL;
+  jalon_cloud *cloud = corner_cloud(), *coded = NULL;
+  const char* notes = NULL;
+  MUST(jalon_segmenter_create("survey_codes", &segmenter));
+  MUST(jalon_segmenter_params(segmenter, &params));
+  MUST(
+      jalon_params_set_string(params, "codes", "4;1;0.001;1;360\n5;2;-0.001;2;360\n6;0;0;0;777\n"));
+  MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
+  MUST(jalon_segmentation_notes(segmentation, &notes));
+  assert_non_null(strstr(notes, "\"name\":\"window 4\""));
+  assert_non_null(strstr(notes, "unknown code \\\"777\\\""));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_segmentation_notes(NULL, &notes));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_segmentation_notes(segmentation, NULL));
+  MUST(jalon_segmentation_cloud(segmentation, &coded));
+  jalon_fields* fields = NULL;
+  jalon_array_view classes;
+  MUST(jalon_cloud_fields(coded, &fields));
+  MUST(jalon_fields_view(fields, "classification", &classes));
+  uint64_t windows = 0;
+  for (uint64_t i = 0; i < classes.count; ++i) windows += ((const uint8_t*)classes.data)[i] == 3;
+  assert_true(windows > 300 && windows < 500);
+  jalon_segmentation* planes = segment(cloud);
+  MUST(jalon_segmentation_notes(planes, &notes));
+  assert_string_equal(notes, "");
+  MUST(jalon_params_set_string(params, "codes", "1;0;0;0;360\n2;0;x;0;360\n"));
+  jalon_segmentation* none = NULL;
+  REFUSED(JALON_ERROR_FORMAT, jalon_segmenter_run(segmenter, cloud, NULL, &none));
+  assert_true(none == NULL);
+  jalon_segmentation_release(planes);
+  jalon_fields_release(fields);
+  jalon_cloud_release(coded);
+  jalon_segmentation_release(segmentation);
   jalon_cloud_release(cloud);
   jalon_params_release(params);
   jalon_segmenter_release(segmenter);
@@ -324,6 +365,7 @@ int main(void) {
       cmocka_unit_test(segmenter__tells_parameters_and_distribution),
       cmocka_unit_test(segmenter__shares_its_parameters),
       cmocka_unit_test(segmenter__each_method_has_its_own_parameters),
+      cmocka_unit_test(segmenter__codes_give_classes_objects_and_notes),
       cmocka_unit_test(segmenter__refuses_bad_input),
       cmocka_unit_test(segmenter__stops_when_cancelled_and_runs_again),
   };

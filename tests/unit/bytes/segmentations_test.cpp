@@ -52,6 +52,15 @@ std::string broken_segmentation(F&& change) {
   return segmentation_back(s);
 }
 
+TEST_CASE("segmentation_bytes__bring_back_notes_and_read_bytes_that_have_none") {
+  Segmentation coded = one_of_each(), back;
+  coded.notes_json = "{\"objects\":[]}";
+  CHECK(segmentation_back(coded, &back) == "");
+  CHECK(back.notes_json == coded.notes_json);
+  CHECK(segmentation_back(one_of_each(), &back) == "");
+  CHECK(back.notes_json == "");
+}
+
 TEST_CASE("segmentation_bytes__bring_back_labels_segments_and_parameters") {
   Segmentation back;
   CHECK(segmentation_back(one_of_each(), &back) == "");

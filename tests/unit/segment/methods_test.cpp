@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "base/settings_json.h"
+#include "segment/codes_methods.h"
 #include "unit/segment/scenes.h"
 
 using namespace jalon;
@@ -18,21 +19,27 @@ constexpr const char* kRansac =
     "\"orientation_order\": \"vertical parallel\", \"facade_frame\": false}";
 constexpr const char* kGrowing =
     "{\"normals\": \"field\", \"k\": 20, \"gap_m\": 0.3, \"merge_gap_m\": 0.1}";
+constexpr const char* kTargetCodes = "{\"codes\": \"1;0;0;0;1\", \"wall_draws\": 40}";
+constexpr const char* kSurveyCodes =
+    "{\"codes\": \"1;0;0;0;360\\n2;1;1;1;360\", \"classes\": \"asprs\", \"inward_m\": 0.3}";
 
 }  // namespace
 
 TEST_CASE("segment_methods__settings_tell_the_parameters_they_came_from") {
   for (const SegmentMethod& method : segment_methods()) {
     CAPTURE(method.owner);
-    const bool ransac = std::string(method.name) == "ransac";
-    for (const char* json : {"{}", ransac ? kRansac : kGrowing}) {
-      ParamSet params(method.owner, method.rows());
-      params.from_json(json);
-      const std::string told =
-          ransac ? settings_json(method.rows(), settings_from<RansacSettings>(params))
-                 : settings_json(method.rows(), settings_from<GrowingSettings>(params));
-      CHECK(told == params.to_json());
-    }
+    const std::string name = method.name;
+    const auto check = [&]<class Settings>(const char* some_set) {
+      for (const char* json : {"{}", some_set}) {
+        ParamSet params(method.owner, method.rows());
+        params.from_json(json);
+        CHECK(settings_json(method.rows(), settings_from<Settings>(params)) == params.to_json());
+      }
+    };
+    if (name == "ransac") check.operator()<RansacSettings>(kRansac);
+    if (name == "region_growing") check.operator()<GrowingSettings>(kGrowing);
+    if (name == "target_codes") check.operator()<TargetCodeSettings>(kTargetCodes);
+    if (name == "survey_codes") check.operator()<SurveyCodeSettings>(kSurveyCodes);
   }
 }
 

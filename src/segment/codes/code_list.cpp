@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/codes/code_list.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/text_number.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kListColumns = 5;  // ID, X, Y, Z, code
+
+std::string_view without_blanks(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \r\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \r\n") - first + 1);
+}
+
+std::vector<std::string_view> parts_of(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const size_t end = text.find(separator);
+    parts.push_back(without_blanks(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+bool read_code(std::string_view text, CodedPoint& point) {
+  const size_t dot = text.find('.');
+  if (!parse_integer(text.substr(0, dot), point.sequence) || point.sequence < 0) return false;
+  if (dot == std::string_view::npos) return true;
+  return parse_integer(text.substr(dot + 1), point.modifier) && point.modifier >= 0;
+}
+
+bool read_place(const std::vector<std::string_view>& columns, Vec3& place) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!parse_number(columns[static_cast<size_t>(axis) + 1], place[axis])) return false;
+  return is_finite(place);
+}
+
+// The codes of one line: each known one a point more, each other one a warning.
+void add_codes(std::string_view text, const CodedPoint& bare, const CodeTable& table,
+               CodeList& list) {
+  for (const std::string_view code : parts_of(text, table.separator)) {
+    CodedPoint point = bare;
+    const std::string quoted = "\"" + std::string(code) + "\"";
+    if (!read_code(code, point))
+      list.warnings.push_back({bare.line, "point " + bare.id, quoted + " is no code"});
+    else if (table.find(point.sequence) == nullptr)
+      list.warnings.push_back(
+          {bare.line, "point " + bare.id, "unknown code " + quoted + ": not used"});
+    else list.points.push_back(std::move(point));
+  }
+}
+
+}  // namespace
+
+CodeList read_code_list(std::string_view text, const CodeTable& table) {
+  CodeList list;
+  bool first_line = true;
+  size_t number = 0;
+  for (const std::string_view raw : parts_of(text, '\n')) {
+    ++number;
+    if (raw.empty() || raw.front() == '#') continue;
+    const std::vector<std::string_view> columns =
+        parts_of(raw, raw.find(';') != std::string_view::npos ? ';' : '\t');
+    const bool may_be_heading = first_line;
+    first_line = false;
+    CodedPoint point;
+    point.line = number;
+    if (columns.size() != kListColumns)
+      fail(Status::kFormat, "code list, line %zu: %zu columns; ID;X;Y;Z;code are five", number,
+           columns.size());
+    point.id = columns[0];
+    if (!read_place(columns, point.position)) {
+      if (may_be_heading) continue;
+      fail(Status::kFormat, "code list, line %zu: X, Y and Z of point %s are not three numbers",
+           number, point.id.c_str());
+    }
+    add_codes(columns[4], point, table, list);
+  }
+  return list;
+}
+
+}  // namespace jalon

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "segment/codes/coded_object.h"
+
+namespace jalon {
+
+/// The points of a list joined to objects, without their shapes: linkages per sequence from one start to the next,
+/// openings by twos, threes or fours of one sequence, cylinders of centre, edge and top, each target by itself.
+/// Sequences may be interleaved. What is incomplete gives a warning that names line and object, and no object.
+CodedObjects grouped_objects(const CodeList& list, const CodeTable& table);
+
+}  // namespace jalon

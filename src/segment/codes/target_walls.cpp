@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "base/random.h"
+#include "segment/codes/target_scene.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kSlabPointsPerChunk = 1 << 15;
+
+struct WallPoint {
+  uint32_t index, object;
+};
+
+size_t support(const TargetScene& scene, const std::vector<uint32_t>& slab, const Plane& plane,
+               Task& task) {
+  return parallel_reduce(
+      task, slab.size(), kSlabPointsPerChunk, size_t{0}, [&](size_t begin, size_t end) {
+        size_t count = 0;
+        for (size_t i = begin; i < end; ++i)
+          count += std::fabs(plane.distance(scene.local(slab[i]))) < scene.settings.wall_distance_m;
+        return count;
+      });
+}
+
+// Planes through the target and two points of the slab (Fischler & Bolles 1981, guided by the target). A normal's sign
+// is arbitrary: the angle is that between the lines.
+std::optional<Plane> drawn_wall(const TargetScene& scene, const CodedPoint& target,
+                                const std::vector<uint32_t>& slab, const Plane& first,
+                                uint64_t stream, Task& task) {
+  std::optional<Plane> best;
+  size_t most = 0;
+  if (slab.size() < 2) return best;
+  RandomStream random(scene.settings.seed, stream);
+  const Vec3 centre = scene.place(target);
+  const double least_cosine = std::cos(scene.settings.wall_angle_rad);
+  for (int64_t draw = 0; draw < scene.settings.wall_draws; ++draw) {
+    const size_t a = random.below(slab.size());
+    size_t b = random.below(slab.size() - 1);
+    if (b >= a) ++b;
+    const Vec3 normal =
+        normalized(cross(scene.local(slab[a]) - centre, scene.local(slab[b]) - centre));
+    if (!(std::fabs(dot(normal, first.normal)) > least_cosine)) continue;
+    const Plane plane{normal, dot(normal, centre)};
+    const size_t count = support(scene, slab, plane, task);
+    if (count <= most) continue;
+    most = count;
+    best = plane;
+  }
+  return best;
+}
+
+void take_wall(TargetScene& scene, uint32_t number, std::vector<WallPoint>& walls, Task& task) {
+  const CodedObject& object = scene.objects.objects[number - 1];
+  const CodedPoint& target = object.points.front();
+  const auto first = plane_of(scene, patch_of(scene, target, true, task));
+  if (!first) return warn_of_target(scene, object, "fewer than three points lie at its target");
+  const std::vector<uint32_t> slab = free_points(
+      scene, [&](const Vec3& p) { return std::fabs(first->distance(p)) < scene.settings.slab_m; },
+      task);
+  auto plane = drawn_wall(scene, target, slab, *first, number, task);
+  if (!plane) {
+    warn_of_target(scene, object, "no drawn plane is near that of its target, which is taken");
+    plane = first;
+  }
+  for (const uint32_t i : slab)
+    if (std::fabs(plane->distance(scene.local(i))) < scene.settings.wall_distance_m) {
+      scene.owner[i] = number;
+      walls.push_back({i, number});
+    }
+}
+
+// Height of the first empty class of the histogram of all walls' heights; infinite when none is empty.
+double top_of(const TargetScene& scene, const std::vector<WallPoint>& walls) {
+  double low = INFINITY, high = -INFINITY;
+  for (const WallPoint& p : walls) {
+    low = std::min(low, scene.local(p.index).z);
+    high = std::max(high, scene.local(p.index).z);
+  }
+  const auto bins = static_cast<size_t>(scene.settings.height_bins);
+  const double width = (high - low) / static_cast<double>(bins);
+  if (!(width > 0)) return INFINITY;
+  std::vector<size_t> counts(bins, 0);
+  for (const WallPoint& p : walls)
+    ++counts[std::min(bins - 1, static_cast<size_t>((scene.local(p.index).z - low) / width))];
+  const auto gap = std::find(counts.begin(), counts.end(), size_t{0});
+  return gap == counts.end() ? INFINITY : low + static_cast<double>(gap - counts.begin()) * width;
+}
+
+struct Extent {
+  double low = INFINITY, high = -INFINITY;
+};
+
+// Columns of the plan whose points do not reach the height of a wall go back, and what lies above the gap.
+void cut_walls(TargetScene& scene, const std::vector<WallPoint>& walls) {
+  const double top = top_of(scene, walls), cell = scene.settings.wall_cell_m;
+  std::unordered_map<uint64_t, Extent> columns;
+  const auto column_of = [&](const Vec3& p) {
+    const auto x = static_cast<int64_t>(std::floor(p.x / cell));
+    const auto y = static_cast<int64_t>(std::floor(p.y / cell));
+    return static_cast<uint64_t>(x) << 32 ^ (static_cast<uint64_t>(y) & 0xffffffffu);
+  };
+  for (const WallPoint& point : walls) {
+    const Vec3 p = scene.local(point.index);
+    if (p.z >= top) continue;
+    Extent& extent = columns[column_of(p)];
+    extent.low = std::min(extent.low, p.z);
+    extent.high = std::max(extent.high, p.z);
+  }
+  for (const WallPoint& point : walls) {
+    const Vec3 p = scene.local(point.index);
+    const auto column = columns.find(column_of(p));
+    if (p.z >= top || column->second.high - column->second.low < scene.settings.least_wall_height_m)
+      scene.owner[point.index] = 0;
+  }
+}
+
+}  // namespace
+
+void take_walls(TargetScene& scene, Task& task) {
+  std::vector<WallPoint> walls;
+  for (uint32_t number = 1; number <= scene.objects.objects.size(); ++number)
+    if (scene.objects.objects[number - 1].row.geometry == CodeGeometry::kWallTarget)
+      take_wall(scene, number, walls, task);
+  task.checkpoint(1);
+  cut_walls(scene, walls);
+}
+
+}  // namespace jalon

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/codes/code_list.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "unit/segment/codes/annex.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+CodeList read(const std::string& text) {
+  return read_code_list(text, code_table_from_json(kSurveyCodeTable));
+}
+
+}  // namespace
+
+TEST_CASE("code_list__the_annex_has_437_points_and_12_stations") {
+  const CodeList list = read(code_list_of(kAnnexSurvey));
+  CHECK(list.warnings.empty());
+  CHECK(list.points.size() == 449);
+  int stations = 0;
+  for (const CodedPoint& p : list.points) stations += p.sequence == 921;
+  CHECK(stations == 12);
+  CHECK(read_code_list(code_list_of(kAnnexTargets), code_table_from_json(kTargetCodeTable))
+            .points.size() == 54);
+}
+
+TEST_CASE("code_list__splits_sequence_and_modifier_and_several_codes") {
+  const CodeList list = read(
+      "ID;X;Y;Z;code\n# corner that is also a door\n\n 7;1.5;-2;3e1;300.2+350\r\nA8;0;0;0;361.0");
+  REQUIRE(list.points.size() == 3);
+  CHECK(list.points[0].id == "7");
+  CHECK(list.points[0].position == Vec3{1.5, -2, 30});
+  CHECK(list.points[0].line == 4);
+  CHECK(list.points[0].sequence == 300);
+  CHECK(list.points[0].modifier == 2);
+  CHECK(list.points[1].id == "7");
+  CHECK(list.points[1].sequence == 350);
+  CHECK(list.points[1].modifier == kNoModifier);
+  CHECK(list.points[2].id == "A8");
+  CHECK(list.points[2].modifier == 0);
+}
+
+TEST_CASE("code_list__takes_tabs") {
+  CHECK(read("1\t2\t3\t4\t360").points.at(0).position == Vec3{2, 3, 4});
+}
+
+TEST_CASE("code_list__unknown_codes_are_listed_with_line_and_point") {
+  const CodeList list = read("1;0;0;0;360\n2;0;0;0;777.2\n3;0;0;0;wall\n4;0;0;0;");
+  CHECK(list.points.size() == 1);
+  REQUIRE(list.warnings.size() == 3);
+  CHECK(list.warnings[0].line == 2);
+  CHECK(list.warnings[0].object == "point 2");
+  CHECK(list.warnings[0].text.find("777.2") != std::string::npos);
+  CHECK(list.warnings[1].text.find("wall") != std::string::npos);
+  CHECK(list.warnings[2].line == 4);
+}
+
+TEST_CASE("code_list__a_line_that_cannot_be_read_is_named") {
+  const auto refused = [](const char* text, const char* part) {
+    try {
+      read(text);
+    } catch (const Error& error) {
+      CHECK(error.status() == Status::kFormat);
+      CHECK(std::string(error.what()).find(part) != std::string::npos);
+      return;
+    }
+    FAIL("taken");
+  };
+  refused("1;0;0;0;360\n2;0;0;360", "line 2");
+  refused("1;0;0;0;360\n2;0;x;0;360", "line 2");
+  refused("1;0;0;0;360\n2;0;nan;0;360", "line 2");
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/codes/grouping.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+#include "geometry/polygon2.h"
+#include "unit/segment/codes/coded.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+TEST_CASE("grouping__the_annex_has_4_buildings_19_doors_100_windows_and_12_gutters") {
+  std::map<std::string, int> kinds;
+  const CodedObjects all = surveyed(code_list_of(kAnnexSurvey));
+  for (const CodedObject& object : all.objects) ++kinds[object.row.name];
+  CHECK(kinds["building"] == 4);
+  CHECK(kinds["door"] == 19);
+  CHECK(kinds["window"] == 100);
+  CHECK(kinds["gutter"] == 12);
+  CHECK(all.objects.size() == 135);
+  CHECK(object_named(all, "building 156")->points.size() == 13);
+}
+
+TEST_CASE("grouping__window_targets_of_the_annex_pair_up_on_their_facades") {
+  const CodeTable table = code_table_from_json(kTargetCodeTable);
+  const CodedObjects targets =
+      grouped_objects(read_code_list(code_list_of(kAnnexTargets), table), table);
+  CHECK(targets.objects.size() == 25);
+  CHECK(targets.warnings.empty());
+  const CodedObjects survey = surveyed(code_list_of(kAnnexSurvey));
+  const auto corner = [&](const char* id) {
+    for (const CodedObject& building : survey.objects)
+      for (const CodedPoint& p : building.points)
+        if (p.id == id) return in_plan(p.position);
+    return Vec2{};
+  };
+  const char* pairs[][4] = {{"101", "102", "601", "500"},
+                            {"105", "106", "254", "100"},
+                            {"107", "108", "650", "255"},
+                            {"122", "123", "200", "201"},
+                            {"125", "133", "256", "257"}};
+  for (const auto& [first, second, from, to] : pairs) {
+    CAPTURE(first);
+    const CodedObject* windows = object_named(targets, std::string("windows ") + first);
+    REQUIRE(windows != nullptr);
+    REQUIRE(windows->points.size() == 2);
+    CHECK(windows->points[1].id == second);
+    for (const CodedPoint& p : windows->points)
+      CHECK(segment_distance(in_plan(p.position), corner(from), corner(to)) < 0.3);
+  }
+}
+
+TEST_CASE("grouping__sequences_may_be_interleaved") {
+  const CodedObjects all = surveyed(
+      "1;0;0;3;300.2\n2;50;0;3;301.2\n3;9;0;3;300.4\n4;59;0;3;301.4\n5;59;9;3;301.4\n6;9;9;3;300."
+      "4\n"
+      "7;1;0;1;360\n8;0;0;0;408\n9;2;0;2;360\n10;0.04;0;0;409\n11;5;5;0;300.4\n12;0;0;2;410\n"
+      "13;80;0;3;300.2\n14;90;0;3;300.4\n15;90;9;3;300.4\n");
+  REQUIRE(object_named(all, "building 1") != nullptr);
+  CHECK(object_named(all, "building 1")->points.size() == 4);
+  CHECK(object_named(all, "building 2")->points.size() == 3);
+  CHECK(object_named(all, "building 13")->points.size() == 3);
+  CHECK(object_named(all, "window 7")->points.back().id == "9");
+  CHECK(object_named(all, "gutter 8")->points.back().id == "12");
+}
+
+TEST_CASE("grouping__a_closing_point_ends_its_linkage") {
+  const CodedObjects all = surveyed(
+      "1;0;0;1;365.2\n2;1;0;1;365.4\n3;1;0;2;365.0\n4;5;0;1;365.4\n5;8;0;1;365.2\n6;9;0;1;365.4\n"
+      "7;9;0;2;365.0\n");
+  CHECK(object_named(all, "window 1")->points.size() == 3);
+  CHECK(object_named(all, "window 5")->points.size() == 3);
+  CHECK(warning_of(all, "window 4").line == 4);
+}
+
+TEST_CASE("grouping__what_is_incomplete_names_line_and_object") {
+  const CodedObjects all = surveyed(
+      "1;0;0;0;408\n2;0.04;0;0;409\n3;5;0;0;408\n4;5.04;0;0;409\n5;5;0;3;410\n6;7;0;0;409\n"
+      "7;0;0;0;361\n8;0;0;1;361.8\n9;0;0;3;300.4\n");
+  CHECK(all.objects.size() == 1);
+  CHECK(warning_of(all, "gutter 1").line == 2);
+  CHECK(warning_of(all, "gutter 1").text.find("2 of 3") != std::string::npos);
+  CHECK(warning_of(all, "gutter 6").line == 6);
+  CHECK(warning_of(all, "window 7").text.find("2 of 3") != std::string::npos);
+  CHECK(warning_of(all, "building 9").text.find("start") != std::string::npos);
+}

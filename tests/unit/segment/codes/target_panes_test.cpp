@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include "unit/segment/codes/target_house.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+TEST_CASE("target_panes__a_door_ends_2_m_from_its_target") {
+  // The window plane, taken for a door: only what is near the target.
+  const TargetHouse house;
+  const Segmentation s = house.coded("1;4.5;0.2;1.3;2\n");
+  const auto labels = s.labels->values<uint32_t>();
+  for (size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != 0) {
+      const double distance = norm(house.points[i] - Vec3{4.5, 0.2, 1.3});
+      CHECK(distance < 2);
+    }
+  CHECK(house.confused(s, 3, 2) == house.of(3) / 2);  // the second window begins 2.5 m from it
+}
+
+TEST_CASE("target_panes__windows_of_a_facade_reach_1_m_beyond_their_targets") {
+  const TargetHouse house;
+  const Segmentation s = house.coded("1;4.5;0.2;1.3;3\n2;5.5;0.2;1.3;3\n");
+  CHECK(house.confused(s, 3, 3) == house.of(3) / 2);  // the second window begins at x = 7
+}
+
+TEST_CASE("target_panes__two_targets_of_different_planes_are_no_facade") {
+  const TargetHouse house;
+  const Segmentation s = house.coded("1;4.5;0.2;1.3;3\n2;2.025;-2.025;0;3\n");
+  CHECK(warned(s, "windows 1").find("no common plane") != std::string::npos);
+  CHECK(s.segments.empty());
+}
