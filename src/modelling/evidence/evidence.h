@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "base/task.h"
@@ -25,7 +26,13 @@ struct WallEvidence {
   std::vector<OpeningCandidate> openings;
   double gross_m2 = 0, measured_m2 = 0;  ///< of what is within its border; of what was measured
   PlaneRole role = PlaneRole::kWall;
+  bool is_recess =
+      false;  ///< the sides of another wall's openings lead to it: a loggia's back wall
   bool empty() const { return cells.empty(); }
+  bool has_framed_openings() const {
+    return std::any_of(openings.begin(), openings.end(),
+                       [](const auto& o) { return o.is_opening && o.framed >= kFramedShare; });
+  }
   bool is_wall() const { return !empty() && role == PlaneRole::kWall; }
   /// The contour of its points shows the same openings: they are drawn by it, and judged by what lies in them.
   bool is_plain = false;

@@ -224,6 +224,7 @@ std::vector<OpeningCandidate> find_openings(const WallCells& cells, const Openin
       ++candidate.inside.cells[static_cast<size_t>(cells.at(c, r))];
     });
     candidate.bordered = bordered_share(cells, shape, Sides::kAll);
+    candidate.framed = framed_share(cells, shape);
     candidate.relief = relief_share(cells, shape);
     candidate.shape = shape.placed(cells.cell_m, cells.origin);
     candidate.is_opening = is_opening(candidate, seen_blocks(cells, shape), cells.origin.v);

@@ -22,10 +22,14 @@ struct StateCounts {
 struct OpeningCandidate {
   OpeningShape shape;  ///< in the plane's coordinates, m
   StateCounts inside;
-  double bordered = 0;      ///< share of its border along which the wall was measured
-  double relief = 0;        ///< share of that along which relief covers the wall
+  double bordered = 0;  ///< share of its border along which the wall was measured
+  double framed = 0;  ///< share of its border, less the wall's foot, beyond which the wall is broad
+  double relief = 0;  ///< share of that along which relief covers the wall
   bool is_opening = false;  ///< else nothing tells an opening from what was not looked at
 };
+
+/// Of the border of an opening that is framed: what a bay between two piers has at least.
+constexpr double kFramedShare = 0.5;
 
 struct OpeningSearch {
   double least_width_m = 0.12;  ///< of what is drawn as an opening

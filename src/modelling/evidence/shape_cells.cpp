@@ -11,6 +11,9 @@ namespace {
 constexpr double kBesideCells = 2;  // the wall begins this near to a border
 constexpr double kStepCells = 0.5;  // along it and away from it
 constexpr double kChordCells = 0.2;
+constexpr int kFrameCells =
+    3;  // of wall, one after the other: broader than what stands at a border by itself
+constexpr double kFrame_m = 0.5;  // surrounds and sills are narrower
 
 // What lies beside a place of the border: wall, the outside, or neither.
 enum class Beside { kWall, kRelief, kOutside, kOther };
@@ -28,9 +31,24 @@ Beside beside(const WallCells& cells, const Vec2& p, const Vec2& outward) {
   return found;
 }
 
-// f(what lies beside) for places along the sides.
+// Whether the wall lies beyond a place of the border, within a surround's width.
+bool is_framed(const WallCells& cells, const Vec2& p, const Vec2& outward) {
+  const auto reach = static_cast<int>(kBesideCells + kFrame_m / cells.cell_m) + kFrameCells;
+  int on = 0;
+  for (int out = 0; out < reach; ++out) {
+    const Vec2 q = p + outward * (out + kStepCells);
+    if (!(q.u >= 0 && q.v >= 0 && q.u < cells.columns && q.v < cells.rows)) return false;
+    const bool is_on =
+        cells.at(static_cast<uint32_t>(q.u), static_cast<uint32_t>(q.v)) == WallState::kOn;
+    on = is_on ? on + 1 : 0;
+    if (on == kFrameCells) return true;
+  }
+  return false;
+}
+
+// f(place, outward) for places along the sides.
 template <class F>
-void walk(const WallCells& cells, const OpeningShape& shape, Sides sides, F&& f) {
+void walk(const OpeningShape& shape, Sides sides, F&& f) {
   const std::vector<Vec2> ring = flattened(shape.ring(), kChordCells);
   for (size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], d = ring[(i + 1) % ring.size()] - a;
@@ -39,8 +57,7 @@ void walk(const WallCells& cells, const OpeningShape& shape, Sides sides, F&& f)
     const Vec2 outward{d.v / length, -d.u / length};
     const auto count = std::max<size_t>(1, static_cast<size_t>(length / kStepCells));
     for (size_t k = 0; k < count; ++k)
-      f(beside(cells, a + d * ((static_cast<double>(k) + 0.5) / static_cast<double>(count)),
-               outward));
+      f(a + d * ((static_cast<double>(k) + 0.5) / static_cast<double>(count)), outward);
   }
 }
 
@@ -48,17 +65,28 @@ void walk(const WallCells& cells, const OpeningShape& shape, Sides sides, F&& f)
 
 double bordered_share(const WallCells& cells, const OpeningShape& shape, Sides sides) {
   size_t steps = 0, wall = 0;
-  walk(cells, shape, sides, [&](Beside there) {
+  walk(shape, sides, [&](const Vec2& p, const Vec2& outward) {
+    const Beside there = beside(cells, p, outward);
     wall += there == Beside::kWall || there == Beside::kRelief;
     steps += there != Beside::kOutside;
   });
   return steps > 0 ? static_cast<double>(wall) / static_cast<double>(steps) : 1;
 }
 
+double framed_share(const WallCells& cells, const OpeningShape& shape) {
+  size_t steps = 0, framed = 0;
+  walk(shape, Sides::kAll, [&](const Vec2& p, const Vec2& outward) {
+    if (outward.v < 0 && beside(cells, p, outward) == Beside::kOutside) return;  // on the ground
+    framed += is_framed(cells, p, outward);
+    ++steps;
+  });
+  return steps > 0 ? static_cast<double>(framed) / static_cast<double>(steps) : 0;
+}
+
 double relief_share(const WallCells& cells, const OpeningShape& shape) {
   size_t steps = 0, relief = 0;
-  walk(cells, shape, Sides::kAll, [&](Beside there) {
-    relief += there == Beside::kRelief;
+  walk(shape, Sides::kAll, [&](const Vec2& p, const Vec2& outward) {
+    relief += beside(cells, p, outward) == Beside::kRelief;
     ++steps;
   });
   return steps > 0 ? static_cast<double>(relief) / static_cast<double>(steps) : 0;

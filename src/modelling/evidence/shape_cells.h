@@ -31,6 +31,9 @@ enum class Sides : uint8_t {
 /// Share of the length of these sides of a shape (in cells) with wall just outside them, less what lies on the wall's
 /// border; 1 without such sides.
 double bordered_share(const WallCells& cells, const OpeningShape& shape, Sides sides);
+/// Share of the length of all its sides, the wall's border included but for its foot, beyond which the wall is as broad
+/// as a pier: openings are framed, and where a wall ends nothing frames what lies beside it.
+double framed_share(const WallCells& cells, const OpeningShape& shape);
 /// Share of its border along which relief is what comes first outside it.
 double relief_share(const WallCells& cells, const OpeningShape& shape);
 

@@ -150,8 +150,9 @@ std::vector<FacadeGroup> group_walls(const std::vector<VectorPlane>& planes,
       const Box3 box = box_in(groups[g].frame, plane);
       if (!is_beside(groups[g], box, setting)) continue;
       taken = true;
-      if (std::any_of(holes[g].begin(), holes[g].end(),
-                      [&](const Holes& h) { return fills_holes(plane, h); }))
+      const bool is_recess = !claims.empty() && claims[c.plane].is_recess;
+      if (!is_recess && std::any_of(holes[g].begin(), holes[g].end(),
+                                    [&](const Holes& h) { return fills_holes(plane, h); }))
         break;
       groups[g].walls.push_back(c.plane);
       groups[g].box += box;

@@ -39,6 +39,7 @@ struct FacadeFrame {
 /// What the evidence says of a plane.
 struct WallClaim {
   bool is_none = false;    ///< a pane, a surround, a room's wall
+  bool is_recess = false;  ///< a wall, although it lies in the openings of another: a loggia's
   double gross_m2 = 0;     ///< within its border, openings included; 0: nothing is known
   double measured_m2 = 0;  ///< of that
 };

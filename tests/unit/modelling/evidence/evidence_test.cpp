@@ -5,24 +5,14 @@
 #include <doctest/doctest.h>
 
 #include "modelling/evidence/evidence.h"
-#include "unit/modelling/walls.h"
+#include "unit/modelling/layers.h"
 
 using namespace jalon;
+using layers::add_layer;
+using layers::evidence_of;
+using layers::in_box;
 
 namespace {
-
-constexpr double kStep_m = 0.05;
-
-void add_layer(std::vector<Vec3>& out, double left, double foot, double width, double height,
-               double depth_m) {
-  for (double u = left + kStep_m / 2; u < left + width; u += kStep_m)
-    for (double v = foot + kStep_m / 2; v < foot + height; v += kStep_m)
-      out.push_back({u, depth_m, v});
-}
-
-bool in_box(const Vec3& p, double left, double foot, double width, double height) {
-  return p.x > left && p.x < left + width && p.z > foot && p.z < foot + height;
-}
 
 constexpr double kWindows[] = {1, 3, 5};  // 1.2 x 1.6 m, 1 m above the ground
 
@@ -49,17 +39,6 @@ struct House {
     cut(surrounds);
   }
 };
-
-std::vector<WallEvidence> evidence_of(const std::vector<std::vector<Vec3>>& parts,
-                                      unsigned threads = 1) {
-  Segmentation segmentation = walls::segmentation_of(parts);
-  for (size_t s = 0; s < parts.size(); ++s)
-    segmentation.segments[s].area_m2 = kStep_m * kStep_m * static_cast<double>(parts[s].size());
-  Task::Hooks hooks;
-  hooks.threads = threads;
-  Task task(hooks);
-  return gather_evidence(segmentation, {}, task);
-}
 
 }  // namespace
 

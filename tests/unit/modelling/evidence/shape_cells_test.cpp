@@ -85,3 +85,16 @@ TEST_CASE("relief_share__is_that_of_the_border_where_relief_comes_first") {
   paint(cells, {20, 20, 40, 40}, WallState::kThrough);
   CHECK(relief_share(cells, kSquare) == 0);
 }
+
+TEST_CASE("framed_share__is_that_of_the_border_beyond_which_the_wall_is_broad") {
+  WallCells cells = wall_with_square();
+  CHECK(framed_share(cells, kSquare) == 1);
+  // A surround or a strip of leaves lies between.
+  paint(cells, {18, 20, 20, 40}, WallState::kRelief);
+  CHECK(framed_share(cells, kSquare) == 1);
+  // The wall ends: beyond it there is nothing, or a strip of two cells alone.
+  paint(cells, {0, 20, 20, 40}, WallState::kOutside);
+  CHECK(framed_share(cells, kSquare) == doctest::Approx(0.75).epsilon(0.02));
+  paint(cells, {18, 20, 20, 40}, WallState::kOn);
+  CHECK(framed_share(cells, kSquare) == doctest::Approx(0.75).epsilon(0.02));
+}

@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/evidence/plane_roles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "modelling/evidence/cell_regions.h"
+#include "modelling/evidence/cell_sums.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kSameWay = 0.985;     // cosine of 10 degrees
+constexpr double kFillingShare = 0.6;  // of a plane's cells in the openings of another
+constexpr double kSparseShare = 0.2;  // measured, of what its border encloses: panes here and there
+constexpr double kFillingDepth_m = 0.6;  // panes and leaves stand no deeper, loggias do
+constexpr double kRoomDepth_m = 12;      // rooms are no deeper
+// Of a room's wall: straight behind the front's measured wall, and within its border.
+constexpr double kBehindWallShare = 0.08, kWithinShare = 0.7;
+constexpr double kShopFrontShare =
+    0.15;  // of the area behind an arcade: a room's wall has no shop fronts
+constexpr double kBroad_m = 0.6, kBroadShare = 0.7;  // less than a pier between two windows
+constexpr double kTall_m = 2, kTallShare = 0.5;      // parapets are no taller than 1.3 m
+constexpr double kCornice_m = 0.6;                   // strips of a wall stand no farther before it
+constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
+constexpr size_t kLookedAtCells = 20000;
+constexpr double kFilledShare = 0.5;
+
+bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
+  const uint32_t k = kWellInside;
+  if (c < k || r < k || c + k >= cells.columns || r + k >= cells.rows) return false;
+  for (const auto& [dc, dr] : {std::pair{0u, k}, {2 * k, k}, {k, 0u}, {k, 2 * k}, {k, k}})
+    if (cells.at(c + dc - k, r + dr - k) != WallState::kOn) return false;
+  return true;
+}
+
+// f(place) of the measured cells of a plane, of as many as are looked at.
+template <class F>
+void for_measured(const WallCells& cells, F&& f) {
+  const size_t step = std::max<size_t>(1, cells.states.size() / kLookedAtCells);
+  for (size_t k = 0; k < cells.states.size(); k += step)
+    if (cells.states[k] == WallState::kOn)
+      f(cells.frame.lift(cells.origin +
+                         Vec2{(static_cast<double>(k % cells.columns) + 0.5) * cells.cell_m,
+                              (static_cast<double>(k / cells.columns) + 0.5) * cells.cell_m}));
+}
+
+// A place straight before or behind a wall's plane.
+struct Foot {
+  Vec2 at;
+  double depth_m = 0;  ///< behind the plane
+  bool is_on_map = false;
+  uint32_t column = 0, row = 0;
+
+  Foot(const WallCells& wall, const Vec3& p)
+      : at(wall.frame.project(p)),
+        depth_m(wall.frame.height - dot(p - wall.frame.origin, wall.frame.normal)) {
+    const double c = (at.u - wall.origin.u) / wall.cell_m, r = (at.v - wall.origin.v) / wall.cell_m;
+    is_on_map = c >= 0 && r >= 0 && c < wall.columns && r < wall.rows;
+    if (!is_on_map) return;
+    column = static_cast<uint32_t>(c);
+    row = static_cast<uint32_t>(r);
+  }
+};
+
+double share_of(size_t part, size_t all) {
+  return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0;
+}
+
+// Whether a place before a plane lies in an opening of the wall. Walls have windows; gates and shutters, which may be
+// as large, have none: a plane with openings of its own fills framed openings only, any other fills what it lies in.
+bool is_in_opening(const WallEvidence& wall, const Vec2& at, bool only_framed) {
+  return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
+    return opening.is_opening && (!only_framed || opening.framed >= kFramedShare) &&
+           opening.shape.holds(at);
+  });
+}
+
+// Where the cells of a plane lie to a wall, as shares of its measured ones.
+struct Placement {
+  double in_openings = 0, behind_wall = 0, within = 0, depth_m = 0;
+};
+
+Placement placement_of(const WallEvidence& plane, const WallEvidence& wall) {
+  const bool is_windowed = plane.has_framed_openings();
+  size_t on = 0, openings = 0, behind = 0, within = 0;
+  double depths = 0;
+  for_measured(plane.cells, [&](const Vec3& p) {
+    const Foot foot(wall.cells, p);
+    ++on;
+    depths += foot.depth_m;
+    if (!foot.is_on_map) return;
+    within += wall.cells.at(foot.column, foot.row) != WallState::kOutside;
+    behind += is_well_inside(wall.cells, foot.column, foot.row);
+    openings += is_in_opening(wall, foot.at, is_windowed);
+  });
+  if (on == 0) return {};
+  return {share_of(openings, on), share_of(behind, on), share_of(within, on),
+          depths / static_cast<double>(on)};
+}
+
+// Whether somewhere a square of this side is measured: walls are broad somewhere, surrounds and cornices nowhere.
+bool is_broad(const WallCells& cells, double side_m) {
+  const auto side = static_cast<uint32_t>(std::ceil(side_m / cells.cell_m));
+  const CellSums<int32_t> on(cells.columns, cells.rows, [&](size_t k) {
+    return static_cast<int32_t>(cells.states[k] == WallState::kOn);
+  });
+  const auto least = static_cast<int32_t>(kBroadShare * side * side);
+  for (uint32_t r = 0; r + side <= cells.rows; ++r)
+    for (uint32_t c = 0; c + side <= cells.columns; ++c)
+      if (on.of(c, r, c + side, r + side) >= least) return true;
+  return false;
+}
+
+// Share of the measured cells in connected pieces as tall as a storey's wall: parapets of balconies are not.
+double tall_share(const WallCells& cells) {
+  std::vector<uint32_t> on;
+  for (size_t k = 0; k < cells.states.size(); ++k)
+    if (cells.states[k] == WallState::kOn) on.push_back(static_cast<uint32_t>(k));
+  CellRegions regions(cells.columns, cells.rows);
+  size_t tall = 0;
+  for (const std::vector<uint32_t>& region : regions.of(on)) {
+    const auto [low, high] = std::minmax_element(region.begin(), region.end());
+    const uint32_t rows = *high / cells.columns - *low / cells.columns + 1;
+    if (rows * cells.cell_m >= kTall_m) tall += region.size();
+  }
+  return share_of(tall, on.size());
+}
+
+bool is_sparse(const WallEvidence& plane) {
+  return plane.measured_m2 < kSparseShare * plane.gross_m2;
+}
+
+double area_of(const OpeningCandidate& opening, const WallCells& cells) {
+  return opening.inside.all() * cells.cell_m * cells.cell_m;
+}
+
+bool has_shop_fronts(const WallEvidence& plane) {
+  double through_m2 = 0;
+  for (const OpeningCandidate& opening : plane.openings)
+    if (opening.is_opening && opening.inside.of(WallState::kThrough) > 0)
+      through_m2 += area_of(opening, plane.cells);
+  return through_m2 >= kShopFrontShare * plane.gross_m2;
+}
+
+// Step 1: behind the walls before it, taken together.
+bool is_behind_walls(const std::vector<WallEvidence>& all, const std::vector<uint8_t>& is_front,
+                     size_t s) {
+  const WallEvidence& plane = all[s];
+  std::vector<const WallCells*> fronts;
+  for (size_t w = 0; w < all.size(); ++w)
+    if (w != s && is_front[w] != 0 &&
+        dot(all[w].cells.frame.normal, plane.cells.frame.normal) >= kSameWay)
+      fronts.push_back(&all[w].cells);
+  if (fronts.empty()) return false;
+  size_t on = 0, behind = 0, within = 0;
+  for_measured(plane.cells, [&](const Vec3& p) {
+    bool is_within = false, is_behind = false;
+    for (const WallCells* front : fronts) {
+      const Foot foot(*front, p);
+      if (!foot.is_on_map || foot.depth_m <= kFillingDepth_m || foot.depth_m > kRoomDepth_m)
+        continue;
+      is_within = is_within || front->at(foot.column, foot.row) != WallState::kOutside;
+      is_behind = is_behind || is_well_inside(*front, foot.column, foot.row);
+    }
+    ++on;
+    within += is_within;
+    behind += is_behind;
+  });
+  return share_of(within, on) >= kWithinShare && share_of(behind, on) >= kBehindWallShare;
+}
+
+void tell_rooms(std::vector<WallEvidence>& all, Task& task) {
+  std::vector<uint8_t> is_front(all.size(), 0), is_room(all.size(), 0);
+  parallel_for(task, all.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t s = begin; s < end; ++s)
+      is_front[s] = !all[s].empty() && !is_sparse(all[s]) && tall_share(all[s].cells) >= kTallShare;
+  });
+  parallel_for(task, all.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t s = begin; s < end; ++s)
+      is_room[s] = !all[s].empty() && !has_shop_fronts(all[s]) && is_behind_walls(all, is_front, s);
+  });
+  for (size_t s = 0; s < all.size(); ++s)
+    if (is_room[s] != 0) all[s].role = PlaneRole::kInside;
+}
+
+// Step 2.
+PlaneRole role_of(const Placement& p, const WallEvidence& plane, const CellSetting& setting) {
+  const WallCells& cells = plane.cells;
+  const double on_m = cells.on_m / 2;
+  if (p.within < kWithinShare) return PlaneRole::kWall;
+  if (p.depth_m < -on_m) {
+    const bool is_cover = p.depth_m >= -setting.relief_m;
+    const bool is_strip = p.depth_m >= -kCornice_m && !is_broad(cells, kBroad_m);
+    return is_cover || is_strip || is_sparse(plane) || tall_share(cells) < kTallShare
+               ? PlaneRole::kRelief
+               : PlaneRole::kWall;
+  }
+  if (p.depth_m <= on_m || p.depth_m > kRoomDepth_m) return PlaneRole::kWall;
+  if ((p.in_openings >= kFillingShare || is_sparse(plane)) && p.depth_m <= kFillingDepth_m)
+    return PlaneRole::kFilling;
+  const bool is_room = p.behind_wall >= kBehindWallShare && !has_shop_fronts(plane);
+  return is_room ? PlaneRole::kInside : PlaneRole::kWall;
+}
+
+// Whether a plane lies a little behind the openings of walls, taken together: panes and leaves of one depth in
+// neighbouring houses.
+bool fills_openings(const WallEvidence& plane, const std::vector<const WallEvidence*>& walls) {
+  const bool is_windowed = plane.has_framed_openings();
+  size_t on = 0, inside = 0;
+  for_measured(plane.cells, [&](const Vec3& p) {
+    ++on;
+    inside += std::any_of(walls.begin(), walls.end(), [&](const WallEvidence* wall) {
+      const Foot foot(wall->cells, p);
+      if (!foot.is_on_map || foot.depth_m <= wall->cells.on_m / 2 || foot.depth_m > kFillingDepth_m)
+        return false;
+      return is_in_opening(*wall, foot.at, is_windowed);
+    });
+  });
+  return share_of(inside, on) >= kFillingShare;
+}
+
+double explained_m2(const WallEvidence& plane) {
+  double sum = plane.measured_m2;
+  for (const OpeningCandidate& opening : plane.openings)
+    if (opening.is_opening) sum += opening.framed * area_of(opening, plane.cells);
+  return sum;
+}
+
+std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all) {
+  std::vector<size_t> order;
+  std::vector<double> explained(all.size(), 0);
+  for (size_t s = 0; s < all.size(); ++s) {
+    if (all[s].empty() || !all[s].is_wall()) continue;
+    order.push_back(s);
+    explained[s] = explained_m2(all[s]);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return explained[a] > explained[b]; });
+  return order;
+}
+
+// Step 3: share of an opening's cells that another wall is measured behind.
+double filled_share(const WallCells& cells, const OpeningShape& shape, const WallCells& other) {
+  size_t held = 0;
+  for_measured(other, [&](const Vec3& p) {
+    const Foot foot(cells, p);
+    held += foot.depth_m > 0 && shape.holds(foot.at);
+  });
+  const size_t step = std::max<size_t>(1, other.states.size() / kLookedAtCells);
+  const RingBox box = shape.box();
+  return static_cast<double>(held * step) * other.cell_m * other.cell_m /
+         (box.width() * box.height());
+}
+
+void end_at_other_walls(std::vector<WallEvidence>& all, const std::vector<size_t>& order,
+                        Task& task) {
+  for (const size_t s : order) {
+    if (!all[s].is_wall()) continue;
+    for (OpeningCandidate& opening : all[s].openings) {
+      task.checkpoint(0);
+      if (!opening.is_opening || opening.framed >= kFramedShare) continue;
+      for (const size_t w : order)
+        if (w != s && all[w].is_wall() && all[w].has_framed_openings() &&
+            dot(all[w].cells.frame.normal, all[s].cells.frame.normal) >= kSameWay &&
+            filled_share(all[s].cells, opening.shape, all[w].cells) >= kFilledShare)
+          opening.is_opening = false;
+    }
+  }
+}
+
+}  // namespace
+
+void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task) {
+  // 1. Rooms.
+  tell_rooms(all, task);
+  // 2. Surrounds, panes and leaves.
+  const std::vector<size_t> order = by_what_they_explain(all);
+  std::vector<const WallEvidence*> walls;
+  for (const size_t s : order) {
+    WallEvidence& plane = all[s];
+    std::vector<const WallEvidence*> parallel;
+    for (const WallEvidence* wall : walls)
+      if (std::fabs(dot(wall->cells.frame.normal, plane.cells.frame.normal)) >= kSameWay)
+        parallel.push_back(wall);
+    task.checkpoint(0);
+    if (fills_openings(plane, parallel)) plane.role = PlaneRole::kFilling;
+    for (size_t w = 0; w < parallel.size() && plane.is_wall(); ++w) {
+      task.checkpoint(0);
+      plane.role = role_of(placement_of(plane, *parallel[w]), plane, setting);
+    }
+    if (plane.is_wall()) walls.push_back(&plane);
+  }
+  // 3. Where one wall ends and another begins.
+  end_at_other_walls(all, order, task);
+}
+
+}  // namespace jalon

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "base/task.h"
+#include "modelling/evidence/evidence.h"
+
+namespace jalon {
+
+/// What each plane is to those before and behind it.
+/// 1. Rooms' walls: parallel to walls before them and straight behind what was measured of these, all together, as
+///    what is seen at a slant through openings is. Wings that stand back are seen beside the walls before them.
+/// 2. Surrounds, panes, leaves: of two planes near each other the one that explains more is the wall: what was measured
+///    of it, and its openings as far as it frames them. So a lattice of posts comes before the panes in its bays, and
+///    a wall before the surrounds of its windows, however far apart they stand.
+/// 3. What was taken for an opening but is not framed, and another wall with openings of its own fills it: there the
+///    one wall ends and the other begins (a house that stands back by a hand's breadth).
+///
+/// Before: cells, openings and areas; after: role, and is_opening of step 3. The same bits for any number of threads.
+/// O(planes^2) looks at up to 20 000 cells each.
+void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task);
+
+}  // namespace jalon

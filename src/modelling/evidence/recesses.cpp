@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/evidence/recesses.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kSameWayCosine_recess = 0.985;  // 10 degrees
+constexpr double kLeastDepth_m = 0.6;  // panes and leaves stand no deeper (plane_roles.cpp)
+constexpr double kMostDepth_m = 4;     // an arcade's
+constexpr double kInOpening = 0.6;     // of the cells of a back wall
+constexpr double kHeld = 0.05;         // of them, in one opening
+constexpr size_t kDepths = 8;          // equal parts of the depth
+constexpr double kCoveredShare = 0.8;  // of them, along one side
+constexpr double kMostlyJoined = 0.5;  // of the wall's cells in openings
+constexpr double kRimCells =
+    2;  // of the wall before it: its sides are seen this near to the border
+constexpr size_t kRecessPointsPerChunk = 1 << 15;
+constexpr size_t kLookedAtCells_recess = 20000;
+
+// An opening of a wall and what was measured along its four sides, between the wall and the one behind it.
+struct Recess {
+  const WallEvidence* front = nullptr;
+  OpeningShape outer, inner;
+  RingBox box;  ///< of the opening
+  double depth_m = 0;
+  size_t cells = 0;  ///< of the back wall behind it
+  std::array<std::array<uint8_t, kDepths>, 4> seen{};
+
+  void look(const Vec3& p) {
+    const PlaneFrame& frame = front->cells.frame;
+    const double depth = frame.height - dot(p - frame.origin, frame.normal),
+                 on_m = front->cells.on_m;
+    if (depth <= on_m || depth >= depth_m - on_m) return;
+    const Vec2 q = frame.project(p);
+    if (!outer.holds(q) || (inner.is_valid() && inner.holds(q))) return;
+    const std::array beside{q.u - box.low.u, box.high.u - q.u, q.v - box.low.v, box.high.v - q.v};
+    const auto side =
+        static_cast<size_t>(std::min_element(beside.begin(), beside.end()) - beside.begin());
+    const auto part = static_cast<size_t>((depth - on_m) / (depth_m - 2 * on_m) * kDepths);
+    std::atomic_ref<uint8_t>(seen[side][std::min(part, kDepths - 1)])
+        .store(1, std::memory_order_relaxed);
+  }
+  bool is_joined() const {
+    return std::any_of(seen.begin(), seen.end(), [](const auto& side) {
+      return static_cast<double>(std::count(side.begin(), side.end(), 1)) >=
+             kCoveredShare * kDepths;
+    });
+  }
+};
+
+// The openings of a wall that a plane is seen through; none where it lies elsewhere or at a pane's depth.
+std::vector<Recess> recesses_of(const WallEvidence& plane, const WallEvidence& front) {
+  std::vector<Recess> out;
+  for (const OpeningCandidate& opening : front.openings) {
+    if (!opening.is_opening) continue;
+    const double rim_m = kRimCells * front.cells.cell_m;
+    Recess& recess = out.emplace_back();
+    recess.front = &front;
+    recess.outer = opening.shape.grown(rim_m);
+    recess.inner = opening.shape.grown(-rim_m);
+    recess.box = opening.shape.box();
+  }
+  const WallCells& cells = plane.cells;
+  const size_t step = std::max<size_t>(1, cells.states.size() / kLookedAtCells_recess);
+  size_t on = 0, in = 0;
+  for (size_t k = 0; k < cells.states.size(); k += step) {
+    if (cells.states[k] != WallState::kOn) continue;
+    const Vec3 p = cells.frame.lift(
+        cells.origin + Vec2{(static_cast<double>(k % cells.columns) + 0.5) * cells.cell_m,
+                            (static_cast<double>(k / cells.columns) + 0.5) * cells.cell_m});
+    ++on;
+    const PlaneFrame& frame = front.cells.frame;
+    const double depth = frame.height - dot(p - frame.origin, frame.normal);
+    const Vec2 q = frame.project(p);
+    for (Recess& recess : out) {
+      if (!recess.outer.holds(q)) continue;
+      recess.depth_m += depth;
+      ++recess.cells;
+      ++in;
+      break;
+    }
+  }
+  for (Recess& recess : out) recess.depth_m /= std::max(1.0, static_cast<double>(recess.cells));
+  if (static_cast<double>(in) < kInOpening * static_cast<double>(on)) return {};
+  std::erase_if(out, [&](const Recess& recess) {
+    return recess.depth_m <= kLeastDepth_m || recess.depth_m > kMostDepth_m ||
+           static_cast<double>(recess.cells) < kHeld * static_cast<double>(on);
+  });
+  return out;
+}
+
+}  // namespace
+
+void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& all, Task& task) {
+  // 1. Walls behind openings of others. The leaf of a deep portal has no openings of its own.
+  std::vector<Recess> recesses;
+  std::vector<size_t> back;
+  for (size_t s = 0; s < all.size(); ++s)
+    for (size_t w = 0; w < all.size(); ++w) {
+      if (w == s || !all[w].is_wall() || !all[s].is_wall() || !all[s].has_framed_openings() ||
+          dot(all[s].cells.frame.normal, all[w].cells.frame.normal) < kSameWayCosine_recess)
+        continue;
+      task.checkpoint(0);
+      for (Recess& recess : recesses_of(all[s], all[w])) {
+        recesses.push_back(std::move(recess));
+        back.push_back(s);
+      }
+    }
+  if (recesses.empty()) return;
+  // 2. What lies along the sides of these openings.
+  const Cloud& cloud = *segmentation.cloud;
+  parallel_for(task, cloud.size(), kRecessPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      for (Recess& recess : recesses) recess.look(cloud.point(i));
+  });
+  // 3. Walls that are joined to the one before them.
+  std::vector<size_t> cells(all.size(), 0), joined(all.size(), 0);
+  for (size_t k = 0; k < recesses.size(); ++k) {
+    cells[back[k]] += recesses[k].cells;
+    if (recesses[k].is_joined()) joined[back[k]] += recesses[k].cells;
+  }
+  for (size_t s = 0; s < all.size(); ++s)
+    all[s].is_recess = joined[s] > 0 && static_cast<double>(joined[s]) >=
+                                            kMostlyJoined * static_cast<double>(cells[s]);
+}
+
+}  // namespace jalon

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a plane is where several walls stand before it or beside it.
+#include <doctest/doctest.h>
+
+#include "modelling/evidence/evidence.h"
+#include "unit/modelling/layers.h"
+
+using namespace jalon;
+using layers::add_layer;
+using layers::cut;
+using layers::evidence_of;
+
+namespace {
+
+// Houses side by side, 6 m wide and 6 m high, with two windows of 1.2 x 1.6 m, each so far behind the first.
+std::vector<Vec3> house(double left, double behind_m) {
+  std::vector<Vec3> out;
+  add_layer(out, left, 0, 6, 6, behind_m);
+  for (const double window : {1.0, 3.5}) cut(out, left + window, 1, 1.2, 1.6);
+  return out;
+}
+
+size_t openings_of(const WallEvidence& wall) {
+  size_t n = 0;
+  for (const OpeningCandidate& c : wall.openings) n += c.is_opening;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("tell_roles__a_room_behind_several_houses_is_a_room_although_it_is_larger_than_each") {
+  std::vector<Vec3> room;
+  add_layer(room, 0.5, 0.3, 17, 5, 4);
+  const auto evidence = evidence_of({house(0, 0), house(6, 0.3), house(12, 0.6), room});
+  for (size_t s = 0; s < 3; ++s) CHECK(evidence[s].role == PlaneRole::kWall);
+  CHECK(evidence[3].role == PlaneRole::kInside);
+}
+
+TEST_CASE("tell_roles__a_wing_that_stands_back_beside_the_front_is_a_wall") {
+  std::vector<Vec3> wing = house(6, 4);
+  add_layer(wing, 12, 0, 6, 6, 4);
+  const auto evidence = evidence_of({house(0, 0), wing});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+}
+
+TEST_CASE("tell_roles__surrounds_of_two_houses_do_not_make_panes_of_the_walls_behind_them") {
+  // In one plane before two houses, and so with a border about all that lies between them.
+  std::vector<Vec3> surrounds;
+  for (const double left : {0.0, 6.0})
+    for (const double window : {1.0, 3.5}) {
+      add_layer(surrounds, left + window - 0.3, 0.7, 1.8, 2.2, -0.06);
+      cut(surrounds, left + window, 1, 1.2, 1.6);
+    }
+  add_layer(surrounds, 0, 5.6, 12, 0.4, -0.06);
+  add_layer(surrounds, 0, 0, 12, 0.4, -0.06);
+  add_layer(surrounds, 11.6, 0, 0.4, 6, -0.06);
+  const auto evidence = evidence_of({house(0, 0), house(6, 0.12), surrounds});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+}
+
+TEST_CASE("tell_roles__panes_of_one_depth_in_several_houses_fill_their_windows") {
+  std::vector<Vec3> panes;
+  for (const double left : {0.0, 6.0})
+    for (const double window : {1.0, 3.5}) add_layer(panes, left + window, 1, 1.2, 1.6, 0.3);
+  const auto evidence = evidence_of({house(0, 0), house(6, 0.1), panes});
+  CHECK(evidence[2].role == PlaneRole::kFilling);
+}
+
+TEST_CASE("tell_roles__where_a_house_stands_back_the_wall_beside_it_ends") {
+  // A strip of the first house's plane goes on along the far end of the second.
+  std::vector<Vec3> first = house(0, 0);
+  add_layer(first, 12, 0, 0.1, 6, 0);
+  const auto evidence = evidence_of({first, house(6, 0.1)});
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  CHECK(openings_of(evidence[0]) == 2);
+  CHECK(openings_of(evidence[1]) == 2);
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Back walls of loggias told from what hangs behind panes.
+#include <doctest/doctest.h>
+
+#include "modelling/evidence/evidence.h"
+#include "unit/modelling/layers.h"
+
+using namespace jalon;
+using layers::add_layer;
+using layers::cut;
+using layers::evidence_of;
+using layers::kStep_m;
+
+namespace {
+
+constexpr double kBack_m = 1.4;
+
+// A wall of 12 x 7 m with two openings of 3 x 2.6 m, and a plane behind them.
+struct Front {
+  std::vector<Vec3> wall, back, sides;
+  Front() {
+    add_layer(wall, 0, 0, 12, 7, 0);
+    for (const double left : {1.0, 7.0}) {
+      cut(wall, left, 3, 3, 2.6);
+      add_layer(back, left, 3, 3, 2.6, kBack_m);
+      cut(back, left + 1, 3.6, 1, 1.4);
+    }
+  }
+  // The left side of each opening, from the wall so far back.
+  void add_sides(double to_m) {
+    for (const double left : {1.0, 7.0})
+      for (double y = kStep_m / 2; y < to_m; y += kStep_m)
+        for (double z = 3 + kStep_m / 2; z < 5.6; z += kStep_m) sides.push_back({left, y, z});
+  }
+  bool is_recess(unsigned threads = 1) const {
+    const auto evidence = evidence_of({wall, back}, threads, sides);
+    CHECK(evidence[0].role == PlaneRole::kWall);
+    CHECK_FALSE(evidence[0].is_recess);
+    return evidence[1].is_recess;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("tell_recesses__a_wall_to_which_the_sides_of_openings_lead_is_a_loggias") {
+  Front front;
+  front.add_sides(kBack_m);
+  CHECK(front.is_recess());
+  CHECK(front.is_recess(4));
+}
+
+TEST_CASE("tell_recesses__what_hangs_behind_panes_is_none") {
+  CHECK_FALSE(Front{}.is_recess());
+  Front front;
+  front.add_sides(0.3);  // reveals as far as the pane
+  CHECK_FALSE(front.is_recess());
+}
+
+TEST_CASE("tell_recesses__the_leaf_of_a_deep_portal_has_no_openings_and_is_none") {
+  Front front;
+  front.add_sides(kBack_m);
+  for (const double left : {1.0, 7.0}) add_layer(front.back, left + 1, 3.6, 1, 1.4, kBack_m);
+  CHECK_FALSE(front.is_recess());
+}
