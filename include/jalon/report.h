@@ -7,6 +7,7 @@
 #ifndef JALON_REPORT_H
 #define JALON_REPORT_H
 
+#include <jalon/adjustment.h>
 #include <jalon/comparer.h>
 #include <jalon/modeller.h>
 #include <jalon/registrar.h>
@@ -110,6 +111,21 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(
 JALON_API JALON_CHECK jalon_status jalon_report_write_registration(
     const jalon_registration* registration, const jalon_cloud* reference, const jalon_cloud* moving,
     const char* notes_json, const char* path, const jalon_params* options, jalon_task* task);
+
+/**
+ * One self-contained HTML page on an adjustment of a drive and a model: whether it converged, its
+ * test, the plan with the drive as given (red) and adjusted (green, its corrections and 95 %
+ * ellipses enlarged by a stated factor), standard deviations and corrections along the drive, the
+ * distances of the matched points with Shapiro and Wilk's test, what became of the points, the
+ * strips that moved most, convergence, parameters, times. O(n log n).
+ *
+ * - truth: the drive as it was where that is known, e.g. of a virtual scan (blue), or NULL.
+ * - notes_json: as in jalon_report_write_html.
+ * - options: operation "adjustment_report".
+ */
+JALON_API JALON_CHECK jalon_status jalon_report_write_adjustment(
+    const jalon_adjustment* adjustment, const jalon_trajectory* truth, const char* notes_json,
+    const char* path, const jalon_params* options, jalon_task* task);
 
 JALON_END_C
 
