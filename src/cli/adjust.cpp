@@ -19,13 +19,13 @@ struct Adjust {
   Common common;
   Settings settings, strip_settings, trajectory_settings;
   Input cloud;
-  std::string model, trajectory, sigmas, output;
+  std::string model, trajectory, sigmas, truth, output;
 
   // What was read.
   struct Inputs {
     Model strips;
     Cloud cloud;
-    Trajectory trajectory;
+    Trajectory trajectory, truth;
   };
 
   // Roofs and ground come along unless told otherwise: they hide walls.
@@ -44,6 +44,9 @@ struct Adjust {
                                      Out(made.strips), nullptr));
     must_read(jalon_trajectory_read(trajectory.c_str(), sigmas.empty() ? nullptr : sigmas.c_str(),
                                     drive.get(), console.task(), Out(made.trajectory)));
+    if (!truth.empty())
+      must_read(
+          jalon_trajectory_read(truth.c_str(), nullptr, nullptr, console.task(), Out(made.truth)));
     made.cloud = cloud.read(console);
     return made;
   }
@@ -138,10 +141,19 @@ struct Adjust {
                       {"iterations", table(made, jalon_adjustment_iterations).list()}};
     write_text_file(folder.path("adjustment.json"),
                     result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    const Json notes{
+        {"title", "Drive and buildings adjusted together"},
+        {"input", {{"model", model}, {"cloud", cloud.path}, {"trajectory", trajectory}}},
+        {"times", times}};
+    must(jalon_report_write_adjustment(
+        made.get(), inputs.truth.get(),
+        notes.dump(-1, ' ', false, Json::error_handler_t::replace).c_str(),
+        folder.path("report.html").c_str(), nullptr, console.task()));
     folder.commit();
     say(console, made);
     console.say("wrote " + output +
-                ": trajectory.txt, cloud.las, cloud.ply, model.obj, adjustment.json, controls.csv, "
+                ": report.html, trajectory.txt, cloud.las, cloud.ply, model.obj, adjustment.json, "
+                "controls.csv, "
                 "blocks.csv, facades.csv, strips.csv, matches.csv");
     console.result(result);
   }
@@ -166,6 +178,11 @@ void add_adjust(Command& app) {
       .required()
       .type_name("DIR");
   command.option("--sigmas", state->sigmas, "The file smrmsg that goes with SBET")
+      .type_name("FILE");
+  command
+      .option(
+          "--truth", state->truth,
+          "The drive as it was, e.g. of a virtual scan: text with named columns; for the report")
       .type_name("FILE");
   state->cloud.add_unit_to(command);
   state->settings.add_to(command);

@@ -11,7 +11,7 @@ namespace jalon::cli {
 void CloudJob::add_to(Command& command, const char* output_option, const char* heading,
                       const char* operation, const char* examples) {
   input.add_to(command);
-  command.option(output_option, output, "File to write: .las, .ply, .xyz, .txt, .csv")
+  command.option(output_option, output, "File to write: .las, .ply, .pcd, .xyz, .txt, .csv")
       .required()
       .type_name("OUTPUT");
   settings.add_to(command);

@@ -79,7 +79,11 @@ struct Compare {
 
   Params change_options(const char* operation) const {
     Params options = make_params(operation);
-    if (threshold_m > 0) must(jalon_params_set_double(options.get(), "threshold_m", threshold_m));
+    if (threshold_m > 0) {
+      must(jalon_params_set_double(options.get(), "threshold_m", threshold_m));
+      if (method == "distance")
+        must(jalon_params_set_string(options.get(), "criterion", "threshold"));
+    }
     change_settings.apply(options.get());
     return options;
   }
@@ -263,8 +267,8 @@ struct Compare {
     const Params options = change_options(plan.diagnosed ? "diagnosis" : "regions");
     console.step("reading");
     const Epoch after = read(console, compared, true), before = read(console, reference, plan.both);
-    if (method == "distance" && before.model == nullptr && after.model == nullptr)
-      plan.shadows = use_stations(before.cloud, after.cloud, plan.both, settings, params);
+    const bool of_scans = method == "distance" && before.model == nullptr && after.model == nullptr;
+    if (of_scans) choose_for_scans(before.cloud, after.cloud, plan.both, settings, params);
     Json times{{"read", console.seconds()}};
     const Lengths lengths = before.lengths.with(after.lengths);
     warn_of_sizes(console, reference.path, before.box, compared.path, after.box);
@@ -272,6 +276,9 @@ struct Compare {
     Direction forward = run_to(console, worker, before, after), reverse;
     if (plan.both) reverse = run_to(console, worker, after, before);
     require_compared(forward, reverse);
+    if (of_scans)
+      plan.shadows = said_of_shadows(before.cloud, params, *forward.summary,
+                                     plan.both ? reverse.summary.get() : nullptr);
     times["compare"] = console.seconds();
     console.step("changes");
     Fields found = find_changes(console, plan, options, forward, reverse);
@@ -354,15 +361,16 @@ void add_compare(Command& app) {
   state->sample_settings.add_to(command, "sample-");
   add_common(command, state->common);
   command.footer([] {
-    return "Where the scans tell where their scanners stood, or --reference-station and "
-           "--compared-station do, method\n"
-           "distance leaves out what these could not see, takes distances from planes through the "
-           "reference's points\n"
-           "and widens the threshold where these lie far apart: visibility=stations, "
-           "local_model=plane and\n"
-           "reference_spacing=true, unless --set or --params say otherwise. Without stations "
-           "shadows may show as\n"
-           "changes.\n\n" +
+    return "Two scans are compared with detection=true, unless --set or --params say otherwise: "
+           "distances from the surfaces\n"
+           "of the other scan, each tested against noise, spacing and shape at a rate of false "
+           "discoveries. What the\n"
+           "scanners could not see is no change: they stood where the files or "
+           "--reference-station and\n"
+           "--compared-station say, else where the order of the points tells (visibility=found). "
+           "Without stations\n"
+           "shadows may show as changes. --threshold asks for larger changes than the significant "
+           "ones.\n\n" +
            tables_of_compare() +
            "Examples:\n  jalon compare march.las april.las -o changes\n"
            "  jalon compare march.las april.las -o changes --one-way --threshold 0.02 --set "

@@ -30,7 +30,7 @@ extern "C" void on_interrupt(int) {
 Console::Console(const Common& common) : common_(common), terminal_(prepare_terminal()) {
   must(jalon_task_create(Out(task_)));
   must(jalon_task_set_threads(task_.get(), common.threads));
-  if (!common.quiet) must(jalon_task_set_log(task_.get(), on_log, this));
+  must(jalon_task_set_log(task_.get(), on_log, this));
   if (!common.quiet && !common.json && terminal_)
     must(jalon_task_set_progress(task_.get(), on_progress, this));
   interruptible = task_.get();
@@ -78,8 +78,10 @@ int32_t Console::on_progress(double fraction, const char* stage, void* user) {
 }
 
 void Console::on_log(int32_t level, const char* text, void* user) {
-  if (level < JALON_LOG_WARNING) return;
-  static_cast<Console*>(user)->clear_bar();
+  auto& console = *static_cast<Console*>(user);
+  if (level == JALON_LOG_INFO) console.told_.emplace_back(text);
+  if (level < JALON_LOG_WARNING || console.common_.quiet) return;
+  console.clear_bar();
   std::fprintf(stderr, "jalon: warning: %s\n", text);
 }
 

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -32,6 +33,8 @@ class Console {
   void step(const char* name);
   /// Seconds since step() was called.
   double seconds() const;
+  /// What the library has told beside warnings, line by line: what its steps took.
+  const std::vector<std::string>& told() const { return told_; }
   /// Result for people: a line on standard output unless quiet or --json.
   void say(const std::string& line) const;
   /// What a person should look at: a line on standard error unless quiet.
@@ -48,6 +51,7 @@ class Console {
   Task task_;
   bool terminal_, bar_shown_ = false;
   std::string step_;
+  std::vector<std::string> told_;
   std::chrono::steady_clock::time_point started_;
 };
 

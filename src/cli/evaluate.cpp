@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "cli/evaluate_tables.h"
+#include "cli/outputs/evaluate_tables.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
 #include "cli/table.h"

@@ -62,11 +62,13 @@ int run(int argc, char** argv) {
   const auto declare = [](Command& app) {
     add_info(app);
     add_convert(app);
+    add_formats(app);
     add_clean(app);
     add_cut(app);
     add_normals(app);
     add_facade(app);
     add_segment(app);
+    add_code(app);
     add_model(app);
     add_evaluate(app);
     add_evaluate_model(app);

@@ -153,9 +153,13 @@ std::string describe(jalon_params* params) {
 }
 
 void Input::add_to(Command& command, bool required) {
-  command.option("scan", path, "Scan file: LAS, PLY, XYZ, TXT, CSV")
+  command.option("scan", path, "Scan file: LAS, LAZ, E57, PTX, PTS, PCD, PLY, XYZ, TXT, CSV")
       .required(required)
       .type_name("SCAN");
+  add_reading_to(command);
+}
+
+void Input::add_reading_to(Command& command) {
   command
       .option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
       .type_name("NAMES");

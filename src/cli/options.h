@@ -49,6 +49,8 @@ struct Input {
   bool drop_invalid = false;
 
   void add_to(Command& command, bool required = true);
+  /// All but the scan itself.
+  void add_reading_to(Command& command);
   /// Only the option that names the unit, e.g. "--reference-unit" for a command with two scans.
   void add_unit_to(Command& command, const std::string& option = "--unit");
   Cloud read(Console& console) const;
@@ -61,11 +63,13 @@ jalon_transform pose_at(const std::string& text);
 // One function a command: declares it and what runs it.
 void add_info(Command& app);
 void add_convert(Command& app);
+void add_formats(Command& app);
 void add_clean(Command& app);
 void add_cut(Command& app);
 void add_normals(Command& app);
 void add_facade(Command& app);
 void add_segment(Command& app);
+void add_code(Command& app);
 void add_model(Command& app);
 void add_evaluate(Command& app);
 void add_evaluate_model(Command& app);

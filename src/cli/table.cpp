@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/table.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -50,6 +51,11 @@ const Table::Column& Table::column(const char* name) const {
   for (const Column& column : columns_)
     if (column.name == name) return column;
   throw Failure{JALON_ERROR_INTERNAL, std::string("no column ") + name};
+}
+
+bool Table::has(const char* name) const {
+  return std::any_of(columns_.begin(), columns_.end(),
+                     [&](const Column& column) { return column.name == name; });
 }
 
 double Table::number(const char* name, uint64_t row, uint32_t component) const {

@@ -19,6 +19,7 @@ class Table {
 
   uint64_t rows() const { return rows_; }
   /// Element as a double; the column must be there.
+  bool has(const char* name) const;
   double number(const char* name, uint64_t row, uint32_t component = 0) const;
   uint64_t count(const char* name, uint64_t row) const {
     return static_cast<uint64_t>(number(name, row));

@@ -34,5 +34,10 @@ check "05_changes lists regions" "$build/examples/example_05_changes" "$work/day
 check "05_changes: the largest is the wall or the heap" test "$(grep -c '^region' "$work/seen")" -ge 2
 check "05_changes finds none where nothing has changed" "$build/examples/example_05_changes" "$work/day1.las" "$work/day1.las"
 check "05_changes says nothing then" test ! -s "$work/seen"
+"$build/src/jalon" scan --method mobile -o "$work/drive.ply" --model "$work/street.obj" --trajectory "$work/drive.txt" --quiet \
+  --scene-set sigma_position_m=1 --scene-set leg_m=60 --set revolutions_per_s=10
+check "06_joint adjusts a drive and a street" "$build/examples/example_06_joint" "$work/street.obj" "$work/drive.ply" "$work/drive.txt" "$work/adjusted.txt"
+check "06_joint: each block has its offset and what it is worth" test "$(grep -c '^block .* sigma 0\.' "$work/seen")" -ge 10
+check "06_joint writes the trajectory" test "$(wc -l <"$work/adjusted.txt")" -eq "$(wc -l <"$work/drive.txt")"
 echo "$passed passed, $failed failed, 0 skipped"
 [ $failed -eq 0 ]

@@ -39,18 +39,33 @@ Cloud sampled(const Console& console, const Model& model, const Settings& settin
   return out;
 }
 
-std::string use_stations(const Cloud& reference, const Cloud& compared, bool both,
-                         const Settings& settings, const Params& params) {
-  if (has_stations(reference) && (!both || has_stations(compared))) {
-    must(jalon_params_set_string(params.get(), "visibility", "stations"));
-    must(jalon_params_set_string(params.get(), "local_model", "plane"));
-    must(jalon_params_set_bool(params.get(), "reference_spacing", 1));
-    settings.apply(params.get());
-  }
+void choose_for_scans(const Cloud& reference, const Cloud& compared, bool both,
+                      const Settings& settings, const Params& params) {
+  const bool known = has_stations(reference) && (!both || has_stations(compared));
+  must(jalon_params_set_bool(params.get(), "detection", 1));
+  must(jalon_params_set_string(params.get(), "visibility", known ? "stations" : "found"));
+  settings.apply(params.get());
+  int32_t detects = 0;
+  must(jalon_params_get_bool(params.get(), "detection", &detects));
+  if (detects != 0 || !known) return;
+  must(jalon_params_set_string(params.get(), "local_model", "plane"));
+  must(jalon_params_set_bool(params.get(), "reference_spacing", 1));
+  settings.apply(params.get());
+}
+
+std::string said_of_shadows(const Cloud& reference, const Params& params, const Table& forward,
+                            const Table* reverse) {
   const char* visibility = nullptr;
   must(jalon_params_get_string(params.get(), "visibility", &visibility));
-  if (std::string(visibility) == "stations")
-    return "what the scanners could not see has no distance";
+  const auto has_none = [](const Table& summary) {
+    return summary.has("stations") && summary.count("stations", 0) == 0;
+  };
+  const bool none = std::string(visibility) == "none" || has_none(forward) ||
+                    (reverse != nullptr && has_none(*reverse));
+  if (!none && has_stations(reference)) return "what the scanners could not see has no distance";
+  if (!none)
+    return "what the scanners could not see has no distance; where they stood is found by the "
+           "order of the points";
   return "not told apart, may show as changes: --reference-station and --compared-station give the "
          "scanners' places";
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/options.h"
+#include "cli/table.h"
 
 namespace jalon::cli {
 
@@ -14,9 +15,13 @@ bool is_model_file(const std::string& path);
 /// Points on a model; settings: of operation "model_sample".
 Cloud sampled(const Console& console, const Model& model, const Settings& settings);
 
-/// Where all points of the reference, and both ways of the compared scan too, have a scanner's place, sets what leaves
-/// out its shadows; settings said otherwise win. Returns what the report says of shadows.
-std::string use_stations(const Cloud& reference, const Cloud& compared, bool both,
-                         const Settings& settings, const Params& params);
+/// How two scans are compared by default: with detection, and by the scanners' places, known or else found; settings
+/// said otherwise win.
+void choose_for_scans(const Cloud& reference, const Cloud& compared, bool both,
+                      const Settings& settings, const Params& params);
+
+/// What the report says of shadows, from the summaries of what was compared; reverse: NULL one way.
+std::string said_of_shadows(const Cloud& reference, const Params& params, const Table& forward,
+                            const Table* reverse);
 
 }  // namespace jalon::cli

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/evaluate_tables.h"
+#include "cli/outputs/evaluate_tables.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "cli/options.h"
+#include "cli/output_check.h"
+#include "cli/output_folder.h"
+#include "cli/table.h"
+#include "cli/text_file.h"
+
+namespace jalon::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kMostListed = 20;  // objects on the screen; all of them stand in objects.csv
+
+std::string joined(const Json& list) {
+  std::string out;
+  for (const Json& each : list)
+    out += (out.empty() ? "" : " ") + (each.is_string() ? each.get<std::string>() : each.dump());
+  return out;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+/// A row an object; the two places are the corners of an opening or the ends of an axis.
+std::string objects_csv(const Json& objects) {
+  std::string out =
+      "object,name,kind,code,class,label,points,shape,hinge,radius_m,x1,y1,z1,x2,y2,z2,ids,lines\n";
+  size_t number = 0;
+  for (const Json& o : objects) {
+    const auto text = [&](const char* name) {
+      if (!o.contains(name)) return std::string();
+      return quoted(o[name].is_string() ? o[name].get<std::string>() : o[name].dump());
+    };
+    out += std::to_string(++number);
+    for (const char* name :
+         {"name", "kind", "code", "class", "label", "points", "shape", "hinge", "radius_m"})
+      out += "," + text(name);
+    const char* places = o.contains("corners") ? "corners" : "axis";
+    for (const bool last : {false, true})
+      for (size_t k = 0; k < 3; ++k)
+        out += "," +
+               (o.contains(places) ? (last ? o[places].back() : o[places].front())[k].dump() : "");
+    out += "," + quoted(joined(o["ids"])) + "," + joined(o["lines"]) + "\n";
+  }
+  return out;
+}
+
+std::string warnings_csv(const Json& warnings) {
+  std::string out = "line,object,warning\n";
+  for (const Json& w : warnings)
+    out += w["line"].dump() + "," + quoted(w["object"]) + "," + quoted(w["text"]) + "\n";
+  return out;
+}
+
+const char* method_name(const std::string& method) {
+  return method == "targets" ? "target_codes" : "survey_codes";
+}
+
+std::string parameters_of(const char* method) {
+  Segmenter segmenter;
+  Params params;
+  must(jalon_segmenter_create(method_name(method), Out(segmenter)));
+  must(jalon_segmenter_params(segmenter.get(), Out(params)));
+  return std::string("Parameters of --set with --method ") + method + ":\n" +
+         describe(params.get()) + "\n";
+}
+
+struct Code {
+  Common common;
+  Input input;
+  Settings settings;
+  std::string codes, table, output, method;
+
+  Segmenter segmenter(Params& params) const {
+    Segmenter made;
+    must_know(jalon_segmenter_create(method_name(method), Out(made)));
+    must(jalon_segmenter_params(made.get(), Out(params)));
+    settings.apply(params.get());
+    must(jalon_params_set_string(params.get(), "codes", read_text_file(codes).c_str()));
+    if (!table.empty())
+      must(jalon_params_set_string(params.get(), "table", read_text_file(table).c_str()));
+    return made;
+  }
+
+  static void list(const Console& console, const Json& notes) {
+    for (const Json& c : notes["classes"])
+      console.say("class " + c["class"].dump() + ": " + grouped(c["points"]) + " points");
+    size_t listed = 0;
+    for (const Json& o : notes["objects"]) {
+      if (++listed > kMostListed) break;
+      console.say(o["name"].get<std::string>() + ": " + o["shape"].get<std::string>() + ", " +
+                  grouped(o["points"]) + " points");
+    }
+    if (notes["objects"].size() > kMostListed)
+      console.say("... " + grouped(notes["objects"].size()) + " objects in objects.csv");
+  }
+
+  void write(const Console& console, const Segmentation& segmentation, const Json& result) const {
+    OutputFolder folder(output);
+    Cloud classified;
+    must(jalon_segmentation_cloud(segmentation.get(), Out(classified)));
+    must(jalon_cloud_write(classified.get(), folder.path("classified.las").c_str(), nullptr,
+                           console.task()));
+    write_text_file(folder.path("objects.csv"), objects_csv(result["objects"]));
+    write_text_file(folder.path("warnings.csv"), warnings_csv(result["warnings"]));
+    write_text_file(folder.path("codes.json"),
+                    result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    folder.commit();
+  }
+
+  void run() const {
+    Console console(common);
+    check_output_folder(output);
+    Params params;
+    const Segmenter worker = segmenter(params);  // wrong parameters are told before a long read
+    Json times = Json::object();
+    console.step("reading");
+    const Cloud cloud = input.read(console);
+    times["read"] = console.seconds();
+    console.step("codes");
+    Segmentation segmentation;
+    must(jalon_segmenter_run(worker.get(), cloud.get(), console.task(), Out(segmentation)));
+    times["segment"] = console.seconds();
+    const char* text = nullptr;
+    must(jalon_segmentation_notes(segmentation.get(), &text));
+    const Json notes = Json::parse(text);
+    if (notes["objects"].empty())
+      throw Failure{JALON_ERROR_INSUFFICIENT_DATA, codes + ": no object in these codes"};
+    Json result{{"input", input.path}, {"codes", codes},   {"points", count_of(cloud)},
+                {"output", output},    {"times_s", times}, {"steps", console.told()}};
+    result.update(notes);
+    console.step("writing");
+    write(console, segmentation, result);
+    list(console, notes);
+    console.say("wrote " + output + ": classified.las, objects.csv, warnings.csv, codes.json");
+    console.result(result);
+  }
+};
+
+}  // namespace
+
+void add_code(Command& app) {
+  Command command =
+      app.subcommand("code", "From a scan and a list of coded points to classified objects");
+  auto state = std::make_shared<Code>();
+  state->input.add_to(command);
+  command.option("codes", state->codes, "Coded points, a line each: ID;X;Y;Z;code")
+      .required()
+      .type_name("CODES");
+  command.option("-o,--output", state->output, "Folder for the results")
+      .required()
+      .type_name("DIR");
+  command
+      .option("--method", state->method,
+              "How the objects were coded: by targets on them or by a total station")
+      .among({"survey", "targets"})
+      .required();
+  command.option("--table", state->table, "Code table (JSON) in the place of the method's own")
+      .type_name("FILE");
+  state->settings.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
+    return parameters_of("survey") + parameters_of("targets") +
+           R"(classified.las has the class of every point, in the scan's order: 0 rest, 1 walls, 2 doors, 3 windows,
+4 gutters, or those of the code table. Unknown codes, incomplete or empty objects and points far
+from the scan are warnings that name line and object.
+
+Examples:
+  jalon code scan.las survey.txt -o result --method survey
+  jalon code scan.las targets.txt -o result --method targets --set window_margin_m=0.1
+  jalon code scan.las survey.txt -o result --method survey --table my_codes.json --set inward_m=0.3
+  jalon evaluate-segmentation result/classified.las truth.las --classes-only --class-field classification \
+    --reference-class-field classification)";
+  });
+  command.on_run([state] { state->run(); });
+}
+
+}  // namespace jalon::cli
