@@ -48,7 +48,7 @@ void count(const PairKind& kind, uint64_t first_seed, uint64_t seeds, Tally& all
 // that overlap by half or more most are found.
 void check_kinds(std::span<const PairKind> kinds, uint64_t first_seed) {
   Tally all;
-  for (const PairKind& kind : kinds) count(kind, first_seed, is_full() ? 20 : 2, all);
+  for (const PairKind& kind : kinds) count(kind, first_seed, is_full() ? 20 : 1, all);
   MESSAGE("FIGURE automatic: right and accepted "
           << all.accepted << " of " << all.pairs << ", wrong ones accepted " << all.wrong_accepted);
   CHECK(all.accepted >= 0.75 * all.pairs);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The verdict of the same two scans when their points are jittered, rounded, shuffled, halved, turned or moved to a
-// national grid: a right pair and a wrong one of each kind to report.
+// national grid: a right pair and a wrong one of each kind to report. Each change meets every third kind; all kinds in
+// the long run.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "accuracy/pair_kinds.h"
+#include "accuracy/recipe.h"
 #include "cloud/select.h"
 #include "registration/icp/icp.h"
 
@@ -120,13 +122,18 @@ constexpr Change kChanges[] = {
 TEST_CASE(
     "verdict__stays_when_points_are_jittered_rounded_shuffled_halved_turned_or_far_from_the_"
     "origin") {
+  constexpr size_t kTurns = 3;
   int checked = 0;
+  size_t turn = 0;
   for (const PairKind& kind : kReportedKinds) {
     const Pair right = pair_of(kind, kSeed), wrong = pair_of(kind, kSeed + 1);
     CAPTURE(std::string(kind.name));
     CHECK(right.verdict() == Verdict::kAccepted);
     CHECK(wrong.verdict() != Verdict::kAccepted);
-    for (const Change& change : kChanges) {
+    ++turn;
+    for (size_t c = 0; c < std::size(kChanges); ++c) {
+      if (!is_full() && c % kTurns != turn % kTurns) continue;
+      const Change& change = kChanges[c];
       CAPTURE(std::string(change.name));
       CHECK(change.make(right).verdict() == Verdict::kAccepted);
       CHECK(change.make(wrong).verdict() != Verdict::kAccepted);

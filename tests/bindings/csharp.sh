@@ -102,6 +102,8 @@ scan second.las --scene facade --set horizontal_step_rad=0.004 --set vertical_st
 for day in 1 3; do
   scan day$day.las --scene earthworks --scene-set day=$day --set horizontal_step_rad=0.001 --set vertical_step_rad=0.001
 done
+scan drive.ply --method mobile --model "$work/street.obj" --trajectory "$work/drive.txt" --scene-set sigma_position_m=1 \
+  --scene-set leg_m=60 --set revolutions_per_s=10
 same() { # same EXAMPLE ARGUMENT ...: the outputs and the exit status
   local name=$1 c cs
   shift
@@ -124,6 +126,7 @@ check "example 03_model prints what C prints" same 03_model "$work/facade.las" "
 check "example 04_register prints what C prints" same 04_register "$work/facade.las" "$work/second.las" "$work/registered.las"
 check "example 05_changes prints what C prints" same 05_changes "$work/day1.las" "$work/day3.las"
 check "example 05_changes has something to compare" grep -q '^region 2' "$work/cs.txt"
+check "example 06_joint prints what C prints" same 06_joint "$work/street.obj" "$work/drive.ply" "$work/drive.txt" "$work/adjusted.txt"
 
 # The page: its programs compile and run, its commands do what they say.
 page=$work/page

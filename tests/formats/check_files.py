@@ -151,7 +151,7 @@ def ogr_geojson(model, path):
 # ---- CityJSON
 
 def city_by_cjval(path, cjval):
-    run = subprocess.run([cjval, "-r", str(path)], capture_output=True, text=True, check=False)
+    run = subprocess.run([cjval, str(path)], capture_output=True, text=True, check=False)
     try:
         report = json.loads(run.stdout)
     except ValueError:

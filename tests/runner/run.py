@@ -59,7 +59,8 @@ class Runner:
         print("== building %s (%.0f s)" % (build, self.seconds()), flush=True)
         log = os.path.join(LOGS, "build_%s.log" % build)
         targets = sorted({t for s in suites if s.build == build for t in s.targets})
-        command = 'cmake -S "$0" --preset "$1" && folder=$2 && shift 2 && { [ $# -eq 0 ] || ninja -C "$folder" "$@"; }'
+        whole = "ON" if "JALON_FULL" in os.environ else "OFF"
+        command = 'cmake -S "$0" --preset "$1" -DJALON_SANITIZE_WHOLE=' + whole + ' && folder=$2 && shift 2 && { [ $# -eq 0 ] || ninja -C "$folder" "$@"; }'
         with open(log, "w", encoding="utf-8") as out:
             process = subprocess.Popen(["nice", "-n", "0" if is_first else "10", "bash", "-c", command, ROOT, build, folder(build)]
                                        + targets, cwd=ROOT, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)

@@ -13,8 +13,9 @@ SANITIZED = {
              "UBSAN_OPTIONS": "print_stacktrace=1"},
     "tsan": {"JALON_SANITIZED": "1", "TSAN_OPTIONS": "halt_on_error=1"},
 }
-# Those whose figures are worth something only on a quiet machine, in the long run: nothing else runs beside them.
-ALONE = {"release/capi_cancel_test", "bench"}
+# Those whose figures are worth something only on a quiet machine, in the long run: nothing else runs beside them. fresh_root has the
+# time of the tests from a clean clone.
+ALONE = {"release/capi_cancel_test", "bench", "fresh_root"}
 # What takes more than about 20 s of processor, as measured (tests/README.md): started first, so that none ends alone.
 LONGEST_FIRST = ["fresh_root", "bindings_from_source", "validators", "release/unit_registration", "accuracy", "bindings_python",
                  "bindings_java", "release/unit_modelling", "bits", "release/capi_null_wild", "release/unit_segment",

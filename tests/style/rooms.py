@@ -27,13 +27,14 @@ SUBROOMS = {
     "spatial": {"octree": [], "neighbours": ["octree"], "triangles": [], "voxels": []},
     "scan": {"mobile": [], "builder": [], "grammar": ["builder"], "scenes": ["grammar"]},
     "formats": {
-        "files": [], "units": ["files"], "text": ["files"], "las": ["units"], "ply": ["text"], "obj": ["text"],
-        "stl": ["text"], "city": ["units"], "dxf": ["files"], "geojson": ["units"], "drawings": ["files"],
+        "files": [], "units": ["files"], "text": ["files"], "codecs": ["files"], "las": ["units", "codecs"], "e57": ["codecs"], "ply": ["text"], "obj": ["text"],
+        "stl": ["text"], "ptx": ["text"], "pts": ["text"], "pcd": ["text"], "city": ["units"], "dxf": ["files"], "geojson": ["units"], "drawings": ["files"],
         "trajectory": ["text"],
     },
     "segment": {
         "surface": [], "front": [], "labels": ["surface", "result"], "result": ["front"], "ransac": ["surface"],
         "settle": ["ransac", "result"], "growing": ["ransac"], "picks": ["surface", "result"], "evaluation": ["labels"],
+        "codes": ["labels"],
     },
     "modelling": {
         "plane": [], "contour": ["plane"], "edges/find": ["plane"], "edges/adjust": ["edges/find"],
@@ -42,8 +43,8 @@ SUBROOMS = {
         "facade": ["patterns", "edges/join", "evidence"], "evaluation": ["plane"],
     },
     "compare": {
-        "visibility": [], "distance": ["visibility"], "preview": [], "m3c2": [], "matching": [],
-        "changes": ["matching", "visibility"], "volumes": ["distance"], "clearance": [],
+        "visibility": [], "detection": ["visibility"], "distance": ["detection"], "preview": [], "m3c2": [], "matching": [],
+        "changes": ["matching", "detection"], "volumes": ["distance"], "clearance": [],
     },
     "registration": {"joint": [], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": []},
     "report": {

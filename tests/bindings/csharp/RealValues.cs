@@ -41,6 +41,7 @@ static class RealValues {
       {"Segmentation.WritePrimitives.path", "primitives.txt"}, {"Library.ReportWriteHtml.path", "report.html"},
       {"Library.ReportWriteJson.path", "report.json"}, {"Library.ReportWriteComparison.path", "comparison.html"},
       {"Library.ReportWriteRegistration.path", "registration.html"},
+      {"Library.ReportWriteAdjustment.path", "adjustment.html"},
       {"Trajectory.Read.path", "drive.txt"}, {"Trajectory.Write.path", "driven.txt"},
       {"Library.SceneWriteTruth.path", "truth.json"}};
 

@@ -24,6 +24,9 @@ class Examples(unittest.TestCase):
         for name, (scene, step, more) in scenes.items():
             subprocess.run([os.path.join(BUILD, "src", "jalon"), "scan", "--quiet", "--scene", scene, "-o", cls.at(name + ".las"),
                             "--set", "horizontal_step_rad=%g" % step, "--set", "vertical_step_rad=%g" % step, *more], check=True)
+        subprocess.run([os.path.join(BUILD, "src", "jalon"), "scan", "--quiet", "--method", "mobile", "-o", cls.at("drive.ply"), "--model",
+                        cls.at("street.obj"), "--trajectory", cls.at("drive.txt"), "--scene-set", "sigma_position_m=1", "--scene-set",
+                        "leg_m=60", "--set", "revolutions_per_s=10"], check=True)
 
     @classmethod
     def tearDownClass(cls):
@@ -60,3 +63,6 @@ class Examples(unittest.TestCase):
 
     def python__05_changes_prints_what_c_prints(self):
         self.compare("05_changes", "day_1.las", "day_3.las")
+
+    def python__06_joint_prints_what_c_prints(self):
+        self.compare("06_joint", "street.obj", "drive.ply", "drive.txt", "adjusted.txt")

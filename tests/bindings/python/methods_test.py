@@ -35,6 +35,8 @@ class Methods(unittest.TestCase):
             steps = {"horizontal_step_rad": 0.01, "vertical_step_rad": 0.01} if name == "static" else {}
             self.assertGreater(jalon.Scanner(name, **steps).run(box_model()).count, 1000, name)
         for name in jalon.Segmenter.methods():
+            if name.endswith("_codes"):  # they need a list of codes: codes_test.py
+                continue
             segmentation = jalon.Segmenter(name).run(box_cloud())
             self.assertGreaterEqual(len(segmentation.segments), 5, name)
             for modeller in jalon.Modeller.methods():

@@ -152,6 +152,11 @@ class Trajectories(unittest.TestCase):
         self.assertEqual(n, 2 * (len(controls["time"]) + 14))
         np.testing.assert_allclose(np.sqrt(np.diag(covariance["covariance"]))[:len(controls["time"])], controls["sigma"][:, 0])
         self.assertIn('"sigma_strip_m"', made.parameters)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "adjusted.html")
+            jalon.report_write_adjustment(made, path, drive.true_trajectory)
+            with open(path, encoding="utf-8") as page:
+                self.assertIn("east, true", page.read())
         with self.assertRaisesRegex(ValueError, "covariance was not asked for"):
             drive.trajectory.adjust(drive.cloud, drive.model).covariance
         with self.assertRaisesRegex(ValueError, "no field \"time\""):

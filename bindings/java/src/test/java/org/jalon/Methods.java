@@ -18,6 +18,7 @@ final class Methods {
     all.put("methods__are_those_that_can_be_created", Methods::created);
     all.put("texts__of_objects_say_what_they_are", Methods::described);
     all.put("methods__cannot_be_changed", Methods::unchanged);
+    all.put("methods__by_codes_tell_their_objects", Methods::byCodes);
     all.put("methods__of_segmenters_and_comparers_work_on_a_cloud", Methods::run);
   }
 
@@ -72,6 +73,16 @@ final class Methods {
     same("Rows: 2 x 3 float32", Rows.of(new float[6]).by(3).toString());
     cloud.close();
     same("Cloud (closed)", cloud.toString());
+  }
+
+  private static void byCodes() {
+    final String codes = "7;0.1;0.1;-1;350\n8;0.3;0.1;1;350\n9;0;0;0;999999\n";
+    try (Cloud cloud = Cloud.create(Behaviours.dome(60), 0); Segmenter segmenter = Segmenter.create("survey_codes").set("codes", codes);
+        Segmentation coded = segmenter.run(cloud); Fields segments = coded.segments()) {
+      expect(coded.notes().contains("\"name\":\"door 7\""), coded.notes());
+      expect(coded.notes().contains("999999"), coded.notes());
+      same(1, segments.doubles("label").length);
+    }
   }
 
   private static void unchanged() {
