@@ -83,7 +83,7 @@ NULLABLE = {
     "jalon_registrar_run.start",
     "jalon_report_write_html.model", "jalon_report_write_json.model",
     "jalon_report_write_comparison.reverse", "jalon_report_write_comparison.changes",
-    "jalon_report_write_adjustment.truth",
+    "jalon_report_write_adjustment.truth", "jalon_network_adjust.points",
     "jalon_report_write_registration.reference", "jalon_report_write_registration.moving",
     "jalon_trajectory_create.crs",
     "jalon_model_building_strips.model", "jalon_model_building_strips.strips",
@@ -105,6 +105,7 @@ OPEN = {
     "jalon_cloud_knn_all.squared_distances",
     "jalon_cloud_radius_search.ranges", "jalon_cloud_radius_search.neighbours",
     "jalon_report_write_elevation.model", "jalon_report_write_elevation.options",
+    "jalon_network_adjust.points",
 }
 # Those of OPEN where the headers say what NULL stands for: the bindings let them be left out.
 MAY_BE_LEFT_OUT = {"jalon_cloud_fit_cylinder.direction", "jalon_comparison_outlines.reverse_points"}
@@ -190,6 +191,7 @@ OPERATION = {
     "jalon_trajectory_read": "trajectory_file",
     "jalon_trajectory_georeference": "georeference",
     "jalon_trajectory_adjust": "adjust",
+    "jalon_network_adjust": "network",
     "jalon_scene_drive_scenario": "drive_scenario",
     "jalon_cloud_ellipsoids": "ellipsoids",
     "jalon_normality": "normality",

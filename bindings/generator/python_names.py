@@ -15,7 +15,8 @@ ENUMS = {
     "ORIENTATION_NONE": ("Orientation", "ORIENTATION_"), "RELATION_DISJOINT": ("Relation", "RELATION_"),
     "DIRECTION_LEFT": ("Direction", "DIRECTION_"), "FRONT_NONE": ("FrontSource", "FRONT_"),
     "PRIMITIVE_PLANE": ("Primitive", "PRIMITIVE_"), "OK": ("Status", ""), "TARGET_SPHERE": ("TargetKind", "TARGET_"),
-    "MATCH_ACCEPTED": ("Match", "MATCH_"), "LOG_DEBUG": ("LogLevel", "LOG_"), "INT8": ("ElementType", ""), "NOT_RECOVERED": ("Recovery", ""),
+    "MATCH_ACCEPTED": ("Match", "MATCH_"), "OBSERVATION_DIRECTION": ("Observation", "OBSERVATION_"),
+    "LOG_DEBUG": ("LogLevel", "LOG_"), "INT8": ("ElementType", ""), "NOT_RECOVERED": ("Recovery", ""),
 }
 # Parameters that are one of an enum, and fields of the structs of C.
 ENUM_INPUTS = {"primitive": "Primitive", "type": "ElementType", "status": "Status"}

@@ -37,6 +37,7 @@
 #include <jalon/clearance.h>
 #include <jalon/registrar.h>
 #include <jalon/targets.h>
+#include <jalon/network.h>
 #include <jalon/field_tools.h>
 #include <jalon/volumes.h>
 #include <jalon/scanner.h>

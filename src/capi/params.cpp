@@ -33,6 +33,7 @@
 #include "model/trajectory/ellipsoids.h"
 #include "model/trajectory/trajectory_settings.h"
 #include "registration/joint/joint_settings.h"
+#include "registration/network/network_settings.h"
 #include "registration/targets/measure.h"
 #include "report/pages/change_outlines.h"
 #include "report/pages/comparison_report.h"
@@ -104,6 +105,7 @@ std::span<const Operation> operations() {
       {"georeference", georeference_rows},
       {"drive_scenario", drive_scenario_rows},
       {"adjust", joint_rows},
+      {"network", network_rows},
       {"ellipsoids", ellipsoid_rows},
       {"normality", normality_rows},
       {"building_strips", building_strip_rows},

@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
+#include "cli/outputs/json_csv.h"
 #include "cli/table.h"
 #include "cli/text_file.h"
 
@@ -23,13 +24,6 @@ std::string joined(const Json& list) {
   return out;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
 /// A row an object; the two places are the corners of an opening or the ends of an axis.
 std::string objects_csv(const Json& objects) {
   std::string out =
@@ -38,7 +32,7 @@ std::string objects_csv(const Json& objects) {
   for (const Json& o : objects) {
     const auto text = [&](const char* name) {
       if (!o.contains(name)) return std::string();
-      return quoted(o[name].is_string() ? o[name].get<std::string>() : o[name].dump());
+      return csv_cell(o[name].is_string() ? o[name].get<std::string>() : o[name].dump());
     };
     out += std::to_string(++number);
     for (const char* name :
@@ -49,7 +43,7 @@ std::string objects_csv(const Json& objects) {
       for (size_t k = 0; k < 3; ++k)
         out += "," +
                (o.contains(places) ? (last ? o[places].back() : o[places].front())[k].dump() : "");
-    out += "," + quoted(joined(o["ids"])) + "," + joined(o["lines"]) + "\n";
+    out += "," + csv_cell(joined(o["ids"])) + "," + joined(o["lines"]) + "\n";
   }
   return out;
 }
@@ -57,7 +51,7 @@ std::string objects_csv(const Json& objects) {
 std::string warnings_csv(const Json& warnings) {
   std::string out = "line,object,warning\n";
   for (const Json& w : warnings)
-    out += w["line"].dump() + "," + quoted(w["object"]) + "," + quoted(w["text"]) + "\n";
+    out += w["line"].dump() + "," + csv_cell(w["object"]) + "," + csv_cell(w["text"]) + "\n";
   return out;
 }
 

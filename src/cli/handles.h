@@ -51,6 +51,7 @@ using Model = std::unique_ptr<jalon_model, Release<jalon_model_release>>;
 using ModelEvaluation =
     std::unique_ptr<jalon_model_evaluation, Release<jalon_model_evaluation_release>>;
 using Modeller = std::unique_ptr<jalon_modeller, Release<jalon_modeller_release>>;
+using Network = std::unique_ptr<jalon_network, Release<jalon_network_release>>;
 using Params = std::unique_ptr<jalon_params, Release<jalon_params_release>>;
 using Registrar = std::unique_ptr<jalon_registrar, Release<jalon_registrar_release>>;
 using Registration = std::unique_ptr<jalon_registration, Release<jalon_registration_release>>;

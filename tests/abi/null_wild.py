@@ -35,6 +35,7 @@ HANDLES = {
     "jalon_scanner": ("fx_scanner", []),
     "jalon_trajectory": ("fx_trajectory", ["fx_bare_trajectory"]),
     "jalon_adjustment": ("fx_adjustment", []),
+    "jalon_network": ("fx_network", []),
     "jalon_task": ("fx_task", []),
     "jalon_noise_law": ("fx_law", []),
     "jalon_params": ("fx_options(\"normals\")", []),
@@ -204,7 +205,8 @@ def text(function, p):
     base = {"crs": '"EPSG:2154"', "name": '"intensity"', "unit": '"m"', "meaning": '"a meaning"', "field": '"intensity"', "other": "NULL", "gradient_field": '"intensity"',
             "label_field": '"intensity"', "class_field": '"intensity"', "reference_field": '"intensity"',
             "part_class": '"wall"', "method": "NULL", "operation": '"normals"', "json": '"{}"', "notes_json": r'"{\"title\":\"t\"}"',
-            "value": "fx_text_value", "path": 'fx_path("out.xyz")', "sigma_path": "NULL"}.get(p.name)
+            "value": "fx_text_value", "path": 'fx_path("out.xyz")', "sigma_path": "NULL", "points": r'"id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n"',
+            "observations": r'"from to direction zenith distance\nA B 0 100 50\n"'}.get(p.name)
     if base is None:
         return None
     wild = wild_values(TEXTS)

@@ -33,6 +33,7 @@ jalon_trajectory *fx_trajectory, *fx_bare_trajectory, *fx_driven;
 jalon_cloud* fx_driven_cloud;
 jalon_model* fx_driven_strips;
 jalon_adjustment* fx_adjustment;
+jalon_network* fx_network;
 jalon_task *fx_task, *fx_task_own;
 jalon_params* fx_typed[7];
 const char* fx_typed_name[7];
@@ -297,6 +298,10 @@ static void make_adjustment(void) {
   MUST(jalon_trajectory_adjust(fx_driven, fx_driven_cloud, fx_driven_strips, adjust, NULL,
                                &fx_adjustment));
   jalon_params_release(adjust);
+  MUST(jalon_network_adjust("id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n",
+                            "from to direction zenith distance code\nA B 0 100 50 -\n"
+                            "A C 50 100 30 350\nB C 170 100 36.2 350\nB A 0 100 50 -\n",
+                            NULL, NULL, &fx_network));
 }
 
 static void make_files(void) {
@@ -374,6 +379,7 @@ void fx_end(void) {
   jalon_cloud_release(fx_driven_cloud);
   jalon_model_release(fx_driven_strips);
   jalon_adjustment_release(fx_adjustment);
+  jalon_network_release(fx_network);
   jalon_task_release(fx_task);
   jalon_task_release(fx_task_own);
   free(fx_long_text);

@@ -182,38 +182,6 @@ static void threads__have_a_message_each(void** state) {
   run_threads(workers, message_body, NULL);
 }
 
-/* ---- one call a task ---- */
-
-struct nested {
-  jalon_task* task;
-  jalon_cloud* cloud;
-  int calls, busy, setter_busy;
-};
-
-static int32_t use_task_again(double fraction, const char* stage, void* user) {
-  struct nested* nested = user;
-  (void)fraction, (void)stage;
-  ++nested->calls;
-  nested->busy += jalon_cloud_prepare(nested->cloud, nested->task) == JALON_ERROR_BUSY;
-  nested->setter_busy += jalon_task_set_threads(nested->task, 2) == JALON_ERROR_BUSY;
-  return 0;
-}
-
-static void task__runs_one_call_at_a_time(void** state) {
-  (void)state;
-  struct nested nested = {NULL, street_cloud(points(), 8), 0, 0, 0};
-  MUST(jalon_task_create(&nested.task));
-  MUST(jalon_task_set_progress(nested.task, use_task_again, &nested));
-  MUST(jalon_cloud_compute_normals(nested.cloud, NULL, nested.task));
-  assert_true(nested.calls >= 1);
-  assert_int_equal(nested.busy, nested.calls);
-  assert_int_equal(nested.setter_busy, nested.calls);
-  MUST(jalon_task_set_progress(nested.task, NULL, NULL));
-  MUST(jalon_cloud_prepare(nested.cloud, nested.task)); /* free again */
-  jalon_task_release(nested.task);
-  jalon_cloud_release(nested.cloud);
-}
-
 /* ---- fork ---- */
 
 static void process__may_fork_after_use(void** state) {
@@ -246,7 +214,6 @@ int main(void) {
       cmocka_unit_test(threads__may_change_handles_of_their_own),
       cmocka_unit_test(threads__may_create_and_destroy_in_a_storm),
       cmocka_unit_test(threads__have_a_message_each),
-      cmocka_unit_test(task__runs_one_call_at_a_time),
       cmocka_unit_test(process__may_fork_after_use),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,7 +31,7 @@ refuses() {
 }
 
 check "--help shows examples and exit codes" bash -c "'$jalon' --help | grep -q 'jalon facade scan.las' && '$jalon' --help | grep -q 'Exit codes'"
-for command in info convert formats clean normals facade model scan segment evaluate-segmentation evaluate-model compare clearance adjust; do
+for command in info convert formats clean normals facade model scan segment evaluate-segmentation evaluate-model compare clearance adjust code network; do
   check "$command --help shows an example" bash -c "'$jalon' $command --help | grep -q 'jalon $command'"
 done
 check "--version tells the release" bash -c "'$jalon' --version | grep -qE '^jalon [0-9]+\.[0-9]+\.[0-9]+$'"
@@ -108,6 +108,15 @@ check "segment writes its seven files" "$jalon" segment sample.las -o segments
 for file in report.html segments.svg segments.csv segments.json segments.las segments.ply primitives.txt; do check "segment made $file" test -s segments/$file; done
 check "segment leaves no private folder" bash -c "[ \$(ls -A segments | wc -l) -eq 7 ]"
 check "segment by another method, --json" bash -c "'$jalon' segment sample.las -o grown --method region_growing --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"segments\"])>5 and d[\"method\"]==\"region_growing\", d'"
+printf 'id x y z sx sy sz\nA 652000 6861000 40 0 0 0\nB 652000 6861050 40 0 0 0\n' >nails.txt
+printf 'from;to;direction;zenith;distance;code\nA;B;0;100;50;\nA;C;40;100;30;350\nB;C;361.81;100;31.19;350\nB;A;0;100;50;\n' >sights.txt
+check "network adjusts a survey" bash -c "'$jalon' network sights.txt --points nails.txt -o survey --json --set sigma_direction_rad=1e-3 | python3 -c '
+import json, sys
+d = json.load(sys.stdin)
+assert d[\"summary\"][\"converged\"] == 1 and d[\"points\"][2][\"id\"] == \"C\" and abs(d[\"points\"][2][\"xyz\"][0] - 652017.6) < 0.1, d'"
+check "network writes its points as a table" bash -c "head -1 survey/points.csv | grep -q '^id,xyz_0,' && grep -q '^C,65201' survey/points.csv && grep -q '^C;65201.*;350$' survey/codes.txt && grep -q '^distance,5,B,A,' survey/observations.csv"
+refuses "a survey with a wrong line" 3 'observations, line 2' bash -c "printf 'from to distance\\nA B far\\n' >wrong.txt; exec '$jalon' network wrong.txt -o no"
+refuses "a survey that nothing holds" 5 'nothing holds' "$jalon" network sights.txt -o no
 printf '1;5;0;1;360\n2;9;0;3;360\n3;0;0;0;777\n' >codes.txt
 check "code classifies the points of coded objects" bash -c "'$jalon' code sample.las codes.txt -o coded --method survey --json --quiet | python3 -c '
 import json, sys

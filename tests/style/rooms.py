@@ -46,7 +46,7 @@ SUBROOMS = {
         "visibility": [], "detection": ["visibility"], "distance": ["detection"], "preview": [], "m3c2": [], "matching": [],
         "changes": ["matching", "detection"], "volumes": ["distance"], "clearance": [],
     },
-    "registration": {"joint": [], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": []},
+    "registration": {"joint": [], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": [], "network": ["targets"]},
     "report": {
         "sheet": [], "names": [], "elevation": ["sheet", "names"], "charts": ["sheet"],
         "pictures": ["elevation"], "pages": ["pictures", "charts"],

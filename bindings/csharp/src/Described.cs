@@ -74,6 +74,11 @@ internal static class Described {
     return "strips: " + summary.Doubles("strips")[0] + "; passes: " + summary.Doubles("passes")[0];
   }
 
+  internal static string About(Network network) {
+    Fields summary = network.GetSummary();
+    return "points: " + summary.Doubles("points")[0] + "; redundancy: " + summary.Doubles("redundancy")[0];
+  }
+
   internal static string About(Trajectory trajectory) {
     return "epochs: " + trajectory.Count + "; axes: " + trajectory.Axes;
   }

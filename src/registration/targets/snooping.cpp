@@ -89,6 +89,14 @@ double Snooping::p_value(double statistic, int dimensions) const {
   return redundancy_ > dimensions ? tail(statistic / weighted_squares_, dimensions, 0) : 1;
 }
 
+// Independent of the adjusted squares: an F test, as a share of both sums.
+double Snooping::prediction_p_value(double statistic, int dimensions) const {
+  if (!setting_.estimated()) return chi_square_tail(dimensions, statistic);
+  if (!(redundancy_ > 0 && statistic > 0)) return 1;
+  const double share = statistic / (statistic + weighted_squares_);
+  return beta_tail(dimensions / 2.0, redundancy_ / 2.0, std::min(share, 1.0));
+}
+
 double Snooping::critical(int dimensions) const {
   if (!setting_.estimated()) return chi_square_upper_quantile(dimensions, setting_.significance);
   double low = 0, high = 1;
@@ -154,11 +162,7 @@ TargetTest Snooping::test_prediction(const Vec3& residual_m, const Square<3>& co
   const Coefficients<3> x = factor.solve({residual_m.x, residual_m.y, residual_m.z});
   out.dimensions = 3;
   out.statistic = residual_m.x * x[0] + residual_m.y * x[1] + residual_m.z * x[2];
-  // Independent of the adjusted squares: an F test, as a share of both sums.
-  const double share = out.statistic / (out.statistic + weighted_squares_);
-  if (!setting_.estimated()) out.p_value = chi_square_tail(3, out.statistic);
-  else if (redundancy_ > 0 && out.statistic > 0)
-    out.p_value = beta_tail(1.5, redundancy_ / 2.0, std::min(share, 1.0));
+  out.p_value = prediction_p_value(out.statistic, 3);
   out.outlier = out.p_value < setting_.significance;
   const Square<3> inverse = factor.inverse();
   for (size_t i = 0; i < 3; ++i) {

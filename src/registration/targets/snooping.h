@@ -37,9 +37,15 @@ class Snooping {
   TargetTest test_prediction(const Vec3& residual_m, const Square<3>& cofactor) const;
   /// Noncentrality that a blunder in so many dimensions needs to be found with the power; infinity: never found.
   double noncentrality(int dimensions) const;
+  /// Chance of a statistic of so many dimensions, for sigma0 = 1, as large or larger.
+  double p_value(double statistic, int dimensions) const;
+  /// The same of what took no part, off by this statistic from what the others foretell.
+  double prediction_p_value(double statistic, int dimensions) const;
+  double significance() const { return setting_.significance; }
+  /// noncentrality(), kept.
+  double needed(int dimensions) const { return needed_[static_cast<size_t>(dimensions)]; }
 
  private:
-  double p_value(double statistic, int dimensions) const;
   double tail(double critical, int dimensions, int more) const;
   double critical(int dimensions) const;
   SnoopingSettings setting_;

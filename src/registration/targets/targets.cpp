@@ -6,6 +6,7 @@
 #include "base/table_columns.h"
 #include "registration/registration_tables.h"
 #include "registration/targets/pairing.h"
+#include "registration/targets/snooping_rows.h"
 #include "registration/targets/solution.h"
 #include "registration/targets/tables.h"
 
@@ -13,18 +14,6 @@ namespace jalon {
 
 namespace {
 
-constexpr auto kSnoopingRows = setting_rows(
-    choice_row<&SnoopingSettings::sigma0>(
-        "sigma0", "known|estimated", "",
-        "Of unit weight: known, covariances are taken as they stand (Baarda's test); "
-        "estimated, the residuals scale them, so that only their proportions count (Pope's "
-        "test)."),
-    number_row<&SnoopingSettings::significance>(
-        "significance", 1e-9, 0.5, "1", "",
-        "Chance that the test of one good target calls it an outlier (Baarda 1968)."),
-    number_row<&SnoopingSettings::power>(
-        "power", 0.5, 0.999, "1", "",
-        "Chance that the test finds a blunder of the size given as detectable."));
 constexpr auto kTargetsRows = setting_rows(
     choice_row<&TargetSettings::transform>("transform", "rigid|similarity", "",
                                            "similarity: with a scale of its own."),

@@ -11,7 +11,7 @@ static class EveryCall {
   static readonly Dictionary<Type, object> given = new Dictionary<Type, object>();
   static readonly Type[] nouns = {
       typeof(Adjustment), typeof(Cloud), typeof(CloudBuilder), typeof(Comparer), typeof(Comparison), typeof(Evaluation), typeof(Fields), typeof(Gauge),
-      typeof(JalonTask), typeof(Model), typeof(ModelEvaluation), typeof(Modeller), typeof(NoiseLaw), typeof(Params), typeof(Registrar),
+      typeof(JalonTask), typeof(Model), typeof(ModelEvaluation), typeof(Modeller), typeof(Network), typeof(NoiseLaw), typeof(Params), typeof(Registrar),
       typeof(Registration), typeof(Scanner), typeof(Segmentation), typeof(Segmenter), typeof(Targets), typeof(Trajectory), typeof(ArrayView), typeof(Library)};
 
   static IEnumerable<MethodBase> Members(Type type) {

@@ -42,6 +42,7 @@ static class RealValues {
       {"Library.ReportWriteJson.path", "report.json"}, {"Library.ReportWriteComparison.path", "comparison.html"},
       {"Library.ReportWriteRegistration.path", "registration.html"},
       {"Library.ReportWriteAdjustment.path", "adjustment.html"},
+      {"Network.Adjust.points", Survey.Nails}, {"Network.Adjust.observations", Survey.Sights},
       {"Trajectory.Read.path", "drive.txt"}, {"Trajectory.Write.path", "driven.txt"},
       {"Library.SceneWriteTruth.path", "truth.json"}};
 

@@ -77,6 +77,9 @@ static class Survey {
     return new Trajectory(new double[] {10, 20, 30}, Path3, new double[3, 3], Sigmas, Sigmas, Sigmas, "EPSG:2154");
   }
 
+  public const string Nails = "id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n";
+  public const string Sights = "from to direction zenith distance code\nA B 0 100 50 -\nA C 50 100 30 350\nB C 170 100 36.2 350\nB A 0 100 50 -\n";
+
   static SceneDriveScenarioResult DrivenStreet() {
     return Library.SceneDriveScenario(new DriveScenarioOptions { LegM = 40, Corner = false, RevolutionsPerS = 10, Pulses = 200 });
   }

@@ -105,6 +105,13 @@ final class Described {
     });
   }
 
+  static String of(Network network) {
+    return line("Network", network.isClosed(), () -> {
+      final Fields summary = network.summary();
+      return "points: " + (long) summary.doubles("points")[0] + "; redundancy: " + (long) summary.doubles("redundancy")[0];
+    });
+  }
+
   static String of(Trajectory trajectory) {
     return line("Trajectory", trajectory.isClosed(), () -> "epochs: " + trajectory.count() + "; axes: " + trajectory.axes());
   }

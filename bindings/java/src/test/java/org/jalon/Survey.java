@@ -152,6 +152,13 @@ final class Survey {
     }
   }
 
+  static final String NAILS = "id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n";
+  static final String SIGHTS = "from to direction zenith distance code\nA B 0 100 50 -\nA C 50 100 30 350\nB C 170 100 36.2 350\nB A 0 100 50 -\n";
+
+  static Network network() {
+    return Network.adjust(NAILS, SIGHTS);
+  }
+
   static Adjustment adjusted(SceneDriveScenarioResult driven) {
     try (AdjustParams options = new AdjustParams().setCovariance(true)) {
       return driven.trajectory().adjust(driven.cloud(), driven.model(), options);
