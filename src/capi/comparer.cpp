@@ -6,6 +6,7 @@
 #include "capi/support/methods.h"
 #include "capi/support/model_handles.h"
 #include "compare/distance/closest_points.h"
+#include "compare/overlap/overlap.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -21,6 +22,19 @@ std::unique_ptr<jalon_comparison> handle_of(Comparison made, const ParamSet& val
 }
 
 }  // namespace
+
+jalon_status jalon_cloud_overlap(const jalon_cloud* reference, const jalon_cloud* compared,
+                                 jalon_task* task, jalon_fields** out) {
+  return guard([&] {
+    require(reference, "reference");
+    require(compared, "compared");
+    require(out, "out");
+    *out = with_task(task, [&](Task& t) {
+             return own(
+                 new_fields(overlap_table(clouds_overlap(*reference->cloud, *compared->cloud, t))));
+           }).release();
+  });
+}
 
 jalon_status jalon_comparer_create(const char* method, jalon_comparer** out) {
   return create_worker(compare_methods(), method, "comparison method", out);

@@ -26,7 +26,7 @@ struct Compare {
   Input reference, compared;
   std::string method = "distance", registration, output;
   double threshold_m = 0;  ///< 0 = the operation's default
-  bool is_one_way = false;
+  bool is_one_way = false, is_forced = false;
 
   // What one direction gave.
   struct Direction {
@@ -271,6 +271,8 @@ struct Compare {
     if (of_scans) choose_for_scans(before.cloud, after.cloud, plan.both, settings, params);
     Json times{{"read", console.seconds()}};
     const Lengths lengths = before.lengths.with(after.lengths);
+    refuse_apart(console, {reference, where(console, before.model, before.cloud)},
+                 {compared, where(console, after.model, after.cloud)}, is_forced);
     warn_of_sizes(console, reference.path, before.box, compared.path, after.box);
     console.step("comparing");
     Direction forward = run_to(console, worker, before, after), reverse;
@@ -341,6 +343,8 @@ void add_compare(Command& app) {
       .positive();
   command.flag("--one-way", state->is_one_way,
                "Only the compared side with the reference: regions instead of classes of changes");
+  command.flag("--force", state->is_forced,
+               "Compare them even where they hardly share a place, which ends the command with 5");
   for (const bool is_reference : {true, false}) {
     Input& input = is_reference ? state->reference : state->compared;
     const std::string prefix = is_reference ? "--reference-" : "--compared-";

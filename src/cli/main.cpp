@@ -20,7 +20,7 @@ Exit codes (README.md has the same table; nothing is written but with 0, and the
     2  wrong command, option, parameter or method
     3  input missing, unreadable or malformed, or without a field that was asked for
     4  output cannot be written
-    5  too few points, or nothing found in them; a registration that is not accepted
+    5  too few points, or nothing found in them; scans that lie apart; a registration that is not accepted
     6  not supported: a format, or a parameter together with another
     7  out of memory
   130  cancelled by Ctrl-C

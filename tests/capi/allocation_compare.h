@@ -27,7 +27,7 @@ static jalon_status scenario_changes(void) {
   jalon_comparer* comparer = NULL;
   jalon_comparison *forward = NULL, *reverse = NULL;
   jalon_params *regions = NULL, *options = NULL;
-  jalon_fields* f[8] = {NULL};
+  jalon_fields* f[9] = {NULL};
   jalon_model* outlines = NULL;
   const char* made_by = NULL;
   jalon_status status = small_cloud(&before);
@@ -49,7 +49,8 @@ static jalon_status scenario_changes(void) {
   TRY(jalon_comparison_diagnose(forward, reverse, options, small_task, &f[4], &f[5], &f[6]));
   TRY(jalon_comparison_outlines(forward, f[4], reverse, f[5], f[6], NULL, small_task, &outlines));
   TRY(jalon_cloud_volume(before, after, NULL, small_task, &f[7], NULL));
-  for (int i = 0; i < 8; ++i) jalon_fields_release(f[i]);
+  TRY(jalon_cloud_overlap(before, after, small_task, &f[8]));
+  for (int i = 0; i < 9; ++i) jalon_fields_release(f[i]);
   jalon_model_release(outlines);
   jalon_params_release(regions), jalon_params_release(options);
   jalon_comparison_release(forward), jalon_comparison_release(reverse);

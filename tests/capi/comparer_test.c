@@ -104,6 +104,26 @@ static jalon_cloud* floor_at(double z) {
   return cloud;
 }
 
+static void cloud_overlap__tells_clouds_that_lie_apart(void** state) {
+  (void)state;
+  jalon_cloud *here = floor_at(0), *same = floor_at(0.01), *above = floor_at(40);
+  jalon_fields* overlap = NULL;
+  jalon_array_view apart, gap, cause;
+  MUST(jalon_cloud_overlap(here, same, NULL, &overlap));
+  MUST(jalon_fields_view(overlap, "apart", &apart));
+  assert_int_equal(*(const uint8_t*)apart.data, 0);
+  jalon_fields_release(overlap);
+  MUST(jalon_cloud_overlap(here, above, NULL, &overlap));
+  MUST(jalon_fields_view(overlap, "apart", &apart));
+  MUST(jalon_fields_view(overlap, "gap", &gap));
+  MUST(jalon_fields_view(overlap, "cause", &cause));
+  assert_int_equal(*(const uint8_t*)apart.data, 1);
+  assert_true(fabs(*(const double*)gap.data - 40) < 0.01);
+  assert_int_equal(*(const uint8_t*)cause.data, JALON_APART_ORIGIN);
+  jalon_fields_release(overlap);
+  jalon_cloud_release(here), jalon_cloud_release(same), jalon_cloud_release(above);
+}
+
 static void comparer_preview__and_closest_points_of_a_line(void** state) {
   (void)state;
   jalon_cloud *reference = line_of(0, 10), *compared = line_of(0.25, 4), *closest = NULL;
@@ -278,6 +298,7 @@ int main(void) {
       cmocka_unit_test(comparison__gives_distance_nearest_point_and_status_of_each_point),
       cmocka_unit_test(comparer__refuses_empty_clouds_and_two_different_crs),
       cmocka_unit_test(changes__of_a_lifted_square_are_found_told_and_reported),
+      cmocka_unit_test(cloud_overlap__tells_clouds_that_lie_apart),
       cmocka_unit_test(comparer_preview__and_closest_points_of_a_line),
       cmocka_unit_test(comparer_m3c2__measures_at_given_core_points_along_the_normal),
       cmocka_unit_test(comparer_m3c2__reads_parameter_files_of_cloudcompare),

@@ -19,6 +19,15 @@ write("wall_mm.xyz", [(1000 * x, 1000 * y, 1000 * z) for x, y, z in wall])
 write("ball.xyz", [(5 * r.random(), 5 * r.random(), 5 * r.random()) for _ in range(300)])
 write("far.xyz", [(x + 1000, y, z) for x, y, z in wall])
 write("one.xyz", [(1, 2, 3)])
+hall = [[(30 + 20 * r.random(), 50 + 9 * r.random(), 2), (30 + 20 * r.random(), 50, 2 + 5 * r.random()),
+         (30, 50 + 9 * r.random(), 2 + 5 * r.random())][k % 3] for k in range(6000)]
+write("hall.xyz", hall)
+write("hall_yx.xyz", [(y, x, z) for x, y, z in hall])
+write("hall_up.xyz", [(x, z, -y) for x, y, z in hall])
+write("hall_ft.xyz", [(x / 0.3048, y / 0.3048, z / 0.3048) for x, y, z in hall])
+write("hall_grid.xyz", [(652000 + x, 6862000 + y, z) for x, y, z in hall])
+open("hall_degrees.xyz", "w").write("".join("%.8f %.8f %.3f\n" % (2.35 + x / 73000, 48.86 + y / 111000, z) for x, y, z in hall))
+write("screen.xyz", [(33 + 14 * r.random(), 55, 4 + 2 * r.random()) for _ in range(2000)])
 END
 mkdir folder folder.las
 : >empty.las
@@ -154,9 +163,22 @@ for command in segment facade model; do
 done
 ends 5 'wall_mm.xyz: found no segment' segment wall_mm.xyz -o new
 ends 5 'no pulse met scene' scan -o new.las --station 1e6,0,0
-ends 5 'no point of far.xyz has a distance from wall.xyz' compare wall.xyz far.xyz -o new --set max_distance_m=1
+ends 5 'no point of far.xyz has a distance from wall.xyz' compare wall.xyz far.xyz -o new --set max_distance_m=1 --force --quiet
 ends 5 'no point has a segment' evaluate-segmentation seg/segments.las seg/segments.las \
   --reference-noise-label 0 --reference-noise-label 1
+
+# Two epochs that hardly share a place: both boxes, the gap and the likely cause, before anything is computed.
+ends 5 'wall.xyz .x 0.0 .* and far.xyz .x 1000.0 .* lie 995.0 apart: likely another origin.*same size.*-1000, .*0, .*0 .*jalon register' \
+  compare wall.xyz far.xyz -o new
+ends 5 'other axes: they meet where .y, x, z. of hall_yx.xyz' compare hall.xyz hall_yx.xyz -o new
+ends 5 'other axes: they meet where .x, -z, y. of hall_up.xyz' compare hall.xyz hall_up.xyz -o new
+ends 5 'as if hall_ft.xyz were in feet; --compared-unit names it' compare hall.xyz hall_ft.xyz -o new
+ends 5 'as if hall_ft.xyz were in feet; --reference-unit names it' compare hall_ft.xyz hall.xyz -o new
+ends 5 'as if wall_mm.xyz were in millimetres' compare wall.obj wall_mm.xyz -o new
+ends 5 'degrees of longitude and latitude' compare hall_grid.xyz hall_degrees.xyz -o new
+ends 5 'share [0-9.]+ % of their space: they may have other units, axes or CRS' compare hall.xyz screen.xyz -o new
+lacks 'warning' compare hall.xyz hall_ft.xyz -o feet --compared-unit ft
+says 'warning: .*lie 995.0 apart' compare wall.xyz far.xyz -o far --force
 
 # Units: metres where the file or an option says so, and no guess where nothing does.
 says 'size .* 3\.[0-9]+ units$' info wall.xyz
@@ -172,7 +194,7 @@ judge "a report tells the unit" grep -q '>metre<' seg_mm/report.html
 says 'rms 0\.[0-9]+ units' register wall.xyz wall.xyz -o same --method icp --force
 says ' mm, ' compare wall.xyz wall_mm.xyz -o same_wall --reference-unit m --compared-unit mm
 lacks 'units|warning' compare wall.xyz wall_mm.xyz -o same_wall --reference-unit m --compared-unit mm
-says 'warning: wall_mm.xyz is about 1 000 times as large as wall.xyz' compare wall.xyz wall_mm.xyz -o large
+says 'warning: wall_mm.xyz is about 1 000 times as large as wall.xyz' compare wall.xyz wall_mm.xyz -o large --force
 says 'warning: wall_mm.xyz is about 1 000 times as large as wall.obj' clearance wall.obj wall_mm.xyz
 lacks 'warning' compare wall.xyz ball.xyz -o other
 judge "a sample is scanned" "$jalon" scan --scene sills --method sample --set points=6060 -o sills.las

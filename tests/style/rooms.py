@@ -43,7 +43,7 @@ SUBROOMS = {
         "facade": ["patterns", "edges/join", "evidence"], "evaluation": ["plane"],
     },
     "compare": {
-        "visibility": [], "detection": ["visibility"], "distance": ["detection"], "preview": [], "m3c2": [], "matching": [],
+        "visibility": [], "overlap": [], "detection": ["visibility"], "distance": ["detection"], "preview": [], "m3c2": [], "matching": [],
         "changes": ["matching", "detection"], "volumes": ["distance"], "clearance": [],
     },
     "registration": {"joint": [], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": [], "network": ["targets"]},

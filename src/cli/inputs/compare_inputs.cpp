@@ -3,6 +3,9 @@
 #include "cli/inputs/compare_inputs.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "cli/lengths.h"
 
 namespace jalon::cli {
 
@@ -18,6 +21,63 @@ bool has_stations(const Cloud& cloud) {
     if (has_pose != 0) placed += points;
   }
   return placed > 0 && placed == count_of(cloud);
+}
+
+// "x 1.2 ... 3.4, y ..."
+std::string ranges_of(const jalon_box& box) {
+  const auto range = [](const char* name, double low, double high) {
+    return std::string(name) + " " + fixed(low, 1) + " ... " + fixed(high, 1);
+  };
+  return range("x", box.min.x, box.max.x) + ", " + range("y", box.min.y, box.max.y) + ", " +
+         range("z", box.min.z, box.max.z);
+}
+
+std::string axes_of(const Fields& overlap) {
+  const int8_t* axes = values<int8_t>(overlap, "axes");
+  std::string text;
+  for (int k = 0; k < 3; ++k) {
+    if (k > 0) text += ", ";
+    if (axes[k] < 0) text += "-";
+    text += "xyz"[std::abs(axes[k]) - 1];
+  }
+  return text;
+}
+
+const char* unit_of_factor(double factor) {
+  struct Named {
+    double factor;
+    const char* name;
+  };
+  static constexpr Named kNamed[] = {{0.3048, "feet"},       {1200.0 / 3937, "US survey feet"},
+                                     {0.0254, "inches"},     {0.01, "centimetres"},
+                                     {0.001, "millimetres"}, {1000, "kilometres"}};
+  for (const Named& unit : kNamed)
+    if (std::abs(factor / unit.factor - 1) < 1e-9) return unit.name;
+  return nullptr;
+}
+
+std::string cause_of(const Fields& overlap, const Input& reference, const Input& compared) {
+  const double factor = *values<double>(overlap, "factor");
+  const double* shift = values<double>(overlap, "shift");
+  switch (*values<uint8_t>(overlap, "cause")) {
+    case JALON_APART_AXES:
+      return "likely other axes: they meet where (" + axes_of(overlap) + ") of " + compared.path +
+             " are taken for (x, y, z)";
+    case JALON_APART_UNIT: {
+      const char* unit = unit_of_factor(factor);
+      return "likely another unit: as if " + (unit != nullptr ? compared.path : reference.path) +
+             " were in " + (unit != nullptr ? unit : unit_of_factor(1 / factor)) + "; " +
+             (unit != nullptr ? compared : reference).unit_option + " names it";
+    }
+    case JALON_APART_ORIGIN:
+      return "likely another origin or CRS: of the same size, " + compared.path +
+             " shifted by about " + fixed(shift[0], 0) + ", " + fixed(shift[1], 0) + ", " +
+             fixed(shift[2], 0) + " meets it; \"jalon register\" finds the pose";
+    case JALON_APART_DEGREES:
+      return "likely one is in degrees of longitude and latitude";
+    default:
+      return "they may have other units, axes or CRS";
+  }
 }
 
 }  // namespace
@@ -51,6 +111,43 @@ void choose_for_scans(const Cloud& reference, const Cloud& compared, bool both,
   must(jalon_params_set_string(params.get(), "local_model", "plane"));
   must(jalon_params_set_bool(params.get(), "reference_spacing", 1));
   settings.apply(params.get());
+}
+
+Cloud where(const Console& console, const Model& model, const Cloud& cloud) {
+  Cloud out;
+  if (model == nullptr) {
+    must(jalon_cloud_copy(cloud.get(), Out(out)));
+    return out;
+  }
+  constexpr int64_t kEnough = 20000;
+  const Params options = make_params("model_sample");
+  must(jalon_params_set_int64(options.get(), "points", kEnough));
+  must(jalon_model_sample(model.get(), options.get(), console.task(), Out(out)));
+  return out;
+}
+
+void refuse_apart(const Console& console, const Placed& reference, const Placed& compared,
+                  bool is_forced) {
+  const Cloud &before = reference.points, &after = compared.points;
+  const char *crs_before = "", *crs_after = "";
+  must(jalon_cloud_crs(before.get(), &crs_before));
+  must(jalon_cloud_crs(after.get(), &crs_after));
+  if (*crs_before != 0 && *crs_after != 0 && std::string(crs_before) != crs_after)
+    return;  // the comparer refuses that
+  Fields overlap;
+  must(jalon_cloud_overlap(before.get(), after.get(), console.task(), Out(overlap)));
+  if (*values<uint8_t>(overlap, "apart") == 0) return;
+  const double gap = *values<double>(overlap, "gap");
+  const double share = std::max(*values<double>(overlap, "reference_share"),
+                                *values<double>(overlap, "compared_share"));
+  const std::string line = reference.input.path + " (" + ranges_of(box_of(before)) + ") and " +
+                           compared.input.path + " (" + ranges_of(box_of(after)) + ") " +
+                           (gap > 0 ? "lie " + fixed(gap, 1) + " apart"
+                                    : "share " + fixed(100 * share, 1) + " % of their space") +
+                           ": " + cause_of(overlap, reference.input, compared.input);
+  if (!is_forced)
+    throw Failure{JALON_ERROR_DEGENERATE, line + "; nothing is written, --force compares them"};
+  console.warn(line);
 }
 
 std::string said_of_shadows(const Cloud& reference, const Params& params, const Table& forward,

@@ -20,6 +20,19 @@ Cloud sampled(const Console& console, const Model& model, const Settings& settin
 void choose_for_scans(const Cloud& reference, const Cloud& compared, bool both,
                       const Settings& settings, const Params& params);
 
+/// The cloud, or of a model points enough to tell where it lies.
+Cloud where(const Console& console, const Model& model, const Cloud& cloud);
+
+struct Placed {
+  const Input& input;
+  Cloud points;
+};
+
+/// Ends the command, or warns where it is forced, when two clouds hardly share a place: in one line both boxes, how far
+/// they lie apart, and why, as far as it shows.
+void refuse_apart(const Console& console, const Placed& reference, const Placed& compared,
+                  bool is_forced);
+
 /// What the report says of shadows, from the summaries of what was compared; reverse: NULL one way.
 std::string said_of_shadows(const Cloud& reference, const Params& params, const Table& forward,
                             const Table* reverse);

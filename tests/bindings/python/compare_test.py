@@ -55,6 +55,12 @@ class Compare(unittest.TestCase):
         closest = self.forward.closest_points(self.before)
         self.assertEqual(len(closest), len(np.unique(self.forward.points["nearest"])))
 
+    def python__clouds_that_lie_apart_are_told(self):
+        self.assertEqual(self.before.overlap(self.after).apart, 0)
+        swapped = self.before.overlap(jalon.Cloud(self.before.points[:, [2, 1, 0]] + [500, 0, 0]))
+        self.assertEqual(swapped.apart, 1)
+        self.assertGreater(swapped.gap, 400)
+
     def python__regions_changes_and_outlines_follow(self):
         points, regions = self.forward.regions(criterion="threshold", threshold_m=0.3, min_points=20)
         self.assertEqual([type(region) for region in regions], [jalon.Region])
