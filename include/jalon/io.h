@@ -29,6 +29,30 @@
  *   origin is the one station, and that of a cloud with one is written. Of an organised cloud (HEIGHT above 1) cells
  *   that are not finite are no points; the others have row and column.
  *
+ * Stations travel with the points: E57, PTX and (one) PCD have a place for them, and what others lack is written and
+ * read as one JSON text, of which ranges of points or the values of a field tell which points are whose:
+ *
+ *     {"jalon_stations": 1, "points": 5000, "stations": [
+ *       {"name": "west", "first": 0, "count": 3000, "pose": [1, 0, 0, 12.5, 0, 1, 0, -3, 0, 0, 1, 1.7]},
+ *       {"name": "east", "first": 3000, "count": 2000}]}
+ *     {"jalon_stations": 1, "field": "scan", "stations": [{"name": "west", "value": 1, "position": [12.5, -3, 1.7]}]}
+ *
+ * "pose" has the first three rows of the matrix from the scanner to the points, row by row; "position" is of an upright
+ * scanner; without either the pose is unknown. Ranges ascend and do not overlap; "points", where it is there, must be
+ * the number of the points. Lengths are in the file's unit. It stands
+ *
+ * - in LAS and LAZ as the data of VLRs of the user "Jalon" with the number 1, and the field that it names is an extra
+ *   dimension with the number of each point's station, "station": uint8 or uint16, 0 = none. So the stations survive
+ *   programs that keep records and dimensions while they cut or sort the points. Several VLRs share many stations. The
+ *   dimension is no field of the cloud read.
+ * - in PLY as comments "comment stations {...}", by ranges.
+ * - else in a file beside the points, "scan.stations.json" beside "scan.xyz", with "file" = the name of the points'
+ *   file; it may be written by hand, without "file", for any format that told no stations (of LAS in metres). Writing
+ *   the points again replaces it, or takes it away where the cloud has no stations.
+ *
+ * Where the field is not in runs the points are put in the order of their stations, which a warning says. What is
+ * broken or does not fit the points is a warning, and the cloud has no stations.
+ *
  * Models; coordinates are those of the model, in metres (extensions in brackets):
  *
  * - DXF (dxf), written: AutoCAD 2000 (AC1015, with handles, tables, layouts and metres as its unit) or release 12

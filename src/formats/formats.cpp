@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "formats/files/station_file.h"
 #include "formats/files/utf8.h"
 #include "formats/registry.h"
 #include "formats/units/file_unit.h"
@@ -126,6 +127,13 @@ const Format* format_to_write(const std::string& path, const WriteSettings& sett
   return chosen != nullptr ? chosen : format_of_extension(path);
 }
 
+bool keeps_stations_of(const Format& format, const Cloud& cloud) {
+  if (format.keeps_stations || cloud.stations.empty()) return true;
+  const Station& first = cloud.stations[0];
+  return format.keeps_station && cloud.stations.size() == 1 && first.has_pose &&
+         first.count == cloud.size();
+}
+
 // function: what a format must have to write it.
 template <class Function>
 [[noreturn]] void refuse_extension(const std::string& path, Function Format::*function) {
@@ -148,7 +156,7 @@ Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& ta
   const ByteSource source(path);
   const Format& format = format_to_read(source, settings);
   if (format.read_cloud != nullptr) {
-    Cloud cloud = format.read_cloud(source, settings, task);
+    Cloud cloud = with_station_file(format.read_cloud(source, settings, task), source.path(), task);
     return format.knows_units ? cloud : in_metres(std::move(cloud), settings.unit, task);
   }
   refuse_option(path, settings.format, &Format::read_cloud, "cloud", true);
@@ -177,6 +185,7 @@ void write_cloud(const Cloud& cloud, const std::string& path, const WriteSetting
     refuse_extension(path, &Format::write_cloud);
   }
   format->write_cloud(cloud, path, settings, task);
+  write_station_file(cloud, path, keeps_stations_of(*format, cloud));
 }
 
 void write_model(const Model& model, const std::string& path, const WriteSettings& settings,

@@ -67,7 +67,9 @@ struct Format {
   Ability<void(const Cloud&, const std::string& path, const WriteSettings&, Task&)> write_cloud{};
   Ability<Model(const ByteSource&, const ReadSettings&, Task&)> read_model{};
   Ability<void(const Model&, const std::string& path, const WriteSettings&, Task&)> write_model{};
-  bool knows_units = false;  ///< its reader heeds the option "unit" and what the file says of it
+  bool keeps_stations = false;  ///< its files have a place for all stations of a cloud
+  bool keeps_station = false;   ///< that of a cloud with one
+  bool knows_units = false;     ///< its reader heeds the option "unit" and what the file says of it
   bool reads_as_another = false;  ///< by the reader of a row before, which users name instead
   bool is_drawing = false;        ///< written by the room report
   bool by_codecs = false;         ///< of a component that may not have been built
@@ -102,6 +104,7 @@ inline constexpr Format kFormats[] = {
      .mark = "LASF",
      .read_cloud = read_las,
      .write_cloud = write_las,
+     .keeps_stations = true,
      .knows_units = true},
     {.name = "PLY",
      .keyword = "ply",
@@ -112,14 +115,16 @@ inline constexpr Format kFormats[] = {
      .read_cloud = read_ply,
      .write_cloud = write_ply,
      .read_model = read_ply_model,
-     .write_model = write_ply_model},
+     .write_model = write_ply_model,
+     .keeps_stations = true},
     {.name = "PCD",
      .keyword = "pcd",
      .extensions = "pcd",
      .content = Content::kSome,
      .recognises = is_pcd,
      .read_cloud = read_pcd,
-     .write_cloud = write_pcd},
+     .write_cloud = write_pcd,
+     .keeps_station = true},
     {.name = "PTX", .keyword = "ptx", .extensions = "ptx", .read_cloud = read_ptx},
     {.name = "PTS",
      .keyword = "pts",

@@ -11,6 +11,7 @@ namespace malformed {
 struct File {
   std::string name;  ///< extension included
   std::string bytes;
+  std::string beside = {};  ///< of the file of stations beside it; "" = none
 };
 
 /// Files that break rules of their format, always the same ones: cut at every byte of the header,
@@ -27,6 +28,8 @@ std::vector<File> city_files();
 std::vector<File> ptx_files();
 std::vector<File> pts_files();
 std::vector<File> pcd_files();
+/// Good points with bad stations: in a record of LAS, in a comment of PLY, in a file beside text.
+std::vector<File> station_files();
 /// Damaged files of others, from the folder of shared data; none where that is absent.
 std::vector<File> laz_files();
 std::vector<File> e57_files();

@@ -66,15 +66,21 @@ bool holds_model(const malformed::File& file) {
   return false;
 }
 
-Verdict judge(const malformed::File& file, const std::string& folder, jalon_task* task) {
-  const std::string path = folder + "/" + file.name;
+void spill(const std::string& path, const std::string& bytes) {
   FILE* out = std::fopen(path.c_str(), "wb");
-  if (out == nullptr ||
-      std::fwrite(file.bytes.data(), 1, file.bytes.size(), out) != file.bytes.size())
+  if (out == nullptr || std::fwrite(bytes.data(), 1, bytes.size(), out) != bytes.size())
     std::_Exit(90);
   std::fclose(out);
+}
+
+Verdict judge(const malformed::File& file, const std::string& folder, jalon_task* task) {
+  const std::string path = folder + "/" + file.name;
+  const std::string beside = path.substr(0, path.rfind('.')) + ".stations.json";
+  spill(path, file.bytes);
+  if (!file.beside.empty()) spill(beside, file.beside);
+  else std::remove(beside.c_str());
   Verdict verdict;
-  limit_memory(file.bytes.size());
+  limit_memory(file.bytes.size() + file.beside.size());
   const std::clock_t start = std::clock();
   jalon_cloud* cloud = nullptr;
   verdict.status = jalon_cloud_read(path.c_str(), nullptr, task, &cloud);
@@ -179,7 +185,8 @@ int main() {
                        run.read_all("city", malformed::city_files(), 400),
                        run.read_all("PTX", malformed::ptx_files(), 300),
                        run.read_all("PTS", malformed::pts_files(), 100),
-                       run.read_all("PCD", malformed::pcd_files(), 300)};
+                       run.read_all("PCD", malformed::pcd_files(), 300),
+                       run.read_all("of stations", malformed::station_files(), 1000)};
   size_t skipped = 0, failed_of_others = 0, passed_of_others = 0;
   for (const auto& [format, files] :
        {std::pair{"LAZ", malformed::laz_files()}, std::pair{"E57", malformed::e57_files()}}) {

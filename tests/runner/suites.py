@@ -82,6 +82,7 @@ def release_suites():
         script("comma_locale", "tests/capi/comma_locale.sh", ["c_tests", "jalon_cli"]),
         script("bits", "tests/scenarios/bits.sh", ["bits"]),
         script("cli", "tests/scenarios/cli.sh", ["jalon_cli"], [tool]),
+        script("cli_stations", "tests/scenarios/cli_stations.sh", ["jalon_cli"], [tool]),
         script("cli_mistakes", "tests/scenarios/cli_mistakes.sh", ["jalon_cli"], [tool]),
         script("cli_facades", "tests/scenarios/cli_facades.sh", ["jalon_cli"], [tool]),
         script("malformed", "tests/fuzz/malformed.sh", ["malformed_files"]),

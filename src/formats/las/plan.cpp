@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/text_number.h"
 #include "formats/files/endian.h"
+#include "formats/las/stations.h"
 
 namespace jalon::las {
 
@@ -86,7 +87,7 @@ void choose_records(Plan& plan, const Cloud& cloud, const Origin& origin, Task& 
   const bool same_crs = says_crs_of(origin, cloud);
   const auto keep = [&](const Record& record) {
     return record.user != "laszip encoded" && !record.is(kSpecUser, kExtraBytes) &&
-           (same_crs || !is_crs_record(record));
+           !is_station_record(record) && (same_crs || !is_crs_record(record));
   };
   for (const Record& record : origin.vlrs)
     if (keep(record)) plan.vlrs.push_back(record);
@@ -199,6 +200,8 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings&
 
   std::vector<ColumnPtr> left;
   plan.standard = standard_columns(cloud.fields, plan.format, left, task);
+  const ColumnPtr station = station_column(cloud, task);
+  if (station != nullptr) left.push_back(station);
   const size_t core = point_format(plan.format)->bytes;
   const auto known =
       extra_dimensions(origin.vlrs, origin.evlrs, std::numeric_limits<uint16_t>::max(), task);
@@ -213,6 +216,11 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings&
   if (plan.units.degrees && !same_crs)
     fail(Status::kUnsupported, "%s: coordinates in metres cannot be written under a CRS in degrees",
          path.c_str());
+  if (station != nullptr)
+    for (Record& record :
+         station_records(cloud, station->info().name,
+                         {plan.units.horizontal, plan.units.horizontal, plan.units.vertical}))
+      plan.vlrs.push_back(std::move(record));
   choose_steps(plan, cloud, path, settings.scale, task);
   return plan;
 }

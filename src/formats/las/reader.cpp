@@ -13,6 +13,7 @@
 #include "formats/las/las.h"
 #include "formats/las/laz.h"
 #include "formats/las/layout.h"
+#include "formats/las/stations.h"
 #include "formats/units/file_unit.h"
 
 namespace jalon {
@@ -196,6 +197,7 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
   std::vector<Record> vlrs = read_vlrs(source, header, task);
   std::vector<Record> evlrs = read_evlrs(source, header, task);
   const LengthUnits units = units_to_use(vlrs, evlrs, source, settings.unit, task);
+  const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
   std::optional<LazPoints> laz;
   if (header.compressed) {
     require_codecs(source, "LAZ");
@@ -216,8 +218,7 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
   for (const Extraction& e : extractions) advise_large_pages(e.column->raw(), e.column->bytes());
   {
     ProgressSpan span(task, 0, 0.95, "reading LAS");
-    const PointSink sink{
-        header, {units.horizontal, units.horizontal, units.vertical}, xyz, extractions};
+    const PointSink sink{header, unit, xyz, extractions};
     if (laz) decompress_points(*laz, sink, task);
     else decode_points(source, sink, task);
   }
@@ -226,6 +227,7 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
     cloud.fields.set(
         std::move(e.column));  // an extra dimension replaces the standard one of its name
   cloud.crs = crs_text(vlrs, evlrs);
+  cloud = with_stations(std::move(cloud), vlrs, evlrs, unit, source.path(), task);
   cloud.attachments = attachments_of(header, std::move(vlrs), std::move(evlrs));
   return finish_cloud(std::move(cloud), source, settings.drop_invalid, task);
 }

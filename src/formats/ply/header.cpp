@@ -85,6 +85,8 @@ class Parser {
 
   void note_comment(std::string_view line) {
     if (line.find("CloudCompare") != std::string_view::npos) header_.by_cloudcompare = true;
+    constexpr std::string_view kStations = "comment stations ";
+    if (line.starts_with(kStations)) header_.stations.emplace_back(line.substr(kStations.size()));
     if (line.starts_with("comment crs ")) header_.crs = valid_utf8(line.substr(12));
   }
 

@@ -35,7 +35,8 @@ struct Header {
   std::vector<Element> elements;
   uint64_t data_offset = 0;
   std::string crs;
-  bool by_cloudcompare = false;  ///< names its fields "scalar_..."
+  std::vector<std::string> stations;  ///< texts of told_stations.h
+  bool by_cloudcompare = false;       ///< names its fields "scalar_..."
 };
 
 /// Refuses counts that the file has no room for.

@@ -6,6 +6,7 @@
 #include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/files/finish_cloud.h"
+#include "formats/files/told_stations.h"
 #include "formats/files/utf8.h"
 #include "formats/ply/cursor.h"
 #include "formats/ply/ply.h"
@@ -220,6 +221,18 @@ void read_faces(const ByteSource& source, const Header& header, const Element& f
   }
 }
 
+Cloud with_stations(Cloud cloud, const Header& header, const std::string& path, Task& task) {
+  ToldStations told;
+  try {
+    for (const std::string& text : header.stations) read_stations(text, told);
+  } catch (const Error& error) {
+    if (error.status() != Status::kFormat) throw;
+    task.log(Task::kWarning, "%s: the stations are left out: %s", path.c_str(), error.what());
+    return cloud;
+  }
+  return with_told_stations(std::move(cloud), told, {1, 1, 1}, path, task);
+}
+
 }  // namespace
 
 bool is_ply(const ByteSource& source) {
@@ -239,6 +252,7 @@ Cloud read_ply(const ByteSource& source, const ReadSettings& settings, Task& tas
   Cloud cloud = make_cloud(std::move(vertices.xyz));
   for (auto& column : vertices.columns) cloud.fields.set(std::move(column));
   cloud.crs = header.crs;
+  cloud = with_stations(std::move(cloud), header, source.path(), task);
   return finish_cloud(std::move(cloud), source, settings.drop_invalid, task);
 }
 

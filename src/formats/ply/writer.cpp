@@ -8,6 +8,7 @@
 #include "formats/files/endian.h"
 #include "formats/files/normal_columns.h"
 #include "formats/files/number_text.h"
+#include "formats/files/told_stations.h"
 #include "formats/files/utf8.h"
 #include "formats/ply/ply.h"
 #include "model/chords.h"
@@ -17,6 +18,7 @@ namespace jalon {
 
 namespace {
 
+constexpr size_t kCommentBytes = size_t{1} << 16;  // of a line: more stations take several
 constexpr size_t kWriterGrain = size_t{1} << 14;
 constexpr size_t kBatch = 16 * kWriterGrain;
 
@@ -77,6 +79,8 @@ std::string header_text(const Cloud& cloud, PlyForm form) {
   const std::string& crs = cloud.crs;
   if (!crs.empty() && crs.find_first_of("\r\n") == std::string::npos)
     out.append("comment crs ").append(crs).append("\n");
+  for (const std::string& text : station_texts(cloud, "", {1, 1, 1}, kCommentBytes))
+    out.append("comment stations ").append(text).append("\n");
   out.append("element vertex ").append(std::to_string(cloud.size()));
   out += "\nproperty double x\nproperty double y\nproperty double z\n";
   UniqueNames unique;

@@ -38,6 +38,9 @@ Cloud in_metres(Cloud cloud, FileUnit unit, Task& task) {
   });
   cloud.xyz_buffer = std::make_shared<Buffer<double>>(std::move(to));
   cloud.index = std::make_shared<IndexSlot>();
+  for (Station& station : cloud.stations)
+    if (station.has_pose)
+      for (const size_t k : {3, 7, 11}) station.pose.m[k] *= metres;
   return cloud;
 }
 

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Stations through files: two epochs of one scene, each from two stations of its own, written and read again. What the
+// files tell of the stations is enough that no shadow is a change.
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "change_scenes.h"
+#include "compare/changes/diagnosis.h"
+#include "compare/distance/distance.h"
+#include "formats/formats.h"
+#include "recipe.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+TriangleScene yard(uint64_t seed) {
+  TriangleScene scene;
+  scene.ground(9);
+  scene.quad({-9, 9, 0}, {9, 9, 0}, {9, 9, 4}, {-9, 9, 4}, 2);
+  RandomStream random(seed, 31);
+  for (uint32_t k = 0; k < 5; ++k)
+    scene.box(
+        {0.5 + 1.5 * random.uniform(), 0.5 + random.uniform(), 0.4 + random.uniform()},
+        placed(10 * (random.uniform() - 0.5), 10 * (random.uniform() - 0.5), 90 * random.uniform()),
+        3 + k);
+  return scene;
+}
+
+// Through a file of this name and back.
+CloudPtr from_file(const CloudPtr& cloud, const std::string& extension) {
+  std::string folder = "/tmp/jalon-stations-XXXXXX";
+  REQUIRE(::mkdtemp(folder.data()) != nullptr);
+  Task task;
+  Cloud bare = *cloud;
+  bare.fields = {};
+  write_cloud(bare, folder + "/scan" + extension, {}, task);
+  auto back = std::make_shared<const Cloud>(read_cloud(folder + "/scan" + extension, {}, task));
+  for (const std::string& name : {"/scan" + extension, std::string("/scan.stations.json")})
+    std::remove((folder + name).c_str());
+  std::remove(folder.c_str());
+  return back;
+}
+
+Comparison compared(const CloudPtr& reference, const CloudPtr& cloud,
+                    DistanceSettings::VisibleFrom from) {
+  Task task;
+  DistanceSettings settings;
+  settings.detection = true;
+  settings.visibility = from;
+  return compare_distance(reference, cloud, settings, task);
+}
+
+size_t changes_between(const CloudPtr& before, const CloudPtr& after,
+                       DistanceSettings::VisibleFrom from) {
+  Task task;
+  const Diagnosis found =
+      diagnose(compared(before, after, from), compared(after, before, from), {}, task);
+  return found.changes.size();
+}
+
+}  // namespace
+
+TEST_CASE("station_files__no_shadow_is_a_change_when_the_files_tell_the_stations") {
+  size_t runs = 0, quiet = 0, without = 0;
+  for (uint64_t seed = 801; seed <= (is_full() ? 820u : 802u); ++seed) {
+    const TriangleScene scene = yard(seed);
+    const ScanSetting coarse{0.008, 0.003};
+    const char* kind = seed % 2 == 0 ? ".las" : ".xyz";
+    const CloudPtr before =
+        from_file(scanned(scene, stations_around(2, 7, 1.8, 10), 2 * seed, coarse), kind);
+    const CloudPtr after =
+        from_file(scanned(scene, stations_around(2, 7, 1.6, 100), 2 * seed + 1, coarse), kind);
+    REQUIRE(before->stations.size() == 2);
+    ++runs;
+    quiet += changes_between(before, after, DistanceSettings::VisibleFrom::kStations) == 0 ? 1 : 0;
+    without += changes_between(before, after, DistanceSettings::VisibleFrom::kAnywhere) > 0 ? 1 : 0;
+  }
+  MESSAGE("FIGURE stations through files: no change in "
+          << quiet << " of " << runs << " pairs; told nothing, some in " << without);
+  CHECK(quiet == runs);
+  CHECK(without == runs);
+}
