@@ -54,6 +54,13 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   same result. O(n log n); normals included, about as fast as "ransac" and with fewer chance
  *   planes, but it needs surfaces a few points wide and stops at their gaps (then joined up to
  *   merge_gap_m).
+ * - "raster_growing": depth images of the cloud, one for each dominant direction of its surfaces,
+ *   or the one that parameter "projection" asks for; regions of pixels grown from the flattest
+ *   windows by a plane in grey values with running sums, as programs for airborne scans do
+ *   (projection, tolerance, borders: the French comparison of three methods of 2006). What lies
+ *   behind another surface comes with the next image of the points that are left. For a main facade
+ *   that carries everything; narrow parts between two pixels wide and less are lost. O(points +
+ *   pixels).
  * - "survey_codes": the objects that a coded total-station survey describes (master's thesis on
  *   feature codes for terrestrial laser scanning, University of Liege 2021). Parameter "codes" is
  *   the list as text, a line a point: ID;X;Y;Z;code in the cloud's system, where a code is sequence

@@ -6,6 +6,7 @@
 #include "segment/codes_methods.h"
 #include "segment/growing_settings.h"
 #include "segment/ransac_settings.h"
+#include "segment/raster_settings.h"
 
 namespace jalon {
 
@@ -20,6 +21,8 @@ constexpr SegmentMethod kMethods[] = {
     {"ransac", "segmenter ransac", ransac_rows, run<RansacSettings, segment_ransac>},
     {"region_growing", "segmenter region_growing", region_growing_rows,
      run<GrowingSettings, segment_region_growing>},
+    {"raster_growing", "segmenter raster_growing", raster_growing_rows,
+     run<RasterSettings, segment_raster_growing>},
     {"survey_codes", "segmenter survey_codes", survey_code_rows,
      run<SurveyCodeSettings, segment_by_survey_codes>},
     {"target_codes", "segmenter target_codes", target_code_rows,

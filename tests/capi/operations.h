@@ -131,6 +131,9 @@ static inline jalon_status op_primitives(const jalon_cloud* cloud, jalon_task* t
 static inline jalon_status op_grow(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return segment_by("region_growing", "{}", cloud, task, out);
 }
+static inline jalon_status op_raster(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return segment_by("raster_growing", "{}", cloud, task, out);
+}
 /* A plane from the cloud's first point as its seed. */
 static inline jalon_status op_pick(const jalon_cloud* cloud, jalon_task* task, made* out) {
   jalon_segmentation* start = NULL;
@@ -289,6 +292,7 @@ static const struct {
     {"radius search", op_radius},
     {"segment", op_segment},
     {"region growing", op_grow},
+    {"raster growing", op_raster},
     {"append", op_append},
     {"crop", op_crop},
     {"from labels", op_labels},

@@ -118,6 +118,7 @@ static inline void segmenters(uint64_t seed, jalon_task* task) {
   MUST(jalon_cloud_compute_normals(cloud, NULL, task));
   every_choice(cloud, "ransac", seed, task);
   every_choice(cloud, "region_growing", seed, task);
+  every_choice(cloud, "raster_growing", seed, task);
   for (size_t i = 0; i < sizeof kRows / sizeof *kRows; ++i)
     segment_with(cloud, "ransac", kRows[i], kRows[i], seed, task);
   jalon_cloud_release(cloud);

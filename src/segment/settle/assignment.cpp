@@ -104,7 +104,9 @@ uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches,
   return best;
 }
 
-// Each surface its points, ascending: counted by stretches of points, then put in place.
+}  // namespace
+
+// Counted by stretches of points, then put in place.
 void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
   const size_t n = scene.size(), count = surfaces.size();
   const size_t stretches = (n + kPointsPerStretch - 1) / kPointsPerStretch;
@@ -126,8 +128,6 @@ void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, T
         surfaces[k - 1].positions[places[k]++] = static_cast<uint32_t>(i);
   });
 }
-
-}  // namespace
 
 void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
   std::vector<Patch> patches(surfaces.size());

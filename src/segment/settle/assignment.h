@@ -13,4 +13,7 @@ namespace jalon {
 /// 2010, 3.4.5: robbery by order). Updates positions and scene.owner; surfaces keep their order.
 void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 
+/// Each surface k - 1 the points that scene.owner gives to k, ascending.
+void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
+
 }  // namespace jalon

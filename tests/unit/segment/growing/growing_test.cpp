@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "unit/segment/method_checks.h"
+#include "unit/segment/ramp.h"
 #include "unit/segment/scenes.h"
 #include "unit/segment/surrounds.h"
 
@@ -17,47 +18,6 @@ using namespace jalon::test;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kHalf = std::numbers::sqrt2 / 2;
-
-// Two levels and the ramp between them on a grid of 0.2 m; faces 1, 2 and 3.
-Scene ramp(double noise_m, uint64_t seed) {
-  Scene scene;
-  RandomStream random(seed, 4);
-  for (int i = 0; i <= 50; ++i)
-    for (int k = 0; k <= 15; ++k) {
-      const double x = 0.2 * i;
-      const Vec3 p{x, 0.2 * k, std::clamp(x - 4, 0.0, 2.0)};
-      scene.points.push_back(p + noise_m * Vec3{random.normal(), random.normal(), random.normal()});
-      scene.faces.push_back(i < 20               ? 1
-                            : i == 20 || i == 30 ? 0
-                            : i < 30             ? 2
-                                                 : 3);  // 0: on a break line
-    }
-  return scene;
-}
-
-const Vec3 kRampNormals[] = {{0, 0, 1}, {-kHalf, 0, kHalf}, {0, 0, 1}};
-
-struct RampResult {
-  double angle_rad = 0;
-  size_t wrong = 0;
-};
-RampResult judge_ramp(const Scene& scene, const Segmentation& s) {
-  RampResult out;
-  REQUIRE(s.segments.size() == 3);
-  const auto labels = s.labels->values<uint32_t>();
-  for (int face = 1; face <= 3; ++face) {
-    uint32_t label = 0;
-    for (uint32_t l = 1; l <= 3; ++l)
-      if (label == 0 || overlap(scene, s, face, l) > overlap(scene, s, face, label)) label = l;
-    const Vec3& n = s.segments[label - 1].fit.plane.normal;
-    out.angle_rad = std::max(out.angle_rad, norm(cross(n, kRampNormals[face - 1])));
-    for (size_t i = 0; i < labels.size(); ++i)
-      out.wrong += scene.faces[i] == face && labels[i] != label;
-  }
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("growing splits the ramp object into its three planes, exactly without noise") {

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segment/raster_settings.h"
+#include "segment/surface/scene.h"
+
+namespace jalon {
+
+/// What an image looks along: u and v in its plane, n toward the viewer. Depths are along n.
+struct ImageAxes {
+  Vec3 u, v, n;
+};
+
+/// A raster whose grey value is the distance from the plane of projection, one return a pixel.
+struct DepthImage {
+  struct Pixel {
+    float u, v, g;  ///< of its return, or of its centre when grey values have few bits
+  };
+  ImageAxes axes;
+  Vec2 low;
+  double pixel_m = 0;
+  uint32_t columns = 0, rows = 0;
+  std::vector<Pixel> pixels;      ///< row by row
+  std::vector<uint8_t> occupied;  ///< 0: no return
+  double quantum_m = 0;           ///< step of the grey values; 0 = none
+
+  size_t size() const { return pixels.size(); }
+  size_t pixel_of(const Vec3& p) const;
+};
+
+/// Image of the free points; empty when there are none. The pixel doubles where the image would have more than a few
+/// pixels a point. O(n), the same bits for any number of threads.
+DepthImage depth_image(const SegmentScene& scene, const RasterSettings& settings,
+                       const ImageAxes& axes, double pixel_m, Task& task);
+
+/// Pixel of the raster: the user's, or 1.4 times the median spacing of the free points, never below the tolerance.
+double image_pixel_m(const SegmentScene& scene);
+
+}  // namespace jalon
