@@ -61,6 +61,10 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   behind another surface comes with the next image of the points that are left. For a main facade
  *   that carries everything; narrow parts between two pixels wide and less are lost. O(points +
  *   pixels).
+ * - "profiles": parallel slices of the cloud along all three axes or a direction, the points of each
+ *   chained and simplified to lines (Douglas & Peucker 1973), lines of neighbouring slices matched
+ *   to rectangles, rectangles joined to planes, which then take the points between the slices (the
+ *   same comparison). For large facades; a plane must show in three slices. O(n log n).
  * - "survey_codes": the objects that a coded total-station survey describes (master's thesis on
  *   feature codes for terrestrial laser scanning, University of Liege 2021). Parameter "codes" is
  *   the list as text, a line a point: ID;X;Y;Z;code in the cloud's system, where a code is sequence

@@ -5,6 +5,7 @@
 #include "base/names_of.h"
 #include "segment/codes_methods.h"
 #include "segment/growing_settings.h"
+#include "segment/profile_settings.h"
 #include "segment/ransac_settings.h"
 #include "segment/raster_settings.h"
 
@@ -23,6 +24,7 @@ constexpr SegmentMethod kMethods[] = {
      run<GrowingSettings, segment_region_growing>},
     {"raster_growing", "segmenter raster_growing", raster_growing_rows,
      run<RasterSettings, segment_raster_growing>},
+    {"profiles", "segmenter profiles", profile_rows, run<ProfileSettings, segment_by_profiles>},
     {"survey_codes", "segmenter survey_codes", survey_code_rows,
      run<SurveyCodeSettings, segment_by_survey_codes>},
     {"target_codes", "segmenter target_codes", target_code_rows,

@@ -134,6 +134,9 @@ static inline jalon_status op_grow(const jalon_cloud* cloud, jalon_task* task, m
 static inline jalon_status op_raster(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return segment_by("raster_growing", "{}", cloud, task, out);
 }
+static inline jalon_status op_profiles(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return segment_by("profiles", "{}", cloud, task, out);
+}
 /* A plane from the cloud's first point as its seed. */
 static inline jalon_status op_pick(const jalon_cloud* cloud, jalon_task* task, made* out) {
   jalon_segmentation* start = NULL;
@@ -293,6 +296,7 @@ static const struct {
     {"segment", op_segment},
     {"region growing", op_grow},
     {"raster growing", op_raster},
+    {"profiles", op_profiles},
     {"append", op_append},
     {"crop", op_crop},
     {"from labels", op_labels},

@@ -34,7 +34,7 @@ SUBROOMS = {
     "segment": {
         "surface": [], "front": [], "labels": ["surface", "result"], "result": ["front"], "ransac": ["surface"],
         "settle": ["ransac", "result"], "growing": ["ransac"], "picks": ["surface", "result"], "evaluation": ["labels"],
-        "codes": ["labels"], "raster": ["surface"],
+        "codes": ["labels"], "raster": ["surface"], "profiles": ["surface"],
     },
     "modelling": {
         "plane": [], "contour": ["plane"], "edges/find": ["plane"], "edges/adjust": ["edges/find"],

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "segment/surface/spacing.h"
 
 namespace jalon {
 
@@ -172,16 +173,9 @@ DepthImage depth_image(const SegmentScene& scene, const RasterSettings& settings
 }
 
 double image_pixel_m(const SegmentScene& scene) {
-  const size_t step = (scene.size() + kMostSpacings - 1) / kMostSpacings;
-  std::vector<float> spacings;
-  for (size_t i = 0; i < scene.size(); i += step)
-    if (scene.owner[i] == 0) spacings.push_back(scene.spacing[i]);
   if (scene.settings.pixel_m > 0) return scene.settings.pixel_m;
-  if (spacings.empty()) return scene.settings.distance_tolerance_m;
-  const auto middle = spacings.begin() + static_cast<ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
   return std::max(scene.settings.distance_tolerance_m,
-                  kSpacingsPerImagePixel * static_cast<double>(*middle));
+                  kSpacingsPerImagePixel * median_spacing_m(scene));
 }
 
 }  // namespace jalon

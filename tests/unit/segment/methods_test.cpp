@@ -6,6 +6,7 @@
 
 #include "base/settings_json.h"
 #include "segment/codes_methods.h"
+#include "segment/profile_settings.h"
 #include "segment/raster_settings.h"
 #include "unit/segment/scenes.h"
 
@@ -23,6 +24,9 @@ constexpr const char* kGrowing =
 constexpr const char* kRaster =
     "{\"projection\": \"given\", \"direction\": [1, 0, 0], \"returns\": \"median\", "
     "\"grey_bits\": 8, \"seed_pixels\": 5}";
+constexpr const char* kProfiles =
+    "{\"axes\": \"direction\", \"direction\": [0, 1, 0], \"step_m\": 0.2, \"thickness_m\": 0.1, "
+    "\"gap_m\": 0.3, \"line_tolerance_m\": 0.01, \"angle_rad\": 0.2}";
 constexpr const char* kTargetCodes = "{\"codes\": \"1;0;0;0;1\", \"wall_draws\": 40}";
 constexpr const char* kSurveyCodes =
     "{\"codes\": \"1;0;0;0;360\\n2;1;1;1;360\", \"classes\": \"asprs\", \"inward_m\": 0.3}";
@@ -43,6 +47,7 @@ TEST_CASE("segment_methods__settings_tell_the_parameters_they_came_from") {
     if (name == "ransac") check.operator()<RansacSettings>(kRansac);
     if (name == "region_growing") check.operator()<GrowingSettings>(kGrowing);
     if (name == "raster_growing") check.operator()<RasterSettings>(kRaster);
+    if (name == "profiles") check.operator()<ProfileSettings>(kProfiles);
     if (name == "target_codes") check.operator()<TargetCodeSettings>(kTargetCodes);
     if (name == "survey_codes") check.operator()<SurveyCodeSettings>(kSurveyCodes);
   }

@@ -18,7 +18,7 @@ using namespace jalon::test;
 
 namespace {
 
-const char* const kPlaneMethods[] = {"ransac", "region_growing", "raster_growing"};
+const char* const kPlaneMethods[] = {"ransac", "region_growing", "raster_growing", "profiles"};
 constexpr double kPlaneDegree = std::numbers::pi / 180;
 
 }  // namespace

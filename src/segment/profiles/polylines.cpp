@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/profiles/polylines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace jalon {
+
+namespace {
+
+struct NodeCell {
+  int64_t column, row;
+  auto operator<=>(const NodeCell&) const = default;
+};
+
+NodeCell cell_at(const Vec2& p, double cell_m) {
+  return {static_cast<int64_t>(std::floor(p.u / cell_m)),
+          static_cast<int64_t>(std::floor(p.v / cell_m))};
+}
+
+double squared_between(const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  return d.u * d.u + d.v * d.v;
+}
+
+// Walks over nodes that stand in the order of their cells.
+class Chainer {
+ public:
+  Chainer(std::span<const ProfileNode> nodes, double cell_m, double gap_m)
+      : nodes_(nodes), gap_m_(gap_m), cell_m_(cell_m), used_(nodes.size(), 0) {
+    for (const ProfileNode& node : nodes) cells_.push_back(cell_at(node.middle, cell_m));
+  }
+
+  std::vector<std::vector<uint32_t>> run() {
+    std::vector<std::vector<uint32_t>> chains;
+    for (uint32_t i = 0; i < nodes_.size(); ++i) {
+      if (used_[i] != 0) continue;
+      used_[i] = 1;
+      std::vector<uint32_t> chain = walk(i), back = walk(i);
+      std::reverse(back.begin(), back.end());
+      back.push_back(i);
+      back.insert(back.end(), chain.begin(), chain.end());
+      chains.push_back(std::move(back));
+    }
+    return chains;
+  }
+
+ private:
+  static constexpr uint32_t kNoNode = 0xffffffffu;
+
+  std::vector<uint32_t> walk(uint32_t from) {
+    std::vector<uint32_t> chain;
+    for (uint32_t next = nearest(from); next != kNoNode; next = nearest(next)) {
+      used_[next] = 1;
+      chain.push_back(next);
+    }
+    return chain;
+  }
+
+  // Ring by ring of cells: what lies in ring r is at least r - 1 cells away.
+  uint32_t nearest(uint32_t from) const {
+    const auto rings = static_cast<int64_t>(std::ceil(gap_m_ / cell_m_));
+    double best = gap_m_ * gap_m_;
+    uint32_t found = kNoNode;
+    for (int64_t ring = 1; ring <= rings; ++ring) {
+      const double least = static_cast<double>(ring - 1) * cell_m_;
+      if (found != kNoNode && least * least > best) break;
+      for (int64_t c = -ring; c <= ring; ++c) {
+        const bool side = c == -ring || c == ring;
+        for (int64_t r = -ring; r <= ring; r += side ? 1 : 2 * ring) look(from, c, r, best, found);
+      }
+    }
+    return found;
+  }
+
+  void look(uint32_t from, int64_t columns, int64_t rows, double& best, uint32_t& found) const {
+    const NodeCell cell{cells_[from].column + columns, cells_[from].row + rows};
+    const auto at = std::lower_bound(cells_.begin(), cells_.end(), cell);
+    if (at == cells_.end() || *at != cell) return;
+    const auto node = static_cast<uint32_t>(at - cells_.begin());
+    if (used_[node] != 0) return;
+    const double squared = squared_between(nodes_[from].middle, nodes_[node].middle);
+    if (squared < best || (squared == best && node < found)) {
+      best = squared;
+      found = node;
+    }
+  }
+
+  std::span<const ProfileNode> nodes_;
+  double gap_m_, cell_m_;
+  std::vector<uint8_t> used_;
+  std::vector<NodeCell> cells_;
+};
+
+// Farthest point strictly between two places from their chord.
+uint32_t farthest(std::span<const Vec2> chain, uint32_t from, uint32_t to, double& distance) {
+  const Vec2 a = chain[from], chord = chain[to] - a;
+  const double length = std::sqrt(squared_between(chain[from], chain[to]));
+  uint32_t best = from;
+  distance = -1;
+  for (uint32_t i = from + 1; i < to; ++i) {
+    const Vec2 d = chain[i] - a;
+    const double off = length > 0 ? std::fabs(chord.u * d.v - chord.v * d.u) / length
+                                  : std::sqrt(squared_between(a, chain[i]));
+    if (off > distance) {
+      distance = off;
+      best = i;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<ProfileNode> thin_points(std::span<const Vec2> points, double cell_m,
+                                     std::vector<uint32_t>& order) {
+  order.resize(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::vector<NodeCell> cells;
+  for (const Vec2& p : points) cells.push_back(cell_at(p, cell_m));
+  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+    return cells[a] != cells[b] ? cells[a] < cells[b] : a < b;
+  });
+  std::vector<ProfileNode> nodes;
+  for (uint32_t i = 0; i < order.size();) {
+    ProfileNode node{{0, 0}, i, 0};
+    const NodeCell own = cells[order[i]];
+    for (; i < order.size() && cells[order[i]] == own; ++i) {
+      node.middle = node.middle + points[order[i]];
+      ++node.count;
+    }
+    node.middle = node.middle * (1.0 / node.count);
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::vector<std::vector<uint32_t>> chain_nodes(std::span<const ProfileNode> nodes, double cell_m,
+                                               double gap_m) {
+  return Chainer(nodes, cell_m, gap_m).run();
+}
+
+// With a stack of its own in the place of recursion: a chain may have a million points.
+std::vector<uint32_t> simplify(std::span<const Vec2> chain, double tolerance_m) {
+  if (chain.size() < 2) return std::vector<uint32_t>(chain.size(), 0);
+  const auto last = static_cast<uint32_t>(chain.size() - 1);
+  std::vector<uint32_t> kept{0, last};
+  std::vector<std::pair<uint32_t, uint32_t>> todo{{0, last}};
+  while (!todo.empty()) {
+    const auto [from, to] = todo.back();
+    todo.pop_back();
+    double distance = 0;
+    const uint32_t at = farthest(chain, from, to, distance);
+    if (at == from || distance <= tolerance_m) continue;
+    kept.push_back(at);
+    todo.push_back({from, at});
+    todo.push_back({at, to});
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+}  // namespace jalon

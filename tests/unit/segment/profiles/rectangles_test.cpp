@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/profiles/rectangles.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace jalon;
+
+namespace {
+
+// A line of slice k at height 0.25 k, from (u0, v) to (u1, v) in its slice, with points every 5 cm.
+ProfileLine line_of(uint32_t slice, double u0, double u1, double v) {
+  ProfileLine line;
+  line.slice = slice;
+  line.from = {u0, v};
+  line.to = {u1, v};
+  for (double u = u0; u <= u1 + 1e-9; u += 0.05) line.moments.add({u, v, 0.25 * slice});
+  return line;
+}
+
+const RectangleRule kRule{0.25, 0.17, 0.025};
+
+}  // namespace
+
+TEST_CASE("rectangles__of_a_wall_with_a_set_back_upper_part_are_two_planes") {
+  std::vector<ProfileLine> lines;
+  for (uint32_t k = 0; k < 4; ++k) lines.push_back(line_of(k, 0, 2, 0));
+  for (uint32_t k = 4; k < 8; ++k) lines.push_back(line_of(k, 0, 2, 0.2));
+  Task task;
+  const auto rectangles = match_lines(lines, kRule, task);
+  CHECK(rectangles.size() == 7);  // one of them joins the two parts
+  const auto planes = join_rectangles(lines, rectangles, kRule);
+  REQUIRE(planes.size() == 2);
+  CHECK(planes[0] == std::vector<uint32_t>{0, 1, 2, 3});
+  CHECK(planes[1] == std::vector<uint32_t>{4, 5, 6, 7});
+}
+
+TEST_CASE("rectangles__of_a_wall_beside_windows_take_the_nearest_line") {
+  std::vector<ProfileLine> lines{line_of(0, 0, 6, 0)};
+  for (uint32_t k = 1; k < 4; ++k)
+    for (double u = 0; u < 6; u += 2) {
+      lines.push_back(line_of(k, u, u + 1, 0));
+      lines.push_back(line_of(k, u + 1.05, u + 1.95, 0.2));
+    }
+  Task task;
+  const auto planes = join_rectangles(lines, match_lines(lines, kRule, task), kRule);
+  REQUIRE(planes.size() == 4);
+  CHECK(planes[0].size() == 10);  // the wall, whole below and in three columns
+  for (size_t k = 1; k < 4; ++k) CHECK(planes[k].size() == 3);
+}
+
+TEST_CASE("rectangles__need_neighbouring_slices_one_direction_and_overlap") {
+  Task task;
+  const auto count = [&](const std::vector<ProfileLine>& lines) {
+    return match_lines(lines, kRule, task).size();
+  };
+  CHECK(count({line_of(0, 0, 2, 0), line_of(1, 0, 2, 0)}) == 1);
+  CHECK(count({line_of(0, 0, 2, 0), line_of(2, 0, 2, 0)}) == 0);
+  CHECK(count({line_of(0, 0, 2, 0), line_of(1, 1.9, 3, 0)}) == 0);
+  CHECK(count({line_of(0, 0, 2, 0), line_of(1, 0, 2, 0.5)}) == 0);
+  ProfileLine turned = line_of(1, 0, 2, 0);
+  turned.to = {1.9, 0.6};
+  CHECK(count({line_of(0, 0, 2, 0), turned}) == 0);
+  CHECK(count({}) == 0);
+}
