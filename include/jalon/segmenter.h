@@ -65,6 +65,16 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   chained and simplified to lines (Douglas & Peucker 1973), lines of neighbouring slices matched
  *   to rectangles, rectangles joined to planes, which then take the points between the slices (the
  *   same comparison). For large facades; a plane must show in three slices. O(n log n).
+ * - "triangle_growing": one point of each cell of the tolerance, the local Delaunay triangles of these
+ *   (Gopi, Krishnan & Silva 2000; kept where the stars of two corners have them and no edge is longer
+ *   than search_m), regions grown over the triangles by distance and angle with running moments (the
+ *   same comparison); the points left over grow once more. For complicated shapes. O(n log n).
+ * - "split_merge": octree cells split until flat, touching cells merged where one plane fits (Wang &
+ *   Tseng 2004); the points left over are split again, without those of the planes found. O(n log n).
+ * - "hough": points vote for the planes through them in an accumulator of two angles and a distance
+ *   (Hough 1962; Vosselman et al. 2004); each peak is adjusted and followed over all points as the
+ *   planes of "ransac" are, and the points left vote anew. No random draws. Time by the number of
+ *   voters and planes.
  * - "survey_codes": the objects that a coded total-station survey describes (master's thesis on
  *   feature codes for terrestrial laser scanning, University of Liege 2021). Parameter "codes" is
  *   the list as text, a line a point: ID;X;Y;Z;code in the cloud's system, where a code is sequence

@@ -5,9 +5,12 @@
 #include "base/names_of.h"
 #include "segment/codes_methods.h"
 #include "segment/growing_settings.h"
+#include "segment/hough_settings.h"
 #include "segment/profile_settings.h"
 #include "segment/ransac_settings.h"
 #include "segment/raster_settings.h"
+#include "segment/split_settings.h"
+#include "segment/triangle_settings.h"
 
 namespace jalon {
 
@@ -25,6 +28,11 @@ constexpr SegmentMethod kMethods[] = {
     {"raster_growing", "segmenter raster_growing", raster_growing_rows,
      run<RasterSettings, segment_raster_growing>},
     {"profiles", "segmenter profiles", profile_rows, run<ProfileSettings, segment_by_profiles>},
+    {"triangle_growing", "segmenter triangle_growing", triangle_growing_rows,
+     run<TriangleSettings, segment_triangle_growing>},
+    {"split_merge", "segmenter split_merge", split_merge_rows,
+     run<SplitSettings, segment_split_merge>},
+    {"hough", "segmenter hough", hough_rows, run<HoughSettings, segment_hough>},
     {"survey_codes", "segmenter survey_codes", survey_code_rows,
      run<SurveyCodeSettings, segment_by_survey_codes>},
     {"target_codes", "segmenter target_codes", target_code_rows,

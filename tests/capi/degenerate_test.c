@@ -7,7 +7,9 @@
 #include <math.h>
 
 enum { kMany = 400, kSide = 20 };
-static const char* const kMethods[] = {"ransac", "region_growing", "raster_growing", "profiles"};
+static const char* const kMethods[] = {"ransac",   "region_growing",   "raster_growing",
+                                       "profiles", "triangle_growing", "split_merge",
+                                       "hough"};
 static const double kEast = 652000.25, kNorth = 6861000.5;
 
 struct case_ {

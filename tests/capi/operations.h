@@ -137,6 +137,15 @@ static inline jalon_status op_raster(const jalon_cloud* cloud, jalon_task* task,
 static inline jalon_status op_profiles(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return segment_by("profiles", "{}", cloud, task, out);
 }
+static inline jalon_status op_triangles(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return segment_by("triangle_growing", "{}", cloud, task, out);
+}
+static inline jalon_status op_split_merge(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return segment_by("split_merge", "{}", cloud, task, out);
+}
+static inline jalon_status op_hough(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return segment_by("hough", "{}", cloud, task, out);
+}
 /* A plane from the cloud's first point as its seed. */
 static inline jalon_status op_pick(const jalon_cloud* cloud, jalon_task* task, made* out) {
   jalon_segmentation* start = NULL;
@@ -297,6 +306,9 @@ static const struct {
     {"region growing", op_grow},
     {"raster growing", op_raster},
     {"profiles", op_profiles},
+    {"triangle growing", op_triangles},
+    {"split and merge", op_split_merge},
+    {"hough", op_hough},
     {"append", op_append},
     {"crop", op_crop},
     {"from labels", op_labels},

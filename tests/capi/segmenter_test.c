@@ -222,8 +222,9 @@ static void segmenter__shares_its_parameters(void** state) {
   jalon_segmenter_release(segmenter);
 }
 
-static const char* const kMethods[] = {"ransac",   "region_growing", "raster_growing",
-                                       "profiles", "survey_codes",   "target_codes"};
+static const char* const kMethods[] = {"ransac",   "region_growing",   "raster_growing",
+                                       "profiles", "triangle_growing", "split_merge",
+                                       "hough",    "survey_codes",     "target_codes"};
 enum { kMethodCount = sizeof kMethods / sizeof *kMethods };
 
 static void segmenter__grows_the_same_two_planes(void** state) {

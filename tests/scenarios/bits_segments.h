@@ -120,6 +120,9 @@ static inline void segmenters(uint64_t seed, jalon_task* task) {
   every_choice(cloud, "region_growing", seed, task);
   every_choice(cloud, "raster_growing", seed, task);
   every_choice(cloud, "profiles", seed, task);
+  every_choice(cloud, "triangle_growing", seed, task);
+  every_choice(cloud, "split_merge", seed, task);
+  every_choice(cloud, "hough", seed, task);
   for (size_t i = 0; i < sizeof kRows / sizeof *kRows; ++i)
     segment_with(cloud, "ransac", kRows[i], kRows[i], seed, task);
   jalon_cloud_release(cloud);

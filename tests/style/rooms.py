@@ -34,7 +34,8 @@ SUBROOMS = {
     "segment": {
         "surface": [], "front": [], "labels": ["surface", "result"], "result": ["front"], "ransac": ["surface"],
         "settle": ["ransac", "result"], "growing": ["ransac"], "picks": ["surface", "result"], "evaluation": ["labels"],
-        "codes": ["labels"], "raster": ["surface"], "profiles": ["surface"],
+        "codes": ["labels"], "raster": ["surface"], "profiles": ["surface"], "triangles": [], "cells": [],
+        "hough": ["ransac"],
     },
     "modelling": {
         "plane": [], "contour": ["plane"], "edges/find": ["plane"], "edges/adjust": ["edges/find"],

@@ -10,13 +10,12 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "cloud/neighbour_planes.h"
+#include "segment/growing/thinning.h"
 
 namespace jalon {
 
 namespace {
 
-// Thinning pays when it leaves less than this share; a second tree for a few points less would cost more than they.
-constexpr double kThinnedShare = 0.7;
 // The centroid of a half disc of neighbours, at a straight edge, lies 0.42 radii from its centre, that of a quarter at
 // a corner 0.6; an outlier lies almost a whole radius from all of its neighbours.
 constexpr double kIsolated = 0.75;
@@ -27,68 +26,6 @@ constexpr double kReachInSpacings =
 constexpr double kLooseInSpacings = 7;
 constexpr size_t kPointsLeavesPerChunk = 1024;
 constexpr size_t kPointsPerChunk = 1 << 15;
-
-// Free points, one of each occupied cell, and where in the scene's order the cells begin.
-struct Representatives {
-  std::vector<uint32_t> points, first;
-  size_t free = 0;
-};
-
-// The middle one of a cell's free points (the first would lie on the low side of the noise); cells have about the
-// tolerance as edge.
-Representatives one_per_cell(const SegmentScene& scene, Task& task) {
-  const double finest = std::log2(scene.tree->cube().edge / scene.settings.distance_tolerance_m);
-  const int level = std::clamp(static_cast<int>(std::ceil(finest)), 0, kMaxLevel);
-  const auto cell = [&](size_t i) { return scene.tree->code(i) >> (3 * (kMaxLevel - level)); };
-  const size_t n = scene.size();
-  std::vector<Representatives> parts((n + kPointsPerChunk - 1) / kPointsPerChunk);
-  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
-    Representatives& part = parts[begin / kPointsPerChunk];
-    size_t i = begin;
-    if (begin > 0)  // a cell belongs to the chunk that holds its first point
-      for (const uint64_t before = cell(begin - 1); i < end && cell(i) == before;) ++i;
-    std::vector<uint32_t> free;
-    while (i < end) {
-      const size_t first = i;
-      free.clear();
-      for (const uint64_t own = cell(first); i < n && cell(i) == own; ++i)
-        if (scene.owner[i] == 0) free.push_back(static_cast<uint32_t>(i));
-      if (free.empty()) continue;
-      part.free += free.size();
-      part.first.push_back(static_cast<uint32_t>(first));
-      part.points.push_back(free[free.size() / 2]);
-    }
-  });
-  Representatives all;
-  for (const Representatives& part : parts) {
-    all.free += part.free;
-    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
-    all.first.insert(all.first.end(), part.first.begin(), part.first.end());
-  }
-  return all;
-}
-
-std::vector<uint32_t> free_points(const SegmentScene& scene) {
-  std::vector<uint32_t> out;
-  for (size_t i = 0; i < scene.size(); ++i)
-    if (scene.owner[i] == 0) out.push_back(static_cast<uint32_t>(i));
-  return out;
-}
-
-GrowingPoints subset(const SegmentScene& scene, const std::vector<uint32_t>& chosen, Task& task) {
-  GrowingPoints points;
-  points.xyz = Buffer<double>(3 * chosen.size());
-  parallel_for(task, chosen.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 p = scene.cloud.point(scene.order[chosen[i]]);
-      for (int k = 0; k < 3; ++k) points.xyz[3 * i + static_cast<size_t>(k)] = p[k];
-    }
-  });
-  points.tree = Octree::build({points.xyz.data(), points.xyz.size()}, scene.tree->cube(), task);
-  points.positions.resize(chosen.size());
-  for (size_t i = 0; i < chosen.size(); ++i) points.positions[i] = chosen[points.tree->order()[i]];
-  return points;
-}
 
 // A strip of neighbours as narrow as the noise has no normal: points of one line of a scan, of which the next lies
 // farther off than k points of this one, as on ground far from the tripod.
@@ -191,13 +128,8 @@ void connect_leaves(const SegmentScene& scene, GrowingPoints& points,
 
 GrowingPoints points_to_grow(SegmentScene& scene, const GrowingSettings& settings, Task& task) {
   const Representatives cells = one_per_cell(scene, task);
-  const bool thin =
-      static_cast<double>(cells.points.size()) < kThinnedShare * static_cast<double>(cells.free);
-  GrowingPoints points = thin                         ? subset(scene, cells.points, task)
-                         : cells.free == scene.size() ? GrowingPoints{.tree = scene.tree}
-                                                      : subset(scene, free_points(scene), task);
-  points.points_per_member =
-      static_cast<double>(cells.free) / static_cast<double>(points.tree->size());
+  const bool thin = pays(cells);
+  GrowingPoints points = thinned_points(scene, cells, task);
   look_around(scene, points, settings, task);
   if (thin) spread_to_cells(scene, cells, !settings.field_normals(), task);
   connect_leaves(scene, points, settings, task);

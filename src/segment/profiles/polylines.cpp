@@ -10,6 +10,9 @@ namespace jalon {
 
 namespace {
 
+constexpr int kFilled =
+    6;  // of the eight cells about a node: a line has two to four, and a corner five
+
 struct NodeCell {
   int64_t column, row;
   auto operator<=>(const NodeCell&) const = default;
@@ -35,6 +38,7 @@ class Chainer {
 
   std::vector<std::vector<uint32_t>> run() {
     std::vector<std::vector<uint32_t>> chains;
+    leave_out_faces();
     for (uint32_t i = 0; i < nodes_.size(); ++i) {
       if (used_[i] != 0) continue;
       used_[i] = 1;
@@ -49,6 +53,19 @@ class Chainer {
 
  private:
   static constexpr uint32_t kNoNode = 0xffffffffu;
+
+  // Where a surface lies in the slice its nodes fill an area, which has no profile but its edge.
+  void leave_out_faces() {
+    std::vector<uint8_t> inside(nodes_.size(), 0);
+    for (uint32_t i = 0; i < nodes_.size(); ++i) {
+      int around = 0;
+      for (int64_t c = -1; c <= 1; ++c)
+        for (int64_t r = -1; r <= 1; ++r)
+          around += (c != 0 || r != 0) && node_at(i, c, r) != kNoNode;
+      inside[i] = around >= kFilled;
+    }
+    used_ = std::move(inside);
+  }
 
   std::vector<uint32_t> walk(uint32_t from) {
     std::vector<uint32_t> chain;
@@ -75,12 +92,15 @@ class Chainer {
     return found;
   }
 
-  void look(uint32_t from, int64_t columns, int64_t rows, double& best, uint32_t& found) const {
+  uint32_t node_at(uint32_t from, int64_t columns, int64_t rows) const {
     const NodeCell cell{cells_[from].column + columns, cells_[from].row + rows};
     const auto at = std::lower_bound(cells_.begin(), cells_.end(), cell);
-    if (at == cells_.end() || *at != cell) return;
-    const auto node = static_cast<uint32_t>(at - cells_.begin());
-    if (used_[node] != 0) return;
+    return at == cells_.end() || *at != cell ? kNoNode : static_cast<uint32_t>(at - cells_.begin());
+  }
+
+  void look(uint32_t from, int64_t columns, int64_t rows, double& best, uint32_t& found) const {
+    const uint32_t node = node_at(from, columns, rows);
+    if (node == kNoNode || used_[node] != 0) return;
     const double squared = squared_between(nodes_[from].middle, nodes_[node].middle);
     if (squared < best || (squared == best && node < found)) {
       best = squared;

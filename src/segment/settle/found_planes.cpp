@@ -64,15 +64,26 @@ std::vector<Surface> surfaces_of_owners(SegmentScene& scene, uint32_t count, Tas
   return surfaces;
 }
 
+void settle_found(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
+  if (scene.settings.merge_gap_m > 0) merge_coplanar(scene, surfaces, task);
+  drop_small_planes(scene.settings, surfaces);
+  share_out_points(scene, surfaces, task);
+  if (merge_layers(scene, surfaces, task)) share_out_points(scene, surfaces, task);
+}
+
+void own_points(SegmentScene& scene, const std::vector<Surface>& surfaces) {
+  std::fill(scene.owner.begin(), scene.owner.end(), 0u);
+  for (size_t s = 0; s < surfaces.size(); ++s)
+    for (const uint32_t position : surfaces[s].positions)
+      scene.owner[position] = static_cast<uint32_t>(s + 1);
+}
+
 Segmentation settled_segmentation(const CloudPtr& cloud, SegmentScene& scene,
                                   std::vector<Surface>& surfaces, Task& task) {
   {
     ProgressSpan span(task, 0, 0.6, "sharing out points");
-    std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
-    if (scene.settings.merge_gap_m > 0) merge_coplanar(scene, surfaces, task);
-    drop_small_planes(scene.settings, surfaces);
-    share_out_points(scene, surfaces, task);
-    if (merge_layers(scene, surfaces, task)) share_out_points(scene, surfaces, task);
+    settle_found(scene, surfaces, task);
   }
   ProgressSpan span(task, 0.6, 1, "last fit");
   return finish_segmentation(cloud, scene, surfaces, task);

@@ -6,8 +6,11 @@
 
 #include "base/settings_json.h"
 #include "segment/codes_methods.h"
+#include "segment/hough_settings.h"
 #include "segment/profile_settings.h"
 #include "segment/raster_settings.h"
+#include "segment/split_settings.h"
+#include "segment/triangle_settings.h"
 #include "unit/segment/scenes.h"
 
 using namespace jalon;
@@ -27,6 +30,11 @@ constexpr const char* kRaster =
 constexpr const char* kProfiles =
     "{\"axes\": \"direction\", \"direction\": [0, 1, 0], \"step_m\": 0.2, \"thickness_m\": 0.1, "
     "\"gap_m\": 0.3, \"line_tolerance_m\": 0.01, \"angle_rad\": 0.2}";
+constexpr const char* kTriangles =
+    "{\"search_m\": 0.2, \"angle_rad\": 0.3, \"k\": 12, \"pixel_m\": 0.1}";
+constexpr const char* kSplit = "{\"angle_rad\": 0.3, \"least_cell_m\": 0.1}";
+constexpr const char* kHough =
+    "{\"angle_step_rad\": 0.1, \"distance_step_m\": 0.1, \"votes\": \"all\", \"voters\": 5000}";
 constexpr const char* kTargetCodes = "{\"codes\": \"1;0;0;0;1\", \"wall_draws\": 40}";
 constexpr const char* kSurveyCodes =
     "{\"codes\": \"1;0;0;0;360\\n2;1;1;1;360\", \"classes\": \"asprs\", \"inward_m\": 0.3}";
@@ -48,6 +56,9 @@ TEST_CASE("segment_methods__settings_tell_the_parameters_they_came_from") {
     if (name == "region_growing") check.operator()<GrowingSettings>(kGrowing);
     if (name == "raster_growing") check.operator()<RasterSettings>(kRaster);
     if (name == "profiles") check.operator()<ProfileSettings>(kProfiles);
+    if (name == "triangle_growing") check.operator()<TriangleSettings>(kTriangles);
+    if (name == "split_merge") check.operator()<SplitSettings>(kSplit);
+    if (name == "hough") check.operator()<HoughSettings>(kHough);
     if (name == "target_codes") check.operator()<TargetCodeSettings>(kTargetCodes);
     if (name == "survey_codes") check.operator()<SurveyCodeSettings>(kSurveyCodes);
   }

@@ -18,7 +18,9 @@ using namespace jalon::test;
 
 namespace {
 
-const char* const kPlaneMethods[] = {"ransac", "region_growing", "raster_growing", "profiles"};
+const char* const kPlaneMethods[] = {"ransac",   "region_growing",   "raster_growing",
+                                     "profiles", "triangle_growing", "split_merge",
+                                     "hough"};
 constexpr double kPlaneDegree = std::numbers::pi / 180;
 
 }  // namespace
