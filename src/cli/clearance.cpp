@@ -56,8 +56,8 @@ struct Clearance {
   // A file of points or of surfaces; PLY and text may be either, and without a surface they are a cloud.
   void read(Console& console, const std::string& path, Scene& scene) const {
     const std::string end = lower_end(path, 4);
-    const bool points_only =
-        end == ".las" || end == ".laz" || end == ".xyz" || end == ".txt" || end == ".csv";
+    const bool points_only = end == ".las" || end == ".laz" || end == ".e57" || end == ".xyz" ||
+                             end == ".txt" || end == ".csv";
     if (!points_only) {
       Model model;
       must_read(jalon_model_read(path.c_str(), nullptr, console.task(), Out(model)));

@@ -99,11 +99,12 @@ constexpr auto kWriteRows = setting_rows(
     choice_row<&WriteSettings::format>("format", kWriteChoices.bytes.data(), "",
                                        "Format of the file; auto takes it from the extension"),
     choice_row<&WriteSettings::las_version>(
-        "las_version", "auto|1.2|1.4", "las",
+        "las_version", "auto|1.2|1.4", "las,laz",
         "auto: that of the file it came from, 1.2 where it holds all fields"),
     number_row<&WriteSettings::scale>(
-        "scale", 0, 1000, "m", "las",
-        "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m"),
+        "scale", 0, 1000, "m", "las,laz,e57",
+        "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m; of E57: "
+        "whole doubles"),
     choice_row<&WriteSettings::ply_format>("ply_format", "binary|binary_big_endian|ascii", "ply",
                                            "binary is little-endian"),
     integer_row<&WriteSettings::decimals>(

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-"""Clouds from and to files through the C API: just what check_laspy.py needs."""
+"""Clouds from and to files through the C API: just what check_laspy.py and check_e57.py need."""
 
 import ctypes
 
@@ -41,6 +41,16 @@ class Jalon:
     def call(self, name, *arguments):
         if getattr(self.lib, name)(*arguments) != 0:
             raise RuntimeError("%s: %s" % (name, self.lib.jalon_last_error_message().decode()))
+
+    def has_laz(self):
+        """Whether the library was built with the optional codecs."""
+        info, count = (ctypes.c_char_p * 3)(), ctypes.c_uint64()
+        self.call("jalon_format_count", ctypes.byref(count))
+        for i in range(count.value):
+            self.call("jalon_format_info", ctypes.c_uint64(i), *(ctypes.byref(info, 8 * k) for k in range(3)))
+            if info[0] == b"LAZ":
+                return bool(info[2])
+        return False
 
     def read(self, path):
         """(coordinates, {name: values}, CRS text)"""

@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-# LAS against laspy, an independent implementation, in both directions: laspy.sh BUILD_FOLDER
-# laspy comes from PyPI into BUILD_FOLDER/laspy_venv, once. Without it the test is skipped (77), visibly;
+# LAS and LAZ against laspy, and E57 against pye57, in both directions: laspy.sh BUILD_FOLDER
+# laspy and lazrs come from PyPI into BUILD_FOLDER/laspy_venv, once. Without it the test is skipped (77), visibly;
 # where CI is set that is a failure.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 build=${1:?usage: laspy.sh BUILD_FOLDER}
 venv=$build/laspy_venv
 
-has_laspy() { "$venv/bin/python" -c "import laspy, numpy" 2>/dev/null; }
+has_laspy() { "$venv/bin/python" -c "import laspy, lazrs, numpy" 2>/dev/null; }
 
 if ! has_laspy; then
   log=$build/laspy_setup.log
-  python3 -m venv "$venv" >"$log" 2>&1 && "$venv/bin/pip" install --disable-pip-version-check laspy numpy >>"$log" 2>&1
+  python3 -m venv "$venv" >"$log" 2>&1 && "$venv/bin/pip" install --disable-pip-version-check laspy lazrs numpy >>"$log" 2>&1 &&
+    { "$venv/bin/pip" install --disable-pip-version-check pye57 >>"$log" 2>&1 || true; }
   if ! has_laspy; then
     tail -n 3 "$log"
     if [ -n "${CI:-}" ]; then

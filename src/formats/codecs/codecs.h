@@ -4,16 +4,16 @@
 
 #include <cstdint>
 
-#include "formats/files/byte_source.h"
+#include <string>
 
-// Decoders of LAZ and E57 by the crates "laz" and "e57" (rust/), an optional component: where it was
+// LAZ and E57 read and written by the crates "laz" and "e57" (rust/), an optional component: where it was
 // not built absent.cpp stands in. All files are read and all threads are run by the callers.
 namespace jalon {
 
 /// Whether the component was built.
 bool has_codecs();
 /// Error(kUnsupported) that names what to install where it was not.
-void require_codecs(const ByteSource& source, const char* format);
+void require_codecs(const std::string& path, const char* format);
 
 extern "C" {
 
@@ -38,6 +38,22 @@ int32_t jc_laz_chunks(const uint8_t* table, uint64_t table_bytes, int32_t variab
 int32_t jc_laz_decode(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* packed,
                       uint64_t packed_bytes, uint8_t* out, uint64_t out_bytes, JcMessage message);
 
+/// Bytes that jc_bytes_free() takes back.
+struct JcBytes {
+  uint8_t* data;
+  uint64_t count, room;
+};
+void jc_bytes_free(JcBytes bytes);
+/// The data of the record "laszip encoded" of a point format, in chunks of so many points each.
+int32_t jc_laz_record(uint8_t format, uint16_t extra_bytes, uint32_t chunk_points, JcBytes* out,
+                      JcMessage message);
+/// One chunk of whole records. Any thread.
+int32_t jc_laz_encode(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* records,
+                      uint64_t records_bytes, JcBytes* out, JcMessage message);
+/// The chunk table, version first, of chunks of these sizes.
+int32_t jc_laz_table(const uint8_t* vlr, uint64_t vlr_bytes, const uint64_t* sizes, uint64_t count,
+                     JcBytes* out, JcMessage message);
+
 struct JcE57;
 struct JcSource {
   void* context;
@@ -51,10 +67,12 @@ struct JcScan {
   double rotation[4];  ///< w x y z
   double translation[3];
 };
+enum JcKind : int32_t { kJcInteger = 0, kJcScaled = 1, kJcSingle = 2, kJcDouble = 3 };
 struct JcColumn {
   const char* name;  ///< as in the file: "cartesianX", "nor:normalX" ...
-  int32_t is_integer;
-  double min, max;  ///< of integers
+  int32_t kind;
+  double min, max;       ///< of integers, scaled ones before they are
+  double scale, offset;  ///< of scaled integers
 };
 /// Texts live as long as the document.
 int32_t jc_e57_open(JcSource source, JcE57** out, uint64_t* scans, JcMessage message);
@@ -67,6 +85,24 @@ int32_t jc_e57_column(JcE57* document, uint64_t scan, uint64_t column, JcColumn*
 int32_t jc_e57_start(JcE57* document, uint64_t scan, JcMessage message);
 int32_t jc_e57_read(JcE57* document, double* rows, uint64_t room, uint64_t* count,
                     JcMessage message);
+
+struct JcE57Writing;
+struct JcSink {
+  void* context;
+  int64_t (*read)(void* context, uint64_t offset, uint8_t* out, uint64_t bytes);  ///< < 0: failed
+  int64_t (*write)(void* context, uint64_t offset, const uint8_t* bytes, uint64_t count);
+};
+/// Then each scan: begin, add ..., end; finish once, discard always.
+int32_t jc_e57_create(JcSink sink, const char* guid, const char* crs, JcE57Writing** out,
+                      JcMessage message);
+/// pose: rotation w x y z, translation x y z, or nullptr. Names without colon are of the standard.
+int32_t jc_e57_begin(JcE57Writing* writing, const char* guid, const char* name, const double* pose,
+                     const JcColumn* columns, uint64_t count, JcMessage message);
+/// Rows of doubles; of scaled integers the value that they stand for.
+int32_t jc_e57_add(JcE57Writing* writing, const double* rows, uint64_t count, JcMessage message);
+int32_t jc_e57_end(JcE57Writing* writing, JcMessage message);
+int32_t jc_e57_finish(JcE57Writing* writing, JcMessage message);
+void jc_e57_discard(JcE57Writing* writing);
 }
 
 }  // namespace jalon

@@ -5,6 +5,6 @@
 namespace jalon {
 
 bool has_codecs() { return true; }
-void require_codecs(const ByteSource&, const char*) {}
+void require_codecs(const std::string&, const char*) {}
 
 }  // namespace jalon

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "base/task.h"
 #include "cloud/cloud.h"
 #include "formats/files/byte_source.h"
@@ -14,5 +16,10 @@ bool is_e57(const ByteSource& source);
 /// blue, return_number, number_of_returns, time and those of extensions, as far as a scan has them.
 /// Points that the file marks as invalid are left out.
 Cloud read_e57(const ByteSource& source, const ReadSettings& settings, Task& task);
+/// A scan for each station, its points in the scanner's frame, and one for points of none; doubles,
+/// or steps of the option "scale". Where read_e57() finds the fields above it finds these again;
+/// other fields stand in an extension of our own, in their types.
+void write_e57(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task);
 
 }  // namespace jalon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "base/error.h"
 #include "formats/codecs/codecs.h"
 #include "formats/e57/e57.h"
+#include "formats/e57/normals.h"
 #include "formats/files/endian.h"
 #include "formats/files/finish_cloud.h"
 #include "formats/files/growing_cloud.h"
@@ -61,6 +63,7 @@ class E57Reader {
     call(jc_e57_crs(document_, &crs, message()));
     Cloud cloud = cloud_.finish();
     cloud.crs = valid_utf8(crs);
+    join_normals(cloud);
     return cloud;
   }
 
@@ -126,7 +129,7 @@ class E57Reader {
     for (uint64_t s = 0; s < scans_; ++s)
       for (const JcColumn& column : columns_of(s, scan_info(s)))
         wide = wide || (std::string_view(column.name).starts_with("color") &&
-                        column.is_integer != 0 && column.max > 255);
+                        column.kind == kJcInteger && column.max > 255);
     return wide;
   }
 
@@ -184,7 +187,7 @@ class E57Reader {
       if (name.starts_with("color")) {
         const double most = wide ? 65535 : 255;
         out.field.type = wide ? ElementType::kUint16 : ElementType::kUint8;
-        if (columns[c].is_integer == 0) out.factor = most;  // of floats: from 0 to 1
+        if (columns[c].kind != kJcInteger) out.factor = most;  // of floats: from 0 to 1
       }
       return out;
     }
@@ -192,7 +195,22 @@ class E57Reader {
     if (colon == std::string_view::npos || name.find("nvalid") != std::string_view::npos)
       return std::nullopt;
     const std::string own = name_from_file(name.substr(colon + 1), numbered("column", c + 1));
-    return FieldColumn{c, {own, ElementType::kFloat64, 1, "", ""}, 1, 0, std::nullopt};
+    return FieldColumn{c, {own, type_of(columns[c]), 1, "", ""}, 1, 0, std::nullopt};
+  }
+
+  // The smallest type that holds all the column may.
+  static ElementType type_of(const JcColumn& column) {
+    if (column.kind == kJcSingle) return ElementType::kFloat32;
+    if (column.kind != kJcInteger) return ElementType::kFloat64;
+    for (const ElementType type : {ElementType::kUint8, ElementType::kInt8, ElementType::kUint16,
+                                   ElementType::kInt16, ElementType::kUint32, ElementType::kInt32})
+      if (visit(type, [&](auto zero) {
+            using Limits = std::numeric_limits<decltype(zero)>;
+            return column.min >= static_cast<double>(Limits::min()) &&
+                   column.max <= static_cast<double>(Limits::max());
+          }))
+        return type;
+    return column.min < 0 ? ElementType::kInt64 : ElementType::kUint64;
   }
 
   // E57 says T_world_scanner as a quaternion and a translation.
@@ -271,7 +289,7 @@ bool is_e57(const ByteSource& source) {
 }
 
 Cloud read_e57(const ByteSource& source, const ReadSettings& settings, Task& task) {
-  require_codecs(source, "E57");
+  require_codecs(source.path(), "E57");
   Cloud cloud;
   {
     ProgressSpan span(task, 0, 0.95, "reading E57");

@@ -68,6 +68,18 @@ void AtomicFile::rewrite(size_t offset, const void* data, size_t bytes) {
   if (!write_all_at(file_, offset, data, bytes)) refuse("write");
 }
 
+size_t AtomicFile::read_back(uint64_t offset, void* out, size_t bytes) {
+  flush();
+  size_t done = 0;
+  while (done < bytes) {
+    const int64_t got = read_at(file_, offset + done, static_cast<char*>(out) + done, bytes - done);
+    if (got < 0) refuse("read back");
+    if (got == 0) break;
+    done += static_cast<size_t>(got);
+  }
+  return done;
+}
+
 void AtomicFile::commit() {
   flush();
   if (!sync_file(file_)) refuse("write");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ class AtomicFile {
   void write(std::string_view text) { write(text.data(), text.size()); }
   /// Overwrites bytes already written (headers whose counts are known late).
   void rewrite(size_t offset, const void* data, size_t bytes);
+  /// Bytes already written; as many as there are.
+  size_t read_back(uint64_t offset, void* out, size_t bytes);
   /// Flushes, syncs and renames over the target.
   void commit();
 

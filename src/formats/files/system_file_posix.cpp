@@ -116,7 +116,7 @@ void close_file(FileHandle file) { ::close(descriptor_of(file)); }
 
 FileHandle create_locked(const std::string& path) {
   int descriptor;
-  do descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  do descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   while (descriptor < 0 && errno == EINTR);
   if (descriptor < 0) return kNoFile;
   // Without locks on this file system nothing is swept either, so the name is safe all the same.

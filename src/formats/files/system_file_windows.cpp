@@ -180,8 +180,8 @@ void close_file(FileHandle file) { ::CloseHandle(handle_of(file)); }
 // The lock is the sharing of the file: others may rename or delete it, which replace_file() does, but who would open
 // it as remove_unlocked() does, sharing it with no writer, is refused until the writer's process ends.
 FileHandle create_locked(const std::string& path) {
-  return file_of(
-      open_handle(path, GENERIC_WRITE, FILE_SHARE_DELETE, CREATE_NEW, FILE_ATTRIBUTE_NORMAL));
+  return file_of(open_handle(path, GENERIC_READ | GENERIC_WRITE, FILE_SHARE_DELETE, CREATE_NEW,
+                             FILE_ATTRIBUTE_NORMAL));
 }
 
 void remove_unlocked(const std::string& path) {

@@ -18,5 +18,8 @@ bool is_laz(const ByteSource& source);
 Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task);
 void write_las(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task);
+/// The same file with compressed points.
+void write_laz(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task);
 
 }  // namespace jalon

@@ -200,7 +200,7 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
   const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
   std::optional<LazPoints> laz;
   if (header.compressed) {
-    require_codecs(source, "LAZ");
+    require_codecs(source.path(), "LAZ");
     laz.emplace(source, header, vlrs);
   }
 

@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-#include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "formats/codecs/codecs.h"
 #include "formats/files/atomic_file.h"
 #include "formats/files/endian.h"
 #include "formats/las/las.h"
+#include "formats/las/laz_writer.h"
 #include "formats/las/plan.h"
+#include "formats/las/records.h"
 
 namespace jalon {
 
@@ -20,98 +22,8 @@ using namespace las;
 
 constexpr size_t kWriterGrain = size_t{1} << 14;  // points a chunk
 constexpr size_t kBatchBytes = size_t{8} << 20;   // encoded in parallel, then written in one go
+constexpr unsigned kCompressed = 0x80;            // of the byte of the point format (LASzip)
 constexpr uint16_t kWktBit = 16, kTimeTypeBit = 1, kSyntheticReturnsBit = 8;
-
-/// What the header says about the points; sums and extremes, so the order of chunks does not
-/// matter.
-struct Tally {
-  std::array<int64_t, 3> min{std::numeric_limits<int64_t>::max(),
-                             std::numeric_limits<int64_t>::max(),
-                             std::numeric_limits<int64_t>::max()};
-  std::array<int64_t, 3> max{std::numeric_limits<int64_t>::min(),
-                             std::numeric_limits<int64_t>::min(),
-                             std::numeric_limits<int64_t>::min()};
-  std::array<uint64_t, 16> by_return{};
-
-  Tally& operator+=(const Tally& b) {
-    for (size_t k = 0; k < 3; ++k) {
-      min[k] = std::min(min[k], b.min[k]);
-      max[k] = std::max(max[k], b.max[k]);
-    }
-    for (size_t k = 0; k < by_return.size(); ++k) by_return[k] += b.by_return[k];
-    return *this;
-  }
-};
-
-void put_standard(const StandardColumn& standard, std::byte* records, size_t stride, size_t first,
-                  size_t n) {
-  const Place& place = standard.place;
-  std::byte* to = records + place.offset;
-  visit(standard.column->info().type, [&](auto zero) {
-    using T = decltype(zero);
-    const T* from = static_cast<const T*>(standard.column->raw()) + first;
-    if (place.bits != 0) {
-      for (size_t i = 0; i < n; ++i)
-        to[i * stride] |= static_cast<std::byte>(static_cast<unsigned>(from[i]) << place.shift);
-      return;
-    }
-    visit(place.type, [&](auto stored_zero) {
-      using Stored = decltype(stored_zero);
-      for (size_t i = 0; i < n; ++i) {
-        if (place.factor != 1)
-          store<Stored>(
-              to + i * stride,
-              static_cast<Stored>(std::nearbyint(static_cast<double>(from[i]) / place.factor)));
-        else store<Stored>(to + i * stride, static_cast<Stored>(from[i]));
-      }
-    });
-  });
-}
-
-void put_extra(const ExtraColumn& extra, std::byte* records, size_t stride, size_t first,
-               size_t n) {
-  const size_t components = extra.column->info().components;
-  visit(extra.raw_type, [&](auto raw_zero) {
-    using Raw = decltype(raw_zero);
-    for (size_t i = 0; i < n; ++i)
-      for (size_t c = 0; c < extra.components; ++c) {
-        const size_t at = (first + i) * components + extra.component + c;
-        std::byte* to = records + i * stride + extra.offset + c * sizeof(Raw);
-        if (extra.scaled) {
-          const double value = static_cast<const double*>(extra.column->raw())[at];
-          store<Raw>(to,
-                     static_cast<Raw>(std::nearbyint((value - extra.shift[c]) / extra.scale[c])));
-        } else {
-          store<Raw>(to, static_cast<const Raw*>(extra.column->raw())[at]);
-        }
-      }
-  });
-}
-
-Tally put_points(const Plan& plan, const Cloud& cloud, std::byte* records, size_t first, size_t n) {
-  const size_t stride = plan.record_bytes;
-  const Vec3 unit{plan.units.horizontal, plan.units.horizontal, plan.units.vertical};
-  const double* xyz = cloud.xyz().data() + 3 * first;
-  std::memset(records, 0, n * stride);
-  Tally tally;
-  for (size_t i = 0; i < n; ++i)
-    for (size_t k = 0; k < 3; ++k) {
-      const int axis = static_cast<int>(k);
-      // The plan made sure that it fits.
-      const auto steps = static_cast<int32_t>(
-          std::nearbyint((xyz[3 * i + k] / unit[axis] - plan.offset[axis]) / plan.scale[axis]));
-      store<int32_t>(records + i * stride + 4 * k, steps);
-      tally.min[k] = std::min<int64_t>(tally.min[k], steps);
-      tally.max[k] = std::max<int64_t>(tally.max[k], steps);
-    }
-  for (const StandardColumn& standard : plan.standard)
-    put_standard(standard, records, stride, first, n);
-  for (const ExtraColumn& extra : plan.extra) put_extra(extra, records, stride, first, n);
-  const unsigned mask = point_format(plan.format)->extended ? 15 : 7;
-  for (size_t i = 0; i < n; ++i)
-    ++tally.by_return[static_cast<unsigned>(records[i * stride + 14]) & mask];
-  return tally;
-}
 
 void put_text(std::byte* to, const char* text) { std::memcpy(to, text, std::strlen(text)); }
 
@@ -158,11 +70,25 @@ void put_tally(std::byte* out, const Plan& plan, const Tally& tally, uint64_t co
   }
 }
 
-std::vector<std::byte> header_bytes(const Plan& plan, const Tally& tally, uint64_t count) {
-  std::vector<std::byte> out(plan.version_minor == 4 ? 375 : 227);
+size_t header_size(const Plan& plan) { return plan.version_minor == 4 ? 375 : 227; }
+
+uint64_t point_offset_of(const Plan& plan) {
+  uint64_t offset = header_size(plan);
+  for (const Record& record : plan.vlrs) offset += record.bytes.size();
+  return offset;
+}
+
+/// What was written between the header and the extended records.
+struct Written {
+  Tally tally;
+  uint64_t bytes = 0;  ///< of the points
+};
+
+std::vector<std::byte> header_bytes(const Plan& plan, const Written& written, uint64_t count,
+                                    bool compressed) {
+  std::vector<std::byte> out(header_size(plan));
   put_identity(out.data(), plan);
-  uint64_t point_offset = out.size();
-  for (const Record& record : plan.vlrs) point_offset += record.bytes.size();
+  const uint64_t point_offset = point_offset_of(plan);
   if (point_offset > std::numeric_limits<uint32_t>::max())
     fail(Status::kLimit, "the records before the points take more than 4 GiB");
   out[24] = std::byte{1};
@@ -170,17 +96,17 @@ std::vector<std::byte> header_bytes(const Plan& plan, const Tally& tally, uint64
   store<uint16_t>(out.data() + 94, static_cast<uint16_t>(out.size()));
   store<uint32_t>(out.data() + 96, static_cast<uint32_t>(point_offset));
   store<uint32_t>(out.data() + 100, static_cast<uint32_t>(plan.vlrs.size()));
-  out[104] = static_cast<std::byte>(plan.format);
+  out[104] = static_cast<std::byte>(plan.format | (compressed ? kCompressed : 0));
   store<uint16_t>(out.data() + 105, static_cast<uint16_t>(plan.record_bytes));
-  put_tally(out.data(), plan, tally, count);
+  put_tally(out.data(), plan, written.tally, count);
   if (!plan.evlrs.empty()) {
-    store<uint64_t>(out.data() + 235, point_offset + count * plan.record_bytes);
+    store<uint64_t>(out.data() + 235, point_offset + written.bytes);
     store<uint32_t>(out.data() + 243, static_cast<uint32_t>(plan.evlrs.size()));
   }
   return out;
 }
 
-Tally write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Task& task) {
+Written write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Task& task) {
   const size_t n = cloud.size();
   const size_t batch =
       std::max<size_t>(kWriterGrain, kBatchBytes / plan.record_bytes / kWriterGrain * kWriterGrain);
@@ -198,28 +124,46 @@ Tally write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Task&
         });
     file.write(records.get(), count * plan.record_bytes);
   }
-  return total;
+  return {total, uint64_t{n} * plan.record_bytes};
+}
+
+void write_file(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+                bool compressed, Task& task) {
+  Plan plan;
+  std::optional<LazWriter> laz;
+  {
+    ProgressSpan span(task, 0, 0.3, "writing LAS");
+    plan = make_plan(cloud, path, settings, task);
+    if (compressed) {
+      laz.emplace(plan, path);
+      plan.vlrs.push_back(laz->record());
+    }
+  }
+  ProgressSpan span(task, 0.3, 0.99, "writing LAS");
+  AtomicFile file(path);
+  file.write(header_bytes(plan, {}, cloud.size(), compressed).data(), header_size(plan));
+  for (const Record& record : plan.vlrs) file.write(record.bytes.data(), record.bytes.size());
+  Written written;
+  if (laz) written.tally = laz->write(cloud, file, point_offset_of(plan), written.bytes, task);
+  else written = write_points(plan, cloud, file, task);
+  for (const Record& record : plan.evlrs) file.write(record.bytes.data(), record.bytes.size());
+  const std::vector<std::byte> header = header_bytes(plan, written, cloud.size(), compressed);
+  file.rewrite(0, header.data(), header.size());
+  task.checkpoint(1);  // the last chance to cancel before the old file goes
+  file.commit();
 }
 
 }  // namespace
 
 void write_las(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task) {
-  Plan plan;
-  {
-    ProgressSpan span(task, 0, 0.3, "writing LAS");
-    plan = make_plan(cloud, path, settings, task);
-  }
-  ProgressSpan span(task, 0.3, 0.99, "writing LAS");
-  AtomicFile file(path);
-  file.write(header_bytes(plan, {}, cloud.size()).data(), plan.version_minor == 4 ? 375 : 227);
-  for (const Record& record : plan.vlrs) file.write(record.bytes.data(), record.bytes.size());
-  const Tally tally = write_points(plan, cloud, file, task);
-  for (const Record& record : plan.evlrs) file.write(record.bytes.data(), record.bytes.size());
-  const std::vector<std::byte> header = header_bytes(plan, tally, cloud.size());
-  file.rewrite(0, header.data(), header.size());
-  task.checkpoint(1);  // the last chance to cancel before the old file goes
-  file.commit();
+  write_file(cloud, path, settings, false, task);
+}
+
+void write_laz(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+               Task& task) {
+  require_codecs(path, "LAZ");
+  write_file(cloud, path, settings, true, task);
 }
 
 }  // namespace jalon

@@ -80,6 +80,21 @@ TEST_CASE("writers__a_full_disk_leaves_the_old_file_and_one_line") {
   CHECK(folder.entries() == 3);
 }
 
+TEST_CASE("atomic_file__what_was_written_can_be_read_back_and_written_over") {
+  const Folder folder;
+  AtomicFile file(folder.file("a"));
+  file.write("0123456789");
+  char back[8] = {};
+  CHECK(file.read_back(4, back, 8) == 6);
+  CHECK(std::string(back, 6) == "456789");
+  file.rewrite(4, "xy", 2);
+  file.write("end");
+  CHECK(file.read_back(3, back, 8) == 8);
+  CHECK(std::string(back, 8) == "3xy6789e");
+  file.commit();
+  CHECK(slurp(folder.file("a")) == "0123xy6789end");
+}
+
 TEST_CASE("writers__a_cancelled_write_leaves_the_old_file") {
   const Folder folder;
   const Cloud cloud = random_points(200000, 1);

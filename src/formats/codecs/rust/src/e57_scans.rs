@@ -72,11 +72,18 @@ pub struct Scan {
 
 #[repr(C)]
 pub struct ScanColumn {
-    name: *const c_char,
-    is_integer: i32,
-    min: f64,
-    max: f64,
+    pub name: *const c_char,
+    pub kind: i32,
+    pub min: f64,
+    pub max: f64,
+    pub scale: f64,
+    pub offset: f64,
 }
+
+pub const INTEGER: i32 = 0;
+pub const SCALED: i32 = 1;
+pub const SINGLE: i32 = 2;
+pub const DOUBLE: i32 = 3;
 
 impl Document {
     fn keep(&mut self, text: &str) -> *const c_char {
@@ -176,12 +183,16 @@ pub unsafe extern "C" fn jc_e57_column(
         let document = &mut *document;
         let cloud = document.scans.get(index as usize).ok_or("no such scan")?;
         let record = cloud.prototype.get(column as usize).ok_or("no such column")?.clone();
-        let (is_integer, min, max) = match record.data_type {
-            RecordDataType::Integer { min, max } => (1, min as f64, max as f64),
-            _ => (0, f64::NAN, f64::NAN),
+        let (kind, min, max, scale, offset) = match record.data_type {
+            RecordDataType::Integer { min, max } => (INTEGER, min as f64, max as f64, 1.0, 0.0),
+            RecordDataType::ScaledInteger { min, max, scale, offset } => {
+                (SCALED, min as f64, max as f64, scale, offset)
+            }
+            RecordDataType::Single { .. } => (SINGLE, f64::NAN, f64::NAN, 1.0, 0.0),
+            RecordDataType::Double { .. } => (DOUBLE, f64::NAN, f64::NAN, 1.0, 0.0),
         };
         let name = document.keep(&name_of(&record.name));
-        *out = ScanColumn { name, is_integer, min, max };
+        *out = ScanColumn { name, kind, min, max, scale, offset };
         Ok(())
     })
 }

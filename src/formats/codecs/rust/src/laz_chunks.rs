@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-//! LAZ: the record of the compressor, the table of chunks, one chunk from memory to memory. All the
+//! LAZ read: the record of the compressor, the table of chunks, one chunk from memory to memory. All the
 //! reading of files and all threads are the caller's.
 
 use crate::{guarded, silence_panics, Message};
@@ -22,7 +22,7 @@ pub struct Layout {
 
 const VARIABLE: u64 = 0;
 
-unsafe fn vlr_of(bytes: *const u8, count: u64) -> Result<LazVlr, String> {
+pub unsafe fn vlr_of(bytes: *const u8, count: u64) -> Result<LazVlr, String> {
     let vlr = LazVlr::from_buffer(std::slice::from_raw_parts(bytes, count as usize))
         .map_err(|e| e.to_string())?;
     if vlr.items().is_empty() {

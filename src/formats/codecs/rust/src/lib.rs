@@ -4,7 +4,9 @@
 //! The functions of ../codecs.h. Nothing unwinds into C: every entry goes through `guarded`.
 
 mod e57_scans;
+mod e57_writing;
 mod laz_chunks;
+mod laz_packing;
 
 use std::panic::{catch_unwind, AssertUnwindSafe};
 

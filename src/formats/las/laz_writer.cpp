@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/las/laz_writer.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "formats/codecs/codecs.h"
+#include "formats/files/endian.h"
+
+namespace jalon::las {
+
+namespace {
+
+constexpr size_t kUsualChunkPoints = 50000;           // that of LASzip
+constexpr size_t kMostChunkBytes = size_t{16} << 20;  // of records: a long one has fewer points
+constexpr size_t kChunksAtOnce = 16;                  // encoded in parallel, then written in order
+constexpr size_t kPlaceBytes = 8;                     // of the table, before the first chunk
+
+/// What the encoder gave, freed with it.
+class Packed {
+ public:
+  Packed() = default;
+  ~Packed() { jc_bytes_free(bytes_); }
+  Packed(const Packed&) = delete;
+  Packed& operator=(const Packed&) = delete;
+  JcBytes* out() { return &bytes_; }
+  const uint8_t* data() const { return bytes_.data; }
+  size_t size() const { return bytes_.count; }
+
+ private:
+  JcBytes bytes_{nullptr, 0, 0};
+};
+
+const uint8_t* as_bytes(const std::byte* bytes) { return reinterpret_cast<const uint8_t*>(bytes); }
+
+/// Calls the encoder; what it refuses is no fault of the cloud's.
+template <class F>
+void encode(const std::string& path, F&& call) {
+  char line[300] = {};
+  if (call(JcMessage{line, sizeof line}) != 0)
+    fail(Status::kInternal, "%s: the points cannot be compressed: %s", path.c_str(), line);
+}
+
+}  // namespace
+
+LazWriter::LazWriter(const Plan& plan, const std::string& path) : plan_(plan), path_(path) {
+  chunk_points_ = std::clamp<size_t>(kMostChunkBytes / plan.record_bytes, 1, kUsualChunkPoints);
+  const size_t extra = plan.record_bytes - point_format(plan.format)->bytes;
+  Packed packed;
+  encode(path, [&](JcMessage message) {
+    return jc_laz_record(static_cast<uint8_t>(plan.format), static_cast<uint16_t>(extra),
+                         static_cast<uint32_t>(chunk_points_), packed.out(), message);
+  });
+  const auto* data = reinterpret_cast<const std::byte*>(packed.data());
+  vlr_.assign(data, data + packed.size());
+}
+
+Record LazWriter::record() const {
+  return make_record("laszip encoded", 22204, "compressed points", vlr_.data(), vlr_.size());
+}
+
+Tally LazWriter::write(const Cloud& cloud, AtomicFile& file, uint64_t point_offset, uint64_t& bytes,
+                       Task& task) const {
+  const size_t n = cloud.size(), chunks = (n + chunk_points_ - 1) / chunk_points_;
+  std::byte place[kPlaceBytes] = {};
+  file.write(place, sizeof place);
+  bytes = sizeof place;
+  std::vector<uint64_t> sizes(chunks);
+  Tally total;
+  for (size_t first = 0; first < chunks; first += kChunksAtOnce) {
+    const size_t count = std::min(kChunksAtOnce, chunks - first);
+    const auto share = [&](size_t c) {
+      return static_cast<double>(c) / static_cast<double>(chunks);
+    };
+    ProgressSpan span(task, share(first), share(first + count));
+    std::vector<Packed> packed(count);
+    std::vector<Tally> tallies(count);
+    parallel_chunks(task, count, [&](size_t c) {
+      const size_t begin = (first + c) * chunk_points_, points = std::min(chunk_points_, n - begin);
+      const size_t size = points * plan_.record_bytes;
+      const auto records = std::make_unique_for_overwrite<std::byte[]>(size);
+      tallies[c] = put_points(plan_, cloud, records.get(), begin, points);
+      encode(path_, [&](JcMessage message) {
+        return jc_laz_encode(as_bytes(vlr_.data()), vlr_.size(), as_bytes(records.get()), size,
+                             packed[c].out(), message);
+      });
+    });
+    for (size_t c = 0; c < count; ++c) {
+      file.write(packed[c].data(), packed[c].size());
+      bytes += sizes[first + c] = packed[c].size();
+      total += tallies[c];
+    }
+  }
+  store<int64_t>(place, static_cast<int64_t>(point_offset + bytes));
+  Packed table;
+  encode(path_, [&](JcMessage message) {
+    return jc_laz_table(as_bytes(vlr_.data()), vlr_.size(), sizes.data(), chunks, table.out(),
+                        message);
+  });
+  file.write(table.data(), table.size());
+  bytes += table.size();
+  file.rewrite(point_offset, place, sizeof place);
+  return total;
+}
+
+}  // namespace jalon::las
