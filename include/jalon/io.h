@@ -18,8 +18,8 @@
  * - LAZ (laz), read and written: as LAS; its chunks are decoded and encoded on all threads.
  * - E57 (e57), read and written: a station for each scan, points moved by its pose, those marked invalid left out.
  *   Fields row and column (uint32), intensity (float32), red, green, blue (uint8, or uint16 where a scan has more than
- *   255), return_number (from 1), number_of_returns, time (s), normal, and those of extensions in the smallest type that
- *   holds them. Written: a scan for each station and one for points of none, coordinates as float64 or in steps of
+ *   255), return_number (from 1), number_of_returns, time (s), normal, and those of extensions in the smallest type
+ *   that holds them. Written: a scan for each station and one for points of none, coordinates as float64 or in steps of
  *   "scale"; other fields in the extension "jalon", their names as XML allows them.
  * - PTX (ptx), read: a station for each scan; points are moved by its matrix. Fields row and column (uint32, from 0, as
  *   the file counts), intensity (float32), red, green, blue (uint8). Beams without return ("0 0 0") are no points:

@@ -3,6 +3,12 @@
 /**
  * @file report.h
  * Drawings and reports of results. All writers replace an existing file only when the new one is whole.
+ *
+ * Pages show what they are about in three dimensions too: the points (at most "viewer_points" of them, 1 000 000 by
+ * default, evenly taken; 0: no view) by segment, residual or distance on the page's scale, height, intensity or colour;
+ * outlines and openings with their names; a click tells what is there, two clicks a distance; sections; several clouds
+ * together or side by side; the view is kept in the link. It is drawn by WebGL 2 from the page itself: nothing is
+ * loaded, and the page's policy forbids it. It is not printed; without script or WebGL a line says so.
  */
 #ifndef JALON_REPORT_H
 #define JALON_REPORT_H

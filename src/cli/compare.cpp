@@ -21,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Compare {
+  ViewerOption viewer;
   Common common;
   Settings settings, change_settings, sample_settings;
   Input reference, compared;
@@ -136,7 +137,7 @@ struct Compare {
                     const Json& times, const std::string& shadows, const Lengths& lengths) const {
     double threshold = 0;
     must(jalon_params_get_double(change_options.get(), "threshold_m", &threshold));
-    const Params options = make_params("comparison_report");
+    const Params options = viewer.params("comparison_report");
     must(jalon_params_set_double(options.get(), "threshold_m", threshold));
     Json notes{
         {"title", "Comparison"},
@@ -363,6 +364,7 @@ void add_compare(Command& app) {
   state->settings.add_to(command);
   state->change_settings.add_to(command, "change-");
   state->sample_settings.add_to(command, "sample-");
+  state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return "Two scans are compared with detection=true, unless --set or --params say otherwise: "

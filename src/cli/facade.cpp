@@ -27,6 +27,7 @@ const char* front_name(uint8_t source) {
 }
 
 struct Facade {
+  ViewerOption viewer;
   Common common;
   Input input;
   Settings settings, model_settings;
@@ -87,7 +88,8 @@ struct Facade {
     notes["times"]["write"] = console.seconds();
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(),
-                                 folder.path("report.html").c_str(), nullptr, console.task()));
+                                 folder.path("report.html").c_str(), viewer.params("report").get(),
+                                 console.task()));
     must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(),
                                  folder.path("report.json").c_str(), nullptr, console.task()));
     folder.commit();
@@ -214,6 +216,7 @@ void add_facade(Command& app) {
       .type_name("NAME");
   state->model_settings.add_to(command, "model-");
   state->files.add_to(command);
+  state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return tables_of_facade() +

@@ -16,6 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ModelJob {
+  ViewerOption viewer;
   Common common;
   Input input;
   Settings settings, segment_settings;
@@ -70,7 +71,8 @@ struct ModelJob {
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     names.insert(names.begin(), {"report.html", "report.json"});
     must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(),
-                                 folder.path(names[0]).c_str(), nullptr, console.task()));
+                                 folder.path(names[0]).c_str(), viewer.params("report").get(),
+                                 console.task()));
     must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(),
                                  folder.path(names[1]).c_str(), nullptr, console.task()));
     folder.commit();
@@ -158,6 +160,7 @@ void add_model(Command& app) {
   state->settings.add_short_to(command);
   state->segment_settings.add_to(command, "segment-");
   state->files.add_to(command);
+  state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return modeller_tables("--model-set (or --set)") + segmenter_tables("--segment-set") +

@@ -9,6 +9,21 @@
 
 namespace jalon::cli {
 
+void ViewerOption::add_to(Command& command) {
+  command
+      .option("--viewer-points", points,
+              "Most points of the report's view in three dimensions, evenly taken; 0: no view")
+      .between(0, 1000000000)
+      .default_text("1000000")
+      .type_name("N");
+}
+
+Params ViewerOption::params(const char* operation) const {
+  Params options = make_params(operation);
+  if (points >= 0) must(jalon_params_set_int64(options.get(), "viewer_points", points));
+  return options;
+}
+
 void add_common(Command& command, Common& common) {
   command.flag("-q,--quiet", common.quiet, "Print nothing but errors");
   command.flag("--json", common.json, "Print the result as one JSON object");

@@ -31,6 +31,15 @@ struct Settings {
   bool sets(const std::string& name) const;
 };
 
+/// "--viewer-points N": most points of the view in three dimensions of the report.
+struct ViewerOption {
+  int64_t points = -1;  ///< -1: the operation's default
+
+  void add_to(Command& command);
+  /// The options of a report's operation, with it.
+  Params params(const char* operation) const;
+};
+
 void add_common(Command& command, Common& common);
 
 /// The parameter set of an operation.

@@ -24,6 +24,7 @@ constexpr const char* kStopped[] = {"",          "converged",    "iteration limi
                                     "ambiguous", "nothing found"};
 
 struct Register {
+  ViewerOption viewer;
   Common common;
   Settings settings;
   Input reference, moving;
@@ -224,9 +225,9 @@ struct Register {
                        {"unit", lengths.in_report()}}},
                      {"times", times}};
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
-    must(jalon_report_write_registration(made.get(), to.get(), cloud.get(), text.c_str(),
-                                         folder.path("report.html").c_str(), nullptr,
-                                         console.task()));
+    must(jalon_report_write_registration(
+        made.get(), to.get(), cloud.get(), text.c_str(), folder.path("report.html").c_str(),
+        viewer.params("registration_report").get(), console.task()));
   }
 };
 
@@ -283,6 +284,7 @@ void add_register(Command& app) {
       "--force", [state] { state->is_forced = true; },
       "Write pose.txt and the registered cloud also of a pose that is not accepted");
   state->settings.add_to(command);
+  state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return tables_of_register() +

@@ -20,6 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Segment {
+  ViewerOption viewer;
   Common common;
   Input input;
   Settings settings;
@@ -70,7 +71,8 @@ struct Segment {
                     result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
     must(jalon_report_write_html(segmentation.get(), nullptr, text.c_str(),
-                                 folder.path("report.html").c_str(), nullptr, console.task()));
+                                 folder.path("report.html").c_str(), viewer.params("report").get(),
+                                 console.task()));
     folder.commit();
     return more;
   }
@@ -184,6 +186,7 @@ void add_segment(Command& app) {
   state->settings.add_short_to(command);
   state->picks.add_to(command);
   state->edge_curve.add_to(command);
+  state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return tables_of_segment() + "Parameters of --pick-set:\n" +

@@ -7,6 +7,11 @@
 
 namespace jalon {
 
+/// Most points of a page's view in three dimensions, and what the rows "viewer_points" say of it.
+constexpr int64_t kViewerPoints = 1000000;
+constexpr const char* kViewerPointsHelp =
+    "Most points in the view in three dimensions, evenly taken; 0: no view";
+
 /// How front faces are filled: by the side of the main plane on which they lie (Boulaassal
 /// 2010, 4.4.1: red in front, green behind, stronger with the distance), by depth alone, or not at
 /// all.
@@ -42,6 +47,7 @@ struct ReportSettings {
   int64_t bins = 60;  ///< of the histogram of residuals
   bool drawing = true;
   bool picture = true;
+  int64_t viewer_points = kViewerPoints;
 };
 
 }  // namespace jalon

@@ -50,7 +50,7 @@ SUBROOMS = {
     "registration": {"joint": [], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": [], "network": ["targets"]},
     "report": {
         "sheet": [], "names": [], "elevation": ["sheet", "names"], "charts": ["sheet"],
-        "pictures": ["elevation"], "pages": ["pictures", "charts"],
+        "pictures": ["elevation"], "viewer": ["sheet"], "pages": ["pictures", "charts", "viewer"],
     },
     "capi": {"support": []},
     "cli": {"inputs": [], "outputs": [], "system": []},

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "formats/files/bit_writer.h"
+
 namespace jalon {
 
 namespace {
@@ -29,36 +31,12 @@ constexpr std::array<Code, 30> kDistances = {
      {513, 8},   {769, 8},   {1025, 9},  {1537, 9},   {2049, 10},  {3073, 10},
      {4097, 11}, {6145, 11}, {8193, 12}, {12289, 12}, {16385, 13}, {24577, 13}}};
 
-class BitWriter {
- public:
-  // Least significant bit first.
-  void bits(uint32_t value, uint32_t count) {
-    held_ |= uint64_t{value} << count_;
-    for (count_ += count; count_ >= 8; count_ -= 8, held_ >>= 8)
-      out_ += static_cast<char>(held_ & 0xff);
-  }
-  // Codes go most significant bit first.
-  void code(uint32_t value, uint32_t count) {
-    uint32_t turned = 0;
-    for (uint32_t i = 0; i < count; ++i) turned |= (value >> i & 1) << (count - 1 - i);
-    bits(turned, count);
-  }
-  void symbol(uint32_t s) {
-    if (s < 144) code(0x30 + s, 8);
-    else if (s < 256) code(0x190 + s - 144, 9);
-    else if (s < 280) code(s - 256, 7);
-    else code(0xc0 + s - 280, 8);
-  }
-  void flush() {
-    if (count_ > 0) bits(0, 8 - count_);
-  }
-  std::string& out() { return out_; }
-
- private:
-  std::string out_;
-  uint64_t held_ = 0;
-  uint32_t count_ = 0;
-};
+void symbol(BitWriter& writer, uint32_t s) {
+  if (s < 144) writer.code(0x30 + s, 8);
+  else if (s < 256) writer.code(0x190 + s - 144, 9);
+  else if (s < 280) writer.code(s - 256, 7);
+  else writer.code(0xc0 + s - 280, 8);
+}
 
 template <size_t N>
 uint32_t code_of(const std::array<Code, N>& codes, size_t value) {
@@ -69,7 +47,7 @@ uint32_t code_of(const std::array<Code, N>& codes, size_t value) {
 
 void repetition(BitWriter& writer, size_t length, size_t distance) {
   const uint32_t l = code_of(kLengths, length), d = code_of(kDistances, distance);
-  writer.symbol(257 + l);
+  symbol(writer, 257 + l);
   writer.bits(static_cast<uint32_t>(length - kLengths[l].base), kLengths[l].extra_bits);
   writer.code(d, 5);
   writer.bits(static_cast<uint32_t>(distance - kDistances[d].base), kDistances[d].extra_bits);
@@ -81,15 +59,6 @@ size_t match(std::string_view bytes, size_t at, size_t distance) {
   const size_t longest = std::min(kLongest, bytes.size() - at);
   while (length < longest && bytes[at + length] == bytes[at + length - distance]) ++length;
   return length;
-}
-
-uint32_t adler32(std::string_view bytes) {
-  uint32_t a = 1, b = 0;
-  for (const char c : bytes) {
-    a = (a + static_cast<unsigned char>(c)) % 65521;
-    b = (b + a) % 65521;
-  }
-  return b << 16 | a;
 }
 
 }  // namespace
@@ -107,14 +76,12 @@ std::string zlib_of(std::string_view bytes, size_t row_bytes) {
       repetition(writer, length, run >= above ? 1 : row_bytes);
       at += length;
     } else {
-      writer.symbol(static_cast<unsigned char>(bytes[at++]));
+      symbol(writer, static_cast<unsigned char>(bytes[at++]));
     }
   }
-  writer.symbol(kEndOfBlock);
+  symbol(writer, kEndOfBlock);
   writer.flush();
-  const uint32_t sum = adler32(bytes);
-  for (int shift = 24; shift >= 0; shift -= 8)
-    writer.out() += static_cast<char>(sum >> shift & 0xff);
+  put_adler32(writer.out(), adler32(bytes));
   return std::move(writer.out());
 }
 

@@ -12,8 +12,10 @@
 #include "report/charts/distance_chart.h"
 #include "report/pages/html_frame.h"
 #include "report/pages/html_model.h"
+#include "report/pages/comparison_view.h"
 #include "report/pictures/deviation_picture.h"
 #include "report/sheet/svg_parts.h"
+#include "report/viewer/view_page.h"
 
 namespace jalon {
 
@@ -26,7 +28,9 @@ constexpr auto kComparisonReportRows = setting_rows(
         "Distance marked in the histograms, up to which they are noise; 0 = none"),
     number_row<&ComparisonReportSettings::limit_m>(
         "limit_m", 0, 1e9, "m", "", "Distance at the end of the colour scale; 0 = 98 % lie within"),
-    bool_row<&ComparisonReportSettings::picture>("picture", "", "With the pictures of the points"));
+    bool_row<&ComparisonReportSettings::picture>("picture", "", "With the pictures of the points"),
+    integer_row<&ComparisonReportSettings::viewer_points>("viewer_points", 0, 1e9, "points", "",
+                                                          kViewerPointsHelp));
 
 constexpr size_t kMostRows = 500;  // of changes in the page; the CSV has them all
 constexpr const char* kClasses[] = {"",
@@ -237,6 +241,8 @@ std::string comparison_html(const Comparison& forward, const Comparison* reverse
   page.html().open("h1").element("bdi", {}, notes.title).close();
   add_summary(page, forward, reverse);
   if (settings.picture) add_pictures(page, forward, reverse, scale, task);
+  add_viewer(page, comparison_scene(forward, reverse, changes, scale), settings.viewer_points,
+             task);
   add_histograms(page, forward, reverse, scale, settings, task);
   if (changes.size() > 0) add_changes(page, changes);
   add_more(page, forward);

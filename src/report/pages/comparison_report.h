@@ -8,6 +8,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "compare/comparison.h"
+#include "report/settings.h"
 
 namespace jalon {
 
@@ -17,6 +18,7 @@ struct ComparisonReportSettings {
   double threshold_m = 0;  ///< marked in the histograms; 0 = none
   double limit_m = 0;      ///< of the colour scale; 0 = 98 % lie within
   bool picture = true;
+  int64_t viewer_points = kViewerPoints;
 };
 std::span<const ParamRow> comparison_report_rows();
 

@@ -11,10 +11,12 @@
 #include "report/elevation/view.h"
 #include "report/names/notes.h"
 #include "report/names/orientation_name.h"
+#include "report/pages/facade_view.h"
 #include "report/pages/html_frame.h"
 #include "report/pages/html_model.h"
 #include "report/pictures/picture.h"
 #include "report/report.h"
+#include "report/viewer/view_page.h"
 
 namespace jalon {
 
@@ -25,7 +27,9 @@ constexpr auto kReportRows = setting_rows(
     bool_row<&ReportSettings::drawing>("drawing", "",
                                        "With the elevation drawing, when there is a model"),
     bool_row<&ReportSettings::picture>(
-        "picture", "", "With a front view of the points in the colours of their segments"));
+        "picture", "", "With a front view of the points in the colours of their segments"),
+    integer_row<&ReportSettings::viewer_points>("viewer_points", 0, 1e9, "points", "",
+                                                kViewerPointsHelp));
 
 constexpr size_t kMostDrawings = 24;  // of single facades: a page that still opens at once
 
@@ -204,6 +208,9 @@ std::string report_html(const Segmentation& segmentation, const Model& model,
   if (settings.drawing && !model.faces.empty())
     add_drawings(page, segmentation, model, notes, task);
   if (settings.picture) add_picture(page, segmentation, task);
+  if (settings.viewer_points > 0)
+    add_viewer(page, facade_scene(segmentation, model, openings, residuals.half_range_m, task),
+               settings.viewer_points, task);
   add_openings(page, model, openings);
   add_planes(page, segmentation, task);
   add_curved(page, segmentation, task);

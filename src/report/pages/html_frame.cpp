@@ -6,12 +6,13 @@
 #include "base/json_writer.h"
 #include "base/text_number.h"
 #include "report/pages/html_model.h"
+#include "report/viewer/view_page.h"
 
 namespace jalon {
 
 namespace {
 
-// Dark on white, one column, prints without surprises. No scripts, no fonts or pictures from elsewhere.
+// Dark on white, one column, prints without surprises. No scripts, fonts or pictures from elsewhere.
 constexpr const char* kStyle =
     "body{font-family:Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:64rem;"
     "margin:2rem auto;"
@@ -39,9 +40,10 @@ void open_page(Page& page, std::string_view title) {
   html.raw("<!DOCTYPE html>\n");
   html.open("html", {{"lang", "en"}}).open("head");
   html.leaf("meta", {{"charset", "utf-8"}});
+  html.leaf("meta", {{"http-equiv", "Content-Security-Policy"}, {"content", content_policy()}});
   html.leaf("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
   html.element("title", {}, title);
-  html.open("style").raw(kStyle).close();
+  html.open("style").raw(kStyle).raw(viewer_style()).close();
   html.close().open("body");
 }
 

@@ -16,8 +16,10 @@
 #include "report/charts/distance_chart.h"
 #include "report/pages/html_frame.h"
 #include "report/pages/html_model.h"
+#include "report/pages/registration_view.h"
 #include "report/pages/registration_tables_html.h"
 #include "report/sheet/ticks.h"
+#include "report/viewer/view_page.h"
 
 namespace jalon {
 
@@ -27,7 +29,9 @@ constexpr auto kRegistrationReportRows = setting_rows(
     integer_row<&RegistrationReportSettings::bins>("bins", 5, 400, "1", "",
                                                    "Bins of the histograms"),
     integer_row<&RegistrationReportSettings::sample>(
-        "sample", 1, 1e9, "points", "", "Most points of the moving cloud in the histograms"));
+        "sample", 1, 1e9, "points", "", "Most points of the moving cloud in the histograms"),
+    integer_row<&RegistrationReportSettings::viewer_points>("viewer_points", 0, 1e9, "points", "",
+                                                            kViewerPointsHelp));
 
 constexpr const char* kRegistrationReportSideBySide =
     "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
@@ -133,8 +137,10 @@ std::string registration_html(const Registration& r, const CloudPtr& reference,
   add_search(page, r);
   add_directions(page, r);
   add_pairs_table(page, r);
-  if (reference != nullptr && moving != nullptr && reference->size() > 0 && moving->size() > 0)
+  if (reference != nullptr && moving != nullptr && reference->size() > 0 && moving->size() > 0) {
+    add_viewer(page, registration_scene(r, reference, moving), settings.viewer_points, task);
     add_before_after(page, r, reference, moving, settings, task);
+  }
   if (const std::string chart = convergence_chart(r.iteration_log); !chart.empty()) {
     page.heading("Convergence");
     page.html().raw(chart);

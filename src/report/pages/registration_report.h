@@ -8,6 +8,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "registration/registration.h"
+#include "report/settings.h"
 
 namespace jalon {
 
@@ -15,6 +16,7 @@ namespace jalon {
 struct RegistrationReportSettings {
   int64_t bins = 60;
   int64_t sample = 100000;  ///< most points of the moving cloud in the histograms
+  int64_t viewer_points = kViewerPoints;
 };
 std::span<const ParamRow> registration_report_rows();
 

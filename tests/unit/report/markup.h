@@ -81,6 +81,11 @@ inline std::vector<Tag> tags(std::string_view s) {
       tag.attributes.emplace_back(key, value);
     }
     out.push_back(tag);
+    if (tag.name == "script") {  // raw up to its end, as in HTML
+      const size_t end = std::min(s.find("</script>", i), s.size());
+      out.back().text_after = s.substr(i, end - i);
+      i = end;
+    }
   }
   return out;
 }
@@ -89,7 +94,7 @@ inline bool well_formed(std::string_view s) {
   std::vector<std::string> open;
   for (const Tag& tag : tags(s)) {
     if (tag.name == "broken") return false;
-    for (size_t i = 0; i < tag.text_after.size(); ++i) {
+    for (size_t i = 0; i < tag.text_after.size() && tag.name != "script"; ++i) {
       if (tag.text_after[i] != '&') continue;
       const size_t end = tag.text_after.find(';', i);
       if (end == std::string::npos || end - i > 8) return false;

@@ -127,13 +127,27 @@ TEST_CASE("report_html: self-contained, with all its chapters") {
       html_of(s, outlines_of(s),
               R"({"title": "North wall", "input": {"file": "a.las"}, "times": {"read": 0.25}})");
   CHECK(markup::well_formed(html));
-  for (const char* text : {"North wall", "a.las", "0.250 s", "Planes", "Residuals", "Parameters",
-                           "distance_tolerance", "Elevation", "Labelled points"})
+  for (const char* text :
+       {"North wall", "a.las", "0.250 s", "Planes", "Residuals", "Parameters", "distance_tolerance",
+        "Elevation", "Labelled points", "In three dimensions"})
     CHECK_MESSAGE(html.find(text) != std::string::npos, text);
-  for (const char* text : {"<script", "<link", "src=", "@import", "url(http"})
+  // Its scripts are data and the one program that its policy names.
+  for (const auto& tag : markup::tags(html))
+    if (tag.name == "script") CHECK(tag.attribute("src").empty());
+  CHECK(html.find("default-src &#39;none&#39;") != std::string::npos);
+  for (const char* text : {"<link", " src=", "@import", "url(http"})
     CHECK_MESSAGE(html.find(text) == std::string::npos, text);
   for (size_t at = html.find("href="); at != std::string::npos; at = html.find("href=", at + 1))
     CHECK(html.compare(at, 11, "href=\"data:") == 0);  // pictures are in the page itself
+}
+
+TEST_CASE("report_html: without points of the viewer there is no script") {
+  const Segmentation s = small_facade();
+  Task task;
+  const std::string html = report_html(s, outlines_of(s), "", {.viewer_points = 0}, task);
+  CHECK(markup::well_formed(html));
+  CHECK(html.find("<script") == std::string::npos);
+  CHECK(html.size() < html_of(s, outlines_of(s), "").size());
 }
 
 TEST_CASE("report_html: the same bits for any number of threads") {

@@ -75,13 +75,16 @@ TEST_CASE("html_frame__head_is_one_whole_document_that_loads_nothing") {
   CHECK(tags[0].name == "html");
   CHECK(tags[0].attribute("lang") == "en");
   CHECK(tags.back().name == "/html");
-  bool has_charset = false, is_after_body = false;
+  bool has_charset = false, has_policy = false, is_after_body = false;
   for (const auto& tag : tags) {
     has_charset |= tag.attribute("charset") == "utf-8";
+    has_policy |= tag.attribute("http-equiv") == "Content-Security-Policy" && !is_after_body &&
+                  tag.attribute("content").starts_with("default-src &#39;none&#39;");
     is_after_body |= tag.name == "body";
     if (tag.name == "p") CHECK(is_after_body);
     for (const char* loading : {"script", "link", "img", "iframe"}) CHECK(tag.name != loading);
     if (tag.name == "title") CHECK(tag.text_after == "&lt;/title&gt;&lt;script&gt;");
   }
   CHECK(has_charset);
+  CHECK(has_policy);
 }
