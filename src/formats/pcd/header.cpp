@@ -8,6 +8,7 @@
 
 #include "base/text_number.h"
 #include "formats/files/growing_cloud.h"
+#include "formats/files/header_lines.h"
 #include "formats/files/utf8.h"
 #include "formats/text/layout.h"
 #include "geometry/rotation.h"
@@ -16,7 +17,6 @@ namespace jalon::pcd {
 
 namespace {
 
-constexpr size_t kMaxHeaderBytes = size_t{1} << 20;
 constexpr size_t kMaxMembers = 4096;
 constexpr double kUnitQuaternion = 1e-3;  // written with three decimals and more
 
@@ -43,14 +43,11 @@ bool element_type(std::string_view letter, uint64_t size, ElementType& out) {
 
 class HeaderParser {
  public:
-  explicit HeaderParser(const ByteSource& source)
-      : source_(source), bytes_(std::min<uint64_t>(source.size(), kMaxHeaderBytes), '\0') {
-    bytes_.resize(source.read_some(0, bytes_.data(), bytes_.size()));
-  }
+  explicit HeaderParser(const ByteSource& source) : source_(source), lines_(source) {}
 
   Header run() {
     for (bool is_done = false; !is_done;) {
-      const size_t at = at_;
+      const size_t at = lines_.at();
       std::string_view line;
       if (!next(line)) source_.refuse(at, "the header has no line DATA");
       if (line.starts_with("# crs: ")) header_.crs = valid_utf8(line.substr(7));
@@ -58,7 +55,7 @@ class HeaderParser {
       const Words words = cells_of(line, ' ');
       if (!words.empty()) is_done = take(words, at);
     }
-    header_.data_offset = at_;
+    header_.data_offset = lines_.at();
     make_members();
     count_points();
     require_room();
@@ -67,11 +64,7 @@ class HeaderParser {
 
  private:
   bool next(std::string_view& line) {
-    const size_t end = bytes_.find('\n', at_);
-    if (end == std::string::npos) return false;
-    line = std::string_view(bytes_).substr(at_, end - at_);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    at_ = end + 1;
+    if (!lines_.next(line)) return false;
     ++header_.data_line;
     return true;
   }
@@ -188,8 +181,7 @@ class HeaderParser {
   }
 
   const ByteSource& source_;
-  std::string bytes_;
-  size_t at_ = 0;
+  HeaderLines lines_;
   Header header_;
   std::vector<std::string_view> names_, types_;
   std::vector<uint64_t> sizes_, counts_;

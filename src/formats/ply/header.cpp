@@ -5,6 +5,7 @@
 #include <charconv>
 #include <limits>
 
+#include "formats/files/header_lines.h"
 #include "formats/files/utf8.h"
 #include "formats/text/layout.h"
 
@@ -12,7 +13,6 @@ namespace jalon::ply {
 
 namespace {
 
-constexpr size_t kMaxHeaderBytes = size_t{1} << 20;
 constexpr size_t kMaxElements = 256, kMaxProperties = 4096;
 
 bool parse_type(std::string_view word, ElementType& out) {
@@ -38,18 +38,16 @@ bool parse_type(std::string_view word, ElementType& out) {
 
 class Parser {
  public:
-  explicit Parser(const ByteSource& source)
-      : source_(source), bytes_(std::min<uint64_t>(source.size(), kMaxHeaderBytes), '\0') {
-    bytes_.resize(source.read_some(0, bytes_.data(), bytes_.size()));
-  }
+  explicit Parser(const ByteSource& source) : source_(source), lines_(source) {}
 
   Header run() {
     bool has_format = false;
     std::string_view line;
-    if (!next(line) || line != "ply") source_.refuse(0, "a PLY file starts with a line \"ply\"");
+    if (!lines_.next(line) || line != "ply")
+      source_.refuse(0, "a PLY file starts with a line \"ply\"");
     for (;;) {
-      const size_t at = at_;
-      if (!next(line)) source_.refuse(at, "the header has no end_header");
+      const size_t at = lines_.at();
+      if (!lines_.next(line)) source_.refuse(at, "the header has no end_header");
       const auto words = cells_of(line, ' ');
       if (words.empty()) continue;
       if (words[0] == "end_header") break;
@@ -59,21 +57,12 @@ class Parser {
       if (words[0] == "property") add_property(words, at);
     }
     if (!has_format) source_.refuse(0, "the header names no format");
-    header_.data_offset = at_;
+    header_.data_offset = lines_.at();
     require_room();
     return std::move(header_);
   }
 
  private:
-  bool next(std::string_view& line) {
-    const size_t end = bytes_.find('\n', at_);
-    if (end == std::string::npos) return false;
-    line = std::string_view(bytes_).substr(at_, end - at_);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    at_ = end + 1;
-    return true;
-  }
-
   bool parse_format(const std::vector<std::string_view>& words, size_t at) {
     const std::string_view name = words.size() > 1 ? words[1] : "";
     if (name == "ascii") header_.encoding = Encoding::kAscii;
@@ -137,8 +126,7 @@ class Parser {
   }
 
   const ByteSource& source_;
-  std::string bytes_;
-  size_t at_ = 0;
+  HeaderLines lines_;
   Header header_;
 };
 

@@ -6,6 +6,7 @@
 #include "formats/codecs/codecs.h"
 #include "formats/e57/e57.h"
 #include "formats/files/endian.h"
+#include "fuzz/e57_page.h"
 #include "unit/formats/opened_file.h"
 
 using namespace jalon;
@@ -18,19 +19,6 @@ std::string e57_path(const std::string& name) {
   if (has_codecs()) return shared("e57/" + name);
   MESSAGE("skipped: built without JALON_WITH_RUST_FORMATS");
   return "";
-}
-
-// CRC-32C (Castagnoli), as at the end of each page of 1024 bytes, most significant byte first.
-void renew_checksum(std::string& bytes, size_t page) {
-  constexpr size_t kPage = 1024, kData = 1020;
-  uint32_t crc = ~0u;
-  for (size_t i = 0; i < kData; ++i) {
-    crc ^= static_cast<uint8_t>(bytes[page * kPage + i]);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0x82F63B78u : 0u);
-  }
-  crc = ~crc;
-  for (size_t k = 0; k < 4; ++k)
-    bytes[page * kPage + kData + k] = static_cast<char>(crc >> (24 - 8 * k));
 }
 
 constexpr size_t kPhysicalPage = 1024, kLogicalPage = 1020;
