@@ -14,8 +14,9 @@ namespace jalon {
 namespace {
 
 constexpr double kFinestStep_m = 0.001, kMostSteps = 65535;
-constexpr double kStepsOfScale = 2000;  // a value is told to half of that
-constexpr double kMostValue = 32765;    // of 16 bits with a sign, beside the codes of none
+constexpr double kStepsOfScale = 256;  // a value is told to half of one; the scale has 64 colours
+constexpr double kMostValue = 32765;   // of 16 bits with a sign, beside the codes of none
+constexpr size_t kGaps = 20000;        // between points, looked at
 constexpr size_t kPackGrain = size_t{1} << 16;
 
 // Sorted positions at even distances.
@@ -33,16 +34,16 @@ class Planes {
 
   /// value(i): of point i, as the low bits of what it gives.
   template <class F>
-  void add(size_t bytes, Task& task, F&& value) {
+  void add(size_t bytes, Task& task, F&& value, bool is_plain = false) {
     const size_t at = out_.size();
     out_.resize(at + bytes * points_);
     parallel_for(task, points_, kPackGrain, [&](size_t begin, size_t end) {
-      uint32_t before = begin == 0 ? 0 : static_cast<uint32_t>(value(begin - 1));
+      uint32_t before = begin == 0 || is_plain ? 0 : static_cast<uint32_t>(value(begin - 1));
       for (size_t i = begin; i < end; ++i) {
         const auto now = static_cast<uint32_t>(value(i));
         const uint32_t z =
             bytes == 2 ? zigzag<int16_t>(now - before) : zigzag<int8_t>(now - before);
-        before = now;
+        before = is_plain ? 0 : now;
         out_[at + i] = static_cast<char>(z & 0xff);
         if (bytes == 2) out_[at + points_ + i] = static_cast<char>(z >> 8 & 0xff);
       }
@@ -69,7 +70,6 @@ int32_t code_of(const ViewChannel& channel, double step, double value) {
 
 // The middle one of the distances of points that follow each other: about that of neighbours.
 double spacing_of(const Cloud& cloud, const std::vector<uint32_t>& points) {
-  constexpr size_t kGaps = 20000;
   const size_t stride = points.size() / kGaps + 1;
   std::vector<double> apart;
   for (size_t i = 1; i < points.size(); i += stride)
@@ -80,7 +80,20 @@ double spacing_of(const Cloud& cloud, const std::vector<uint32_t>& points) {
   return std::max(*middle, 1e-4);
 }
 
-void add_channel(Planes& planes, const ViewChannel& channel, double step,
+// Whether neighbours tell less of a value than nothing does: of noise they do.
+bool is_noise(const ViewChannel& channel, const std::vector<uint32_t>& points) {
+  double sizes = 0, differences = 0;
+  const size_t stride = points.size() / kGaps + 1;
+  for (size_t i = 1; i < points.size(); i += stride) {
+    const double a = channel.value(points[i - 1]), b = channel.value(points[i]);
+    if (!std::isfinite(a) || !std::isfinite(b)) continue;
+    sizes += std::fabs(b);
+    differences += std::fabs(b - a);
+  }
+  return sizes < differences;
+}
+
+void add_channel(Planes& planes, const ViewChannel& channel, double step, bool is_plain,
                  const std::vector<uint32_t>& points, Task& task) {
   const auto& value = channel.value;
   if (channel.kind == ViewChannel::Kind::kColour) {
@@ -90,11 +103,31 @@ void add_channel(Planes& planes, const ViewChannel& channel, double step,
   } else if (channel.kind == ViewChannel::Kind::kLabel) {
     planes.add(2, task, [&](size_t i) { return std::min(value(points[i]), kMostSteps); });
   } else {
-    planes.add(2, task, [&](size_t i) { return code_of(channel, step, value(points[i])); });
+    planes.add(
+        2, task, [&](size_t i) { return code_of(channel, step, value(points[i])); }, is_plain);
   }
 }
 
 }  // namespace
+
+std::string text_of_bytes(std::string_view bytes) {
+  // The 85 characters from "$" to "y" without "<".
+  constexpr char kFirst = '$', kTag = '<';
+  std::string out;
+  out.reserve((bytes.size() + 3) / 4 * 5);
+  for (size_t at = 0; at < bytes.size(); at += 4) {
+    uint32_t word = 0;
+    for (size_t k = 0; k < 4; ++k)
+      word = word << 8 | (at + k < bytes.size() ? static_cast<unsigned char>(bytes[at + k]) : 0u);
+    char digits[5];
+    for (size_t k = 5; k-- > 0; word /= 85) {
+      const auto c = static_cast<char>(kFirst + word % 85);
+      digits[k] = static_cast<char>(c < kTag ? c : c + 1);
+    }
+    out.append(digits, 5);
+  }
+  return out;
+}
 
 PackedCloud pack_cloud(const ViewCloud& view, size_t most_points, Task& task) {
   const Cloud& cloud = *view.cloud;
@@ -123,7 +156,9 @@ PackedCloud pack_cloud(const ViewCloud& view, size_t most_points, Task& task) {
   for (const ViewChannel& channel : view.channels) {
     const double step = (channel.high - channel.low) / kStepsOfScale;
     out.channel_steps.push_back(step);
-    add_channel(planes, channel, step, points, task);
+    const bool is_plain = channel.kind == ViewChannel::Kind::kScale && is_noise(channel, points);
+    out.channel_is_plain.push_back(is_plain);
+    add_channel(planes, channel, step, is_plain, points, task);
   }
   out.bytes = zlib_blocks(planes.bytes(), task);
   return out;

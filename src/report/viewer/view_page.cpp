@@ -36,11 +36,12 @@ void write_vector(JsonWriter& json, const Vec3& v, double digits = 1e4) {
   for (int k = 0; k < 3; ++k) json.value(std::round(v[k] * digits) / digits);
 }
 
-void write_channel(JsonWriter& json, const ViewChannel& channel, double step) {
+void write_channel(JsonWriter& json, const ViewChannel& channel, double step, bool is_plain) {
   static constexpr const char* kKinds[] = {"label", "scale", "rgb"};
   json.begin_object().name("kind").value(kKinds[static_cast<size_t>(channel.kind)]);
   json.name("name").value(channel.name).name("unit").value(channel.unit);
   json.name("low").value(channel.low).name("high").value(channel.high).name("step").value(step);
+  json.name("plain").value(is_plain);
   json.name("colours").begin_array();
   for (const Rgb& colour : channel.colours) json.value(hex_of(colour));
   json.end_array().name("none").begin_array();
@@ -55,6 +56,7 @@ void write_cloud(JsonWriter& json, const ViewCloud& view, const PackedCloud& pac
   const auto& m = view.pose.m;
   const Vec3 corner = view.pose.point(packed.low) - origin;
   json.begin_object().name("name").value(view.name).name("n").value(packed.points);
+  json.name("bytes").value(packed.bytes.size());
   json.name("step").value(packed.step_m).name("spacing").value(packed.spacing_m);
   json.name("colour").value(hex_of(view.colour)).name("hidden").value(view.is_hidden);
   json.name("size").begin_array();
@@ -67,7 +69,7 @@ void write_cloud(JsonWriter& json, const ViewCloud& view, const PackedCloud& pac
   write_vector(json, corner, 1e6);
   json.value(1).end_array().name("channels").begin_array();
   for (size_t c = 0; c < view.channels.size(); ++c)
-    write_channel(json, view.channels[c], packed.channel_steps[c]);
+    write_channel(json, view.channels[c], packed.channel_steps[c], packed.channel_is_plain[c]);
   json.end_array().end_object();
 }
 
@@ -171,7 +173,7 @@ void add_viewer(Page& page, const ViewScene& scene, int64_t most_points, Task& t
            scene_json(scene, packed, origin) + "</script>\n");
   for (size_t i = 0; i < packed.size(); ++i)
     html.raw("<script type=\"text/plain\" id=\"view-data-" + std::to_string(i) + "\">" +
-             base64_of(packed[i].bytes) + "</script>\n");
+             text_of_bytes(packed[i].bytes) + "</script>\n");
   html.raw("<script>" + std::string(kViewerScript) + "</script>\n").close();
 }
 

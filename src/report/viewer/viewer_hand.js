@@ -44,7 +44,7 @@ const rayAt = (pane, x, y) => {
   return eye.flat ? {from: from.map((v, i) => v + side[i]), to: back.map((v) => -v)}
   : {from, to: side.map((v, i) => v - eye.far * back[i])};
 };
-// The smallest outline that the pointer is in; one behind the point is hidden by it.
+// The opening or else the face that the pointer is in, of several the smallest; one behind the point is hidden by it.
 const partAt = (pane, x, y, point) => {
   const ray = rayAt(pane, x, y), length = Math.hypot(...ray.to);
   const far = point ? dot(sub(point.p, ray.from), ray.to) / length + .3 : Infinity;
@@ -55,7 +55,8 @@ const partAt = (pane, x, y, point) => {
     const t = dot(part.normal, sub(part.middle, ray.from)) / down, p = ray.from.map((v, i) => v + t * ray.to[i]);
     if (t <= 0 || (part.kind != "opening" && t * length > far) || !visible(p) || !inside(part, p)) continue;
     if (part.kind == "opening" && t * length > far + 1) continue;
-    if (!best || part.area < best.part.area) best = {part, p};
+    const nearer = !best || (part.kind == best.part.kind ? part.area < best.part.area : part.kind == "opening");
+    if (nearer) best = {part, p};
   }
   return best;
 };
@@ -246,7 +247,7 @@ show();
 draw();
 gl.finish();
 say(help);
-window.jalonView = {ms: performance.now() - started, points: clouds.reduce((s, c) => s + c.n, 0), modes, eye: () => eye, ask, draw,
+window.jalonView = {decoded, ms: performance.now() - started, points: clouds.reduce((s, c) => s + c.n, 0), modes, eye: () => eye, ask, draw,
   set: (values) => { Object.assign(eye, values); paint(); show(); draw(); },
   project: (p) => { const pane = Object.assign(panes()[0], {cam: camera(panes()[0].w, canvas.height)}); return onPane(pane, sub(p, scene.origin)); },
   pixel: (x, y) => { const px = new Uint8Array(4); gl.readPixels(Math.round(x), canvas.height - 1 - Math.round(y), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, px); return [...px]; }};

@@ -57,8 +57,8 @@ TEST_CASE("viewer_packing__places_and_channels_come_back_within_half_a_step") {
   viewed::Reader reader = reader_of(packed);
   std::vector<std::vector<uint32_t>> place;
   for (int k = 0; k < 3; ++k) place.push_back(reader.numbers(2));
-  const auto labels = reader.numbers(2), values = reader.numbers(2), red = reader.numbers(1),
-             green = reader.numbers(1), blue = reader.numbers(1);
+  const auto labels = reader.numbers(2), values = reader.numbers(2, packed.channel_is_plain[1]),
+             red = reader.numbers(1), green = reader.numbers(1), blue = reader.numbers(1);
   CHECK(reader.at == reader.bytes.size());
   for (size_t i = 0; i < kPoints; ++i) {
     const size_t point = order[i];
@@ -96,6 +96,31 @@ TEST_CASE("viewer_packing__fewer_points_are_taken_evenly_each_once_and_the_same_
   for (const size_t n : octants) CHECK(std::abs(static_cast<int>(n) - 125) < 25);
   CHECK(packed.spacing_m > 0.1);  // 1 000 points in 1 000 cubic metres: some decimetres
   CHECK(packed.spacing_m < 2);
+}
+
+TEST_CASE("viewer_packing__noise_is_told_as_it_is_and_what_runs_smoothly_as_differences") {
+  Task task;
+  ViewCloud view;
+  view.cloud = random_cloud(3000, 4, {0, 0, 0}, 5);
+  const Cloud& cloud = *view.cloud;
+  view.channels.push_back(channel_of(ViewChannel::Kind::kScale,
+                                     [](size_t i) { return RandomStream(i, 1).normal() * 0.002; }));
+  view.channels.push_back(channel_of(ViewChannel::Kind::kScale,
+                                     [&](size_t i) { return 0.001 * (cloud.point(i).x + 4); }));
+  const PackedCloud packed = pack_cloud(view, 1000000, task);
+  CHECK(packed.channel_is_plain[0]);
+  CHECK_FALSE(packed.channel_is_plain[1]);
+}
+
+TEST_CASE("viewer_packing__bytes_as_text_are_five_characters_for_four") {
+  CHECK(text_of_bytes("").empty());
+  CHECK(text_of_bytes(std::string(4, '\0')) == "$$$$$");
+  // 0xffffffff is 82 23 54 12 0 in base 85.
+  CHECK(text_of_bytes(std::string(4, '\xff')) == "w;[0$");
+  CHECK(text_of_bytes("abc").size() == 5);
+  std::string all;
+  for (int i = 0; i < 1024; ++i) all += static_cast<char>(i * 37 % 256);
+  CHECK(text_of_bytes(all).find('<') == std::string::npos);
 }
 
 TEST_CASE("viewer_packing__a_large_cloud_has_wider_steps_and_an_empty_one_nothing") {

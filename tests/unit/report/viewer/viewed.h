@@ -18,7 +18,7 @@ struct Reader {
   std::string bytes;
   size_t points = 0, at = 0;
 
-  std::vector<uint32_t> numbers(size_t width) {
+  std::vector<uint32_t> numbers(size_t width, bool is_plain = false) {
     std::vector<uint32_t> out(points);
     uint32_t value = 0;
     const auto byte = [&](size_t i) {
@@ -26,7 +26,7 @@ struct Reader {
     };
     for (size_t i = 0; i < points; ++i) {
       const uint32_t z = byte(at + i) | (width == 2 ? byte(at + points + i) << 8 : 0);
-      value += (z >> 1) ^ (~(z & 1) + 1);
+      value = (is_plain ? 0 : value) + ((z >> 1) ^ (~(z & 1) + 1));
       out[i] = value &= width == 2 ? 0xffff : 0xff;
     }
     at += width * points;
