@@ -73,6 +73,9 @@
  *   of detail the highest; geometry templates are JALON_ERROR_UNSUPPORTED.
  * - GeoJSON (geojson), written: a Feature for each face and each opening without one, 3D positions in the model's own
  *   system, which the member "crs" names (a local one in metres when it is not known: the numbers are never degrees).
+ * - glTF 2.0 (glb), written: a node for each part with name, and class, evidence and measures as "extras"; faces as
+ *   triangles in the colour of their class, openings that are holes as outlines. Coordinates are float32 from a whole
+ *   metre that the root node's matrix and its "origin_m" tell.
  * - OBJ (obj), written and read: faces as polygons and triangles, openings stay open; outlines as lines; the tree of
  *   parts in comments that other programs pass over, so that our own files come back with faces, holes, parts and
  *   solids. Files of others are meshes with groups as parts, or a face for each polygon ("polygons" = "faces").

@@ -111,7 +111,7 @@ constexpr auto kWriteRows = setting_rows(
         "decimals", -1, 17, "", "text",
         "Decimals of the coordinates; -1: as many as give the same number back"),
     number_row<&WriteSettings::chord_error_m>(
-        "chord_error_m", 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf",
+        "chord_error_m", 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf,glb",
         "Largest distance of the chords that stand for an arc, where a format knows no arcs"),
     choice_row<&WriteSettings::dxf_version>(
         "dxf_version", "r12|r2000", "dxf",

@@ -13,6 +13,7 @@
 #include "formats/e57/e57.h"
 #include "formats/files/byte_source.h"
 #include "formats/geojson/geojson.h"
+#include "formats/glb/glb.h"
 #include "formats/las/las.h"
 #include "formats/obj/obj.h"
 #include "formats/pcd/pcd.h"
@@ -170,6 +171,7 @@ inline constexpr Format kFormats[] = {
      .keyword = "geojson",
      .extensions = "geojson",
      .write_model = write_geojson},
+    {.name = "glTF", .keyword = "glb", .extensions = "glb", .write_model = write_glb},
     {.name = "SVG", .keyword = "", .extensions = "svg", .is_drawing = true},
 };
 

@@ -28,7 +28,7 @@ SUBROOMS = {
     "scan": {"mobile": [], "builder": [], "grammar": ["builder"], "scenes": ["grammar"]},
     "formats": {
         "files": [], "units": ["files"], "text": ["files"], "codecs": ["files"], "las": ["units", "codecs"], "e57": ["codecs"], "ply": ["text"], "obj": ["text"],
-        "stl": ["text"], "ptx": ["text"], "pts": ["text"], "pcd": ["text"], "city": ["units"], "dxf": ["files"], "geojson": ["units"], "drawings": ["files"],
+        "stl": ["text"], "ptx": ["text"], "pts": ["text"], "pcd": ["text"], "city": ["units"], "dxf": ["files"], "geojson": ["units"], "glb": ["files"], "drawings": ["files"],
         "trajectory": ["text"],
     },
     "segment": {
