@@ -16,6 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Adjust {
+  ViewerOption viewer;
   Common common;
   Settings settings, strip_settings, trajectory_settings;
   Input cloud;
@@ -148,7 +149,8 @@ struct Adjust {
     must(jalon_report_write_adjustment(
         made.get(), inputs.truth.get(),
         notes.dump(-1, ' ', false, Json::error_handler_t::replace).c_str(),
-        folder.path("report.html").c_str(), nullptr, console.task()));
+        folder.path("report.html").c_str(), viewer.params("adjustment_report").get(),
+        console.task()));
     folder.commit();
     say(console, made);
     console.say("wrote " + output +
@@ -188,6 +190,7 @@ void add_adjust(Command& app) {
   state->settings.add_to(command);
   state->strip_settings.add_to(command, "strips-");
   state->trajectory_settings.add_to(command, "trajectory-");
+  state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return "Parameters of --set (adjust):\n" + describe(make_params("adjust").get()) +

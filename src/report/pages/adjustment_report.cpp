@@ -15,11 +15,13 @@
 #include "report/charts/convergence_chart.h"
 #include "report/charts/drive_chart.h"
 #include "report/charts/residual_chart.h"
+#include "report/pages/adjustment_view.h"
 #include "report/pages/html_frame.h"
 #include "report/pages/html_model.h"
 #include "report/pictures/drive_plan.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
+#include "report/viewer/view_page.h"
 
 namespace jalon {
 
@@ -28,7 +30,9 @@ namespace {
 constexpr auto kAdjustmentReportRows = setting_rows(
     integer_row<&AdjustmentReportSettings::bins>("bins", 5, 400, "1", "", "Bins of the histogram"),
     integer_row<&AdjustmentReportSettings::strips>(
-        "strips", 0, 1000, "1", "", "Most strips in the table of those that moved most"));
+        "strips", 0, 1000, "1", "", "Most strips in the table of those that moved most"),
+    integer_row<&AdjustmentReportSettings::viewer_points>("viewer_points", 0, 1e9, "points", "",
+                                                          kViewerPointsHelp));
 
 constexpr double kRareChance =
     0.001;  // of chi-square: below it the sigmas or the matches are wrong
@@ -280,6 +284,8 @@ std::string adjustment_html(const JointAdjustment& adjustment, const AdjustedInp
   add_outcome(page, adjustment);
   page.heading("Plan");
   page.html().raw(drive_plan(scene, adjustment, inputs.trajectory, inputs.truth));
+  if (settings.viewer_points > 0)
+    add_viewer(page, adjustment_scene(adjustment, inputs), settings.viewer_points, task);
   add_drive(page, adjustment, inputs);
   add_distances(page, adjustment, static_cast<size_t>(settings.bins));
   add_matches(page, adjustment);

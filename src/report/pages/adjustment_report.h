@@ -10,6 +10,7 @@
 #include "model/model.h"
 #include "model/trajectory/trajectory.h"
 #include "registration/joint/joint_adjustment.h"
+#include "report/settings.h"
 
 namespace jalon {
 
@@ -17,6 +18,7 @@ namespace jalon {
 struct AdjustmentReportSettings {
   int64_t bins = 60;
   int64_t strips = 30;  ///< most strips in the table of those that moved most
+  int64_t viewer_points = kViewerPoints;
 };
 std::span<const ParamRow> adjustment_report_rows();
 

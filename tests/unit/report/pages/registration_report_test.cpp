@@ -19,7 +19,7 @@ using page_scenes::number_after;
 
 namespace {
 
-constexpr double kShift_m = 0.1, kNoise_m = 0.002;
+constexpr double kShift_m = 0.1, kFloorNoise_m = 0.002;
 
 // One point somewhere in the middle half of each cell: neighbours always span a plane.
 CloudPtr floor_points(size_t n, double side_m, double height_m, double noise_m, uint64_t seed) {
@@ -57,18 +57,18 @@ std::string page_of(const Registration& r, const CloudPtr& reference, const Clou
 
 TEST_CASE("registration_report__distances_go_from_the_shift_to_the_noise") {
   const CloudPtr reference = floor_points(8000, 4, 0, 0, 1),
-                 moving = floor_points(1500, 3.5, -kShift_m, kNoise_m, 2);
+                 moving = floor_points(1500, 3.5, -kShift_m, kFloorNoise_m, 2);
   const std::string html = page_of(lifted(), reference, moving);
   CHECK(markup::well_formed(html));
   const size_t after = html.find(">After<");
   REQUIRE(after != std::string::npos);
   // Four standard deviations of a median and of a root mean square of 1500 normal values, and the last digit.
-  const double median_mm = 1000 * kNoise_m * 4 * 1.2533 / std::sqrt(1500.0) + 0.01;
+  const double median_mm = 1000 * kFloorNoise_m * 4 * 1.2533 / std::sqrt(1500.0) + 0.01;
   CHECK(std::abs(number_after(html, "median ") - 1000 * kShift_m) < median_mm);
-  CHECK(std::abs(number_after(html.substr(after), "rms ") - 1000 * kNoise_m) <
-        1000 * kNoise_m * 4 / std::sqrt(3000.0) + 0.01);
+  CHECK(std::abs(number_after(html.substr(after), "rms ") - 1000 * kFloorNoise_m) <
+        1000 * kFloorNoise_m * 4 / std::sqrt(3000.0) + 0.01);
   // Of a folded normal distribution 0.6745 sigma.
-  CHECK(std::abs(number_after(html.substr(after), "median ") - 674.5 * kNoise_m) < median_mm);
+  CHECK(std::abs(number_after(html.substr(after), "median ") - 674.5 * kFloorNoise_m) < median_mm);
   CHECK(number_after(html.substr(after), "95 % below ") >
         number_after(html.substr(after), "median "));
 }
