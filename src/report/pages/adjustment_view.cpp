@@ -76,6 +76,9 @@ void add_strips_to(ViewScene& out, const JointAdjustment& a, const Model& model)
       part.text += ", " + grouped(a.strip_points[strip]) + " points";
     if (strip < a.strip_sigmas.size() && std::isfinite(a.strip_sigmas[strip]))
       part.text += ", \xCF\x83 " + text_of(1000 * a.strip_sigmas[strip], 1) + " mm";
+    const bool is_seen = strip < a.strip_points.size() && a.strip_points[strip] > 0;
+    part.colour =
+        is_seen ? Rgb{0x2a, 0x2a, 0x2a} : Rgb{0xc8, 0xc8, 0xc8};  // those of no point stand back
     const Ring& ring = model.rings[face.first_ring];
     part.rings.emplace_back();
     for (uint64_t c = 0; c < ring.count; ++c)
