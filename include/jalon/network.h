@@ -47,13 +47,13 @@ enum {
  * semicolons, tabs, commas or blanks, whichever the first line has; "-" or nothing is what is not known. Blank lines
  * and those that begin with # are passed over.
  *
- * - points: NULL, or columns id, x, y, z (m), sx, sy, sz (m), code. A standard deviation of 0 fixes a coordinate, one
- *   above 0 makes it weak (observed), none leaves it to be determined; coordinates without one are approximate. Points
- *   that are only sighted need no line: their sights place them.
  * - observations: columns from, to; any of direction, zenith (in "angle_unit"), distance (m); and instrument_height,
  *   target_height (m, else 0), setup, sigma_direction, sigma_zenith, sigma_distance, code. Another "from" or "setup"
  *   than in the line before is a new setup, with an orientation of its own. A zenith angle beyond half a circle is of
  *   the second face.
+ * - points: NULL, or columns id, x, y, z (m), sx, sy, sz (m), code. A standard deviation of 0 fixes a coordinate, one
+ *   above 0 makes it weak (observed), none leaves it to be determined; coordinates without one are approximate. Points
+ *   that are only sighted need no line: their sights place them.
  * - options: operation "network". "datum" = free takes no point as fixed or weak: the network's shape alone, by
  *   inner constraints on all points (Meissl 1969), for at most 6000 unknowns. "reject" leaves the worst outlier out and
  *   adjusts again until there is none.
@@ -65,8 +65,8 @@ enum {
  * places, nothing to spare with sigma0 = estimated. JALON_ERROR_DEGENERATE names a point that nothing holds.
  * JALON_ERROR_UNSUPPORTED: too large a free network.
  */
-JALON_API JALON_CHECK jalon_status jalon_network_adjust(const char* points,
-                                                        const char* observations,
+JALON_API JALON_CHECK jalon_status jalon_network_adjust(const char* observations,
+                                                        const char* points,
                                                         const jalon_params* options,
                                                         jalon_task* task, jalon_network** out);
 JALON_API jalon_network* jalon_network_retain(jalon_network* network);

@@ -22,7 +22,7 @@ void give_network_table(const jalon_network* network, jalon_fields** out,
 
 }  // namespace
 
-jalon_status jalon_network_adjust(const char* points, const char* observations,
+jalon_status jalon_network_adjust(const char* observations, const char* points,
                                   const jalon_params* options, jalon_task* task,
                                   jalon_network** out) {
   return guard([&] {

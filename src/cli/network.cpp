@@ -37,7 +37,7 @@ struct NetworkJob {
     const std::string sights = read_text_file(observations);
     const std::string places = points.empty() ? "" : read_text_file(points);
     Network made;
-    must_read(jalon_network_adjust(places.c_str(), sights.c_str(), params.get(), console.task(),
+    must_read(jalon_network_adjust(sights.c_str(), places.c_str(), params.get(), console.task(),
                                    Out(made)));
     return made;
   }

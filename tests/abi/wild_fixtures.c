@@ -298,10 +298,10 @@ static void make_adjustment(void) {
   MUST(jalon_trajectory_adjust(fx_driven, fx_driven_cloud, fx_driven_strips, adjust, NULL,
                                &fx_adjustment));
   jalon_params_release(adjust);
-  MUST(jalon_network_adjust("id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n",
-                            "from to direction zenith distance code\nA B 0 100 50 -\n"
-                            "A C 50 100 30 350\nB C 170 100 36.2 350\nB A 0 100 50 -\n",
-                            NULL, NULL, &fx_network));
+  MUST(jalon_network_adjust(
+      "from to direction zenith distance code\nA B 0 100 50 -\n"
+      "A C 50 100 30 350\nB C 170 100 36.2 350\nB A 0 100 50 -\n",
+      "id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n", NULL, NULL, &fx_network));
 }
 
 static void make_files(void) {

@@ -18,7 +18,7 @@ static const char kSights[] =
 
 static jalon_network* adjusted(void) {
   jalon_network* network = NULL;
-  assert_int_equal(jalon_network_adjust(kNails, kSights, NULL, NULL, &network), JALON_OK);
+  assert_int_equal(jalon_network_adjust(kSights, kNails, NULL, NULL, &network), JALON_OK);
   return network;
 }
 
@@ -58,12 +58,12 @@ static void network__tells_points_observations_and_codes(void** state) {
 static void network__says_what_is_wrong_and_writes_nothing(void** state) {
   (void)state;
   jalon_network* network = NULL;
-  assert_int_equal(jalon_network_adjust(kNails, "from to way\nA B 1\n", NULL, NULL, &network),
+  assert_int_equal(jalon_network_adjust("from to way\nA B 1\n", kNails, NULL, NULL, &network),
                    JALON_ERROR_FORMAT);
   assert_non_null(strstr(jalon_last_error_message(), "way"));
-  assert_int_equal(jalon_network_adjust(NULL, kSights, NULL, NULL, &network),
+  assert_int_equal(jalon_network_adjust(kSights, NULL, NULL, NULL, &network),
                    JALON_ERROR_DEGENERATE);
-  assert_int_equal(jalon_network_adjust(kNails, "from to distance\n", NULL, NULL, &network),
+  assert_int_equal(jalon_network_adjust("from to distance\n", kNails, NULL, NULL, &network),
                    JALON_ERROR_INSUFFICIENT_DATA);
   assert_null(network);
 }
@@ -74,7 +74,7 @@ static void network__a_free_one_needs_no_points(void** state) {
   assert_int_equal(jalon_params_create("network", &options), JALON_OK);
   assert_int_equal(jalon_params_set_string(options, "datum", "free"), JALON_OK);
   jalon_network* network = NULL;
-  assert_int_equal(jalon_network_adjust(NULL, kSights, options, NULL, &network), JALON_OK);
+  assert_int_equal(jalon_network_adjust(kSights, NULL, options, NULL, &network), JALON_OK);
   jalon_network* other = jalon_network_retain(network);
   jalon_network_release(network);
   jalon_network_release(other);

@@ -59,8 +59,8 @@ Eigen::MatrixXd inner_constraints(const NetworkProblem& problem) {
   return b;
 }
 
-// Column by column: Eigen's products and solutions of whole matrices are cut by the size of the machine's caches, and the
-// last bits with them.
+// Column by column: Eigen's products and solutions of whole matrices are cut by the size of the machine's caches, and
+// the last bits with them.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& m) {
   const Eigen::LDLT<Eigen::MatrixXd> factors(m);
   Eigen::MatrixXd out(m.rows(), m.cols());

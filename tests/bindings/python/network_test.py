@@ -30,7 +30,7 @@ def sights(code="350"):
 
 class Networks(unittest.TestCase):
     def python__a_network_gives_coded_points_with_their_sigmas(self):
-        network = jalon.Network.adjust(NAILS, sights(), refraction=1)
+        network = jalon.Network.adjust(sights(), NAILS, refraction=1)
         summary = network.summary
         self.assertEqual((summary["converged"], summary["points"], summary["outliers"]), (1, 3, 0))
         points = network.points
@@ -44,14 +44,14 @@ class Networks(unittest.TestCase):
         self.assertEqual([(kinds == k).sum() for k in (1, 2, 3, 7, 8)], [4, 4, 4, 4, 2])
 
     def python__its_codes_guide_a_segmentation(self):
-        network = jalon.Network.adjust(NAILS, sights("360"), refraction=1)
+        network = jalon.Network.adjust(sights("360"), NAILS, refraction=1)
         cloud = jalon.Cloud(PLACE + np.random.default_rng(1).uniform(-5, 5, (1000, 3)))
         segmentation = jalon.Segmenter("survey_codes", codes=network.codes).run(cloud)
         self.assertIn("window", segmentation.notes)
 
     def python__a_blunder_is_named_by_its_line(self):
         wrong = sights().replace("B;C;", "B;C;1", 1)
-        network = jalon.Network.adjust(NAILS, wrong, refraction=1)
+        network = jalon.Network.adjust(wrong, NAILS, refraction=1)
         observations = network.observations
         worst = np.argmax(np.abs(observations["normalised"]))
         self.assertEqual(observations["line"][worst], 5)
@@ -59,9 +59,9 @@ class Networks(unittest.TestCase):
 
     def python__what_is_wrong_is_told_by_its_line(self):
         with self.assertRaisesRegex(jalon.FormatError, "observations, line 2"):
-            jalon.Network.adjust(NAILS, "from to distance\nA B long\n")
+            jalon.Network.adjust("from to distance\nA B long\n", NAILS)
         with self.assertRaisesRegex(ValueError, "nothing holds"):
-            jalon.Network.adjust(None, sights())
+            jalon.Network.adjust(sights())
 
 
 if __name__ == "__main__":

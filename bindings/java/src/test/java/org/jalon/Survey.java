@@ -156,7 +156,7 @@ final class Survey {
   static final String SIGHTS = "from to direction zenith distance code\nA B 0 100 50 -\nA C 50 100 30 350\nB C 170 100 36.2 350\nB A 0 100 50 -\n";
 
   static Network network() {
-    return Network.adjust(NAILS, SIGHTS);
+    return Network.adjust(SIGHTS, NAILS);
   }
 
   static Adjustment adjusted(SceneDriveScenarioResult driven) {
