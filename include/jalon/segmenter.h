@@ -75,6 +75,9 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   (Hough 1962; Vosselman et al. 2004); each peak is adjusted and followed over all points as the
  *   planes of "ransac" are, and the points left vote anew. No random draws. Time by the number of
  *   voters and planes.
+ * - "scan_lines": the rows of a scan cut into straight pieces, pieces grown to planes across rows
+ *   (Jiang & Bunke 1994). Rows are the fields "row" and "column" of the cloud, else vertical profiles
+ *   by the angles about its stations; JALON_ERROR_UNSUPPORTED where it has neither. O(n log n).
  * - "survey_codes": the objects that a coded total-station survey describes (master's thesis on
  *   feature codes for terrestrial laser scanning, University of Liege 2021). Parameter "codes" is
  *   the list as text, a line a point: ID;X;Y;Z;code in the cloud's system, where a code is sequence
@@ -113,9 +116,9 @@ JALON_API JALON_CHECK jalon_status jalon_segmenter_params(jalon_segmenter* segme
 /**
  * Segments the cloud. JALON_ERROR_INSUFFICIENT_DATA below 3 points; JALON_ERROR_DEGENERATE when all
  * points are equal or collinear. A cloud without planes, or with fewer points on them than
- * min_points, or without codes, gives JALON_OK and a segmentation without any. Every method and every choice of
- * parameters gives the same status. Repeated points count as often as they occur; points that are
- * not finite never get into a cloud.
+ * min_points, or without codes, gives JALON_OK and a segmentation without any. Every method and
+ * every choice of parameters gives the same status, but for what "scan_lines" needs besides.
+ * Repeated points count as often as they occur; points that are not finite never get into a cloud.
  */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_run(const jalon_segmenter* segmenter,
                                                        const jalon_cloud* cloud, jalon_task* task,

@@ -6,6 +6,7 @@
 
 #include "cli/lengths.h"
 #include "cli/outputs/edge_curve.h"
+#include "cli/outputs/method_comparison.h"
 #include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
@@ -28,6 +29,7 @@ struct Segment {
   double tolerance_m = 0;  ///< 0 = the method's default
   Picks picks;
   EdgeCurveFiles edge_curve;
+  MethodComparison comparison;
 
   Segmenter segmenter(Params& params) const {
     Segmenter made;
@@ -101,10 +103,54 @@ struct Segment {
     }
   }
 
+  // Every method on the same scan, as a table and a page.
+  void compare(Console& console) const {
+    if (picks.are_given() || settings.is_given() || edge_curve.label > 0)
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "--compare-methods takes every method with its defaults: no --pick, no "
+                    "--segment-set, no --edge-curve"};
+    console.step("reading");
+    const Cloud cloud = input.read(console);
+    Segmentation reference;
+    if (!comparison.labels.empty())
+      must(jalon_segmentation_from_labels(cloud.get(), comparison.labels.c_str(), nullptr,
+                                          console.task(), Out(reference)));
+    OutputFolder folder(output);
+    std::vector<MethodComparison::Row> rows;
+    const char* const* names = nullptr;
+    uint64_t count = 0;
+    must(jalon_segmenter_methods(&names, &count));
+    for (uint64_t i = 0; i < count; ++i) {
+      console.step(names[i]);
+      Segmentation segmentation;
+      const auto row =
+          comparison.run(console, names[i], cloud, reference.get(), tolerance_m, segmentation);
+      if (!row) continue;
+      rows.push_back(*row);
+      if (row->planes > 0) draw(console, segmentation, folder.path(std::string(names[i]) + ".svg"));
+    }
+    const Json result{{"input", input.path},
+                      {"points", count_of(cloud)},
+                      {"output", output},
+                      {"methods", MethodComparison::json(rows)}};
+    write_text_file(folder.path("methods.csv"), MethodComparison::csv(rows));
+    write_text_file(folder.path("methods.json"),
+                    result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_text_file(
+        folder.path("methods.html"),
+        MethodComparison::page(std::filesystem::path(input.path).filename().string(), rows));
+    folder.commit();
+    for (const std::string& line : MethodComparison::lines(rows)) console.say(line);
+    console.say("wrote " + output + ": methods.html, methods.csv, methods.json, pictures");
+    console.result(result);
+  }
+
   void run() const {
     Console console(common);
     Params params;
     check_output_folder(output);
+    comparison.check();
+    if (comparison.wanted) return compare(console);
     const Segmenter worker = segmenter(params);  // wrong parameters are told before a long read
     picks.check();
     edge_curve.check();
@@ -187,6 +233,7 @@ void add_segment(Command& app) {
   state->picks.add_to(command);
   state->edge_curve.add_to(command);
   state->viewer.add_to(command);
+  state->comparison.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return tables_of_segment() + "Parameters of --pick-set:\n" +
@@ -197,6 +244,7 @@ void add_segment(Command& app) {
            "  jalon segment scan.las -o result --pick \"2.5,0,1.2\" --pick \"sphere:4,-1,1\"\n"
            "  jalon segment scan.las -o result --edge-curve 1\n"
            "  jalon segment plant.las -o result --set primitives=all --set max_radius_m=1\n"
+           "  jalon segment scan.las -o result --compare-methods --reference-labels face\n"
            "  jalon evaluate-segmentation result/segments.las reference.las";
   });
   command.on_run([state] { state->run(); });

@@ -9,6 +9,7 @@
 #include "segment/profile_settings.h"
 #include "segment/ransac_settings.h"
 #include "segment/raster_settings.h"
+#include "segment/scan_line_settings.h"
 #include "segment/split_settings.h"
 #include "segment/triangle_settings.h"
 
@@ -33,6 +34,8 @@ constexpr SegmentMethod kMethods[] = {
     {"split_merge", "segmenter split_merge", split_merge_rows,
      run<SplitSettings, segment_split_merge>},
     {"hough", "segmenter hough", hough_rows, run<HoughSettings, segment_hough>},
+    {"scan_lines", "segmenter scan_lines", scan_line_rows,
+     run<ScanLineSettings, segment_by_scan_lines>},
     {"survey_codes", "segmenter survey_codes", survey_code_rows,
      run<SurveyCodeSettings, segment_by_survey_codes>},
     {"target_codes", "segmenter target_codes", target_code_rows,

@@ -30,7 +30,8 @@ constexpr auto kRasterPixel = setting_rows(number_row<&SurfaceSettings::pixel_m>
     "Edge of a raster pixel, also for area and re-assignment; 0 = 1.4 times the point spacing."));
 constexpr auto kRasterEnding = plane_ending_rows("raster_growing");
 
-// Origins: the comparison of 2006 (3 x 3 pixels, nearest return); layers and directions by trial on the unit tests' scenes.
+// Origins: the comparison of 2006 (3 x 3 pixels, nearest return); layers and directions by trial on the scenes
+// of the unit tests.
 constexpr auto kRasterRows = setting_rows(
     nested_rows<&RasterSettings::surface, kRasterLeast>(),
     choice_row<&RasterSettings::projection>(

@@ -112,6 +112,11 @@ static void every_segmenter__finds_wall_and_ground_of_a_street(void** state) {
     jalon_fields* segments = NULL;
     jalon_array_view labels;
     MUST(jalon_segmenter_create(names[i], &segmenter));
+    if (strcmp(names[i], "scan_lines") == 0) { /* nobody scanned these points: they have no rows */
+      REFUSED(JALON_ERROR_UNSUPPORTED, jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
+      jalon_segmenter_release(segmenter);
+      continue;
+    }
     MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
     MUST(jalon_segmentation_segments(segmentation, &segments));
     MUST(jalon_fields_view(segments, "label", &labels));

@@ -222,9 +222,9 @@ static void segmenter__shares_its_parameters(void** state) {
   jalon_segmenter_release(segmenter);
 }
 
-static const char* const kMethods[] = {"ransac",   "region_growing",   "raster_growing",
-                                       "profiles", "triangle_growing", "split_merge",
-                                       "hough",    "survey_codes",     "target_codes"};
+static const char* const kMethods[] = {
+    "ransac",      "region_growing", "raster_growing", "profiles",     "triangle_growing",
+    "split_merge", "hough",          "scan_lines",     "survey_codes", "target_codes"};
 enum { kMethodCount = sizeof kMethods / sizeof *kMethods };
 
 static void segmenter__grows_the_same_two_planes(void** state) {
@@ -341,6 +341,9 @@ static void stops_when_cancelled_and_runs_again(const char* method) {
   jalon_segmenter* segmenter = NULL;
   jalon_segmentation* segmentation = NULL;
   jalon_cloud* cloud = corner_cloud();
+  const jalon_transform pose = {
+      {1, 0, 0, 2, 0, 1, 0, -5, 0, 0, 1, 1.5}}; /* scan_lines asks for one */
+  MUST(jalon_cloud_set_station(cloud, "tripod", &pose));
   MUST(jalon_task_create(&task));
   MUST(jalon_segmenter_create(method, &segmenter));
   MUST(jalon_task_cancel(task));

@@ -117,6 +117,12 @@ assert d[\"summary\"][\"converged\"] == 1 and d[\"points\"][2][\"id\"] == \"C\" 
 check "network writes its points as a table" bash -c "head -1 survey/points.csv | grep -q '^id,xyz_0,' && grep -q '^C,65201' survey/points.csv && grep -q '^C;65201.*;350$' survey/codes.txt && grep -q '^distance,5,B,A,' survey/observations.csv"
 refuses "a survey with a wrong line" 3 'observations, line 2' bash -c "printf 'from to distance\\nA B far\\n' >wrong.txt; exec '$jalon' network wrong.txt -o no"
 refuses "a survey that nothing holds" 5 'nothing holds' "$jalon" network sights.txt -o no
+check "segment compares all methods with the true faces" bash -c "'$jalon' segment sample.las -o methods --compare-methods --reference-labels face --json --quiet | python3 -c '
+import json, sys
+rows = {row[\"method\"]: row for row in json.load(sys.stdin)[\"methods\"]}
+assert rows[\"ransac\"][\"planes\"] > 5 and rows[\"hough\"][\"tdr\"] > 0.5 and rows[\"scan_lines\"][\"unsupported\"], rows'"
+for file in methods.csv methods.json methods.html ransac.svg hough.svg; do check "comparing methods made $file" test -s methods/$file; done
+refuses "comparing methods with settings of one" 2 'compare-methods' "$jalon" segment sample.las -o no --compare-methods --set min_points=30
 printf '1;5;0;1;360\n2;9;0;3;360\n3;0;0;0;777\n' >codes.txt
 check "code classifies the points of coded objects" bash -c "'$jalon' code sample.las codes.txt -o coded --method survey --json --quiet | python3 -c '
 import json, sys

@@ -35,7 +35,7 @@ SUBROOMS = {
         "surface": [], "front": [], "labels": ["surface", "result"], "result": ["front"], "ransac": ["surface"],
         "settle": ["ransac", "result"], "growing": ["ransac"], "picks": ["surface", "result"], "evaluation": ["labels"],
         "codes": ["labels"], "raster": ["surface"], "profiles": ["surface"], "triangles": [], "cells": [],
-        "hough": ["ransac"],
+        "hough": ["ransac"], "lines": ["surface"],
     },
     "modelling": {
         "plane": [], "contour": ["plane"], "edges/find": ["plane"], "edges/adjust": ["edges/find"],

@@ -21,7 +21,8 @@ std::vector<ProfileNode> thin_points(std::span<const Vec2> points, double cell_m
                                      std::vector<uint32_t>& order);
 
 /// Chains of nodes, each the nearest one not yet in a chain, no farther than gap_m: from any node to both sides until
-/// there is none. Nodes within filled areas, where a surface lies in the slice, are left out. Indices of the nodes. cell_m: that of thin_points().
+/// there is none. Nodes within filled areas, where a surface lies in the slice, are left out. Indices of the nodes.
+/// cell_m: that of thin_points().
 std::vector<std::vector<uint32_t>> chain_nodes(std::span<const ProfileNode> nodes, double cell_m,
                                                double gap_m);
 

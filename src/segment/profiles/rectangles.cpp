@@ -21,14 +21,14 @@ constexpr uint32_t kNoLine = 0xffffffffu;
 
 double length_of(const ProfileLine& line) {
   const Vec2 d = line.to - line.from;
-  return std::hypot(d.u, d.v);
+  return std::sqrt(d.u * d.u + d.v * d.v);
 }
 
 // Distance at which b runs beside a; infinite where it does not.
-double beside(const ProfileLine& a, const ProfileLine& b, const RectangleRule& rule) {
+double beside(const ProfileLine& a, const ProfileLine& b, const RectangleRule& rule, double sine) {
   const double la = length_of(a), lb = length_of(b);
   const Vec2 da = (a.to - a.from) * (1 / la), db = (b.to - b.from) * (1 / lb);
-  if (std::fabs(da.u * db.v - da.v * db.u) > std::sin(rule.angle_rad)) return INFINITY;
+  if (std::fabs(da.u * db.v - da.v * db.u) > sine) return INFINITY;
   const auto along = [&](const Vec2& p) {
     return (p.u - a.from.u) * da.u + (p.v - a.from.v) * da.v;
   };
@@ -49,9 +49,10 @@ struct LineRange {
 uint32_t nearest_beside(std::span<const ProfileLine> lines, uint32_t line, const LineRange& range,
                         const RectangleRule& rule) {
   uint32_t best = kNoLine;
+  const double sine = std::sin(rule.angle_rad);
   double least = INFINITY;
   for (uint32_t other = range.begin; other < range.end; ++other) {
-    const double off = beside(lines[line], lines[other], rule);
+    const double off = beside(lines[line], lines[other], rule, sine);
     if (off < least) {
       least = off;
       best = other;

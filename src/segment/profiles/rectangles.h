@@ -26,8 +26,8 @@ struct RectangleRule {
 };
 
 /// Each line with the one of the next slice that runs beside it at the least distance, and the other way round: the
-/// direction agrees, they overlap by half the shorter, the plane through both is no flatter than 50 degrees to the axis.
-/// lines: slice by slice.
+/// direction agrees, they overlap by half the shorter, the plane through both is no flatter than 50 degrees to the
+/// axis. lines: slice by slice.
 std::vector<ProfileRectangle> match_lines(std::span<const ProfileLine> lines,
                                           const RectangleRule& rule, Task& task);
 

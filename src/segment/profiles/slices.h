@@ -27,8 +27,8 @@ struct ProfileLine {
   std::vector<uint32_t> positions;  ///< of its points in the scene
 };
 
-/// All straight pieces of the slices at multiples of the step, slice by slice: points of each slice thinned, chained and
-/// simplified, each piece fitted to its nodes.
+/// All straight pieces of the slices at multiples of the step, slice by slice: points of each slice thinned, chained
+/// and simplified, each piece fitted to its nodes.
 std::vector<ProfileLine> profile_lines(const SegmentScene& scene, const SliceRule& rule,
                                        Task& task);
 

@@ -24,10 +24,10 @@ struct PixelRegions {
   std::vector<Plane> planes;     ///< in the scene's coordinates
 };
 
-/// Region growing on grey values (the first of three methods for planes compared in France in 2006): seeds by least residual of their window's plane; a pixel joins
-/// when its grey value is the plane's within the tolerance, which is refitted from running sums as the region grows; a
-/// pixel refused is not asked again by the same region: there its border stays. Planes that the image foreshortens by
-/// more than a quarter are left to another image. O(pixels).
+/// Region growing on grey values (the first of three methods for planes compared in France in 2006): seeds by least
+/// residual of their window's plane; a pixel joins when its grey value is the plane's within the tolerance, which is
+/// refitted from running sums as the region grows; a pixel refused is not asked again by the same region: there its
+/// border stays. Planes that the image foreshortens by more than a quarter are left to another image. O(pixels).
 PixelRegions grow_pixels(const DepthImage& image, const PixelRule& rule, Task& task);
 
 }  // namespace jalon

@@ -163,6 +163,9 @@ std::vector<Corners> agreed_triangles(const Stars& stars, size_t n, uint32_t lea
       }
   });
   std::vector<Corners> triangles;
+  size_t count = 0;
+  for (const auto& part : parts) count += part.size();
+  triangles.reserve(count);
   for (auto& part : parts) {
     triangles.insert(triangles.end(), part.begin(), part.end());
     part = {};

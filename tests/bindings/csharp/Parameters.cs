@@ -43,7 +43,7 @@ static class Parameters {
 
   public static void Every_listed_method__works_on_a_cloud() {
     using (var cloud = new Cloud(Scenes.Plane(60))) {
-      foreach (string name in Segmenter.Methods().Where(name => !name.EndsWith("_codes"))) {
+      foreach (string name in Segmenter.Methods().Where(name => !name.EndsWith("_codes") && name != "scan_lines")) {
         using (var segmenter = new Segmenter(name))
         using (Segmentation segmentation = segmenter.Run(cloud))
         using (Fields segments = segmentation.GetSegments())

@@ -37,6 +37,10 @@ class Methods(unittest.TestCase):
         for name in jalon.Segmenter.methods():
             if name.endswith("_codes"):  # they need a list of codes: codes_test.py
                 continue
+            if name == "scan_lines":  # nobody scanned these points: they have no rows
+                with self.assertRaises(jalon.UnsupportedError):
+                    jalon.Segmenter(name).run(box_cloud())
+                continue
             segmentation = jalon.Segmenter(name).run(box_cloud())
             self.assertGreaterEqual(len(segmentation.segments), 5, name)
             for modeller in jalon.Modeller.methods():

@@ -9,6 +9,7 @@
 #include "segment/hough_settings.h"
 #include "segment/profile_settings.h"
 #include "segment/raster_settings.h"
+#include "segment/scan_line_settings.h"
 #include "segment/split_settings.h"
 #include "segment/triangle_settings.h"
 #include "unit/segment/scenes.h"
@@ -35,6 +36,8 @@ constexpr const char* kTriangles =
 constexpr const char* kSplit = "{\"angle_rad\": 0.3, \"least_cell_m\": 0.1}";
 constexpr const char* kHough =
     "{\"angle_step_rad\": 0.1, \"distance_step_m\": 0.1, \"votes\": \"all\", \"voters\": 5000}";
+constexpr const char* kScanLines =
+    "{\"line_tolerance_m\": 0.01, \"gap_m\": 0.5, \"line_points\": 6}";
 constexpr const char* kTargetCodes = "{\"codes\": \"1;0;0;0;1\", \"wall_draws\": 40}";
 constexpr const char* kSurveyCodes =
     "{\"codes\": \"1;0;0;0;360\\n2;1;1;1;360\", \"classes\": \"asprs\", \"inward_m\": 0.3}";
@@ -59,13 +62,20 @@ TEST_CASE("segment_methods__settings_tell_the_parameters_they_came_from") {
     if (name == "triangle_growing") check.operator()<TriangleSettings>(kTriangles);
     if (name == "split_merge") check.operator()<SplitSettings>(kSplit);
     if (name == "hough") check.operator()<HoughSettings>(kHough);
+    if (name == "scan_lines") check.operator()<ScanLineSettings>(kScanLines);
     if (name == "target_codes") check.operator()<TargetCodeSettings>(kTargetCodes);
     if (name == "survey_codes") check.operator()<SurveyCodeSettings>(kSurveyCodes);
   }
 }
 
 TEST_CASE("segment_methods__result_tells_the_parameters_of_its_method") {
-  const CloudPtr cloud = cloud_of(facade_scene(200, 1).points);
+  auto cloud = std::make_shared<Cloud>(*cloud_of(facade_scene(200, 1).points));
+  Station station;  // scan_lines asks for one
+  station.has_pose = true;
+  station.pose.m[3] = 5;
+  station.pose.m[7] = -12;
+  station.count = cloud->size();
+  cloud->stations.push_back(station);
   for (const SegmentMethod& method : segment_methods()) {
     CAPTURE(method.owner);
     const ParamSet params(method.owner, method.rows());
